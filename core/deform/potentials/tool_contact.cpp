@@ -39,7 +39,8 @@ bool ToolContact::free(std::span<const Vec3> positions_mm) const {
     return least_gap_mm(positions_mm) > 0.0 && std::isfinite(energy(positions_mm, positions_mm));
 }
 
-// Of the body's pad alone: a rigid obstacle needs no limit. Jaws are pressed apart by the force that works where they open.
+// Of the body's pad alone: a rigid obstacle needs no limit. Jaws are pressed apart by the force
+// that works where they open.
 ToolResistance ToolContact::resistance_at(std::span<const Capsule> shapes,
                                           std::span<const Vec3> positions_mm) const {
     ToolResistance sum;
@@ -165,10 +166,10 @@ double ToolContact::free_share(std::span<const Vec3> from_mm, std::span<const Ve
     double share = 1.0;
     if (!tool_) return share;
     for (const ToolPart& part : tool_->parts)
-        share = std::min(
-            share, hepatica::free_share(part.shape, pad_.surface(), from_mm, to_mm, [&](double gap_mm) {
-                return least_share * std::min(gap_mm, tool_->pad_mm);
-            }));
+        share = std::min(share, hepatica::free_share(
+                                    part.shape, pad_.surface(), from_mm, to_mm, [&](double gap_mm) {
+                                        return least_share * std::min(gap_mm, tool_->pad_mm);
+                                    }));
     return share;
 }
 
@@ -178,7 +179,8 @@ double ToolContact::share_until_touch(std::span<const Vec3> from_mm,
     if (!tool_) return share;
     for (const ToolPart& part : tool_->parts)
         share = std::min(
-            share, hepatica::free_share(part.shape, pad_.surface(), from_mm, to_mm, [&](double gap_mm) {
+            share,
+            hepatica::free_share(part.shape, pad_.surface(), from_mm, to_mm, [&](double gap_mm) {
                 return gap_mm > tool_->pad_mm ? led_until * tool_->pad_mm : -1.0;
             }));
     return share;

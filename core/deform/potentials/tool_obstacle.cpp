@@ -18,15 +18,14 @@ ToolObstacle::ToolObstacle(const Obstacle& obstacle)
 
 bool ToolObstacle::stops(const Tool& tool) const {
     if (obstacle_.kind == SurfaceKind::solid) return true;
-    return std::ranges::all_of(
-        tool.parts, [&](const ToolPart& part) { return !meets(part) && holds(part); });
+    return std::ranges::all_of(tool.parts,
+                               [&](const ToolPart& part) { return !meets(part) && holds(part); });
 }
 
 bool ToolObstacle::entered_by(const Tool& tool) const {
     return obstacle_.kind == SurfaceKind::solid &&
-           std::ranges::any_of(tool.parts, [&](const ToolPart& part) {
-               return meets(part) || holds(part);
-           });
+           std::ranges::any_of(tool.parts,
+                               [&](const ToolPart& part) { return meets(part) || holds(part); });
 }
 
 bool ToolObstacle::meets(const ToolPart& part) const {

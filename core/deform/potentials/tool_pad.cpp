@@ -49,8 +49,7 @@ void ToolPad::add_points_of(int triangle, const Tool& tool, const Capsule& shape
             if (!(gap < pad)) continue;
             const int on_borders = (i == 0) + (j == 0) + (i + j == n);
             const double share = on_borders == 0 ? 6.0 : (on_borders == 1 ? 3.0 : 1.0);
-            const double strength =
-                share / (3.0 * n * n) * area_mm2_[triangle] * tool.pressure_pa;
+            const double strength = share / (3.0 * n * n) * area_mm2_[triangle] * tool.pressure_pa;
             const PadBarrier barrier = pad_barrier(gap, pad, strength);
             const Vec3 normal = (point - point_at(axis, on.along)) / distance;
             found.push_back({part, on.along, triangle, weights, normal, point, barrier.force_un,

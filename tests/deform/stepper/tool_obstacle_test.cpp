@@ -35,22 +35,22 @@ Tool with_pad(Tool tool, const Vec3& at_mm) {
     return tool;
 }
 
-Tool ball_at(const Vec3& at_mm, double radius_mm = 2.0) {
+Tool probe_at(const Vec3& at_mm, double radius_mm = 2.0) {
     return with_pad(single_tool({.radius_mm = radius_mm}), at_mm);
 }
 
-Tool rod_at(const Vec3& at_mm, const Vec3& half_axis_mm = Vec3(5, 2, -1)) {
+Tool rod_probe_at(const Vec3& at_mm, const Vec3& half_axis_mm = Vec3(5, 2, -1)) {
     return with_pad(single_tool({.half_axis_mm = half_axis_mm, .radius_mm = 0.8}), at_mm);
 }
 
-Tool hook_at(const Vec3& at_mm) {
+Tool hook_beside(const Vec3& at_mm) {
     Tool hook = single_tool({.half_axis_mm = Vec3(0, 0, 6), .radius_mm = 0.7});
     hook.parts.push_back(
         {.shape = {.centre_mm = Vec3(2, 0, -6), .half_axis_mm = Vec3(2, 0, 0), .radius_mm = 0.7}});
     return with_pad(hook, at_mm);
 }
 
-Tool jaws_at(const Vec3& at_mm, double opening_mm) {
+Tool open_jaws_at(const Vec3& at_mm, double opening_mm) {
     Tool jaws;
     for (const double side : {-0.5, 0.5})
         jaws.parts.push_back({.shape = {.centre_mm = side * Vec3(opening_mm + 2.0, 0, 0),
@@ -93,7 +93,7 @@ TEST(ToolBesideObstacles, WhatIsFlungAtATumourDoesNotEnterIt) {
     const TriangleMesh& tumour = body.obstacles->all[0].surface;
     const Vec3 beside = centre + Vec3(0, 0, 17);
     for (const Tool& tool :
-         {ball_at(beside), rod_at(beside), hook_at(beside), jaws_at(beside, 3.0)}) {
+         {probe_at(beside), rod_probe_at(beside), hook_beside(beside), open_jaws_at(beside, 3.0)}) {
         for (const double speed_mm_per_s : {10.0, 100.0, 1e3, 1e4, 1e5}) {
             const auto stepper = make_cpu_stepper(body, {});
             stepper->set_tool(tool);
@@ -123,7 +123,7 @@ TEST(ToolBesideObstacles, SlidesAlongWhatStopsIt) {
         bar_beside(one_obstacle(box_surface(Vec3(-100, -100, 40), Vec3(300, 300, 1), {6, 6, 1})));
     for (const double speed_mm_per_s : {10.0, 1e3, 1e5}) {
         const auto stepper = make_cpu_stepper(body, {});
-        Tool tool = ball_at(Vec3(0, 0, 43.5));
+        Tool tool = probe_at(Vec3(0, 0, 43.5));
         tool.force_limit_un = 100.0;
         stepper->set_tool(tool);
         const Vec3 end(60, 20, -30);
@@ -144,15 +144,15 @@ TEST(ToolBesideObstacles, SlidesAlongWhatStopsIt) {
 //   2 pi p h (R + h/2) (ln 2 - 1/2):
 // the integral of p g/(1 - g) and the slope of the normal over rings of the plane.
 TEST(ToolBesideObstacles, TheForceAtRestIsThatOfThePadInClosedForm) {
-    const BodyDescription body = bar_beside(
-        one_obstacle(box_surface(Vec3(27, -3, 39), Vec3(6, 6, 1), {60, 60, 6})));
+    const BodyDescription body =
+        bar_beside(one_obstacle(box_surface(Vec3(27, -3, 39), Vec3(6, 6, 1), {60, 60, 6})));
     for (const bool region : {false, true}) {
         std::unique_ptr<Stepper> stepper;
         if (region)
             stepper = make_live_stepper(body, {});
         else
             stepper = make_cpu_stepper(body, {});
-        Tool tool = ball_at(Vec3(30.1, 0.2, 50), 5.0);
+        Tool tool = probe_at(Vec3(30.1, 0.2, 50), 5.0);
         tool.pad_mm = 1.0;
         stepper->set_tool(tool);
         stepper->lead_tool(Vec3(30.1, 0.2, 30));
@@ -189,7 +189,7 @@ TEST(ToolBesideObstacles, TheForceOnTheToolIsOppositeToThatOnTheTumour) {
         bar_beside(one_obstacle(ball_surface(Vec3(30, 3, 40), 6.0, 4)));
     const Body body = build_body(description, ElementModel::corotated, ElementOrder::linear);
     PotentialList list(body);
-    Tool tool = rod_at(Vec3(30.1, 3.05, 50), Vec3(4, 1, 0.05));
+    Tool tool = rod_probe_at(Vec3(30.1, 3.05, 50), Vec3(4, 1, 0.05));
     tool.target_mm = Vec3(30.1, 3.05, 44);
     list.set_tool(tool);
     list.lead_tool(body.rest_positions_mm, 1.0, frame_s);
@@ -204,7 +204,8 @@ TEST(ToolBesideObstacles, TheForceOnTheToolIsOppositeToThatOnTheTumour) {
     };
     for (int c = 0; c < 3; ++c) {
         const Vec3 step = 1e-5 * Vec3::Unit(c);
-        const double on_tool = -(energy_with(step, Vec3::Zero()) - energy_with(-step, Vec3::Zero())),
+        const double on_tool =
+                         -(energy_with(step, Vec3::Zero()) - energy_with(-step, Vec3::Zero())),
                      on_tumour =
                          -(energy_with(Vec3::Zero(), step) - energy_with(Vec3::Zero(), -step));
         EXPECT_NEAR(on_tool / 2e-5, load.force_un[c], 1e-5 * load.force_un.norm()) << c;
@@ -216,7 +217,7 @@ TEST(ToolBesideObstacles, TheForceOnTheToolIsOppositeToThatOnTheTumour) {
 TEST(ToolBesideObstacles, ReadsNoGreaterForceThanItsLimit) {
     const BodyDescription body = bar_beside(one_obstacle(ball_surface(Vec3(30, 3, 40), 3.0)));
     for (const bool pinches : {false, true}) {
-        Tool tool = pinches ? jaws_at(Vec3(30, 3, 40), 8.0) : ball_at(Vec3(30, 3, 50));
+        Tool tool = pinches ? open_jaws_at(Vec3(30, 3, 40), 8.0) : probe_at(Vec3(30, 3, 50));
         for (const bool weak : {false, true}) {
             const auto stepper = make_cpu_stepper(body, {});
             if (weak) tool.force_limit_un = 100.0;
@@ -241,13 +242,12 @@ TEST(ToolBesideObstacles, ReadsNoGreaterForceThanItsLimit) {
 
 // What is in the liver with all of it stays there; a rod that reaches out goes through its wall.
 TEST(ToolBesideObstacles, AShellHoldsWhatLiesInItAlone) {
-    const BodyDescription body =
-        bar_beside(one_obstacle(box_surface(Vec3(-10, -20, -20), Vec3(80, 40, 80), {4, 2, 4}), 0.2,
-                                SurfaceKind::shell));
+    const BodyDescription body = bar_beside(one_obstacle(
+        box_surface(Vec3(-10, -20, -20), Vec3(80, 40, 80), {4, 2, 4}), 0.2, SurfaceKind::shell));
     const TriangleMesh& wall = body.obstacles->all[0].surface;
     for (const double speed_mm_per_s : {100.0, 1e4, 1e5}) {
         const auto stepper = make_cpu_stepper(body, {});
-        stepper->set_tool(ball_at(Vec3(30, 3, 80)));
+        stepper->set_tool(probe_at(Vec3(30, 3, 80)));
         stepper->lead_tool(Vec3(30, 3, 40));  // it comes in as through a port
         stepper->step(frame_s);
         ASSERT_EQ(stepper->tool()->centre_mm(), Vec3(30, 3, 40));
@@ -263,7 +263,7 @@ TEST(ToolBesideObstacles, AShellHoldsWhatLiesInItAlone) {
         EXPECT_GT(met, 10);
     }
     const auto stepper = make_cpu_stepper(body, {});
-    stepper->set_tool(rod_at(Vec3(30, 3, 60), Vec3(0, 0, 10)));
+    stepper->set_tool(rod_probe_at(Vec3(30, 3, 60), Vec3(0, 0, 10)));
     stepper->lead_tool(Vec3(20, 3, 65));
     stepper->step(frame_s);
     EXPECT_EQ(stepper->tool()->centre_mm(), Vec3(20, 3, 65));
@@ -274,9 +274,9 @@ TEST(ToolBesideObstacles, IsNotPutIntoATumour) {
     const BodyDescription body = bar_beside(one_obstacle(ball_surface(Vec3(30, 3, 40), 6.0)));
     const auto stepper = make_cpu_stepper(body, {});
     for (const double height : {40.0, 47.0})
-        EXPECT_THROW(stepper->set_tool(ball_at(Vec3(30, 3, height))), InputError) << height;
+        EXPECT_THROW(stepper->set_tool(probe_at(Vec3(30, 3, height))), InputError) << height;
     EXPECT_FALSE(stepper->tool());
-    EXPECT_NO_THROW(stepper->set_tool(ball_at(Vec3(30, 3, 49))));
+    EXPECT_NO_THROW(stepper->set_tool(probe_at(Vec3(30, 3, 49))));
 }
 
 // It is met by the tool long after it has pressed the bar: the two do not know of each other.
@@ -286,7 +286,7 @@ TEST(ToolBesideObstacles, AnObstacleFarAwayChangesNoBit) {
         BodyDescription body = bar();
         if (there) body.obstacles = one_obstacle(ball_surface(Vec3(30, 3, 60), 6.0));
         const auto stepper = make_cpu_stepper(body, {});
-        stepper->set_tool(ball_at(Vec3(30, 3, 9)));
+        stepper->set_tool(probe_at(Vec3(30, 3, 9)));
         for (int k = 0; k < 30; ++k) {
             stepper->lead_tool(Vec3(30, 3 + 0.02 * k, 9 - 0.1 * k));
             stepper->step(frame_s);
