@@ -87,7 +87,7 @@ DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
     setting_.velocity_error = spec.velocity_error;
     body_.mesh = patient.mesh;
     body_.touchable = contact && contact->tools;
-    if (contact && contact->self) body_.self.emplace();
+    if (contact && contact->self) body_.self = SelfPad{.friction = contact->friction};
     if (obstacles) obstacles_hash_ = hash_of(*obstacles);
     body_.obstacles = std::move(obstacles);
     const MaterialPreset& preset = material_named(spec.material);

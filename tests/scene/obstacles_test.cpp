@@ -230,12 +230,27 @@ TEST(ObstaclesOfAScene, AreReadFromTheCaseWhereVoxelsWereNot) {
 }
 
 TEST(ObstaclesOfAScene, SurviveJson) {
-    for (const char* text : {"{}", R"({"tools":true,"self":false,"obstacles":true})",
-                             R"({"tools":false,"self":true})"})
+    for (const char* text :
+         {"{}", R"({"tools":true,"self":false,"obstacles":true})", R"({"tools":false,"self":true})",
+          R"({"friction":0.3})", R"({"tools":false,"self":true,"friction":0.25})"})
         EXPECT_EQ(to_json(scene_with(text))["contact"].dump(), text);
     EXPECT_EQ(scene_with("{}").contact->obstacles, WantedObstacles::known);
     EXPECT_EQ(scene_with(R"({"obstacles": true})").contact->obstacles, WantedObstacles::required);
     EXPECT_FALSE(scene_with(R"({"obstacles": true})").contact->tools);
+    EXPECT_TRUE(scene_with(R"({"friction": 0.3})").contact->all());
+    EXPECT_EQ(scene_with("{}").contact->friction, 0.0);
+}
+
+TEST(ContactOfAScene, GivesVesselsTheirFriction) {
+    Job job;
+    const World rubs(small_patient(), scene_with(R"({"self": true, "friction": 0.3})"), job);
+    EXPECT_EQ(rubs.deform()->body().self->friction, 0.3);
+    const World slides(small_patient(), scene_with(R"({"self": true})"), job);
+    EXPECT_EQ(slides.deform()->body().self->friction, 0.0);
+    for (const char* text :
+         {R"({"tools": true, "friction": 0.3})", R"({"self": true, "friction": -1})",
+          R"({"self": true, "friction": "much"})"})
+        EXPECT_THROW(scene_with(text), InputError) << text;
 }
 
 // Other organs, another play: a recording says so at its first step.

@@ -9,6 +9,7 @@
 #include "core/deform/potentials/load_input.h"
 #include "core/deform/potentials/obstacle_contact.h"
 #include "core/deform/potentials/self_contact.h"
+#include "core/deform/potentials/self_friction.h"
 #include "core/deform/potentials/softening_ties.h"
 #include "core/deform/potentials/tether.h"
 #include "core/deform/potentials/tool_contact.h"
@@ -29,6 +30,11 @@ PotentialList::PotentialList(const Body& body) : nodes_(body.rest_positions_mm.s
         auto self = std::make_unique<SelfContact>(body);
         self_ = self.get();
         all_.push_back(std::move(self));
+        if (body.self_pad->friction > 0.0) {
+            auto friction = std::make_unique<SelfFriction>(body, *self_);
+            self_friction_ = friction.get();
+            all_.push_back(std::move(friction));
+        }
     }
     if (body.obstacles) {
         auto obstacles = std::make_unique<ObstacleContact>(body);
