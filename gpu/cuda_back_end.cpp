@@ -49,6 +49,8 @@ class CudaBackEnd final : public StepBackEnd {
     bool free_of_tool(std::span<const Vec3> positions_mm) const override {
         return cpu_->free_of_tool(positions_mm);
     }
+    bool tool_in_obstacle() const override { return cpu_->tool_in_obstacle(); }
+    ToolLoad tool_load() const override { return cpu_->tool_load(); }
     SurfacesKept overlaps() const override { return cpu_->overlaps(); }
     void set_overlaps(const SurfacesKept& kept) override { cpu_->set_overlaps(kept); }
     std::vector<std::array<int, 2>> touching_nodes() const override {

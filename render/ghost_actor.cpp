@@ -2,22 +2,17 @@
 #include "render/ghost_actor.h"
 
 #include <vtkActor.h>
-#include <vtkCellArray.h>
-#include <vtkFloatArray.h>
 #include <vtkOpenGLPolyDataMapper.h>
 #include <vtkPlane.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
 
-#include <cstddef>
 #include <locale>
 #include <sstream>
 #include <string>
 
-#include "render/surface_geometry.h"
+#include "render/still_surface.h"
 
 namespace hepatica {
 namespace {
@@ -53,32 +48,8 @@ GhostActor::GhostActor(const GhostLook& ghost)
 }
 
 void GhostActor::set_surface(const TriangleMesh& surface) {
-    Frame frame;
-    frame.surface = std::make_shared<const std::vector<std::array<int, 3>>>(surface.triangles);
-    frame.positions_mm.reserve(3 * surface.vertices_mm.size());
-    for (const Vec3& vertex : surface.vertices_mm) {
-        for (int axis = 0; axis < 3; ++axis) {
-            frame.positions_mm.push_back(static_cast<float>(vertex[axis]));
-        }
-    }
-    SurfaceGeometry geometry;
-    geometry.update(frame);
-
-    vtkNew<vtkFloatArray> positions;
-    vtkNew<vtkFloatArray> normals;
-    vtkNew<vtkCellArray> cells;
-    for (vtkFloatArray* array : {positions.Get(), normals.Get()}) array->SetNumberOfComponents(3);
-    for (const float value : geometry.positions_mm()) positions->InsertNextValue(value);
-    for (const float value : geometry.normals()) normals->InsertNextValue(value);
-    for (const auto& [a, b, c] : geometry.triangles()) cells->InsertNextCell({a, b, c});
-    vtkNew<vtkPoints> points;
-    points->SetData(positions);
-    vtkNew<vtkPolyData> polydata;
-    polydata->SetPoints(points);
-    polydata->SetPolys(cells);
-    polydata->GetPointData()->SetNormals(normals);
-    mapper_->SetInputData(polydata);
-    empty_ = geometry.triangles().empty();
+    mapper_->SetInputData(still_surface(surface));
+    empty_ = surface.triangles.empty();
     apply_visibility();
 }
 
@@ -94,7 +65,7 @@ void GhostActor::set_clip(vtkPlane* plane) {
 }
 
 void GhostActor::apply_visibility() {
-    actor_->SetVisibility(visible_ && !empty_);
+    actor_->SetVisibility(shows());
 }
 
 }  // namespace hepatica

@@ -31,6 +31,7 @@ class GhostActor {
     void set_visible(bool visible);
     // Draws only what is on the plane's positive side; null: all.
     void set_clip(vtkPlane* plane);
+    bool shows() const { return visible_ && !empty_; }
     vtkActor* actor() const { return actor_; }
 
   private:

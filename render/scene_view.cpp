@@ -84,6 +84,8 @@ bool SceneView::show(const Frame& frame) {
     const bool tree_changed = parts_->tree.update(frame);
     const bool pull_changed = parts_->grab.update(frame.grab);
     const bool tool_changed = parts_->tool.update(frame.tool);
+    const bool obstacles_changed = parts_->obstacles.update(frame.obstacles);
+    if (obstacles_changed) parts_->fit_organs_to_obstacles();
     const bool lines_changed = parts_->weak_lines.update(frame);
     const bool stem_changed = parts_->stem.update(frame.tool, frame.positions_mm);
     const GrabView pull = frame.grab.value_or(GrabView{});
@@ -98,8 +100,8 @@ bool SceneView::show(const Frame& frame) {
     if (parts_->tree.surface().triangles().empty()) parts_->looked = false;
     if (!parts_->looked && !parts_->tree.surface().triangles().empty())
         look_from(ViewDirection::anterior);
-    return tree_changed || pull_changed || tool_changed || lines_changed || stem_changed ||
-           force_changed || blood_changed;
+    return tree_changed || pull_changed || tool_changed || obstacles_changed || lines_changed ||
+           stem_changed || force_changed || blood_changed;
 }
 
 void SceneView::render(double pixel_ratio) {
@@ -204,13 +206,15 @@ void SceneView::set_bridges(std::vector<BridgeView> bridges) {
 }
 void SceneView::set_liver(const TriangleMesh& surface) {
     parts_->liver.set_surface(surface);
+    parts_->fit_organs_to_obstacles();
 }
 void SceneView::set_liver_visible(bool visible) {
     parts_->liver.set_visible(visible);
+    parts_->fit_organs_to_obstacles();
 }
 void SceneView::set_tumours(const TriangleMesh& surface) {
-    parts_->legend.tumours = !surface.triangles.empty();
     parts_->tumours.set_surface(surface);
+    parts_->fit_organs_to_obstacles();
 }
 void SceneView::set_volume(std::shared_ptr<const Volume> ct) {
     parts_->volume.show(std::move(ct));
@@ -230,6 +234,7 @@ void SceneView::set_clip(const std::optional<ClipPlane>& plane) {
     parts_->tree.set_clip(drawn);
     parts_->liver.set_clip(drawn);
     parts_->tumours.set_clip(drawn);
+    parts_->obstacles.set_clip(drawn);
     parts_->volume.set_clip(drawn);
 }
 

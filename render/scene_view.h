@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The three-dimensional picture of a Frame in any VTK render window: vessels with the drug in them,
-// the liver's ghost, tumours, the line of the pull, the tool and its force, legend, scale and
-// orientation; and the way back from a pixel to the point of the patient under it.
+// the liver's ghost, tumours, obstacles, the line of the pull, the tool and its force, legend,
+// scale and orientation; and the way back from a pixel to the point of the patient under it.
 #pragma once
 
 #include <memory>

@@ -23,6 +23,7 @@
 #include "render/figure_label.h"
 #include "render/ghost_actor.h"
 #include "render/grab_actor.h"
+#include "render/obstacle_actors.h"
 #include "render/orientation_marker.h"
 #include "render/palette.h"
 #include "render/scene_view.h"
@@ -51,6 +52,13 @@ struct SceneView::Parts {
                 pixel_ratio * covered[0],
                 pixel_ratio * covered[1]};
     }
+    // What stands in the way is drawn once: as an obstacle where it is a tumour, as an organ where
+    // the liver is shown.
+    void fit_organs_to_obstacles() {
+        obstacles.set_wall_visible(!liver.shows());
+        tumours.set_visible(!obstacles.has_solids());
+        legend.tumours = tumours.shows() || obstacles.has_solids();
+    }
     void find_colours_shown() { set_colours_shown(legend, systems, segments, drug); }
     // The driver is asked once, when a volume is shown first.
     void prepare_volume() {
@@ -72,6 +80,7 @@ struct SceneView::Parts {
     TreeActor tree;
     GhostActor liver{liver_ghost};
     GhostActor tumours{tumour_ghost};
+    ObstacleActors obstacles{*renderer};
     VolumeActor volume{*renderer};
     GrabActor grab;
     GrabActor stroke;

@@ -8252,5 +8252,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>&amp;Go on playing</source>
         <translation>&amp;Weiterspielen</translation>
     </message>
+    <message>
+        <source>would stand in an obstacle</source>
+        <translation>stünde in einem Hindernis</translation>
+    </message>
 </context>
 </TS>

@@ -88,6 +88,7 @@ constexpr std::array sentences_play{
     Words::id("the solver \"skeleton\""),
     Words::id("Choose cholesky, automatic or block-jacobi"),
     Words::id("would stand in the body"),
+    Words::id("would stand in an obstacle"),
     Words::id("puts the body into the tool"),
     Words::id("the tool"),
     Words::id("the state"),

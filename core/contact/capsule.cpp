@@ -42,16 +42,16 @@ struct Stop {
 // Of one capsule whose axis has its ends go by `steps`. What is nearer than keep_mm from the
 // beginning comes no nearer. Only what comes before `stop` is taken for one.
 void stop_one(const Segment& axis, const Segment& steps, double radius_mm,
-              const SurfacePatches& surface, std::span<const Vec3> positions_mm, double keep_mm,
-              Stop& stop) {
+              const StandingSurface& surface, double keep_mm, Stop& stop) {
     constexpr double band = tolerance * tolerance;
     const Motion<Segment> motion{axis, {axis[0] + steps[0], axis[1] + steps[1]}};
     Box box;
     for (const Segment& ends : {motion.begin, motion.end})
         for (const Vec3& end : ends) box.add(end);
     box.grow(radius_mm + keep_mm);
-    for (const int t : surface.triangles_in(box, positions_mm)) {
-        const Triangle corners = corners_of(surface.triangles()[t], positions_mm);
+    const auto& [patches, positions_mm] = surface;
+    for (const int t : patches.triangles_in(box, positions_mm)) {
+        const Triangle corners = corners_of(patches.triangles()[t], positions_mm);
         const double gap = nearest_point(axis, radius_mm, corners, t).gap_mm;
         const double keep = std::min(keep_mm, gap) - band * keep_mm;
         const Motion<Triangle> still{corners, corners};
@@ -64,12 +64,12 @@ void stop_one(const Segment& axis, const Segment& steps, double radius_mm,
 
 // Of all, moved by `begin_mm` and on their way by `motion_mm`.
 Stop straight(std::span<const Capsule> capsules, const Vec3& begin_mm,
-              const SurfacePatches& surface, std::span<const Vec3> positions_mm,
-              const Vec3& motion_mm, double keep_mm) {
+              const StandingSurfaces& surfaces, const Vec3& motion_mm, double keep_mm) {
     Stop stop;
-    for (const Capsule& capsule : capsules)
-        stop_one(moved(capsule.axis(), begin_mm), {motion_mm, motion_mm}, capsule.radius_mm,
-                 surface, positions_mm, keep_mm, stop);
+    for (const StandingSurface& surface : surfaces)
+        for (const Capsule& capsule : capsules)
+            stop_one(moved(capsule.axis(), begin_mm), {motion_mm, motion_mm}, capsule.radius_mm,
+                     surface, keep_mm, stop);
     return stop;
 }
 
@@ -127,18 +127,17 @@ double free_share(const Capsule& capsule, const SurfacePatches& surface,
     return share;
 }
 
-Vec3 approach(std::span<const Capsule> capsules, const SurfacePatches& surface,
-              std::span<const Vec3> positions_mm, const Vec3& motion_mm, double keep_mm) {
-    return straight(capsules, Vec3::Zero(), surface, positions_mm, motion_mm, keep_mm).share *
-           motion_mm;
+Vec3 approach(std::span<const Capsule> capsules, const StandingSurfaces& surfaces,
+              const Vec3& motion_mm, double keep_mm) {
+    return straight(capsules, Vec3::Zero(), surfaces, motion_mm, keep_mm).share * motion_mm;
 }
 
-Vec3 slide(std::span<const Capsule> capsules, const SurfacePatches& surface,
-           std::span<const Vec3> positions_mm, const Vec3& motion_mm, double keep_mm) {
+Vec3 slide(std::span<const Capsule> capsules, const StandingSurfaces& surfaces,
+           const Vec3& motion_mm, double keep_mm) {
     Vec3 gone = Vec3::Zero(), left = motion_mm;
     std::vector<Vec3> normals;  // from what stopped them
     for (int round = 0; round < most_slides && !left.isZero(0.0); ++round) {
-        const Stop stop = straight(capsules, gone, surface, positions_mm, left, keep_mm);
+        const Stop stop = straight(capsules, gone, surfaces, left, keep_mm);
         gone += stop.share * left;
         left *= 1.0 - stop.share;
         if (stop.share == 1.0) break;
@@ -149,14 +148,14 @@ Vec3 slide(std::span<const Capsule> capsules, const SurfacePatches& surface,
 }
 
 double sweep_share(std::span<const Capsule> from, std::span<const Capsule> to,
-                   const SurfacePatches& surface, std::span<const Vec3> positions_mm,
-                   double keep_mm) {
+                   const StandingSurfaces& surfaces, double keep_mm) {
     Stop stop;
-    for (std::size_t i = 0; i < from.size(); ++i) {
-        const Segment begin = from[i].axis(), end = to[i].axis();
-        stop_one(begin, {end[0] - begin[0], end[1] - begin[1]}, from[i].radius_mm, surface,
-                 positions_mm, keep_mm, stop);
-    }
+    for (const StandingSurface& surface : surfaces)
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            const Segment begin = from[i].axis(), end = to[i].axis();
+            stop_one(begin, {end[0] - begin[0], end[1] - begin[1]}, from[i].radius_mm, surface,
+                     keep_mm, stop);
+        }
     return stop.share;
 }
 

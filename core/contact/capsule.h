@@ -40,22 +40,28 @@ double free_share(const Capsule& capsule, const SurfacePatches& surface,
                   std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
                   const std::function<double(double gap_mm)>& kept);
 
-// How far the capsules, which keep their places to each other, go along `motion_mm` past a surface
-// that stands still, straight until a gap falls to keep_mm > 0.
-Vec3 approach(std::span<const Capsule> capsules, const SurfacePatches& surface,
-              std::span<const Vec3> positions_mm, const Vec3& motion_mm, double keep_mm);
+// What stands still beside capsules that move.
+struct StandingSurface {
+    const SurfacePatches& patches;
+    std::span<const Vec3> positions_mm;
+};
+using StandingSurfaces = std::vector<StandingSurface>;
 
-// Where they come to when they are led by `motion_mm` along a surface that stands still: they go
+// How far the capsules, which keep their places to each other, go along `motion_mm` past surfaces
+// that stand still, straight until a gap falls to keep_mm > 0.
+Vec3 approach(std::span<const Capsule> capsules, const StandingSurfaces& surfaces,
+              const Vec3& motion_mm, double keep_mm);
+
+// Where they come to when they are led by `motion_mm` along surfaces that stand still: they go
 // straight until a gap falls to keep_mm > 0, then slide along what stopped them. What is nearer
 // from the beginning comes no nearer.
-Vec3 slide(std::span<const Capsule> capsules, const SurfacePatches& surface,
-           std::span<const Vec3> positions_mm, const Vec3& motion_mm, double keep_mm);
+Vec3 slide(std::span<const Capsule> capsules, const StandingSurfaces& surfaces,
+           const Vec3& motion_mm, double keep_mm);
 
 // The share of the way from `from` to `to`, of as many capsules, on which all ends go straight past
-// a surface that stands still, until a gap falls to keep_mm > 0. What is nearer from the beginning
+// surfaces that stand still, until a gap falls to keep_mm > 0. What is nearer from the beginning
 // comes no nearer.
 double sweep_share(std::span<const Capsule> from, std::span<const Capsule> to,
-                   const SurfacePatches& surface, std::span<const Vec3> positions_mm,
-                   double keep_mm);
+                   const StandingSurfaces& surfaces, double keep_mm);
 
 }  // namespace hepatica

@@ -5,34 +5,10 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/contact/point_in_surface.h"
+
 namespace hepatica {
 namespace {
-
-// Along no edge that a mesh is likely to have; the majority of them decides.
-const std::array<Vec3, 3> rays{Vec3(0.5377, 0.8339, 0.1247), Vec3(-0.2259, 0.8622, -0.4534),
-                               Vec3(0.3188, -0.4077, 0.8558)};
-
-constexpr int majority = 2;
-
-bool meets(const Box& box, const Vec3& from, const Vec3& ray) {
-    double first = 0.0, last = INFINITY;
-    for (int c = 0; c < 3; ++c) {
-        const double a = (box.low[c] - from[c]) / ray[c], b = (box.high[c] - from[c]) / ray[c];
-        first = std::max(first, std::min(a, b));
-        last = std::min(last, std::max(a, b));
-    }
-    return first <= last;
-}
-
-// +1 where the ray leaves by the triangle, -1 where it enters, 0 where it misses it.
-int crossing(const Triangle& x, const Vec3& from, const Vec3& ray) {
-    const Vec3 a = x[0] - from, b = x[1] - from, c = x[2] - from;
-    const double u = ray.dot(b.cross(c)), v = ray.dot(c.cross(a)), w = ray.dot(a.cross(b));
-    const double side = a.dot((x[1] - x[0]).cross(x[2] - x[0]));
-    if (u > 0.0 && v > 0.0 && w > 0.0 && side > 0.0) return 1;
-    if (u < 0.0 && v < 0.0 && w < 0.0 && side < 0.0) return -1;
-    return 0;
-}
 
 std::array<int, 2> ordered(int a, int b) {
     return {std::min(a, b), std::max(a, b)};
@@ -44,13 +20,6 @@ void each_once(Overlaps::Pairs& pairs) {
 }
 
 }  // namespace
-
-std::vector<Box> Overlaps::boxes_of_patches(std::span<const Vec3> positions_mm) const {
-    std::vector<Box> boxes;
-    for (std::size_t p = 0; p < features_.surface().size(); ++p)
-        boxes.push_back(features_.surface().box(p, positions_mm));
-    return boxes;
-}
 
 bool Overlaps::nearer_than(double gap_mm, int patch, int other,
                            std::span<const Vec3> positions_mm) const {
@@ -76,19 +45,8 @@ bool Overlaps::nearer_than(double gap_mm, int patch, int other,
 
 bool Overlaps::within(const Vec3& point, int piece, std::span<const Box> boxes,
                       std::span<const Vec3> positions_mm) const {
-    const SurfacePatches& surface = features_.surface();
-    int votes = 0;
-    for (const Vec3& ray : rays) {
-        int leaves = 0;
-        for (const int p : features_.patches_of_piece(piece)) {
-            if (!meets(boxes[p], point, ray)) continue;
-            for (const int t : surface.triangles_of(p))
-                leaves += crossing(corners_of(surface.triangles()[t], positions_mm), point, ray);
-        }
-        votes += leaves > 0 ? 1 : -1;
-        if (std::abs(votes) == majority) break;
-    }
-    return votes > 0;
+    return lies_within(point, features_.surface(), features_.patches_of_piece(piece), boxes,
+                       positions_mm);
 }
 
 bool Overlaps::lies_in(int patch, int piece, std::span<const Box> boxes,
@@ -116,7 +74,7 @@ void Overlaps::find(std::span<const Vec3> positions_mm, double touch_mm, const O
     touching_.clear();
     buried_.clear();
     if (features_.pieces() < 2) return;
-    const std::vector<Box> boxes = boxes_of_patches(positions_mm);
+    const std::vector<Box> boxes = boxes_of_patches(features_.surface(), positions_mm);
     std::vector<Box> pieces(features_.pieces());
     for (std::size_t p = 0; p < boxes.size(); ++p) {
         Box& piece = pieces[features_.piece_of_patch(static_cast<int>(p))];
@@ -160,7 +118,7 @@ bool Overlaps::let_go(std::span<const Vec3> positions_mm, double reach_mm) {
     if (touching_.empty() &&
         std::ranges::all_of(buried_, [&](const auto& pair) { return for_good(pair[1]); }))
         return false;
-    const std::vector<Box> boxes = boxes_of_patches(positions_mm);
+    const std::vector<Box> boxes = boxes_of_patches(features_.surface(), positions_mm);
     const auto near = [&](int p, int q) {
         Box wide = boxes[p];
         wide.grow(reach_mm);

@@ -60,7 +60,6 @@ class Overlaps {
     bool set(const Pairs& touching, const Pairs& buried);
 
   private:
-    std::vector<Box> boxes_of_patches(std::span<const Vec3> positions_mm) const;
     bool may_lie_in(int patch, int piece) const;
     bool for_good(int piece) const { return features_.kind_of_piece(piece) == SurfaceKind::shell; }
     bool slipped_in(const std::array<int, 2>& touching, std::span<const Box> boxes,

@@ -121,7 +121,7 @@ void Overlaps::follow_split(const OverlapsBefore& before, std::span<const int> n
     const std::vector<Origin> origins = origins_of(features_, before.features, node_before);
     const std::vector<int> old_piece =
         pieces_before(features_, before.features, origins, node_before);
-    const std::vector<Box> boxes = boxes_of_patches(positions_mm);
+    const std::vector<Box> boxes = boxes_of_patches(features_.surface(), positions_mm);
     const auto piece_of = [&](int patch) { return features_.piece_of_patch(patch); };
     const auto of_one_piece = [&](int p, int q) {
         return old_piece[piece_of(p)] == old_piece[piece_of(q)];

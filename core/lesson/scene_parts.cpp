@@ -50,7 +50,11 @@ void SceneParts::set_touches(SceneSpec& scene, bool on) {
 }
 
 void SceneParts::set_self(SceneSpec& scene, bool on) {
-    set_contact(scene, on, [on](ContactSpec& contact) { contact.self = on; });
+    set_contact(scene, on, [&](ContactSpec& contact) {
+        if (contact.self && !on) friction_ = contact.friction;
+        if (contact.self != on) contact.friction = on ? friction_ : 0.0;
+        contact.self = on;
+    });
 }
 
 void SceneParts::set_obstacles(SceneSpec& scene, bool on) {

@@ -30,6 +30,7 @@ class SceneParts {
     std::optional<TearSpec> tear_;
     std::optional<FlowSpec> flow_;
     WantedObstacles obstacles_ = WantedObstacles::required;
+    double friction_ = 0.0;       // of vessels that touch each other
     bool empty_contact_ = false;  // the scene named contact, of nothing
 };
 

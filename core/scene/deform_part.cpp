@@ -59,6 +59,15 @@ CoarseSkeleton skeleton_of(const VesselTree& tree) {
     return resample(polylines);
 }
 
+// What a tool cannot come through: see ToolObstacle.
+std::vector<const Obstacle*> solids_of(const BodyDescription& body) {
+    std::vector<const Obstacle*> solids;
+    if (!body.obstacles) return solids;
+    for (const Obstacle& obstacle : body.obstacles->all)
+        if (obstacle.kind == SurfaceKind::solid) solids.push_back(&obstacle);
+    return solids;
+}
+
 }  // namespace
 
 DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
@@ -78,7 +87,7 @@ DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
     setting_.velocity_error = spec.velocity_error;
     body_.mesh = patient.mesh;
     body_.touchable = contact && contact->tools;
-    if (contact && contact->self) body_.self.emplace();
+    if (contact && contact->self) body_.self = SelfPad{.friction = contact->friction};
     if (obstacles) obstacles_hash_ = hash_of(*obstacles);
     body_.obstacles = std::move(obstacles);
     const MaterialPreset& preset = material_named(spec.material);
@@ -235,6 +244,8 @@ void DeformPart::add_tool(const ToolChoice& choice, const Vec3& towards_mm) {
     // From outside: nothing of a plausible body is that far away.
     Box box;
     for (const Vec3& x : positions_mm()) box.add(x);
+    for (const Obstacle* solid : solids_of(body_))
+        for (const Vec3& x : solid->surface.vertices_mm) box.add(x);
     Vec3 length = Vec3::Zero();
     for (const ToolPart& part : tool.parts) {
         box.add(part.shape.centre_mm);
@@ -247,8 +258,12 @@ void DeformPart::add_tool(const ToolChoice& choice, const Vec3& towards_mm) {
     for (ToolPart& part : tool.parts) part.shape.centre_mm -= 2.0 * length;
     const SurfacePatches surface(torn() != nullptr ? torn()->surface()
                                                    : boundary_triangles(body_.mesh));
-    const Vec3 gone = approach(tool.shapes(), surface, positions_mm(),
-                               there - tool.parts.front().shape.centre_mm, tool.pad_mm);
+    Vec3 gone = approach(tool.shapes(), {{surface, positions_mm()}},
+                         there - tool.parts.front().shape.centre_mm, tool.pad_mm);
+    for (const Obstacle* solid : solids_of(body_))
+        gone = approach(tool.shapes(),
+                        {{SurfacePatches(solid->surface.triangles), solid->surface.vertices_mm}},
+                        gone, tool.pad_mm);
     for (ToolPart& part : tool.parts) part.shape.centre_mm += gone;
     tool.target_mm = tool.centre_mm();
     stepper_->set_tool(tool);

@@ -15,6 +15,7 @@
 namespace hepatica {
 
 struct InjectionOptions;  // core/flow/injection.h
+struct Obstacles;         // core/deform/body/obstacles.h
 
 // The pull on the vessel, for drawing its line.
 struct GrabView {
@@ -36,7 +37,7 @@ struct ToolView {
     Vec3 centre_mm = Vec3::Zero();  // about which it turns
     Vec3 tip_mm = Vec3::Zero();     // the middle of its parts' far ends
     double opening_mm = 0.0;        // of jaws
-    Vec3 force_un = Vec3::Zero();   // of the vessels on the tool
+    Vec3 force_un = Vec3::Zero();   // of vessels and obstacles on the tool
     Vec3 at_mm = Vec3::Zero();      // the middle of where they touch it
     double grip_un = 0.0;           // with which jaws hold
     bool at_limit = false;          // it is not led further against such a force, nor closes
@@ -113,6 +114,8 @@ struct Frame {
     std::vector<float> positions_mm;                                 // x, y, z per vertex
     std::optional<GrabView> grab;
     std::optional<ToolView> tool;
+    // What stands in the way of vessels and tools; null where the scene has none. It never moves.
+    std::shared_ptr<const Obstacles> obstacles;
     std::optional<TearView> tear;  // none where nothing can tear
     DrugView drug;
     FrameStatistics statistics;

@@ -110,9 +110,9 @@ FlowSpec flow_from(const Json& json) {
     return spec;
 }
 
-// All that the case knows, or what is named.
+// All that the case knows, or what is named. Friction alone names nothing.
 ContactSpec contact_from(const Json& json) {
-    const bool all = json.is_object() && json.empty();
+    const bool all = json.is_object() && json.size() == json.count("friction");
     ContactSpec spec{.tools = all,
                      .self = all,
                      .obstacles = all ? WantedObstacles::known : WantedObstacles::none};
@@ -122,6 +122,9 @@ ContactSpec contact_from(const Json& json) {
     bool obstacles = false;
     fields.read("obstacles", obstacles);
     if (obstacles) spec.obstacles = WantedObstacles::required;
+    fields.read_number("friction", spec.friction, 0.0, 10.0);
+    if (spec.friction > 0.0 && !spec.self)
+        fields.refuse("needs self: only vessels that touch each other rub", "friction");
     fields.refuse_unknown();
     return spec;
 }
@@ -130,9 +133,12 @@ constexpr std::array<std::pair<const char*, TearStop>, 3> names_of_stops{
     {{"none", TearStop::none}, {"entropy", TearStop::entropy}, {"vertices", TearStop::vertices}}};
 
 Json to_json(const ContactSpec& spec) {
-    if (spec.all()) return Json::object();
-    Json json{{"tools", spec.tools}, {"self", spec.self}};
-    if (spec.obstacles != WantedObstacles::none) json["obstacles"] = true;
+    Json json = Json::object();
+    if (!spec.all()) {
+        json = {{"tools", spec.tools}, {"self", spec.self}};
+        if (spec.obstacles != WantedObstacles::none) json["obstacles"] = true;
+    }
+    if (spec.friction > 0.0) json["friction"] = spec.friction;
     return json;
 }
 

@@ -49,6 +49,7 @@ struct ContactSpec {
     bool tools = true;  // a tool and the vessels
     bool self = false;  // the vessels among each other, and each with itself
     WantedObstacles obstacles = WantedObstacles::none;
+    double friction = 0.0;  // Coulomb's coefficient of vessels among each other; needs `self`
 
     bool all() const { return tools && self && obstacles == WantedObstacles::known; }
     bool nothing() const { return !tools && !self && obstacles == WantedObstacles::none; }

@@ -220,6 +220,7 @@ void World::fill(Frame& frame) const {
             frame.positions_mm[3 * v + axis] = static_cast<float>(positions[v][axis]);
     frame.grab = deform_ ? deform_->grab_view() : std::nullopt;
     frame.tool = deform_ ? deform_->tool_view() : std::nullopt;
+    frame.obstacles = deform_ ? deform_->body().obstacles : nullptr;
     frame.tear.reset();
     if (deform_ && deform_->tears()) {
         frame.tear = tear_view_;

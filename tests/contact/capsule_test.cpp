@@ -99,7 +99,7 @@ TEST(Capsule, SlidesThroughNothingAtAnySpeed) {
         const double speed = std::pow(10.0, random.in(-0.8, 3.2));
         Vec3 led = speed * (random.point(6) - capsule.centre_mm).normalized();
         for (int step = 0; step < 8; ++step) {
-            const Vec3 gone = slide({&capsule, 1}, soup.surface, soup.vertices, led, keep);
+            const Vec3 gone = slide({&capsule, 1}, {{soup.surface, soup.vertices}}, led, keep);
             // The way is at most five straight stretches; its end is free, and from there on it
             // could go back.
             for (int t = 0; t < 60; ++t)
@@ -121,7 +121,7 @@ TEST(Capsule, NeverLeavesAClosedBox) {
         for (int step = 0; step < 30; ++step) {
             const double speed = std::pow(10.0, random.in(-0.8, 3.2));
             capsule.centre_mm +=
-                slide({&capsule, 1}, surface, box.vertices_mm, random.point(speed), 0.05);
+                slide({&capsule, 1}, {{surface, box.vertices_mm}}, random.point(speed), 0.05);
             for (const Vec3& end : capsule.axis())
                 EXPECT_TRUE((end.array() > 0.0).all() && (end.array() < 10.0).all());
         }
@@ -132,18 +132,18 @@ TEST(Capsule, SlidesAlongAFloorInClosedForm) {
     const std::vector<Vec3> floor{Vec3(-100, -100, 0), Vec3(100, -100, 0), Vec3(0, 200, 0)};
     const SurfacePatches surface({{0, 1, 2}});
     const Capsule ball{.centre_mm = Vec3(0, 0, 3), .radius_mm = 1.0};
-    const Vec3 gone = slide({&ball, 1}, surface, floor, Vec3(4, 0, -10), 0.5);
+    const Vec3 gone = slide({&ball, 1}, {{surface, floor}}, Vec3(4, 0, -10), 0.5);
     EXPECT_NEAR(gone.z(), -1.5, 1e-5);
     EXPECT_NEAR(gone.x(), 4.0, 1e-5);
     // What presses already comes no nearer, and is not held back from sliding or leaving.
     const Capsule near{.centre_mm = Vec3(0, 0, 1.1), .radius_mm = 1.0};
-    EXPECT_NEAR(slide({&near, 1}, surface, floor, Vec3(4, 0, -10), 0.5).z(), 0.0, 1e-5);
-    EXPECT_NEAR(slide({&near, 1}, surface, floor, Vec3(4, 0, -10), 0.5).x(), 4.0, 1e-5);
-    EXPECT_EQ(slide({&near, 1}, surface, floor, Vec3(1, 1, 2), 0.5), Vec3(1, 1, 2));
+    EXPECT_NEAR(slide({&near, 1}, {{surface, floor}}, Vec3(4, 0, -10), 0.5).z(), 0.0, 1e-5);
+    EXPECT_NEAR(slide({&near, 1}, {{surface, floor}}, Vec3(4, 0, -10), 0.5).x(), 4.0, 1e-5);
+    EXPECT_EQ(slide({&near, 1}, {{surface, floor}}, Vec3(1, 1, 2), 0.5), Vec3(1, 1, 2));
     // Straight on alone it ends where it first is that near.
-    const Vec3 straight = approach({&ball, 1}, surface, floor, Vec3(4, 0, -10), 0.5);
+    const Vec3 straight = approach({&ball, 1}, {{surface, floor}}, Vec3(4, 0, -10), 0.5);
     EXPECT_LT((straight - 0.15 * Vec3(4, 0, -10)).norm(), 1e-5);
-    EXPECT_EQ(approach({&ball, 1}, surface, floor, Vec3(4, 0, 1), 0.5), Vec3(4, 0, 1));
+    EXPECT_EQ(approach({&ball, 1}, {{surface, floor}}, Vec3(4, 0, 1), 0.5), Vec3(4, 0, 1));
 }
 
 }  // namespace

@@ -83,14 +83,14 @@ TEST(ContactFigures, OfCapsules) {
             shares.push_back(free_share(capsules[0], soup.surface, soup.vertices, to,
                                         [&](double gap) { return std::min(kept, 0.5 * gap); }));
         const Vec3 motion = random.point(6.0);
-        append_all(ways, approach(capsules, soup.surface, soup.vertices, motion, 0.05));
-        append_all(ways, slide(capsules, soup.surface, soup.vertices, motion, 0.05));
+        append_all(ways, approach(capsules, {{soup.surface, soup.vertices}}, motion, 0.05));
+        append_all(ways, slide(capsules, {{soup.surface, soup.vertices}}, motion, 0.05));
         std::array after = capsules;
         for (Capsule& capsule : after) {
             capsule.centre_mm += motion;
             capsule.half_axis_mm = random.point(2.0);
         }
-        shares.push_back(sweep_share(capsules, after, soup.surface, soup.vertices, 0.05));
+        shares.push_back(sweep_share(capsules, after, {{soup.surface, soup.vertices}}, 0.05));
     }
     expect_recorded("contact", "capsules",
                     Figures().add("near", near).add("shares", shares).add("ways", ways));

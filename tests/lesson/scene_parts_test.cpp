@@ -57,6 +57,7 @@ SceneSpec random_scene(std::mt19937& random) {
         scene.deform->velocity_error = {number(), number()};
         if (yes()) scene.deform->setting = StepperOptions{};
         if (yes()) scene.contact = ContactSpec{yes(), yes(), WantedObstacles(random() % 3)};
+        if (scene.contact && scene.contact->self && yes()) scene.contact->friction = number();
         if (yes()) {
             scene.tear = TearSpec{number(), TearStop::vertices, number(), 17, yes()};
         }
@@ -83,6 +84,17 @@ TEST(SceneParts, WhatWasTakenOutBeforeTheVesselsStoppedDoesNotComeWithThem) {
     EXPECT_FALSE(scene.tear);
     parts.set_tears(scene, true);
     EXPECT_EQ(scene.tear->tear_factor, 2.0);
+}
+
+// Which a scene could not be read with.
+TEST(SceneParts, WhatDoesNotTouchDoesNotRub) {
+    SceneSpec scene;
+    scene.contact = ContactSpec{true, true, WantedObstacles::none, 0.3};
+    SceneParts parts;
+    parts.set_self(scene, false);
+    EXPECT_EQ(scene.contact->friction, 0.0);
+    parts.set_self(scene, true);
+    EXPECT_EQ(scene.contact->friction, 0.3);
 }
 
 TEST(SceneParts, OfAnotherLessonBeginAnew) {

@@ -6,6 +6,8 @@
 #include <memory>
 #include <numbers>
 
+#include "core/deform/body/obstacles.h"
+
 namespace hepatica::testing {
 namespace {
 
@@ -91,6 +93,17 @@ Frame touched_frame() {
             tool.touched.push_back(static_cast<int>(v));
     }
     frame.tool = tool;
+    return frame;
+}
+
+Frame frame_beside_obstacles() {
+    Frame frame = fake_frame(0.3);
+    const auto obstacle = [](const Vec3& centre_mm, double radius_mm, SurfaceKind kind) {
+        return Obstacle{sphere(centre_mm, radius_mm), kind};
+    };
+    frame.obstacles = std::make_shared<const Obstacles>(
+        Obstacles{{obstacle(Vec3(14, 0, -22), 9.0, SurfaceKind::solid),
+                   obstacle(Vec3(0, 0, 0), 62.0, SurfaceKind::shell)}});
     return frame;
 }
 

@@ -13,6 +13,9 @@ Frame fake_frame(double bend = 0.0, double drug_time_s = -1.0);
 // The bent tree with a rod that presses its trunk.
 Frame touched_frame();
 
+// The tree, swayed aside, with a tumour beside its trunk and the liver's wall around.
+Frame frame_beside_obstacles();
+
 // Latitudes and longitudes; outward triangles.
 TriangleMesh sphere(const Vec3& centre_mm, double radius_mm);
 

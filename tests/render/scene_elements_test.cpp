@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/deform/body/obstacles.h"
 #include "render/bleeding_actor.h"
 #include "render/osmesa_context.h"
 #include "render/scene_view.h"
@@ -222,6 +223,49 @@ TEST_F(SceneElements, a_highlight_the_liver_and_a_gap_are_seen) {
     EXPECT_EQ(picture().rgb, plain.rgb);
     view_.set_bridges({{{Vec3(-20, 0, -20), Vec3(-20, 0, -10)}, "22 %", false}});
     EXPECT_FALSE(look_alike(picture(), plain));
+}
+
+// Each is seen, once: the organs that a case shows give way to obstacles or take their place.
+TEST_F(SceneElements, a_tumour_and_a_wall_in_the_way_are_each_seen) {
+    const Frame both = testing::frame_beside_obstacles();
+    Frame frame = both;
+    const auto with = [&](std::vector<Obstacle> some) {
+        frame.obstacles = std::make_shared<const Obstacles>(Obstacles{std::move(some)});
+        return picture_of(frame);
+    };
+    const Picture all = picture_of(both);
+    const Picture tumour = with({both.obstacles->all[0]}), wall = with({both.obstacles->all[1]});
+    frame.obstacles.reset();
+    EXPECT_TRUE(view_.show(frame));
+    EXPECT_FALSE(view_.show(frame)) << "as it was";
+    const Picture none = picture();
+    for (const Picture* one : {&tumour, &wall}) {
+        EXPECT_FALSE(look_alike(*one, all));
+        EXPECT_FALSE(look_alike(*one, none));
+    }
+    const TriangleMesh liver = both.obstacles->all[1].surface;
+    view_.set_tumours(both.obstacles->all[0].surface);
+    view_.set_liver(liver);
+    EXPECT_FALSE(look_alike(picture_of(both), picture_of(frame))) << "the tumour is solid";
+    EXPECT_EQ(picture_of(both).rgb, all.rgb) << "neither is seen twice";
+    view_.set_liver_visible(false);
+    EXPECT_EQ(picture_of(both).rgb, all.rgb) << "the wall is there without the organ";
+    EXPECT_FALSE(look_alike(picture_of(frame), none)) << "the case's tumours are there again";
+    view_.set_tumours({});
+    EXPECT_EQ(picture_of(frame).rgb, none.rgb);
+}
+
+// Cut open, both are.
+TEST_F(SceneElements, obstacles_are_cut_open_with_the_vessels) {
+    view_.set_annotations_visible(false);
+    const Picture whole = picture_of(testing::frame_beside_obstacles());
+    view_.set_clip(ClipPlane{Vec3(200, 0, 0), Vec3(1, 0, 0)});
+    const Picture nothing = picture();
+    view_.show(fake_frame(0.3));
+    EXPECT_EQ(picture().rgb, nothing.rgb);
+    view_.show(testing::frame_beside_obstacles());
+    view_.set_clip(std::nullopt);
+    EXPECT_EQ(picture().rgb, whole.rgb);
 }
 
 TEST_F(SceneElements, a_mark_its_number_and_that_it_is_reached_are_each_seen) {

@@ -103,6 +103,12 @@ TEST_F(SceneViewPicture, of_vessels_and_liver_cut_open) {
     EXPECT_EQ(picture().rgb, whole.rgb);
 }
 
+// A tumour as solid as it is, and the liver's wall, which hides nothing.
+TEST_F(SceneViewPicture, of_obstacles) {
+    view_.show(testing::frame_beside_obstacles());
+    expect_matches_baseline(picture(), "obstacles");
+}
+
 TEST_F(SceneViewPicture, keeps_up_with_a_change_of_topology) {
     Frame frame = fake_frame();
     view_.show(frame);

@@ -230,12 +230,27 @@ TEST(ObstaclesOfAScene, AreReadFromTheCaseWhereVoxelsWereNot) {
 }
 
 TEST(ObstaclesOfAScene, SurviveJson) {
-    for (const char* text : {"{}", R"({"tools":true,"self":false,"obstacles":true})",
-                             R"({"tools":false,"self":true})"})
+    for (const char* text :
+         {"{}", R"({"tools":true,"self":false,"obstacles":true})", R"({"tools":false,"self":true})",
+          R"({"friction":0.3})", R"({"tools":false,"self":true,"friction":0.25})"})
         EXPECT_EQ(to_json(scene_with(text))["contact"].dump(), text);
     EXPECT_EQ(scene_with("{}").contact->obstacles, WantedObstacles::known);
     EXPECT_EQ(scene_with(R"({"obstacles": true})").contact->obstacles, WantedObstacles::required);
     EXPECT_FALSE(scene_with(R"({"obstacles": true})").contact->tools);
+    EXPECT_TRUE(scene_with(R"({"friction": 0.3})").contact->all());
+    EXPECT_EQ(scene_with("{}").contact->friction, 0.0);
+}
+
+TEST(ContactOfAScene, GivesVesselsTheirFriction) {
+    Job job;
+    const World rubs(small_patient(), scene_with(R"({"self": true, "friction": 0.3})"), job);
+    EXPECT_EQ(rubs.deform()->body().self->friction, 0.3);
+    const World slides(small_patient(), scene_with(R"({"self": true})"), job);
+    EXPECT_EQ(slides.deform()->body().self->friction, 0.0);
+    for (const char* text :
+         {R"({"tools": true, "friction": 0.3})", R"({"self": true, "friction": -1})",
+          R"({"self": true, "friction": "much"})"})
+        EXPECT_THROW(scene_with(text), InputError) << text;
 }
 
 // Other organs, another play: a recording says so at its first step.
@@ -287,6 +302,27 @@ TEST(ObstaclesOfAScene, AreSleptOn) {
     EXPECT_TRUE(last.asleep);
     EXPECT_GT(last.obstacles.touch.contacts, 0);
     EXPECT_EQ(crossing_pairs(*world.deform()), 0);
+}
+
+// A probe that comes towards the vessel from behind the tumour is stopped by it; from the other
+// side it comes to the vessel. Led on into the tumour from there it stays out.
+TEST(ObstaclesOfAScene, StopATool) {
+    const Ball tumour = tumour_beside(1, 6.0, 5.0);
+    const auto patient = patient_with(organs_with({tumour}, Vec3::Constant(0.8)));
+    Job job;
+    World world(patient, scene_with(R"({"tools": true, "obstacles": true})"), job);
+    DeformPart& body = *world.deform();
+    const Vec3 place = test::middle_of(patient->tree, 1);
+    const Vec3 way = (place - tumour.centre_mm).normalized();
+    body.add_tool({"sphere", 1.0, 0.0, way, {}}, place);
+    EXPECT_NEAR((body.tool()->centre_mm() - tumour.centre_mm).dot(way), -6.1, 0.5);
+    EXPECT_EQ(body.tool_view()->force_un, Vec3(Vec3::Zero()));
+    for (int k = 0; k < 60; ++k) {
+        body.lead_tool(tumour.centre_mm + 0.1 * k * way);
+        world.step();
+        ASSERT_GT((body.tool()->centre_mm() - tumour.centre_mm).norm(), 5.5) << k;
+        EXPECT_LT(body.tool_view()->force_un.dot(way), 0.0) << k;
+    }
 }
 
 }  // namespace

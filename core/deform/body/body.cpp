@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/deform/elements/small_matrix_eigen.h"
 #include "core/mesh/hex_mesh.h"
 
@@ -78,6 +79,8 @@ void validate(const BodyDescription& d, ElementModel model, ElementOrder order) 
         reject("there is no quadratic form of springs or hexahedra", "the body",
                "Choose linear order, or tetrahedra of the corotated or neohookean model");
     if (d.obstacles) validate(*d.obstacles);
+    if (d.self && !(d.self->friction >= 0.0 && std::isfinite(d.self->friction)))
+        reject("is " + number_text(d.self->friction), "friction", "Give 0 or more");
     if (d.tear) {
         validate(*d.tear);
         if (order == ElementOrder::quadratic || !d.hexahedra.empty())
@@ -245,7 +248,7 @@ Body build_body(const BodyDescription& description, ElementModel model, ElementO
     if (description.touchable) body.surface = surface_of_elements(description);
     const auto pad_of = [&](const SelfPad& pad) {
         return Body::Pad{pad.thickness_edges * body.mean_edge_mm,
-                         pad.pressure_moduli * description.material.young_modulus_pa};
+                         pad.pressure_moduli * description.material.young_modulus_pa, pad.friction};
     };
     if (description.self) body.self_pad = pad_of(*description.self);
     body.obstacles = description.obstacles;

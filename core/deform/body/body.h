@@ -25,6 +25,7 @@ namespace hepatica {
 struct SelfPad {
     double thickness_edges = 0.1;  // of the mean edge at rest, > 0
     double pressure_moduli = 2.0;  // pressed to half, of the material's Young modulus, > 0
+    double friction = 0.0;         // Coulomb's coefficient between the body's surfaces, >= 0
 };
 
 // Everything a scene says about a body. Sizes that do not fit and values out of range are refused
@@ -87,7 +88,7 @@ struct Body {
     std::vector<std::array<int, 3>>
         surface;  // counter-clockwise from outside; empty: not touchable
     struct Pad {
-        double thickness_mm = 0.0, pressure_pa = 0.0;
+        double thickness_mm = 0.0, pressure_pa = 0.0, friction = 0.0;
     };
     std::optional<Pad> self_pad;                   // where its surfaces touch each other
     std::shared_ptr<const Obstacles> obstacles{};  // that it touches; null: none

@@ -2,7 +2,6 @@
 #include "core/deform/potentials/coulomb_friction.h"
 
 #include <algorithm>
-#include <cmath>
 #include <unordered_map>
 
 #include "core/deform/potentials/point_stiffness.h"
@@ -11,14 +10,17 @@ namespace hepatica {
 namespace {
 
 constexpr double creep_edges_per_s = 1e-5;
-constexpr double slowing = 0.05;
 
 }  // namespace
+
+double creep_mm(const Body& body, double dt_s) {
+    return creep_edges_per_s * body.mean_edge_mm * dt_s;
+}
 
 void CoulombFriction::begin_step(const BodyState& start, double dt_s,
                                  std::span<const std::uint8_t> held) {
     held_ = held;
-    creep_mm_ = creep_edges_per_s * body_.mean_edge_mm * dt_s;
+    creep_mm_ = creep_mm(body_, dt_s);
     grips_ = grips_of(start.positions_mm, dt_s);
 }
 
@@ -34,29 +36,19 @@ Vec3 CoulombFriction::slip_of(const Grip& grip, std::span<const Vec3> positions_
 }
 
 double CoulombFriction::energy_of(const Grip& grip, std::span<const Vec3> positions_mm) const {
-    const double y = slip_of(grip, positions_mm).norm(), e = creep_mm_;
-    return grip.limit_un * (y < e ? y * y / e * (1.0 - y / (3.0 * e)) : y - e / 3.0);
+    return law_of(grip).energy_nj(slip_of(grip, positions_mm));
 }
 
 Vec3 CoulombFriction::force_of(const Grip& grip, std::span<const Vec3> positions_mm) const {
-    const Vec3 slip = slip_of(grip, positions_mm);
-    const double y = slip.norm(), e = creep_mm_;
-    return (y < e ? -grip.limit_un / e * (2.0 - y / e) : -grip.limit_un / y) * slip;
+    return law_of(grip).force_un(slip_of(grip, positions_mm));
 }
 
 Mat3 CoulombFriction::stiffness_of(const Grip& grip, std::span<const Vec3> positions_mm) const {
-    const Vec3 slip = slip_of(grip, positions_mm);
-    const double y = slip.norm(), e = creep_mm_;
-    const Mat3 plane = Mat3::Identity() - grip.normal * grip.normal.transpose();
-    if (y == 0.0) return 2.0 * grip.limit_un / e * plane;
-    const Vec3 s = slip / y;
-    const double across = y < e ? (2.0 - y / e) / e : 1.0 / y;
-    const double along = y < e ? 2.0 * (1.0 - y / e) / e : (grip.slows ? 1.0 / y : 0.0);
-    return grip.limit_un * (across * (plane - s * s.transpose()) + along * s * s.transpose());
+    return law_of(grip).stiffness_un_per_mm(slip_of(grip, positions_mm), grip.normal, grip.slows);
 }
 
 // What slips is about to stick where the other forces that act on it fall short of friction by
-// `slowing` of that. Both are shared out to the nodes.
+// `slowing_share` of that. Both are shared out to the nodes.
 void CoulombFriction::foresee(std::span<const Vec3> positions_mm, std::span<const Vec3> forces_un) {
     std::unordered_map<int, double> limit_un;
     for (const Grip& grip : grips_)
@@ -67,7 +59,7 @@ void CoulombFriction::foresee(std::span<const Vec3> positions_mm, std::span<cons
         for (int a = 0; a < 3; ++a)
             if (const double limit = limit_un[grip.nodes[a]]; limit > 0.0)
                 pressing += grip.weights[a] * forces_un[grip.nodes[a]].dot(slip) / limit;
-        grip.slows = pressing < -slowing * slip.norm();
+        grip.slows = pressing < -slowing_share * slip.norm();
     }
 }
 

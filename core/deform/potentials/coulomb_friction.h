@@ -1,22 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coulomb's friction on points of a body's surface, as the potential of one step: a contact of
-// the normal force N, as it was at the end of the step before, that slips by y takes
-//   mu N (y - e/3) of energy,   and  mu N (y^2/e - y^3/(3 e^2)) where y < e,
-// whose force grows to mu N over e = dt * creep and is mu N beyond (Li et al. 2020, eq. 15). Slip
-// is the motion of the touching point along the surface less that of what it touches. With the
-// normals, weights and forces of the beginning the force is exact, and so is the stiffness,
-// positive semidefinite, of what sticks and of what slips on. What slips but is about to stick
-// would by that go past the point where it sticks, however far, and the energy's kink there would
-// cut the whole body's step to nothing. So its stiffness is mu N / y in all directions of the
-// plane: the least that bounds the energy from above, so that no step goes too far. What sticks
-// creeps slower than 1e-5 mean edges a second, which is sleep. Its term of the ledger is
-// `friction_loss`.
+// Coulomb's friction on points of a body's surface, as the potential of one step: SlipLaw, with the
+// normals, weights and forces of the step's beginning. Slip is the motion of the touching point
+// along the surface less that of what it touches. What sticks creeps slower than 1e-5 mean edges a
+// second, which is sleep. Its term of the ledger is `friction_loss`.
 #pragma once
 
 #include <vector>
 
 #include "core/deform/body/body.h"
 #include "core/deform/potentials/potential.h"
+#include "core/deform/potentials/slip_law.h"
 
 namespace hepatica {
 
@@ -32,6 +25,9 @@ struct Grip {
 
     Vec3 point(std::span<const Vec3> positions_mm) const;
 };
+
+// How far a step of dt_s > 0 lets creep what sticks.
+double creep_mm(const Body& body, double dt_s);
 
 // Keeps a reference to the body. What touches is for those to say that have the contacts.
 class CoulombFriction : public Potential {
@@ -71,6 +67,7 @@ class CoulombFriction : public Potential {
     // The contacts of the step's beginning.
     virtual std::vector<Grip> grips_of(std::span<const Vec3> start_mm, double dt_s) const = 0;
     static Vec3 slip_of(const Grip& grip, std::span<const Vec3> positions_mm);
+    SlipLaw law_of(const Grip& grip) const { return {grip.limit_un, creep_mm_}; }
     double energy_of(const Grip& grip, std::span<const Vec3> positions_mm) const;
     Vec3 force_of(const Grip& grip, std::span<const Vec3> positions_mm) const;
     Mat3 stiffness_of(const Grip& grip, std::span<const Vec3> positions_mm) const;

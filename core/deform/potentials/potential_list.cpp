@@ -9,10 +9,12 @@
 #include "core/deform/potentials/load_input.h"
 #include "core/deform/potentials/obstacle_contact.h"
 #include "core/deform/potentials/self_contact.h"
+#include "core/deform/potentials/self_friction.h"
 #include "core/deform/potentials/softening_ties.h"
 #include "core/deform/potentials/tether.h"
 #include "core/deform/potentials/tool_contact.h"
 #include "core/deform/potentials/tool_friction.h"
+#include "core/deform/potentials/tool_load_sum.h"
 
 namespace hepatica {
 
@@ -28,6 +30,11 @@ PotentialList::PotentialList(const Body& body) : nodes_(body.rest_positions_mm.s
         auto self = std::make_unique<SelfContact>(body);
         self_ = self.get();
         all_.push_back(std::move(self));
+        if (body.self_pad->friction > 0.0) {
+            auto friction = std::make_unique<SelfFriction>(body, *self_);
+            self_friction_ = friction.get();
+            all_.push_back(std::move(friction));
+        }
     }
     if (body.obstacles) {
         auto obstacles = std::make_unique<ObstacleContact>(body);
@@ -81,34 +88,32 @@ std::vector<int> PotentialList::vertices_near_tool(std::span<const Vec3> positio
     return tool() ? contact_->vertices_near_way(positions_mm) : std::vector<int>{};
 }
 
+bool PotentialList::tool_in_obstacle() const {
+    return tool() && contact_->in_obstacle();
+}
+
 bool PotentialList::free_of_tool(std::span<const Vec3> positions_mm) const {
     return contact_ == nullptr || contact_->free(positions_mm);
 }
 
-ToolLoad PotentialList::tool_load(std::span<const Vec3> positions_mm) const {
-    ToolLoad load;
-    if (!tool()) return load;
-    const Vec3 centre = tool()->centre_mm();
-    double pressed_un = 0.0;
-    const auto add = [&](const Vec3& at_mm, const Vec3& on_body_un) {
-        load.force_un -= on_body_un;
-        load.torque_un_mm -= (at_mm - centre).cross(on_body_un);
-    };
-    for (const PadContact& contact : contact_->contacts(positions_mm)) {
-        const Vec3 force = contact.force_un * contact.normal;
-        add(contact.at_mm, force);
-        load.at_mm += contact.force_un * contact.at_mm;
-        pressed_un += contact.force_un;
-        load.grip_un -= force.dot(tool()->parts[contact.part].opens);
-        ++load.contacts;
+ToolLoad PotentialList::tool_load(std::span<const Vec3> positions_mm, double dt_s) const {
+    if (!tool()) return {};
+    ToolLoadSum sum(*tool());
+    const std::vector<PadContact> contacts = contact_->contacts(positions_mm);
+    for (const PadContact& contact : contacts) sum.press(contact);
+    for (const auto& point : friction_->point_forces(positions_mm))
+        sum.drag(point.at_mm, point.force_un);
+    const Vec3 of_body_un = sum.load().force_un;
+    const ToolContact::ObstaclePress obstacles = contact_->pressed_by_obstacles();
+    for (const PadContact& contact : obstacles.contacts) sum.press(contact, obstacles.share);
+    ToolLoad load = sum.load();
+    load.impulse_un_s = dt_s * of_body_un;
+    load.contacts = static_cast<int>(contacts.size());
+    for (const PadContact& contact : contacts)
         for (const int node : contact_->nodes_of(contact)) load.touched.push_back(node);
-    }
-    if (pressed_un > 0.0) load.at_mm /= pressed_un;
     std::ranges::sort(load.touched);
     load.touched.erase(std::unique(load.touched.begin(), load.touched.end()), load.touched.end());
-    load.least_gap_mm = contact_->least_gap_mm(positions_mm);
-    for (const auto& point : friction_->point_forces(positions_mm))
-        add(point.at_mm, point.force_un);
+    load.least_gap_mm = std::min(contact_->least_gap_mm(positions_mm), obstacles.least_gap_mm);
     return load;
 }
 

@@ -24,6 +24,7 @@ class GrabSprings;
 class ToolContact;
 class ToolFriction;
 class SelfContact;
+class SelfFriction;
 class ObstacleContact;
 class ObstacleFriction;
 class SofteningTies;
@@ -51,11 +52,14 @@ class PotentialList {
     // The vertices of all patches that the tool may come near on its way to its target.
     std::vector<int> vertices_near_tool(std::span<const Vec3> positions_mm) const;
     bool free_of_tool(std::span<const Vec3> positions_mm) const;
-    // Friction is there until end_step().
-    ToolLoad tool_load(std::span<const Vec3> positions_mm) const;
+    bool tool_in_obstacle() const;
+    // Friction is there until end_step(). The impulse is that of the body over dt_s.
+    ToolLoad tool_load(std::span<const Vec3> positions_mm, double dt_s = 0.0) const;
 
     // The body's surfaces among each other; null where they do not touch.
     SelfContact* self() const { return self_; }
+    // Between these; null where they slide. It is there until end_step().
+    SelfFriction* self_friction() const { return self_friction_; }
     // Obstacles; null where there are none.
     ObstacleContact* obstacles() const { return obstacles_; }
     // Friction is there until end_step().
@@ -110,6 +114,7 @@ class PotentialList {
     ToolContact* contact_ = nullptr;  // of a body that may be touched
     ToolFriction* friction_ = nullptr;
     SelfContact* self_ = nullptr;  // where its surfaces touch each other
+    SelfFriction* self_friction_ = nullptr;
     ObstacleContact* obstacles_ = nullptr;
     ObstacleFriction* obstacle_friction_ = nullptr;
     SofteningTies* ties_ = nullptr;  // where it tears

@@ -52,15 +52,16 @@ struct Tool {
 // One capsule.
 Tool single_tool(const Capsule& shape);
 
-// What the body does to the tool.
+// What the body and obstacles do to the tool.
 struct ToolLoad {
     Vec3 force_un = Vec3::Zero();
     Vec3 torque_un_mm = Vec3::Zero();  // about the tool's centre
     double grip_un = 0.0;              // with which jaws are pressed apart; 0 without jaws
     Vec3 at_mm = Vec3::Zero();  // the mean of its contacts, weighted by their forces; 0 without
-    Vec3 impulse_un_s = Vec3::Zero();  // over the step: forces at the ends of its parts times dt
+    Vec3 impulse_un_s = Vec3::Zero();  // of the body alone, over the step: forces at the ends of
+                                       // its parts times dt
     int contacts = 0;                  // points of the body in the pad
-    double least_gap_mm = std::numeric_limits<double>::max();  // of these
+    double least_gap_mm = std::numeric_limits<double>::max();  // of all that is in the pad
     std::vector<int> touched;  // nodes of the triangles in the pad, each once, ascending
 };
 

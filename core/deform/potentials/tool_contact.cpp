@@ -5,108 +5,49 @@
 #include <cmath>
 #include <limits>
 
-#include "core/deform/potentials/pad_barrier.h"
 #include "core/deform/potentials/point_stiffness.h"
+#include "core/deform/potentials/tool_load_sum.h"
 
 namespace hepatica {
 namespace {
 
-constexpr double least_share = 0.1;   // of a gap, that a motion leaves
-constexpr double led_until = 0.5;     // of the pad
-constexpr double dip_of_pad = 0.125;  // how far a triangle may bulge into the pad between points
-constexpr double most_stretch = 1.5;  // of the surface, for which that holds
-constexpr int most_cuts = 32;         // of a triangle's edge
+constexpr double least_share = 0.1;  // of a gap, that a motion leaves
+constexpr double led_until = 0.5;    // of the pad
 
 }  // namespace
 
-ToolContact::ToolContact(const Body& body) : surface_(body.surface) {
-    for (const auto& triangle : surface_.triangles()) {
-        const Triangle x = corners_of(triangle, body.rest_positions_mm);
-        area_mm2_.push_back(0.5 * (x[1] - x[0]).cross(x[2] - x[0]).norm());
-        longest_edge_mm_.push_back(
-            std::max({(x[1] - x[0]).norm(), (x[2] - x[1]).norm(), (x[0] - x[2]).norm()}));
-    }
-}
-
-// The corners of n^2 equal triangles into which it is cut; each of those gives a third of its area
-// to each of its corners. A point of a triangle of edges s is at most s / sqrt(3) from a corner,
-// and the ball bulges there by s^2 / (6 R).
-void ToolContact::add_points_of(int triangle, const Capsule& shape, int part,
-                                std::span<const Vec3> positions_mm,
-                                std::vector<PadContact>& found) const {
-    const double pad = tool_->pad_mm, edge = longest_edge_mm_[triangle];
-    const double apart = std::sqrt(6.0 * dip_of_pad * pad * shape.radius_mm) / most_stretch;
-    const int n = std::clamp(static_cast<int>(std::ceil(edge / apart)), 1, most_cuts);
-    const double dip =
-        std::min(dip_of_pad * pad, std::pow(most_stretch * edge / n, 2) / (6.0 * shape.radius_mm));
-    const Triangle corners = corners_of(surface_.triangles()[triangle], positions_mm);
-    const Segment axis = shape.axis();
-    for (int i = 0; i <= n; ++i)
-        for (int j = 0; i + j <= n; ++j) {
-            const double v = static_cast<double>(i) / n, w = static_cast<double>(j) / n;
-            const std::array<double, 3> weights{static_cast<double>(n - i - j) / n, v, w};
-            const Vec3 point = point_at(corners, weights);
-            const PointSegment on = closest(point, axis);
-            const double distance = std::sqrt(on.squared_mm2);
-            const double gap = distance - shape.radius_mm - dip;
-            if (!(gap < pad)) continue;
-            const int on_borders = (i == 0) + (j == 0) + (i + j == n);
-            const double share = on_borders == 0 ? 6.0 : (on_borders == 1 ? 3.0 : 1.0);
-            const double strength =
-                share / (3.0 * n * n) * area_mm2_[triangle] * tool_->pressure_pa;
-            const PadBarrier barrier = pad_barrier(gap, pad, strength);
-            const Vec3 normal = (point - point_at(axis, on.along)) / distance;
-            found.push_back({part, on.along, triangle, weights, normal, point, barrier.force_un,
-                             barrier.stiffness_un_per_mm, barrier.energy_nj});
-        }
-}
-
-std::vector<PadContact> ToolContact::contacts_at(std::span<const Capsule> shapes,
-                                                 std::span<const Vec3> positions_mm) const {
-    std::vector<Box> boxes(shapes.size());
-    for (std::size_t p = 0; p < shapes.size(); ++p) {
-        for (const Vec3& end : shapes[p].axis()) boxes[p].add(end);
-        boxes[p].grow(shapes[p].radius_mm + (1.0 + dip_of_pad) * tool_->pad_mm);
-    }
-    const std::vector<std::vector<int>> near = surface_.triangles_in(boxes, positions_mm);
-    std::vector<PadContact> found;
-    for (std::size_t p = 0; p < shapes.size(); ++p)
-        for (const int t : near[p])
-            add_points_of(t, shapes[p], static_cast<int>(p), positions_mm, found);
-    return found;
+ToolContact::ToolContact(const Body& body)
+    : pad_(SurfacePatches(body.surface), body.rest_positions_mm) {
+    if (!body.obstacles) return;
+    for (const Obstacle& obstacle : body.obstacles->all) obstacles_.emplace_back(obstacle);
 }
 
 std::vector<PadContact> ToolContact::contacts(std::span<const Vec3> positions_mm) const {
-    return tool_ ? contacts_at(tool_->shapes(), positions_mm) : std::vector<PadContact>{};
+    return tool_ ? pad_.contacts(*tool_, tool_->shapes(), positions_mm) : std::vector<PadContact>{};
 }
 
 std::vector<PadContact> ToolContact::contacts_before_led(std::span<const Vec3> positions_mm) const {
-    return tool_ ? contacts_at(tool_->shapes_before_led(), positions_mm)
+    return tool_ ? pad_.contacts(*tool_, tool_->shapes_before_led(), positions_mm)
                  : std::vector<PadContact>{};
 }
 
 double ToolContact::least_gap_mm(std::span<const Vec3> positions_mm) const {
-    double least = std::numeric_limits<double>::max();
-    if (!tool_) return least;
-    for (const ToolPart& part : tool_->parts)
-        for (const NearTriangle& near :
-             near_capsule(part.shape, surface_, positions_mm, (1.0 + dip_of_pad) * tool_->pad_mm))
-            least = std::min(least, near.gap_mm);
-    return least;
+    return tool_ ? pad_.least_gap_mm(*tool_, positions_mm) : std::numeric_limits<double>::max();
 }
 
 bool ToolContact::free(std::span<const Vec3> positions_mm) const {
     return least_gap_mm(positions_mm) > 0.0 && std::isfinite(energy(positions_mm, positions_mm));
 }
 
-// Of the pad alone. Jaws are pressed apart by the force that works where they open.
+// Of the body's pad alone: a rigid obstacle needs no limit. Jaws are pressed apart by the force
+// that works where they open.
 ToolResistance ToolContact::resistance_at(std::span<const Capsule> shapes,
                                           std::span<const Vec3> positions_mm) const {
     ToolResistance sum;
     Vec3 centre = Vec3::Zero();
     for (const Capsule& shape : shapes) centre += shape.centre_mm;
     centre /= static_cast<double>(shapes.size());
-    for (const PadContact& contact : contacts_at(shapes, positions_mm)) {
+    for (const PadContact& contact : pad_.contacts(*tool_, shapes, positions_mm)) {
         const Vec3 force = contact.force_un * contact.normal;
         sum.force_un -= force;
         sum.torque_un_mm -= (contact.at_mm - centre).cross(force);
@@ -131,18 +72,50 @@ std::vector<int> ToolContact::vertices_near_way(std::span<const Vec3> positions_
     way.grow(turns ? tool_->reach_mm() : widest);
     way.grow(2.0 * tool_->pad_mm + opens);
     std::vector<int> near;
-    for (std::size_t p = 0; p < surface_.size(); ++p) {
-        if (!surface_.box(p, positions_mm).meets(way)) continue;
-        const auto vertices = surface_.vertices_of(p);
+    for (std::size_t p = 0; p < pad_.surface().size(); ++p) {
+        if (!pad_.surface().box(p, positions_mm).meets(way)) continue;
+        const auto vertices = pad_.surface().vertices_of(p);
         near.insert(near.end(), vertices.begin(), vertices.end());
     }
     return near;
 }
 
+std::vector<const ToolObstacle*> ToolContact::obstacles_that_stop() const {
+    std::vector<const ToolObstacle*> those;
+    for (const ToolObstacle& obstacle : obstacles_)
+        if (obstacle.stops(*tool_)) those.push_back(&obstacle);
+    return those;
+}
+
 bool ToolContact::lead(std::span<const Vec3> positions_mm, double share, double dt_s) {
+    StandingSurfaces surfaces{{pad_.surface(), positions_mm}};
+    for (const ToolObstacle* obstacle : obstacles_that_stop())
+        surfaces.push_back(obstacle->surface());
     return hepatica::lead(
-        *tool_, surface_, positions_mm, led_until * tool_->pad_mm, share, dt_s,
+        *tool_, surfaces, led_until * tool_->pad_mm, share, dt_s,
         [&](std::span<const Capsule> shapes) { return resistance_at(shapes, positions_mm); });
+}
+
+bool ToolContact::in_obstacle() const {
+    return std::ranges::any_of(
+        obstacles_, [&](const ToolObstacle& obstacle) { return obstacle.entered_by(*tool_); });
+}
+
+ToolContact::ObstaclePress ToolContact::pressed_by_obstacles() const {
+    ObstaclePress press;
+    ToolLoadSum sum(*tool_);
+    const std::vector<Capsule> shapes = tool_->shapes();
+    for (const ToolObstacle* obstacle : obstacles_that_stop()) {
+        press.least_gap_mm = std::min(press.least_gap_mm, obstacle->least_gap_mm(*tool_));
+        for (const PadContact& contact : obstacle->contacts(*tool_, shapes)) {
+            press.contacts.push_back(contact);
+            sum.press(contact);
+        }
+    }
+    const ToolLoad load = sum.load();
+    const double hardest = std::max(load.force_un.norm(), load.grip_un);
+    if (hardest > tool_->force_limit_un) press.share = tool_->force_limit_un / hardest;
+    return press;
 }
 
 double ToolContact::energy(std::span<const Vec3> positions_mm, std::span<const Vec3>) const {
@@ -193,10 +166,10 @@ double ToolContact::free_share(std::span<const Vec3> from_mm, std::span<const Ve
     double share = 1.0;
     if (!tool_) return share;
     for (const ToolPart& part : tool_->parts)
-        share = std::min(
-            share, hepatica::free_share(part.shape, surface_, from_mm, to_mm, [&](double gap_mm) {
-                return least_share * std::min(gap_mm, tool_->pad_mm);
-            }));
+        share = std::min(share, hepatica::free_share(
+                                    part.shape, pad_.surface(), from_mm, to_mm, [&](double gap_mm) {
+                                        return least_share * std::min(gap_mm, tool_->pad_mm);
+                                    }));
     return share;
 }
 
@@ -206,7 +179,8 @@ double ToolContact::share_until_touch(std::span<const Vec3> from_mm,
     if (!tool_) return share;
     for (const ToolPart& part : tool_->parts)
         share = std::min(
-            share, hepatica::free_share(part.shape, surface_, from_mm, to_mm, [&](double gap_mm) {
+            share,
+            hepatica::free_share(part.shape, pad_.surface(), from_mm, to_mm, [&](double gap_mm) {
                 return gap_mm > tool_->pad_mm ? led_until * tool_->pad_mm : -1.0;
             }));
     return share;

@@ -14,8 +14,7 @@ constexpr double least_turn_rad = 1e-9;
 
 struct Way {
     Tool& tool;
-    const SurfacePatches& surface;
-    std::span<const Vec3> positions_mm;
+    const StandingSurfaces& surfaces;
     double keep_mm;
     const ResistanceAt& resistance;
 
@@ -42,7 +41,7 @@ struct Way {
 
 void Way::go(const Vec3& motion_mm) {
     const std::vector<Capsule> begin = tool.shapes();
-    Vec3 gone = slide(begin, surface, positions_mm, motion_mm, keep_mm);
+    Vec3 gone = slide(begin, surfaces, motion_mm, keep_mm);
     const auto there = [&](double share) {
         std::vector<Capsule> moved = begin;
         for (Capsule& shape : moved) shape.centre_mm += share * gone;
@@ -83,7 +82,7 @@ void Way::turn(const Vec3& by_rad) {
             }
             return turned;
         };
-        share = sweep_share(begin, there(1.0), surface, positions_mm, keep_mm);
+        share = sweep_share(begin, there(1.0), surfaces, keep_mm);
         const ToolResistance end = resistance(there(1.0));
         const bool against = end.torque_un_mm.dot(axis) < 0.0;
         share *= share_within(there, end, [&](const ToolResistance& r) {
@@ -112,7 +111,7 @@ void Way::open(double by_mm) {
             moved[p].centre_mm += share * gone * tool.parts[p].opens;
         return moved;
     };
-    gone *= sweep_share(begin, there(1.0), surface, positions_mm, keep_mm);
+    gone *= sweep_share(begin, there(1.0), surfaces, keep_mm);
     gone *= share_within(there, resistance(there(1.0)), [&](const ToolResistance& r) {
         return by_mm < 0.0 && r.grip_un > tool.force_limit_un;
     });
@@ -125,9 +124,9 @@ void Way::open(double by_mm) {
 
 }  // namespace
 
-bool lead(Tool& tool, const SurfacePatches& surface, std::span<const Vec3> positions_mm,
-          double keep_mm, double share, double dt_s, const ResistanceAt& resistance) {
-    Way way{tool, surface, positions_mm, keep_mm, resistance};
+bool lead(Tool& tool, const StandingSurfaces& surfaces, double keep_mm, double share, double dt_s,
+          const ResistanceAt& resistance) {
+    Way way{tool, surfaces, keep_mm, resistance};
     for (ToolPart& part : tool.parts) part.led_half_axis_mm.setZero();
     way.go(share * (tool.target_mm - tool.centre_mm()));
     if (!tool.turn_rad.isZero(0.0)) way.turn(share * tool.turn_rad);

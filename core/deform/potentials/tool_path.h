@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a tool goes where it is led, past a surface that stands still: along its way and sliding on
+// How a tool goes where it is led, past surfaces that stand still: along its way and sliding on
 // what stops it, then about its centre, then its jaws; each until a gap falls to what is to be kept
 // or the body pushes back with the tool's limit of force. A turn is swept in small parts, in each
 // of which the ends go straight: between arc and chord there is a fortieth of the gap at most.
@@ -12,7 +12,7 @@
 
 namespace hepatica {
 
-// What the body would do to the tool if its parts stood there.
+// What body and obstacles would do to the tool if its parts stood there.
 struct ToolResistance {
     Vec3 force_un = Vec3::Zero();
     Vec3 torque_un_mm = Vec3::Zero();  // about the centre
@@ -23,8 +23,8 @@ using ResistanceAt = std::function<ToolResistance(std::span<const Capsule>)>;
 
 // Leads the tool over dt_s > 0 by `share` (0 to 1) of all that it has still to go, and keeps a gap
 // of keep_mm > 0. Returns whether it moved.
-bool lead(Tool& tool, const SurfacePatches& surface, std::span<const Vec3> positions_mm,
-          double keep_mm, double share, double dt_s, const ResistanceAt& resistance);
+bool lead(Tool& tool, const StandingSurfaces& surfaces, double keep_mm, double share, double dt_s,
+          const ResistanceAt& resistance);
 
 // What is left to turn, once `by_rad` is to be turned after `left_rad`: one vector for both.
 Vec3 turned_after(const Vec3& left_rad, const Vec3& by_rad);

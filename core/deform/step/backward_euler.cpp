@@ -190,8 +190,7 @@ StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
     }
     state.velocities_mm_per_s = std::move(velocities);
     state.positions_mm = std::move(step.positions);
-    report.tool = potentials.tool_load(state.positions_mm);
-    report.tool.impulse_un_s = dt_s * report.tool.force_un;
+    report.tool = potentials.tool_load(state.positions_mm, dt_s);
     if (potentials.self()) {
         report.self = load_of(potentials.self()->contacts(state.positions_mm));
         report.self_cost = potentials.self()->pairs().take_cost();

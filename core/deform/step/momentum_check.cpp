@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/deform/potentials/self_contact.h"
+#include "core/deform/potentials/self_friction.h"
 
 namespace hepatica {
 namespace {
@@ -26,6 +26,8 @@ MomentumBalance momentum_balance(const Body& body, const StepUnderway& step,
                                  std::span<const Vec3> elastic_force_un) {
     std::vector<Vec3> touch(after.size(), Vec3::Zero());
     if (step.potentials.self()) step.potentials.self()->add_forces(step.positions, touch);
+    if (step.potentials.self_friction())
+        step.potentials.self_friction()->add_forces(step.positions, touch);
     const bool free = is_free(body, step.potentials, held);
     MomentumBalance balance;
     Vec3 left = Vec3::Zero();

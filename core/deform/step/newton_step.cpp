@@ -137,7 +137,8 @@ void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
         made_ = {.made_from = origin_of(step), .overlaps = step.potentials.kept_overlaps()};
         if (step.potentials.tool())
             made_.tool = ToolOrigin{*step.potentials.tool(), step.start.positions_mm};
-        if (step.potentials.obstacles()) made_.began_mm = step.start.positions_mm;
+        if (step.potentials.obstacles() || step.potentials.self_friction())
+            made_.began_mm = step.start.positions_mm;
     }
     ++report.linear_solves;
     report.linear_iterations += solved.iterations;

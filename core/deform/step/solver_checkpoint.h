@@ -42,7 +42,7 @@ struct SolverCheckpoint {
     std::optional<ToolOrigin> tool{};         // none where the matrix knew no tool
     SurfacesKept overlaps{};                  // of that matrix
     std::vector<Vec3>
-        began_mm{};  // where its step began, of which obstacles' friction is; else empty
+        began_mm{};  // where its step began, of which friction of surfaces is; else empty
 };
 
 }  // namespace hepatica

@@ -76,6 +76,8 @@ class CpuBackEnd final : public StepBackEnd {
     bool free_of_tool(std::span<const Vec3> positions_mm) const override {
         return potentials_->free_of_tool(positions_mm);
     }
+    bool tool_in_obstacle() const override { return potentials_->tool_in_obstacle(); }
+    ToolLoad tool_load() const override { return potentials_->tool_load(state_.positions_mm); }
 
     SurfacesKept overlaps() const override { return potentials_->kept_overlaps(); }
     void set_overlaps(const SurfacesKept& kept) override { potentials_->set_overlaps(kept); }

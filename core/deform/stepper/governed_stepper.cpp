@@ -127,9 +127,11 @@ void GovernedStepper::set_tool(const std::optional<Tool>& tool) {
     const std::optional<Tool> previous = back_end_->tool();
     const double before = back_end_->contact_energy();
     back_end_->set_tool(tool);
-    if (!back_end_->free_of_tool(back_end_->state().positions_mm)) {
+    const bool in_body = !back_end_->free_of_tool(back_end_->state().positions_mm);
+    if (in_body || back_end_->tool_in_obstacle()) {
         back_end_->set_tool(previous);
-        throw InputError("would stand in the body", "the tool", "Put it beside the vessels");
+        throw InputError(in_body ? "would stand in the body" : "would stand in an obstacle",
+                         "the tool", "Put it beside the vessels");
     }
     const double after = back_end_->contact_energy();
     tool_work_ += after - before;
@@ -240,7 +242,10 @@ StepReport GovernedStepper::step(double dt_s, const std::stop_token& stop) {
     wake_touched();
     const bool sleeps = asleep();
     if (sleeps) {
-        if (tool_led_) lead_tool_for(dt_s, 1.0);
+        if (tool_led_) {
+            lead_tool_for(dt_s, 1.0);
+            tool_load_ = back_end_->tool_load();
+        }
         report.dt_s = dt_s;
         report.asleep = !tool_led_;
         report.energy.kinetic = resting_.kinetic;

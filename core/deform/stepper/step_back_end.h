@@ -41,6 +41,9 @@ class StepBackEnd {
     virtual std::vector<int> vertices_near_tool() const = 0;
     // Whether no part of the body is in the tool when its nodes are at these places.
     virtual bool free_of_tool(std::span<const Vec3> positions_mm) const = 0;
+    virtual bool tool_in_obstacle() const = 0;
+    // What presses on the tool between two steps: without friction.
+    virtual ToolLoad tool_load() const = 0;
     // What of the body overlaps itself or obstacles and does not count as touching; none where it
     // does not touch these. set_overlaps() throws InputError where it is not of this body.
     virtual SurfacesKept overlaps() const = 0;

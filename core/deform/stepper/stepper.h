@@ -34,7 +34,7 @@ class Stepper {
     virtual void set_gravity(const Vec3& gravity_mm_per_s2) = 0;
 
     // Puts a tool beside the body, in the place of one that is there, or takes it away. Throws
-    // where it would stand in the body.
+    // where it would stand in the body or in a solid obstacle.
     virtual void set_tool(const std::optional<Tool>& tool) = 0;
     // Where its centre is to go in the next step, as far as what it meets lets it. Without a tool
     // it does nothing.
@@ -43,7 +43,7 @@ class Stepper {
     // are to open, >= 0; as far as what it meets lets it, too.
     virtual void turn_tool(const Vec3& by_rad) = 0;
     virtual void open_tool(double opening_mm) = 0;
-    // Where it is now, and what the body did to it in the last step.
+    // Where it is now, and what body and obstacles did to it in the last step.
     virtual const std::optional<Tool>& tool() const = 0;
     virtual const ToolLoad& tool_load() const = 0;
 

@@ -213,17 +213,17 @@ class Writer {
     }
     void behind_all(const auto& tool, const auto& made_with, const auto& self, const auto& overlaps,
                     const auto& tear, const auto& obstacles, const auto& began_mm) {
-        const bool of_obstacles = obstacles || overlaps.obstacles;
-        const bool of_surfaces = self || overlaps.self || tear || of_obstacles;
+        const bool of_friction = obstacles || overlaps.obstacles || !began_mm.empty();
+        const bool of_surfaces = self || overlaps.self || tear || of_friction;
         if (!tool && !made_with && !of_surfaces) return;
         (*this)(tool);
         (*this)(made_with);
         if (!of_surfaces) return;
         (*this)(self);
         (*this)(overlaps.self);
-        if (!tear && !of_obstacles) return;
+        if (!tear && !of_friction) return;
         (*this)(tear);
-        if (!of_obstacles) return;
+        if (!of_friction) return;
         (*this)(obstacles);
         (*this)(overlaps.obstacles);
         (*this)(began_mm);
@@ -314,7 +314,7 @@ class Reader {
             (*this)(obstacles);
             (*this)(overlaps.obstacles);
             (*this)(began_mm);
-            used = obstacles || overlaps.obstacles;
+            used = obstacles || overlaps.obstacles || !began_mm.empty();
         }
         if (!used) refuse("goes on after its end");
     }

@@ -25,7 +25,7 @@ struct Floor {
 
     bool lead(Tool& tool, double share = 1.0, const ResistanceAt& resistance = {}) const {
         const ResistanceAt none = [](std::span<const Capsule>) { return ToolResistance{}; };
-        return hepatica::lead(tool, surface, corners, keep_mm, share, 0.01,
+        return hepatica::lead(tool, {{surface, corners}}, keep_mm, share, 0.01,
                               resistance ? resistance : none);
     }
 };
@@ -106,7 +106,7 @@ TEST(ToolPath, ATurningRodNeverLeavesAClosedBox) {
     for (int step = 0; step < 200; ++step) {
         tool.turn_rad = Vec3(in(2), in(2), in(2));
         tool.target_mm = Vec3(5 + in(8), 5 + in(8), 5 + in(8));
-        lead(tool, surface, box.vertices_mm, 0.05, 1.0, 0.01,
+        lead(tool, {{surface, box.vertices_mm}}, 0.05, 1.0, 0.01,
              [](std::span<const Capsule>) { return ToolResistance{}; });
         stopped += tool.turn_rad.norm() > 1e-6;
         for (const Vec3& end : tool.parts[0].shape.axis())
@@ -125,13 +125,13 @@ TEST(ToolPath, JawsCloseUntilTheyAreAboutToTouchAndOpenAgain) {
     Tool tool = jaws(10.0);
     tool.opening_target_mm = 0.0;
     // The lower side is met first, and ends the motion of both.
-    EXPECT_TRUE(lead(tool, slab, corners, keep_mm, 1.0, 0.01, none));
+    EXPECT_TRUE(lead(tool, {{slab, corners}}, keep_mm, 1.0, 0.01, none));
     EXPECT_NEAR(tool.opening_mm, 2.0 * (2.0 + keep_mm), 1e-6);
     EXPECT_NEAR(tool.parts[0].shape.centre_mm.z(), 18.0 - keep_mm - 1.0, 1e-6);
     EXPECT_NEAR((tool.parts[0].shape.centre_mm + tool.parts[1].shape.centre_mm).z(), 40.0, 1e-9);
     EXPECT_LT((tool.parts[1].led_by_mm - Vec3(0, 0, -0.5 * (10.0 - tool.opening_mm))).norm(), 1e-9);
     tool.opening_target_mm = 7.0;
-    EXPECT_TRUE(lead(tool, slab, corners, keep_mm, 0.5, 0.01, none));
+    EXPECT_TRUE(lead(tool, {{slab, corners}}, keep_mm, 0.5, 0.01, none));
     EXPECT_NEAR(tool.opening_mm, 0.5 * (7.0 + 2.0 * (2.0 + keep_mm)), 1e-6);
 }
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pad between a tool and a surface: its pressure p g/(1 - g), with g = 1 - d/h for the gap d <
+// h, is integrated over the surface at rest by points on the triangles. A point that stands for the
+// area A stores
+//   A p h (-g - ln(1 - g)),    whose force is A p g/(1 - g):
+// linear at first and without bound where the gap closes, so that every balance of forces is one
+// without penetration. Where d <= 0 the energy is infinite. Points lie so close together that
+// between them a triangle comes nearer to the tool by an eighth of the pad at most, even where it
+// is stretched by a half; gaps are counted from there.
+#pragma once
+
+#include <vector>
+
+#include "core/deform/potentials/tool.h"
+
+namespace hepatica {
+
+// A point of the surface in the pad.
+struct PadContact {
+    int part = 0;        // of the tool
+    double along = 0.0;  // that part's axis, from 0 to 1
+    int triangle = 0;
+    std::array<double, 3> weights{};  // of its corners
+    Vec3 normal = Vec3::Zero();       // from the tool to the surface, of length 1
+    Vec3 at_mm = Vec3::Zero();
+    double force_un = 0.0;  // along the normal on the surface, > 0
+    double stiffness_un_per_mm = 0.0;
+    double energy_nj = 0.0;
+};
+
+// Thread safety: const access only.
+class ToolPad {
+  public:
+    ToolPad(SurfacePatches surface, std::span<const Vec3> rest_mm);
+
+    const SurfacePatches& surface() const { return surface_; }
+    // Of a tool with its parts at these places: part by part, by the number of the triangle, from
+    // corner to corner.
+    std::vector<PadContact> contacts(const Tool& tool, std::span<const Capsule> shapes,
+                                     std::span<const Vec3> positions_mm) const;
+    // The gap between tool and nearest triangle: < 0 inside, the largest number beyond the pad.
+    double least_gap_mm(const Tool& tool, std::span<const Vec3> positions_mm) const;
+
+  private:
+    void add_points_of(int triangle, const Tool& tool, const Capsule& shape, int part,
+                       std::span<const Vec3> positions_mm, std::vector<PadContact>& found) const;
+
+    SurfacePatches surface_;
+    std::vector<double> area_mm2_, longest_edge_mm_;  // of each triangle at rest
+};
+
+}  // namespace hepatica
