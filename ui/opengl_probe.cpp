@@ -4,6 +4,8 @@
 #include <QLibrary>
 #include <QOpenGLContext>
 #include <QSurfaceFormat>
+#include <QThread>
+#include <algorithm>
 
 #include "ui/hidden_context.h"
 #include "ui/words.h"
@@ -13,6 +15,7 @@ namespace {
 
 constexpr int major_version = 3;
 constexpr int minor_version = 2;
+constexpr const char* threads_of_llvmpipe = "LP_NUM_THREADS";  // Mesa's software renderer
 
 // Asks libX11, which Qt loads anyway: it knows sockets, hosts and who may come in.
 bool x_display_answers() {
@@ -31,6 +34,9 @@ bool x_display_answers() {
 
 void prepare_opengl() {
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
+    if (qEnvironmentVariableIsEmpty(threads_of_llvmpipe))
+        qputenv(threads_of_llvmpipe,
+                QByteArray::number(std::max(1, QThread::idealThreadCount() - 1)));
     QSurfaceFormat format;
     format.setVersion(major_version, minor_version);
     format.setProfile(QSurfaceFormat::CoreProfile);
