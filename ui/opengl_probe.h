@@ -9,8 +9,8 @@
 namespace hepatica {
 
 // Before the QApplication: xcb unless the user chose a platform, a 3.2 core profile for every
-// context, and unless the user chose how many threads draw where there is no graphics card, one core
-// that is left to the simulation.
+// context, and unless the user chose how many threads draw where there is no graphics card, one
+// core that is left to the simulation.
 void prepare_opengl();
 
 // Before the QApplication, which would abort: empty where there is a display that answers, else

@@ -11,8 +11,8 @@ namespace hepatica {
 // 4 mm in radius, 1.5 times as wide as the neck, and within a box whose diagonal is shorter than
 // ten of its radii; and trees beside the longest one of their system that are at least 4 mm in
 // radius and fit into a box whose diagonal is shorter than six of their radii: pieces of the vena
-// cava below the liver. What a seed lies in (within its lumen, or 3 mm) stays. `graph` is left as it is
-// where nothing is found; else its nodes are numbered anew.
+// cava below the liver. What a seed lies in (within its lumen, or 3 mm) stays. `graph` is left as
+// it is where nothing is found; else its nodes are numbered anew.
 RemovedPieces remove_blobs(const VesselTree& tree, const std::vector<VesselSeed>& seeds,
                            VesselGraph& graph);
 
