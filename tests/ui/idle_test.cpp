@@ -25,10 +25,13 @@ std::shared_ptr<const PatientCase> patient_with_a_dial() {
     return patient;
 }
 
-// Counts the paintings of a widget.
+// Counts the paintings of a widget and of what lies in it, such as a view's canvas.
 class Paintings : public QObject {
   public:
-    explicit Paintings(QWidget& widget) { widget.installEventFilter(this); }
+    explicit Paintings(QWidget& widget) {
+        widget.installEventFilter(this);
+        for (QWidget* inner : widget.findChildren<QWidget*>()) inner->installEventFilter(this);
+    }
     bool eventFilter(QObject* watched, QEvent* event) override {
         if (event->type() == QEvent::Paint) ++count;
         return QObject::eventFilter(watched, event);
