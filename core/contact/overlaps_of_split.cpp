@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/contact/overlaps.h"
+#include "core/contact/point_in_surface.h"
 
 namespace hepatica {
 namespace {
