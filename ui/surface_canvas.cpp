@@ -24,11 +24,13 @@ SurfaceCanvas::~SurfaceCanvas() {
 // connected in initializeGL() must not run any more.
 void SurfaceCanvas::finish() {
     if (!context()) return;
-    if (disconnect(context(), nullptr, this, nullptr)) {
-        makeCurrent();
-        painter_.end();
-        doneCurrent();
-    }
+    if (disconnect(context(), nullptr, this, nullptr)) end();
+}
+
+void SurfaceCanvas::end() {
+    makeCurrent();
+    painter_.end();
+    doneCurrent();
 }
 
 QImage SurfaceCanvas::drawn() {
@@ -40,11 +42,7 @@ QImage SurfaceCanvas::drawn() {
 
 void SurfaceCanvas::initializeGL() {
     // Qt makes a new context when the widget moves to another window.
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
-        makeCurrent();
-        painter_.end();
-        doneCurrent();
-    });
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { end(); });
     painter_.begin(*context());
 }
 

@@ -23,6 +23,8 @@ class SurfaceCanvas : public QOpenGLWidget, public Canvas {
     void paintGL() override;
 
   private:
+    void end();
+
     CanvasPainter painter_;
     bool for_screen_ = true;  // else it is only read
     bool awaits_swap_ = false;

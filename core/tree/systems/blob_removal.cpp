@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <map>
 
 namespace hepatica {
 
@@ -78,12 +79,15 @@ std::vector<std::uint8_t> apart_from_main_tree(const VesselTree& tree) {
         below_mm[i] += length_mm(tree.segments[i]);
         if (tree.segments[i].parent >= 0) below_mm[tree.segments[i].parent] += below_mm[i];
     }
+    const std::vector<int> all = roots(tree);
+    std::map<VascularSystem, double> longest_mm;
+    for (const int root : all) {
+        double& longest = longest_mm[tree.segments[root].system];
+        longest = std::max(longest, below_mm[root]);
+    }
     std::vector<std::uint8_t> apart(tree.segments.size(), 0);
-    for (const int root : roots(tree))
-        for (const int other : roots(tree))
-            if (tree.segments[root].system == tree.segments[other].system &&
-                below_mm[root] < below_mm[other])
-                apart[root] = 1;
+    for (const int root : all)
+        apart[root] = below_mm[root] < longest_mm[tree.segments[root].system];
     return apart;
 }
 

@@ -8,8 +8,9 @@
 namespace hepatica {
 
 // Leads the portal centreline nearest to `entry_mm` there, as wide as it is where it leaves off, so
-// that an end lies there. Nothing changes where no portal vein lies within 15 mm, or where one is
-// there already.
+// that an end lies there. A wide end of the portal vein within 15 mm beyond the place where it
+// leaves off goes. Nothing changes where no portal vein lies within 15 mm, or where one is there
+// already.
 void lead_trunk_to(const Vec3& entry_mm, VesselGraph& graph);
 
 }  // namespace hepatica
