@@ -32,6 +32,15 @@ Vec3 nearest_to(const Vec3& point, const std::vector<float>& positions_mm) {
     return nearest;
 }
 
+const MarkView* nearest_waiting(const Vec3& point, const std::vector<MarkView>& marks) {
+    const MarkView* nearest = nullptr;
+    for (const MarkView& mark : marks)
+        if (!mark.reached && (nearest == nullptr || (mark.place_mm - point).squaredNorm() <
+                                                        (nearest->place_mm - point).squaredNorm()))
+            nearest = &mark;
+    return nearest;
+}
+
 }  // namespace
 
 DepthStem::DepthStem(vtkRenderer& renderer)
@@ -54,25 +63,29 @@ DepthStem::~DepthStem() {
     renderer_.RemoveActor(line_);
 }
 
-bool DepthStem::update(const std::optional<ToolView>& tool,
-                       const std::vector<float>& positions_mm) {
+bool DepthStem::update(const std::optional<ToolView>& tool, const std::vector<float>& positions_mm,
+                       const std::vector<MarkView>& marks) {
     const bool shown = line_->GetVisibility() != 0;
     double away_mm = 0.0;
-    Vec3 nearest = Vec3::Zero();
+    Vec3 end = Vec3::Zero();
+    const MarkView* mark = nullptr;
     if (tool && tool->touched.empty() && !tool->parts.empty()) {
-        nearest = nearest_to(tool->tip_mm, positions_mm);
-        away_mm = (nearest - tool->tip_mm).norm() - tool->parts.front().radius_mm;
+        mark = nearest_waiting(tool->tip_mm, marks);
+        end = mark != nullptr ? mark->place_mm : nearest_to(tool->tip_mm, positions_mm);
+        away_mm = (end - tool->tip_mm).norm() - tool->parts.front().radius_mm;
     }
-    const bool shows = away_mm >= touching_mm && away_mm <= farthest_mm;
+    const bool shows = away_mm >= touching_mm && (mark != nullptr || away_mm <= farthest_mm);
     line_->SetVisibility(shows);
     if (!shows) return label_.show({}, {}) || shown;
-    if (shown && tool->tip_mm == tip_mm_ && nearest == nearest_mm_) return false;
+    const std::string text =
+        std::to_string(std::lround(away_mm)) + (mark != nullptr ? " mm to the mark" : " mm");
+    if (shown && tool->tip_mm == tip_mm_ && end == end_mm_ && text == text_) return false;
+    text_ = text;
     tip_mm_ = tool->tip_mm;
-    nearest_mm_ = nearest;
+    end_mm_ = end;
     ends_->SetPoint1(tip_mm_.data());
-    ends_->SetPoint2(nearest.data());
-    const std::string text = std::to_string(std::lround(away_mm)) + " mm";
-    label_.show(said(words_, text), 0.5 * (tip_mm_ + nearest));
+    ends_->SetPoint2(end_mm_.data());
+    label_.show(said(words_, text_), 0.5 * (tip_mm_ + end_mm_));
     return true;
 }
 

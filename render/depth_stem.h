@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a tool is from the vessels: a line from its tip to the nearest place of their surface,
-// with the distance in millimetres. Seen from anywhere, it says what the depth of a picture does
-// not.
+// How far a tool has to go: a line from its tip to the nearest mark that is not reached yet, or,
+// where there is none, to the nearest place of the vessels' surface, with the distance in
+// millimetres. Seen from anywhere, it says what the depth of a picture does not.
 #pragma once
 
 #include <vtkSmartPointer.h>
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "core/scene/frame.h"
 #include "render/figure_label.h"
+#include "render/mark_actors.h"
 #include "render/picture_words.h"
 
 class vtkActor;
@@ -31,8 +33,10 @@ class DepthStem {
     // From the next update on; English at first.
     void set_words(PictureWords words) { words_ = std::move(words); }
     // `positions_mm`: x, y, z of each vertex of the vessels. Costs one pass over them while a tool
-    // is there and nothing without one. Returns true if the picture is another now.
-    bool update(const std::optional<ToolView>& tool, const std::vector<float>& positions_mm);
+    // is there and no mark waits for it, and nothing without a tool. Returns true if the picture is
+    // another now.
+    bool update(const std::optional<ToolView>& tool, const std::vector<float>& positions_mm,
+                const std::vector<MarkView>& marks);
     void place(double pixel_ratio) { label_.place(pixel_ratio); }
 
   private:
@@ -40,7 +44,8 @@ class DepthStem {
     PictureWords words_;
     vtkSmartPointer<vtkLineSource> ends_;
     vtkSmartPointer<vtkActor> line_;
-    Vec3 tip_mm_ = Vec3::Zero(), nearest_mm_ = Vec3::Zero();  // as shown
+    Vec3 tip_mm_ = Vec3::Zero(), end_mm_ = Vec3::Zero();  // as shown
+    std::string text_;                                    // as shown
     FigureLabel label_;
 };
 

@@ -180,9 +180,17 @@ QWidget* InjectPanel::make_clock() {
     speed_->setObjectName("speed");
     speed_->setToolTip(Words::tr("Seconds of the drug's clock per second of the simulation"));
     connect(speed_, &QDoubleSpinBox::valueChanged, this,
-            [this](double factor) { ask_for_speed(factor); });
+            [this](double factor) {
+                show_pace();
+                ask_for_speed(factor);
+            });
     form->addRow(Words::tr("Speed"), speed_);
     column->addLayout(form);
+    pace_ = new QLabel(box);
+    pace_->setObjectName("drugPace");
+    pace_->setWordWrap(true);
+    column->addWidget(pace_);
+    show_pace();
     return box;
 }
 
@@ -250,6 +258,13 @@ void InjectPanel::ask_for_speed(double factor) {
     post_(SetDrugSpeed{factor});
 }
 
+// Else two clocks seem to contradict each other.
+void InjectPanel::show_pace() {
+    pace_->setText(Words::tr("%L1 s of the drug pass in each second of the play.")
+                       .arg(speed_->value(), 0, 'g', 4));
+    pace_->setVisible(speed_->value() != 1.0);
+}
+
 // Where it is shown already, the number may just be being typed over.
 void InjectPanel::show_speed(double factor) {
     constexpr double last_digit = 0.01;
@@ -257,6 +272,7 @@ void InjectPanel::show_speed(double factor) {
     if (std::abs(bounded - speed_->value()) <= 0.5 * last_digit) return;
     const QSignalBlocker silent(speed_);
     speed_->setValue(bounded);
+    show_pace();
 }
 
 void InjectPanel::show_drug(const DrugView& drug) {

@@ -53,6 +53,7 @@ class InjectPanel : public QWidget {
     void ask_for_time(double time_s);
     void ask_for_speed(double factor);
     void show_speed(double factor);
+    void show_pace();
 
     std::function<void(Command)> post_;
     QComboBox* preset_ = nullptr;
@@ -69,6 +70,7 @@ class InjectPanel : public QWidget {
     QSlider* time_ = nullptr;
     QLabel* time_label_ = nullptr;
     DecimalSpinBox* speed_ = nullptr;
+    QLabel* pace_ = nullptr;  // what the speed means
     DrugView drug_;  // of the newest frame
     // What the slider asked for and no frame has shown yet: until then frames do not move it.
     std::optional<double> asked_time_s_;

@@ -64,7 +64,6 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     about_ = add_label(*column, "quiet");
     doubts_ = add_label(*column, "lessonPlaceDoubts");
     clock_ = add_label(*column, "lessonClock");
-    clock_->setText(Words::tr("The clock stands: it runs from the first thing you do."));
     step_ = add_label(*column, "lessonStep");
     goal_ = add_label(*column, "lessonGoal");
     hold_ = new QProgressBar;
@@ -153,7 +152,11 @@ void LessonPanel::begin(const Lesson& lesson, const std::vector<std::string>& do
 
 void LessonPanel::show_standing(const LessonStanding& standing, bool read_first) {
     const bool running = standing.outcome == LessonOutcome::running;
-    clock_->setVisible(running && read_first);
+    clock_->setVisible(running);
+    clock_->setText(
+        read_first ? Words::tr("The clock stands: it runs from the first thing you do.")
+                   : Words::tr("Time: %1").arg(with_units_beside(translated(to_words(
+                         Quantity::time_s, std::floor(standing.metrics.time_s), units_)))));
     for (QWidget* widget : std::initializer_list<QWidget*>{step_, goal_, hold_, hint_button_})
         widget->setVisible(running);
     end_->setVisible(!running);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report_writing.h"
 
+#include <unistd.h>
+
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
@@ -20,7 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int patience_ms = 50;  // between two looks at the job
+constexpr int patience_ms = 50;     // between two looks at the job
+constexpr int after_the_play = 15;  // how much later the system gives it a processor
 
 QStringList arguments_of(const ReportOrder& order, const fs::path& out) {
     QStringList arguments{"--report",   to_text(order.recording),
@@ -44,6 +47,8 @@ class Running {
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert("QT_LOGGING_RULES", "*.warning=false");
         process_.setProcessEnvironment(environment);
+        // Whoever plays the next lesson meanwhile comes first.
+        process_.setChildProcessModifier([] { (void)!::nice(after_the_play); });
         process_.start(program, arguments);
         if (!process_.waitForStarted())
             throw InputError(Words::id("the program could not be started again"),

@@ -233,6 +233,7 @@ constexpr std::array sentences_play{
     Words::id("A gap, and how sure"),
     Words::id("Torn"),
     Words::id("%1 mm at the depth of the view's centre"),
+    Words::id("%1 mm to the mark"),
     Words::id("%1, grip %2"),
     Words::id("grip %1"),
     Words::id("hepatic vein"),

@@ -102,6 +102,7 @@ TEST(InjectPanel, ShowsTheSpeedOfTheSessionAndKeepsWhatWasChosenInFreePlay) {
     std::vector<Command> posted;
     InjectPanel panel([&](Command command) { posted.push_back(std::move(command)); });
     QDoubleSpinBox& speed = *panel.findChild<QDoubleSpinBox*>("speed");
+    const QLabel& said = *panel.findChild<QLabel*>("drugPace");
     const auto show = [&panel](double factor) {
         DrugView drug;
         drug.speed = factor;
@@ -112,10 +113,12 @@ TEST(InjectPanel, ShowsTheSpeedOfTheSessionAndKeepsWhatWasChosenInFreePlay) {
     EXPECT_EQ(last_posted(), 2.0);
     show(1.0);  // begun before
     EXPECT_EQ(speed.value(), 2.0);
+    EXPECT_TRUE(said.text().startsWith("2 s of the drug"));
     show(2.0);  // has heard of it
     panel.begin_play(false);
     show(4.0);
     EXPECT_EQ(speed.value(), 4.0);
+    EXPECT_TRUE(said.text().startsWith("4 s of the drug")) << "else two clocks contradict";
     EXPECT_EQ(posted.size(), 1u) << "what is shown is no choice";
     speed.setValue(8.0);
     EXPECT_EQ(last_posted(), 8.0);

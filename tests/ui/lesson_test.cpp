@@ -306,7 +306,9 @@ TEST_F(LessonWindowTest, the_clock_runs_from_the_first_thing_that_is_done) {
         return window_.lessons().playing() && !window_.busy() && window_.frame().statistics.paused;
     }));
     wait_for_figures();
-    EXPECT_FALSE(window_.lessons().findChild<QLabel*>("lessonClock")->isHidden());
+    const QLabel& clock = *window_.lessons().findChild<QLabel*>("lessonClock");
+    EXPECT_FALSE(clock.isHidden());
+    EXPECT_TRUE(clock.text().contains("stands"));
     EXPECT_EQ(window_.view().scene().marks().size(), 1u) << "they are seen while it is read";
     paint();
     EXPECT_EQ(window_.lessons().standing().metrics.time_s, 0.0);
@@ -314,7 +316,7 @@ TEST_F(LessonWindowTest, the_clock_runs_from_the_first_thing_that_is_done) {
     QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_widget(mark));
     EXPECT_TRUE(wait_for([&] { return window_.lessons().standing().metrics.time_s > 0.0; }));
     wait_for_figures();
-    EXPECT_TRUE(window_.lessons().findChild<QLabel*>("lessonClock")->isHidden());
+    EXPECT_EQ(clock.text(), "Time: 0 s");
     QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, on_widget(mark));
 }
 

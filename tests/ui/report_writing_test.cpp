@@ -3,8 +3,10 @@
 #include "ui/report_writing.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <QTemporaryDir>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -55,6 +57,14 @@ TEST_F(ReportWriting, PassesTheProgressOnAndAppearsWhole) {
     EXPECT_EQ(job_.progress().stage, "Replaying");
     EXPECT_EQ(job_.progress().fraction, 0.5);
     EXPECT_EQ(count(), 2u);
+}
+
+// A lesson that is played meanwhile would be slow.
+TEST_F(ReportWriting, LetsThePlayGoFirst) {
+    order_report(program("nice > \"$4/niceness\""), {}, folder() / "report", job_);
+    int of_report = 0;
+    std::ifstream(folder() / "report" / "niceness") >> of_report;
+    EXPECT_GE(of_report, std::min(19, ::getpriority(PRIO_PROCESS, 0) + 10));
 }
 
 TEST_F(ReportWriting, SaysWhyItFailedAndLeavesNothing) {
