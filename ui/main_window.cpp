@@ -258,8 +258,8 @@ void MainWindow::build_panels() {
 void MainWindow::build_branches() {
     BranchDock::Callbacks callbacks;
     callbacks.choose = [this](const BranchRow& row) {
-        view_->scene().set_highlight(patient_->anatomy.vertices_of(row.branch));
-        view_->draw_again();
+        chosen_branch_ = row.branch;
+        light_up(TreePoint{});
         view_layout_->slices().set_crosshair(row.middle_mm);
     };
     callbacks.colour = [this](const std::vector<std::uint8_t>& of_branches) {

@@ -195,6 +195,7 @@ class MainWindow : public QMainWindow {
     void show_message_of(const FrameStatistics& statistics);
     void colour_by_segments(const std::vector<std::uint8_t>& of_branches);
     void show_hover(const SurfacePick& pick);
+    void light_up(const TreePoint& under_mouse);
     // The slices' crosshair, to a vertex of the body at rest; -1: nowhere.
     void lead_crosshair_to(int vertex);
     void inject(const SurfacePick& pick);
@@ -248,6 +249,7 @@ class MainWindow : public QMainWindow {
     std::optional<LoadedPatient> patient_;
     std::unique_ptr<PlayRecorder> recorder_;
     int hovered_vertex_ = -1;  // of the frame
+    int chosen_branch_ = -1;   // in the table
     double picture_ms_ = 0.0;
     std::string last_message_;
     QString report_program_;

@@ -42,6 +42,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     patient_ = std::move(patient);
     dial_->show(patient_->patient);
     hovered_vertex_ = -1;
+    chosen_branch_ = -1;
     welcome_->hide();
     scene.set_highlight({});
     scene.set_vertex_systems(patient_->anatomy.vertex_systems());
@@ -251,7 +252,14 @@ void MainWindow::show_hover(const SurfacePick& pick) {
     const TreePoint point = patient_->anatomy.tree_point(vertex);
     if (QGuiApplication::keyboardModifiers() & Qt::ShiftModifier) branches_->select(point.segment);
     inject_->show_hover(translated(patient_->anatomy.describe(point, patient_->flow_shares)));
-    view_->scene().set_highlight(patient_->anatomy.downstream_of(point));
+    light_up(point);
+}
+
+// Beside the vessels, the branch that was chosen in the table shines again.
+void MainWindow::light_up(const TreePoint& under_mouse) {
+    const bool chosen = under_mouse.segment < 0 && chosen_branch_ >= 0 && branches_->isVisible();
+    view_->scene().set_highlight(chosen ? patient_->anatomy.vertices_of(chosen_branch_)
+                                        : patient_->anatomy.downstream_of(under_mouse));
     view_->draw_again();
 }
 

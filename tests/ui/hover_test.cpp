@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The mouse over a vessel: what lies downstream lights up and is told in words, for the very place
 // under the mouse, and goes out again when the mouse leaves.
+#include <QDockWidget>
 #include <QLabel>
+#include <QTableWidget>
 
 #include "tests/ui/fake_window_test.h"
+#include "ui/message_bar.h"
 
 namespace hepatica {
 namespace {
@@ -85,6 +88,27 @@ TEST_F(Hover, follows_the_mouse_along_one_branch) {
     };
     EXPECT_NEAR(along_mm(low), 8.0, 2.0) << low.toStdString();
     EXPECT_NEAR(along_mm(high), 35.0, 2.0) << high.toStdString();
+}
+
+// Whoever followed a warning to a branch still sees it after the mouse has passed over others.
+TEST_F(Hover, gives_way_to_the_branch_that_was_chosen_in_the_table) {
+    const Vec3 below(0, 0, -55), above(0, 0, -25);
+    const double dark = brightness_at(window_.view().picture(), below);
+    window_.messages().show_notice("Branch 1 is an end");
+    emit window_.messages().findChild<QLabel*>()->linkActivated("branch:1");
+    auto* table = window_.findChild<QTableWidget*>("branches");
+    ASSERT_TRUE(testing::wait_for([table] { return table->currentRow() >= 0; }));
+    paint();
+    EXPECT_GT(brightness_at(window_.view().picture(), below), dark + 20.0);
+    point_at_mm(above);
+    EXPECT_NEAR(brightness_at(window_.view().picture(), below), dark, 1.0);
+    point_at_place(QPoint(5, 5));
+    EXPECT_GT(brightness_at(window_.view().picture(), below), dark + 20.0);
+    window_.findChild<QDockWidget*>("Branches")->hide();
+    paint();
+    point_at_mm(above);
+    point_at_place(QPoint(5, 5));
+    EXPECT_NEAR(brightness_at(window_.view().picture(), below), dark, 1.0);
 }
 
 }  // namespace
