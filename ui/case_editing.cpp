@@ -2,7 +2,6 @@
 #include "ui/case_editing.h"
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -71,6 +70,31 @@ QString text_of(const Workspace::Step& step, const VesselTree& tree) {
     return step.edit ? text_of(*step.edit, tree) : Words::tr("Vessels rebuilt");
 }
 
+QString text_of(const Workspace::Rebuilding& rebuilding) {
+    if (rebuilding.strokes == 0) return Words::tr("Vessels rebuilt");
+    return Words::tr("Vessels rebuilt with %n stroke(s)", nullptr,
+                     static_cast<int>(rebuilding.strokes));
+}
+
+// What was done, in its order.
+QStringList lines_of_history(const Workspace& workspace, const VesselTree& tree) {
+    QStringList lines;
+    const std::vector<Workspace::Rebuilding> rebuildings = workspace.rebuildings();
+    auto rebuilding = rebuildings.begin();
+    auto stroke = workspace.strokes().begin();
+    for (std::size_t edit = 0; edit <= workspace.edits().size(); ++edit) {
+        const bool last = edit == workspace.edits().size();
+        for (; rebuilding != rebuildings.end() && (last || rebuilding->after_edits <= edit);
+             ++rebuilding)
+            lines << text_of(*rebuilding);
+        for (; stroke != workspace.strokes().end() && (last || stroke->after_edits <= edit);
+             ++stroke)
+            lines << text_of(stroke->stroke, tree);
+        if (!last) lines << text_of(workspace.edits()[edit], tree);
+    }
+    return lines;
+}
+
 QString text_of(const Bridge& bridge) {
     return Words::tr("%L1 %, gap of %L2 mm")
         .arg(100.0 * bridge.confidence, 0, 'f', 0)
@@ -132,17 +156,7 @@ void CaseEditing::accept_all() {
 void CaseEditing::update_panel() {
     if (!workspace_.has_patient()) return;
     const VesselTree& tree = workspace_.patient()->tree;
-    QStringList edits;
-    auto stroke = workspace_.strokes().begin();
-    const auto add_strokes = [&](std::size_t before_edit) {
-        for (; stroke != workspace_.strokes().end() && stroke->after_edits <= before_edit; ++stroke)
-            edits << text_of(stroke->stroke, tree);
-    };
-    for (std::size_t i = 0; i < workspace_.edits().size(); ++i) {
-        add_strokes(i);
-        edits << text_of(workspace_.edits()[i], tree);
-    }
-    add_strokes(std::numeric_limits<std::size_t>::max());
+    const QStringList edits = lines_of_history(workspace_, tree);
     const auto undo = workspace_.next_undo(), redo = workspace_.next_redo();
     panel_.show_edits(edits, undo.has_value(), redo.has_value());
     callbacks_.show_history(undo ? text_of(*undo, tree) : QString(),

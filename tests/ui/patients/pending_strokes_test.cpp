@@ -173,11 +173,15 @@ TEST_F(Strokes, that_are_vessels_now_wait_again_after_an_undo) {
     ward.hold_remakings = false;
     ASSERT_TRUE(ward.finish());
     EXPECT_EQ(painted(), Numbers{11});
+    ASSERT_EQ(ward.workspace().rebuildings().size(), 1u);
+    EXPECT_EQ(ward.workspace().rebuildings()[0].after_edits, 1u);
+    EXPECT_EQ(ward.workspace().rebuildings()[0].strokes, 1u);
     undo();
     EXPECT_EQ(label(), 7);
     EXPECT_EQ(painted(), Numbers{});
     undo();
     EXPECT_EQ(label(), 1);
+    EXPECT_TRUE(ward.workspace().rebuildings().empty());
     EXPECT_EQ(painted(), Numbers{10});
     EXPECT_EQ(edits(), Numbers{1});
     undo();
