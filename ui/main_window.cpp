@@ -226,6 +226,7 @@ void MainWindow::build_panels() {
     tool_panel_ =
         new ToolPanel({[this](const ToolSize& size) { view_->mouse().hand().set_size(size); },
                        [this](const UseTear& tear) { post(tear); },
+                       [this](const UseContact& contact) { post(contact); },
                        [this](bool shown) {
                            view_->scene().set_warnings_visible(shown);
                            view_->draw_again();

@@ -217,6 +217,7 @@ void MainWindow::show_figures() {
     status_->show_statistics(frame.statistics);
     quality_->show_statistics(frame.statistics);
     tool_panel_->show_force(frame.tool, frame.grab);
+    tool_panel_->show_contact(frame);
     tool_panel_->show_tear(frame.tear);
     curves_->follow_tear(frame, lessons_->running() == nullptr);  // a task has enough to look at
     lessons_->show_figures();

@@ -5,11 +5,13 @@
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
+#include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <utility>
 
 #include "core/base/units.h"
 #include "core/flow/fluid.h"
+#include "core/scene/scene_spec.h"
 #include "render/tool_actor.h"
 #include "ui/core_words.h"
 #include "ui/decimal_spin_box.h"
@@ -50,6 +52,7 @@ ToolPanel::ToolPanel(Callbacks callbacks, QWidget* parent)
     grip_->setAccessibleName(Words::tr("Force with which the jaws hold"));
     lines->addWidget(grip_);
     column->addWidget(felt);
+    column->addWidget(make_contact());
     column->addWidget(make_tear());
     help_ = new QLabel(this);
     help_->setObjectName("quiet");
@@ -78,6 +81,65 @@ QWidget* ToolPanel::make_size() {
     radius_ = make(Words::tr("Radius"), "toolRadius", thinnest_mm, thickest_mm, begin.radius_mm);
     length_ = make(Words::tr("Length"), "toolLength", shortest_mm, longest_mm, begin.length_mm);
     return box;
+}
+
+QWidget* ToolPanel::make_contact() {
+    auto* box = new QGroupBox(Words::tr("What the vessels touch"), this);
+    auto* form = new QFormLayout(box);
+    const auto add = [&](const QString& text, const char* name, const QString& tip) {
+        auto* choice = new QCheckBox(text, box);
+        choice->setObjectName(name);
+        choice->setToolTip(tip);
+        form->addRow(choice);
+        return choice;
+    };
+    touch_each_other_ = add(Words::tr("Each other"), "vesselsTouch",
+                            Words::tr("Vessels no longer pass through each other. Costs time; a "
+                                      "change brings them back to rest"));
+    obstacles_ = add(Words::tr("Liver and tumours"), "obstaclesTouch",
+                     Words::tr("Vessels stay out of the tumours and within the liver, as far as "
+                               "the case knows them; a change brings them back to rest"));
+    friction_ = new DecimalSpinBox(0.0, greatest_friction, 0.0, 2, "", box);
+    friction_->setObjectName("vesselFriction");
+    friction_->setAccessibleName(Words::tr("Friction of vessels on each other"));
+    friction_->setToolTip(
+        Words::tr("Coulomb's coefficient of vessels that slide on each other; 0: they slip"));
+    friction_->setSingleStep(0.05);
+    friction_->setKeyboardTracking(false);
+    form->addRow(Words::tr("Friction"), friction_);
+    friction_->setEnabled(false);
+    connect(touch_each_other_, &QCheckBox::clicked, this, [this] { choose_contact(); });
+    connect(obstacles_, &QCheckBox::clicked, this, [this] { choose_contact(); });
+    connect(friction_, &QDoubleSpinBox::valueChanged, this, [this] { choose_contact(); });
+    return box;
+}
+
+void ToolPanel::choose_contact() {
+    friction_->setEnabled(touch_each_other_->isChecked());
+    if (free_play_) wanted_contact_ = contact();
+    asked_ = contact();
+    asked_at_ = shown_at_;
+    callbacks_.use_contact(contact());
+}
+
+UseContact ToolPanel::contact() const {
+    return {touch_each_other_->isChecked(), obstacles_->isChecked(), friction_->value()};
+}
+
+// Obstacles take seconds to be made; a step that was under way ends before, and may show another
+// frame.
+void ToolPanel::show_contact(const Frame& frame) {
+    shown_at_ = frame.step;
+    const bool as_asked = asked_ && asked_->self == frame.self_friction.has_value() &&
+                          asked_->obstacles == (frame.obstacles != nullptr);
+    const bool heard = frame.step > asked_at_ + (frame.statistics.resting ? 0 : 1);
+    if (as_asked || heard) asked_.reset();
+    if (asked_) return;
+    const QSignalBlocker quiet(friction_);
+    touch_each_other_->setChecked(frame.self_friction.has_value());
+    obstacles_->setChecked(frame.obstacles != nullptr);
+    if (frame.self_friction) friction_->setValue(*frame.self_friction);
+    friction_->setEnabled(frame.self_friction && allowed_);
 }
 
 QWidget* ToolPanel::make_tear() {
@@ -164,10 +226,16 @@ void ToolPanel::show_tear(const std::optional<TearView>& tear) {
 void ToolPanel::begin_play(bool free) {
     free_play_ = free;
     show_tear(std::nullopt);
-    if (free && wanted_tear_) callbacks_.use_tear(tear());
+    asked_.reset();
+    if (!free) return;
+    if (wanted_contact_) callbacks_.use_contact(*wanted_contact_);
+    if (wanted_tear_) callbacks_.use_tear(tear());
 }
 
 void ToolPanel::allow_settings(bool allowed) {
+    allowed_ = allowed;
+    set_allowed(*touch_each_other_, allowed);
+    set_allowed(*obstacles_, allowed);
     set_allowed(*tears_, allowed);
     set_allowed(*tear_factor_, allowed);
 }

@@ -61,7 +61,7 @@ std::string objection_to(const Command& command, const Lesson& lesson) {
             if constexpr (is_one_of<T, CutLine>) return unless(LessonTool::cut_line);
             if constexpr (is_one_of<T, InjectDrug>) return unless(LessonTool::inject);
             if constexpr (is_one_of<T, SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetWall,
-                                    UseTear>)
+                                    UseTear, UseContact>)
                 return unless(LessonTool::settings);
             if constexpr (is_one_of<T, ResetWorld, RestoreSnapshot>)
                 return "the play was taken back";

@@ -348,6 +348,25 @@ void DeformPart::set_touchable(bool touchable) {
     rebuild(std::move(body), setting_);
 }
 
+void DeformPart::set_contact(const std::optional<double>& self_friction,
+                             std::shared_ptr<const Obstacles> obstacles) {
+    if (self_friction) validate_friction(*self_friction);
+    const bool same_self = body_.self ? self_friction == body_.self->friction : !self_friction;
+    if (same_self && obstacles == body_.obstacles) return;
+    BodyDescription body = body_;
+    body.self.reset();
+    if (self_friction) body.self = SelfPad{.friction = *self_friction};
+    body.obstacles = std::move(obstacles);
+    std::unique_ptr<Stepper> stepper = back_end_.make(body, setting_, region_);
+    stepper->set_gravity(gravity_mm_per_s2_);
+    // Nothing throws from here on.
+    hold_.reset();
+    obstacles_hash_ = body.obstacles ? hash_of(*body.obstacles) : 0;
+    body_ = std::move(body);
+    stepper_ = std::move(stepper);
+    follow_tear();
+}
+
 void DeformPart::use(const StepperOptions& setting) {
     StepperOptions now = setting;
     now.velocity_error = setting_.velocity_error;
@@ -368,11 +387,19 @@ void DeformPart::give_state(Stepper& stepper, const BodyState& state) const {
 }
 
 DeformSettings DeformPart::settings() const {
-    return {gravity_mm_per_s2_, body_.tether_pa_per_mm2, wall_mm_,
-            setting_,           body_.touchable,         tear_};
+    DeformSettings now{gravity_mm_per_s2_, body_.tether_pa_per_mm2, wall_mm_,
+                       setting_,           body_.touchable,         tear_};
+    if (body_.self) now.self_friction = body_.self->friction;
+    now.obstacles = body_.obstacles != nullptr;
+    return now;
 }
 
-void DeformPart::use(const DeformSettings& settings) {
+void DeformPart::use(const DeformSettings& settings, std::shared_ptr<const Obstacles> obstacles) {
+    if (!obstacles) obstacles = body_.obstacles;
+    if (settings.obstacles && !obstacles)
+        throw InputError("needs obstacles that this scene does not have", "checkpoint",
+                         "Give a checkpoint of the same patient");
+    set_contact(settings.self_friction, settings.obstacles ? std::move(obstacles) : nullptr);
     set_touchable(settings.touchable);
     set_tear(settings.tear);
     if (settings.gravity_mm_per_s2 != gravity_mm_per_s2_) set_gravity(settings.gravity_mm_per_s2);
@@ -386,7 +413,8 @@ DeformCheckpoint DeformPart::checkpoint() const {
     return {settings(), hold_, stepper_->checkpoint()};
 }
 
-void DeformPart::restore(const DeformCheckpoint& checkpoint) {
+void DeformPart::restore(const DeformCheckpoint& checkpoint,
+                         std::shared_ptr<const Obstacles> obstacles) {
     if (checkpoint.hold) {
         const Hold& hold = *checkpoint.hold;
         const auto exists = [&](int v) {
@@ -398,7 +426,7 @@ void DeformPart::restore(const DeformCheckpoint& checkpoint) {
             throw InputError("holds vertices that the body does not have", "checkpoint",
                              "Give a checkpoint of the same patient");
     }
-    use(checkpoint.settings);
+    use(checkpoint.settings, std::move(obstacles));
     stepper_->restore(checkpoint.stepper);
     follow_tear();
     hold_ = checkpoint.hold;

@@ -33,6 +33,8 @@ struct DeformSettings {
     StepperOptions stepper;
     bool touchable = false;  // what tools need is built
     std::optional<TearSpec> tear{};
+    std::optional<double> self_friction{};  // of vessels that touch each other; none: they do not
+    bool obstacles = false;                 // stand in the way
 };
 
 // The hand, closed around some vertices.
@@ -130,11 +132,17 @@ class DeformPart {
     // Builds what tools need, or lets go of it together with a tool that is there.
     void set_touchable(bool touchable);
     bool touchable() const { return body_.touchable; }
+    // What the vessels touch from now on: each other, rubbing by Coulomb's coefficient, and these
+    // obstacles; none of them: nothing. Where that is another than before, the body is at rest and
+    // whole again, without hand and tool. Throws InputError for a coefficient out of range.
+    void set_contact(const std::optional<double>& self_friction,
+                     std::shared_ptr<const Obstacles> obstacles);
     void use(const StepperOptions& setting);
     const StepperOptions& setting() const { return setting_; }
     DeformSettings settings() const;
     // Settings that are already in force cost nothing and do not change the bits of later steps.
-    void use(const DeformSettings& settings);
+    // `obstacles`: those that are meant where the settings want some; null: the present ones.
+    void use(const DeformSettings& settings, std::shared_ptr<const Obstacles> obstacles = {});
 
     // As Stepper::step: after Cancelled only restore() may be called before another step.
     StepReport step(double dt_s, const std::stop_token& stop = {});
@@ -152,8 +160,10 @@ class DeformPart {
     // Costs a copy of a few arrays.
     DeformCheckpoint checkpoint() const;
     // Goes on with the same bits as the part that the checkpoint was taken from, on the same case
-    // and spec. Costs a factorisation. Throws InputError where it is not of this body.
-    void restore(const DeformCheckpoint& checkpoint);
+    // and spec. Costs a factorisation. `obstacles` as use() has them. Throws InputError where it is
+    // not of this body.
+    void restore(const DeformCheckpoint& checkpoint,
+                 std::shared_ptr<const Obstacles> obstacles = {});
     // Of all that a checkpoint holds: equal hashes, equal steps to come.
     std::uint64_t state_hash() const;
 

@@ -116,6 +116,8 @@ struct Frame {
     std::optional<ToolView> tool;
     // What stands in the way of vessels and tools; null where the scene has none. It never moves.
     std::shared_ptr<const Obstacles> obstacles;
+    // Coulomb's coefficient of vessels that touch each other; none: they pass through each other.
+    std::optional<double> self_friction;
     std::optional<TearView> tear;  // none where nothing can tear
     DrugView drug;
     FrameStatistics statistics;

@@ -122,7 +122,7 @@ ContactSpec contact_from(const Json& json) {
     bool obstacles = false;
     fields.read("obstacles", obstacles);
     if (obstacles) spec.obstacles = WantedObstacles::required;
-    fields.read_number("friction", spec.friction, 0.0, 10.0);
+    fields.read_number("friction", spec.friction, 0.0, greatest_friction);
     if (spec.friction > 0.0 && !spec.self)
         fields.refuse("needs self: only vessels that touch each other rub", "friction");
     fields.refuse_unknown();
@@ -181,6 +181,11 @@ void validate_wall(double wall_mm) {
     if (wall_mm == 0.0 || (wall_mm >= thinnest_wall_mm && wall_mm <= thickest_wall_mm)) return;
     throw InputError("is " + number_text(wall_mm), "wall_mm",
                      "Give a wall from 0.01 to 100 mm, or 0 for solid vessels");
+}
+
+void validate_friction(double friction) {
+    if (friction >= 0.0 && friction <= greatest_friction) return;
+    throw InputError("is " + number_text(friction), "friction", "Give a coefficient from 0 to 10");
 }
 
 SceneSpec default_scene() {

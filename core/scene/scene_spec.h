@@ -49,7 +49,7 @@ struct ContactSpec {
     bool tools = true;  // a tool and the vessels
     bool self = false;  // the vessels among each other, and each with itself
     WantedObstacles obstacles = WantedObstacles::none;
-    double friction = 0.0;  // Coulomb's coefficient of vessels among each other; needs `self`
+    double friction = 0.0;  // Coulomb's of vessels among each other, see below; needs `self`
 
     bool all() const { return tools && self && obstacles == WantedObstacles::known; }
     bool nothing() const { return !tools && !self && obstacles == WantedObstacles::none; }
@@ -64,6 +64,10 @@ struct TearSpec {
     bool bare_limit = false;      // a bare force limit, as published: see TearLaw
     bool operator==(const TearSpec&) const = default;
 };
+
+// Throws InputError unless 0 to greatest_friction.
+constexpr double greatest_friction = 10.0;
+void validate_friction(double friction);
 
 struct SceneSpec {
     std::string name = "scene";

@@ -66,17 +66,14 @@ World::World(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, 
             topology_.emplace(patient_->surface.vertices_mm.size(), patient_->surface.triangles);
     }));
     job.advance(0.1);
-    std::shared_ptr<const Obstacles> obstacles;
     surfaces_of_obstacles_ =
-        cost_of("obstacles", [&] { obstacles = obstacles_for(*patient_, spec_.contact); });
+        cost_of("obstacles", [&] { obstacles_ = obstacles_for(*patient_, spec_.contact); });
     if (spec_.deform)
         parts_.push_back(cost_of("deform", [&] {
             deform_ = std::make_unique<DeformPart>(*patient_, *spec_.deform, DeformPart::region,
-                                                   back_end, spec_.contact, spec_.tear, obstacles);
+                                                   back_end, spec_.contact, spec_.tear, obstacles_);
         }));
-    // Built with the body; what they cost is known from the first step on.
-    if (spec_.contact && spec_.contact->self) parts_.push_back({.name = "self-contact"});
-    if (obstacles) parts_.push_back(surfaces_of_obstacles_);
+    list_contact();
     job.advance(0.8);
     if (spec_.flow)
         parts_.push_back(cost_of("flow", [&] {
@@ -89,6 +86,33 @@ World::World(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, 
 }
 
 World::~World() = default;
+
+// Built with the body; what they cost is known from the first step on.
+void World::list_contact() {
+    std::erase_if(parts_, [](const PartCost& part) {
+        return part.name == "self-contact" || part.name == "obstacles";
+    });
+    if (!deform_) return;
+    const auto behind = [this] { return std::ranges::find(parts_, "deform", &PartCost::name) + 1; };
+    if (deform_->body().obstacles) parts_.insert(behind(), surfaces_of_obstacles_);
+    if (deform_->body().self) parts_.insert(behind(), PartCost{.name = "self-contact"});
+}
+
+std::shared_ptr<const Obstacles> World::known_obstacles() {
+    if (!obstacles_)
+        surfaces_of_obstacles_ = cost_of("obstacles", [this] {
+            obstacles_ = obstacles_for(*patient_, ContactSpec{.obstacles = WantedObstacles::known});
+        });
+    return obstacles_;
+}
+
+bool World::use_contact(bool self, bool obstacles, double friction) {
+    const std::shared_ptr<const Obstacles> there = obstacles ? known_obstacles() : nullptr;
+    deform_->set_contact(self ? std::optional(friction) : std::nullopt, there);
+    list_contact();
+    follow_tear();
+    return !obstacles || there != nullptr;
+}
 
 const std::vector<Vec3>& World::rest_positions_mm() const {
     return deform_ ? deform_->rest_positions_mm() : patient_->surface.vertices_mm;
@@ -221,6 +245,7 @@ void World::fill(Frame& frame) const {
     frame.grab = deform_ ? deform_->grab_view() : std::nullopt;
     frame.tool = deform_ ? deform_->tool_view() : std::nullopt;
     frame.obstacles = deform_ ? deform_->body().obstacles : nullptr;
+    frame.self_friction = deform_ ? deform_->settings().self_friction : std::nullopt;
     frame.tear.reset();
     if (deform_ && deform_->tears()) {
         frame.tear = tear_view_;
@@ -248,7 +273,11 @@ void World::restore(const WorldCheckpoint& checkpoint) {
         checkpoint.flow.has_value() != (flow_ != nullptr))
         throw InputError("is of a scene with other parts", "checkpoint",
                          "Give a checkpoint of this scene");
-    if (deform_) deform_->restore(*checkpoint.deform);
+    if (deform_) {
+        const bool obstacles = checkpoint.deform->settings.obstacles;
+        deform_->restore(*checkpoint.deform, obstacles ? known_obstacles() : nullptr);
+        list_contact();
+    }
     follow_tear();
     if (bleeding_) bleeding_->set_leaked_g(checkpoint.leaked_g);
     if (flow_) flow_->restore(*checkpoint.flow);

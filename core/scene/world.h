@@ -71,6 +71,11 @@ class World {
     // Shape at rest, no grab, no drug; time goes on.
     void reset();
 
+    // What the vessels touch beside tools, as DeformPart::set_contact has it: each other, and what
+    // of their case stands in the way, which is made when it is wanted first (seconds). False where
+    // obstacles are wanted and the case knows none. Needs a body that deforms.
+    bool use_contact(bool self, bool obstacles, double friction);
+
     // Takes over the vertices and triangles of a body that has torn or was made whole; step() and
     // restore() do so themselves. Costs nothing where nothing has changed.
     void follow_tear();
@@ -92,6 +97,8 @@ class World {
 
   private:
     PartCost* part(const std::string& name);
+    void list_contact();
+    std::shared_ptr<const Obstacles> known_obstacles();
     void part_out(const std::string& name, const PartCost& before, const SelfCost& cost);
     void bleed();
     void show_leaks(TearView& tear, const std::vector<float>& positions_mm) const;
@@ -107,7 +114,8 @@ class World {
     std::vector<int> leaking_;            // a vertex at each of its tears, or -1
     int pieces_ = 0;                      // as it was when torn vessels were last looked for
     std::vector<PartCost> parts_;
-    PartCost surfaces_of_obstacles_;  // beside what finding contacts with them costs
+    std::shared_ptr<const Obstacles> obstacles_;  // once wanted; null where none is known
+    PartCost surfaces_of_obstacles_;              // beside what finding contacts with them costs
     double time_s_ = 0.0;
 };
 

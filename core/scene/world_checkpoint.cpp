@@ -59,6 +59,8 @@ Json to_json(const DeformCheckpoint& checkpoint) {
               {"setting", to_json(settings.stepper)},
               {"touchable", settings.touchable}};
     if (settings.tear) json["tear"] = to_json(*settings.tear);
+    if (settings.self_friction) json["self_friction"] = *settings.self_friction;
+    if (settings.obstacles) json["obstacles"] = true;
     if (checkpoint.hold) json["hold"] = to_json(*checkpoint.hold);
     json["stepper"] = to_base64(to_bytes(checkpoint.stepper));
     return json;
@@ -73,6 +75,9 @@ DeformCheckpoint deform_from(const Json& json) {
     settings.stepper = setting_from_json(json.at("setting"));
     settings.touchable = json.at("touchable").get<bool>();
     if (json.contains("tear")) settings.tear = tear_from_json(json.at("tear"));
+    if (json.contains("self_friction"))
+        settings.self_friction = json.at("self_friction").get<double>();
+    settings.obstacles = json.value("obstacles", false);
     if (json.contains("hold")) checkpoint.hold = hold_from(json.at("hold"));
     const auto bytes = from_base64(json.at("stepper").get_ref<const std::string&>());
     if (!bytes) refuse("the stepper's bytes are not base64");

@@ -70,6 +70,7 @@ struct Session::Apply {
     void operator()(const CloseForceps& c) const { deform().close_jaws(checked_share(c.share)); }
     void operator()(const OpenForceps& c) const { deform().open_jaws(checked_share(c.share)); }
     void operator()(const UseTools& c) const { deform().set_touchable(c.on); }
+    void operator()(const UseContact& c) const;
 
     // What tears it.
     void operator()(const CutLine& c) const {
@@ -140,6 +141,14 @@ void Session::Apply::operator()(const FinishInjection&) const {
     } catch (const InputError& error) {
         session.message_ = error.what();
     }
+}
+
+// What was before is of another scene: there is no way back to it.
+void Session::Apply::operator()(const UseContact& c) const {
+    deform();
+    if (!world.use_contact(c.self, c.obstacles, c.friction))
+        session.message_ = "This case knows neither liver nor tumours: nothing stands in the way";
+    session.last_good_ = std::make_shared<const Keyframe>(session.keyframe());
 }
 
 // The dial keeps the settings that can follow a tear.

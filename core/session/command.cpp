@@ -71,6 +71,12 @@ void fields(UseTools& c, Visitor& v) {
     v("on", c.on);
 }
 template <class Visitor>
+void fields(UseContact& c, Visitor& v) {
+    v("self", c.self);
+    v("obstacles", c.obstacles);
+    v("friction", c.friction);
+}
+template <class Visitor>
 void fields(CutLine& c, Visitor& v) {
     v("from_mm", c.from_mm);
     v("to_mm", c.to_mm);
@@ -153,7 +159,7 @@ constexpr std::array<const char*, std::variant_size_v<Command>> names{
     "use_setting",    "set_wall",      "finish_injection", "add_tool",
     "move_tool",      "shift_tool",    "remove_tool",      "turn_tool",
     "use_tools",      "close_forceps", "open_forceps",     "cut_line",
-    "blade",          "use_tear"};
+    "blade",          "use_tear",      "use_contact"};
 
 struct Writer {
     Json& json;

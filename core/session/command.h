@@ -72,6 +72,14 @@ struct OpenForceps {
 struct UseTools {
     bool on = true;
 };
+// What touches beside tools: the vessels each other, and the liver's wall and the tumours, as far
+// as the case knows them. Where that is another than before, the vessels go back to rest and are
+// whole again, without hand and tool.
+struct UseContact {
+    bool self = true;
+    bool obstacles = false;
+    double friction = 0.0;  // Coulomb's coefficient of vessels among each other, 0 to 10
+};
 
 // Lowers the strength of the vessel along a line: all that lies between the places nearest to its
 // ends, on the way along the tree from one to the other; the section across where they are one.
@@ -162,7 +170,7 @@ using Command =
                  SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetQuality, SetPaused,
                  ResetWorld, RestoreSnapshot, SetAutomaticQuality, UseSetting, SetWall,
                  FinishInjection, AddTool, MoveTool, ShiftTool, RemoveTool, TurnTool, UseTools,
-                 CloseForceps, OpenForceps, CutLine, Blade, UseTear>;
+                 CloseForceps, OpenForceps, CutLine, Blade, UseTear, UseContact>;
 
 // {"command": "grab_point", "point_mm": [1, 2, 3]}, and back; every number is kept to the last bit.
 // Reading throws InputError that names the command and the field that is missing or out of range.

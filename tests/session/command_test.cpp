@@ -55,7 +55,8 @@ std::vector<Command> one_of_each() {
             OpenForceps{0.5},
             CutLine{Vec3(1, odd, 3), Vec3(odd, 2, 3), odd},
             Blade{Vec3(1, odd, 3), Vec3(odd, 2, 3)},
-            UseTear{false, odd}};
+            UseTear{false, odd},
+            UseContact{false, true, odd}};
 }
 
 TEST(Command, SurvivesJsonToTheLastBit) {

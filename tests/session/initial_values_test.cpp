@@ -30,6 +30,7 @@ TEST(SessionInitialFigures, AreThoseRecorded) {
     HEPATICA_ADD_INITIAL(figures, UseTools);
     HEPATICA_ADD_INITIAL(figures, CutLine);
     HEPATICA_ADD_INITIAL(figures, UseTear);
+    HEPATICA_ADD_INITIAL(figures, UseContact);
     HEPATICA_ADD_INITIAL(figures, Blade);
     HEPATICA_ADD_INITIAL(figures, InjectDrug);
     HEPATICA_ADD_INITIAL(figures, PlayDrug);

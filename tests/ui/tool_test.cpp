@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A tool in the hand of the mouse: what keys, moves and the wheel send, and what is shown of it.
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QToolBar>
 #include <QToolButton>
@@ -210,6 +211,45 @@ TEST(ToolPanel, says_how_hard_the_hand_pulls_and_when_it_pulls_no_harder) {
     EXPECT_EQ(force->text(), "touches nothing");
     panel.show_force(std::nullopt, std::nullopt);
     EXPECT_EQ(force->text(), "no tool");
+}
+
+// Obstacles take seconds to be made: until a frame has them, what was chosen stays chosen.
+TEST(ToolPanel, keeps_what_the_vessels_shall_touch_until_it_is_heard) {
+    std::vector<UseContact> asked;
+    ToolPanel::Callbacks callbacks;
+    callbacks.use_contact = [&](const UseContact& contact) { asked.push_back(contact); };
+    ToolPanel panel(std::move(callbacks));
+    auto& each_other = *panel.findChild<QCheckBox*>("vesselsTouch");
+    auto& obstacles = *panel.findChild<QCheckBox*>("obstaclesTouch");
+    auto& friction = *panel.findChild<QDoubleSpinBox*>("vesselFriction");
+    Frame frame;
+    frame.step = 7;
+    panel.show_contact(frame);
+    EXPECT_FALSE(friction.isEnabled());
+    each_other.click();
+    friction.setValue(0.3);
+    obstacles.click();
+    ASSERT_EQ(asked.size(), 3u);
+    EXPECT_TRUE(asked.back().self && asked.back().obstacles);
+    EXPECT_EQ(asked.back().friction, 0.3);
+    frame.step = 8;  // was under way
+    panel.show_contact(frame);
+    EXPECT_TRUE(each_other.isChecked() && obstacles.isChecked());
+    frame.step = 9;
+    frame.self_friction = 0.3;  // and the case knows no obstacles
+    panel.show_contact(frame);
+    EXPECT_TRUE(each_other.isChecked());
+    EXPECT_FALSE(obstacles.isChecked());
+    EXPECT_TRUE(friction.isEnabled());
+    panel.begin_play(false);
+    EXPECT_EQ(asked.size(), 3u) << "a lesson says itself what is touched";
+    panel.begin_play(true);
+    ASSERT_EQ(asked.size(), 4u);
+    EXPECT_EQ(asked.back().friction, 0.3);
+    panel.allow_settings(false);
+    EXPECT_FALSE(each_other.isEnabled());
+    panel.show_contact(frame);
+    EXPECT_FALSE(friction.isEnabled());
 }
 
 TEST_F(ToolInHand, a_reset_takes_it_and_the_next_move_brings_it_again) {
