@@ -8256,5 +8256,64 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>would stand in an obstacle</source>
         <translation>stünde in einem Hindernis</translation>
     </message>
+    <message numerus="yes">
+        <source>Vessels rebuilt with %n stroke(s)</source>
+        <translation>
+            <numerusform>Gefäße neu gebaut mit einem Strich</numerusform>
+            <numerusform>Gefäße neu gebaut mit %n Strichen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%L1 s of the drug pass in each second of the play.</source>
+        <translation>In jeder Sekunde des Spiels vergehen %L1 s des Wirkstoffs.</translation>
+    </message>
+    <message>
+        <source>Time: %1</source>
+        <translation>Zeit: %1</translation>
+    </message>
+    <message>
+        <source>%1 mm to the mark</source>
+        <translation>%1 mm bis zur Marke</translation>
+    </message>
+    <message>
+        <source>What the vessels touch</source>
+        <translation>Was die Gefäße berühren</translation>
+    </message>
+    <message>
+        <source>Each other</source>
+        <translation>Einander</translation>
+    </message>
+    <message>
+        <source>Vessels no longer pass through each other. Costs time; a change brings them back to rest</source>
+        <translation>Gefäße gehen nicht mehr durcheinander hindurch. Kostet Zeit; eine Änderung bringt sie in die Ruhelage zurück</translation>
+    </message>
+    <message>
+        <source>Liver and tumours</source>
+        <translation>Leber und Tumoren</translation>
+    </message>
+    <message>
+        <source>Vessels stay out of the tumours and within the liver, as far as the case knows them; a change brings them back to rest</source>
+        <translation>Gefäße bleiben außerhalb der Tumoren und innerhalb der Leber, soweit der Fall sie kennt; eine Änderung bringt sie in die Ruhelage zurück</translation>
+    </message>
+    <message>
+        <source>Friction of vessels on each other</source>
+        <translation>Reibung der Gefäße aneinander</translation>
+    </message>
+    <message>
+        <source>Coulomb&apos;s coefficient of vessels that slide on each other; 0: they slip</source>
+        <translation>Coulombs Reibungszahl für Gefäße, die aneinander gleiten; 0: sie gleiten frei</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
+    <message>
+        <source>This case knows neither liver nor tumours: nothing stands in the way</source>
+        <translation>Dieser Fall kennt weder Leber noch Tumoren: Nichts steht im Weg</translation>
+    </message>
+    <message>
+        <source>Give a coefficient from 0 to 10</source>
+        <translation>Eine Reibungszahl von 0 bis 10 angeben</translation>
+    </message>
 </context>
 </TS>

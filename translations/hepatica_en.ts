@@ -94,5 +94,12 @@
             <numerusform>%n passes of the solver a step</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Vessels rebuilt with %n stroke(s)</source>
+        <translation>
+            <numerusform>Vessels rebuilt with one stroke</numerusform>
+            <numerusform>Vessels rebuilt with %n strokes</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

@@ -233,6 +233,8 @@ constexpr std::array sentences_play{
     Words::id("A gap, and how sure"),
     Words::id("Torn"),
     Words::id("%1 mm at the depth of the view's centre"),
+    Words::id("This case knows neither liver nor tumours: nothing stands in the way"),
+    Words::id("Give a coefficient from 0 to 10"),
     Words::id("%1 mm to the mark"),
     Words::id("%1, grip %2"),
     Words::id("grip %1"),
