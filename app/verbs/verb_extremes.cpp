@@ -6,6 +6,8 @@
 
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/patient/patient_case.h"
+#include "core/scene/deform_part.h"
 #include "core/study/extremes.h"
 
 namespace hepatica {
@@ -36,17 +38,31 @@ struct ExtremesChoices {
     std::string filter;
     std::string suite = "stability";
     Campaign campaign;
+    std::vector<std::string> patients;
     bool verify = false;
 };
+
+// As a scene has his vessels.
+std::shared_ptr<const BodyDescription> body_of_case(const std::string& place) {
+    const DeformPart part(read_case_without_voxels(place), DeformSpec{});
+    return std::make_shared<const BodyDescription>(part.body());
+}
+
+std::vector<ExtremeCase> cases_of(const ExtremesChoices& choices) {
+    if (!choices.patients.empty() && choices.suite != "touch")
+        throw InputError("is for the suite of touch alone", "--case", "Give --suite touch, too");
+    if (choices.suite == "stability") return extreme_cases();
+    Campaign campaign = choices.campaign;
+    for (const std::string& place : choices.patients)
+        campaign.patients.push_back(body_of_case(place));
+    return choices.suite == "touch" ? touch_cases(campaign) : tear_cases(campaign);
+}
 
 Json run_suite(const ExtremesChoices& choices, Job& job) {
     Json rows = Json::array(), failed = Json::array();
     int survived = 0, splits = 0;
     job.expect_stages(1);
-    const auto cases = choices.suite == "touch"  ? touch_cases(choices.campaign)
-                       : choices.suite == "tear" ? tear_cases(choices.campaign)
-                                                 : extreme_cases();
-    for (const ExtremeRow& row : run_extremes(cases, choices.filter, job)) {
+    for (const ExtremeRow& row : run_extremes(cases_of(choices), choices.filter, job)) {
         rows.push_back(json_row(row));
         survived += row.survived;
         splits += row.splits;
@@ -86,6 +102,9 @@ void add_extremes(CommandLine& line) {
     verb.add_option("--steps", choices->campaign.steps, "Of each trial of the campaign")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
+    verb.add_option("--case", choices->patients,
+                    "A case that the campaign of touch is played on in the place of random trees; "
+                    "several take turns");
     verb.add_option("--filter", choices->filter, "Only rows whose name contains this");
     verb.add_flag("--verify", choices->verify, "Fail (exit code 1) where a row does");
 }

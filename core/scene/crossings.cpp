@@ -57,6 +57,17 @@ int crossing_pairs_with_obstacles(const DeformPart& deform, const OverlapsKept& 
 
 }  // namespace
 
+int crossing_pairs(const std::vector<Corners>& triangles, std::span<const Vec3> rest_mm,
+                   std::span<const Vec3> now_mm, const OverlapsKept& kept) {
+    const SurfaceFeatures features(SurfacePatches(triangles), rest_mm);
+    Overlaps overlaps(features);
+    set_pairs(kept, overlaps);
+    const auto pairs = crossing_triangles(triangles, now_mm);
+    return static_cast<int>(std::ranges::count_if(pairs, [&](const auto& pair) {
+        return !overlaps.left_out(features.patch_of(pair[0]), features.patch_of(pair[1]));
+    }));
+}
+
 int crossing_pairs(const DeformPart& deform) {
     const StepperCheckpoint now = deform.checkpoint().stepper;
     int sum = 0;

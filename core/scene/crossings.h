@@ -3,6 +3,10 @@
 // what contact promises never to happen.
 #pragma once
 
+#include <array>
+#include <span>
+#include <vector>
+
 #include "core/scene/deform_part.h"
 
 namespace hepatica {
@@ -12,5 +16,10 @@ namespace hepatica {
 // sides of a tear that still lie on each other: nearer than the critical opening, at a vertex that
 // was split. Costs a search over the whole surface.
 int crossing_pairs(const DeformPart& deform);
+
+// Likewise of a body that is whole, with its surface's triangles, at rest and as it lies now;
+// `kept` says what overlapped at rest and has not come apart.
+int crossing_pairs(const std::vector<std::array<int, 3>>& triangles, std::span<const Vec3> rest_mm,
+                   std::span<const Vec3> now_mm, const OverlapsKept& kept);
 
 }  // namespace hepatica

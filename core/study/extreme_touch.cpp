@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
+#include <string>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/mesh/crossing_triangles.h"
+#include "core/scene/crossings.h"
 #include "core/scene/tools/tool_choice.h"
 #include "core/study/extreme_cases.h"
 #include "core/study/touch_bodies.h"
@@ -41,11 +45,8 @@ bool holds(const TetMesh& mesh, std::span<const Vec3> x, const Vec3& point) {
 // One play on one body.
 class TouchTrial {
   public:
-    TouchTrial(Play play, double speed_mm_per_s, std::mt19937_64& random, int tetrahedra)
-        : play_(play), random_(random), speed_mm_per_s_(speed_mm_per_s) {
-        Job job;
-        body_ = play == Play::knot ? body_of(open_knot(uniform(random, 0.8, 1.6)), tetrahedra, job)
-                                   : body_of(random_study_tree(random), tetrahedra, job);
+    TouchTrial(Play play, double speed_mm_per_s, std::mt19937_64& random, BodyDescription body)
+        : play_(play), random_(random), speed_mm_per_s_(speed_mm_per_s), body_(std::move(body)) {
         body_.self.emplace();
         body_.touchable = true;
         surface_ = boundary_triangles(body_.mesh);
@@ -57,9 +58,6 @@ class TouchTrial {
 
     ExtremeRow run(int steps, const ExtremeRun& how) {
         ExtremeRow row;
-        // A mesh of branches that pass close by may cross itself before anything has moved.
-        if (!crossing_triangles(surface_, body_.mesh.vertices_mm).empty())
-            throw InputError("crosses itself at rest", "the mesh of the tree", "Take another seed");
         stepper_ = make_cpu_stepper(body_, {});
         Trial trial(*stepper_, row, how);
         begin();
@@ -134,7 +132,9 @@ class TouchTrial {
 
     bool look(Trial& trial) const {
         const auto x = stepper_->positions_mm();
-        if (!trial.require(crossing_triangles(surface_, x).empty(), "triangles cross"))
+        const OverlapsKept overlaps = stepper_->checkpoint().self->overlaps;
+        if (!trial.require(crossing_pairs(surface_, body_.mesh.vertices_mm, x, overlaps) == 0,
+                           "triangles cross"))
             return false;
         if (!stepper_->tool()) return true;
         for (const Capsule& part : stepper_->tool()->shapes())
@@ -159,6 +159,40 @@ class TouchTrial {
     Grab grab_;
 };
 
+BodyDescription random_body(Play play, std::mt19937_64& random, int tetrahedra) {
+    Job job;
+    BodyDescription body = play == Play::knot
+                               ? body_of(open_knot(uniform(random, 0.8, 1.6)), tetrahedra, job)
+                               : body_of(random_study_tree(random), tetrahedra, job);
+    // A mesh of branches that pass close by may cross itself before anything has moved.
+    if (!crossing_triangles(boundary_triangles(body.mesh), body.mesh.vertices_mm).empty())
+        throw InputError("crosses itself at rest", "the mesh of the tree", "Take another seed");
+    return body;
+}
+
+std::string name_of_trial(int number, Play play, double speed_mm_per_s, std::size_t tetrahedra) {
+    char name[80];
+    std::snprintf(name, sizeof name, "touch %d %s at %.3g mm/s, %zu tetrahedra", number,
+                  names[static_cast<std::size_t>(play)], speed_mm_per_s, tetrahedra);
+    return name;
+}
+
+double random_speed_mm_per_s(std::mt19937_64& random) {
+    return slowest_mm_per_s *
+           std::pow(fastest_mm_per_s / slowest_mm_per_s, uniform(random, 0.0, 1.0));
+}
+
+ExtremeCase on_patient(const TouchCampaign& campaign, int t, std::mt19937_64 random) {
+    const std::size_t turn = static_cast<std::size_t>(t) / campaign.patients.size();
+    const auto body = campaign.patients[static_cast<std::size_t>(t) % campaign.patients.size()];
+    const auto play = static_cast<Play>(turn % static_cast<std::size_t>(Play::knot));
+    const double speed = random_speed_mm_per_s(random);
+    return {name_of_trial(t, play, speed, body->mesh.tetrahedra.size()),
+            [=, steps = campaign.steps](const ExtremeRun& how) mutable {
+                return TouchTrial(play, speed, random, *body).run(steps, how);
+            }};
+}
+
 }  // namespace
 
 // Each trial has numbers of its own: a row can be run alone.
@@ -166,17 +200,20 @@ std::vector<ExtremeCase> touch_cases(const TouchCampaign& campaign) {
     std::vector<ExtremeCase> cases;
     for (int t = 0; t < campaign.trials; ++t) {
         std::mt19937_64 random(campaign.seed * 1'000'003 + static_cast<std::uint64_t>(t));
+        if (!campaign.patients.empty()) {
+            cases.push_back(on_patient(campaign, t, random));
+            continue;
+        }
         const auto play = static_cast<Play>(static_cast<std::size_t>(t) % names.size());
-        const double speed = slowest_mm_per_s * std::pow(fastest_mm_per_s / slowest_mm_per_s,
-                                                         uniform(random, 0.0, 1.0));
+        const double speed = random_speed_mm_per_s(random);
         const int tetrahedra =
             static_cast<int>(uniform(random, 0.15, 1.0) * campaign.most_tetrahedra);
-        char name[80];
-        std::snprintf(name, sizeof name, "touch %d %s at %.3g mm/s, %d tetrahedra", t,
-                      names[static_cast<std::size_t>(play)], speed, tetrahedra);
-        cases.push_back({name, [=, steps = campaign.steps](const ExtremeRun& how) mutable {
-                             return TouchTrial(play, speed, random, tetrahedra).run(steps, how);
-                         }});
+        cases.push_back(
+            {name_of_trial(t, play, speed, static_cast<std::size_t>(tetrahedra)),
+             [=, steps = campaign.steps](const ExtremeRun& how) mutable {
+                 BodyDescription body = random_body(play, random, tetrahedra);
+                 return TouchTrial(play, speed, random, std::move(body)).run(steps, how);
+             }});
     }
     return cases;
 }

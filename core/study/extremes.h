@@ -8,12 +8,14 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/deform/body/body.h"
 
 namespace hepatica {
 
@@ -63,14 +65,17 @@ struct Campaign {
     int trials = 500;
     int steps = 600;
     int most_tetrahedra = 2000;
+    // Played on by turns in the place of random bodies; touch only.
+    std::vector<std::shared_ptr<const BodyDescription>> patients{};
 };
 
 using TouchCampaign = Campaign;
 
 // Random vessel trees in touch: tools led through them at 0.01 to 100 m/s, turned and closed,
 // vessels dragged through each other and a knot pulled. At 20 looks of each nothing crosses and no
-// tool stands in a vessel. Tools, drags and knots take turns; a mesh that crosses itself at rest is
-// refused.
+// tool stands in a vessel. Tools, drags and knots take turns, on patients all but knots; a random
+// mesh that crosses itself at rest is refused, what overlaps on a patient is left out until it has
+// come apart.
 std::vector<ExtremeCase> touch_cases(const Campaign& campaign);
 
 // Random vessel trees that tear, by any law, element and stop: pulled, pressed by a tool, twisted

@@ -8,6 +8,8 @@
 #include <stop_token>
 
 #include "core/base/error.h"
+#include "core/scene/deform_part.h"
+#include "tests/session/small_patient.h"
 
 namespace hepatica {
 namespace {
@@ -43,6 +45,24 @@ TEST(Extremes, NothingPassesInASampleOfTouch) {
         touched += row.touched_steps > 0 ? 1 : 0;
     }
     EXPECT_GT(touched, 6);
+}
+
+// As `extremes --suite touch --case CASE` has real ones.
+TEST(Extremes, NothingPassesInASampleOfTouchOnAPatient) {
+    Job job;
+    const DeformPart part(*test::small_patient(), DeformSpec{});
+    Campaign campaign{.trials = 5, .steps = 40};
+    campaign.patients = {std::make_shared<const BodyDescription>(part.body())};
+    const std::size_t tetrahedra = part.body().mesh.tetrahedra.size();
+    const auto rows = run_extremes(touch_cases(campaign), "", job);
+    ASSERT_EQ(rows.size(), 5u);
+    int touched = 0;
+    for (const ExtremeRow& row : rows) {
+        EXPECT_TRUE(row.survived) << row.name << ": " << row.note;
+        EXPECT_TRUE(row.name.ends_with(std::to_string(tetrahedra) + " tetrahedra")) << row.name;
+        touched += row.touched_steps > 0 ? 1 : 0;
+    }
+    EXPECT_GT(touched, 1);
 }
 
 // A sample of the campaign of tears: each kind of play three times.
