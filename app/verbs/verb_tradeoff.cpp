@@ -5,9 +5,11 @@
 
 #include "app/output_place.h"
 #include "app/verbs/verbs.h"
+#include "core/base/error.h"
 #include "core/mesh/tetrahedralize.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/deform_part.h"
+#include "core/study/contact_tradeoff.h"
 #include "core/study/tradeoff.h"
 
 namespace hepatica {
@@ -17,6 +19,7 @@ namespace {
 struct TradeoffChoices {
     std::filesystem::path patient;
     std::filesystem::path out;
+    bool contact = false;
     TradeoffOptions measure;
 };
 
@@ -68,8 +71,28 @@ Tradeoff measure(const TradeoffChoices& options, Job& job) {
     return measure_body_tradeoff(bodies_of(patient, job), how, job);
 }
 
+Json run_contact_tradeoff(const TradeoffChoices& options, Job& job) {
+    if (!options.patient.empty() || options.measure.quick)
+        throw InputError("measures two blocks", "--contact", "Leave CASE and --quick out");
+    job.expect_stages(2);
+    const ContactTradeoff tradeoff = measure_contact_tradeoff({}, job);
+    write_tradeoff(as_tradeoff(tradeoff), options.out);
+    Json points = Json::array();
+    for (const ContactPoint& point : tradeoff.points) {
+        Json json{
+            {"name", point.name}, {"pad_edges", point.pad_edges}, {"friction", point.friction}};
+        json.update(json_row(point.point));
+        points.push_back(std::move(json));
+    }
+    return {{"reference", tradeoff.reference},
+            {"csv", (options.out / "tradeoff.csv").string()},
+            {"plot", (options.out / "tradeoff.svg").string()},
+            {"points", points}};
+}
+
 Json run_tradeoff(const TradeoffChoices& options, Job& job) {
     require_writable_folder(options.out);
+    if (options.contact) return run_contact_tradeoff(options, job);
     const Tradeoff tradeoff = measure(options, job);
     write_tradeoff(tradeoff, options.out);
     Json points = Json::array(), front = Json::array(), left_out = Json::array();
@@ -108,6 +131,8 @@ void add_tradeoff(CommandLine& line) {
                     "Wall time in seconds; settings that do not fit are listed as not measured")
         ->check(CLI::Range(1.0, 1e6))
         ->capture_default_str();
+    verb.add_flag("--contact", options->contact,
+                  "Of what contact adds: pad, solve, step and friction of a block on a slab");
     verb.add_flag("--quick", options->measure.quick, "Of the beam: leave out the large meshes");
 }
 

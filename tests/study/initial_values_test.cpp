@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/study/contact_study.h"
+#include "core/study/contact_tradeoff.h"
 #include "core/study/drag_study.h"
 #include "core/study/extremes.h"
 #include "core/study/frame_meter.h"
@@ -20,6 +21,7 @@
 #include "core/study/step_study.h"
 #include "core/study/tear_study.h"
 #include "core/study/timing.h"
+#include "core/study/touching_blocks.h"
 #include "core/study/tradeoff.h"
 #include "tests/support/recorded_figures.h"
 
@@ -30,6 +32,9 @@ TEST(StudyInitialFigures, AreThoseRecorded) {
     test::Figures figures;
     HEPATICA_ADD_INITIAL(figures, ContactStudyOptions);
     HEPATICA_ADD_INITIAL(figures, ContactRow);
+    HEPATICA_ADD_INITIAL(figures, ContactPoint);
+    HEPATICA_ADD_INITIAL(figures, ContactTradeoffOptions);
+    HEPATICA_ADD_INITIAL(figures, TouchingBlocks);
     HEPATICA_ADD_INITIAL(figures, DragQuantiles);
     HEPATICA_ADD_INITIAL(figures, DragSummary);
     HEPATICA_ADD_INITIAL(figures, ExtremeRow);
