@@ -129,18 +129,20 @@ Json tear_of(World& world, const MeasuredPlay& played) {
     const std::optional<TearSpec>& spec = world.spec().tear;
     const bool tears = spec.has_value();
     const Bleeding* bleeding = world.bleeding();
-    return {{"joints_broken", value_if(tears, played.tear.joints_broken)},
-            {"joints_parted", value_if(tears, played.tear.joints_parted)},
-            {"vertices_split", value_if(tears, played.tear.vertices_split)},
-            {"pieces", value_if(tears, played.tear.pieces)},
-            {"entropy", value_if(tears, played.tear.entropy_nats)},
-            {"entropy_produced", value_if(tears, played.tear.entropy_produced_nats)},
-            {"stopped_by", tears ? Json(stopped_by(*spec, played.tear)) : Json(nullptr)},
-            {"leak_g_s", bleeding != nullptr ? Json(bleeding->leak_g_s()) : Json(nullptr)},
-            {"leaked_g", bleeding != nullptr ? Json(bleeding->leaked_g()) : Json(nullptr)},
-            {"body_mass_error_relative",
-             tears ? Json(world.deform()->mass_error_relative()) : Json(nullptr)},
-            {"tear_work_nj", value_if(tears, played.torn_nj)}};
+    return {
+        {"joints_broken", value_if(tears, played.tear.joints_broken)},
+        {"joints_parted", value_if(tears, played.tear.joints_parted)},
+        {"vertices_split", value_if(tears, played.tear.vertices_split)},
+        {"pieces", value_if(tears, played.tear.pieces)},
+        {"entropy", value_if(tears, played.tear.entropy_nats)},
+        {"entropy_produced", value_if(tears, played.tear.entropy_produced_nats)},
+        {"stopped_by", tears ? Json(stopped_by(*spec, played.tear)) : Json(nullptr)},
+        {"leak_g_s", bleeding != nullptr ? Json(bleeding->leak_g_s()) : Json(nullptr)},
+        {"leaked_g", bleeding != nullptr ? Json(bleeding->leaked_g()) : Json(nullptr)},
+        {"open_share", bleeding != nullptr ? Json(bleeding->least_open_share()) : Json(nullptr)},
+        {"body_mass_error_relative",
+         tears ? Json(world.deform()->mass_error_relative()) : Json(nullptr)},
+        {"tear_work_nj", value_if(tears, played.torn_nj)}};
 }
 
 }  // namespace

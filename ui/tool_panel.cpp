@@ -218,6 +218,9 @@ void ToolPanel::show_tear(const std::optional<TearView>& tear) {
     torn_->setToolTip(Words::tr("Damage, as entropy produced by tearing: %L1 nats")
                           .arg(tear->entropy_produced_nats, 0, 'f', 2));
     if (tear->leak_g_s > 0.0 || tear->leaked_g > 0.0) text += bleeding_text(*tear, units_);
+    if (tear->open_share < 1.0)
+        text +=
+            Words::tr("; pressed to %L1 % of its lumen").arg(100.0 * tear->open_share, 0, 'g', 2);
     if (!tear->stopped_by.empty())
         text += Words::tr("; stopped by the %1 budget").arg(translated(tear->stopped_by));
     torn_->setText(text);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/flow/tube_law.h"
 
 namespace hepatica {
 
@@ -299,6 +300,25 @@ void tear(FlowNetwork& network, const TreePoint& point) {
 void set_open(FlowNetwork& network, int tree_segment, bool open) {
     for (FlowSegment& s : network.segments)
         if (s.tree_segment == tree_segment && s.proximal_node != s.distal_node) s.open = open;
+}
+
+void squeeze(FlowNetwork& network, int tree_segment, double from_mm, double to_mm, double share) {
+    if (!(share > 0.0 && share <= 1.0))
+        throw InputError("is " + std::to_string(share), "the share of a lumen that is left open",
+                         "Give more than 0, up to 1");
+    if (share == 1.0 || !(to_mm > from_mm)) return;
+    divide(network, {.segment = tree_segment, .arclength_mm = from_mm});
+    divide(network, {.segment = tree_segment, .arclength_mm = to_mm});
+    for (std::size_t i = 0; i < network.segments.size(); ++i) {
+        FlowSegment& s = network.segments[i];
+        const double middle = s.offset_mm + 0.5 * length_mm(network, static_cast<int>(i));
+        if (s.tree_segment != tree_segment || middle <= from_mm || middle >= to_mm) continue;
+        for (int c = s.first_cone; c < s.first_cone + s.cone_count; ++c) {
+            network.cones[c].proximal_radius_mm *= std::sqrt(share);
+            network.cones[c].distal_radius_mm *= std::sqrt(share);
+        }
+        s.jet_loss = jet_loss(share);
+    }
 }
 
 NodeSegments segments_at_nodes(const FlowNetwork& network) {

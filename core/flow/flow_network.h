@@ -21,6 +21,8 @@ struct FlowSegment {
     int tree_segment = -1;
     double offset_mm = 0.0;
     bool open = true;
+    // Head lost behind a narrow stretch, as a share of the dynamic pressure at its proximal end.
+    double jet_loss = 0.0;
 };
 
 struct FlowNetwork {
@@ -83,6 +85,11 @@ void tear(FlowNetwork& network, const TreePoint& point);
 
 // Closes (or opens) every stretch of a segment of the vessel tree: a clamp, a plug, a spasm.
 void set_open(FlowNetwork& network, int tree_segment, bool open);
+
+// Narrows the lumen between two places of one segment of the vessel tree to a share of its area,
+// above 0 and up to 1: it rubs as a narrower pipe, and the jet out of it loses its head
+// (tube_law.h).
+void squeeze(FlowNetwork& network, int tree_segment, double from_mm, double to_mm, double share);
 
 // Which segments touch each node, by ascending segment; [first[n], first[n+1]) for node n.
 struct NodeSegments {

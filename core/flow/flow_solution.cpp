@@ -96,6 +96,13 @@ void add_tears(const FlowNetwork& network, const FlowConditions& conditions,
     }
 }
 
+// As a share of the dynamic pressure at its proximal end: where it branches off, and of a jet.
+double head_lost(const FlowSegment& segment, const std::vector<int>& degree,
+                 const FlowConditions& conditions) {
+    const bool branches = degree[segment.proximal_node] > 2;
+    return (branches ? conditions.bifurcation_loss_coefficient : 0.0) + segment.jet_loss;
+}
+
 HydraulicCircuit circuit_of(const FlowNetwork& network, const FlowConditions& conditions,
                             const std::vector<int>& degree, std::vector<int>& terminal_element) {
     validate_conditions(network, conditions);
@@ -113,9 +120,7 @@ HydraulicCircuit circuit_of(const FlowNetwork& network, const FlowConditions& co
         element.part_count = segment.cone_count;
         for (int c = segment.first_cone; c < segment.first_cone + segment.cone_count; ++c)
             circuit.parts.push_back({not_shorter(network.cones[c]), conditions.resident});
-        const bool branches = degree[segment.proximal_node] > 2;
-        summarise(element, circuit.parts, conditions.law,
-                  branches ? conditions.bifurcation_loss_coefficient : 0.0);
+        summarise(element, circuit.parts, conditions.law, head_lost(segment, degree, conditions));
         circuit.elements.push_back(element);
     }
     terminal_element.assign(outlets, -1);
@@ -224,9 +229,7 @@ void NetworkFlow::fill(int segment, const std::vector<Filling>& fillings) {
             fillings[filling].fluid);
         begin += network_.cones[c].length_mm;
     }
-    const bool branches = degree_[s.proximal_node] > 2;
-    summarise(element, circuit_.parts, conditions_.law,
-              branches ? conditions_.bifurcation_loss_coefficient : 0.0);
+    summarise(element, circuit_.parts, conditions_.law, head_lost(s, degree_, conditions_));
     inflow_density_g_mm3_[segment] = fillings.front().fluid.density_g_mm3;
     outflow_density_g_mm3_[segment] = fillings.back().fluid.density_g_mm3;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hepatica {
 namespace {
@@ -49,6 +50,41 @@ void add_beds(const VesselTree& tree, const FlowNetwork& network, VascularSystem
             resistance[o] = pressure_pa / flow_mm3_s * sum / weight(network.outlet_nodes[o]);
 }
 
+// Roots at rest, each supplied by its calibre; beds behind the ends.
+FlowConditions conditions_of(const VesselTree& tree, const RestingFlow& rest,
+                             const FlowNetwork& network) {
+    FlowConditions conditions;
+    conditions.law = PressureLaw::regime;
+    conditions.resident = pure(blood());
+    conditions.ambient_pressure_pa = rest.ambient_pa;
+    const double density = conditions.resident.density_g_mm3;
+    conditions.terminal_resistances.assign(network.outlet_nodes.size(),
+                                           std::numeric_limits<double>::infinity());
+    add_beds(tree, network, VascularSystem::portal, rest.portal_g_s / density, rest.portal_pa,
+             conditions.terminal_resistances);
+    add_beds(tree, network, VascularSystem::artery, rest.artery_g_s / density, rest.artery_pa,
+             conditions.terminal_resistances);
+    for (const VascularSystem system :
+         {VascularSystem::portal, VascularSystem::artery, VascularSystem::hepatic}) {
+        std::vector<int> roots;
+        for (const int node : network.root_nodes)
+            if (system_of_node(tree, node) == system) roots.push_back(node);
+        for (const int node : roots) {
+            if (system == VascularSystem::hepatic) {
+                conditions.inlets.push_back(
+                    {node, InletKind::pressure, rest.cava_pa, conditions.resident});
+                continue;
+            }
+            const double flow =
+                system == VascularSystem::portal ? rest.portal_g_s : rest.artery_g_s;
+            conditions.inlets.push_back({node, InletKind::mass_flow,
+                                         flow * share_of_root(network, roots, node),
+                                         conditions.resident});
+        }
+    }
+    return conditions;
+}
+
 }  // namespace
 
 Bleeding::Bleeding(const VesselTree& tree, const RestingFlow& rest) : tree_(tree), rest_(rest) {}
@@ -56,50 +92,98 @@ Bleeding::Bleeding(const VesselTree& tree, const RestingFlow& rest) : tree_(tree
 void Bleeding::set_tears(const std::vector<ThroughTear>& tears) {
     if (tears == tears_) return;
     tears_ = tears;
+    solve();
+}
+
+double Bleeding::pressure_in(int segment) const {
+    switch (tree_.segments[static_cast<std::size_t>(segment)].system) {
+        case VascularSystem::artery:
+            return rest_.artery_pa;
+        case VascularSystem::hepatic:
+            return rest_.cava_pa;
+        default:
+            return rest_.portal_pa;
+    }
+}
+
+// In steps, so that a tool that is held does not have the network solved at every step.
+void Bleeding::set_pressed(const std::vector<PressedStretch>& stretches, const TubeWall& wall) {
+    std::vector<Squeeze> squeezes;
+    for (const PressedStretch& pressed : stretches) {
+        const double share = open_share(pressed.pressure_pa - pressure_in(pressed.segment), wall);
+        const double in_steps = std::exp2(0.5 * std::round(2.0 * std::log2(share)));
+        if (in_steps < 1.0)
+            squeezes.push_back(
+                {pressed.segment, std::floor(pressed.from_mm), std::ceil(pressed.to_mm), in_steps});
+    }
+    if (squeezes == squeezes_) return;
+    squeezes_ = std::move(squeezes);
+    if (!tears_.empty()) solve();
+}
+
+double Bleeding::least_open_share() const {
+    double least = 1.0;
+    for (const Squeeze& squeeze : squeezes_) least = std::min(least, squeeze.share);
+    return least;
+}
+
+// What a pump of fixed flow would press through a vessel that is all but closed, the arteries
+// cannot: what enters a system falls in proportion to what its pressure leaves of theirs. The share
+// of the resting inflow for which both agree lies where they cross.
+void Bleeding::limit_inflow(NetworkFlow& flow, const FlowConditions& conditions,
+                            VascularSystem system) const {
+    const double rest_pa = system == VascularSystem::portal ? rest_.portal_pa : rest_.artery_pa;
+    std::vector<int> inlets;
+    for (std::size_t i = 0; i < conditions.inlets.size(); ++i)
+        if (conditions.inlets[i].kind == InletKind::mass_flow &&
+            system_of_node(tree_, conditions.inlets[i].node) == system)
+            inlets.push_back(static_cast<int>(i));
+    const auto too_much = [&](double share) {
+        for (const int i : inlets)
+            flow.drive(i, share * conditions.inlets[static_cast<std::size_t>(i)].value);
+        const FlowSolution& solution = flow.solve();
+        double pressure_pa = 0.0;
+        for (const int i : inlets)
+            pressure_pa =
+                std::max(pressure_pa, solution.inlet_pressure_pa[static_cast<std::size_t>(i)]);
+        return pressure_pa > rest_.aorta_pa - share * (rest_.aorta_pa - rest_pa);
+    };
+    if (inlets.empty() || !too_much(1.0)) return;
+    constexpr int halvings = 10;
+    double low = 0.0, high = 1.0;
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = 0.5 * (low + high);
+        (too_much(middle) ? high : low) = middle;
+    }
+    too_much(low);
+}
+
+void Bleeding::solve() {
     leak_g_s_ = 0.0;
-    leaks_g_s_.assign(tears.size(), 0.0);
-    if (tears.empty()) return;
+    leaks_g_s_.assign(tears_.size(), 0.0);
+    if (tears_.empty()) return;
     FlowNetwork network = network_of(tree_);
-    const std::vector<int> outlets = network.outlet_nodes;
-    FlowConditions conditions;
-    conditions.law = PressureLaw::regime;
-    conditions.resident = pure(blood());
-    conditions.ambient_pressure_pa = rest_.ambient_pa;
-    const double density = conditions.resident.density_g_mm3;
-    conditions.terminal_resistances.assign(outlets.size(), std::numeric_limits<double>::infinity());
-    add_beds(tree_, network, VascularSystem::portal, rest_.portal_g_s / density, rest_.portal_pa,
-             conditions.terminal_resistances);
-    add_beds(tree_, network, VascularSystem::artery, rest_.artery_g_s / density, rest_.artery_pa,
-             conditions.terminal_resistances);
-    for (const VascularSystem system :
-         {VascularSystem::portal, VascularSystem::artery, VascularSystem::hepatic}) {
-        std::vector<int> roots;
-        for (const int node : network.root_nodes)
-            if (system_of_node(tree_, node) == system) roots.push_back(node);
-        for (const int node : roots) {
-            if (system == VascularSystem::hepatic) {
-                conditions.inlets.push_back(
-                    {node, InletKind::pressure, rest_.cava_pa, conditions.resident});
-                continue;
-            }
-            const double flow =
-                system == VascularSystem::portal ? rest_.portal_g_s : rest_.artery_g_s;
-            conditions.inlets.push_back({node, InletKind::mass_flow,
-                                         flow * share_of_root(network, roots, node),
-                                         conditions.resident});
-        }
-    }
+    const FlowConditions conditions = conditions_of(tree_, rest_, network);
+    for (const Squeeze& s : squeezes_) squeeze(network, s.segment, s.from_mm, s.to_mm, s.share);
+    FlowConditions torn = conditions;
     std::vector<std::size_t> tear_of_stump;
-    for (const ThroughTear& torn : tears) {
+    for (const ThroughTear& one : tears_) {
         const std::size_t before = network.torn_nodes.size();
-        tear(network, torn.at);
-        conditions.torn_areas_mm2.resize(
-            conditions.torn_areas_mm2.size() + network.torn_nodes.size() - before, torn.area_mm2);
+        tear(network, one.at);
+        torn.torn_areas_mm2.resize(torn.torn_areas_mm2.size() + network.torn_nodes.size() - before,
+                                   one.area_mm2);
         tear_of_stump.resize(network.torn_nodes.size(),
-                             static_cast<std::size_t>(&torn - tears.data()));
+                             static_cast<std::size_t>(&one - tears_.data()));
     }
-    const FlowSolution solution = solve_flow(network, conditions);
-    for (const double flow : solution.torn_flow_mm3_s) leak_g_s_ += flow * density;
+    NetworkFlow flow(network, torn);
+    FlowSolution solution = flow.solve();
+    if (!squeezes_.empty()) {
+        for (const VascularSystem system : {VascularSystem::portal, VascularSystem::artery})
+            limit_inflow(flow, torn, system);
+        solution = flow.solution();
+    }
+    const double density = torn.resident.density_g_mm3;
+    for (const double out : solution.torn_flow_mm3_s) leak_g_s_ += out * density;
     for (std::size_t i = 0; i < tear_of_stump.size(); ++i)
         leaks_g_s_[tear_of_stump[i]] += solution.torn_flow_mm3_s[i] * density;
 }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What torn vessels lose: the tree at its resting inflow, with an opening into the surroundings at
-// each stump, solved anew whenever it is torn further.
+// each stump, and narrow where a tool presses on it harder than its blood does (tube_law.h). Solved
+// anew whenever it is torn further or pressed otherwise.
 #pragma once
 
 #include <vector>
 
 #include "core/flow/flow_network.h"
 #include "core/flow/flow_solution.h"
+#include "core/flow/tube_law.h"
+#include "core/scene/pressed_stretches.h"
 #include "core/scene/through_tears.h"
 #include "core/tree/vessel_tree.h"
 
@@ -22,6 +25,8 @@ struct RestingFlow {
     double artery_pa = 10700.0;
     double cava_pa = 670.0;
     double ambient_pa = 0.0;
+    // Of the arteries that drive both: what enters falls with what is left of it.
+    double aorta_pa = 12700.0;
 };
 
 // Not thread-safe.
@@ -31,6 +36,11 @@ class Bleeding {
 
     // Costs a solution of the network where they are others than before.
     void set_tears(const std::vector<ThroughTear>& tears);
+    // Likewise, where what they leave open is another by more than two fifths, or they are
+    // elsewhere by more than a millimetre. Costs nothing while nothing is torn.
+    void set_pressed(const std::vector<PressedStretch>& stretches, const TubeWall& wall);
+    // The least share of a lumen that is left open by what presses; 1 where nothing does.
+    double least_open_share() const;
     void step(double dt_s) { leaked_g_ += leak_g_s_ * dt_s; }
 
     double leak_g_s() const { return leak_g_s_; }
@@ -41,9 +51,21 @@ class Bleeding {
     void set_leaked_g(double leaked_g) { leaked_g_ = leaked_g; }
 
   private:
+    struct Squeeze {
+        int segment = -1;
+        double from_mm = 0.0, to_mm = 0.0;
+        double share = 1.0;
+        bool operator==(const Squeeze&) const = default;
+    };
+    void solve();
+    void limit_inflow(NetworkFlow& flow, const FlowConditions& conditions,
+                      VascularSystem system) const;
+    double pressure_in(int segment) const;
+
     VesselTree tree_;
     RestingFlow rest_;
     std::vector<ThroughTear> tears_;
+    std::vector<Squeeze> squeezes_;
     std::vector<double> leaks_g_s_;
     double leak_g_s_ = 0.0;
     double leaked_g_ = 0.0;

@@ -17,6 +17,7 @@
 #include "core/patient/patient_case.h"
 #include "core/scene/deform_back_end.h"
 #include "core/scene/frame.h"
+#include "core/scene/pressed_stretches.h"
 #include "core/scene/scene_spec.h"
 #include "core/scene/through_tears.h"
 #include "core/scene/tools/tool_choice.h"
@@ -101,6 +102,8 @@ class DeformPart {
     int pieces() const;  // of a body that tears
     // The opening at which what has parted there has come apart; 0 where nothing can tear.
     double critical_opening_mm() const;
+    // Where the tool presses on which vessel.
+    std::vector<PressedStretch> pressed() const;
     // Where it is torn through.
     std::vector<ThroughTear> torn_through(const VesselTree& tree);
     // |mass of the torn body - mass of the whole| over that.
@@ -201,7 +204,8 @@ class DeformPart {
     BodyDescription body_;
     std::uint64_t obstacles_hash_ = 0;
     std::vector<int> surface_vertices_;
-    std::vector<VertexPlace> places_;  // per vertex
+    std::vector<VertexPlace> places_;        // per vertex
+    mutable std::vector<double> areas_mm2_;  // of the surface at rest, likewise, once asked for
     StepperOptions setting_;
     double wall_mm_;
     Vec3 gravity_mm_per_s2_;

@@ -81,6 +81,15 @@ double DeformPart::critical_opening_mm() const {
     return tearing != nullptr ? tearing->law().softening().opening_mm : 0.0;
 }
 
+std::vector<PressedStretch> DeformPart::pressed() const {
+    const ToolLoad& load = stepper_->tool_load();
+    if (!tool() || load.touched.empty()) return {};
+    if (areas_mm2_.empty())
+        areas_mm2_ = vertex_areas_mm2(
+            torn() != nullptr ? torn()->surface() : boundary_triangles(body_.mesh), rest_mm_);
+    return pressed_stretches(load, places_, areas_mm2_);
+}
+
 const TornTopology* DeformPart::torn() const {
     const Tearing* tearing = stepper_->tearing();
     return tearing != nullptr ? &tearing->topology() : nullptr;
@@ -91,6 +100,7 @@ void DeformPart::follow_tear() {
     const std::uint64_t version = topology != nullptr ? topology->version() : 1;
     if (version == followed_) return;
     followed_ = version;
+    areas_mm2_.clear();
     std::vector<int> parents(body_.mesh.vertices_mm.size());
     std::iota(parents.begin(), parents.end(), 0);
     if (topology != nullptr) parents.assign(topology->parents().begin(), topology->parents().end());

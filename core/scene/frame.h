@@ -76,6 +76,7 @@ struct TearView {
     double entropy_produced_nats = 0.0;
     double leak_g_s = 0.0;  // out of stumps
     double leaked_g = 0.0;
+    double open_share = 1.0;  // of the lumen that a tool presses on most, while something bleeds
     std::vector<LeakView> leaks;
     std::string stopped_by;  // "entropy" or "vertices"; empty: it goes on
     // Of each vertex the one of the whole body that it comes from.

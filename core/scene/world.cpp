@@ -153,6 +153,7 @@ StepReport World::step(const std::stop_token& stop) {
         else if (part.name == "flow")
             part.frame_ms = milliseconds_of([&] { flow_->step(spec_.dt_s); });
     }
+    press();
     if (bleeding_) bleeding_->step(spec_.dt_s);
     part_out("self-contact", {}, report.self_cost);
     part_out("obstacles", surfaces_of_obstacles_, report.obstacle_cost);
@@ -172,6 +173,13 @@ void World::bleed() {
     if (pieces == pieces_) return;
     pieces_ = pieces;
     bleeding_->set_tears(deform_->torn_through(patient_->tree));
+}
+
+// What is held bleeds less.
+void World::press() {
+    if (!bleeding_ || bleeding_->tears().empty()) return;
+    bleeding_->set_pressed(deform_->pressed(),
+                           {.young_modulus_pa = deform_->body().material.young_modulus_pa});
 }
 
 void World::follow_tear() {
@@ -253,6 +261,7 @@ void World::fill(Frame& frame) const {
         if (bleeding_) {
             frame.tear->leak_g_s = bleeding_->leak_g_s();
             frame.tear->leaked_g = bleeding_->leaked_g();
+            frame.tear->open_share = bleeding_->least_open_share();
             show_leaks(*frame.tear, frame.positions_mm);
         }
     }
@@ -279,6 +288,7 @@ void World::restore(const WorldCheckpoint& checkpoint) {
         list_contact();
     }
     follow_tear();
+    press();
     if (bleeding_) bleeding_->set_leaked_g(checkpoint.leaked_g);
     if (flow_) flow_->restore(*checkpoint.flow);
     time_s_ = checkpoint.time_s;

@@ -101,6 +101,7 @@ class World {
     std::shared_ptr<const Obstacles> known_obstacles();
     void part_out(const std::string& name, const PartCost& before, const SelfCost& cost);
     void bleed();
+    void press();
     void show_leaks(TearView& tear, const std::vector<float>& positions_mm) const;
 
     std::shared_ptr<const PatientCase> patient_;

@@ -14,6 +14,7 @@
 #include "core/flow/injection.h"
 #include "core/flow/pressure_drop.h"
 #include "core/flow/territory.h"
+#include "core/flow/tube_law.h"
 #include "tests/support/recorded_figures.h"
 
 namespace hepatica {
@@ -38,6 +39,7 @@ TEST(FlowInitialFigures, AreThoseRecorded) {
     HEPATICA_ADD_INITIAL(figures, FlowConditions);
     HEPATICA_ADD_INITIAL(figures, FlowSolution);
     HEPATICA_ADD_INITIAL(figures, SegmentPressures);
+    HEPATICA_ADD_INITIAL(figures, TubeWall);
     HEPATICA_ADD_INITIAL(figures, Filling);
     HEPATICA_ADD_INITIAL(figures, Phase);
     HEPATICA_ADD_INITIAL(figures, Fluid);

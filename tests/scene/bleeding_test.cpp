@@ -69,9 +69,8 @@ TEST(Bleeding, OfAHepaticVeinIsWhatItsOpeningLetsOut) {
     EXPECT_NEAR(leak, 0.6 * area_mm2 * speed_mm_s * density_g_mm3, 0.03 * leak);
 }
 
-// A fork of short wide vessels: one pressure everywhere, at which the opening and the bed behind
-// the whole branch share the inflow. Two branches alike have half of the resting flow each.
-TEST(Bleeding, OfOneOfTwoBranchesIsSharedWithTheBedOfTheOther) {
+// Short wide vessels: one pressure everywhere.
+VesselTree fork_of_two() {
     VesselTree tree;
     const std::array<Vec3, 4> nodes{Vec3(0, 0, 0), Vec3(20, 0, 0), Vec3(40, 5, 0), Vec3(40, -5, 0)};
     for (const Vec3& node : nodes) tree.nodes.push_back({node});
@@ -83,6 +82,13 @@ TEST(Bleeding, OfOneOfTwoBranchesIsSharedWithTheBedOfTheOther) {
     add(0, 1, -1);
     add(1, 2, 0);
     add(1, 3, 0);
+    return tree;
+}
+
+// The opening and the bed behind the whole branch share the inflow. Two branches alike have half of
+// the resting flow each.
+TEST(Bleeding, OfOneOfTwoBranchesIsSharedWithTheBedOfTheOther) {
+    const VesselTree tree = fork_of_two();
     const RestingFlow rest;
     const double area_mm2 = 3.0;
     const double bed_pa_s_g = rest.portal_pa / (0.5 * rest.portal_g_s);
@@ -98,6 +104,59 @@ TEST(Bleeding, OfOneOfTwoBranchesIsSharedWithTheBedOfTheOther) {
     const double leak = leak_of(tree, {half_way(1, area_mm2)});
     EXPECT_NEAR(leak, leak_at(low_pa), 0.03 * leak);
     EXPECT_GT(leak_of(tree, {half_way(1, area_mm2), half_way(2, area_mm2)}), leak);
+}
+
+// Held between the fork and the stump: what presses less than the blood does changes nothing, and
+// the harder it is held, the less is lost.
+TEST(Bleeding, FallsWhereTheVesselIsHeldBeforeItsStump) {
+    const RestingFlow rest;
+    Bleeding bleeding(fork_of_two());
+    bleeding.set_tears({half_way(1, 30.0)});
+    const double free = bleeding.leak_g_s();
+    const auto held = [&](int segment, double pressure_pa) {
+        bleeding.set_pressed({{segment, 3.0, 7.0, pressure_pa}}, {});
+        return bleeding.leak_g_s();
+    };
+    EXPECT_EQ(held(1, 0.99 * rest.portal_pa), free);
+    EXPECT_EQ(bleeding.least_open_share(), 1.0);
+    double last = free;
+    for (const double excess_pa : {300.0, 1e3, 3e3, 1e4, 1e5}) {
+        const double now = held(1, rest.portal_pa + excess_pa);
+        EXPECT_LT(now, last) << excess_pa;
+        last = now;
+    }
+    EXPECT_LT(last, 0.02 * free);
+    EXPECT_LT(bleeding.least_open_share(), 0.02);
+    EXPECT_GT(held(2, rest.portal_pa + 1e5), free) << "the other branch: more comes here";
+    bleeding.set_pressed({}, {});
+    EXPECT_EQ(bleeding.leak_g_s(), free);
+}
+
+// A clamp on the only way in: the arteries' pressure drives what is left through it, less the
+// resistance of what lies between.
+TEST(Bleeding, OfAHeldTrunkIsWhatTheArteriesPressThrough) {
+    const RestingFlow rest;
+    Bleeding bleeding(one_tube(VascularSystem::portal));
+    bleeding.set_tears({half_way(0, 30.0)});
+    bleeding.set_pressed({{0, 2.0, 6.0, rest.portal_pa + 2e4}}, {});
+    const double share = bleeding.least_open_share();
+    const double throat_mm2 = share * std::numbers::pi * 16.0;
+    double low = 0.0, high = 1.0;  // of the resting inflow
+    for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (low + high);
+        const double flow_mm3_s = middle * rest.portal_g_s / density_g_mm3;
+        const auto head = [&](double area_mm2) {
+            return 0.5 * density_g_mm3 * std::pow(flow_mm3_s / area_mm2, 2.0);
+        };
+        const double poiseuille_pa = 8.0 * pure(blood()).viscosity_pa_s * 4.0 * flow_mm3_s /
+                                     (std::numbers::pi * std::pow(4.0 * std::sqrt(share), 4.0));
+        const double needed_pa =
+            poiseuille_pa + jet_loss(share) * head(throat_mm2) + head(0.6 * 30.0);
+        const bool too_much = needed_pa > rest.aorta_pa - middle * (rest.aorta_pa - rest.portal_pa);
+        (too_much ? high : low) = middle;
+    }
+    EXPECT_LT(bleeding.leak_g_s(), 0.5 * rest.portal_g_s);
+    EXPECT_NEAR(bleeding.leak_g_s(), low * rest.portal_g_s, 0.05 * low * rest.portal_g_s);
 }
 
 TEST(Bleeding, AddsUpOverTimeAndStopsWhereNothingIsTorn) {
