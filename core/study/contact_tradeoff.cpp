@@ -95,7 +95,8 @@ ContactTradeoff measure_contact_tradeoff(const ContactTradeoffOptions& options, 
     FrameMeter unused;
     const CentrelineMotion reference = play(blocks, tight(), options.frames, unused, job);
     job.begin_stage("Measuring the settings");
-    ContactTradeoff tradeoff{.reference = words_of(tight(), tetrahedra)};
+    ContactTradeoff tradeoff;
+    tradeoff.reference = words_of(tight(), tetrahedra);
     const std::vector<ContactSetting> all = settings();
     for (const ContactSetting& setting : all) {
         FrameMeter meter;
