@@ -59,13 +59,15 @@ constexpr std::array sentences_built_in_lessons{
     Words::id("Inject so that 3 g reach the target's tissue."),
     Words::id("Far beyond the mark: point at a vessel to see what lies downstream of it, then "
               "double-click."),
+    Words::id("A branch was cut and bleeds. Press on its stump with the probe, then take it with "
+              "the forceps: where a tool presses harder than the blood does, the vessel narrows "
+              "and bleeds less. Scored is how soon and how gently you stem it."),
     Words::id(
-        "A branch was cut and bleeds. Press on its stump, then take it with the forceps. Nothing "
-        "here stems the flow: in this simulation pressing does not narrow a vessel, so that the "
-        "bleeding goes on at its rate. Scored is how soon, how near and how gently you hold it."),
-    Words::id("Press on the stump with the probe for half a second."),
-    Words::id("Key 4 takes the probe. Come from the side of the root."),
-    Words::id("Take the stump with the forceps and hold it for half a second."),
+        "Press on the stump with the probe until it bleeds less than 2 g/s, for half a second."),
+    Words::id(
+        "Key 4 takes the probe. Come from the side of the root, and press some millimetres in."),
+    Words::id(
+        "Take the stump with the forceps until it bleeds less than 0.5 g/s, for half a second."),
     Words::id(
         "Key 6 takes the forceps. Bring the stump to the middle between the jaws, then C closes "
         "them."),

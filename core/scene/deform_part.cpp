@@ -441,6 +441,8 @@ std::uint64_t DeformPart::state_hash() const {
     hasher.add_bytes(setting.data(), setting.size());
     hasher.add(std::span<const double>(body));
     if (body_.obstacles) hasher.add_bytes(&obstacles_hash_, sizeof obstacles_hash_);
+    if (body_.self && body_.self->friction > 0.0)
+        hasher.add_bytes(&body_.self->friction, sizeof body_.self->friction);
     if (hold_) {
         const std::array<double, 2> spring{hold_->stiffness_un_per_mm, hold_->force_limit_un};
         hasher.add(std::span<const int>(hold_->vertices));

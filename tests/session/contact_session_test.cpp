@@ -42,6 +42,12 @@ void pull(Session& session) {
     play(session, 30);
 }
 
+// After a step.
+const Frame& frame_of(Session& session) {
+    session.update_frame();
+    return session.frame();
+}
+
 TEST(ContactSession, VesselsThatTouchFromNowOnDoWhatAScenesDo) {
     const auto switched = new_session(moving());
     const auto of_scene =
@@ -51,7 +57,7 @@ TEST(ContactSession, VesselsThatTouchFromNowOnDoWhatAScenesDo) {
     pull(*switched);
     switched->post(UseContact{.self = true, .friction = 0.2});
     switched->step();
-    EXPECT_EQ(switched->frame().self_friction, 0.2);
+    EXPECT_EQ(frame_of(*switched).self_friction, 0.2);
     EXPECT_FALSE(switched->world().deform()->holding());
     of_scene->step();
     other->step();
@@ -65,7 +71,7 @@ TEST(ContactSession, VesselsThatTouchFromNowOnDoWhatAScenesDo) {
     EXPECT_EQ(switched->state_hash(), of_scene->state_hash()) << "nothing is new";
     switched->post(UseContact{.self = false});
     switched->step();
-    EXPECT_FALSE(switched->frame().self_friction);
+    EXPECT_FALSE(frame_of(*switched).self_friction);
     const auto plain = new_session(moving());
     plain->step();
     EXPECT_EQ(switched->state_hash(), plain->state_hash());
@@ -93,13 +99,14 @@ TEST(ContactSession, SaysWhatCannotBe) {
     const auto session = new_session(moving());
     session->post(UseContact{.self = true, .obstacles = true});
     session->step();
-    EXPECT_THAT(session->frame().statistics.message, HasSubstr("neither liver nor tumours"));
-    EXPECT_TRUE(session->frame().self_friction) << "the rest of it is done";
-    EXPECT_FALSE(session->frame().obstacles);
+    EXPECT_THAT(frame_of(*session).statistics.message, HasSubstr("neither liver nor tumours"));
+    EXPECT_TRUE(frame_of(*session).self_friction) << "the rest of it is done";
+    EXPECT_FALSE(frame_of(*session).obstacles);
     session->post(UseContact{.self = true, .friction = -0.5});
     session->step();
-    EXPECT_THAT(session->frame().statistics.message, HasSubstr("Give a coefficient from 0 to 10"));
-    EXPECT_EQ(session->frame().self_friction, 0.0);
+    EXPECT_THAT(frame_of(*session).statistics.message,
+                HasSubstr("Give a coefficient from 0 to 10"));
+    EXPECT_EQ(frame_of(*session).self_friction, 0.0);
 }
 
 TEST(ContactSession, PlaysAgainFromItsStartAndFromItsKeyframes) {
@@ -111,7 +118,7 @@ TEST(ContactSession, PlaysAgainFromItsStartAndFromItsKeyframes) {
     play(*session, 40);  // over the keyframe at 600
     session->post(RestoreSnapshot{});
     play(*session, 20);
-    EXPECT_EQ(session->frame().self_friction, 0.4);
+    EXPECT_EQ(frame_of(*session).self_friction, 0.4);
     const fs::path file = fs::path(testing::TempDir()) / "contact.hrec";
     write_recording(file, *recording);
     const Recording read = read_recording(file);
