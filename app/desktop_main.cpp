@@ -8,6 +8,8 @@
 #include <QMessageBox>
 #include <clocale>
 #include <cstdio>
+#include <exception>
+#include <functional>
 #include <optional>
 
 #include "app/diagnosis.h"
@@ -24,6 +26,25 @@
 #include "ui/vtk_widget.h"
 
 namespace {
+
+// What no part of the window has caught ends the window's work no more than it must: it is said,
+// and all goes on.
+class Application : public QApplication {
+  public:
+    using QApplication::QApplication;
+
+    std::function<void(const std::exception_ptr&)> on_failure;
+
+    bool notify(QObject* receiver, QEvent* event) override {
+        try {
+            return QApplication::notify(receiver, event);
+        } catch (...) {
+            if (!on_failure) throw;
+            on_failure(std::current_exception());
+            return true;
+        }
+    }
+};
 
 struct Options {
     QString path;  // may be empty
@@ -74,8 +95,8 @@ void print_report(double window_ready_s, const std::string& renderer, bool json)
 }
 
 // One window after another: a change of language makes the window anew.
-int run_windows(hepatica::Settings& settings, const hepatica::MainWindow::Patients& patients,
-                const Options& options) {
+int run_windows(Application& application, hepatica::Settings& settings,
+                const hepatica::MainWindow::Patients& patients, const Options& options) {
     using namespace hepatica;
     std::optional<OpenRequest> wanted;
     if (options.built_in) wanted = OpenRequest{true, {}};
@@ -99,7 +120,11 @@ int run_windows(hepatica::Settings& settings, const hepatica::MainWindow::Patien
             }
         });
         window.show();
+        application.on_failure = [&window](const std::exception_ptr& error) {
+            window.tell_failure_of_program(error);
+        };
         const int ended = QApplication::exec();
+        application.on_failure = nullptr;
         if (!another) return ended;
         use_language(settings.language());
     }
@@ -131,7 +156,7 @@ int main(int argc, char** argv) {
         if (options.diagnose) return print_diagnosis(problem, options.json);
         return refuse(problem);
     }
-    QApplication application(argc, argv);
+    Application application(argc, argv);
     QApplication::setApplicationName("Hepatica");
     QApplication::setApplicationVersion(HEPATICA_VERSION);
     // By these the desktop knows which of its entries the window belongs to.
@@ -159,5 +184,5 @@ int main(int argc, char** argv) {
                           const std::filesystem::path& file, Job& job) {
         write_case_segmentation(patient, ct, file, HEPATICA_VERSION, job);
     };
-    return run_windows(settings, patients, options);
+    return run_windows(application, settings, patients, options);
 }

@@ -32,6 +32,13 @@ Vec3 nearest_to(const Vec3& point, const std::vector<float>& positions_mm) {
     return nearest;
 }
 
+// Seen from where the picture is seen from.
+const char* way_to_mark(double deeper_mm, double away_mm) {
+    constexpr double hardly = 0.5;  // of the whole way
+    if (std::abs(deeper_mm) < hardly * away_mm) return " to the mark";
+    return deeper_mm > 0.0 ? " to the mark, deeper" : " to the mark, nearer";
+}
+
 const MarkView* nearest_waiting(const Vec3& point, const std::vector<MarkView>& marks) {
     const MarkView* nearest = nullptr;
     for (const MarkView& mark : marks)
@@ -64,7 +71,7 @@ DepthStem::~DepthStem() {
 }
 
 bool DepthStem::update(const std::optional<ToolView>& tool, const std::vector<float>& positions_mm,
-                       const std::vector<MarkView>& marks) {
+                       const std::vector<MarkView>& marks, const Vec3& forward) {
     const bool shown = line_->GetVisibility() != 0;
     double away_mm = 0.0;
     Vec3 end = Vec3::Zero();
@@ -72,13 +79,15 @@ bool DepthStem::update(const std::optional<ToolView>& tool, const std::vector<fl
     if (tool && tool->touched.empty() && !tool->parts.empty()) {
         mark = nearest_waiting(tool->tip_mm, marks);
         end = mark != nullptr ? mark->place_mm : nearest_to(tool->tip_mm, positions_mm);
-        away_mm = (end - tool->tip_mm).norm() - tool->parts.front().radius_mm;
+        away_mm = (end - tool->tip_mm).norm();
+        // Goals ask for the distance of the tip; vessels are met by the surface around it.
+        if (mark == nullptr) away_mm -= tool->parts.front().radius_mm;
     }
     const bool shows = away_mm >= touching_mm && (mark != nullptr || away_mm <= farthest_mm);
     line_->SetVisibility(shows);
     if (!shows) return label_.show({}, {}) || shown;
-    const std::string text =
-        std::to_string(std::lround(away_mm)) + (mark != nullptr ? " mm to the mark" : " mm");
+    std::string text = std::to_string(std::lround(away_mm)) + " mm";
+    if (mark != nullptr) text += way_to_mark((end - tool->tip_mm).dot(forward), away_mm);
     if (shown && tool->tip_mm == tip_mm_ && end == end_mm_ && text == text_) return false;
     text_ = text;
     tip_mm_ = tool->tip_mm;

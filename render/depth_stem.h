@@ -35,8 +35,9 @@ class DepthStem {
     // `positions_mm`: x, y, z of each vertex of the vessels. Costs one pass over them while a tool
     // is there and no mark waits for it, and nothing without a tool. Returns true if the picture is
     // another now.
+    // `forward`: into the picture, of length 1; the words say whether a mark lies deeper or nearer.
     bool update(const std::optional<ToolView>& tool, const std::vector<float>& positions_mm,
-                const std::vector<MarkView>& marks);
+                const std::vector<MarkView>& marks, const Vec3& forward);
     void place(double pixel_ratio) { label_.place(pixel_ratio); }
 
   private:

@@ -114,6 +114,7 @@ void set_frame_shown(LegendContent& content, const Frame& frame, bool warnings,
     content.touched = frame.tool.has_value() || frame.grab.has_value();
     content.warned = warnings && frame.tear && frame.tear->loads;
     content.torn = frame.tear && frame.tear->joints_broken > 0;
+    content.bleeds = frame.tear && !frame.tear->leaks.empty();
 }
 
 namespace {
@@ -128,6 +129,7 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     if (content.places) swatch("A place of the lesson", palette::torn_circle);
     if (content.gaps) swatch("A gap, and how sure", palette::bridge);
     if (content.torn) swatch("Torn", palette::torn);
+    if (content.bleeds) swatch("Blood", palette::bleeding);
     if (content.warned) add_warnings(rows);
     if (content.injected) add_drug(content, rows);
     if (!content.segments.empty()) add_segments(content, rows);

@@ -26,6 +26,7 @@ struct LegendContent {
     bool touched = false;  // a tool is in hand, or a vessel is pulled
     bool warned = false;   // what is near its limit is coloured
     bool torn = false;
+    bool bleeds = false;
     bool gaps = false;    // that might be bridged
     bool places = false;  // of a lesson
     bool tumours = false;

@@ -88,7 +88,8 @@ bool SceneView::show(const Frame& frame) {
     if (obstacles_changed) parts_->fit_organs_to_obstacles();
     const bool lines_changed = parts_->weak_lines.update(frame);
     const bool stem_changed =
-        parts_->stem.update(frame.tool, frame.positions_mm, parts_->marks.shown());
+        parts_->stem.update(frame.tool, frame.positions_mm, parts_->marks.shown(),
+                            Vec3(camera().GetDirectionOfProjection()));
     const GrabView pull = frame.grab.value_or(GrabView{});
     const std::string pull_force = said(parts_->words, force_text(pull.force_un));
     const bool force_changed = parts_->pull_force.show(pull_force, pull.target_mm);

@@ -34,8 +34,7 @@ constexpr int least_axis = 5;
 // A result is written in world time and shown in the user's.
 QString local_time(const std::string& utc) {
     const QDateTime time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
-    return time.isValid() ? QLocale().toString(time.toLocalTime(), "d MMM yyyy, hh:mm")
-                          : QString::fromStdString(utc);
+    return time.isValid() ? date_words(time.toLocalTime()) : QString::fromStdString(utc);
 }
 
 QTableWidgetItem* text_item(const QString& text) {

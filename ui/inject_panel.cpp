@@ -179,11 +179,10 @@ QWidget* InjectPanel::make_clock() {
     speed_ = new DecimalSpinBox(0.01, 100.0, FlowSpec{}.drug_speed, 2, "×", box);
     speed_->setObjectName("speed");
     speed_->setToolTip(Words::tr("Seconds of the drug's clock per second of the simulation"));
-    connect(speed_, &QDoubleSpinBox::valueChanged, this,
-            [this](double factor) {
-                show_pace();
-                ask_for_speed(factor);
-            });
+    connect(speed_, &QDoubleSpinBox::valueChanged, this, [this](double factor) {
+        show_pace();
+        ask_for_speed(factor);
+    });
     form->addRow(Words::tr("Speed"), speed_);
     column->addLayout(form);
     pace_ = new QLabel(box);
@@ -312,6 +311,11 @@ void InjectPanel::begin_play(bool free) {
     if (!free) return;
     show_speed(chosen_speed_);
     if (chosen_speed_ != FlowSpec{}.drug_speed) ask_for_speed(chosen_speed_);
+}
+
+void InjectPanel::choose_drug(const std::string& wanted) {
+    for (std::size_t i = 0; i < presets.size(); ++i)
+        if (presets[i].second_phase == wanted) preset_->setCurrentIndex(static_cast<int>(i));
 }
 
 void InjectPanel::allow_settings(bool allowed) {

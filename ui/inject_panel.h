@@ -39,6 +39,8 @@ class InjectPanel : public QWidget {
     // A simulation has begun. In free play it is told what the user had chosen there before; a
     // lesson and a review have a speed of their own.
     void begin_play(bool free);
+    // The one of this second phase, as a lesson asks for it; empty: what is chosen stays.
+    void choose_drug(const std::string& second_phase);
     // Whether the drug's clock and its speed may be set.
     void allow_settings(bool allowed);
 
@@ -71,7 +73,7 @@ class InjectPanel : public QWidget {
     QLabel* time_label_ = nullptr;
     DecimalSpinBox* speed_ = nullptr;
     QLabel* pace_ = nullptr;  // what the speed means
-    DrugView drug_;  // of the newest frame
+    DrugView drug_;           // of the newest frame
     // What the slider asked for and no frame has shown yet: until then frames do not move it.
     std::optional<double> asked_time_s_;
     std::optional<double> asked_speed_;  // likewise, of the field

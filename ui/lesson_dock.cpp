@@ -223,7 +223,7 @@ void LessonDock::open_case(const fs::path& place) {
 
 bool LessonDock::start(const std::string& name, const std::vector<Predicate>& more_pass) {
     if (!read(name)) return false;
-    lesson_->pass.insert(lesson_->pass.end(), more_pass.begin(), more_pass.end());
+    add_new(more_pass, lesson_->pass);
     course_pass_ = more_pass;
     const bool any = lesson_->patient == "any";
     if (any ? ways_.patient() != nullptr : lesson_->patient == "built-in" && built_in_shown_)
@@ -371,6 +371,7 @@ void LessonDock::name_last_attempt() {
 void LessonDock::keep_result() {
     if (!watch_ || !watch_->recorded() || std::exchange(result_kept_, true)) return;
     guard_.reset();
+    ways_.ended();
     if (watch_->recording().parent_path() == tried()) return;
     const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
     try {

@@ -47,6 +47,7 @@ class LessonDock : public QDockWidget {
         std::function<void()> edit;                      // shows the editor of lessons
         std::function<void()> left;                      // a lesson, for free play
         std::function<void(const QString& name)> named;  // the trainee, or nobody any more
+        std::function<void()> ended = [] {};             // an attempt, by being passed or failed
     };
 
     LessonDock(Ways ways, std::filesystem::path recordings, QWidget* parent);
@@ -95,7 +96,10 @@ class LessonDock : public QDockWidget {
     void show_figures();
     // Another simulation stands in the place of the lesson's own, such as a review's: the panel
     // still says how the attempt went, and no mark is on those vessels.
-    void play_hidden() { on_screen_ = false; }
+    void play_hidden() {
+        on_screen_ = false;
+        hide();  // what it says is of another play
+    }
     // The marks in a frame, numbered where there are more than one, and whether all steps that name
     // them are reached; none where no lesson's play is on the screen.
     std::vector<MarkView> marks_in(const Frame& frame) const;

@@ -22,7 +22,7 @@ QLabel* add_label(QVBoxLayout& column, const char* name) {
     auto* label = new QLabel;
     label->setObjectName(name);
     label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     column.addWidget(label);
     return label;
 }
@@ -61,6 +61,11 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setSpacing(8);
     title_ = add_label(*column, "lessonTitle");
+    // Above all that changes its height.
+    auto* play_row = new QHBoxLayout;
+    add_button(*play_row, Words::tr("Be&gin again"), "lessonAgain", ways.again);
+    add_button(*play_row, Words::tr("Leav&e"), "lessonLeave", ways.leave);
+    column->addLayout(play_row);
     about_ = add_label(*column, "quiet");
     doubts_ = add_label(*column, "lessonPlaceDoubts");
     clock_ = add_label(*column, "lessonClock");
@@ -83,10 +88,6 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     limits_ = add_label(*column, "lessonLimits");
     pass_ = add_label(*column, "lessonPass");
     end_ = add_label(*column, "lessonEnd");
-    auto* play_row = new QHBoxLayout;
-    add_button(*play_row, Words::tr("Be&gin again"), "lessonAgain", ways.again);
-    add_button(*play_row, Words::tr("Leav&e"), "lessonLeave", ways.leave);
-    column->addLayout(play_row);
     auto* next_row = new QHBoxLayout;
     next_ = add_button(*next_row, {}, "lessonNext", [run = ways.next] { run(); });
     column->addLayout(next_row);
@@ -153,10 +154,10 @@ void LessonPanel::begin(const Lesson& lesson, const std::vector<std::string>& do
 void LessonPanel::show_standing(const LessonStanding& standing, bool read_first) {
     const bool running = standing.outcome == LessonOutcome::running;
     clock_->setVisible(running);
-    clock_->setText(
-        read_first ? Words::tr("The clock stands: it runs from the first thing you do.")
-                   : Words::tr("Time: %1").arg(with_units_beside(translated(to_words(
-                         Quantity::time_s, std::floor(standing.metrics.time_s), units_)))));
+    clock_->setText(read_first ? Words::tr("The clock stands: it runs from the first thing you do.")
+                               : Words::tr("Time: %1")
+                                     .arg(with_units_beside(translated(to_words(
+                                         Quantity::time_s, standing.metrics.time_s, units_)))));
     for (QWidget* widget : std::initializer_list<QWidget*>{step_, goal_, hold_, hint_button_})
         widget->setVisible(running);
     end_->setVisible(!running);
@@ -180,8 +181,12 @@ void LessonPanel::show_step(const LessonStanding& standing) {
                        .arg(standing.step + 1)
                        .arg(lesson_.steps.size())
                        .arg(with_units_beside(translated(step.text))));
-    pass_->setText(table_of(Words::tr("Pass marks: so far, judged in the end"), standing.pass,
-                            lesson_.mark_names(), units_, "✓", "·"));
+    QString pass = table_of(Words::tr("Pass marks: so far, judged in the end"), standing.pass,
+                            lesson_.mark_names(), units_, "✓", "·");
+    if (std::ranges::any_of(standing.pass, missed_for_good))
+        pass += "<p><b>" + Words::tr("It can no longer be passed: begin again, or practise on.") +
+                "</b></p>";
+    pass_->setText(pass);
     goal_->setText(
         table_of(Words::tr("Goal"), standing.goal, lesson_.mark_names(), units_, "●", "○"));
     hold_->setVisible(step.hold_s > 0.0);

@@ -476,7 +476,8 @@ void MainWindow::connect_views() {
     });
     connect(qApp, &QApplication::focusChanged, this,
             [this](QWidget*, QWidget* now) { bring_into_sight(now, *this); });
-    actions_->on(ActionId::guide, [this] { show_guide(*this); });
+    actions_->on(ActionId::guide,
+                 [this] { attempt(Words::tr("Guide"), [this] { show_guide(*this); }); });
     actions_->on(ActionId::cheat_sheet, [this] { show_cheat_sheet(*this); });
     actions_->on(ActionId::messages, [this] { log_->show(); });
     actions_->on(ActionId::about,

@@ -91,6 +91,11 @@ class MainWindow : public QMainWindow {
     // The program that writes reports; at first the one that runs.
     void set_report_program(const QString& program) { report_program_ = program; }
 
+    // What none of its parts has caught.
+    void tell_failure_of_program(const std::exception_ptr& error) {
+        fail("Hepatica", failure_of(error));
+    }
+
     // Called once, when the first frame has been painted.
     void on_first_picture(std::function<void()> callback) { first_picture_ = std::move(callback); }
     // Called when this window closes and another one shall be made in its place, as another
@@ -171,6 +176,7 @@ class MainWindow : public QMainWindow {
     void ask_and_save_film(double end_s, const std::function<void(double at_s)>& go_to);
     void remember(const std::filesystem::path& path);
     void fail(const QString& doing, const Failure& failure);
+    bool may_end_lesson();
     void show_jobs();
     // Runs what may fail and shows the failure.
     void attempt(const QString& doing, const std::function<void()>& task);
@@ -248,8 +254,9 @@ class MainWindow : public QMainWindow {
     std::atomic<bool> frame_waits_ = false;  // show_newest_frame() is on its way
     std::optional<LoadedPatient> patient_;
     std::unique_ptr<PlayRecorder> recorder_;
-    int hovered_vertex_ = -1;  // of the frame
-    int chosen_branch_ = -1;   // in the table
+    std::filesystem::path told_folder_;  // of the case, as the lesson editor knows it
+    int hovered_vertex_ = -1;            // of the frame
+    int chosen_branch_ = -1;             // in the table
     double picture_ms_ = 0.0;
     std::string last_message_;
     QString report_program_;

@@ -310,9 +310,18 @@ void MainWindow::dropEvent(QDropEvent* event) {
                              Words::id("save it to a folder and drop that")});
 }
 
+// Its clock stands while it is asked.
+bool MainWindow::may_end_lesson() {
+    const bool runs = !frame().statistics.paused;
+    if (runs) patient_->simulation->post(SetPaused{true});
+    const bool may = end_lesson_(lessons_->running()->name);
+    if (runs && !may) patient_->simulation->post(SetPaused{false});
+    return may;
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
     const auto stay = [this] { begins_anew_ = false; };
-    if (!may_close_ && lessons_->begun() && !end_lesson_(lessons_->running()->name)) {
+    if (!may_close_ && lessons_->begun() && !may_end_lesson()) {
         stay();
         return event->ignore();
     }

@@ -58,9 +58,12 @@ void MainWindow::build_lessons() {
         const bool begins = simulation != nullptr;
         use(std::move(simulation));
         if (!begins) return;
+        inject_->choose_drug(lessons_->running()->drug);
         show_whole_from_the_front();
         view_->setFocus();  // so that the keys of the tools reach the play
     };
+    // What runs on would contradict what was judged.
+    ways.ended = [this] { patient_->simulation->post(PlayDrug{false}); };
     ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
         fail(doing, failure_of(error));
     };

@@ -148,6 +148,8 @@ void MainWindow::show_workspace() {
     setWindowModified(workspace.unsaved());
     show_caption(translated(workspace.title()));
     recovery_->follow(workspace);
+    if (lesson_editor_ && workspace.folder() != told_folder_) lesson_editor_->patient_shown();
+    told_folder_ = workspace.folder();
     editing_->update_panel();
     view_layout_->show_tumours(workspace.edits());
     view_layout_->show_strokes(workspace.strokes());

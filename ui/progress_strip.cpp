@@ -59,6 +59,7 @@ void ProgressStrip::update_progress(const JobProgress& progress) {
             "  " + Words::tr("(%1 of %2)").arg(progress.stage_number).arg(progress.stage_count);
     }
     stage_->setText(stage);
+    stage_->setToolTip(stage);  // it may be cut
     bar_->setRange(0, 1000);
     bar_->setValue(static_cast<int>(1000.0 * progress.fraction));
 }

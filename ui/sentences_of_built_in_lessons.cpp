@@ -78,13 +78,11 @@ constexpr std::array sentences_built_in_lessons{
     Words::id("Key 9 draws cut lines; key 1 pulls again. Give the line a strength near 0."),
     Words::id("Fill the target's vessels with an emulsion of lipiodol and stop before it runs back "
               "into the others. In a play a pump drives the drug, so that the flow itself never "
-              "stands still, and there are no beads: the end is the filled target. hepatica-cli "
-              "embolize computes how beads bring the flow to stasis."),
+              "stands still, and there are no beads: the end is the filled target."),
     Words::id("Inject the emulsion until nine tenths of the target are full."),
-    Words::id(
-        "A little beyond the mark, slowly: Injection panel, Lipiodol emulsion, 2 to 1, 0.5 g/s."),
-    Words::id("Stop: take the catheter out."),
-    Words::id("Del removes the drug."),
+    Words::id("A little beyond the mark, slowly: Injection panel, mass flow 0.5 g/s."),
+    Words::id("Stop: take the catheter out (Del)."),
+    Words::id("Pausing is not enough: Del removes the drug."),
 };
 
 }  // namespace

@@ -38,8 +38,12 @@ ToolHand::ToolHand(SceneView& view, std::function<void(Command)> post,
 void ToolHand::take(const std::string& kind) {
     if (kind_.empty()) post_(UseTools{true});
     kind_ = kind;
-    seen_.reset();
     asked_ = false;
+    // One that was there has found its place.
+    if (const std::optional<ToolView> before = std::exchange(seen_, std::nullopt)) {
+        const ViewAxes axes = view_.axes();
+        return bring(before->tip_mm, kind == "sphere" ? axes.forward : way_of_instrument(axes));
+    }
     if (mouse_at_) bring_to(*mouse_at_);
 }
 

@@ -27,7 +27,7 @@ class ToolHand {
     using VesselDirection = std::function<Vec3(const SurfacePick& pick)>;
     ToolHand(SceneView& view, std::function<void(Command)> post, VesselDirection vessel_direction);
 
-    // The tool of this kind in place of another.
+    // The tool of this kind in place of another, and where that one's tip was.
     void take(const std::string& kind);
     void put_away();
     // Empties the hand without a word to a simulation, as before another one begins.

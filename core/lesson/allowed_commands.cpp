@@ -59,7 +59,11 @@ std::string objection_to(const Command& command, const Lesson& lesson) {
             if constexpr (is_one_of<T, AddTool>) return unless(tool_of(given));
             if constexpr (is_one_of<T, Blade>) return unless(LessonTool::blade);
             if constexpr (is_one_of<T, CutLine>) return unless(LessonTool::cut_line);
-            if constexpr (is_one_of<T, InjectDrug>) return unless(LessonTool::inject);
+            if constexpr (is_one_of<T, InjectDrug>) {
+                if (!lesson.drug.empty() && given.second_phase != lesson.drug)
+                    return "the lesson asks for another drug: " + lesson.drug;
+                return unless(LessonTool::inject);
+            }
             if constexpr (is_one_of<T, SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetWall,
                                     UseTear, UseContact>)
                 return unless(LessonTool::settings);

@@ -50,6 +50,7 @@ struct Lesson {
     std::string setup_json;         // its actions as they were given, a JSON array; may be empty
     std::vector<LessonTool> tools;  // empty: none
     std::vector<LessonMark> marks;
+    std::string drug;                   // second phase of what is injected; empty: any
     std::optional<ScriptPlace> target;  // of the drug: the vessels from there on
     std::vector<LessonStep> steps;      // in this order; not empty
     std::vector<Predicate> limits;      // all the time

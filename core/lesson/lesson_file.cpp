@@ -91,10 +91,17 @@ SceneSpec scene_of(const LessonFields& fields) {
     return scene;
 }
 
+std::string drug_from(const LessonFields& drug) {
+    constexpr std::array known{"carrier", "lipiodol", "gas"};
+    if (std::ranges::find(known, drug.text()) == known.end())
+        drug.refuse("\"" + drug.text() + "\" is no drug", "Give one of: carrier, lipiodol, gas");
+    return drug.text();
+}
+
 Lesson lesson_from(const LessonFields& fields) {
     fields.require_format("hepatica-lesson", remedy);
     fields.know({"format", "version", "name", "about", "patient", "scene", "setup", "tools",
-                 "marks", "target", "steps", "limits", "pass"});
+                 "marks", "drug", "target", "steps", "limits", "pass"});
     Lesson lesson;
     lesson.name = fields.need("name").text();
     if (fields.has("about")) lesson.about = fields.need("about").text();
@@ -110,6 +117,7 @@ Lesson lesson_from(const LessonFields& fields) {
     if (fields.has("marks"))
         for (const auto& [name, place] : fields.need("marks").entries())
             lesson.marks.push_back({name, place_from(place)});
+    if (fields.has("drug")) lesson.drug = drug_from(fields.need("drug"));
     if (fields.has("target")) lesson.target = place_from(fields.need("target"));
     const std::vector<std::string> marks = lesson.mark_names();
     for (const LessonFields& step : fields.need("steps").list())

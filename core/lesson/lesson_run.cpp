@@ -24,7 +24,7 @@ LessonRun::LessonRun(Lesson lesson, const std::shared_ptr<const PatientCase>& pa
       setup_(setup_of(lesson_, *patient)),
       meter_(lesson_, patient),
       pass_(lesson_.pass) {
-    pass_.insert(pass_.end(), more_pass.begin(), more_pass.end());
+    add_new(more_pass, pass_);
     standing_.steps.resize(lesson_.steps.size());
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     for (const Predicate& limit : lesson_.limits)

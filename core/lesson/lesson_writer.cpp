@@ -43,6 +43,7 @@ std::string text_of(const Lesson& lesson) {
     for (const LessonTool tool : lesson.tools) json["tools"].push_back(name_of(tool));
     if (!lesson.marks.empty()) json["marks"] = Json::object();
     for (const LessonMark& mark : lesson.marks) json["marks"][mark.name] = place_json(mark.place);
+    if (!lesson.drug.empty()) json["drug"] = lesson.drug;
     if (lesson.target) json["target"] = place_json(*lesson.target);
     json["steps"] = Json::array();
     for (const LessonStep& step : lesson.steps) json["steps"].push_back(step_json(step, marks));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lesson/predicate.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -72,6 +73,11 @@ std::string to_words_beside(const Predicate& predicate, double value) {
     };
     while (digits < 12 && same()) ++digits;
     return to_words(predicate.quantity, value, digits);
+}
+
+void add_new(const std::vector<Predicate>& more, std::vector<Predicate>& predicates) {
+    for (const Predicate& one : more)
+        if (std::ranges::find(predicates, one) == predicates.end()) predicates.push_back(one);
 }
 
 std::string to_words(const Predicate& predicate, std::span<const std::string> mark_names) {

@@ -69,6 +69,9 @@ struct Predicate {
     bool operator==(const Predicate&) const = default;
 };
 
+// Appends those that are not among them yet.
+void add_new(const std::vector<Predicate>& more, std::vector<Predicate>& predicates);
+
 // "force at most 600 mN", "distance of the tip to the first mark at most 5 mm"; of a bound whose
 // mark is gone (-1) "... to no mark ...".
 std::string to_words(const Predicate& predicate, std::span<const std::string> mark_names);

@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/scene/bleeding.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
 #include "core/scene/measured_dial.h"
@@ -371,6 +372,8 @@ bool Session::rests_after(const SessionStep& done) const {
     if (failed_ || (flow != nullptr && flow->computing())) return false;
     if (done.paused) return true;
     if (watch_ || hand_.underway() || led_tool_.underway()) return false;
+    const Bleeding* bleeding = world_->bleeding();
+    if (bleeding != nullptr && bleeding->leak_g_s() > 0.0) return false;
     const bool still = world_->deform() == nullptr || done.deform.asleep;
     return still && !(flow != nullptr && flow->drug().playing);
 }

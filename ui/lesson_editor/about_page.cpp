@@ -157,6 +157,10 @@ void AboutPage::fill_patients(const std::string& patient) {
     if (!shown.isEmpty() && shown != "built-in")
         patient_->addItem(Words::tr("The one that is shown: %1").arg(QFileInfo(shown).fileName()),
                           shown);
+    if (shown.isEmpty()) {
+        patient_->addItem(Words::tr("The one that is shown: save his case first (Ctrl+S)"));
+        patient_->setItemData(patient_->count() - 1, 0, Qt::UserRole - 1);  // not to be chosen
+    }
     const QString chosen = QString::fromStdString(patient);
     if (patient_->findData(chosen) < 0)
         patient_->addItem(QFileInfo(chosen).fileName() + " (" + chosen + ")", chosen);
