@@ -3189,22 +3189,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Weit jenseits der Marke: Zeigen Sie auf ein Gefäß, um zu sehen, was stromabwärts liegt, dann doppelklicken Sie.</translation>
     </message>
     <message>
-        <source>A branch was cut and bleeds. Press on its stump, then take it with the forceps. Nothing here stems the flow: in this simulation pressing does not narrow a vessel, so that the bleeding goes on at its rate. Scored is how soon, how near and how gently you hold it.</source>
-        <translation>Ein Ast wurde durchtrennt und blutet. Drücken Sie auf seinen Stumpf, dann fassen Sie ihn mit der Pinzette. Nichts stillt hier den Fluss: In dieser Simulation verengt Drücken kein Gefäß, sodass die Blutung unverändert weitergeht. Bewertet wird, wie bald, wie nah und wie sanft Sie ihn halten.</translation>
-    </message>
-    <message>
-        <source>Press on the stump with the probe for half a second.</source>
-        <translation>Drücken Sie mit der Sonde eine halbe Sekunde lang auf den Stumpf.</translation>
-    </message>
-    <message>
-        <source>Key 4 takes the probe. Come from the side of the root.</source>
-        <translation>Taste 4 nimmt die Sonde. Kommen Sie von der Seite der Wurzel.</translation>
-    </message>
-    <message>
-        <source>Take the stump with the forceps and hold it for half a second.</source>
-        <translation>Fassen Sie den Stumpf mit der Pinzette, und halten Sie ihn eine halbe Sekunde lang.</translation>
-    </message>
-    <message>
         <source>Draw a cut line across a branch and pull it off along the line. Without the line the pull would stretch the branch long before it tears.</source>
         <translation>Ziehen Sie eine Schwächungslinie quer über einen Ast, und ziehen Sie ihn entlang der Linie ab. Ohne die Linie würde der Zug den Ast weit dehnen, ehe er reißt.</translation>
     </message>
@@ -3219,14 +3203,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Inject the emulsion until nine tenths of the target are full.</source>
         <translation>Injizieren Sie die Emulsion, bis neun Zehntel des Ziels gefüllt sind.</translation>
-    </message>
-    <message>
-        <source>Stop: take the catheter out.</source>
-        <translation>Halt: Nehmen Sie den Katheter heraus.</translation>
-    </message>
-    <message>
-        <source>Del removes the drug.</source>
-        <translation>Entf entfernt den Wirkstoff.</translation>
     </message>
     <message>
         <source>Portal vein</source>
@@ -7281,14 +7257,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Ziehen Sie ein Gefäß beiseite, halten Sie es dort, und lassen Sie es los. Venen halten wenig aus: Bleiben Sie unter einer Dehnung von 1,25, und reißen Sie nicht daran: 2000 mN beenden die Lektion.</translation>
     </message>
     <message>
-        <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. In a play a pump drives the drug, so that the flow itself never stands still, and there are no beads: the end is the filled target. hepatica-cli embolize computes how beads bring the flow to stasis.</source>
-        <translation>Füllen Sie die Gefäße des Ziels mit einer Lipiodol-Emulsion, und hören Sie auf, ehe sie in die anderen zurückläuft. Hier treibt eine Pumpe den Wirkstoff, sodass der Fluss selbst nie stillsteht, und es gibt keine Partikel: Das Ende ist das gefüllte Ziel. Wie Partikel den Fluss zum Stillstand bringen, berechnet hepatica-cli embolize.</translation>
-    </message>
-    <message>
-        <source>A little beyond the mark, slowly: Injection panel, Lipiodol emulsion, 2 to 1, 0.5 g/s.</source>
-        <translation>Ein wenig jenseits der Marke, langsam: Bedienfeld Injektion, Lipiodol-Emulsion, 2 zu 1, 0,5 g/s.</translation>
-    </message>
-    <message>
         <source>no contacts</source>
         <translation>keine Berührungen</translation>
     </message>
@@ -8314,6 +8282,86 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Give a coefficient from 0 to 10</source>
         <translation>Eine Reibungszahl von 0 bis 10 angeben</translation>
+    </message>
+    <message>
+        <source>The one that is shown: save his case first (Ctrl+S)</source>
+        <translation>Der gezeigte: zuerst seinen Fall speichern (Strg+S)</translation>
+    </message>
+    <message>
+        <source>It can no longer be passed: begin again, or practise on.</source>
+        <translation>Zu bestehen ist sie nicht mehr: neu beginnen oder weiter üben.</translation>
+    </message>
+    <message>
+        <source>A branch was cut and bleeds. Press on its stump with the probe, then take it with the forceps: where a tool presses harder than the blood does, the vessel narrows and bleeds less. Scored is how soon and how gently you stem it.</source>
+        <translation>Ein Ast wurde durchtrennt und blutet. Drücken Sie mit der Sonde auf seinen Stumpf, dann fassen Sie ihn mit der Pinzette: Wo ein Werkzeug stärker drückt als das Blut, verengt sich das Gefäß und blutet weniger. Bewertet wird, wie bald und wie sanft Sie die Blutung stillen.</translation>
+    </message>
+    <message>
+        <source>Press on the stump with the probe until it bleeds less than 2 g/s, for half a second.</source>
+        <translation>Drücken Sie mit der Sonde auf den Stumpf, bis er eine halbe Sekunde lang weniger als 2 g/s blutet.</translation>
+    </message>
+    <message>
+        <source>Key 4 takes the probe. Come from the side of the root, and press some millimetres in.</source>
+        <translation>Taste 4 nimmt die Sonde. Kommen Sie von der Seite der Wurzel, und drücken Sie einige Millimeter hinein.</translation>
+    </message>
+    <message>
+        <source>Take the stump with the forceps until it bleeds less than 0.5 g/s, for half a second.</source>
+        <translation>Fassen Sie den Stumpf mit der Pinzette, bis er eine halbe Sekunde lang weniger als 0,5 g/s blutet.</translation>
+    </message>
+    <message>
+        <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. In a play a pump drives the drug, so that the flow itself never stands still, and there are no beads: the end is the filled target.</source>
+        <translation>Füllen Sie die Gefäße des Ziels mit einer Lipiodol-Emulsion, und hören Sie auf, bevor sie in die anderen zurückläuft. Im Spiel treibt eine Pumpe den Wirkstoff, sodass der Fluss selbst nie stillsteht, und es gibt keine Partikel: Das Ende ist das gefüllte Ziel.</translation>
+    </message>
+    <message>
+        <source>A little beyond the mark, slowly: Injection panel, mass flow 0.5 g/s.</source>
+        <translation>Etwas jenseits der Marke, langsam: Bereich Injektion, Massenstrom 0,5 g/s.</translation>
+    </message>
+    <message>
+        <source>Stop: take the catheter out (Del).</source>
+        <translation>Aufhören: Nehmen Sie den Katheter heraus (Entf).</translation>
+    </message>
+    <message>
+        <source>Pausing is not enough: Del removes the drug.</source>
+        <translation>Anhalten genügt nicht: Entf entfernt den Wirkstoff.</translation>
+    </message>
+    <message>
+        <source>the lesson asks for another drug: %1</source>
+        <translation>die Lektion verlangt einen anderen Wirkstoff: %1</translation>
+    </message>
+    <message>
+        <source>carrier</source>
+        <translation>Trägerlösung</translation>
+    </message>
+    <message>
+        <source>lipiodol</source>
+        <translation>Lipiodol</translation>
+    </message>
+    <message>
+        <source>gas</source>
+        <translation>Gas</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no drug</source>
+        <translation>„%1“ ist kein Wirkstoff</translation>
+    </message>
+    <message>
+        <source>Give one of: carrier, lipiodol, gas</source>
+        <translation>Einen von diesen angeben: carrier, lipiodol, gas</translation>
+    </message>
+    <message>
+        <source>Blood</source>
+        <translation>Blut</translation>
+    </message>
+    <message>
+        <source>%1 mm to the mark, deeper</source>
+        <translation>%1 mm bis zur Marke, tiefer</translation>
+    </message>
+    <message>
+        <source>%1 mm to the mark, nearer</source>
+        <translation>%1 mm bis zur Marke, näher</translation>
+    </message>
+    <message>
+        <source>; pressed to %L1 % of its lumen</source>
+        <translation>; auf %L1 % seines Lumens gedrückt</translation>
     </message>
 </context>
 </TS>
