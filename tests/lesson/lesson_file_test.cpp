@@ -51,6 +51,21 @@ TEST(LessonFile, ReadsWhatIsWritten) {
     EXPECT_EQ(lesson.pass, (std::vector<Predicate>{{Quantity::time_s, -1, false, 60.0}}));
 }
 
+TEST(LessonFile, MayAskForADrug) {
+    Json json = good();
+    EXPECT_EQ(lesson_of(json.dump(), "file").drug, "");
+    json["drug"] = "lipiodol";
+    EXPECT_EQ(lesson_of(json.dump(), "file").drug, "lipiodol");
+    json["drug"] = "water";
+    try {
+        lesson_of(json.dump(), "file");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("\"water\" is no drug"));
+        EXPECT_THAT(error.what(), HasSubstr("carrier, lipiodol, gas"));
+    }
+}
+
 // What a file says once this is in it at this place; empty: it is read.
 std::string refusal(const std::string& pointer, const Json& value) {
     Json json = good();

@@ -98,7 +98,8 @@ TEST(LessonLimits, EachCommandNeedsItsOwnTool) {
         {SetGravity{}, LessonTool::settings},
         {SetTether{}, LessonTool::settings},
         {SetWall{}, LessonTool::settings},
-        {UseTear{}, LessonTool::settings}};
+        {UseTear{}, LessonTool::settings},
+        {UseContact{}, LessonTool::settings}};
     const std::map<LessonTool, std::string> called{{LessonTool::pull, "pulling by hand"},
                                                    {LessonTool::sphere, "probe"},
                                                    {LessonTool::capsule, "rod probe"},
@@ -124,6 +125,15 @@ TEST(LessonLimits, EachCommandNeedsItsOwnTool) {
           Command(MoveTool{}), Command(ShiftTool{}), Command(RemoveTool{}), Command(TurnTool{}),
           Command(UseTools{}), Command(CloseForceps{}), Command(OpenForceps{})})
         EXPECT_EQ(objection_to(free, Lesson{}), "");
+}
+
+TEST(LessonLimits, OnlyTheLessonsDrugMayBeInjected) {
+    Lesson lesson;
+    lesson.tools = {LessonTool::inject};
+    lesson.drug = "lipiodol";
+    EXPECT_EQ(objection_to(InjectDrug{.second_phase = "lipiodol"}, lesson), "");
+    EXPECT_EQ(objection_to(InjectDrug{.second_phase = "carrier"}, lesson),
+              "the lesson asks for another drug: lipiodol");
 }
 
 TEST(LessonLimits, TheTableOfMetricsInFull) {

@@ -125,6 +125,14 @@ TEST(LessonRun, ACourseMayAskForMore) {
                 ElementsAre("pass mark missed: time at most 1 s, but it is 1.5 s"));
 }
 
+TEST(Predicate, IsAddedOnce) {
+    const Predicate time{Quantity::time_s, -1, false, 60.0},
+        force{Quantity::force_mn, -1, false, 1};
+    std::vector<Predicate> marks{time};
+    add_new({time, force, force}, marks);
+    EXPECT_EQ(marks, (std::vector{time, force}));
+}
+
 TEST(LessonRun, WhatEndsTooEarlyHasFailed) {
     LessonRun run = attempt(pull_lesson(), {3.0, 3.0});
     run.end();

@@ -55,6 +55,14 @@ TEST(LegendRows, NameTumoursWhereThereAreAny) {
     EXPECT_EQ(texts_of(content)[0], "Tumour") << "also while a drug is shown";
 }
 
+TEST(LegendRows, NameTheBloodWhileItRuns) {
+    Frame frame;
+    frame.tear.emplace();
+    EXPECT_EQ(texts_of(content_of(frame)), std::vector<std::string>{});
+    frame.tear->leaks = {{Vec3::Zero(), 1.0}};
+    EXPECT_EQ(texts_of(content_of(frame)), std::vector<std::string>{"Blood"});
+}
+
 // A vessel in the colour of its segment is not in that of its system.
 TEST(LegendRows, NumberTheLiversSegmentsInTheirColours) {
     LegendContent content;

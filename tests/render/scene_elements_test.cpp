@@ -285,6 +285,38 @@ TEST_F(SceneElements, a_mark_its_number_and_that_it_is_reached_are_each_seen) {
     EXPECT_TRUE(look_alike(picture(), without));
 }
 
+// As the lesson measures it: from the tip to the mark.
+TEST_F(SceneElements, a_line_says_how_far_the_tool_is_from_the_mark_and_whether_deeper) {
+    std::string last;
+    view_.set_words([&](const std::string& english) {
+        if (english.ends_with("mm") || english.find("mark") != std::string::npos) last = english;
+        return english;
+    });
+    Frame frame = fake_frame();
+    view_.show(frame);
+    const Vec3 tip(40, 0, 20);
+    frame.tool.emplace();
+    frame.tool->parts = {{tip, tip - Vec3(0, 0, 20), 2.0}};
+    frame.tool->tip_mm = frame.tool->at_mm = frame.tool->centre_mm = tip;
+    const auto said = [&](const std::vector<MarkView>& marks) {
+        view_.set_marks(marks);
+        last.clear();
+        view_.show(frame);
+        return last;
+    };
+    const ViewAxes axes = view_.axes();
+    EXPECT_EQ(said({{tip + 12.0 * axes.right, "", false}}), "12 mm to the mark");
+    EXPECT_EQ(said({{tip + 12.0 * axes.forward, "", false}}), "12 mm to the mark, deeper");
+    EXPECT_EQ(said({{tip - 12.0 * axes.forward, "", false}}), "12 mm to the mark, nearer");
+    EXPECT_EQ(said({{tip + 90.0 * axes.right, "", false}, {tip + 7.0 * axes.up, "", false}}),
+              "7 mm to the mark");
+    const std::string vessel = said({{tip + 12.0 * axes.right, "", true}});
+    EXPECT_TRUE(vessel.ends_with(" mm")) << "it is done with: " << vessel;
+    const Picture near_vessel = picture();
+    said({{tip + 12.0 * axes.forward + 5.0 * axes.up, "", false}});
+    EXPECT_FALSE(look_alike(picture(), near_vessel));
+}
+
 TEST_F(SceneElements, what_was_measured_and_its_value_are_seen) {
     const Picture plain = picture_of(fake_frame());
     const MeasureView measure{{Vec3(-20, -30, -50), Vec3(20, -30, -50)}, "40.0 mm"};

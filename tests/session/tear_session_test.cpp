@@ -129,6 +129,24 @@ TEST(TearSession, ABladeCutsThroughAndItsStumpsBleed) {
     EXPECT_NEAR(session->world().bleeding()->leaked_g() - before, leak, 1e-9 * leak);
 }
 
+// A body that sleeps goes on bleeding: what is lost is told as long as it is.
+TEST(TearSession, WhatBleedsDoesNotRest) {
+    const auto session = new_session(that_tears());
+    session->post(blade());
+    SessionStep last;
+    for (int i = 0; i < 2000 && !last.deform.asleep; ++i) last = session->step();
+    ASSERT_TRUE(last.deform.asleep);
+    ASSERT_GT(session->world().bleeding()->leak_g_s(), 0.0);
+    session->update_frame();
+    EXPECT_FALSE(session->frame().statistics.resting);
+    session->post(ResetWorld{});
+    for (int i = 0; i < 2000 && !session->frame().statistics.resting; ++i) {
+        session->step();
+        session->update_frame();
+    }
+    EXPECT_TRUE(session->frame().statistics.resting);
+}
+
 TEST(TearSession, AResetGivesTheWholeVesselBack) {
     const auto session = new_session(that_tears());
     const std::size_t vertices = session->world().vertex_count();

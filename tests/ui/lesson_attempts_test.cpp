@@ -160,9 +160,13 @@ TEST_F(LessonAttemptsTest, the_window_asks_before_it_closes_on_a_lesson_that_is_
     window_.lessons().start(lesson_file(R"({"what": "holding", "at_least": 1})"));
     ASSERT_TRUE(wait_for([&] { return window_.lessons().playing(); }));
     start_clock();
+    bool stood = false;
+    while_asked_ = [&] { stood = wait_for([&] { return window_.frame().statistics.paused; }); };
     EXPECT_FALSE(window_.close());
     EXPECT_EQ(lesson_ends_asked_, 1);
     EXPECT_TRUE(window_.lessons().running() != nullptr);
+    EXPECT_TRUE(stood) << "thinking about the question costs no time";
+    EXPECT_TRUE(wait_for([&] { return !window_.frame().statistics.paused; })) << "it goes on";
     lesson_may_end_ = true;
     EXPECT_TRUE(window_.close());
 }

@@ -184,6 +184,18 @@ TEST_F(ToolInHand, its_radius_is_set_in_the_panel) {
     EXPECT_EQ(commands_of_type<AddTool>().back().radius_mm, 4.5);
 }
 
+// Whoever has found the depth of a vessel with the probe finds the forceps there.
+TEST_F(ToolInHand, another_comes_to_where_the_one_before_was) {
+    take(Qt::Key_4);
+    turn_wheel(5);
+    paint();
+    const Vec3 tip = window_.frame().tool->tip_mm;
+    QTest::keyClick(&window_, Qt::Key_6);
+    ASSERT_EQ(count<AddTool>(), 2u);
+    EXPECT_EQ(commands_of_type<AddTool>().back().kind, "forceps");
+    EXPECT_LT((commands_of_type<AddTool>().back().point_mm - tip).norm(), 1e-9);
+}
+
 TEST_F(ToolInHand, the_panel_says_what_it_feels) {
     auto* force = window_.findChild<QLabel*>("toolForce");
     wait_for_figures();

@@ -94,6 +94,7 @@ class WindowTest : public ::testing::Test {
         };
         answers.end_lesson = [this](const std::string&) {
             ++lesson_ends_asked_;
+            while_asked_();
             return lesson_may_end_;
         };
         return answers;
@@ -104,6 +105,7 @@ class WindowTest : public ::testing::Test {
     std::size_t strokes_asked_ = 0;  // how many waited when it was asked last
     StrokesAnswer strokes_answer_ = StrokesAnswer::drop;
     int lesson_ends_asked_ = 0;
+    std::function<void()> while_asked_ = [] {};  // whether a lesson may end
     bool lesson_may_end_ = true;
     std::optional<std::filesystem::path> save_place_;
     std::filesystem::path proposed_place_;  // when it was asked last
