@@ -7,12 +7,9 @@
 namespace hepatica {
 namespace {
 
-// Where a tool lies on vessels and on an obstacle.
-constexpr std::size_t of_obstacles = most_local_contacts / 4;
-
-// Of so many contacts in a row those from here on that become one: of equal shares, `most` of them.
-std::size_t end_of_share(std::size_t begin, std::size_t contacts, std::size_t most) {
-    const std::size_t shares = std::min(contacts, most);
+// Of so many contacts in a row those from here on that become one: of equal shares.
+std::size_t end_of_share(std::size_t begin, std::size_t contacts) {
+    const std::size_t shares = std::min<std::size_t>(contacts, most_local_contacts);
     const std::size_t share = begin * shares / contacts;
     return ((share + 1) * contacts + shares - 1) / shares;
 }
@@ -22,13 +19,11 @@ std::size_t end_of_share(std::size_t begin, std::size_t contacts, std::size_t mo
 void PatchFeed::follow(const DeformPart& part) {
     const DeformSettings settings = part.settings();
     if (compliance_ && settings.wall_mm == wall_mm_ &&
-        settings.tether_pa_per_mm2 == tether_pa_per_mm2_ && settings.stepper.model == model_ &&
-        settings.obstacles == obstacles_)
+        settings.tether_pa_per_mm2 == tether_pa_per_mm2_ && settings.stepper.model == model_)
         return;
     wall_mm_ = settings.wall_mm;
     tether_pa_per_mm2_ = settings.tether_pa_per_mm2;
     model_ = settings.stepper.model;
-    obstacles_ = settings.obstacles;
     contact_.reset();
     compliance_.emplace(part.body(), model_);
     contact_.emplace(compliance_->body());
@@ -46,15 +41,14 @@ Eigen::MatrixXd PatchFeed::give(std::span<const Vec3> positions_mm, double dt_s)
 // Contacts come part by part, by the number of the triangle: neighbours in the list are neighbours
 // on the tool. A joined contact has their whole force, at its centre, and their stiffness side by
 // side. What friction adds to each newton of pressure tilts it, as the simulation left it.
-void PatchFeed::join(std::span<const PadContact> points, std::size_t most, Giving giving,
-                     LocalModel& model) {
+void PatchFeed::join(std::span<const PadContact> points, LocalModel& model) {
     for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
         LocalContact& contact = model.contacts.emplace_back();
         SparseLoad& load = loads_.emplace_back();
         stiffness_.push_back(0.0);
         double pressed_un = 0.0;
         Vec3 force = Vec3::Zero();
-        const std::size_t last = end_of_share(begin, points.size(), most);
+        const std::size_t last = end_of_share(begin, points.size());
         for (; end < last && points[end].part == points[begin].part; ++end) {
             const PadContact& point = points[end];
             const Vec3 own = point.force_un * point.normal;
@@ -62,7 +56,7 @@ void PatchFeed::join(std::span<const PadContact> points, std::size_t most, Givin
             force += own;
             contact.at_mm += point.force_un * point.at_mm;
             stiffness_.back() += point.stiffness_un_per_mm;
-            for (int a = 0; a < 3 && giving == Giving::body; ++a) {
+            for (int a = 0; a < 3; ++a) {
                 load.vertices.push_back(contact_->nodes_of(point)[a]);
                 load.forces.emplace_back(point.weights[a] * own);
             }
@@ -85,14 +79,10 @@ void PatchFeed::fill(const DeformPart& part, double dt_s, LocalModel& model) {
     model.left_rad = tool.turn_rad;
     contact_->set(tool);
     const std::vector<PadContact> points = contact_->contacts(part.positions_mm());
-    ToolContact::ObstaclePress press = contact_->pressed_by_obstacles();
-    for (PadContact& point : press.contacts) point.force_un *= press.share;
-    if (points.empty() && press.contacts.empty()) return;
+    if (points.empty()) return;
     loads_.clear();
     stiffness_.clear();
-    const std::size_t of_body = most_local_contacts - (press.contacts.empty() ? 0 : of_obstacles);
-    join(points, of_body, Giving::body, model);
-    join(press.contacts, points.empty() ? most_local_contacts : of_obstacles, Giving::rigid, model);
+    join(points, model);
     model.compliance = give(part.positions_mm(), dt_s);
     for (std::size_t i = 0; i < stiffness_.size(); ++i)
         model.compliance.diagonal()[static_cast<Eigen::Index>(i)] += 1.0 / stiffness_[i];

@@ -14,7 +14,6 @@
 #include "core/session/replay.h"
 #include "tests/haptics/touchable_patient.h"
 #include "tests/session/recorded.h"
-#include "tests/session/tumour_patient.h"
 
 namespace hepatica {
 namespace {
@@ -118,25 +117,6 @@ TEST(PatchFeed, JoinsManyContactsToSixtyFourAndKeepsTheirForce) {
     EXPECT_GT(modes.eigenvalues()[0], 0.0);
     EXPECT_LT((model.compliance - model.compliance.transpose()).norm(),
               1e-9 * model.compliance.norm());
-}
-
-// A tumour between tool and vessels: nothing of the body is touched.
-TEST(PatchFeed, AtRestTheHandFeelsAnObstacle) {
-    SceneSpec spec = touchable();
-    spec.contact->obstacles = WantedObstacles::known;
-    Job job;
-    Session session(test::patient_with_tumour(), spec, job);
-    session.post(ball());
-    Felt felt(session, {.path = down(1.5)}, {.damping_un_s_per_mm = 5e3});
-    felt.play(200);
-    const DeformPart& part = *session.world().deform();
-    EXPECT_GT((part.tool()->centre_mm() - test::middle_of_tumour()).z(), 5.0);
-    const Vec3 tool = felt.step.deform.tool.force_un, hand = felt.tick.force.force_un;
-    EXPECT_GT(tool.z(), 1e3);
-    EXPECT_GT(felt.most_contacts, 0);
-    EXPECT_LE(felt.most_contacts, most_local_contacts);
-    EXPECT_LT((hand - tool).norm(), 0.01 * tool.norm());
-    EXPECT_LT(felt.device.most_work_nj(), 5e4);
 }
 
 TEST(PatchFeed, WithoutAToolThereIsNothing) {

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "core/patient/patient_case.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/world.h"
 #include "core/scene/world_checkpoint.h"
@@ -14,7 +15,6 @@
 #include "core/session/replay.h"
 #include "tests/session/new_session.h"
 #include "tests/session/recorded.h"
-#include "tests/session/tumour_patient.h"
 
 namespace hepatica {
 namespace {
@@ -133,7 +133,16 @@ TEST(ContactSession, PlaysAgainFromItsStartAndFromItsKeyframes) {
 
 // A recording that begins amid a play has its keyframe alone to know what is touched.
 TEST(ContactSession, GoesOnFromACheckpointWithObstacles) {
-    const auto patient = test::patient_with_tumour();
+    auto patient = std::make_shared<PatientCase>(*small_patient());
+    const Vec3 beside = middle_of(patient->tree, 1) + Vec3(0, 0, 14);
+    Grid grid{{20, 20, 20}};
+    grid.origin_mm = beside - Vec3::Constant(9.5);
+    patient->organs = Mask(grid);
+    for (std::size_t i = 0; i < patient->organs.voxels.size(); ++i) {
+        const auto [x, y, z] = grid.index_of(i);
+        if ((grid.to_mm(x, y, z) - beside).norm() <= 5.0)
+            patient->organs.voxels[i] = organ_label::first_tumour;
+    }
     Job job;
     World world(patient, moving(), job);
     EXPECT_TRUE(world.use_contact(true, true, 0.1));
