@@ -114,7 +114,7 @@ void set_frame_shown(LegendContent& content, const Frame& frame, bool warnings,
     content.touched = frame.tool.has_value() || frame.grab.has_value();
     content.warned = warnings && frame.tear && frame.tear->loads;
     content.torn = frame.tear && frame.tear->joints_broken > 0;
-    content.bleeds = frame.tear && !frame.tear->leaks.empty();
+    content.bleeds = frame.tear && !frame.tear->leaks.empty() && frame.tear->leaked_g > 0.0;
 }
 
 namespace {

@@ -60,6 +60,8 @@ TEST(LegendRows, NameTheBloodWhileItRuns) {
     frame.tear.emplace();
     EXPECT_EQ(texts_of(content_of(frame)), std::vector<std::string>{});
     frame.tear->leaks = {{Vec3::Zero(), 1.0}};
+    EXPECT_EQ(texts_of(content_of(frame)), std::vector<std::string>{}) << "nothing was lost yet";
+    frame.tear->leaked_g = 0.5;
     EXPECT_EQ(texts_of(content_of(frame)), std::vector<std::string>{"Blood"});
 }
 
