@@ -20,6 +20,8 @@ namespace {
 
 // A tenth of the earth's: a block that slides stays on its slab.
 constexpr double gravity_mm_per_s2 = 0.1 * units::standard_gravity;
+// More than two of the thickest pads: what begins nearer has thinner ones there (SurfacePairs).
+constexpr double gap_mm = 2.0;
 constexpr double slope_rad = 0.26;  // steeper than a friction of 0.2 holds
 
 struct ContactSetting {
@@ -89,7 +91,7 @@ std::string words_of(const ContactSetting& setting, std::size_t tetrahedra) {
 }  // namespace
 
 ContactTradeoff measure_contact_tradeoff(const ContactTradeoffOptions& options, Job& job) {
-    const TouchingBlocks blocks = block_on_slab(options.slab_cells, options.block_cells);
+    const TouchingBlocks blocks = block_on_slab(options.slab_cells, options.block_cells, gap_mm);
     const std::size_t tetrahedra = blocks.body.mesh.tetrahedra.size();
     job.begin_stage("Measuring the reference");
     FrameMeter unused;

@@ -27,7 +27,7 @@ struct ContactTradeoff {
 
 struct ContactTradeoffOptions {
     int slab_cells = 16, block_cells = 6;  // across
-    int frames = 18;
+    int frames = 24;
 };
 
 // Its points in the order of the settings; the front is marked. Throws Cancelled, after a substep

@@ -36,7 +36,7 @@ Material study_tissue() {
             .damping_ratio = 0.05};
 }
 
-TouchingBlocks block_on_slab(int slab_cells, int block_cells) {
+TouchingBlocks block_on_slab(int slab_cells, int block_cells, double gap_mm) {
     TouchingBlocks blocks;
     BodyDescription& body = blocks.body;
     body.mesh = brick(slab_cells);
@@ -46,8 +46,7 @@ TouchingBlocks block_on_slab(int slab_cells, int block_cells) {
     // Beside the vertices below, as no two meshes fit.
     const double from = 0.5 * (slab_cells - block_cells) * study_cell_mm;
     for (Vec3& x : block.vertices_mm)
-        x += Vec3(from + 0.31 * study_cell_mm, from + 0.17 * study_cell_mm,
-                  layers_mm + study_gap_mm);
+        x += Vec3(from + 0.31 * study_cell_mm, from + 0.17 * study_cell_mm, layers_mm + gap_mm);
     append(block, body.mesh);
     body.fixed.resize(body.mesh.vertices_mm.size(), 0);
     body.material = study_tissue();

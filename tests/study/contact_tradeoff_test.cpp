@@ -14,7 +14,7 @@ namespace {
 TEST(ContactTradeoff, WhatIsNearerToTheTightSolutionIsLessWrong) {
     Job job;
     const ContactTradeoff tradeoff =
-        measure_contact_tradeoff({.slab_cells = 7, .block_cells = 2, .frames = 12}, job);
+        measure_contact_tradeoff({.slab_cells = 7, .block_cells = 2, .frames = 18}, job);
     const auto error = [&](const std::string& name) {
         const auto found = std::ranges::find(tradeoff.points, name, &ContactPoint::name);
         EXPECT_NE(found, tradeoff.points.end()) << name;
