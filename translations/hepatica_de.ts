@@ -8227,7 +8227,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message numerus="yes">
         <source>Vessels rebuilt with %n stroke(s)</source>
         <translation>
-            <numerusform>Gefäße neu gebaut mit einem Strich</numerusform>
+            <numerusform>Gefäße neu gebaut mit %n Strich</numerusform>
             <numerusform>Gefäße neu gebaut mit %n Strichen</numerusform>
         </translation>
     </message>
@@ -8362,6 +8362,18 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>; pressed to %L1 % of its lumen</source>
         <translation>; auf %L1 % seines Lumens gedrückt</translation>
+    </message>
+    <message>
+        <source>the share of a lumen that is left open</source>
+        <translation>der Anteil eines Lumens, der offen bleibt</translation>
+    </message>
+    <message>
+        <source>Give more than 0, up to 1</source>
+        <translation>Mehr als 0 bis 1 angeben</translation>
+    </message>
+    <message>
+        <source>needs obstacles that this scene does not have</source>
+        <translation>braucht Hindernisse, die diese Szene nicht hat</translation>
     </message>
 </context>
 </TS>

@@ -97,7 +97,7 @@
     <message numerus="yes">
         <source>Vessels rebuilt with %n stroke(s)</source>
         <translation>
-            <numerusform>Vessels rebuilt with one stroke</numerusform>
+            <numerusform>Vessels rebuilt with %n stroke</numerusform>
             <numerusform>Vessels rebuilt with %n strokes</numerusform>
         </translation>
     </message>

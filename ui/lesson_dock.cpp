@@ -391,6 +391,12 @@ void LessonDock::show_attempts() {
                            recordings_without_result(recordings_, fs::path(name_).stem().string()));
 }
 
+// What it says of another play would be taken for this one's.
+void LessonDock::play_hidden(const fs::path& shown) {
+    on_screen_ = false;
+    if (watch_ && watch_->recording() != shown) hide();
+}
+
 std::vector<MarkView> LessonDock::marks_in(const Frame& frame) const {
     if (!watch_ || !on_screen_) return {};
     const std::vector<Vec3> places = watch_->marks_in(frame);

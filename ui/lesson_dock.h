@@ -96,10 +96,7 @@ class LessonDock : public QDockWidget {
     void show_figures();
     // Another simulation stands in the place of the lesson's own, such as a review's: the panel
     // still says how the attempt went, and no mark is on those vessels.
-    void play_hidden() {
-        on_screen_ = false;
-        hide();  // what it says is of another play
-    }
+    void play_hidden(const std::filesystem::path& shown);
     // The marks in a frame, numbered where there are more than one, and whether all steps that name
     // them are reached; none where no lesson's play is on the screen.
     std::vector<MarkView> marks_in(const Frame& frame) const;

@@ -13,6 +13,7 @@
 #include "ui/curves_dock.h"
 #include "ui/inject_panel.h"
 #include "ui/lesson_dock.h"
+#include "ui/lesson_editor/about_page.h"
 #include "ui/lesson_editor/draft_slot.h"
 #include "ui/lesson_editor/lesson_editor.h"
 #include "ui/lesson_tools.h"
@@ -173,8 +174,10 @@ void MainWindow::build_lesson_editor() {
     LessonEditor::Ways ways;
     ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
     ways.shown_patient = [this] {
-        const bool built_in = patient_ && patient_->title == built_in_title;
-        return built_in ? QString("built-in") : to_text(keeper_->workspace().folder());
+        if (!patient_) return QString();
+        if (patient_->title == built_in_title) return QString("built-in");
+        const std::filesystem::path& folder = keeper_->workspace().folder();
+        return folder.empty() ? QString(unsaved_patient) : to_text(folder);
     };
     ways.ask_for_place = [this] { set_mouse_mode(MouseMode::place); };
     ways.ask_no_more = [this] {
@@ -226,7 +229,7 @@ void MainWindow::build_review() {
         // A vessel that is still being drawn would change the patient under the review.
         VesselPen& pen = view_layout_->slices().pen();
         if (simulation != nullptr && pen.draws()) pen.give_up();
-        lessons_->play_hidden();
+        lessons_->play_hidden(review_->file());
         use(std::move(simulation));
     };
     ways.lesson_runs = [this] {

@@ -86,6 +86,9 @@ class ReviewDock : public QDockWidget {
     double at_s() const { return at_s_; }
     bool playing() const { return clock_.isActive(); }
 
+    // The recording that is or was looked back on last.
+    const std::filesystem::path& file() const { return file_; }
+
   private:
     std::vector<MarkView> marks_in(const Frame& frame, const ReviewTape& tape) const;
     struct Found;  // a recording that was read, with what it needs

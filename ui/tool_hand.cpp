@@ -40,10 +40,8 @@ void ToolHand::take(const std::string& kind) {
     kind_ = kind;
     asked_ = false;
     // One that was there has found its place.
-    if (const std::optional<ToolView> before = std::exchange(seen_, std::nullopt)) {
-        const ViewAxes axes = view_.axes();
-        return bring(before->tip_mm, kind == "sphere" ? axes.forward : way_of_instrument(axes));
-    }
+    if (const std::optional<ToolView> before = std::exchange(seen_, std::nullopt))
+        return bring(before->tip_mm, way_at(view_.pixel_of(before->tip_mm)));
     if (mouse_at_) bring_to(*mouse_at_);
 }
 
@@ -118,14 +116,20 @@ void ToolHand::close_or_open() {
     closed_ = !closed_;
 }
 
-// To the vessel under the mouse, or as deep as what the picture is about.
-void ToolHand::bring_to(const Pixel& at) {
-    const ViewAxes axes = view_.axes();
+// How a tool comes to what is seen there: what takes a vessel, across it.
+Vec3 ToolHand::way_at(const Pixel& at) const {
+    if (kind_ == "sphere") return view_.ray_through(at).direction;
     const SurfacePick pick = view_.pick(at);
     const bool takes = kind_ == "forceps" || kind_ == "hook";
     const Vec3 vessel = pick.triangle >= 0 && takes ? vessel_direction_(pick) : Vec3(Vec3::Zero());
-    bring(pick.triangle >= 0 ? pick.position_mm : view_.point_at_depth(at, axes.focus_mm),
-          kind_ == "sphere" ? view_.ray_through(at).direction : way_to_take(axes, vessel));
+    return way_to_take(view_.axes(), vessel);
+}
+
+// To the vessel under the mouse, or as deep as what the picture is about.
+void ToolHand::bring_to(const Pixel& at) {
+    const SurfacePick pick = view_.pick(at);
+    bring(pick.triangle >= 0 ? pick.position_mm : view_.point_at_depth(at, view_.axes().focus_mm),
+          way_at(at));
 }
 
 void ToolHand::bring(const Vec3& tip_mm, const Vec3& direction) {

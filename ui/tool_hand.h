@@ -56,6 +56,7 @@ class ToolHand {
   private:
     void bring(const Vec3& tip_mm, const Vec3& direction);
     void bring_to(const Pixel& at);
+    Vec3 way_at(const Pixel& at) const;
 
     SceneView& view_;
     std::function<void(Command)> post_;

@@ -105,11 +105,16 @@ TEST(TearSession, WhatIsNearItsLimitIsToldBeforeItTears) {
     FAIL() << "nothing came near its limit";
 }
 
-TEST(TearSession, ABladeCutsThroughAndItsStumpsBleed) {
+// Vessels of a system that is supplied bleed.
+std::unique_ptr<Session> of_portal_veins() {
     auto patient = std::make_shared<PatientCase>(*small_patient());
     for (VesselSegment& segment : patient->tree.segments) segment.system = VascularSystem::portal;
     Job job;
-    const auto session = std::make_unique<Session>(patient, that_tears(), job);
+    return std::make_unique<Session>(patient, that_tears(), job);
+}
+
+TEST(TearSession, ABladeCutsThroughAndItsStumpsBleed) {
+    const auto session = of_portal_veins();
     const int pieces = session->step().deform.tear.pieces;
     session->post(blade());
     EXPECT_EQ(session->step().deform.tear.pieces, pieces + 1);
@@ -131,7 +136,7 @@ TEST(TearSession, ABladeCutsThroughAndItsStumpsBleed) {
 
 // A body that sleeps goes on bleeding: what is lost is told as long as it is.
 TEST(TearSession, WhatBleedsDoesNotRest) {
-    const auto session = new_session(that_tears());
+    const auto session = of_portal_veins();
     session->post(blade());
     SessionStep last = play(*session, 200);  // the blade goes through
     for (int i = 0; i < 2000 && !last.deform.asleep; ++i) last = session->step();

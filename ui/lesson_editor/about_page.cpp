@@ -154,10 +154,10 @@ void AboutPage::fill_patients(const std::string& patient) {
     patient_->addItem(Words::tr("Any patient"), "any");
     patient_->addItem(Words::tr("The built-in patient"), "built-in");
     const QString shown = shown_patient_();
-    if (!shown.isEmpty() && shown != "built-in")
+    if (!shown.isEmpty() && shown != "built-in" && shown != unsaved_patient)
         patient_->addItem(Words::tr("The one that is shown: %1").arg(QFileInfo(shown).fileName()),
                           shown);
-    if (shown.isEmpty()) {
+    if (shown == unsaved_patient) {
         patient_->addItem(Words::tr("The one that is shown: save his case first (Ctrl+S)"));
         patient_->setItemData(patient_->count() - 1, 0, Qt::UserRole - 1);  // not to be chosen
     }

@@ -19,9 +19,12 @@ namespace hepatica {
 
 class DecimalSpinBox;
 
+// Stands for a patient who is shown and of whom there is no case yet.
+inline constexpr const char* unsaved_patient = "unsaved";
+
 class AboutPage : public LessonPage {
   public:
-    // `shown_patient`: as a lesson names him; empty where he lies nowhere.
+    // `shown_patient`: as a lesson names him; empty: nobody is shown.
     AboutPage(Changes changes, std::function<QString()> shown_patient);
 
     // Another lesson is edited from now on: its scene has other settings.
