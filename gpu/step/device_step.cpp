@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/deform/elements/small_matrix_eigen.h"
+#include "core/base/small_matrix_eigen.h"
 #include "core/deform/potentials/potential_list.h"
 #include "core/deform/step/energy_limiter.h"
 #include "core/deform/step/step_books.h"
