@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gpu/cuda_back_end.h"
 
+#include <set>
 #include <utility>
 
 #include "core/deform/stepper/cpu_back_end.h"
@@ -27,8 +28,8 @@ class CudaBackEnd final : public StepBackEnd {
           cpu_(make_cpu_back_end(description, options)) {
         if (why_not_on_device(cpu_->body(), options_)) return;
         guarded([&] {
-            device_ = make_device_step(*machine_, cpu_->body(), skeleton_for(description, options),
-                                       cuda_.precision);
+            device_ = make_device_step(*machine_, cpu_->body(), cpu_->potentials(),
+                                       skeleton_for(description, options), cuda_.precision);
         });
     }
 
@@ -139,27 +140,25 @@ class CudaBackEnd final : public StepBackEnd {
         on_device([&] { device_->set_state(cpu_->state()); });
     }
     std::optional<std::string> why_on_cpu() const;
-    void say_once(const std::optional<std::string>& reason);
+    void say_once(const std::string& words);
 
     StepperOptions options_;
     CudaOptions cuda_;
     std::shared_ptr<Machine> machine_;
-    std::unique_ptr<StepBackEnd> cpu_;
+    std::unique_ptr<CpuBackEnd> cpu_;
     std::unique_ptr<DeviceStep> device_;
-    std::string lost_, said_;
+    std::string lost_;
+    std::set<std::string> said_;
 };
 
 std::optional<std::string> CudaBackEnd::why_on_cpu() const {
     if (!lost_.empty()) return "the device failed (" + lost_ + ")";
     if (const auto reason = why_not_on_device(body(), options_)) return reason;
-    if (tool()) return "tools that touch have no kernels yet";
     return std::nullopt;
 }
 
-void CudaBackEnd::say_once(const std::optional<std::string>& reason) {
-    if (!reason || *reason == said_) return;
-    said_ = *reason;
-    cuda_.say("The processor makes the steps: " + said_);
+void CudaBackEnd::say_once(const std::string& words) {
+    if (said_.insert(words).second) cuda_.say(words);
 }
 
 StepReport CudaBackEnd::advance(double dt_s, const std::stop_token& stop) {
@@ -170,12 +169,14 @@ StepReport CudaBackEnd::advance(double dt_s, const std::stop_token& stop) {
         on_device([&] { made = device_->advance(dt_s, options_.linear, report, stop); });
         reason = why_on_cpu();  // the device may have failed
     }
-    say_once(reason);
+    if (reason) say_once("The processor makes the steps: " + *reason);
     if (made && device_) {
         ++cuda_.share->device;
-        cpu_->set_state(device_->state());
+        cpu_->follow(device_->state(), report);
         return report;
     }
+    if (device_ && !reason && !device_->left_because().empty())
+        say_once("The processor makes single steps: " + device_->left_because());
     ++cuda_.share->processor;
     report = cpu_->advance(dt_s, stop);
     follow_cpu();
@@ -187,8 +188,6 @@ StepReport CudaBackEnd::advance(double dt_s, const std::stop_token& stop) {
 std::optional<std::string> why_not_on_device(const Body& body, const StepperOptions& options) {
     if (!has_kernels(body)) return "its elements have no kernels yet";
     if (body.tears) return "bodies that tear have no kernels yet";
-    if (body.self_pad) return "surfaces that touch each other have no kernels yet";
-    if (body.obstacles) return "obstacles have no kernels yet";
     if (options.newton_iterations > 1) return "Newton's method has no kernels yet";
     if (options.solver == LinearSolverKind::cholesky) return "the solver cholesky has no kernels";
     if (options.published || options.audit || options.velocity_error.alpha_per_s != 0.0 ||

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The GPU's back end. It makes the steps that its kernels know; behind it stands the CPU's, which
-// keeps everything else (tools, checkpoints, the repair of inverted elements) and makes the steps
-// that the GPU leaves: those that would make energy if taken whole, and those with something that
-// has no kernels yet. So nothing is left out, only slower; why, is said in words.
+// keeps everything else (what is searched, checkpoints, the repair of inverted elements) and makes
+// the steps that the GPU leaves: those that would make energy if taken whole, and those with
+// something that has no kernels yet. So nothing is left out, only slower; why, is said in words.
 #pragma once
 
 #include <functional>
@@ -25,7 +25,7 @@ struct StepShare {
 struct CudaOptions {
     Precision precision = Precision::single_precision;
     std::shared_ptr<StepShare> share = std::make_shared<StepShare>();
-    // Told, whenever the reason changes, why steps are made by the processor.
+    // Told why steps are made by the processor, each reason once.
     std::function<void(const std::string&)> say = [](const std::string&) {};
 };
 

@@ -4,8 +4,13 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/small_matrix_eigen.h"
+#include "core/contact/closest_features.h"
+
 namespace hepatica {
 namespace {
+
+using small::from_eigen;
 
 // Where the line through the segment meets the triangle, if both contain that point.
 std::optional<SegmentTriangle> crossing(const Segment& segment, const Triangle& triangle) {
@@ -28,52 +33,23 @@ void keep_nearer(Candidate& best, const Candidate& other) {
 }  // namespace
 
 PointSegment closest(const Vec3& point, const Segment& segment) {
-    const Vec3 edge = segment[1] - segment[0];
-    const double length = edge.squaredNorm();
-    const double along =
-        length > 0.0 ? std::clamp(edge.dot(point - segment[0]) / length, 0.0, 1.0) : 0.0;
-    return {along, (point - point_at(segment, along)).squaredNorm()};
+    const auto on = small::closest_on_segment(from_eigen(point), from_eigen(segment[0]),
+                                              from_eigen(segment[1]));
+    return {on.along, on.squared};
 }
 
 PointTriangle closest(const Vec3& point, const Triangle& triangle) {
-    PointTriangle best{{1, 0, 0}, (point - triangle[0]).squaredNorm()};
-    for (int a = 0; a < 3; ++a) {
-        const int b = (a + 1) % 3;
-        const PointSegment on = closest(point, Segment{triangle[a], triangle[b]});
-        PointTriangle candidate{{}, on.squared_mm2};
-        candidate.weights[a] = 1.0 - on.along;
-        candidate.weights[b] = on.along;
-        keep_nearer(best, candidate);
-    }
-    const Vec3 ab = triangle[1] - triangle[0], ac = triangle[2] - triangle[0];
-    const Vec3 normal = ab.cross(ac), ap = point - triangle[0];
-    const double area = normal.squaredNorm();
-    if (!(area > 0.0)) return best;
-    const double v = normal.dot(ap.cross(ac)) / area, w = normal.dot(ab.cross(ap)) / area;
-    if (v < 0.0 || w < 0.0 || v + w > 1.0) return best;
-    PointTriangle inside{{1.0 - v - w, v, w}, 0.0};
-    inside.squared_mm2 = (point - point_at(triangle, inside.weights)).squaredNorm();
-    keep_nearer(best, inside);
-    return best;
+    const small::Vector3<double> corners[3] = {from_eigen(triangle[0]), from_eigen(triangle[1]),
+                                               from_eigen(triangle[2])};
+    const auto on = small::closest_on_triangle(from_eigen(point), corners);
+    return {{on.weights[0], on.weights[1], on.weights[2]}, on.squared};
 }
 
 SegmentSegment closest(const Segment& first, const Segment& second) {
-    SegmentSegment best{0, 0, (first[0] - second[0]).squaredNorm()};
-    for (int end = 0; end < 2; ++end) {
-        const PointSegment on_second = closest(first[end], second);
-        keep_nearer(best, {static_cast<double>(end), on_second.along, on_second.squared_mm2});
-        const PointSegment on_first = closest(second[end], first);
-        keep_nearer(best, {on_first.along, static_cast<double>(end), on_first.squared_mm2});
-    }
-    const Vec3 d = first[1] - first[0], e = second[1] - second[0], r = first[0] - second[0];
-    const double dd = d.squaredNorm(), ee = e.squaredNorm(), de = d.dot(e);
-    const double determinant = dd * ee - de * de;
-    if (!(determinant > 0.0)) return best;
-    const double s = (de * e.dot(r) - ee * d.dot(r)) / determinant;
-    const double t = (dd * e.dot(r) - de * d.dot(r)) / determinant;
-    if (s < 0.0 || s > 1.0 || t < 0.0 || t > 1.0) return best;
-    keep_nearer(best, {s, t, (point_at(first, s) - point_at(second, t)).squaredNorm()});
-    return best;
+    const small::Vector3<double> one[2] = {from_eigen(first[0]), from_eigen(first[1])};
+    const small::Vector3<double> other[2] = {from_eigen(second[0]), from_eigen(second[1])};
+    const auto on = small::closest_on_segments(one, other);
+    return {on.along_first, on.along_second, on.squared};
 }
 
 SegmentTriangle closest(const Segment& segment, const Triangle& triangle) {

@@ -12,7 +12,7 @@
 
 #include <cstddef>
 
-#include "core/deform/elements/small_matrix.h"
+#include "core/base/small_matrix.h"
 
 namespace hepatica::gpu {
 

@@ -6,6 +6,7 @@
 
 #include "gpu/kernels/grab_kernels.h"
 #include "gpu/kernels/sums.h"
+#include "gpu/kernels/touch_kernels.h"
 
 namespace hepatica::gpu {
 
@@ -18,17 +19,18 @@ struct NodeViews {
     View<const double> mass, tether;
     View<const unsigned char> held;
     GrabsView grabs;
+    TouchesView touches;
     Vector3<double> gravity;
 
     std::size_t bytes() const {
         return bytes_of(start, before, position, velocity, rest, elastic_force, elastic_energy,
                         mass, tether, held) +
-               grabs.bytes();
+               grabs.bytes() + touches.bytes();
     }
     // Elastic and of the potentials, uN.
     HEPATICA_HOST_DEVICE Vector3<double> force(int i) const {
         return elastic_force[i] + mass[i] * gravity + tether[i] * (rest[i] - position[i]) +
-               grabs.force(i);
+               grabs.force(i) + touches.force(i);
     }
 };
 
@@ -85,6 +87,41 @@ struct Subtract {
     HEPATICA_HOST_DEVICE void operator()(int i) const { a[i] = a[i] - b[i]; }
 };
 
+// The stiffness of friction: what slips is about to stick where the other forces on it fall short
+// of friction, as CoulombFriction::foresee has it. Touch first_rub + k is rub k.
+struct ForeseeSlips {
+    NodeViews nodes;
+    View<const RubPoint> rub;
+    PlacesView place;
+    View<TouchPull> pull;  // of rubs
+
+    HEPATICA_HOST_DEVICE int count() const { return rub.size; }
+    std::size_t bytes() const { return nodes.bytes() + bytes_of(rub, pull); }
+    // What friction of this kind can bear of the forces on a node.
+    HEPATICA_HOST_DEVICE double limit_of(int node, int kind) const {
+        double limit = 0.0;
+        nodes.touches.for_each(node, [&](int t, int a) {
+            const int other = t - nodes.touches.first_rub;
+            if (other >= 0 && rub[other].kind == kind)
+                limit += small::detail::absolute(rub[other].weights[a]) * rub[other].law.limit_un;
+        });
+        return limit;
+    }
+    HEPATICA_HOST_DEVICE void operator()(int k) const {
+        const Vector3<double> slip = slip_at(rub[k], place);
+        double pressing = 0.0;
+        for (int a = 0; a < 4; ++a) {
+            const int node = rub[k].nodes[a];
+            const double limit = node >= 0 ? limit_of(node, rub[k].kind) : 0.0;
+            if (limit > 0.0)
+                pressing += rub[k].weights[a] * small::dot(nodes.force(node), slip) / limit;
+        }
+        const bool slows =
+            pressing < -slowing_share * small::detail::root(small::squared_length(slip));
+        pull[k].stiffness = rub[k].law.stiffness_un_per_mm(slip, rub[k].normal, slows);
+    }
+};
+
 // Forces where a step starts, for the work along it.
 struct KeepForces {
     NodeViews nodes;
@@ -95,11 +132,11 @@ struct KeepForces {
     HEPATICA_HOST_DEVICE void operator()(int i) const { force[i] = nodes.force(i); }
 };
 
-// Energies [nJ]: kinetic, elastic, of grabs, of the tether, less the work of weight since x_n, and
-// |w - v_n|_M^2 / 2.
+// Energies [nJ]: kinetic, elastic, of grabs, of the tether, less the work of weight since x_n,
+// |w - v_n|_M^2 / 2, of pads, and what friction takes.
 struct Energies {
-    static constexpr int width = 6;
-    enum { kinetic, elastic, grab, tether, weight, inertial };
+    static constexpr int width = 8;
+    enum { kinetic, elastic, grab, tether, weight, inertial, contact, friction };
     NodeViews nodes;
 
     std::size_t bytes() const { return nodes.bytes(); }
@@ -112,6 +149,7 @@ struct Energies {
         sum[tether] += 0.5 * nodes.tether[i] * small::dot(off, off);
         sum[weight] -= nodes.mass[i] * small::dot(nodes.gravity, x - nodes.start[i]);
         sum[inertial] += 0.5 * nodes.mass[i] * small::dot(dw, dw);
+        nodes.touches.add_energy(i, sum[contact], sum[friction]);
     }
 };
 

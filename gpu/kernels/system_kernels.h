@@ -5,13 +5,14 @@
 #pragma once
 
 #include "gpu/kernels/grab_kernels.h"
+#include "gpu/kernels/touch_kernels.h"
 
 namespace hepatica::gpu {
 
-// mass M + tether T + stiffness K + grab G. The matrix of the step, its damping and the stiffness
-// of everything differ in these alone.
+// mass M + tether T + stiffness K + grab G + touch C. The matrix of the step, its damping and the
+// stiffness of everything differ in these alone.
 struct SystemFactors {
-    double mass = 0.0, tether = 0.0, stiffness = 0.0, grab = 0.0;
+    double mass = 0.0, tether = 0.0, stiffness = 0.0, grab = 0.0, touch = 0.0;
 };
 
 template <class Real>
@@ -21,10 +22,12 @@ struct SystemView {
     View<const double> mass, tether;
     View<const unsigned char> held;
     GrabsView grabs;
+    TouchesView touches;
     SystemFactors factors;
 
     std::size_t bytes() const {
-        return bytes_of(row_begin, column, block, mass, tether, held) + grabs.bytes();
+        return bytes_of(row_begin, column, block, mass, tether, held) + grabs.bytes() +
+               (factors.touch != 0.0 ? touches.bytes() : 0);
     }
     HEPATICA_HOST_DEVICE double on_diagonal(int i) const {
         return factors.mass * mass[i] + factors.tether * tether[i];
@@ -37,9 +40,14 @@ struct SystemView {
         for (int k = row_begin[i]; k < row_begin[i + 1]; ++k)
             sum = sum + block[k] * (p[column[k]] - own);
         Vector3<Real> y = Real(factors.stiffness) * sum + Real(on_diagonal(i)) * own;
-        if (factors.grab == 0.0 || grabs.first.empty()) return y;
-        const Vector3<double> pulled = grabs.product(i, p);
-        for (int c = 0; c < 3; ++c) y[c] += Real(factors.grab * pulled[c]);
+        if (factors.grab != 0.0 && !grabs.first.empty()) {
+            const Vector3<double> pulled = grabs.product(i, p);
+            for (int c = 0; c < 3; ++c) y[c] += Real(factors.grab * pulled[c]);
+        }
+        if (factors.touch != 0.0 && !touches.row.empty()) {
+            const Vector3<double> pressed = touches.product(i, p);
+            for (int c = 0; c < 3; ++c) y[c] += Real(factors.touch * pressed[c]);
+        }
         return y;
     }
 };
@@ -77,6 +85,8 @@ struct InvertDiagonal {
                     sum(r, c) -= system.factors.stiffness * 0.5 *
                                  (double(system.block[k](r, c)) + double(system.block[k](c, r)));
         sum = sum + system.factors.grab * system.grabs.diagonal(i);
+        if (system.factors.touch != 0.0)
+            sum = sum + system.factors.touch * system.touches.diagonal(i);
         const double volume = small::determinant(sum);
         const Matrix3<double> adjugate = small::transpose(small::cofactor(sum));
         const double scale = system.held[i] == 0 && volume > 0.0 ? 1.0 / volume : 0.0;

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "core/deform/elements/small_matrix.h"
+#include "core/base/small_matrix.h"
 
 namespace hepatica::gpu {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/deform/elements/small_matrix_eigen.h"
+#include "core/base/small_matrix_eigen.h"
 
 namespace hepatica::gpu {
 namespace {

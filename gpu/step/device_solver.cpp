@@ -72,7 +72,9 @@ SolveReport DeviceSolver<Real>::solve(const SystemView<Real>& system, View<const
         report.relative_residual = report.energy_error = report.converged ? 0.0 : 1.0;
         return report;
     }
-    ErrorBound bound(ErrorBound::relaxation * smallest_ritz_);
+    // What touches changes the spectrum from step to step: nothing is known of it from others.
+    const bool touches = system.factors.touch != 0.0 && !system.touches.row.empty();
+    ErrorBound bound(touches ? 0.0 : ErrorBound::relaxation * smallest_ritz_);
     double work = now.work, solution_energy = 0.0, error_squared = bound.before() * work;
     const double energy_limit = limits.energy_tolerance * limits.energy_tolerance;
     const double residual_limit = limits.residual_tolerance * limits.residual_tolerance;
@@ -94,9 +96,11 @@ SolveReport DeviceSolver<Real>::solve(const SystemView<Real>& system, View<const
             solution_energy += done.step * work;
             work = done.work;
             error_squared = bound.after(done.step, done.ratio) * work;
+            // Where the smallest eigenvalue was taken too large there is no bound.
+            if (error_squared == 0.0 && done.residual_squared > 0.0) error_squared = INFINITY;
         }
     }
-    if (report.iterations > 0) smallest_ritz_ = bound.smallest();
+    if (report.iterations > 0 && !touches) smallest_ritz_ = bound.smallest();
     report.relative_residual = std::sqrt(now.residual_squared / rhs_squared);
     report.energy_error =
         std::isfinite(error_squared)

@@ -3,21 +3,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "core/deform/elements/small_matrix_eigen.h"
-#include "core/deform/potentials/potential_list.h"
+#include "core/base/small_matrix_eigen.h"
+#include "core/deform/potentials/self_contact.h"
 #include "core/deform/step/energy_limiter.h"
 #include "core/deform/step/step_books.h"
+#include "gpu/step/contact_guard.h"
 #include "gpu/step/device_body.h"
 #include "gpu/step/device_grabs.h"
 #include "gpu/step/device_solver.h"
+#include "gpu/step/device_touches.h"
+#include "gpu/step/step_balance.h"
 
 namespace hepatica::gpu {
 namespace {
 
-constexpr double armijo = 1e-4;  // of the predicted decrease must come true, as in NewtonStep
+constexpr int most_impacts = 3;      // in a step, as in BackwardEuler
+constexpr double least_part = 0.05;  // of what is left of it
+constexpr double armijo = 1e-4;      // of the predicted decrease must come true, as in NewtonStep
 
 // A change of energy below this share of the energies at hand is rounding.
 template <class Real>
@@ -34,15 +40,6 @@ template <class Real>
 constexpr double limiter_rounding = 1e-5;
 template <>
 constexpr double limiter_rounding<double> = 1e-9;
-
-// Tools and touching surfaces are none of the device's business.
-Body without_surfaces(Body body) {
-    body.surface.clear();
-    body.touching_surface.clear();
-    body.self_pad.reset();
-    body.obstacles.reset();
-    return body;
-}
 
 // Of the body at a strain of 1, about [nJ].
 double energy_at_unit_strain(const Body& body) {
@@ -65,64 +62,16 @@ void copy_out(Machine& machine, const Array<Vector3<double>>& from, std::vector<
     machine.download(to.data(), from.read().data, to.size() * sizeof(Vec3));
 }
 
-// Energies of the whole body and of its pieces.
-struct Balance {
-    std::vector<double> of_pieces;  // Energies::width numbers each
-
-    double sum(int term) const {
-        double total = 0.0;
-        for (std::size_t k = term; k < of_pieces.size(); k += Energies::width)
-            total += of_pieces[k];
-        return total;
-    }
-    // Of elements and potentials.
-    double potential() const {
-        return sum(Energies::elastic) + sum(Energies::grab) + sum(Energies::tether) +
-               sum(Energies::weight);
-    }
-    EnergyLedger ledger() const {
-        EnergyLedger ledger;
-        ledger.kinetic = sum(Energies::kinetic);
-        ledger.elastic = sum(Energies::elastic);
-        ledger.grab = sum(Energies::grab);
-        ledger.tether = sum(Energies::tether);
-        ledger.gravity_work = -sum(Energies::weight);
-        return ledger;
-    }
-    std::vector<EnergyLimiter::Balance> by_piece() const {
-        std::vector<EnergyLimiter::Balance> pieces;
-        for (std::size_t p = 0; p < of_pieces.size(); p += Energies::width) {
-            const double* e = &of_pieces[p];
-            pieces.push_back({e[Energies::kinetic] + e[Energies::elastic] + e[Energies::grab] +
-                                  e[Energies::tether] + e[Energies::weight],
-                              e[Energies::kinetic]});
-        }
-        return pieces;
-    }
-};
-
-// One step while it is made; energies in nJ.
-struct Underway {
-    double dt_s = 0.0;
-    bool predicted = false;  // it begins at w = v_n, otherwise at w = 0
-    Balance before{};
-    double standing = 0.0;   // incremental potential at w = 0
-    double value = 0.0;      // and where the iterate begins
-    double slope = 0.0;      // of it along the direction that was taken
-    double curvature = 0.0;  // see LinearisedWork, where it begins at w = 0
-    double residual_work = 0.0;
-    double damping_form = 0.0;  // w . beta K_0 w at the end
-    Balance after{};
-};
-
 template <class Real>
 class Step final : public DeviceStep {
   public:
-    Step(Machine& machine, const Body& body, const CoarseSkeleton& skeleton)
+    Step(Machine& machine, const Body& body, PotentialList& potentials,
+         const CoarseSkeleton& skeleton)
         : machine_(machine),
-          body_(without_surfaces(body)),
+          body_(body),
           plan_(plan_assembly(body_, small::Tangent::rotated)),
-          potentials_(body_),
+          potentials_(potentials),
+          guard_(body_, potentials),
           limiter_(body_, plan_),
           held_(body_.fixed),
           energy_floor_(strain_rounding<Real> * strain_rounding<Real> *
@@ -130,6 +79,7 @@ class Step final : public DeviceStep {
           nodes_(body_.rest_positions_mm.size()),
           elements_(machine, body_, plan_),
           grabs_(machine),
+          touches_(machine, nodes_, potentials.obstacles_mm()),
           all_(machine, body_.node_count()),
           pieces_(machine, limiter_.piece_of_node()),
           solver_(machine, all_, nodes_),
@@ -153,10 +103,7 @@ class Step final : public DeviceStep {
         set_state({body_.rest_positions_mm, std::vector<Vec3>(nodes_, Vec3::Zero())});
     }
 
-    void set_grabs(std::span<const Grab> grabs) override {
-        potentials_.set_grabs(grabs);
-        grabs_.set(grabs, plan_);
-    }
+    void set_grabs(std::span<const Grab> grabs) override { grabs_.set(grabs, plan_); }
     void set_gravity(const Vec3& gravity) override { gravity_ = small::from_eigen(gravity); }
     void set_held(std::span<const std::uint8_t> held) override {
         held_.assign(held.begin(), held.end());
@@ -172,6 +119,7 @@ class Step final : public DeviceStep {
 
     bool advance(double dt_s, const SolveLimits& limits, StepReport& report,
                  const std::stop_token& stop) override;
+    const std::string& left_because() const override { return left_because_; }
 
     double solver_memory() const override { return solver_.smallest_ritz(); }
     void set_solver_memory(double memory) override { solver_.remember(memory); }
@@ -182,7 +130,7 @@ class Step final : public DeviceStep {
     NodeViews nodes_at(const Array<Vector3<double>>& x, const Array<Vector3<double>>& w) const;
     SystemView<Real> system(const SystemFactors& factors) const;
     SystemView<Real> step_matrix(double dt) const {
-        return system({inertia(dt), dt * dt, dt * dt + dt * beta(), dt * dt});
+        return system({inertia(dt), dt * dt, dt * dt + dt * beta(), dt * dt, dt * dt});
     }
     double product(const SystemView<Real>& system, const Array<Vector3<double>>& w,
                    Array<Vector3<Real>>& y);
@@ -198,18 +146,32 @@ class Step final : public DeviceStep {
                const std::stop_token& stop);
     bool accepted(Underway& step);
     void book(Underway& step, StepReport& report);
-    void accept(const Underway& step, StepReport& report);
+    bool accept(const Underway& step, StepReport& report);
+    bool make(double dt_s, const SolveLimits& limits, StepReport& report,
+              const std::stop_token& stop);
+
+    void look_along(const Underway& step) {
+        touches_.set(potentials_.touches_along(step.from_mm, step.to_mm));
+    }
+    bool passes_nothing(Underway& step);
+    std::vector<Vec3> elastic_force() const;
+    bool leave(const char* because) {
+        left_because_ = because;
+        return false;
+    }
 
     Machine& machine_;
     Body body_;
     AssemblyPlan plan_;
-    PotentialList potentials_;  // for what the limiter asks of grabs
+    PotentialList& potentials_;
+    ContactGuard guard_;
     EnergyLimiter limiter_;
     std::vector<std::uint8_t> held_;
     double energy_floor_;  // below it energies mean nothing
     std::size_t nodes_;
     DeviceBody<Real> elements_;
     DeviceGrabs grabs_;
+    DeviceTouches touches_;
     Partition all_, pieces_;
     DeviceSolver<Real> solver_;
     std::unique_ptr<DeviceSkeleton<Real>> skeleton_;  // null: none
@@ -220,6 +182,7 @@ class Step final : public DeviceStep {
     Vector3<double> gravity_{{0.0, 0.0, 0.0}};
     bool evaluated_ = false;  // elastic forces and energies are those of start_
     BodyState state_;
+    std::string left_because_;
 };
 
 template <class Real>
@@ -236,13 +199,15 @@ NodeViews Step<Real>::nodes_at(const Array<Vector3<double>>& x,
             tether_.read(),
             device_held_.read(),
             grabs_.view(),
+            touches_.view(),
             gravity_};
 }
 
 template <class Real>
 SystemView<Real> Step<Real>::system(const SystemFactors& factors) const {
-    return {elements_.row_begin(), elements_.column(),  elements_.block(), mass_.read(),
-            tether_.read(),        device_held_.read(), grabs_.view(),     factors};
+    return {elements_.row_begin(), elements_.column(), elements_.block(),
+            mass_.read(),          tether_.read(),     device_held_.read(),
+            grabs_.view(),         touches_.view(),    factors};
 }
 
 // y = A w; returns w . y.
@@ -260,6 +225,7 @@ void Step<Real>::place(double dt, double share, View<const Vector3<Real>> change
     machine_.for_each(PlaceNodes<Real>{start_.read(), before_.read(), change, share, dt,
                                        position_.view(), velocity_.view()});
     grabs_.pull(position_.read());
+    touches_.press(position_.read());
     elements_.evaluate(position_.read(), with_stiffness);
 }
 
@@ -281,7 +247,14 @@ double Step<Real>::value_of(const Balance& now, double dt, double damping_form) 
 // Forces and energies at the start.
 template <class Real>
 void Step<Real>::begin(Underway& step) {
+    if (guard_.any()) {
+        step.start = state_;
+        step.from_mm = state_.positions_mm;
+        step.to_mm = places_ahead(state_, step.dt_s);
+        look_along(step);
+    }
     grabs_.pull(start_.read());
+    touches_.press(start_.read());
     if (!evaluated_) elements_.evaluate(start_.read(), false);
     const NodeViews at_start = nodes_at(start_, before_);
     machine_.for_each(KeepForces{at_start, start_force_.view()});
@@ -294,15 +267,18 @@ template <class Real>
 bool Step<Real>::predict(Underway& step) {
     if (!(step.before.sum(Energies::kinetic) > 0.0)) return false;
     const double dt = step.dt_s;
+    if (guard_.any() && potentials_.free_share(step.from_mm, step.to_mm) < 1.0) return false;
     place(dt, 1.0, {}, true);
     const Balance there = balance();
     if (!(value_of(there, dt, 0.0) <= step.standing)) return false;
     elements_.assemble();
+    touches_.foresee(nodes_at(position_, velocity_));
     const bool damped = beta() > 0.0;
     const double form = damped ? product(system({.stiffness = beta()}), velocity_, damping_) : 0.0;
     step.value = value_of(there, dt, form);
     if (!(step.value <= step.standing)) return false;
     step.predicted = true;
+    if (guard_.any()) step.from_mm = step.to_mm;
     machine_.for_each(descent(dt, damped, steepest_));
     return true;
 }
@@ -313,6 +289,7 @@ void Step<Real>::stand(Underway& step) {
     const double dt = step.dt_s;
     place(dt, 0.0, {}, true);
     elements_.assemble();
+    touches_.foresee(nodes_at(position_, velocity_));
     step.value = step.standing;
     machine_.for_each(descent(dt, false, steepest_));
     machine_.for_each(descent(dt, false, rhs_));
@@ -345,7 +322,8 @@ bool Step<Real>::solve(Underway& step, const SolveLimits& limits, StepReport& re
     if (!step.predicted)
         step.curvature =
             dt * dt *
-            product(system({.tether = 1.0, .stiffness = 1.0, .grab = 1.0}), velocity_, damping_);
+            product(system({.tether = 1.0, .stiffness = 1.0, .grab = 1.0, .touch = 1.0}), velocity_,
+                    damping_);
     if (beta() > 0.0)
         step.damping_form = product(system({.stiffness = beta()}), velocity_, damping_);
     return true;
@@ -355,6 +333,7 @@ bool Step<Real>::solve(Underway& step, const SolveLimits& limits, StepReport& re
 template <class Real>
 bool Step<Real>::accepted(Underway& step) {
     const double dt = step.dt_s;
+    if (guard_.any() && !passes_nothing(step)) return false;
     place(dt, 1.0, solver_.solution(), false);
     step.after = balance();
     const double value = value_of(step.after, dt, step.damping_form);
@@ -382,55 +361,120 @@ void Step<Real>::book(Underway& step, StepReport& report) {
     ledger.solver_work = solver_work;
     ledger.integrator_loss = step.after.sum(Energies::inertial) + 0.5 * (start_work - end_work);
     const double gained = stored_energy(ledger) - stored_energy(before);
-    const double path_work = ledger.gravity_work - (gained - (ledger.kinetic - before.kinetic));
+    ledger.tool_work = before.friction_loss;
+    const double path_work = ledger.gravity_work - (ledger.friction_loss - before.friction_loss) -
+                             (gained - (ledger.kinetic - before.kinetic));
     ledger.nonlinear_loss = path_work - 0.5 * (start_work + end_work);
     ledger.imbalance = gained - explained_change(ledger);
 }
 
 // The step's end becomes the state; the limiter has the last word on its velocities.
 template <class Real>
-void Step<Real>::accept(const Underway& step, StepReport& report) {
-    std::swap(start_, position_);
-    std::swap(before_, velocity_);
-    evaluated_ = true;
-    copy_out(machine_, start_, state_.positions_mm);
-    copy_out(machine_, before_, state_.velocities_mm_per_s);
+bool Step<Real>::accept(const Underway& step, StepReport& report) {
+    BodyState end = state_;
+    copy_out(machine_, position_, end.positions_mm);
+    copy_out(machine_, velocity_, end.velocities_mm_per_s);
+    if (guard_.any() && guard_.overdrawn(limiter_, step, end.velocities_mm_per_s, held_))
+        return leave("a piece would pay for energy or momentum of others");
     const auto pieces_before = step.before.by_piece(), pieces_after = step.after.by_piece();
     const EnergyLimiter::Outcome outcome =
         limiter_.limit({.before = pieces_before,
                         .after = pieces_after,
                         .rounding = limiter_rounding<Real>,
                         .least_nj = energy_floor_},
-                       potentials_, state_.positions_mm, held_, state_.velocities_mm_per_s);
-    if (!outcome.limited) return;
+                       potentials_, end.positions_mm, held_, end.velocities_mm_per_s);
+    if (outcome.lost == MomentumLost::linear && potentials_.self())
+        return leave("what its surfaces exchanged would be lost");
+    std::swap(start_, position_);
+    std::swap(before_, velocity_);
+    evaluated_ = true;
+    state_ = std::move(end);
+    if (!outcome.limited) return true;
     copy_in(machine_, state_.velocities_mm_per_s, before_);
     hepatica::book(outcome, kinetic_energy(body_, state_.velocities_mm_per_s), report);
+    return true;
 }
 
+// One step of eq. (12), or a part of one.
+template <class Real>
+bool Step<Real>::make(double dt_s, const SolveLimits& limits, StepReport& report,
+                      const std::stop_token& stop) {
+    Underway step{.dt_s = dt_s};
+    report = {};
+    report.dt_s = dt_s;
+    if (guard_.any()) potentials_.begin_step(state_, dt_s, held_);
+    begin(step);
+    if (!predict(step)) {
+        if (guard_.flies_into_itself(step, held_))
+            return leave("a free body is about to meet itself");
+        stand(step);
+    }
+    evaluated_ = false;
+    if (!solve(step, limits, report, stop) || !accepted(step)) return false;
+    report.predicted = step.predicted;
+    book(step, report);
+    if (!accept(step, report)) return false;
+    if (guard_.any())
+        guard_.report(
+            step, state_.velocities_mm_per_s, held_, [&] { return elastic_force(); }, report);
+    return true;
+}
+
+// Where the body flies against something, the step is cut where it touches, as BackwardEuler does.
 template <class Real>
 bool Step<Real>::advance(double dt_s, const SolveLimits& limits, StepReport& report,
                          const std::stop_token& stop) {
-    Underway step{.dt_s = dt_s};
-    StepReport made;
-    made.dt_s = dt_s;
-    begin(step);
-    if (!predict(step)) stand(step);
-    evaluated_ = false;
-    if (!solve(step, limits, made, stop) || !accepted(step)) return false;
-    made.predicted = step.predicted;
-    book(step, made);
-    accept(step, made);
-    report = made;
+    left_because_.clear();
+    const BodyState began = guard_.any() ? state_ : BodyState{};
+    std::optional<StepReport> made;
+    double left_s = dt_s;
+    for (int impacts_left = guard_.any() ? most_impacts : 0;; --impacts_left) {
+        double part_s = left_s;
+        if (impacts_left > 0)
+            part_s *= std::max(least_part, guard_.share_until_touch(state_, left_s));
+        const bool last = part_s >= left_s;
+        StepReport part;
+        if (!make(part_s, limits, part, stop)) {
+            if (made) set_state(began);
+            return false;
+        }
+        made = made ? in_sequence(*made, part) : part;
+        if (last) break;
+        left_s -= part_s;
+    }
+    report = *made;
     return true;
+}
+
+// Whether the whole direction may be taken so that nothing passes through anything; and looks for
+// what is touched at its end.
+template <class Real>
+bool Step<Real>::passes_nothing(Underway& step) {
+    if (step.predicted && limiter_.pieces() > 1 && potentials_.self())
+        potentials_.self()->note_meeting(step.from_mm);
+    copy_out(machine_, position_, step.to_mm);
+    if (!std::ranges::all_of(step.to_mm, [](const Vec3& x) { return x.allFinite(); })) return false;
+    if (potentials_.free_share(step.from_mm, step.to_mm) < 1.0)
+        return leave("a step has to be shortened, lest something pass through");
+    look_along(step);
+    return true;
+}
+
+template <class Real>
+std::vector<Vec3> Step<Real>::elastic_force() const {
+    std::vector<Vec3> force(nodes_);
+    machine_.download(force.data(), elements_.elastic_force().data, nodes_ * sizeof(Vec3));
+    return force;
 }
 
 }  // namespace
 
 std::unique_ptr<DeviceStep> make_device_step(Machine& machine, const Body& body,
+                                             PotentialList& potentials,
                                              const CoarseSkeleton& skeleton, Precision precision) {
     if (precision == Precision::double_precision)
-        return std::make_unique<Step<double>>(machine, body, skeleton);
-    return std::make_unique<Step<float>>(machine, body, skeleton);
+        return std::make_unique<Step<double>>(machine, body, potentials, skeleton);
+    return std::make_unique<Step<float>>(machine, body, potentials, skeleton);
 }
 
 }  // namespace hepatica::gpu

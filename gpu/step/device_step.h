@@ -8,10 +8,12 @@
 #include <memory>
 #include <span>
 #include <stop_token>
+#include <string>
 
 #include "core/deform/body/body.h"
 #include "core/deform/body/body_state.h"
 #include "core/deform/potentials/grab.h"
+#include "core/deform/potentials/potential_list.h"
 #include "core/deform/solvers/linear_solver.h"
 #include "core/deform/step/step_report.h"
 #include "gpu/machine/machine.h"
@@ -40,15 +42,21 @@ class DeviceStep {
     // either.
     virtual bool advance(double dt_s, const SolveLimits& limits, StepReport& report,
                          const std::stop_token& stop = {}) = 0;
+    // After a step that was not made: why, in words; empty where it would have made energy or could
+    // not be solved for.
+    virtual const std::string& left_because() const = 0;
 
     // What the linear solver carries from one step to the next.
     virtual double solver_memory() const = 0;
     virtual void set_solver_memory(double memory) = 0;
 };
 
-// Throws DeviceError. The body has_kernels(). Tools and surfaces that touch play no part. With an
-// empty skeleton the solver is preconditioned by the diagonal blocks alone.
+// Throws DeviceError. The body has_kernels(). Keeps a reference to the potentials, which are those
+// of the body and have its tool and its grabs: they search for what touches, and what they keep of
+// a step is there until their end_step(). With an empty skeleton the solver is preconditioned by
+// the diagonal blocks alone.
 std::unique_ptr<DeviceStep> make_device_step(Machine& machine, const Body& body,
+                                             PotentialList& potentials,
                                              const CoarseSkeleton& skeleton, Precision precision);
 
 }  // namespace hepatica::gpu

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/contact/capsule.h"
+#include "core/contact/closest_features.h"
 #include "core/contact/closest_points.h"
 #include "core/contact/near_pairs.h"
 #include "core/contact/rigid_fit.h"
@@ -23,6 +24,9 @@ TEST(ContactInitialFigures, AreThoseRecorded) {
     HEPATICA_ADD_INITIAL(figures, PointTriangle);
     HEPATICA_ADD_INITIAL(figures, SegmentSegment);
     HEPATICA_ADD_INITIAL(figures, SegmentTriangle);
+    HEPATICA_ADD_INITIAL(figures, small::OnSegment);
+    HEPATICA_ADD_INITIAL(figures, small::OnTriangle);
+    HEPATICA_ADD_INITIAL(figures, small::OnSegments);
     HEPATICA_ADD_INITIAL(figures, Sweep);
     HEPATICA_ADD_INITIAL(figures, RigidFit);
     HEPATICA_ADD_INITIAL(figures, FeaturePair);

@@ -18,6 +18,7 @@
 #include "core/deform/potentials/tool_contact.h"
 #include "core/deform/potentials/tool_friction.h"
 #include "core/deform/potentials/tool_path.h"
+#include "core/deform/potentials/touch_list.h"
 #include "core/deform/solvers/block_matrix.h"
 #include "core/deform/solvers/coarse_skeleton.h"
 #include "core/deform/solvers/conjugate_gradient.h"
@@ -64,6 +65,8 @@ TEST(DeformInitialFigures, AreThoseRecorded) {
     HEPATICA_ADD_INITIAL(figures, Grab);
     HEPATICA_ADD_INITIAL(figures, PadBarrier);
     HEPATICA_ADD_INITIAL(figures, PointPair);
+    HEPATICA_ADD_INITIAL(figures, PointPull);
+    HEPATICA_ADD_INITIAL(figures, TouchList);
     HEPATICA_ADD_INITIAL(figures, SurfaceContact);
     HEPATICA_ADD_INITIAL(figures, SelfLoad);
     HEPATICA_ADD_INITIAL(figures, SelfCost);

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number_text.h"
-#include "core/deform/elements/small_matrix_eigen.h"
+#include "core/base/small_matrix_eigen.h"
 #include "core/mesh/hex_mesh.h"
 
 namespace hepatica {

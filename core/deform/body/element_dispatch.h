@@ -2,8 +2,8 @@
 // Calls the element function that fits an element group, model and stiffness. Host only.
 #pragma once
 
+#include "core/base/small_matrix_eigen.h"
 #include "core/deform/body/body.h"
-#include "core/deform/elements/small_matrix_eigen.h"
 
 namespace hepatica {
 

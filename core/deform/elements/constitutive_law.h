@@ -8,8 +8,8 @@
 //   lambda' = lambda + 5/6 mu make it agree with Hooke's law for small strains
 #pragma once
 
+#include "core/base/small_matrix.h"
 #include "core/deform/elements/polar_decomposition.h"
-#include "core/deform/elements/small_matrix.h"
 
 namespace hepatica::small {
 

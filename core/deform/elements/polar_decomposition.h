@@ -4,7 +4,7 @@
 // otherwise a one-sided Jacobi singular value decomposition (Hestenes 1958).
 #pragma once
 
-#include "core/deform/elements/small_matrix.h"
+#include "core/base/small_matrix.h"
 
 namespace hepatica::small {
 

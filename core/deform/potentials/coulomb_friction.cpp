@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "core/base/small_matrix_eigen.h"
 #include "core/deform/potentials/point_stiffness.h"
 
 namespace hepatica {
@@ -31,20 +32,33 @@ Vec3 Grip::point(std::span<const Vec3> positions_mm) const {
 }
 
 Vec3 CoulombFriction::slip_of(const Grip& grip, std::span<const Vec3> positions_mm) {
-    const Vec3 moved = grip.point(positions_mm) - grip.anchor_mm;
-    return moved - moved.dot(grip.normal) * grip.normal;
+    return small::to_eigen(
+        hepatica::slip_of(small::from_eigen(Vec3(grip.point(positions_mm) - grip.anchor_mm)),
+                          small::from_eigen(grip.normal)));
 }
 
 double CoulombFriction::energy_of(const Grip& grip, std::span<const Vec3> positions_mm) const {
-    return law_of(grip).energy_nj(slip_of(grip, positions_mm));
+    return law_of(grip).energy_nj(small::from_eigen(slip_of(grip, positions_mm)));
 }
 
 Vec3 CoulombFriction::force_of(const Grip& grip, std::span<const Vec3> positions_mm) const {
-    return law_of(grip).force_un(slip_of(grip, positions_mm));
+    return small::to_eigen(law_of(grip).force_un(small::from_eigen(slip_of(grip, positions_mm))));
 }
 
 Mat3 CoulombFriction::stiffness_of(const Grip& grip, std::span<const Vec3> positions_mm) const {
-    return law_of(grip).stiffness_un_per_mm(slip_of(grip, positions_mm), grip.normal, grip.slows);
+    return small::to_eigen(
+        law_of(grip).stiffness_un_per_mm(small::from_eigen(slip_of(grip, positions_mm)),
+                                         small::from_eigen(grip.normal), grip.slows));
+}
+
+void CoulombFriction::list_rubs(int kind, std::vector<RubPoint>& rubs) const {
+    for (const Grip& grip : grips_)
+        rubs.push_back({{grip.nodes[0], grip.nodes[1], grip.nodes[2], -1},
+                        {grip.weights[0], grip.weights[1], grip.weights[2], 0.0},
+                        small::from_eigen(grip.normal),
+                        small::from_eigen(grip.anchor_mm),
+                        law_of(grip),
+                        kind});
 }
 
 // What slips is about to stick where the other forces that act on it fall short of friction by

@@ -10,6 +10,7 @@
 #include "core/deform/body/body.h"
 #include "core/deform/potentials/potential.h"
 #include "core/deform/potentials/slip_law.h"
+#include "core/deform/potentials/touch_list.h"
 
 namespace hepatica {
 
@@ -40,6 +41,9 @@ class CoulombFriction : public Potential {
         grips_.clear();
         held_ = {};
     }
+
+    // What it acts on in this step, as `kind`.
+    void list_rubs(int kind, std::vector<RubPoint>& rubs) const;
 
     // The friction on a point of the body.
     struct PointForce {

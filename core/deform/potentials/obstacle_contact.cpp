@@ -35,6 +35,12 @@ const std::vector<SurfaceContact>& ObstacleContact::contacts(
     return pairs_->contacts(all_from(positions_mm));
 }
 
+void ObstacleContact::list_touches(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
+                                   std::vector<PadPair>& list) const {
+    const auto from = all_from(from_mm);
+    pairs_->list_touches(from, all_to(from_mm, to_mm), list);
+}
+
 ObstacleContactPoint ObstacleContact::point_of(const SurfaceContact& contact) const {
     const PointPair& at = contact.at;
     const bool first = at.nodes[0] < body_.node_count();

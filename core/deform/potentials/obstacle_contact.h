@@ -29,6 +29,13 @@ class ObstacleContact final : public Potential {
 
     // Nodes from Body::node_count() on are those of the obstacles, one after the other.
     const std::vector<SurfaceContact>& contacts(std::span<const Vec3> positions_mm) const;
+    // As SurfacePairs.
+    void list_touches(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
+                      std::vector<PadPair>& list) const;
+    // Where the obstacles' nodes stand, in the order of their numbers.
+    std::span<const Vec3> standing_mm() const {
+        return std::span(rest_mm_).subspan(static_cast<std::size_t>(body_.node_count()));
+    }
     ObstacleContactPoint point_of(const SurfaceContact& contact) const;
     double friction() const { return body_.obstacles->friction; }
     // What of the two overlaps, what finding it costs; of positions of the body's nodes.

@@ -2,12 +2,12 @@
 // The one law of all contacts: a pad of some thickness that is pressed together, whose force grows
 // without bound as the gap closes. With the pressed part s = 1 - gap / pad,
 //   energy = strength pad (-s - ln(1 - s)),  force = strength s / (1 - s),
-// and no energy, force or jump of either at s = 0. See docs/contact.md.
+// and no energy, force or jump of either at s = 0. See docs/contact.md. For host and device.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
+
+#include "core/base/small_matrix.h"
 
 namespace hepatica {
 
@@ -18,9 +18,11 @@ struct PadBarrier {
 };
 
 // `gap_mm` below `pad_mm` > 0; `strength_un` is the pad's pressure times the area that it acts on.
-inline PadBarrier pad_barrier(double gap_mm, double pad_mm, double strength_un) {
+HEPATICA_HOST_DEVICE PadBarrier pad_barrier(double gap_mm, double pad_mm, double strength_un) {
     constexpr double deepest = 1.0 - 1e-12;
-    const double pressed = std::min(1.0 - gap_mm / pad_mm, deepest), left = 1.0 - pressed;
+    double pressed = 1.0 - gap_mm / pad_mm;
+    if (deepest < pressed) pressed = deepest;
+    const double left = 1.0 - pressed;
     return {gap_mm > 0.0 ? strength_un * pad_mm * (-pressed - std::log1p(-pressed))
                          : std::numeric_limits<double>::infinity(),
             strength_un * pressed / left, strength_un / (pad_mm * left * left)};

@@ -129,6 +129,27 @@ ObstacleLoad PotentialList::obstacle_load(std::span<const Vec3> positions_mm) co
     return load;
 }
 
+TouchList PotentialList::touches_along(std::span<const Vec3> from_mm,
+                                       std::span<const Vec3> to_mm) const {
+    enum { between_surfaces, on_obstacles, on_tool };
+    TouchList list;
+    if (self_) self_->pairs().list_touches(from_mm, to_mm, list.pairs);
+    if (self_friction_) self_friction_->list_rubs(between_surfaces, list.rubs);
+    if (obstacles_) {
+        obstacles_->list_touches(from_mm, to_mm, list.pairs);
+        obstacle_friction_->list_rubs(on_obstacles, list.rubs);
+    }
+    if (tool()) {
+        contact_->list_touches(from_mm, to_mm, list);
+        friction_->list_rubs(on_tool, list.rubs);
+    }
+    return list;
+}
+
+std::span<const Vec3> PotentialList::obstacles_mm() const {
+    return obstacles_ ? obstacles_->standing_mm() : std::span<const Vec3>{};
+}
+
 bool PotentialList::touches(std::span<const Vec3> positions_mm) const {
     return tool() || coupled(positions_mm) ||
            (obstacles_ && !obstacles_->contacts(positions_mm).empty());

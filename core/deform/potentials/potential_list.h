@@ -16,6 +16,7 @@
 #include "core/deform/potentials/potential.h"
 #include "core/deform/potentials/self_load.h"
 #include "core/deform/potentials/tool.h"
+#include "core/deform/potentials/touch_list.h"
 
 namespace hepatica {
 
@@ -84,6 +85,12 @@ class PotentialList {
                       std::span<const Vec3> positions_mm) const;
 
     std::span<const std::unique_ptr<Potential>> all() const { return all_; }
+
+    // For machines that compute contact themselves: all that may touch in one of two places, the
+    // ends of a motion; with what friction acts on between begin_step() and end_step().
+    TouchList touches_along(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const;
+    // Where what of obstacles it names stands, behind the body's nodes.
+    std::span<const Vec3> obstacles_mm() const;
 
     // What the potentials keep of a step while it is made; all of it is gone with end_step().
     void begin_step(const BodyState& start, double dt_s, std::span<const std::uint8_t> held) const;

@@ -21,6 +21,8 @@ class SelfContact final : public Potential {
     const std::vector<SurfaceContact>& contacts(std::span<const Vec3> positions_mm) const {
         return pairs_.contacts(positions_mm);
     }
+    // Takes down what touches there, for join_pieces.
+    void note_meeting(std::span<const Vec3> positions_mm) const;
     // What of it overlaps, what it costs.
     SurfacePairs& pairs() { return pairs_; }
     const SurfacePairs& pairs() const { return pairs_; }
@@ -58,8 +60,6 @@ class SelfContact final : public Potential {
     }
 
   private:
-    void note_meeting(std::span<const Vec3> positions_mm) const;
-
     SurfacePairs pairs_;
     std::span<const std::uint8_t> held_;
     mutable std::vector<std::array<int, 2>> met_;  // nodes of pairs that touched during the step

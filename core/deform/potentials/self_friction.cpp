@@ -1,14 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/deform/potentials/self_friction.h"
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
+
+#include "core/base/small_matrix_eigen.h"
 
 namespace hepatica {
 
 Vec3 SelfFriction::Grip::slip(std::span<const Vec3> positions_mm) const {
-    const Vec3 moved = at.between(positions_mm) - apart_mm;
-    return moved - moved.dot(normal) * normal;
+    return small::to_eigen(slip_of(small::from_eigen(Vec3(at.between(positions_mm) - apart_mm)),
+                                   small::from_eigen(normal)));
+}
+
+double SelfFriction::Grip::energy_nj(std::span<const Vec3> positions_mm) const {
+    return law.energy_nj(small::from_eigen(slip(positions_mm)));
+}
+
+Vec3 SelfFriction::Grip::force_un(std::span<const Vec3> positions_mm) const {
+    return small::to_eigen(law.force_un(small::from_eigen(slip(positions_mm))));
+}
+
+Mat3 SelfFriction::Grip::stiffness(std::span<const Vec3> positions_mm) const {
+    return small::to_eigen(law.stiffness_un_per_mm(small::from_eigen(slip(positions_mm)),
+                                                   small::from_eigen(normal), slows));
+}
+
+void SelfFriction::list_rubs(int kind, std::vector<RubPoint>& rubs) const {
+    for (const Grip& grip : grips_) {
+        RubPoint rub{
+            {},       {},  small::from_eigen(grip.normal), small::from_eigen(grip.apart_mm),
+            grip.law, kind};
+        std::ranges::copy(grip.at.nodes, rub.nodes);
+        std::ranges::copy(grip.at.weights, rub.weights);
+        rubs.push_back(rub);
+    }
 }
 
 void SelfFriction::begin_step(const BodyState& start, double dt_s,
@@ -24,7 +51,7 @@ void SelfFriction::begin_step(const BodyState& start, double dt_s,
 
 double SelfFriction::energy(std::span<const Vec3> positions_mm, std::span<const Vec3>) const {
     double sum = 0.0;
-    for (const Grip& grip : grips_) sum += grip.law.energy_nj(grip.slip(positions_mm));
+    for (const Grip& grip : grips_) sum += grip.energy_nj(positions_mm);
     return sum;
 }
 
@@ -32,12 +59,11 @@ void SelfFriction::add_energy_by_piece(std::span<const Vec3> positions_mm, std::
                                        std::span<const int> piece_of_node,
                                        std::span<double> energy_nj) const {
     for (const Grip& grip : grips_)
-        energy_nj[piece_of_node[grip.at.nodes[0]]] += grip.law.energy_nj(grip.slip(positions_mm));
+        energy_nj[piece_of_node[grip.at.nodes[0]]] += grip.energy_nj(positions_mm);
 }
 
 void SelfFriction::add_forces(std::span<const Vec3> positions_mm, std::span<Vec3> forces_un) const {
-    for (const Grip& grip : grips_)
-        grip.at.add_force(grip.law.force_un(grip.slip(positions_mm)), forces_un);
+    for (const Grip& grip : grips_) grip.at.add_force(grip.force_un(positions_mm), forces_un);
 }
 
 // As CoulombFriction::foresee, of what presses the one point along the slip and the other against

@@ -10,6 +10,7 @@
 #include "core/deform/potentials/coulomb_friction.h"
 #include "core/deform/potentials/self_contact.h"
 #include "core/deform/potentials/slip_law.h"
+#include "core/deform/potentials/touch_list.h"
 
 namespace hepatica {
 
@@ -17,6 +18,9 @@ namespace hepatica {
 class SelfFriction final : public Potential {
   public:
     SelfFriction(const Body& body, const SelfContact& contact) : body_(body), contact_(contact) {}
+
+    // As CoulombFriction.
+    void list_rubs(int kind, std::vector<RubPoint>& rubs) const;
 
     double energy(std::span<const Vec3> positions_mm,
                   std::span<const Vec3> reference_mm) const override;
@@ -52,9 +56,9 @@ class SelfFriction final : public Potential {
         bool slows = false;
 
         Vec3 slip(std::span<const Vec3> positions_mm) const;
-        Mat3 stiffness(std::span<const Vec3> positions_mm) const {
-            return law.stiffness_un_per_mm(slip(positions_mm), normal, slows);
-        }
+        double energy_nj(std::span<const Vec3> positions_mm) const;
+        Vec3 force_un(std::span<const Vec3> positions_mm) const;
+        Mat3 stiffness(std::span<const Vec3> positions_mm) const;
     };
 
     const Body& body_;

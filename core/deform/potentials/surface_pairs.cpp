@@ -8,16 +8,15 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/base/small_matrix_eigen.h"
 #include "core/contact/time_of_contact.h"
 #include "core/deform/body/torn_body.h"
-#include "core/deform/potentials/pad_barrier.h"
 
 namespace hepatica {
 namespace {
 
 constexpr double least_part = 0.1;         // of a gap, that a motion leaves
 constexpr double touched = 0.5;            // of the pad
-constexpr double nearly_parallel = 0.01;   // sin^2 of the angle between edges
 constexpr double touching_at_rest = 0.05;  // of the pad
 constexpr double slack_edges = 0.25;       // of the search, see PairCover
 constexpr double band = 1e-3;              // of a gap, for times of contact
@@ -48,18 +47,18 @@ Triangle triangle(const FeaturePair& pair, std::span<const Vec3> x) {
     return {x[pair.nodes[1]], x[pair.nodes[2]], x[pair.nodes[3]]};
 }
 
-// The nearest points of the two features.
-PointPair nearest(const FeaturePair& pair, std::span<const Vec3> x) {
-    PointPair at{.nodes = pair.nodes, .in_first = pair.of_edges ? 2 : 1};
-    if (pair.of_edges) {
-        const SegmentSegment on = closest(segment(pair, 0, x), segment(pair, 2, x));
-        at.weights = {1.0 - on.along_first, on.along_first, on.along_second - 1.0,
-                      -on.along_second};
-    } else {
-        const PointTriangle on = closest(x[pair.nodes[0]], triangle(pair, x));
-        at.weights = {1.0, -on.weights[0], -on.weights[1], -on.weights[2]};
-    }
-    return at;
+int in_first(const FeaturePair& pair) {
+    return pair.of_edges ? 2 : 1;
+}
+
+struct Corners {
+    small::Vector3<double> x[4];
+};
+
+Corners corners(const FeaturePair& pair, std::span<const Vec3> x) {
+    Corners of;
+    for (int a = 0; a < 4; ++a) of.x[a] = small::from_eigen(x[pair.nodes[a]]);
+    return of;
 }
 
 double distance_mm(const FeaturePair& pair, std::span<const Vec3> x) {
@@ -69,9 +68,8 @@ double distance_mm(const FeaturePair& pair, std::span<const Vec3> x) {
 
 // A lower bound on the distance of the two features, squared: that of their boxes.
 double squared_gap_of_boxes_mm2(const FeaturePair& pair, std::span<const Vec3> x) {
-    const int in_first = pair.of_edges ? 2 : 1;
     Box first, second;
-    for (int a = 0; a < 4; ++a) (a < in_first ? first : second).add(x[pair.nodes[a]]);
+    for (int a = 0; a < 4; ++a) (a < in_first(pair) ? first : second).add(x[pair.nodes[a]]);
     const Vec3 apart = (first.low - second.high).cwiseMax(second.low - first.high);
     return apart.cwiseMax(Vec3::Zero()).squaredNorm();
 }
@@ -79,10 +77,9 @@ double squared_gap_of_boxes_mm2(const FeaturePair& pair, std::span<const Vec3> x
 // An upper bound on how much the distance of the two features decreases.
 double approach_mm(const FeaturePair& pair, std::span<const Vec3> from, std::span<const Vec3> to) {
     const auto moved = [&](int a) -> Vec3 { return to[pair.nodes[a]] - from[pair.nodes[a]]; };
-    const int in_first = pair.of_edges ? 2 : 1;
     double squared = 0.0;
-    for (int a = 0; a < in_first; ++a)
-        for (int b = in_first; b < 4; ++b)
+    for (int a = 0; a < in_first(pair); ++a)
+        for (int b = in_first(pair); b < 4; ++b)
             squared = std::max(squared, (moved(a) - moved(b)).squaredNorm());
     return std::sqrt(squared);
 }
@@ -251,45 +248,56 @@ double SurfacePairs::area_of(const FeaturePair& pair) const {
     return 0.5 * features_.sharpness_of_node(pair.first) * share;
 }
 
+PadPair SurfacePairs::pad_pair(const FeaturePair& pair, double pad_mm, double area_mm2) const {
+    PadPair with{{}, in_first(pair), pad_mm, area_mm2 * pad_.pressure_pa, 0.0};
+    std::ranges::copy(pair.nodes, with.nodes);
+    const auto& n = pair.nodes;
+    if (pair.of_edges)
+        with.parallel_mm4 = nearly_parallel * (rest_mm_[n[1]] - rest_mm_[n[0]]).squaredNorm() *
+                            (rest_mm_[n[3]] - rest_mm_[n[2]]).squaredNorm();
+    return with;
+}
+
 std::optional<SurfaceContact> SurfacePairs::contact_of(const FeaturePair& pair,
                                                        std::span<const Vec3> x) const {
     const double most = pad_.thickness_mm;
     if (squared_gap_of_boxes_mm2(pair, x) >= most * most) return std::nullopt;
-    SurfaceContact contact{.of = pair, .at = nearest(pair, x)};
-    const Vec3 apart = contact.at.between(x);
-    contact.gap_mm = apart.norm();
-    if (!(contact.gap_mm < most)) return std::nullopt;
+    const Corners at = corners(pair, x);
+    const NearestPoints near = nearest_points(in_first(pair), at.x);
+    if (!(near.gap_mm < most)) return std::nullopt;
     const double pad = pad_of(pair);
-    if (!(contact.gap_mm < pad)) return std::nullopt;
+    if (!(near.gap_mm < pad)) return std::nullopt;
     const double area = area_of(pair);
     if (area == 0.0) return std::nullopt;
-    const double strength = area * pad_.pressure_pa;
-    const PadBarrier barrier = pad_barrier(contact.gap_mm, pad, strength);
-    contact.normal = contact.gap_mm > 0.0 ? Vec3(apart / contact.gap_mm) : Vec3(Vec3::UnitZ());
-    contact.energy_nj = barrier.energy_nj;
-    contact.force_un = barrier.force_un;
-    contact.stiffness_un_per_mm = barrier.stiffness_un_per_mm;
-    if (pair.of_edges) fade(contact, x);
+    const PairPull pull = pull_of(pad_pair(pair, pad, area), near, at.x);
+    SurfaceContact contact{.of = pair, .at = {.nodes = pair.nodes, .in_first = in_first(pair)}};
+    std::ranges::copy(near.weights, contact.at.weights.begin());
+    contact.normal = small::to_eigen(pull.normal);
+    contact.gap_mm = near.gap_mm;
+    contact.force_un = pull.pad.force_un;
+    contact.stiffness_un_per_mm = pull.pad.stiffness_un_per_mm;
+    contact.energy_nj = pull.pad.energy_nj;
+    const Vec3 first = small::to_eigen(pull.turning_first_un);
+    const Vec3 second = small::to_eigen(pull.turning_second_un);
+    contact.turning_un = {-first, first, -second, second};
     return contact;
 }
 
-void SurfacePairs::fade(SurfaceContact& contact, std::span<const Vec3> x) const {
-    const auto& n = contact.of.nodes;
-    const auto rest = rest_mm_;
-    const Vec3 e = x[n[1]] - x[n[0]], f = x[n[3]] - x[n[2]];
-    const double full = nearly_parallel * (rest[n[1]] - rest[n[0]]).squaredNorm() *
-                        (rest[n[3]] - rest[n[2]]).squaredNorm();
-    const double c = e.cross(f).squaredNorm() / full;
-    if (c >= 1.0) return;
-    const double share = c * (2.0 - c);
-    // -energy times the gradient of `share` with respect to the edges e and f.
-    const double slope = -contact.energy_nj * 2.0 * (1.0 - c) * 2.0 / full;
-    const Vec3 by_e = slope * (f.squaredNorm() * e - e.dot(f) * f);
-    const Vec3 by_f = slope * (e.squaredNorm() * f - e.dot(f) * e);
-    contact.turning_un = {-by_e, by_e, -by_f, by_f};
-    contact.energy_nj *= share;
-    contact.force_un *= share;
-    contact.stiffness_un_per_mm *= share;
+void SurfacePairs::list_touches(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
+                                std::vector<PadPair>& list) const {
+    const Stopwatch watch(spent_ms_);
+    const double most = pad_.thickness_mm;
+    std::vector<const FeaturePair*> near;
+    for (const FeaturePair& pair : candidates(from_mm, to_mm))
+        if (squared_gap_of_boxes_mm2(pair, from_mm) < most * most ||
+            squared_gap_of_boxes_mm2(pair, to_mm) < most * most)
+            near.push_back(&pair);
+    std::ranges::sort(near, {}, [](const FeaturePair* pair) {
+        return std::tuple(pair->of_edges, pair->first, pair->second);
+    });
+    for (const FeaturePair* pair : near)
+        if (const double area = area_of(*pair); area != 0.0)
+            list.push_back(pad_pair(*pair, pad_of(*pair), area));
 }
 
 const std::vector<SurfaceContact>& SurfacePairs::contacts(

@@ -19,6 +19,7 @@
 #include "core/contact/overlaps.h"
 #include "core/contact/pair_cover.h"
 #include "core/deform/body/body.h"
+#include "core/deform/potentials/pad_pair.h"
 #include "core/deform/potentials/pair_stiffness.h"
 #include "core/deform/potentials/self_load.h"
 
@@ -66,6 +67,10 @@ class SurfacePairs {
 
     // In the order of the features: vertices and triangles, then edges.
     const std::vector<SurfaceContact>& contacts(std::span<const Vec3> positions_mm) const;
+    // All pairs that may be in their pad in one of two places, in the same order: their nodes at
+    // one end of a motion or the other.
+    void list_touches(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
+                      std::vector<PadPair>& list) const;
     // Those where it was looked last.
     const std::vector<SurfaceContact>& last_contacts() const { return contacts_; }
 
@@ -98,7 +103,7 @@ class SurfacePairs {
     bool of_obstacle(int node) const { return node >= moving_nodes_; }
     std::optional<SurfaceContact> contact_of(const FeaturePair& pair,
                                              std::span<const Vec3> positions_mm) const;
-    void fade(SurfaceContact& contact, std::span<const Vec3> positions_mm) const;
+    PadPair pad_pair(const FeaturePair& pair, double pad_mm, double area_mm2) const;
     const std::vector<FeaturePair>& candidates(std::span<const Vec3> from_mm,
                                                std::span<const Vec3> to_mm) const;
     // The least share over all pairs of a motion to which kept(gap, pad) >= 0 is left; negative:

@@ -31,6 +31,15 @@ std::vector<PadContact> ToolContact::contacts_before_led(std::span<const Vec3> p
                  : std::vector<PadContact>{};
 }
 
+void ToolContact::list_touches(std::span<const Vec3> positions_mm,
+                               std::span<const Vec3> other_positions_mm, TouchList& list) const {
+    if (!tool_) return;
+    const std::vector<Capsule> shapes = tool_->shapes();
+    list.tool_pad_mm = tool_->pad_mm;
+    for (const Capsule& shape : shapes) list.tool.push_back(pad_capsule(shape));
+    list.points = pad_.points_near(*tool_, shapes, positions_mm, other_positions_mm);
+}
+
 double ToolContact::least_gap_mm(std::span<const Vec3> positions_mm) const {
     return tool_ ? pad_.least_gap_mm(*tool_, positions_mm) : std::numeric_limits<double>::max();
 }

@@ -13,6 +13,7 @@
 #include "core/deform/potentials/tool_obstacle.h"
 #include "core/deform/potentials/tool_pad.h"
 #include "core/deform/potentials/tool_path.h"
+#include "core/deform/potentials/touch_list.h"
 
 namespace hepatica {
 
@@ -30,6 +31,9 @@ class ToolContact final : public Potential {
     // as it stood before it was led last.
     std::vector<PadContact> contacts(std::span<const Vec3> positions_mm) const;
     std::vector<PadContact> contacts_before_led(std::span<const Vec3> positions_mm) const;
+    // All that may be in its pad in one of two places of the body, as it stands.
+    void list_touches(std::span<const Vec3> positions_mm, std::span<const Vec3> other_positions_mm,
+                      TouchList& list) const;
     // The gap between tool and nearest triangle of the body: < 0 inside, the largest number beyond
     // the pad.
     double least_gap_mm(std::span<const Vec3> positions_mm) const;

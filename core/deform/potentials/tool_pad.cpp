@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
-#include "core/deform/potentials/pad_barrier.h"
+#include "core/base/small_matrix_eigen.h"
 
 namespace hepatica {
 namespace {
@@ -28,48 +29,89 @@ ToolPad::ToolPad(SurfacePatches surface, std::span<const Vec3> rest_mm)
 // The corners of n^2 equal triangles into which it is cut; each of those gives a third of its area
 // to each of its corners. A point of a triangle of edges s is at most s / sqrt(3) from a corner,
 // and the ball bulges there by s^2 / (6 R).
-void ToolPad::add_points_of(int triangle, const Tool& tool, const Capsule& shape, int part,
-                            std::span<const Vec3> positions_mm,
-                            std::vector<PadContact>& found) const {
+void ToolPad::add_points_of(int triangle, const Tool& tool, double radius_mm, int part,
+                            std::vector<PadPoint>& points) const {
     const double pad = tool.pad_mm, edge = longest_edge_mm_[triangle];
-    const double apart = std::sqrt(6.0 * dip_of_pad * pad * shape.radius_mm) / most_stretch;
+    const double apart = std::sqrt(6.0 * dip_of_pad * pad * radius_mm) / most_stretch;
     const int n = std::clamp(static_cast<int>(std::ceil(edge / apart)), 1, most_cuts);
     const double dip =
-        std::min(dip_of_pad * pad, std::pow(most_stretch * edge / n, 2) / (6.0 * shape.radius_mm));
-    const Triangle corners = corners_of(surface_.triangles()[triangle], positions_mm);
-    const Segment axis = shape.axis();
+        std::min(dip_of_pad * pad, std::pow(most_stretch * edge / n, 2) / (6.0 * radius_mm));
+    const auto& [a, b, c] = surface_.triangles()[triangle];
     for (int i = 0; i <= n; ++i)
         for (int j = 0; i + j <= n; ++j) {
             const double v = static_cast<double>(i) / n, w = static_cast<double>(j) / n;
-            const std::array<double, 3> weights{static_cast<double>(n - i - j) / n, v, w};
-            const Vec3 point = point_at(corners, weights);
-            const PointSegment on = closest(point, axis);
-            const double distance = std::sqrt(on.squared_mm2);
-            const double gap = distance - shape.radius_mm - dip;
-            if (!(gap < pad)) continue;
             const int on_borders = (i == 0) + (j == 0) + (i + j == n);
             const double share = on_borders == 0 ? 6.0 : (on_borders == 1 ? 3.0 : 1.0);
             const double strength = share / (3.0 * n * n) * area_mm2_[triangle] * tool.pressure_pa;
-            const PadBarrier barrier = pad_barrier(gap, pad, strength);
-            const Vec3 normal = (point - point_at(axis, on.along)) / distance;
-            found.push_back({part, on.along, triangle, weights, normal, point, barrier.force_un,
-                             barrier.stiffness_un_per_mm, barrier.energy_nj});
+            points.push_back(
+                {{a, b, c}, {static_cast<double>(n - i - j) / n, v, w}, part, strength, dip});
         }
 }
 
-std::vector<PadContact> ToolPad::contacts(const Tool& tool, std::span<const Capsule> shapes,
-                                          std::span<const Vec3> positions_mm) const {
+void ToolPad::add_contacts_of(int triangle, const Tool& tool, const Capsule& shape, int part,
+                              std::span<const Vec3> positions_mm, std::vector<PadPoint>& points,
+                              std::vector<PadContact>& found) const {
+    points.clear();
+    add_points_of(triangle, tool, shape.radius_mm, part, points);
+    const PadCapsule capsule = pad_capsule(shape);
+    small::Vector3<double> corners[3];
+    for (int a = 0; a < 3; ++a)
+        corners[a] = small::from_eigen(positions_mm[surface_.triangles()[triangle][a]]);
+    for (const PadPoint& point : points) {
+        const PointPull pull = pull_of(point, capsule, tool.pad_mm, corners);
+        if (!pull.pressed) continue;
+        found.push_back({part,
+                         pull.along,
+                         triangle,
+                         {point.weights[0], point.weights[1], point.weights[2]},
+                         small::to_eigen(pull.normal),
+                         small::to_eigen(pull.at),
+                         pull.pad.force_un,
+                         pull.pad.stiffness_un_per_mm,
+                         pull.pad.energy_nj});
+    }
+}
+
+PadCapsule pad_capsule(const Capsule& shape) {
+    const Segment axis = shape.axis();
+    return {small::from_eigen(axis[0]), small::from_eigen(axis[1]), shape.radius_mm};
+}
+
+std::vector<std::vector<int>> ToolPad::triangles_near(const Tool& tool,
+                                                      std::span<const Capsule> shapes,
+                                                      std::span<const Vec3> positions_mm) const {
     std::vector<Box> boxes(shapes.size());
     for (std::size_t p = 0; p < shapes.size(); ++p) {
         for (const Vec3& end : shapes[p].axis()) boxes[p].add(end);
         boxes[p].grow(shapes[p].radius_mm + (1.0 + dip_of_pad) * tool.pad_mm);
     }
-    const std::vector<std::vector<int>> near = surface_.triangles_in(boxes, positions_mm);
+    return surface_.triangles_in(boxes, positions_mm);
+}
+
+std::vector<PadContact> ToolPad::contacts(const Tool& tool, std::span<const Capsule> shapes,
+                                          std::span<const Vec3> positions_mm) const {
+    const std::vector<std::vector<int>> near = triangles_near(tool, shapes, positions_mm);
     std::vector<PadContact> found;
+    std::vector<PadPoint> points;
     for (std::size_t p = 0; p < shapes.size(); ++p)
         for (const int t : near[p])
-            add_points_of(t, tool, shapes[p], static_cast<int>(p), positions_mm, found);
+            add_contacts_of(t, tool, shapes[p], static_cast<int>(p), positions_mm, points, found);
     return found;
+}
+
+std::vector<PadPoint> ToolPad::points_near(const Tool& tool, std::span<const Capsule> shapes,
+                                           std::span<const Vec3> positions_mm,
+                                           std::span<const Vec3> other_positions_mm) const {
+    const auto near = triangles_near(tool, shapes, positions_mm);
+    const auto other = triangles_near(tool, shapes, other_positions_mm);
+    std::vector<PadPoint> points;
+    for (std::size_t p = 0; p < shapes.size(); ++p) {
+        std::vector<int> triangles;
+        std::ranges::set_union(near[p], other[p], std::back_inserter(triangles));
+        for (const int t : triangles)
+            add_points_of(t, tool, shapes[p].radius_mm, static_cast<int>(p), points);
+    }
+    return points;
 }
 
 double ToolPad::least_gap_mm(const Tool& tool, std::span<const Vec3> positions_mm) const {

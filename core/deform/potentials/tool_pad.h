@@ -11,6 +11,7 @@
 
 #include <vector>
 
+#include "core/deform/potentials/pad_point.h"
 #include "core/deform/potentials/tool.h"
 
 namespace hepatica {
@@ -28,6 +29,8 @@ struct PadContact {
     double energy_nj = 0.0;
 };
 
+PadCapsule pad_capsule(const Capsule& shape);
+
 // Thread safety: const access only.
 class ToolPad {
   public:
@@ -38,12 +41,22 @@ class ToolPad {
     // corner to corner.
     std::vector<PadContact> contacts(const Tool& tool, std::span<const Capsule> shapes,
                                      std::span<const Vec3> positions_mm) const;
+    // All points that may be in the pad in one of two places of the surface, in that order.
+    std::vector<PadPoint> points_near(const Tool& tool, std::span<const Capsule> shapes,
+                                      std::span<const Vec3> positions_mm,
+                                      std::span<const Vec3> other_positions_mm) const;
     // The gap between tool and nearest triangle: < 0 inside, the largest number beyond the pad.
     double least_gap_mm(const Tool& tool, std::span<const Vec3> positions_mm) const;
 
   private:
-    void add_points_of(int triangle, const Tool& tool, const Capsule& shape, int part,
-                       std::span<const Vec3> positions_mm, std::vector<PadContact>& found) const;
+    void add_points_of(int triangle, const Tool& tool, double radius_mm, int part,
+                       std::vector<PadPoint>& points) const;
+    // `points` is scratch.
+    void add_contacts_of(int triangle, const Tool& tool, const Capsule& shape, int part,
+                         std::span<const Vec3> positions_mm, std::vector<PadPoint>& points,
+                         std::vector<PadContact>& found) const;
+    std::vector<std::vector<int>> triangles_near(const Tool& tool, std::span<const Capsule> shapes,
+                                                 std::span<const Vec3> positions_mm) const;
 
     SurfacePatches surface_;
     std::vector<double> area_mm2_, longest_edge_mm_;  // of each triangle at rest

@@ -142,18 +142,24 @@ bool EnergyLimiter::brakes(const StepUnderway& step, std::span<const int> nodes,
 
 std::vector<EnergyLimiter::Overdrawn> EnergyLimiter::overdrawn(
     const StepUnderway& step, const Assembly& assembly, std::span<const std::uint8_t> held_nodes) {
-    std::vector<Overdrawn> found;
-    if (pieces() == 1) return found;
+    if (pieces() == 1) return {};
     after_ = balance(step, step.positions, step.velocity, assembly);
+    return overdrawn(step, before_, after_, held_nodes);
+}
+
+std::vector<EnergyLimiter::Overdrawn> EnergyLimiter::overdrawn(
+    const StepUnderway& step, std::span<const Balance> energies_before,
+    std::span<const Balance> energies_after, std::span<const std::uint8_t> held_nodes) const {
+    std::vector<Overdrawn> found;
     std::vector<char> marked(held_nodes.begin(), held_nodes.end());
     for (const auto& potential : step.potentials.all())
         potential->mark_held(step.positions, marked);
     for (const std::vector<int>& group : coupled_pieces(step.potentials, step.together)) {
         double excess = 0.0, before = 0.0, kinetic = 0.0, mass_g = 0.0;
         for (const int p : group) {
-            excess += after_[p].energy - before_[p].energy;
-            before += before_[p].kinetic;
-            kinetic += after_[p].kinetic;
+            excess += energies_after[p].energy - energies_before[p].energy;
+            before += energies_before[p].kinetic;
+            kinetic += energies_after[p].kinetic;
             mass_g += mass_g_[p];
         }
         if (rests(before + kinetic, mass_g)) continue;

@@ -50,6 +50,14 @@ class EnergyLimiter {
     std::vector<Overdrawn> overdrawn(const StepUnderway& step, const Assembly& assembly,
                                      std::span<const std::uint8_t> held);
     void forget_end() { after_.clear(); }
+    // The same for a step whose energies by piece were summed up elsewhere, see limit().
+    struct Balance {
+        double energy = 0.0;   // of all kinds
+        double kinetic = 0.0;  // of it
+    };
+    std::vector<Overdrawn> overdrawn(const StepUnderway& step, std::span<const Balance> before,
+                                     std::span<const Balance> after,
+                                     std::span<const std::uint8_t> held) const;
 
     // The velocity at the end of the step of a piece that nothing but weight and drag acts on.
     Vec3 flight(const StepUnderway& step, const Vec3& before_mm_per_s) const;
@@ -68,10 +76,6 @@ class EnergyLimiter {
     // all that is stored at the start, and at the end less the work of weight. An excess below
     // `rounding` of the energies plus `least_nj` means nothing. Elements and contacts take no part
     // in it.
-    struct Balance {
-        double energy = 0.0;   // of all kinds
-        double kinetic = 0.0;  // of it
-    };
     struct Pieces {
         std::span<const Balance> before, after;
         double rounding = 1e-9;

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "core/deform/elements/small_matrix_eigen.h"
+#include "core/base/small_matrix_eigen.h"
 #include "core/deform/solvers/finite_answer.h"
 #include "core/deform/solvers/linear_solver.h"
 #include "core/deform/step/assembly.h"

@@ -47,9 +47,9 @@ NewtonSettings newton_of(const StepperOptions& options) {
             .audit = options.audit};
 }
 
-class CpuBackEnd final : public StepBackEnd {
+class OwnCpuBackEnd final : public CpuBackEnd {
   public:
-    CpuBackEnd(const BodyDescription& description, const StepperOptions& options)
+    OwnCpuBackEnd(const BodyDescription& description, const StepperOptions& options)
         : options_(options),
           body_(build_body(description, options.model, options.order)),
           recovery_(std::in_place, body_) {
@@ -98,13 +98,14 @@ class CpuBackEnd final : public StepBackEnd {
 
     StepReport advance(double dt_s, const std::stop_token& stop) override {
         StepReport report = integrator_->advance(state_, dt_s, *potentials_, stop);
-        potentials_->end_step();
-        if (potentials_->ties()) {
-            report.energy.tear_loss = potentials_->ties()->settle(state_.positions_mm);
-            report.energy.cohesion -= report.energy.tear_loss;
-        }
-        potentials_->let_go(state_.positions_mm);
+        end_step(report);
         return report;
+    }
+    PotentialList& potentials() override { return *potentials_; }
+    void follow(const BodyState& state, StepReport& report) override {
+        state_ = state;
+        integrator_->forget();
+        end_step(report);
     }
 
     bool recover_from_inversion(StepReport& report) override;
@@ -145,6 +146,14 @@ class CpuBackEnd final : public StepBackEnd {
     void restore(const SolverCheckpoint& checkpoint) override { integrator_->restore(checkpoint); }
 
   private:
+    void end_step(StepReport& report) {
+        potentials_->end_step();
+        if (potentials_->ties()) {
+            report.energy.tear_loss = potentials_->ties()->settle(state_.positions_mm);
+            report.energy.cohesion -= report.energy.tear_loss;
+        }
+        potentials_->let_go(state_.positions_mm);
+    }
     // Of the potentials.
     EnergyLedger outside_energies() const {
         EnergyLedger now;
@@ -160,7 +169,7 @@ class CpuBackEnd final : public StepBackEnd {
     BodyState state_;
 };
 
-std::vector<std::array<int, 2>> CpuBackEnd::touching_nodes() const {
+std::vector<std::array<int, 2>> OwnCpuBackEnd::touching_nodes() const {
     std::vector<std::array<int, 2>> touching;
     if (!potentials_->self()) return touching;
     for (const SurfaceContact& contact : potentials_->self()->contacts(state_.positions_mm))
@@ -170,7 +179,7 @@ std::vector<std::array<int, 2>> CpuBackEnd::touching_nodes() const {
     return touching;
 }
 
-void CpuBackEnd::tear(const BodyDescription& whole, const TornBody& tear) {
+void OwnCpuBackEnd::tear(const BodyDescription& whole, const TornBody& tear) {
     std::unique_ptr<LinearSolver> solver = integrator_->release_solver();
     solver->follow_split(integrator_->pattern(), tear.parents);
     const std::vector<Grab> grabs = potentials_->grabs();
@@ -191,7 +200,7 @@ void CpuBackEnd::tear(const BodyDescription& whole, const TornBody& tear) {
     integrator_.emplace(body_, newton_of(options_), std::move(solver));
 }
 
-bool CpuBackEnd::recover_from_inversion(StepReport& report) {
+bool OwnCpuBackEnd::recover_from_inversion(StepReport& report) {
     const auto energy = [&](std::span<const Vec3> x) {
         return integrator_->potential_energy(x, *potentials_);
     };
@@ -219,9 +228,9 @@ bool CpuBackEnd::recover_from_inversion(StepReport& report) {
 
 }  // namespace
 
-std::unique_ptr<StepBackEnd> make_cpu_back_end(const BodyDescription& body,
-                                               const StepperOptions& options) {
-    return std::make_unique<CpuBackEnd>(body, options);
+std::unique_ptr<CpuBackEnd> make_cpu_back_end(const BodyDescription& body,
+                                              const StepperOptions& options) {
+    return std::make_unique<OwnCpuBackEnd>(body, options);
 }
 
 }  // namespace hepatica

@@ -9,8 +9,19 @@
 
 namespace hepatica {
 
+class PotentialList;
+
+// Beside a StepBackEnd, what another machine leans on that makes steps of the same body.
+class CpuBackEnd : public StepBackEnd {
+  public:
+    // What acts on the body.
+    virtual PotentialList& potentials() = 0;
+    // Goes on from the end of a step that the other machine made, and completes its report.
+    virtual void follow(const BodyState& state, StepReport& report) = 0;
+};
+
 // Copies what it needs. Throws InputError where body or options are not valid (see build_body).
-std::unique_ptr<StepBackEnd> make_cpu_back_end(const BodyDescription& body,
-                                               const StepperOptions& options);
+std::unique_ptr<CpuBackEnd> make_cpu_back_end(const BodyDescription& body,
+                                              const StepperOptions& options);
 
 }  // namespace hepatica

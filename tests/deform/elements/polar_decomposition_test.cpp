@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/deform/elements/small_matrix_eigen.h"
+#include "core/base/small_matrix_eigen.h"
 
 namespace hepatica {
 namespace {

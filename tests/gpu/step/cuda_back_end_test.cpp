@@ -13,6 +13,7 @@
 #include "core/deform/stepper/cpu_back_end.h"
 #include "core/deform/stepper/governed_stepper.h"
 #include "gpu/machine/device_error.h"
+#include "tests/deform/support/two_bars.h"
 #include "tests/gpu/support/gpu_bodies.h"
 
 namespace hepatica {
@@ -259,26 +260,46 @@ TEST(CudaBackEnd, LeavesToTheProcessorWhatHasNoKernels) {
     }
 }
 
-TEST(CudaBackEnd, LeavesStepsWithAToolToTheProcessor) {
+// A tool that is far away changes nothing.
+TEST(CudaBackEnd, MakesStepsBesideATool) {
     BodyDescription body = test::gpu_bar();
     body.touchable = true;
     const std::shared_ptr<gpu::Machine> machine = gpu::make_emulator();
-    Played played(body, test::exact_options("corotated"), machine, Precision::double_precision);
-    played.back_end->advance(frame_s);
-    const long launches = machine->traffic().launches;
-    EXPECT_GT(launches, 0);
-    Tool tool = single_tool(Capsule{Vec3(12.0, 100.0, 0.0), Vec3::Zero(), 1.0});
-    tool.target_mm = tool.centre_mm();
-    tool.pad_mm = 0.1;
-    tool.pressure_pa = 1e6;
-    played.back_end->set_tool(tool);
-    const long with_tool = machine->traffic().launches;
-    played.back_end->advance(frame_s);
-    EXPECT_EQ(machine->traffic().launches, with_tool);
-    EXPECT_THAT(played.said, testing::ElementsAre(testing::HasSubstr("tools")));
-    played.back_end->set_tool(std::nullopt);
-    played.back_end->advance(frame_s);
-    EXPECT_GT(machine->traffic().launches, with_tool);
+    const auto play = [&](bool with_tool) {
+        Played played(body, test::exact_options("corotated"), machine, Precision::double_precision);
+        Tool tool = single_tool(Capsule{Vec3(12.0, 100.0, 0.0), Vec3::Zero(), 1.0});
+        tool.target_mm = tool.centre_mm();
+        tool.pad_mm = 0.1;
+        tool.pressure_pa = 1e6;
+        if (with_tool) played.back_end->set_tool(tool);
+        const long before = machine->traffic().launches;
+        played.back_end->advance(frame_s);
+        EXPECT_GT(machine->traffic().launches, before);
+        EXPECT_TRUE(played.said.empty());
+        return played.back_end->state();
+    };
+    EXPECT_EQ(play(true).positions_mm, play(false).positions_mm);
+}
+
+// Two bars that fly at each other: the CPU begins such a step at the velocity of the centre of
+// mass. That it makes the step is said once.
+TEST(CudaBackEnd, SaysThatItLeavesAFreeBodyThatMeetsItself) {
+    const BodyDescription bars = test::crossed_bars(0.5);
+    std::vector<std::string> said;
+    gpu::CudaOptions cuda;
+    cuda.say = [&](const std::string& why) { said.push_back(why); };
+    const auto back_end =
+        gpu::make_cuda_back_end(bars, test::exact_options("corotated"), gpu::make_emulator(), cuda);
+    BodyState state = back_end->state();
+    const std::size_t half = state.positions_mm.size() / 2;
+    for (std::size_t i = half; i < 2 * half; ++i) state.velocities_mm_per_s[i] = Vec3(0, 0, -20);
+    back_end->set_state(state);
+    for (int k = 0; k < 6; ++k) back_end->advance(frame_s);
+    EXPECT_GT(cuda.share->processor, 0);
+    EXPECT_GT(cuda.share->device, 0);
+    EXPECT_EQ(std::ranges::count_if(
+                  said, [](const auto& why) { return why.find("free body") != why.npos; }),
+              1);
 }
 
 // Sleep, substeps and checkpoints are the governor's, whatever the back end.

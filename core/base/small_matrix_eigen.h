@@ -2,8 +2,8 @@
 // Between the host's vectors and those of the element functions. Host only.
 #pragma once
 
+#include "core/base/small_matrix.h"
 #include "core/base/vector.h"
-#include "core/deform/elements/small_matrix.h"
 
 namespace hepatica::small {
 

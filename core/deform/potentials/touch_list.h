@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What of a body may touch something where it is looked at: points in the pad of a tool, pairs of
+// features of its surface and of obstacles, and the points that friction acts on during a step. The
+// search for these is the host's; what comes of them is computed from the lists alone, on any
+// machine.
+#pragma once
+
+#include <vector>
+
+#include "core/deform/potentials/pad_pair.h"
+#include "core/deform/potentials/pad_point.h"
+#include "core/deform/potentials/slip_law.h"
+
+namespace hepatica {
+
+// A point, or a pair of points, that touched when the step began, see SlipLaw. Its slip is the
+// weighted sum of its nodes' places less the anchor, along the surface.
+struct RubPoint {
+    int nodes[4];  // -1: none
+    double weights[4];
+    small::Vector3<double> normal, anchor;
+    SlipLaw law;
+    int kind;  // which friction it is of: the limits of one kind share a node's other forces
+};
+
+struct TouchList {
+    double tool_pad_mm = 0.0;
+    std::vector<PadCapsule> tool;
+    std::vector<PadPoint> points;
+    std::vector<PadPair> pairs;  // nodes behind the body's are those of its obstacles
+    std::vector<RubPoint> rubs;
+};
+
+}  // namespace hepatica

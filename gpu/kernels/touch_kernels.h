@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What touches on the device: points in the pad of a tool, pairs of features of surfaces, and
+// Coulomb's friction, with the functions of core/deform/potentials that the CPU uses. One thread a
+// touch computes what it does; every node knows its touches, so that its force and its row of the
+// matrix are added up by its own thread, in the order of the lists.
+#pragma once
+
+#include "core/deform/potentials/pad_pair.h"
+#include "core/deform/potentials/pad_point.h"
+#include "core/deform/potentials/touch_list.h"
+#include "gpu/kernels/element_kernels.h"
+
+namespace hepatica::gpu {
+
+// What a touch does to the weighted sum of its nodes' places.
+struct TouchPull {
+    double weight[4];
+    double energy;               // nJ
+    Vector3<double> force;       // uN
+    Vector3<double> turning[2];  // of two edges: minus on the beginning, plus on the end of each
+    Matrix3<double> stiffness;   // uN/mm
+    int active;                  // 0: nothing, and the rest is not set
+};
+
+// Nodes from `position` on stand still.
+struct PlacesView {
+    View<const Vector3<double>> position, standing;
+
+    std::size_t bytes() const { return bytes_of(position, standing); }
+    HEPATICA_HOST_DEVICE const Vector3<double>& operator[](int node) const {
+        return node < position.size ? position[node] : standing[node - position.size];
+    }
+};
+
+struct PressPoints {
+    View<const PadPoint> point;
+    View<const PadCapsule> tool;
+    double pad;
+    PlacesView place;
+    View<TouchPull> pull;
+
+    HEPATICA_HOST_DEVICE int count() const { return point.size; }
+    std::size_t bytes() const {
+        return bytes_of(point, tool, pull) + point.size * 3 * sizeof(Vector3<double>);
+    }
+    HEPATICA_HOST_DEVICE void operator()(int k) const {
+        Vector3<double> corners[3];
+        for (int a = 0; a < 3; ++a) corners[a] = place[point[k].nodes[a]];
+        const PointPull is = pull_of(point[k], tool[point[k].part], pad, corners);
+        TouchPull& out = pull[k];
+        out.active = is.pressed ? 1 : 0;
+        if (!is.pressed) return;
+        for (int a = 0; a < 3; ++a) out.weight[a] = point[k].weights[a];
+        out.weight[3] = 0.0;
+        out.energy = is.pad.energy_nj;
+        out.force = is.pad.force_un * is.normal;
+        out.turning[0] = out.turning[1] = {{0.0, 0.0, 0.0}};
+        out.stiffness = small::outer(is.pad.stiffness_un_per_mm * is.normal, is.normal);
+    }
+};
+
+struct PressPairs {
+    View<const PadPair> pair;
+    PlacesView place;
+    View<TouchPull> pull;
+
+    HEPATICA_HOST_DEVICE int count() const { return pair.size; }
+    std::size_t bytes() const {
+        return bytes_of(pair, pull) + pair.size * 4 * sizeof(Vector3<double>);
+    }
+    HEPATICA_HOST_DEVICE void operator()(int k) const {
+        Vector3<double> corners[4];
+        for (int a = 0; a < 4; ++a) corners[a] = place[pair[k].nodes[a]];
+        const NearestPoints at = nearest_points(pair[k].in_first, corners);
+        TouchPull& out = pull[k];
+        out.active = at.gap_mm < pair[k].pad_mm ? 1 : 0;
+        if (out.active == 0) return;
+        const PairPull is = pull_of(pair[k], at, corners);
+        for (int a = 0; a < 4; ++a) out.weight[a] = at.weights[a];
+        out.energy = is.pad.energy_nj;
+        out.force = is.pad.force_un * is.normal;
+        out.turning[0] = is.turning_first_un;
+        out.turning[1] = is.turning_second_un;
+        out.stiffness = small::outer(is.pad.stiffness_un_per_mm * is.normal, is.normal);
+    }
+};
+
+HEPATICA_HOST_DEVICE Vector3<double> slip_at(const RubPoint& rub, const PlacesView& place) {
+    Vector3<double> moved{{0.0, 0.0, 0.0}};
+    for (int a = 0; a < 4; ++a)
+        if (rub.nodes[a] >= 0) moved = moved + rub.weights[a] * place[rub.nodes[a]];
+    return slip_of(moved - rub.anchor, rub.normal);
+}
+
+// Energy and force; ForeseeSlips has the stiffness.
+struct RubPoints {
+    View<const RubPoint> rub;
+    PlacesView place;
+    View<TouchPull> pull;
+
+    HEPATICA_HOST_DEVICE int count() const { return rub.size; }
+    std::size_t bytes() const {
+        return bytes_of(rub, pull) + rub.size * 4 * sizeof(Vector3<double>);
+    }
+    HEPATICA_HOST_DEVICE void operator()(int k) const {
+        const Vector3<double> slip = slip_at(rub[k], place);
+        TouchPull& out = pull[k];
+        out.active = rub[k].law.limit_un > 0.0 ? 1 : 0;
+        for (int a = 0; a < 4; ++a) out.weight[a] = rub[k].weights[a];
+        out.energy = rub[k].law.energy_nj(slip);
+        out.force = rub[k].law.force_un(slip);
+        out.turning[0] = out.turning[1] = {{0.0, 0.0, 0.0}};
+        out.stiffness = small::zero_matrix<double>();
+    }
+};
+
+// All touches, by node. First those of pads, then those of friction.
+struct TouchesView {
+    View<const int> row;           // of every node, -1: it touches nothing; empty: nothing does
+    View<const int> begin, entry;  // of each row: 4 t + a for node a of touch t
+    View<const int> node;          // four a touch; -1: none, or one that does not move
+    View<const TouchPull> pull;
+    int first_rub = 0;
+
+    std::size_t bytes() const { return bytes_of(row, begin, entry, node, pull); }
+
+    // Calls visit(t, a) for every touch that node i has a part in.
+    template <class Visit>
+    HEPATICA_HOST_DEVICE void for_each(int i, const Visit& visit) const {
+        if (row.empty() || row[i] < 0) return;
+        for (int k = begin[row[i]]; k < begin[row[i] + 1]; ++k)
+            if (const int t = entry[k] / 4; pull[t].active != 0) visit(t, entry[k] % 4);
+    }
+    HEPATICA_HOST_DEVICE Vector3<double> force(int i) const {
+        Vector3<double> sum{{0.0, 0.0, 0.0}};
+        for_each(i, [&](int t, int a) {
+            const TouchPull& is = pull[t];
+            const double sign = a % 2 == 0 ? -1.0 : 1.0;
+            sum = sum + (is.weight[a] * is.force + sign * is.turning[a / 2]);
+        });
+        return sum;
+    }
+    // A touch's energy is booked at the first of its nodes that moves. Adds to pads or to friction.
+    HEPATICA_HOST_DEVICE void add_energy(int i, double& pads, double& friction) const {
+        for_each(i, [&](int t, int a) {
+            for (int before = 0; before < a; ++before)
+                if (node[4 * t + before] >= 0) return;
+            (t < first_rub ? pads : friction) += pull[t].energy;
+        });
+    }
+    // Row i of their stiffness times p.
+    template <class Real>
+    HEPATICA_HOST_DEVICE Vector3<double> product(int i, const View<const Vector3<Real>>& p) const {
+        Vector3<double> sum{{0.0, 0.0, 0.0}};
+        for_each(i, [&](int t, int a) {
+            const TouchPull& is = pull[t];
+            Vector3<double> moved{{0.0, 0.0, 0.0}};
+            for (int b = 0; b < 4; ++b) {
+                const int other = node[4 * t + b];
+                for (int c = 0; c < 3 && other >= 0; ++c)
+                    moved[c] += is.weight[b] * double(p[other][c]);
+            }
+            sum = sum + is.weight[a] * (is.stiffness * moved);
+        });
+        return sum;
+    }
+    // The diagonal block of that row.
+    HEPATICA_HOST_DEVICE Matrix3<double> diagonal(int i) const {
+        Matrix3<double> sum = small::zero_matrix<double>();
+        for_each(i, [&](int t, int a) {
+            sum = sum + (pull[t].weight[a] * pull[t].weight[a]) * pull[t].stiffness;
+        });
+        return sum;
+    }
+};
+
+// row[node[k]] = begin + k * step: where the lists of these nodes are, or, with begin -1 and step
+// 0, that there are none.
+struct SetRows {
+    View<const int> node;
+    int begin, step;
+    View<int> row;
+
+    HEPATICA_HOST_DEVICE int count() const { return node.size; }
+    std::size_t bytes() const { return 2 * bytes_of(node); }
+    HEPATICA_HOST_DEVICE void operator()(int k) const { row[node[k]] = begin + k * step; }
+};
+
+}  // namespace hepatica::gpu
