@@ -11,6 +11,7 @@
 
 #include "core/base/vector.h"
 #include "core/deform/solvers/block_matrix.h"
+#include "core/deform/solvers/coupling_blocks.h"
 
 namespace hepatica {
 
@@ -61,6 +62,18 @@ inline void add_pair_product(const PointPair& pair, const Mat3& stiffness, bool 
     for (int a = 0; a < 4; ++a)
         if (!stays(held, pair.nodes[a]))
             product[pair.nodes[a]] += pair.weights[a] * (a < pair.in_first ? first : second);
+}
+
+// Appends the blocks of the coupling. A node of no weight has them, too, so that they change as
+// seldom as the pairs that touch.
+inline void append_pair_coupling(const PointPair& pair, const Mat3& stiffness,
+                                 std::span<const std::uint8_t> held, CouplingBlocks& blocks) {
+    PairCoupling own;
+    for (int a = 0; a < pair.in_first; ++a)
+        for (int b = pair.in_first; b < 4; ++b)
+            if (const int i = pair.nodes[a], j = pair.nodes[b]; !stays(held, i) && !stays(held, j))
+                own.blocks[own.count++] = {i, j, pair.weights[a] * pair.weights[b] * stiffness};
+    if (own.count > 0) blocks.push_back(own);
 }
 
 }  // namespace hepatica

@@ -12,6 +12,7 @@
 #include "core/deform/body/body_state.h"
 #include "core/deform/body/energy_ledger.h"
 #include "core/deform/solvers/block_matrix.h"
+#include "core/deform/solvers/coupling_blocks.h"
 
 namespace hepatica {
 
@@ -61,6 +62,9 @@ class Potential {
     virtual bool coupled(std::span<const Vec3> /*positions_mm*/) const { return false; }
     virtual void add_coupling(std::span<const Vec3> /*positions_mm*/, double /*factor*/,
                               std::span<const Vec3> /*d*/, std::span<Vec3> /*product*/) const {}
+    // Appends its blocks.
+    virtual void append_coupling(std::span<const Vec3> /*positions_mm*/, double /*factor*/,
+                                 CouplingBlocks& /*blocks*/) const {}
 
     // Sets held[i] for the nodes that it ties to points in space: through these the body exchanges
     // momentum with its surroundings. Weight ties none.

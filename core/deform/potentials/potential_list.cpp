@@ -266,6 +266,11 @@ void PotentialList::add_coupling(std::span<const Vec3> positions_mm, double fact
     for (const auto& potential : all_) potential->add_coupling(positions_mm, factor, d, product);
 }
 
+void PotentialList::append_coupling(std::span<const Vec3> positions_mm, double factor,
+                                    CouplingBlocks& blocks) const {
+    for (const auto& potential : all_) potential->append_coupling(positions_mm, factor, blocks);
+}
+
 double PotentialList::book(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm,
                            EnergyLedger& ledger) const {
     double sum = 0.0;

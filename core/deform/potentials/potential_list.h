@@ -110,6 +110,8 @@ class PotentialList {
     bool coupled(std::span<const Vec3> positions_mm) const;
     void add_coupling(std::span<const Vec3> positions_mm, double factor, std::span<const Vec3> d,
                       std::span<Vec3> product) const;
+    void append_coupling(std::span<const Vec3> positions_mm, double factor,
+                         CouplingBlocks& blocks) const;
     // Every term of the ledger that a potential has; returns the sum of their energies.
     double book(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm,
                 EnergyLedger& ledger) const;

@@ -47,6 +47,12 @@ void SelfContact::add_coupling(std::span<const Vec3> positions_mm, double factor
         add_pair_product(contact.at, factor * along_normal(contact), false, held_, d, product);
 }
 
+void SelfContact::append_coupling(std::span<const Vec3> positions_mm, double factor,
+                                  CouplingBlocks& blocks) const {
+    for (const SurfaceContact& contact : contacts(positions_mm))
+        append_pair_coupling(contact.at, factor * along_normal(contact), held_, blocks);
+}
+
 void SelfContact::join_pieces(std::span<const int> piece_of_node, DisjointSets& pieces) const {
     const auto join = [&](int node, int other) {
         pieces.unite(piece_of_node[node], piece_of_node[other]);

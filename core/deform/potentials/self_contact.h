@@ -42,6 +42,8 @@ class SelfContact final : public Potential {
     }
     void add_coupling(std::span<const Vec3> positions_mm, double factor, std::span<const Vec3> d,
                       std::span<Vec3> product) const override;
+    void append_coupling(std::span<const Vec3> positions_mm, double factor,
+                         CouplingBlocks& blocks) const override;
     // Pieces that touched at the beginning of the step or where one of its matrices was made, or
     // touch where they were looked at last.
     void join_pieces(std::span<const int> piece_of_node, DisjointSets& pieces) const override;

@@ -102,4 +102,10 @@ void SelfFriction::add_coupling(std::span<const Vec3> positions_mm, double facto
         add_pair_product(grip.at, factor * grip.stiffness(positions_mm), false, held_, d, product);
 }
 
+void SelfFriction::append_coupling(std::span<const Vec3> positions_mm, double factor,
+                                   CouplingBlocks& blocks) const {
+    for (const Grip& grip : grips_)
+        append_pair_coupling(grip.at, factor * grip.stiffness(positions_mm), held_, blocks);
+}
+
 }  // namespace hepatica

@@ -36,6 +36,8 @@ class SelfFriction final : public Potential {
     bool coupled(std::span<const Vec3>) const override { return !grips_.empty(); }
     void add_coupling(std::span<const Vec3> positions_mm, double factor, std::span<const Vec3> d,
                       std::span<Vec3> product) const override;
+    void append_coupling(std::span<const Vec3> positions_mm, double factor,
+                         CouplingBlocks& blocks) const override;
     void begin_step(const BodyState& start, double dt_s,
                     std::span<const std::uint8_t> held) override;
     void end_step() override {

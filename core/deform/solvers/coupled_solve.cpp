@@ -15,8 +15,16 @@ Vec3 sum_of(std::span<const Vec3> a) {
     return sum;
 }
 
-void correct_translation(const ConjugateGradient::Product& apply, std::span<const Vec3> rhs,
-                         std::span<Vec3> x) {
+}  // namespace
+
+void keep_sum_of_residual(const BlockMatrix& matrix, const Coupling& coupling,
+                          std::span<const std::uint8_t> held, std::span<const Vec3> rhs,
+                          std::span<Vec3> x) {
+    if (std::ranges::any_of(held, [](std::uint8_t h) { return h != 0; })) return;
+    const auto apply = [&](const std::vector<Vec3>& d, std::vector<Vec3>& product) {
+        multiply(matrix, d, product);
+        if (coupling) coupling(d, product);
+    };
     std::vector<Vec3> field(x.begin(), x.end()), product;
     apply(field, product);
     const Vec3 left = sum_of(rhs) - sum_of(product);
@@ -30,8 +38,6 @@ void correct_translation(const ConjugateGradient::Product& apply, std::span<cons
     if (!shift.allFinite()) return;
     for (Vec3& value : x) value += shift;
 }
-
-}  // namespace
 
 SolveReport solve_coupled(LinearSolver& solver, const BlockMatrix& matrix, const Coupling& coupling,
                           std::span<const std::uint8_t> held, std::span<const Vec3> rhs,
@@ -47,8 +53,7 @@ SolveReport solve_coupled(LinearSolver& solver, const BlockMatrix& matrix, const
     ConjugateGradient iteration;
     SolveReport report = iteration.solve(apply, precondition, rhs, x, limits, stop);
     report.method = "coupled";
-    if (std::ranges::none_of(held, [](std::uint8_t h) { return h != 0; }))
-        correct_translation(apply, rhs, x);
+    keep_sum_of_residual(matrix, coupling, held, rhs, x);
     return report;
 }
 

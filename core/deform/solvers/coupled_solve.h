@@ -28,4 +28,10 @@ SolveReport solve_coupled(LinearSolver& solver, const BlockMatrix& matrix, const
                           std::span<Vec3> x, const SolveLimits& limits,
                           const std::stop_token& stop = {});
 
+// Corrects the common translation of an approximate solution x of (A + C) x = rhs as said above.
+// Without a coupling it is that of A alone.
+void keep_sum_of_residual(const BlockMatrix& matrix, const Coupling& coupling,
+                          std::span<const std::uint8_t> held, std::span<const Vec3> rhs,
+                          std::span<Vec3> x);
+
 }  // namespace hepatica

@@ -106,17 +106,41 @@ void NewtonStep::add_coupling(const StepUnderway& step, std::span<const Vec3> d,
     step.potentials.add_coupling(step.positions, step.dt_s * step.dt_s, d, product);
 }
 
+// The present system, whose couplings are given where there are any: a few are left to iterations,
+// many are worth a factor that knows them.
+SolveReport NewtonStep::solve_system(const StepUnderway& step, const CouplingBlocks& coupling) {
+    const BlockMatrix& matrix = potential_.matrix();
+    const double share = velocity_error_.any() ? VelocityError::least_share
+                                               : 1.0 + step.dt_s * body_.damping.alpha_per_s;
+    std::ranges::fill(change_, Vec3::Zero());
+    if (coupled_.pays(matrix, coupling)) {
+        solver_unaware_ = true;
+        coupled_.heed(step.stop);
+        coupled_.bound_below(body_.mass_g, share);
+        return coupled_.solve(matrix, potential_.assembled_rows(), coupling,
+                              potential_.live().held(), residual_, change_, settings_.linear);
+    }
+    coupled_.forget_matrix();
+    solver_->bound_below(body_.mass_g, share);
+    if (std::exchange(solver_unaware_, false))
+        solver_->prepare(matrix, step.positions);
+    else
+        solver_->update(matrix, step.positions, potential_.assembled_rows());
+    if (coupling.empty()) return solver_->solve(residual_, change_, settings_.linear);
+    return solve_coupled(
+        *solver_, matrix,
+        [&](std::span<const Vec3> d, std::span<Vec3> product) { add_coupling(step, d, product); },
+        potential_.live().held(), residual_, change_, settings_.linear, step.stop);
+}
+
 void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
-    const bool coupled = step.potentials.coupled(step.positions);
-    solver_->bound_below(body_.mass_g, velocity_error_.any()
-                                           ? VelocityError::least_share
-                                           : 1.0 + step.dt_s * body_.damping.alpha_per_s);
-    solver_->update(potential_.matrix(), step.positions, potential_.assembled_rows());
+    CouplingBlocks coupling;
+    step.potentials.append_coupling(step.positions, step.dt_s * step.dt_s, coupling);
     // The first system is solved for the change of velocity, whose relative error means something
     // for a body in flight, too.
     if (step.iterate == 0 && !step.predicted) {
         add_to_free(-1.0, potential_.matrix(), step.start.velocities_mm_per_s);
-        if (coupled) {
+        if (!coupling.empty()) {
             product_.assign(residual_.size(), Vec3::Zero());
             add_coupling(step, step.start.velocities_mm_per_s, product_);
             for_each_node(residual_.size(), [&](std::size_t i) { residual_[i] -= product_[i]; });
@@ -124,16 +148,8 @@ void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
         if (velocity_error_.any())
             add_to_free(1.0, velocity_error_.matrix(), step.start.velocities_mm_per_s);
     }
-    std::ranges::fill(change_, Vec3::Zero());
-    const SolveReport solved =
-        coupled ? solve_coupled(
-                      *solver_, potential_.matrix(),
-                      [&](std::span<const Vec3> d, std::span<Vec3> product) {
-                          add_coupling(step, d, product);
-                      },
-                      potential_.live().held(), residual_, change_, settings_.linear, step.stop)
-                : solver_->solve(residual_, change_, settings_.linear);
-    if (solver_->made_from_latest()) {
+    const SolveReport solved = solve_system(step, coupling);
+    if (!solver_unaware_ && solver_->made_from_latest()) {
         made_ = {.made_from = origin_of(step), .overlaps = step.potentials.kept_overlaps()};
         if (step.potentials.tool())
             made_.tool = ToolOrigin{*step.potentials.tool(), step.start.positions_mm};
@@ -233,6 +249,8 @@ void NewtonStep::restore(const SolverCheckpoint& checkpoint) {
         potential_.count_collapse(settings_.tension);
         potential_.forget_matrix();
     };
+    CoupledFactor coupled;
+    coupled.restore(potential_.matrix(), checkpoint.coupled);
     if (origin) assemble_again(checkpoint);
     const std::vector<Vec3> none;
     const bool first = !origin || origin->iterate_mm.empty();
@@ -245,6 +263,8 @@ void NewtonStep::restore(const SolverCheckpoint& checkpoint) {
         throw;
     }
     back_to_present();
+    coupled_ = std::move(coupled);
+    solver_unaware_ = false;
     made_ = checkpoint;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/deform/body/body.h"
+#include "core/deform/solvers/coupled_factor.h"
 #include "core/deform/solvers/linear_solver.h"
 #include "core/deform/step/incremental_potential.h"
 #include "core/deform/step/solver_checkpoint.h"
@@ -63,6 +64,7 @@ class NewtonStep {
     SolverCheckpoint checkpoint() const {
         SolverCheckpoint kept = made_;
         kept.memory = solver_->memory();
+        kept.coupled = coupled_.memory();
         return kept;
     }
     void restore(const SolverCheckpoint& checkpoint);
@@ -86,6 +88,7 @@ class NewtonStep {
     void keep_damping(const StepUnderway& step);
     void damp(StepUnderway& step, double step_length);
     void add_to_free(double factor, const BlockMatrix& matrix, const std::vector<Vec3>& x);
+    SolveReport solve_system(const StepUnderway& step, const CouplingBlocks& coupling);
     void solve(const StepUnderway& step, StepReport& report);
     void add_coupling(const StepUnderway& step, std::span<const Vec3> d,
                       std::span<Vec3> product) const;
@@ -100,9 +103,11 @@ class NewtonStep {
     const Body& body_;
     IncrementalPotential& potential_;
     std::unique_ptr<LinearSolver> solver_;
+    CoupledFactor coupled_;        // in its place where many surfaces touch
+    bool solver_unaware_ = false;  // matrices were made that solver_ was not given
     NewtonSettings settings_;
     VelocityError velocity_error_;
-    SolverCheckpoint made_;       // but its memory; see LinearSolver::made_from_latest
+    SolverCheckpoint made_;  // but what the solvers remember; see LinearSolver::made_from_latest
     std::vector<Vec3> first_mm_;  // where the first iterate's matrix was made
     double direction_form_ =
         0.0;  // of the first direction from rest: direction^T beta K_0 direction

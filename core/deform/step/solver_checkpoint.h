@@ -12,6 +12,7 @@
 #include "core/deform/potentials/grab.h"
 #include "core/deform/potentials/self_load.h"
 #include "core/deform/potentials/tool.h"
+#include "core/deform/solvers/coupled_factor.h"
 
 namespace hepatica {
 
@@ -42,7 +43,8 @@ struct SolverCheckpoint {
     std::optional<ToolOrigin> tool{};         // none where the matrix knew no tool
     SurfacesKept overlaps{};                  // of that matrix
     std::vector<Vec3>
-        began_mm{};  // where its step began, of which friction of surfaces is; else empty
+        began_mm{};           // where its step began, of which friction of surfaces is; else empty
+    CoupledMemory coupled{};  // of the factor that knows couplings; empty where there is none
 };
 
 }  // namespace hepatica

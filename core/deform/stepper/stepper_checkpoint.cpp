@@ -182,7 +182,7 @@ void fields(Visit& visit, auto& value) requires requires {
     visit(value.solver.memory);
     visit(value.region);
     visit.behind_all(value.tool, value.solver.tool, value.self, value.solver.overlaps, value.tear,
-                     value.obstacles, value.solver.began_mm);
+                     value.obstacles, value.solver.began_mm, value.solver.coupled);
 }
 
 // Gives the bytes of every field to a sink.
@@ -212,8 +212,11 @@ class Writer {
         if (value) put_record(*value);
     }
     void behind_all(const auto& tool, const auto& made_with, const auto& self, const auto& overlaps,
-                    const auto& tear, const auto& obstacles, const auto& began_mm) {
-        const bool of_friction = obstacles || overlaps.obstacles || !began_mm.empty();
+                    const auto& tear, const auto& obstacles, const auto& began_mm,
+                    const auto& coupled) {
+        const bool of_couplings = !coupled.numbers.empty();
+        const bool of_friction =
+            obstacles || overlaps.obstacles || !began_mm.empty() || of_couplings;
         const bool of_surfaces = self || overlaps.self || tear || of_friction;
         if (!tool && !made_with && !of_surfaces) return;
         (*this)(tool);
@@ -227,6 +230,9 @@ class Writer {
         (*this)(obstacles);
         (*this)(overlaps.obstacles);
         (*this)(began_mm);
+        if (!of_couplings) return;
+        (*this)(coupled.pairs);
+        (*this)(coupled.numbers);
     }
 
   private:
@@ -296,7 +302,7 @@ class Reader {
         if (take_flag()) take_record(value.emplace());
     }
     void behind_all(auto& tool, auto& made_with, auto& self, auto& overlaps, auto& tear,
-                    auto& obstacles, auto& began_mm) {
+                    auto& obstacles, auto& began_mm, auto& coupled) {
         if (rest_.empty()) return;
         (*this)(tool);
         (*this)(made_with);
@@ -315,6 +321,11 @@ class Reader {
             (*this)(overlaps.obstacles);
             (*this)(began_mm);
             used = obstacles || overlaps.obstacles || !began_mm.empty();
+        }
+        if (!rest_.empty()) {
+            (*this)(coupled.pairs);
+            (*this)(coupled.numbers);
+            used = !coupled.numbers.empty();
         }
         if (!used) refuse("goes on after its end");
     }

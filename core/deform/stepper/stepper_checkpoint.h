@@ -80,8 +80,8 @@ std::uint64_t hash_of(const StepperCheckpoint& checkpoint);
 // (doubles as IEEE 754, integers signed), bytes of `live` and `held` as one each; arrays after
 // their length; an optional field after a length of 0 or 1. The two optional
 // fields of tools stand behind all others, then those of surfaces, then that of tears, then those
-// of obstacles and of where the last matrix' step began: not at all where there is none of them or
-// behind them.
+// of obstacles and of where the last matrix' step began, then those of couplings: not at all where
+// there is none of them or behind them.
 std::string to_bytes(const StepperCheckpoint& checkpoint);
 
 // Throws InputError where the bytes are no checkpoint, are cut off or too long, or hold a number

@@ -244,6 +244,14 @@ TEST(StepperCheckpointBytes, EveryFieldCountsInTheHash) {
         {"last grab", [](auto& c) { c.last_grab += 1.0; }},
         {"last tether", [](auto& c) { c.last_tether += 1.0; }},
         {"memory", [](auto& c) { c.solver.memory[0] += 1.0; }},
+        {"coupled numbers",
+         [](auto& c) {
+             c.solver.coupled.numbers = {0.0, 0.0, 1.0};
+         }},
+        {"coupled pairs",
+         [](auto& c) {
+             c.solver.coupled = {{0, 9}, {0.0, 0.0, 1.0}};
+         }},
         {"no origin", [](auto& c) { c.solver.made_from.reset(); }},
         {"origin dt", [](auto& c) { c.solver.made_from->dt_s += 1e-9; }},
         {"origin start", [](auto& c) { c.solver.made_from->first_mm[0].x() += 1e-9; }},
