@@ -131,12 +131,15 @@ class Contact : public testing::TestWithParam<std::string> {
     bool rubbed_ = false;
 };
 
-// What sticks is bound by stiffness so great that the CPU's own two solvers differ by more than
-// 1e-10: then the device may differ from the direct one by twice as much.
+// Where the CPU's own two solvers differ by more than 1e-10 the device may differ from the direct
+// one by twice as much. What sticks is bound by stiffness so great that residuals of 5e-14 leave
+// 4e-9 of the motion open; the CPU solves it by one factor whatever its solver is, so that the two
+// do not show it there.
 TEST_P(Contact, StepsAgreeInDouble) {
     const Difference found = play(Precision::double_precision, 55);
     EXPECT_GT(found.steps, 20);
-    const double bound = std::max(1e-10, 2.0 * found.of_solvers);
+    const bool sticks = GetParam() == "self-friction" || GetParam() == "everything";
+    const double bound = std::max(sticks ? 1e-8 : 1e-10, 2.0 * found.of_solvers);
     EXPECT_LT(found.motion, bound) << found.at;
     EXPECT_LT(found.books, bound);
     EXPECT_EQ(rubbed_, GetParam() != "self");
