@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 
 #include "core/base/error.h"
@@ -122,10 +123,14 @@ SolveReport NewtonStep::solve_system(const StepUnderway& step, const CouplingBlo
     }
     coupled_.forget_matrix();
     solver_->bound_below(body_.mass_g, share);
-    if (std::exchange(solver_unaware_, false))
-        solver_->prepare(matrix, step.positions);
-    else
-        solver_->update(matrix, step.positions, potential_.assembled_rows());
+    // Not prepared anew, so that one who goes on from a checkpoint gets the same bits: there, too,
+    // all rows count as changed and nothing else is known of the matrices between.
+    std::vector<int> rows(potential_.assembled_rows().begin(), potential_.assembled_rows().end());
+    if (std::exchange(solver_unaware_, false)) {
+        rows.resize(static_cast<std::size_t>(matrix.rows()));
+        std::iota(rows.begin(), rows.end(), 0);
+    }
+    solver_->update(matrix, step.positions, rows);
     if (coupling.empty()) return solver_->solve(residual_, change_, settings_.linear);
     return solve_coupled(
         *solver_, matrix,
