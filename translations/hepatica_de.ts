@@ -8344,10 +8344,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>„%1“ ist kein Wirkstoff</translation>
     </message>
     <message>
-        <source>Give one of: carrier, lipiodol, gas</source>
-        <translation>Einen von diesen angeben: carrier, lipiodol, gas</translation>
-    </message>
-    <message>
         <source>Blood</source>
         <translation>Blut</translation>
     </message>

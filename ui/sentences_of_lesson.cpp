@@ -122,7 +122,6 @@ constexpr std::array sentences_lesson{
     Words::id("lipiodol"),
     Words::id("gas"),
     Words::id("\"%1\" is no drug"),
-    Words::id("Give one of: carrier, lipiodol, gas"),
     Words::id("Give three numbers, in mm"),
     Words::id("Take a newer program, or write the file for version 1"),
     Words::id("Write it as [...]"),

@@ -42,14 +42,17 @@ std::vector<Phase> second_phases() {
     return {gas(), lipiodol(), carrier()};
 }
 
+std::string names_of_second_phases() {
+    std::string names;
+    for (const Phase& phase : second_phases()) names += (names.empty() ? "" : ", ") + phase.name;
+    return names;
+}
+
 Phase second_phase(const std::string& name) {
-    std::string known;
-    for (const Phase& phase : second_phases()) {
+    for (const Phase& phase : second_phases())
         if (phase.name == name) return phase;
-        known += known.empty() ? phase.name : ", " + phase.name;
-    }
     throw InputError("there is no second phase called '" + name + "'", "phase",
-                     "Choose one of: " + known);
+                     "Choose one of: " + names_of_second_phases());
 }
 
 Fluid mixture(const Phase& liquid, const Phase& second, double void_fraction) {

@@ -29,6 +29,8 @@ Phase carrier();
 // that lists these for any other name.
 Phase second_phase(const std::string& name);
 std::vector<Phase> second_phases();
+// Their names, for messages: "gas, lipiodol, carrier".
+std::string names_of_second_phases();
 
 // The share of the volume that the second phase takes where nobody chose one: within the 0.386 to
 // 0.433 that the paper quotes.

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text_file.h"
+#include "core/flow/fluid.h"
 #include "core/lesson/lesson_fields.h"
 #include "core/lesson/predicate_json.h"
 
@@ -92,9 +93,10 @@ SceneSpec scene_of(const LessonFields& fields) {
 }
 
 std::string drug_from(const LessonFields& drug) {
-    constexpr std::array known{"carrier", "lipiodol", "gas"};
-    if (std::ranges::find(known, drug.text()) == known.end())
-        drug.refuse("\"" + drug.text() + "\" is no drug", "Give one of: carrier, lipiodol, gas");
+    const auto known = second_phases();
+    if (std::ranges::find(known, drug.text(), &Phase::name) == known.end())
+        drug.refuse("\"" + drug.text() + "\" is no drug",
+                    "Choose one of: " + names_of_second_phases());
     return drug.text();
 }
 

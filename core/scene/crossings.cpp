@@ -29,16 +29,27 @@ bool lie_on_each_other(const DeformPart& deform, const Corners& one, const Corne
     });
 }
 
-int crossing_pairs_of_vessels(const DeformPart& deform, const OverlapsKept& kept) {
-    const auto triangles = boundary_triangles(deform.shape());
-    const auto pairs = crossing_triangles(triangles, deform.positions_mm());
-    const SurfaceFeatures features(SurfacePatches(triangles), deform.rest_positions_mm());
+// Pairs of triangles that cross now, but those of overlaps that are left out and those that do not
+// count: `counts(one, other)` is asked for the triangles of each.
+template <class Counts>
+int count_crossings(const std::vector<Corners>& triangles, const SurfaceFeatures& features,
+                    std::span<const Vec3> now_mm, const OverlapsKept& kept, const Counts& counts) {
     Overlaps overlaps(features);
     set_pairs(kept, overlaps);
+    const auto pairs = crossing_triangles(triangles, now_mm);
     return static_cast<int>(std::ranges::count_if(pairs, [&](const auto& pair) {
         return !overlaps.left_out(features.patch_of(pair[0]), features.patch_of(pair[1])) &&
-               !lie_on_each_other(deform, triangles[pair[0]], triangles[pair[1]]);
+               counts(pair[0], pair[1]);
     }));
+}
+
+int crossing_pairs_of_vessels(const DeformPart& deform, const OverlapsKept& kept) {
+    const auto triangles = boundary_triangles(deform.shape());
+    const SurfaceFeatures features(SurfacePatches(triangles), deform.rest_positions_mm());
+    return count_crossings(triangles, features, deform.positions_mm(), kept,
+                           [&](int one, int other) {
+                               return !lie_on_each_other(deform, triangles[one], triangles[other]);
+                           });
 }
 
 int crossing_pairs_with_obstacles(const DeformPart& deform, const OverlapsKept& kept) {
@@ -46,13 +57,10 @@ int crossing_pairs_with_obstacles(const DeformPart& deform, const OverlapsKept& 
     const WithObstacles now =
         with_obstacles(*deform.body().obstacles, deform.positions_mm(), of_body);
     const SurfaceFeatures features(SurfacePatches(now.triangles), now.positions_mm, now.kinds);
-    Overlaps overlaps(features);
-    set_pairs(kept, overlaps);
-    const auto pairs = crossing_triangles(now.triangles, now.positions_mm);
-    return static_cast<int>(std::ranges::count_if(pairs, [&](const auto& pair) {
-        const int first = features.patch_of(pair[0]), second = features.patch_of(pair[1]);
-        return features.may_meet(first, second) && !overlaps.left_out(first, second);
-    }));
+    return count_crossings(
+        now.triangles, features, now.positions_mm, kept, [&](int one, int other) {
+            return features.may_meet(features.patch_of(one), features.patch_of(other));
+        });
 }
 
 }  // namespace
@@ -60,12 +68,7 @@ int crossing_pairs_with_obstacles(const DeformPart& deform, const OverlapsKept& 
 int crossing_pairs(const std::vector<Corners>& triangles, std::span<const Vec3> rest_mm,
                    std::span<const Vec3> now_mm, const OverlapsKept& kept) {
     const SurfaceFeatures features(SurfacePatches(triangles), rest_mm);
-    Overlaps overlaps(features);
-    set_pairs(kept, overlaps);
-    const auto pairs = crossing_triangles(triangles, now_mm);
-    return static_cast<int>(std::ranges::count_if(pairs, [&](const auto& pair) {
-        return !overlaps.left_out(features.patch_of(pair[0]), features.patch_of(pair[1]));
-    }));
+    return count_crossings(triangles, features, now_mm, kept, [](int, int) { return true; });
 }
 
 int crossing_pairs(const DeformPart& deform) {

@@ -62,7 +62,7 @@ TEST(LessonFile, MayAskForADrug) {
         FAIL();
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("\"water\" is no drug"));
-        EXPECT_THAT(error.what(), HasSubstr("carrier, lipiodol, gas"));
+        EXPECT_THAT(error.what(), HasSubstr("gas, lipiodol, carrier"));
     }
 }
 

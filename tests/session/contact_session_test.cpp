@@ -4,22 +4,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "core/patient/patient_case.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/world.h"
 #include "core/scene/world_checkpoint.h"
-#include "core/session/recording_file.h"
-#include "core/session/replay.h"
 #include "tests/session/new_session.h"
 #include "tests/session/recorded.h"
 
 namespace hepatica {
 namespace {
 
-namespace fs = std::filesystem;
 using test::keep_recording;
 using test::middle_of;
 using test::new_session;
@@ -119,16 +115,7 @@ TEST(ContactSession, PlaysAgainFromItsStartAndFromItsKeyframes) {
     session->post(RestoreSnapshot{});
     play(*session, 20);
     EXPECT_EQ(frame_of(*session).self_friction, 0.4);
-    const fs::path file = fs::path(testing::TempDir()) / "contact.hrec";
-    write_recording(file, *recording);
-    const Recording read = read_recording(file);
-    Job job;
-    for (const std::uint64_t from : {0u, 620u}) {
-        const ReplayResult again = replay(read, small_patient(), job, from);
-        EXPECT_FALSE(again.diverged_at) << *again.diverged_at;
-        EXPECT_EQ(again.state_hash, session->state_hash());
-        EXPECT_EQ(again.began_at > 0, from > 0);
-    }
+    test::expect_to_play_again(*session, *recording, {620});
 }
 
 // A recording that begins amid a play has its keyframe alone to know what is touched.

@@ -4,13 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "core/scene/bleeding.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/world.h"
-#include "core/session/recording_file.h"
-#include "core/session/replay.h"
 #include "core/session/script.h"
 #include "tests/session/new_session.h"
 #include "tests/session/recorded.h"
@@ -18,7 +14,6 @@
 namespace hepatica {
 namespace {
 
-namespace fs = std::filesystem;
 using test::keep_recording;
 using test::middle_of;
 using test::new_session;
@@ -181,16 +176,7 @@ TEST(TearSession, TheRecordingPlaysAgainFromItsStartAndFromAKeyframeInATear) {
     play(*session, 5);
     session->post(SetWall{0.5});  // another body, torn like this one
     play(*session, 5);
-    const fs::path file = fs::path(testing::TempDir()) / "tear.hrec";
-    write_recording(file, *recording);
-    const Recording read = read_recording(file);
-    Job job;
-    for (const std::uint64_t from : {0u, 620u}) {
-        const ReplayResult again = replay(read, small_patient(), job, from);
-        EXPECT_FALSE(again.diverged_at) << *again.diverged_at;
-        EXPECT_EQ(again.state_hash, session->state_hash());
-        EXPECT_EQ(again.began_at > 0, from > 0);
-    }
+    test::expect_to_play_again(*session, *recording, {620});
 }
 
 // As the window does it: nothing is built for it until somebody wants it.

@@ -113,16 +113,7 @@ TEST(ToolSession, TheRecordingPlaysAgainFromItsStartAndFromItsKeyframes) {
     play(*session, 20);
     session->post(ResetWorld{});
     play(*session, 3);
-    const fs::path file = fs::path(testing::TempDir()) / "tool.hrec";
-    write_recording(file, *recording);
-    const Recording read = read_recording(file);
-    Job job;
-    for (const std::uint64_t from : {0u, 620u}) {
-        const ReplayResult again = replay(read, small_patient(), job, from);
-        EXPECT_FALSE(again.diverged_at) << *again.diverged_at;
-        EXPECT_EQ(again.state_hash, session->state_hash());
-        EXPECT_EQ(again.began_at > 0, from > 0);
-    }
+    test::expect_to_play_again(*session, *recording, {620});
 }
 
 // What tools need is built when they are first used and let go of afterwards; all of it plays
@@ -161,16 +152,7 @@ TEST(ToolSession, ToolsComeAndGoWithTheirPartOfTheScene) {
     EXPECT_FALSE(deform.touchable());
     EXPECT_FALSE(deform.tool());
     play(*session, 5);
-    const fs::path file = fs::path(testing::TempDir()) / "tools_come_and_go.hrec";
-    write_recording(file, *recording);
-    const Recording read = read_recording(file);
-    Job job;
-    for (const std::uint64_t from : {0u, 610u}) {
-        const ReplayResult again = replay(read, small_patient(), job, from);
-        EXPECT_FALSE(again.diverged_at) << *again.diverged_at;
-        EXPECT_EQ(again.state_hash, session->state_hash());
-        EXPECT_EQ(again.began_at > 0, from > 0);
-    }
+    test::expect_to_play_again(*session, *recording, {610});
 }
 
 // Forceps around a vessel close, hold it, lift it and let it go; it all plays again.
@@ -219,12 +201,7 @@ TEST(ToolSession, ForcepsTakeAVesselAndLiftIt) {
     session->post(OpenForceps{});
     session->step();
     EXPECT_EQ(play(*session, 30).deform.tool.grip_un, 0.0);
-    const fs::path file = fs::path(testing::TempDir()) / "forceps.hrec";
-    write_recording(file, *recording);
-    Job job;
-    const ReplayResult again = replay(read_recording(file), small_patient(), job, 0);
-    EXPECT_FALSE(again.diverged_at);
-    EXPECT_EQ(again.state_hash, session->state_hash());
+    test::expect_to_play_again(*session, *recording, {});
 }
 
 TEST(ToolSession, OnlyForcepsHaveJaws) {

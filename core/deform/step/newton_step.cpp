@@ -4,17 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string>
 
-#include "core/base/error.h"
 #include "core/base/stop.h"
-#include "core/deform/potentials/self_contact.h"
-#include "core/deform/solvers/coupled_solve.h"
 #include "core/deform/solvers/finite_answer.h"
 #include "core/deform/solvers/node_loops.h"
 #include "core/deform/step/rigid_motion.h"
-#include "core/deform/step/step_input.h"
 
 namespace hepatica {
 namespace {
@@ -52,7 +47,7 @@ NewtonStep::NewtonStep(const Body& body, IncrementalPotential& potential,
                        std::unique_ptr<LinearSolver> solver)
     : body_(body),
       potential_(potential),
-      solver_(std::move(solver)),
+      system_(body, potential, std::move(solver)),
       change_(body.node_count()),
       product_(body.node_count()) {}
 
@@ -107,37 +102,6 @@ void NewtonStep::add_coupling(const StepUnderway& step, std::span<const Vec3> d,
     step.potentials.add_coupling(step.positions, step.dt_s * step.dt_s, d, product);
 }
 
-// The present system, whose couplings are given where there are any: a few are left to iterations,
-// many are worth a factor that knows them.
-SolveReport NewtonStep::solve_system(const StepUnderway& step, const CouplingBlocks& coupling) {
-    const BlockMatrix& matrix = potential_.matrix();
-    const double share = velocity_error_.any() ? VelocityError::least_share
-                                               : 1.0 + step.dt_s * body_.damping.alpha_per_s;
-    std::ranges::fill(change_, Vec3::Zero());
-    if (coupled_.pays(matrix, coupling)) {
-        solver_unaware_ = true;
-        coupled_.heed(step.stop);
-        coupled_.bound_below(body_.mass_g, share);
-        return coupled_.solve(matrix, potential_.assembled_rows(), coupling,
-                              potential_.live().held(), residual_, change_, settings_.linear);
-    }
-    coupled_.forget_matrix();
-    solver_->bound_below(body_.mass_g, share);
-    // Not prepared anew, so that one who goes on from a checkpoint gets the same bits: there, too,
-    // all rows count as changed and nothing else is known of the matrices between.
-    std::vector<int> rows(potential_.assembled_rows().begin(), potential_.assembled_rows().end());
-    if (std::exchange(solver_unaware_, false)) {
-        rows.resize(static_cast<std::size_t>(matrix.rows()));
-        std::iota(rows.begin(), rows.end(), 0);
-    }
-    solver_->update(matrix, step.positions, rows);
-    if (coupling.empty()) return solver_->solve(residual_, change_, settings_.linear);
-    return solve_coupled(
-        *solver_, matrix,
-        [&](std::span<const Vec3> d, std::span<Vec3> product) { add_coupling(step, d, product); },
-        potential_.live().held(), residual_, change_, settings_.linear, step.stop);
-}
-
 void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
     CouplingBlocks coupling;
     step.potentials.append_coupling(step.positions, step.dt_s * step.dt_s, coupling);
@@ -153,14 +117,11 @@ void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
         if (velocity_error_.any())
             add_to_free(1.0, velocity_error_.matrix(), step.start.velocities_mm_per_s);
     }
-    const SolveReport solved = solve_system(step, coupling);
-    if (!solver_unaware_ && solver_->made_from_latest()) {
-        made_ = {.made_from = origin_of(step), .overlaps = step.potentials.kept_overlaps()};
-        if (step.potentials.tool())
-            made_.tool = ToolOrigin{*step.potentials.tool(), step.start.positions_mm};
-        if (step.potentials.obstacles() || step.potentials.self_friction())
-            made_.began_mm = step.start.positions_mm;
-    }
+    const double share = velocity_error_.any() ? VelocityError::least_share
+                                               : 1.0 + step.dt_s * body_.damping.alpha_per_s;
+    const SolveReport solved =
+        system_.solve(step, coupling, share, residual_, change_, settings_.linear);
+    if (system_.factor_is_latest()) system_.keep_origin(origin_of(step));
     ++report.linear_solves;
     report.linear_iterations += solved.iterations;
     report.linear_residual = solved.relative_residual;
@@ -177,100 +138,24 @@ void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
                          : "the system of the step could not be solved";
 }
 
-MatrixOrigin NewtonStep::origin_of(const StepUnderway& step) const {
-    return {.dt_s = step.dt_s,
-            .first_mm = first_mm_,
-            .iterate_mm = step.iterate > 0 ? step.positions : std::vector<Vec3>{},
-            .taut_mm = taut(step) ? step.start.positions_mm : std::vector<Vec3>{},
-            .collapse = potential_.collapse_counts(),
-            .held = potential_.live().held(),
-            .grabs = step.potentials.grabs(),
-            .velocity_error = settings_.velocity_error};
-}
-
-// Assembles the potential's matrix as the step that made it did.
-void NewtonStep::assemble_again(const SolverCheckpoint& checkpoint) {
-    const MatrixOrigin& origin = *checkpoint.made_from;
-    const std::optional<ToolOrigin>& with = checkpoint.tool;
-    validate_time_step(origin.dt_s);
-    const std::size_t nodes = body_.rest_positions_mm.size();
-    validate_state(origin.first_mm, origin.first_mm, nodes);
-    const bool first = origin.iterate_mm.empty();
-    if (!first) validate_state(origin.iterate_mm, origin.iterate_mm, nodes);
-    const bool taut = !origin.taut_mm.empty();
-    if (taut) validate_state(origin.taut_mm, origin.taut_mm, nodes);
-    if (origin.held.size() != nodes)
-        throw InputError("holds " + std::to_string(origin.held.size()) + " nodes instead of " +
-                             std::to_string(nodes),
-                         "the checkpoint of a body",
-                         "Make the stepper of the body that it was taken of");
-    PotentialList potentials(body_);
-    potentials.set_grabs(origin.grabs);
-    potentials.set_overlaps(checkpoint.overlaps);
-    std::vector<Vec3> began_mm = origin.first_mm;
-    if (with) {
-        potentials.set_tool(with->tool);
-        began_mm = with->start_mm;
-    }
-    if (!checkpoint.began_mm.empty()) began_mm = checkpoint.began_mm;
-    validate_state(began_mm, began_mm, nodes);
-    potentials.begin_step({began_mm, {}}, origin.dt_s, origin.held);
-    VelocityError error;
-    error.set(origin.velocity_error);
-    const BodyState start{origin.first_mm, std::vector<Vec3>(nodes, Vec3::Zero())};
-    StepUnderway step{.potentials = potentials,
-                      .start = start,
-                      .dt_s = origin.dt_s,
-                      .before = {},
-                      .velocity = {},
-                      .positions = origin.first_mm};
-    potential_.freeze(origin.held);
-    potential_.forget_matrix();
-    potential_.count_collapse(origin.collapse);
-    if (taut) {
-        potential_.evaluate_forces(origin.taut_mm);
-        potential_.find_tension(origin.taut_mm);
-    }
-    potential_.evaluate(step.positions);
-    potential_.find_force(step);
-    potential_.assemble(step);
-    if (taut) potential_.add_tension(step.dt_s);
-    if (error.any()) error.add_to(potential_, body_, step.dt_s);
-    if (first) return;
-    if (body_.damping.beta_s > 0.0)
-        potential_.keep_damping(step, origin.first_mm, error.any() ? &error.matrix() : nullptr);
-    step.iterate = 1;
-    step.positions = origin.iterate_mm;
-    potential_.evaluate(step.positions);
-    potential_.find_force(step);
-    potential_.assemble(step);
-}
-
-void NewtonStep::restore(const SolverCheckpoint& checkpoint) {
-    const std::optional<MatrixOrigin>& origin = checkpoint.made_from;
-    const std::vector<std::uint8_t> held = potential_.live().held();
-    const auto back_to_present = [&] {
-        if (origin) potential_.freeze(held);
-        potential_.count_collapse(settings_.tension);
-        potential_.forget_matrix();
-    };
-    CoupledFactor coupled;
-    coupled.restore(potential_.matrix(), checkpoint.coupled);
-    if (origin) assemble_again(checkpoint);
-    const std::vector<Vec3> none;
-    const bool first = !origin || origin->iterate_mm.empty();
-    try {
-        solver_->restore(potential_.matrix(), origin.has_value(),
-                         !origin ? none : (first ? origin->first_mm : origin->iterate_mm),
-                         checkpoint.memory);
-    } catch (...) {
-        back_to_present();
-        throw;
-    }
-    back_to_present();
-    coupled_ = std::move(coupled);
-    solver_unaware_ = false;
-    made_ = checkpoint;
+// What determined the present system, for a checkpoint.
+SolverCheckpoint NewtonStep::origin_of(const StepUnderway& step) const {
+    SolverCheckpoint origin{
+        .made_from =
+            MatrixOrigin{.dt_s = step.dt_s,
+                         .first_mm = first_mm_,
+                         .iterate_mm = step.iterate > 0 ? step.positions : std::vector<Vec3>{},
+                         .taut_mm = taut(step) ? step.start.positions_mm : std::vector<Vec3>{},
+                         .collapse = potential_.collapse_counts(),
+                         .held = potential_.live().held(),
+                         .grabs = step.potentials.grabs(),
+                         .velocity_error = settings_.velocity_error},
+        .overlaps = step.potentials.kept_overlaps()};
+    if (step.potentials.tool())
+        origin.tool = ToolOrigin{*step.potentials.tool(), step.start.positions_mm};
+    if (step.potentials.obstacles() || step.potentials.self_friction())
+        origin.began_mm = step.start.positions_mm;
+    return origin;
 }
 
 // To be called while the assembly's slots hold the start of the step.
@@ -458,7 +343,7 @@ void NewtonStep::stay_at_start(StepUnderway& step) {
 }
 
 bool NewtonStep::find_velocity(StepUnderway& step, int most_solves, StepReport& report) {
-    solver_->heed(step.stop);
+    system_.heed(step.stop);
     step.start_force = potential_.elastic_force();
     step.potentials.add_forces(step.positions, step.start_force);
     step.standing = step.value;

@@ -5,16 +5,14 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/deform/body/body.h"
-#include "core/deform/solvers/coupled_factor.h"
 #include "core/deform/solvers/linear_solver.h"
 #include "core/deform/step/incremental_potential.h"
-#include "core/deform/step/solver_checkpoint.h"
 #include "core/deform/step/step_report.h"
+#include "core/deform/step/step_system.h"
 #include "core/deform/step/step_underway.h"
 #include "core/deform/step/velocity_error.h"
 
@@ -49,7 +47,7 @@ class NewtonStep {
     // solver must then be restored before the next step.
     bool find_velocity(StepUnderway& step, int most_solves, StepReport& report);
 
-    std::unique_ptr<LinearSolver> release_solver() { return std::move(solver_); }
+    std::unique_ptr<LinearSolver> release_solver() { return system_.release_solver(); }
 
     // Fills the step's damping_force, which a first iterate from rest leaves out.
     void find_damping(StepUnderway& step);
@@ -58,24 +56,16 @@ class NewtonStep {
     // and nothing is changed, where something would pass through something on that way.
     bool replace_velocity(StepUnderway& step, const std::vector<Vec3>& velocity);
 
-    // What the linear solver carries from step to step. restore() makes its factor anew to the bit
-    // and leaves the potential at other positions; it throws InputError where the checkpoint does
-    // not fit the body or the solver.
-    SolverCheckpoint checkpoint() const {
-        SolverCheckpoint kept = made_;
-        kept.memory = solver_->memory();
-        kept.coupled = coupled_.memory();
-        return kept;
-    }
-    void restore(const SolverCheckpoint& checkpoint);
+    // See StepSystem.
+    SolverCheckpoint checkpoint() const { return system_.checkpoint(); }
+    void restore(const SolverCheckpoint& checkpoint) { system_.restore(checkpoint); }
 
   private:
-    MatrixOrigin origin_of(const StepUnderway& step) const;
+    SolverCheckpoint origin_of(const StepUnderway& step) const;
     // Whether the first iterate's matrix has the resistance of taut elements to being turned.
     bool taut(const StepUnderway& step) const {
         return settings_.tension && potential_.taut() && (step.predicted || calm(step));
     }
-    void assemble_again(const SolverCheckpoint& checkpoint);
     void predict(StepUnderway& step);
     bool begin_at(StepUnderway& step, const std::vector<Vec3>& velocity);
     void stay_at_start(StepUnderway& step);
@@ -88,7 +78,6 @@ class NewtonStep {
     void keep_damping(const StepUnderway& step);
     void damp(StepUnderway& step, double step_length);
     void add_to_free(double factor, const BlockMatrix& matrix, const std::vector<Vec3>& x);
-    SolveReport solve_system(const StepUnderway& step, const CouplingBlocks& coupling);
     void solve(const StepUnderway& step, StepReport& report);
     void add_coupling(const StepUnderway& step, std::span<const Vec3> d,
                       std::span<Vec3> product) const;
@@ -102,12 +91,9 @@ class NewtonStep {
 
     const Body& body_;
     IncrementalPotential& potential_;
-    std::unique_ptr<LinearSolver> solver_;
-    CoupledFactor coupled_;        // in its place where many surfaces touch
-    bool solver_unaware_ = false;  // matrices were made that solver_ was not given
+    StepSystem system_;
     NewtonSettings settings_;
     VelocityError velocity_error_;
-    SolverCheckpoint made_;  // but what the solvers remember; see LinearSolver::made_from_latest
     std::vector<Vec3> first_mm_;  // where the first iterate's matrix was made
     double direction_form_ =
         0.0;  // of the first direction from rest: direction^T beta K_0 direction

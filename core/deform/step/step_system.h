@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Solves the linear system of a Newton iterate, eq. (12): the potential's matrix A and the
+// couplings of what touches. A few couplings are left to iterations around the solver of A; many
+// are worth a factor that knows them.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+#include "core/deform/body/body.h"
+#include "core/deform/solvers/coupled_factor.h"
+#include "core/deform/solvers/linear_solver.h"
+#include "core/deform/step/incremental_potential.h"
+#include "core/deform/step/solver_checkpoint.h"
+#include "core/deform/step/step_underway.h"
+
+namespace hepatica {
+
+// Keeps references to the body and to the potential. Not thread-safe.
+class StepSystem {
+  public:
+    StepSystem(const Body& body, IncrementalPotential& potential,
+               std::unique_ptr<LinearSolver> solver)
+        : body_(body), potential_(potential), solver_(std::move(solver)) {}
+
+    // solve() throws Cancelled soon after a stop was asked for; only restore() may then be called.
+    void heed(const std::stop_token& stop);
+
+    // x = (A + couplings)^-1 rhs within the limits, for the potential's present matrix, of which
+    // share * mass bounds the diagonal from below.
+    SolveReport solve(const StepUnderway& step, const CouplingBlocks& coupling, double share,
+                      std::span<const Vec3> rhs, std::vector<Vec3>& x, const SolveLimits& limits);
+
+    // Whether the solver's factor is of the matrix that was solved last. What determined that
+    // matrix must then be told to keep_origin(), for checkpoints to come.
+    bool factor_is_latest() const { return !solver_unaware_ && solver_->made_from_latest(); }
+    void keep_origin(SolverCheckpoint origin) { made_ = std::move(origin); }
+
+    // What is carried from step to step. restore() makes the factor anew to the bit and leaves the
+    // potential at other positions; it throws InputError where the checkpoint does not fit the body
+    // or the solver.
+    SolverCheckpoint checkpoint() const;
+    void restore(const SolverCheckpoint& checkpoint);
+
+    std::unique_ptr<LinearSolver> release_solver() { return std::move(solver_); }
+
+  private:
+    const Body& body_;
+    IncrementalPotential& potential_;
+    std::unique_ptr<LinearSolver> solver_;
+    CoupledFactor coupled_;        // in its place where many surfaces touch
+    bool solver_unaware_ = false;  // matrices were made that solver_ was not given
+    SolverCheckpoint made_;        // but what the solvers remember
+};
+
+}  // namespace hepatica
