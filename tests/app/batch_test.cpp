@@ -43,15 +43,20 @@ class Batch : public testing::Test {
 
     static fs::path root() { return fs::path(testing::TempDir()) / "hepatica batch"; }
     static std::string path(const std::string& name) { return (root() / name).string(); }
+    // On a grid that is no finer than it must be: what is found does not matter here.
+    static std::vector<std::string> with_small_cases(std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), {"--tetrahedra", "1500", "--spacing-mm", "1.5"});
+        return arguments;
+    }
     // Patients are called as their scans are.
     static std::vector<std::string> call(std::vector<std::string> more = {}) {
         more.push_back("--keep-names");
         return call_with_pseudonyms(more);
     }
     static std::vector<std::string> call_with_pseudonyms(std::vector<std::string> more = {}) {
-        std::vector<std::string> arguments{"reconstruct",  "--batch",      path("scans"),
-                                           "--out",        path("out"),    "--liver-mask",
-                                           path("livers"), "--tetrahedra", "1500"};
+        std::vector<std::string> arguments =
+            with_small_cases({"reconstruct", "--batch", path("scans"), "--out", path("out"),
+                              "--liver-mask", path("livers")});
         arguments.insert(arguments.end(), more.begin(), more.end());
         return arguments;
     }
@@ -167,8 +172,8 @@ TEST_F(Batch, GoesOnOnlyAsItWasBegun) {
     const Outcome renamed = run_cli(call_with_pseudonyms());
     EXPECT_EQ(renamed.exit_code, 1);
     EXPECT_NE(renamed.errors.find("other options"), std::string::npos) << renamed.errors;
-    const Outcome without_livers = run_cli({"reconstruct", "--batch", path("scans"), "--out",
-                                            path("out"), "--tetrahedra", "1500", "--keep-names"});
+    const Outcome without_livers = run_cli(with_small_cases(
+        {"reconstruct", "--batch", path("scans"), "--out", path("out"), "--keep-names"}));
     EXPECT_EQ(without_livers.exit_code, 1);
     EXPECT_NE(without_livers.errors.find("other options"), std::string::npos)
         << without_livers.errors;

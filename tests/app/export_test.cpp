@@ -26,7 +26,7 @@ class Export : public testing::Test {
                     "--spacing", "2,2,2", "--generations", "3"});
         answer({"reconstruct", ct().string(), "--liver-mask",
                 (folder() / "1/liver.nii.gz").string(), "--out", made().string(), "--tetrahedra",
-                "1500"});
+                "1500", "--spacing-mm", "1"});  // voxels of 2 mm hold no more
     }
     static void TearDownTestSuite() { fs::remove_all(folder()); }
     static fs::path folder() { return fs::path(testing::TempDir()) / "export verb"; }

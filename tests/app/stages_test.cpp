@@ -44,7 +44,8 @@ class Stages : public test::Tour {
 };
 
 TEST_F(Stages, OfAReconstructionComeAsAnnounced) {
-    const std::vector<std::string> small{"--tetrahedra", "3000", "--out", path("r.hep")};
+    const std::vector<std::string> small{"--tetrahedra", "3000",  "--spacing-mm",
+                                         "1.5",          "--out", path("r.hep")};
     for (std::vector<std::string> call :
          {std::vector<std::string>{"reconstruct", path("p/ct"), "--vessel-mask",
                                    path("p/truth_mask.nii.gz")},
