@@ -27,10 +27,8 @@ class CudaBackEnd final : public StepBackEnd {
           machine_(std::move(machine)),
           cpu_(make_cpu_back_end(description, options)) {
         if (why_not_on_device(cpu_->body(), options_)) return;
-        guarded([&] {
-            device_ = make_device_step(*machine_, cpu_->body(), cpu_->potentials(),
-                                       skeleton_for(description, options), cuda_.precision);
-        });
+        skeleton_ = skeleton_for(description, options);
+        make_device();
     }
 
     const Body& body() const override { return cpu_->body(); }
@@ -83,12 +81,23 @@ class CudaBackEnd final : public StepBackEnd {
         return true;
     }
 
-    // A body that tears is the processor's throughout.
+    // Stress is the processor's, and so is which joints part. What is on the device is made anew
+    // from the torn body.
     void find_stress(std::vector<Mat3>& stress_pa, std::vector<double>& energy_nj) override {
         cpu_->find_stress(stress_pa, energy_nj);
     }
     void tear(const BodyDescription& whole, const TornBody& torn) override {
         cpu_->tear(whole, torn);
+        if (!device_) return;
+        const double memory = device_->solver_memory();
+        device_.reset();
+        make_device();
+        on_device([&] {
+            device_->set_solver_memory(memory);
+            device_->set_grabs(cpu_->potentials().grabs());
+            device_->set_gravity(cpu_->potentials().gravity_mm_per_s2());
+        });
+        follow_cpu();
     }
     std::span<const SofteningTie> ties() const override { return cpu_->ties(); }
 
@@ -136,6 +145,12 @@ class CudaBackEnd final : public StepBackEnd {
     void on_device(const Work& work) {
         if (device_) guarded(work);
     }
+    void make_device() {
+        guarded([&] {
+            device_ = make_device_step(*machine_, cpu_->body(), cpu_->potentials(), skeleton_,
+                                       cuda_.precision);
+        });
+    }
     void follow_cpu() {
         on_device([&] { device_->set_state(cpu_->state()); });
     }
@@ -146,6 +161,7 @@ class CudaBackEnd final : public StepBackEnd {
     CudaOptions cuda_;
     std::shared_ptr<Machine> machine_;
     std::unique_ptr<CpuBackEnd> cpu_;
+    CoarseSkeleton skeleton_;  // of the body before it tore
     std::unique_ptr<DeviceStep> device_;
     std::string lost_;
     std::set<std::string> said_;
@@ -187,7 +203,6 @@ StepReport CudaBackEnd::advance(double dt_s, const std::stop_token& stop) {
 
 std::optional<std::string> why_not_on_device(const Body& body, const StepperOptions& options) {
     if (!has_kernels(body)) return "its elements have no kernels yet";
-    if (body.tears) return "bodies that tear have no kernels yet";
     if (options.newton_iterations > 1) return "Newton's method has no kernels yet";
     if (options.solver == LinearSolverKind::cholesky) return "the solver cholesky has no kernels";
     if (options.published || options.audit || options.velocity_error.alpha_per_s != 0.0 ||

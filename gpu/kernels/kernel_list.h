@@ -36,10 +36,11 @@ using KernelsOf = KernelList<
 
 using SharedKernels =
     KernelList<ForEach<PullGrabs>, ForEach<PressPoints>, ForEach<PressPairs>, ForEach<RubPoints>,
-               ForEach<ForeseeSlips>, ForEach<SetRows>, ForEach<KeepForces>, SumChunks<Energies>,
-               FinishSum<StartIteration>, FinishSum<ChooseStep>, FinishSum<EndIteration>,
-               FinishSum<KeepSums<1>>, FinishSum<KeepSums<2>>, FinishSum<KeepSums<3>>,
-               FinishSum<KeepSums<3 * coarse_vectors>>, FinishSum<KeepSums<Energies::width>>>;
+               ForEach<PullTies>, ForEach<ForeseeSlips>, ForEach<SetRows>, ForEach<KeepForces>,
+               SumChunks<Energies>, FinishSum<StartIteration>, FinishSum<ChooseStep>,
+               FinishSum<EndIteration>, FinishSum<KeepSums<1>>, FinishSum<KeepSums<2>>,
+               FinishSum<KeepSums<3>>, FinishSum<KeepSums<3 * coarse_vectors>>,
+               FinishSum<KeepSums<Energies::width>>>;
 
 }  // namespace detail
 

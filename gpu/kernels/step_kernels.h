@@ -102,7 +102,7 @@ struct ForeseeSlips {
         double limit = 0.0;
         nodes.touches.for_each(node, [&](int t, int a) {
             const int other = t - nodes.touches.first_rub;
-            if (other >= 0 && rub[other].kind == kind)
+            if (other >= 0 && t < nodes.touches.first_tie && rub[other].kind == kind)
                 limit += small::detail::absolute(rub[other].weights[a]) * rub[other].law.limit_un;
         });
         return limit;
@@ -133,10 +133,10 @@ struct KeepForces {
 };
 
 // Energies [nJ]: kinetic, elastic, of grabs, of the tether, less the work of weight since x_n,
-// |w - v_n|_M^2 / 2, of pads, and what friction takes.
+// |w - v_n|_M^2 / 2, of pads, what friction takes, and of what binds parted joints.
 struct Energies {
-    static constexpr int width = 8;
-    enum { kinetic, elastic, grab, tether, weight, inertial, contact, friction };
+    static constexpr int width = 9;
+    enum { kinetic, elastic, grab, tether, weight, inertial, contact, friction, cohesion };
     NodeViews nodes;
 
     std::size_t bytes() const { return nodes.bytes(); }
@@ -149,7 +149,7 @@ struct Energies {
         sum[tether] += 0.5 * nodes.tether[i] * small::dot(off, off);
         sum[weight] -= nodes.mass[i] * small::dot(nodes.gravity, x - nodes.start[i]);
         sum[inertial] += 0.5 * nodes.mass[i] * small::dot(dw, dw);
-        nodes.touches.add_energy(i, sum[contact], sum[friction]);
+        nodes.touches.add_energy(i, sum[contact], sum[friction], sum[cohesion]);
     }
 };
 

@@ -40,6 +40,7 @@ DeviceTouches::DeviceTouches(Machine& machine, std::size_t nodes, std::span<cons
       points_(machine),
       pairs_(machine),
       rubs_(machine),
+      ties_(machine),
       touch_nodes_(machine),
       touched_(machine),
       begin_(machine),
@@ -53,14 +54,18 @@ void DeviceTouches::set(const TouchList& list) {
     points_.set(list.points);
     pairs_.set(list.pairs);
     rubs_.set(list.rubs);
+    softening_ = list.softening;
+    ties_.set(list.ties);
     std::vector<int> nodes;
     add_nodes(list.points, nodes);
     add_nodes(list.pairs, nodes);
     add_nodes(list.rubs, nodes);
+    for (const TieTouch& tie : list.ties)
+        nodes.insert(nodes.end(), {tie.nodes[0], tie.nodes[1], -1, -1});
     for (int& node : nodes)
         if (node >= nodes_) node = -1;
     list_by_node(std::move(nodes));
-    pulls_.resize(pads() + rubs_.size());
+    pulls_.resize(first_tie() + ties_.size());
 }
 
 // The touches of each node in their own order.
@@ -100,6 +105,8 @@ void DeviceTouches::press(View<const Vector3<double>> position) {
                                   pulls_.view(0, points_.size())});
     machine_.for_each(PressPairs{pairs_.read(), place, pulls_.view(points_.size(), pairs_.size())});
     machine_.for_each(RubPoints{rubs_.read(), place, pulls_.view(pads(), rubs_.size())});
+    machine_.for_each(
+        PullTies{softening_, ties_.read(), position, pulls_.view(first_tie(), ties_.size())});
 }
 
 void DeviceTouches::foresee(const NodeViews& nodes) {
@@ -109,8 +116,13 @@ void DeviceTouches::foresee(const NodeViews& nodes) {
 
 TouchesView DeviceTouches::view() const {
     if (touched_.size() == 0) return {};
-    return {row_.read(),         begin_.read(), entries_.read(),
-            touch_nodes_.read(), pulls_.read(), static_cast<int>(pads())};
+    return {row_.read(),
+            begin_.read(),
+            entries_.read(),
+            touch_nodes_.read(),
+            pulls_.read(),
+            static_cast<int>(pads()),
+            static_cast<int>(first_tie())};
 }
 
 }  // namespace hepatica::gpu

@@ -36,6 +36,7 @@ class DeviceTouches {
         return {position, standing_.read()};
     }
     std::size_t pads() const { return points_.size() + pairs_.size(); }
+    std::size_t first_tie() const { return pads() + rubs_.size(); }
 
     Machine& machine_;
     int nodes_;
@@ -46,6 +47,8 @@ class DeviceTouches {
     GrowingArray<PadPoint> points_;
     GrowingArray<PadPair> pairs_;
     GrowingArray<RubPoint> rubs_;
+    SofteningLaw softening_;
+    GrowingArray<TieTouch> ties_;
     GrowingArray<int> touch_nodes_, touched_, begin_, entries_;
     GrowingArray<TouchPull> pulls_;
     std::vector<int> count_of_node_;  // scratch, all 0 between calls
