@@ -96,8 +96,6 @@ SolveReport DeviceSolver<Real>::solve(const SystemView<Real>& system, View<const
             solution_energy += done.step * work;
             work = done.work;
             error_squared = bound.after(done.step, done.ratio) * work;
-            // Where the smallest eigenvalue was taken too large there is no bound.
-            if (error_squared == 0.0 && done.residual_squared > 0.0) error_squared = INFINITY;
         }
     }
     if (report.iterations > 0 && !touches) smallest_ritz_ = bound.smallest();
