@@ -27,8 +27,10 @@ class CudaBackEnd final : public StepBackEnd {
           machine_(std::move(machine)),
           cpu_(make_cpu_back_end(description, options)) {
         if (why_not_on_device(cpu_->body(), options_)) return;
-        skeleton_ = skeleton_for(description, options);
-        make_device();
+        guarded([&] {
+            device_ = make_device_step(*machine_, cpu_->body(), cpu_->potentials(),
+                                       skeleton_for(description, options), cuda_.precision);
+        });
     }
 
     const Body& body() const override { return cpu_->body(); }
@@ -81,22 +83,13 @@ class CudaBackEnd final : public StepBackEnd {
         return true;
     }
 
-    // Stress is the processor's, and so is which joints part. What is on the device is made anew
-    // from the torn body.
+    // Stress is the processor's, and so is which joints part; the device follows the torn body.
     void find_stress(std::vector<Mat3>& stress_pa, std::vector<double>& energy_nj) override {
         cpu_->find_stress(stress_pa, energy_nj);
     }
     void tear(const BodyDescription& whole, const TornBody& torn) override {
         cpu_->tear(whole, torn);
-        if (!device_) return;
-        const double memory = device_->solver_memory();
-        device_.reset();
-        make_device();
-        on_device([&] {
-            device_->set_solver_memory(memory);
-            device_->set_grabs(cpu_->potentials().grabs());
-            device_->set_gravity(cpu_->potentials().gravity_mm_per_s2());
-        });
+        on_device([&] { device_->follow_tear(); });
         follow_cpu();
     }
     std::span<const SofteningTie> ties() const override { return cpu_->ties(); }
@@ -145,12 +138,6 @@ class CudaBackEnd final : public StepBackEnd {
     void on_device(const Work& work) {
         if (device_) guarded(work);
     }
-    void make_device() {
-        guarded([&] {
-            device_ = make_device_step(*machine_, cpu_->body(), cpu_->potentials(), skeleton_,
-                                       cuda_.precision);
-        });
-    }
     void follow_cpu() {
         on_device([&] { device_->set_state(cpu_->state()); });
     }
@@ -161,7 +148,6 @@ class CudaBackEnd final : public StepBackEnd {
     CudaOptions cuda_;
     std::shared_ptr<Machine> machine_;
     std::unique_ptr<CpuBackEnd> cpu_;
-    CoarseSkeleton skeleton_;  // of the body before it tore
     std::unique_ptr<DeviceStep> device_;
     std::string lost_;
     std::set<std::string> said_;

@@ -31,11 +31,10 @@ void add_nodes(const std::vector<Touch>& touches, std::vector<int>& nodes) {
 
 }  // namespace
 
-DeviceTouches::DeviceTouches(Machine& machine, std::size_t nodes, std::span<const Vec3> standing_mm)
+DeviceTouches::DeviceTouches(Machine& machine, std::span<const Vec3> standing_mm)
     : machine_(machine),
-      nodes_(static_cast<int>(nodes)),
       standing_(machine, plain(standing_mm)),
-      row_(machine, std::vector<int>(nodes, -1)),
+      row_(machine),
       tool_(machine),
       points_(machine),
       pairs_(machine),
@@ -45,8 +44,14 @@ DeviceTouches::DeviceTouches(Machine& machine, std::size_t nodes, std::span<cons
       touched_(machine),
       begin_(machine),
       entries_(machine),
-      pulls_(machine),
-      count_of_node_(nodes, 0) {}
+      pulls_(machine) {}
+
+void DeviceTouches::set_nodes(std::size_t nodes) {
+    list_by_node({});
+    nodes_ = static_cast<int>(nodes);
+    row_.set(std::vector<int>(nodes, -1));
+    count_of_node_.assign(nodes, 0);
+}
 
 void DeviceTouches::set(const TouchList& list) {
     tool_pad_mm_ = list.tool_pad_mm;

@@ -74,11 +74,11 @@ Traffic mean(const Traffic& before, const Traffic& after, int steps) {
 
 // Bytes a second of a plain kernel that reads and writes two long arrays, on the device.
 double measured_bandwidth(Machine& machine) {
-    constexpr std::size_t entries = 1 << 24;
+    constexpr std::size_t entries = 1 << 23;
     constexpr int rounds = 20;
-    const Array<Vector3<float>> from(machine, entries), to(machine, entries);
-    const Subtract<float> kernel{to.view(), from.read()};
-    float last = 0.0f;
+    const Array<Vector3<double>> from(machine, entries), to(machine, entries);
+    const Subtract kernel{to.view(), from.read()};
+    double last = 0.0;
     const auto wait = [&] { machine.download(&last, to.read().data, sizeof last); };
     machine.for_each(kernel);
     wait();
