@@ -12,6 +12,7 @@
 #include "core/mesh/brick_mesh.h"
 #include "core/tear/tearing.h"
 #include "gpu/cuda_back_end.h"
+#include "tests/deform/support/random_field.h"
 #include "tests/gpu/support/gpu_bodies.h"
 
 namespace hepatica {
@@ -31,6 +32,13 @@ struct Play {
 BodyDescription body_of(const Play& play) {
     BodyDescription body;
     body.mesh = kuhn_brick(Vec3(20, 4, 4), {10, 2, 2});
+    // So that no two joints bear the same.
+    const auto aside = test::random_field(body.mesh.vertices_mm.size(), 0.1, 11);
+    for (std::size_t v = 0; v < aside.size(); ++v)
+        for (int c = 0; c < 3; ++c) {
+            double& x = body.mesh.vertices_mm[v][c];
+            if (x > 1e-9 && x < (c == 0 ? 20.0 : 4.0) - 1e-9) x += aside[v][c];
+        }
     body.material.young_modulus_pa = 0.5e6;
     body.material.poisson_ratio = 0.3;
     for (const Vec3& x : body.mesh.vertices_mm)
@@ -204,7 +212,7 @@ TEST_P(DeviceTear, AnyOrderOfBlocksGivesTheSameBits) {
         torn.back_ends.push_back(
             gpu::make_cuda_back_end(torn.body, quick, gpu::make_emulator(order), cuda));
         torn.cut();
-        for (int k = 0; k < 40; ++k) {
+        for (int k = 0; k < 20; ++k) {
             torn.pull_on();
             torn.back_ends[0]->advance(frame_s);
             torn.part();
@@ -231,7 +239,7 @@ TEST_P(DeviceTear, FollowsSplitsAsOneThatIsMadeAnew) {
     for (int k = 0; k < 40; ++k) {
         torn.pull_on();
         torn.back_ends[0]->advance(frame_s);
-        if (!torn.part() || torn.splits % 3 != 0) continue;
+        if (!torn.part() || torn.splits % 2 != 0) continue;
         const auto anew = gpu::make_cuda_back_end(torn.body, options, gpu::make_emulator(), {});
         anew->tear(torn.body, torn_body_of(torn.tearing));
         anew->set_grabs(pull_of(torn.play, torn.body, torn.pulled_mm));
@@ -246,18 +254,19 @@ TEST_P(DeviceTear, FollowsSplitsAsOneThatIsMadeAnew) {
 }
 
 // Each back end with a tear of its own: where it goes, what it takes and where its entropy stops
-// it.
+// it. Not for longer: what tears next is decided by ever smaller differences, and after some 25
+// steps the CPU's own two solvers tear a peeled body in different places.
 TEST_P(DeviceTear, TheEntropyStopsTheSame) {
     struct End {
-        int step = 0;
+        int steps_before_stop = 0;
+        double produced_nats = 0.0;  // at the stop
         TearReport tear;
         EnergyLedger energy;
         std::vector<std::array<int, 4>> tetrahedra;
-        long device = 0;
     };
     BodyDescription body = body_of(GetParam());
     body.tear->stop = TearStop::entropy;
-    body.tear->entropy_budget_nats = 0.5;
+    body.tear->entropy_budget_nats = GetParam().peel ? 1.0 : 0.1;
     const auto tear_until_stopped = [&](LinearSolverKind solver,
                                         const GovernedStepper::MakeBackEnd& make) {
         const StepperOptions options = options_of(solver, Precision::double_precision);
@@ -265,9 +274,11 @@ TEST_P(DeviceTear, TheEntropyStopsTheSame) {
         const Tearing whole(body.mesh, *body.tear, {});
         stepper.weaken(first_cut(GetParam(), whole, body.mesh.vertices_mm), 0.1);
         End end;
-        for (; end.step < 120 && !end.tear.stopped; ++end.step) {
-            stepper.set_grabs(pull_of(GetParam(), body, 0.1 * end.step));
+        for (int k = 0; k < 40; ++k) {
+            stepper.set_grabs(pull_of(GetParam(), body, 0.1 * k));
             const StepReport report = stepper.step(frame_s);
+            if (!report.tear.stopped) ++end.steps_before_stop;
+            if (!end.tear.stopped) end.produced_nats = report.tear.entropy_produced_nats;
             end.tear = report.tear;
             end.energy = report.energy;
         }
@@ -284,9 +295,11 @@ TEST_P(DeviceTear, TheEntropyStopsTheSame) {
         });
     EXPECT_TRUE(expected.tear.stopped);
     EXPECT_TRUE(found.tear.stopped);
-    EXPECT_GT(expected.tear.vertices_split, 3);
+    EXPECT_GT(expected.tear.vertices_split, 15);
     EXPECT_GT(cuda.share->device, 10);
-    EXPECT_EQ(found.step, expected.step);
+    EXPECT_EQ(found.steps_before_stop, expected.steps_before_stop);
+    EXPECT_GT(expected.produced_nats, body.tear->entropy_budget_nats);
+    EXPECT_NEAR(found.produced_nats, expected.produced_nats, 1e-8);
     EXPECT_EQ(found.tetrahedra, expected.tetrahedra);
     EXPECT_EQ(found.tear.joints_broken, expected.tear.joints_broken);
     EXPECT_NEAR(found.tear.entropy_produced_nats, expected.tear.entropy_produced_nats, 1e-8);
