@@ -83,12 +83,14 @@ class CudaBackEnd final : public StepBackEnd {
         return true;
     }
 
-    // A body that tears is the processor's throughout.
+    // Stress is the processor's, and so is which joints part; the device follows the torn body.
     void find_stress(std::vector<Mat3>& stress_pa, std::vector<double>& energy_nj) override {
         cpu_->find_stress(stress_pa, energy_nj);
     }
     void tear(const BodyDescription& whole, const TornBody& torn) override {
         cpu_->tear(whole, torn);
+        on_device([&] { device_->follow_tear(); });
+        follow_cpu();
     }
     std::span<const SofteningTie> ties() const override { return cpu_->ties(); }
 
@@ -187,7 +189,6 @@ StepReport CudaBackEnd::advance(double dt_s, const std::stop_token& stop) {
 
 std::optional<std::string> why_not_on_device(const Body& body, const StepperOptions& options) {
     if (!has_kernels(body)) return "its elements have no kernels yet";
-    if (body.tears) return "bodies that tear have no kernels yet";
     if (options.newton_iterations > 1) return "Newton's method has no kernels yet";
     if (options.solver == LinearSolverKind::cholesky) return "the solver cholesky has no kernels";
     if (options.published || options.audit || options.velocity_error.alpha_per_s != 0.0 ||

@@ -20,6 +20,8 @@ Json number_or_null(const std::optional<double>& value) {
 
 Json json_row(const gpu::GpuRow& row) {
     return {{"tetrahedra", row.tetrahedra},
+            {"contacts", row.contacts},
+            {"contact_rows", gpu::rows_per_contact * row.contacts},
             {"element", row.element},
             {"solver", row.solver},
             {"ms", row.ms},
@@ -65,6 +67,11 @@ void add_bench_gpu(CommandLine& line) {
         ->check(CLI::IsMember(names));
     verb.add_option("--tetrahedra", options->study.tetrahedra, "Sizes of the bar")
         ->check(CLI::Range(96, 2'000'000))
+        ->capture_default_str();
+    verb.add_option(
+            "--contacts", options->study.contacts,
+            "Vertices of one body more, a slab that rests on a block with friction; 0: none")
+        ->check(CLI::Range(0, 200'000))
         ->capture_default_str();
     verb.add_option("--element", options->study.elements, "Elements")
         ->check(CLI::IsMember({"spring", "corotated", "corotated-10", "neohookean"}))

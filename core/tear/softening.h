@@ -8,28 +8,9 @@
 #include <array>
 
 #include "core/base/vector.h"
+#include "core/tear/softening_law.h"
 
 namespace hepatica {
-
-// Of a joint of tear factor 1. Per area at rest.
-struct SofteningLaw {
-    double strength_pa = 0.0;  // > 0
-    double opening_mm = 0.0;   // the critical one, > 0: 2 * fracture energy / strength
-    // The share of the critical opening over which the traction rises. Its slope is the stiffness
-    // with which parted joints that still hold are bound: small enough to bend nothing, large
-    // enough for single precision.
-    static constexpr double rise = 0.02;
-
-    double peak_mm() const { return rise * opening_mm; }
-    double fracture_energy_j_m2() const { return 0.5e-3 * strength_pa * opening_mm; }
-    // Traction [Pa] at an opening >= 0 of a joint that was opened up to `most_mm` before.
-    double traction_pa(double opening, double most_mm) const;
-    // Energy per area [uN/mm] that is stored then, and what was given up since `most_mm`.
-    double energy_un_mm(double opening, double most_mm) const;
-    // Traction over opening [Pa/mm]; its limit at 0.
-    double secant_pa_mm(double opening, double most_mm) const;
-    double unloading_pa_mm(double most_mm) const;
-};
 
 // One corner of a parted joint: two vertices that were one, and a third of the joint's area.
 struct SofteningTie {
@@ -39,6 +20,9 @@ struct SofteningTie {
     double most_mm = 0.0;           // the widest opening so far, >= law.peak_mm()
     Vec3 normal = Vec3::Zero();     // present, towards the second
 };
+
+// Of the law's own terms.
+TieCorner corner_of(const SofteningTie& tie);
 
 // Energy [nJ] of a tie at an opening, from its first vertex to its second. Pressed together it
 // keeps its stiffness however far it was opened, so that the sides do not pass through each other;

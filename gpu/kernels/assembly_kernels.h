@@ -14,10 +14,9 @@ struct ListsView {
 };
 
 // Elastic force and energy of each node.
-template <class Real>
 struct GatherForces {
     ListsView lists;  // one a node
-    View<const ForceSlot<Real>> slot;
+    View<const ForceSlot> slot;
     View<Vector3<double>> force;
     View<double> energy;
 
@@ -27,9 +26,9 @@ struct GatherForces {
         Vector3<double> sum{{0.0, 0.0, 0.0}};
         double stored = 0.0;
         for (int k = lists.begin[i]; k < lists.begin[i + 1]; ++k) {
-            const ForceSlot<Real>& share = slot[lists.place[k]];
-            for (int c = 0; c < 3; ++c) sum[c] += double(share.force[c]);
-            stored += double(share.energy);
+            const ForceSlot& share = slot[lists.place[k]];
+            sum = sum + share.force;
+            stored += share.energy;
         }
         force[i] = sum;
         energy[i] = stored;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One thread an element: its forces and stiffness into slots of its own, laid out by the
-// AssemblyPlan of core/deform, by the element functions that the CPU uses.
+// AssemblyPlan of core/deform, by the element functions that the CPU uses. All is computed in
+// double and the stiffness rounded to Real: forces rounded to float would hide what moves little
+// beside something stiff.
 #pragma once
 
 #include "core/deform/elements/spring_element.h"
@@ -13,38 +15,40 @@ using small::Matrix3;
 using small::Vector3;
 
 // What an element does to one of its nodes: a force [uN], and an equal share of its energy [nJ].
-template <class Real>
 struct ForceSlot {
-    Vector3<Real> force;
-    Real energy;
+    Vector3<double> force;
+    double energy;
 };
 
-// The elements of one group, and where they are.
 template <class Real>
+HEPATICA_HOST_DEVICE Vector3<Real> rounded(const Vector3<double>& v) {
+    return {{Real(v[0]), Real(v[1]), Real(v[2])}};
+}
+template <class Real>
+HEPATICA_HOST_DEVICE void round_to(const Matrix3<double>& from, Matrix3<Real>& to) {
+    for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c) to(r, c) = Real(from(r, c));
+}
+
+// The elements of one group, and where they are.
 struct GroupViews {
     View<const int> connectivity;
     View<const Vector3<double>> position;  // of every node, mm
-    View<ForceSlot<Real>> slot;            // of every group
+    View<ForceSlot> slot;                  // of every group
     int first_slot = 0;                    // of this group's
 
     std::size_t bytes() const {
         const std::size_t slots = static_cast<std::size_t>(connectivity.size);
-        return bytes_of(connectivity, position) + slots * sizeof(ForceSlot<Real>);
-    }
-    // Positions relative to the first node, in double before they are rounded: a float has no
-    // fewer digits of a strain far from the origin.
-    template <int Nodes>
-    HEPATICA_HOST_DEVICE void load(int e, Vector3<Real>* x) const {
-        const Vector3<double>& origin = position[connectivity[Nodes * e]];
-        for (int a = 0; a < Nodes; ++a) {
-            const Vector3<double> d = position[connectivity[Nodes * e + a]] - origin;
-            x[a] = {{Real(d[0]), Real(d[1]), Real(d[2])}};
-        }
+        return bytes_of(connectivity, position) + slots * sizeof(ForceSlot);
     }
     template <int Nodes>
-    HEPATICA_HOST_DEVICE void store(int e, const Vector3<Real>* force, Real energy) const {
+    HEPATICA_HOST_DEVICE void load(int e, Vector3<double>* x) const {
+        for (int a = 0; a < Nodes; ++a) x[a] = position[connectivity[Nodes * e + a]];
+    }
+    template <int Nodes>
+    HEPATICA_HOST_DEVICE void store(int e, const Vector3<double>* force, double energy) const {
         for (int a = 0; a < Nodes; ++a)
-            slot[first_slot + Nodes * e + a] = {force[a], energy / Real(Nodes)};
+            slot[first_slot + Nodes * e + a] = {force[a], energy / Nodes};
     }
 };
 
@@ -52,18 +56,19 @@ struct GroupViews {
 // evaluate_turned_gradients.
 template <class Real>
 struct EvaluateTurned {
-    GroupViews<Real> group;
-    View<const small::TetrahedronRest<Real>> rest;
+    GroupViews group;
+    View<const small::TetrahedronRest<double>> rest;
     View<Vector3<Real>> turned;  // as the slots
 
     HEPATICA_HOST_DEVICE int count() const { return rest.size; }
     std::size_t bytes() const { return group.bytes() + bytes_of(rest, turned); }
     HEPATICA_HOST_DEVICE void operator()(int e) const {
-        Vector3<Real> x[4], force[4], gradient[4];
-        group.template load<4>(e, x);
-        const Real energy = small::evaluate_turned_gradients(rest[e], x, force, gradient);
-        group.template store<4>(e, force, energy);
-        for (int a = 0; a < 4; ++a) turned[group.first_slot + 4 * e + a] = gradient[a];
+        Vector3<double> x[4], force[4], gradient[4];
+        group.load<4>(e, x);
+        const double energy = small::evaluate_turned_gradients(rest[e], x, force, gradient);
+        group.store<4>(e, force, energy);
+        for (int a = 0; a < 4; ++a)
+            turned[group.first_slot + 4 * e + a] = rounded<Real>(gradient[a]);
     }
 };
 
@@ -72,22 +77,25 @@ template <class Real, int Nodes, small::Tangent tangent, template <class> class 
 struct EvaluateTetrahedra {
     static constexpr int pairs = small::pair_count<Nodes>;
 
-    GroupViews<Real> group;
-    View<const small::TetrahedronRest<Real>> rest;
+    GroupViews group;
+    View<const small::TetrahedronRest<double>> rest;
     View<Matrix3<Real>> block;  // of this group; may be empty
 
     HEPATICA_HOST_DEVICE int count() const { return rest.size; }
     std::size_t bytes() const { return group.bytes() + bytes_of(rest, block); }
     HEPATICA_HOST_DEVICE void operator()(int e) const {
-        Vector3<Real> x[Nodes], force[Nodes];
-        group.template load<Nodes>(e, x);
-        Matrix3<Real>* const blocks = block.empty() ? nullptr : &block[pairs * e];
-        const Real energy =
-            blocks != nullptr
-                ? small::evaluate_tetrahedron<Nodes, tangent, Law>(rest[e], x, force, blocks)
-                : small::evaluate_tetrahedron<Nodes, small::Tangent::none, Law>(rest[e], x, force,
-                                                                                blocks);
-        group.template store<Nodes>(e, force, energy);
+        Vector3<double> x[Nodes], force[Nodes];
+        group.load<Nodes>(e, x);
+        if (block.empty()) {
+            Matrix3<double>* const none = nullptr;
+            const double energy = small::evaluate_tetrahedron<Nodes, small::Tangent::none, Law>(
+                rest[e], x, force, none);
+            return group.store<Nodes>(e, force, energy);
+        }
+        Matrix3<double> blocks[pairs];
+        group.store<Nodes>(
+            e, force, small::evaluate_tetrahedron<Nodes, tangent, Law>(rest[e], x, force, blocks));
+        for (int p = 0; p < pairs; ++p) round_to(blocks[p], block[pairs * e + p]);
     }
 };
 
@@ -102,18 +110,19 @@ using EvaluateNeoHookean =
 
 template <class Real>
 struct EvaluateSprings {
-    GroupViews<Real> group;
-    View<const small::SpringRest<Real>> rest;
+    GroupViews group;
+    View<const small::SpringRest<double>> rest;
     View<Matrix3<Real>> block;  // of this group; may be empty
 
     HEPATICA_HOST_DEVICE int count() const { return rest.size; }
     std::size_t bytes() const { return group.bytes() + bytes_of(rest, block); }
     HEPATICA_HOST_DEVICE void operator()(int e) const {
-        Vector3<Real> x[4], force[4];
-        group.template load<4>(e, x);
-        const Real energy =
-            small::evaluate_springs(rest[e], x, force, block.empty() ? nullptr : &block[6 * e]);
-        group.template store<4>(e, force, energy);
+        Vector3<double> x[4], force[4];
+        Matrix3<double> blocks[6];
+        group.load<4>(e, x);
+        group.store<4>(
+            e, force, small::evaluate_springs(rest[e], x, force, block.empty() ? nullptr : blocks));
+        for (int p = 0; p < 6 && !block.empty(); ++p) round_to(blocks[p], block[6 * e + p]);
     }
 };
 

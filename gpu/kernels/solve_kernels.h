@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Conjugate gradients wholly on the device: their scalars lie there, too. Vectors are Real, sums
-// double. The host hears of an iteration only through its record, some time later.
+// double, and so is the solution that their answers are added up to. The host hears of an iteration
+// only through its record, some time later.
 #pragma once
 
 #include "gpu/kernels/sums.h"
@@ -20,17 +21,31 @@ struct SolveScalars {
     int broken;      // no direction of positive curvature, or not finite: x stays as it is
 };
 
-// x = 0, r = b, z = D^-1 r; sums r . z and r . r.
-template <class Real>
+// x = 0, r = b; sums r . r.
 struct BeginSolve {
+    static constexpr int width = 1;
+    View<const Vector3<double>> b;
+    View<Vector3<double>> x, r;
+
+    std::size_t bytes() const { return bytes_of(b, x, r); }
+    HEPATICA_HOST_DEVICE void operator()(int i, double* sum) const {
+        x[i] = {{0.0, 0.0, 0.0}};
+        r[i] = b[i];
+        sum[0] += small::dot(b[i], b[i]);
+    }
+};
+
+// x = 0, r = b, rounded, z = D^-1 r; sums r . z and r . r.
+template <class Real>
+struct BeginRound {
     static constexpr int width = 2;
-    View<const Vector3<Real>> b;
+    View<const Vector3<double>> b;
     View<const Matrix3<Real>> inverse;
     View<Vector3<Real>> x, r, z;
 
     std::size_t bytes() const { return bytes_of(b, inverse, x, r, z); }
     HEPATICA_HOST_DEVICE void operator()(int i, double* sum) const {
-        const Vector3<Real> residual = b[i], image = inverse[i] * residual;
+        const Vector3<Real> residual = rounded<Real>(b[i]), image = inverse[i] * residual;
         x[i] = {{Real(0), Real(0), Real(0)}};
         r[i] = residual;
         z[i] = image;
@@ -47,6 +62,19 @@ struct StartIteration {
     View<SolveScalars> scalars;
     HEPATICA_HOST_DEVICE void operator()(int, const double* sum) const {
         scalars[0] = {0.0, 0.0, sum[0], sum[1], 0, 0};
+    }
+};
+
+// x += d
+template <class Real>
+struct AddCorrection {
+    View<const Vector3<Real>> d;
+    View<Vector3<double>> x;
+
+    HEPATICA_HOST_DEVICE int count() const { return x.size; }
+    std::size_t bytes() const { return bytes_of(d, x, x); }
+    HEPATICA_HOST_DEVICE void operator()(int i) const {
+        for (int c = 0; c < 3; ++c) x[i][c] += double(d[i][c]);
     }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a step of backward Euler does to nodes beside its linear system: places and velocities,
-// forces, energies and works, as IncrementalPotential and StepBooks of core/deform have them. State
-// in double; forces and directions of the linear system in Real.
+// forces, energies and works, as IncrementalPotential and StepBooks of core/deform have them. All
+// in double.
 #pragma once
 
 #include "gpu/kernels/grab_kernels.h"
@@ -35,10 +35,9 @@ struct NodeViews {
 };
 
 // w = share * v_n + change, x = x_n + dt w. Held nodes have v_n = 0 and no change.
-template <class Real>
 struct PlaceNodes {
     View<const Vector3<double>> start, before;
-    View<const Vector3<Real>> change;  // empty: none
+    View<const Vector3<double>> change;  // empty: none
     double share, dt;
     View<Vector3<double>> position, velocity;
 
@@ -46,7 +45,7 @@ struct PlaceNodes {
     std::size_t bytes() const { return bytes_of(start, before, change, position, velocity); }
     HEPATICA_HOST_DEVICE void operator()(int i) const {
         Vector3<double> w = share * before[i];
-        for (int c = 0; c < 3 && !change.empty(); ++c) w[c] += double(change[i][c]);
+        if (!change.empty()) w = w + change[i];
         velocity[i] = w;
         position[i] = start[i] + dt * w;
     }
@@ -54,12 +53,11 @@ struct PlaceNodes {
 
 // Minus dt times the gradient of the incremental potential:
 //   M (v_n - (1 + dt alpha) w) + dt f(x) - dt damping; zero where a node is held.
-template <class Real>
 struct Descent {
     NodeViews nodes;
-    View<const Vector3<Real>> damping;  // beta K_0 w; empty: none
-    double dt, inertia;                 // 1 + dt alpha
-    View<Vector3<Real>> descent;
+    View<const Vector3<double>> damping;  // beta K_0 w; empty: none
+    double dt, inertia;                   // 1 + dt alpha
+    View<Vector3<double>> descent;
 
     HEPATICA_HOST_DEVICE int count() const { return descent.size; }
     std::size_t bytes() const { return nodes.bytes() + bytes_of(damping, descent); }
@@ -67,20 +65,16 @@ struct Descent {
         if (nodes.held[i] != 0) return {{0.0, 0.0, 0.0}};
         Vector3<double> r =
             nodes.mass[i] * (nodes.before[i] - inertia * nodes.velocity[i]) + dt * nodes.force(i);
-        for (int c = 0; c < 3 && !damping.empty(); ++c) r[c] -= dt * double(damping[i][c]);
+        if (!damping.empty()) r = r - dt * damping[i];
         return r;
     }
-    HEPATICA_HOST_DEVICE void operator()(int i) const {
-        const Vector3<double> r = at(i);
-        descent[i] = {{Real(r[0]), Real(r[1]), Real(r[2])}};
-    }
+    HEPATICA_HOST_DEVICE void operator()(int i) const { descent[i] = at(i); }
 };
 
 // a -= b
-template <class Real>
 struct Subtract {
-    View<Vector3<Real>> a;
-    View<const Vector3<Real>> b;
+    View<Vector3<double>> a;
+    View<const Vector3<double>> b;
 
     HEPATICA_HOST_DEVICE int count() const { return a.size; }
     std::size_t bytes() const { return bytes_of(a, a, b); }
@@ -102,7 +96,7 @@ struct ForeseeSlips {
         double limit = 0.0;
         nodes.touches.for_each(node, [&](int t, int a) {
             const int other = t - nodes.touches.first_rub;
-            if (other >= 0 && rub[other].kind == kind)
+            if (other >= 0 && t < nodes.touches.first_tie && rub[other].kind == kind)
                 limit += small::detail::absolute(rub[other].weights[a]) * rub[other].law.limit_un;
         });
         return limit;
@@ -133,10 +127,10 @@ struct KeepForces {
 };
 
 // Energies [nJ]: kinetic, elastic, of grabs, of the tether, less the work of weight since x_n,
-// |w - v_n|_M^2 / 2, of pads, and what friction takes.
+// |w - v_n|_M^2 / 2, of pads, what friction takes, and of what binds parted joints.
 struct Energies {
-    static constexpr int width = 8;
-    enum { kinetic, elastic, grab, tether, weight, inertial, contact, friction };
+    static constexpr int width = 9;
+    enum { kinetic, elastic, grab, tether, weight, inertial, contact, friction, cohesion };
     NodeViews nodes;
 
     std::size_t bytes() const { return nodes.bytes(); }
@@ -149,33 +143,29 @@ struct Energies {
         sum[tether] += 0.5 * nodes.tether[i] * small::dot(off, off);
         sum[weight] -= nodes.mass[i] * small::dot(nodes.gravity, x - nodes.start[i]);
         sum[inertial] += 0.5 * nodes.mass[i] * small::dot(dw, dw);
-        nodes.touches.add_energy(i, sum[contact], sum[friction]);
+        nodes.touches.add_energy(i, sum[contact], sum[friction], sum[cohesion]);
     }
 };
 
 // With d the direction that was taken, change + share * v_n:  steepest . d  and  residual . d.
-template <class Real>
 struct AlongDirection {
     static constexpr int width = 2;
-    View<const Vector3<Real>> steepest, residual, change;
+    View<const Vector3<double>> steepest, residual, change;
     View<const Vector3<double>> before;
     double share;
 
     std::size_t bytes() const { return bytes_of(steepest, residual, change, before); }
     HEPATICA_HOST_DEVICE void operator()(int i, double* sum) const {
-        for (int c = 0; c < 3; ++c) {
-            const double d = double(change[i][c]) + share * before[i][c];
-            sum[0] += double(steepest[i][c]) * d;
-            sum[1] += double(residual[i][c]) * d;
-        }
+        const Vector3<double> d = change[i] + share * before[i];
+        sum[0] += small::dot(steepest[i], d);
+        sum[1] += small::dot(residual[i], d);
     }
 };
 
 // Works along the motion dt w: of the forces at the start and at the end; and w . descent.
-template <class Real>
 struct Works {
     static constexpr int width = 3;
-    Descent<Real> end;
+    Descent end;
     View<const Vector3<double>> start_force;
 
     std::size_t bytes() const { return end.bytes() + bytes_of(start_force); }
@@ -184,19 +174,6 @@ struct Works {
         sum[0] += end.dt * small::dot(w, start_force[i]);
         sum[1] += end.dt * small::dot(w, end.nodes.force(i));
         sum[2] += small::dot(w, end.at(i));
-    }
-};
-
-// p = w as Real, for products with the matrix.
-template <class Real>
-struct RoundVelocity {
-    View<const Vector3<double>> velocity;
-    View<Vector3<Real>> p;
-
-    HEPATICA_HOST_DEVICE int count() const { return p.size; }
-    std::size_t bytes() const { return bytes_of(velocity, p); }
-    HEPATICA_HOST_DEVICE void operator()(int i) const {
-        for (int c = 0; c < 3; ++c) p[i][c] = Real(velocity[i][c]);
     }
 };
 

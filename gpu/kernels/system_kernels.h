@@ -32,40 +32,60 @@ struct SystemView {
     HEPATICA_HOST_DEVICE double on_diagonal(int i) const {
         return factors.mass * mass[i] + factors.tether * tether[i];
     }
-    // Row i times p, which is zero at held nodes.
-    HEPATICA_HOST_DEVICE Vector3<Real> row(int i, const View<const Vector3<Real>>& p) const {
-        if (held[i] != 0) return {{Real(0), Real(0), Real(0)}};
-        const Vector3<Real> own = p[i];
-        Vector3<Real> sum{{Real(0), Real(0), Real(0)}};
-        for (int k = row_begin[i]; k < row_begin[i + 1]; ++k)
-            sum = sum + block[k] * (p[column[k]] - own);
-        Vector3<Real> y = Real(factors.stiffness) * sum + Real(on_diagonal(i)) * own;
+    // Row i times p, which is zero at held nodes; in Real, or in double whatever the blocks are.
+    template <class V>
+    HEPATICA_HOST_DEVICE Vector3<V> row(int i, const View<const Vector3<V>>& p) const {
+        if (held[i] != 0) return {{V(0), V(0), V(0)}};
+        const Vector3<V> own = p[i];
+        Vector3<V> sum{{V(0), V(0), V(0)}};
+        for (int k = row_begin[i]; k < row_begin[i + 1]; ++k) {
+            const Matrix3<Real>& b = block[k];
+            const Vector3<V> d = p[column[k]] - own;
+            for (int r = 0; r < 3; ++r)
+                sum[r] += V(b(r, 0)) * d[0] + V(b(r, 1)) * d[1] + V(b(r, 2)) * d[2];
+        }
+        Vector3<V> y = V(factors.stiffness) * sum + V(on_diagonal(i)) * own;
         if (factors.grab != 0.0 && !grabs.first.empty()) {
             const Vector3<double> pulled = grabs.product(i, p);
-            for (int c = 0; c < 3; ++c) y[c] += Real(factors.grab * pulled[c]);
+            for (int c = 0; c < 3; ++c) y[c] += V(factors.grab * pulled[c]);
         }
         if (factors.touch != 0.0 && !touches.row.empty()) {
             const Vector3<double> pressed = touches.product(i, p);
-            for (int c = 0; c < 3; ++c) y[c] += Real(factors.touch * pressed[c]);
+            for (int c = 0; c < 3; ++c) y[c] += V(factors.touch * pressed[c]);
         }
         return y;
     }
 };
 
-// y = A p, and p . y.
-template <class Real>
+// y = A p, and p . y; the blocks are Real, the vectors V.
+template <class Real, class V>
 struct Product {
     static constexpr int width = 1;
     SystemView<Real> system;
-    View<const Vector3<Real>> p;
-    View<Vector3<Real>> y;
+    View<const Vector3<V>> p;
+    View<Vector3<V>> y;
 
     std::size_t bytes() const { return system.bytes() + bytes_of(p, y); }
     HEPATICA_HOST_DEVICE void operator()(int i, double* sum) const {
-        const Vector3<Real> row = system.row(i, p);
+        const Vector3<V> row = system.row(i, p);
         y[i] = row;
-        const Vector3<Real> own = p[i];
+        const Vector3<V> own = p[i];
         for (int c = 0; c < 3; ++c) sum[0] += double(own[c]) * double(row[c]);
+    }
+};
+
+// r = b - A x in double, and r . r.
+template <class Real>
+struct FindResidual {
+    static constexpr int width = 1;
+    SystemView<Real> system;
+    View<const Vector3<double>> b, x;
+    View<Vector3<double>> r;
+
+    std::size_t bytes() const { return system.bytes() + bytes_of(b, x, r); }
+    HEPATICA_HOST_DEVICE void operator()(int i, double* sum) const {
+        r[i] = b[i] - system.row(i, x);
+        sum[0] += small::dot(r[i], r[i]);
     }
 };
 

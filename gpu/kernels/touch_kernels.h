@@ -114,13 +114,38 @@ struct RubPoints {
     }
 };
 
-// All touches, by node. First those of pads, then those of friction.
+struct PullTies {
+    SofteningLaw law;
+    View<const TieTouch> tie;
+    View<const Vector3<double>> position;
+    View<TouchPull> pull;
+
+    HEPATICA_HOST_DEVICE int count() const { return tie.size; }
+    std::size_t bytes() const {
+        return bytes_of(tie, pull) + tie.size * 2 * sizeof(Vector3<double>);
+    }
+    HEPATICA_HOST_DEVICE void operator()(int k) const {
+        const Vector3<double> opening = position[tie[k].nodes[1]] - position[tie[k].nodes[0]];
+        const TiePull is = pull_of(law, tie[k].corner, opening);
+        TouchPull& out = pull[k];
+        out.active = 1;
+        out.weight[0] = 1.0;
+        out.weight[1] = -1.0;
+        out.weight[2] = out.weight[3] = 0.0;
+        out.energy = is.energy_nj;
+        out.force = is.force_un;
+        out.turning[0] = out.turning[1] = {{0.0, 0.0, 0.0}};
+        out.stiffness = is.stiffness_un_per_mm;
+    }
+};
+
+// All touches, by node. First those of pads, then those of friction, then ties.
 struct TouchesView {
     View<const int> row;           // of every node, -1: it touches nothing; empty: nothing does
     View<const int> begin, entry;  // of each row: 4 t + a for node a of touch t
     View<const int> node;          // four a touch; -1: none, or one that does not move
     View<const TouchPull> pull;
-    int first_rub = 0;
+    int first_rub = 0, first_tie = 0;
 
     std::size_t bytes() const { return bytes_of(row, begin, entry, node, pull); }
 
@@ -140,12 +165,13 @@ struct TouchesView {
         });
         return sum;
     }
-    // A touch's energy is booked at the first of its nodes that moves. Adds to pads or to friction.
-    HEPATICA_HOST_DEVICE void add_energy(int i, double& pads, double& friction) const {
+    // A touch's energy is booked at the first of its nodes that moves. Adds to one of them.
+    HEPATICA_HOST_DEVICE void add_energy(int i, double& pads, double& friction,
+                                         double& cohesion) const {
         for_each(i, [&](int t, int a) {
             for (int before = 0; before < a; ++before)
                 if (node[4 * t + before] >= 0) return;
-            (t < first_rub ? pads : friction) += pull[t].energy;
+            (t < first_rub ? pads : (t < first_tie ? friction : cohesion)) += pull[t].energy;
         });
     }
     // Row i of their stiffness times p.

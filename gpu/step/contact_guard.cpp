@@ -54,12 +54,14 @@ void ContactGuard::report(const Underway& step, const std::vector<Vec3>& velocit
                           StepReport& report) const {
     const std::vector<Vec3>& end = step.to_mm;
     report.tool = potentials_.tool_load(end, step.dt_s);
-    if (potentials_.self()) {
+    if (potentials_.self() || potentials_.ties()) {
         const MomentumBalance balance =
             momentum_balance(body_, in_terms_of_core(step, potentials_, velocities), held,
                              velocities, elastic_force_un());
         report.momentum_error_g_mm_per_s = balance.error_g_mm_per_s;
         report.momentum_exchanged_g_mm_per_s = balance.exchanged_g_mm_per_s;
+    }
+    if (potentials_.self()) {
         report.self = load_of(potentials_.self()->contacts(end));
         report.self_cost = potentials_.self()->pairs().take_cost();
     }

@@ -24,8 +24,11 @@ class ContactGuard {
     ContactGuard(const Body& body, PotentialList& potentials)
         : body_(body), potentials_(potentials) {}
 
-    // Whether the body may touch anything; without, nothing else is to be called.
-    bool any() const { return potentials_.tool() || potentials_.self() || potentials_.obstacles(); }
+    // Whether the body may touch anything or tear; without, nothing else is to be called.
+    bool any() const {
+        return potentials_.tool() || potentials_.self() || potentials_.obstacles() ||
+               potentials_.ties();
+    }
     // See Potential.
     double share_until_touch(const BodyState& state, double dt_s) const {
         return potentials_.share_until_touch(state.positions_mm, places_ahead(state, dt_s));

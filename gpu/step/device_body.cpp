@@ -2,46 +2,12 @@
 #include "gpu/step/device_body.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hepatica::gpu {
 namespace {
 
 using Kind = ElementGroup::Kind;
-
-template <class Real>
-Vector3<Real> rounded(const Vector3<double>& v) {
-    return {{static_cast<Real>(v[0]), static_cast<Real>(v[1]), static_cast<Real>(v[2])}};
-}
-
-template <class Real>
-small::TetrahedronRest<Real> rounded(const small::TetrahedronRest<double>& rest) {
-    small::TetrahedronRest<Real> r;
-    for (int a = 0; a < 3; ++a) r.gradient[a] = rounded<Real>(rest.gradient[a]);
-    r.volume = static_cast<Real>(rest.volume);
-    r.lambda = static_cast<Real>(rest.lambda);
-    r.mu = static_cast<Real>(rest.mu);
-    return r;
-}
-
-template <class Real>
-small::SpringRest<Real> rounded(const small::SpringRest<double>& rest) {
-    small::SpringRest<Real> r;
-    for (int e = 0; e < 6; ++e) {
-        r.length[e] = static_cast<Real>(rest.length[e]);
-        r.stiffness[e] = static_cast<Real>(rest.stiffness[e]);
-    }
-    r.volume = static_cast<Real>(rest.volume);
-    r.bulk = static_cast<Real>(rest.bulk);
-    return r;
-}
-
-template <class Real, template <class> class Rest>
-std::vector<Rest<Real>> all_rounded(const std::vector<Rest<double>>& rest) {
-    std::vector<Rest<Real>> all;
-    all.reserve(rest.size());
-    for (const auto& one : rest) all.push_back(rounded<Real>(one));
-    return all;
-}
 
 }  // namespace
 
@@ -59,31 +25,49 @@ DeviceBody<Real>::DeviceBody(Machine& machine, const Body& body, const AssemblyP
       lambda_over_mu_(static_cast<Real>(plan.lambda_over_mu)),
       slot_(machine, static_cast<std::size_t>(plan.force_slots)),
       block_slot_(machine, static_cast<std::size_t>(plan.block_slots)),
-      force_lists_{{machine, plan.forces.begin}, {machine, plan.forces.place}},
-      force_(machine, body.rest_positions_mm.size()),
-      energy_(machine, body.rest_positions_mm.size()) {
+      force_lists_(machine),
+      factors_(machine),
+      blocks_(machine),
+      transposed_(machine),
+      force_(machine),
+      energy_(machine),
+      row_begin_(machine),
+      column_(machine),
+      place_(machine),
+      mirror_(machine),
+      block_(machine) {
     if (!plan.factors.place.empty())
         turned_ = Array<Vector3<Real>>(machine, static_cast<std::size_t>(plan.force_slots));
-    for (std::size_t g = 0; g < body.groups.size(); ++g)
-        upload_group(body.groups[g], plan.groups[g]);
-    upload_pattern(plan);
+    for (std::size_t g = 0; g < body.groups.size(); ++g) add_group(body.groups[g], plan.groups[g]);
+    follow(body, plan);
 }
 
 template <class Real>
-void DeviceBody<Real>::upload_group(const ElementGroup& group, const GroupSlots& slots) {
+void DeviceBody<Real>::follow(const Body& body, const AssemblyPlan& plan) {
+    force_.resize(body.rest_positions_mm.size());
+    energy_.resize(body.rest_positions_mm.size());
+    for (std::size_t g = 0; g < groups_.size(); ++g)
+        groups_[g].connectivity.set(body.groups[g].connectivity);
+    force_lists_.begin.set(plan.forces.begin);
+    force_lists_.place.set(plan.forces.place);
+    set_pattern(plan);
+}
+
+template <class Real>
+void DeviceBody<Real>::add_group(const ElementGroup& group, const GroupSlots& slots) {
     groups_.push_back({group.kind,
                        slots.in_factors,
                        static_cast<int>(slots.first_force),
                        static_cast<int>(slots.first_block),
                        slots.in_factors ? 0 : group.size() * group.pairs(),
-                       {machine_, group.connectivity},
-                       {machine_, all_rounded<Real>(group.tetrahedra)},
-                       {machine_, all_rounded<Real>(group.springs)}});
+                       GrowingArray<int>(machine_),
+                       {machine_, group.tetrahedra},
+                       {machine_, group.springs}});
 }
 
 // The plan's pattern without its diagonal, and the plan's lists of upper blocks alone.
 template <class Real>
-void DeviceBody<Real>::upload_pattern(const AssemblyPlan& plan) {
+void DeviceBody<Real>::set_pattern(const AssemblyPlan& plan) {
     const auto beside = [&](int row, int k) { return k - row - (k > plan.diagonal[row] ? 1 : 0); };
     const int rows = static_cast<int>(plan.diagonal.size());
     std::vector<int> row_begin{0}, column, place, mirror, upper;
@@ -98,27 +82,27 @@ void DeviceBody<Real>::upload_pattern(const AssemblyPlan& plan) {
         }
         row_begin.push_back(static_cast<int>(column.size()));
     }
-    const auto of_upper = [&](const GatherLists& lists) -> Lists {
+    const auto set_upper = [&](const GatherLists& lists, Lists& to) {
         std::vector<int> begin;
         for (const int k : upper) begin.push_back(lists.begin[k]);
         begin.push_back(lists.begin.back());
-        return {{machine_, begin}, {machine_, lists.place}};
+        to.begin.set(std::move(begin));
+        to.place.set(lists.place);
     };
-    factors_ = of_upper(plan.factors);
-    blocks_ = of_upper(plan.blocks);
-    transposed_ = of_upper(plan.transposed);
-    row_begin_ = {machine_, row_begin};
-    column_ = {machine_, column};
-    place_ = {machine_, place};
-    mirror_ = {machine_, mirror};
-    block_ = {machine_, column.size()};
+    set_upper(plan.factors, factors_);
+    set_upper(plan.blocks, blocks_);
+    set_upper(plan.transposed, transposed_);
+    block_.resize(column.size());
+    row_begin_.set(std::move(row_begin));
+    column_.set(std::move(column));
+    place_.set(std::move(place));
+    mirror_.set(std::move(mirror));
 }
 
 template <class Real>
 void DeviceBody<Real>::evaluate_group(const Group& group, View<const Vector3<double>> position,
                                       bool with_stiffness) {
-    const GroupViews<Real> views{group.connectivity.read(), position, slot_.view(),
-                                 group.first_slot};
+    const GroupViews views{group.connectivity.read(), position, slot_.view(), group.first_slot};
     View<Matrix3<Real>> block;
     if (with_stiffness) block = {block_slot_.view().data + group.first_block, group.blocks};
     const auto rest = group.tetrahedra.read();
@@ -138,7 +122,7 @@ template <class Real>
 void DeviceBody<Real>::evaluate(View<const Vector3<double>> position, bool with_stiffness) {
     for (const Group& group : groups_) evaluate_group(group, position, with_stiffness);
     machine_.for_each(
-        GatherForces<Real>{force_lists_.view(), slot_.read(), force_.view(), energy_.view()});
+        GatherForces{force_lists_.view(), slot_.read(), force_.view(), energy_.view()});
 }
 
 template <class Real>

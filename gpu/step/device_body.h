@@ -8,19 +8,21 @@
 #include "core/deform/body/body.h"
 #include "core/deform/step/assembly_plan.h"
 #include "gpu/kernels/assembly_kernels.h"
-#include "gpu/machine/array.h"
+#include "gpu/step/growing_array.h"
 
 namespace hepatica::gpu {
 
 // Whether elements and stiffness of this body have kernels.
 bool has_kernels(const Body& body);
 
-// Keeps what it needs. Real: float, or double for tests.
+// Keeps what it needs. Real: of the matrix, float, or double for tests.
 template <class Real>
 class DeviceBody {
   public:
     // The body has_kernels(); the plan is that of Tangent::rotated.
     DeviceBody(Machine& machine, const Body& body, const AssemblyPlan& plan);
+    // Of the same elements with other corners, and of other nodes: what a tear makes of a body.
+    void follow(const Body& body, const AssemblyPlan& plan);
 
     // Elastic force and energy of every node there; `with_stiffness` for assemble().
     void evaluate(View<const Vector3<double>> position, bool with_stiffness);
@@ -36,20 +38,21 @@ class DeviceBody {
 
   private:
     struct Lists {
-        Array<int> begin, place;
+        explicit Lists(Machine& machine) : begin(machine), place(machine) {}
+        GrowingArray<int> begin, place;
         ListsView view() const { return {begin.read(), place.read()}; }
     };
     struct Group {
         ElementGroup::Kind kind;
         bool in_factors;
         int first_slot, first_block, blocks;
-        Array<int> connectivity;
-        Array<small::TetrahedronRest<Real>> tetrahedra;
-        Array<small::SpringRest<Real>> springs;
+        GrowingArray<int> connectivity;
+        Array<small::TetrahedronRest<double>> tetrahedra;
+        Array<small::SpringRest<double>> springs;
     };
 
-    void upload_pattern(const AssemblyPlan& plan);
-    void upload_group(const ElementGroup& group, const GroupSlots& slots);
+    void add_group(const ElementGroup& group, const GroupSlots& slots);
+    void set_pattern(const AssemblyPlan& plan);
     void evaluate_group(const Group& group, View<const Vector3<double>> position,
                         bool with_stiffness);
 
@@ -57,14 +60,14 @@ class DeviceBody {
     ElementModel model_;
     Real lambda_over_mu_;
     std::vector<Group> groups_;
-    Array<ForceSlot<Real>> slot_;
+    Array<ForceSlot> slot_;
     Array<Vector3<Real>> turned_;
     Array<Matrix3<Real>> block_slot_;
     Lists force_lists_, factors_, blocks_, transposed_;
-    Array<Vector3<double>> force_;
-    Array<double> energy_;
-    Array<int> row_begin_, column_, place_, mirror_;
-    Array<Matrix3<Real>> block_;
+    GrowingArray<Vector3<double>> force_;
+    GrowingArray<double> energy_;
+    GrowingArray<int> row_begin_, column_, place_, mirror_;
+    GrowingArray<Matrix3<Real>> block_;
 };
 
 extern template class DeviceBody<float>;

@@ -18,6 +18,11 @@ class DeviceGrabs {
 
     // As validate_grabs demands. While they hold the same nodes, only the few grabs are copied.
     void set(std::span<const Grab> grabs, const AssemblyPlan& plan);
+    // With another plan: what is known of the nodes they hold is found anew.
+    void follow_tear(std::span<const Grab> grabs, const AssemblyPlan& plan) {
+        held_.clear();
+        set(grabs, plan);
+    }
     // Their forces at these positions.
     void pull(View<const Vector3<double>> position) {
         machine_.for_each(PullGrabs{grab_.read(), position, pull_.view()});

@@ -47,12 +47,13 @@ DeviceSkeleton<Real>::DeviceSkeleton(Machine& machine, const CoarseSkeleton& ske
       coarse_(space_.coarse_pattern()),
       vertex_of_(flat(vertices_of_nodes(space_))),
       node_of_(owners(vertices_of_nodes(space_))),
-      restriction_(machine, node_of_, space_.node_count()),
+      restriction_(machine),
       modes_(machine, rest_positions_mm.size()),
       vertex_(machine, vertex_of_),
       node_(machine, node_of_),
       column_(machine, coarse_.column),
       projected_(machine, coarse_.column.size()) {
+    restriction_.set(node_of_, space_.node_count());
     std::vector<int> begin{0}, row;
     for (const auto& vertices : vertices_of_nodes(space_))
         begin.push_back(begin.back() + static_cast<int>(vertices.size()));

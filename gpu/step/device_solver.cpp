@@ -9,19 +9,44 @@
 #include "core/deform/solvers/error_bound.h"
 
 namespace hepatica::gpu {
+namespace {
+
+constexpr int most_rounds = 8;
+// A round has done what it can once the residual is this small, over what it began with.
+template <class Real>
+constexpr double least_residual = 1e-5;
+template <>
+constexpr double least_residual<double> = 1e-14;
+// And another is worth it while rounds lower the residual at least so far.
+constexpr double worth_a_round = 0.5;
+
+double squared(double a) {
+    return a * a;
+}
+
+}  // namespace
 
 template <class Real>
-DeviceSolver<Real>::DeviceSolver(Machine& machine, const Partition& nodes, std::size_t node_count)
+DeviceSolver<Real>::DeviceSolver(Machine& machine, const Partition& nodes)
     : machine_(machine),
       nodes_(nodes),
-      x_(machine, node_count),
-      r_(machine, node_count),
-      z_(machine, node_count),
-      p_(machine, node_count),
-      product_(machine, node_count),
-      inverse_(machine, node_count),
+      solution_(machine),
+      residual_(machine),
+      x_(machine),
+      r_(machine),
+      z_(machine),
+      p_(machine),
+      product_(machine),
+      inverse_(machine),
       scalars_(machine, 1),
       record_(machine, batch) {}
+
+template <class Real>
+void DeviceSolver<Real>::resize(std::size_t nodes) {
+    for (auto* vector : {&x_, &r_, &z_, &p_, &product_}) vector->resize(nodes);
+    for (auto* vector : {&solution_, &residual_}) vector->resize(nodes);
+    inverse_.resize(nodes);
+}
 
 template <class Real>
 SolveScalars DeviceSolver<Real>::scalars() const {
@@ -41,70 +66,90 @@ void DeviceSolver<Real>::precondition(const Term& term, const Then& then,
 }
 
 template <class Real>
-void DeviceSolver<Real>::begin(const SystemView<Real>& system, View<const Vector3<Real>> b,
-                               const DeviceSkeleton<Real>* skeleton) {
-    machine_.for_each(InvertDiagonal<Real>{system, inverse_.view()});
-    precondition(BeginSolve<Real>{b, inverse_.read(), x_.view(), r_.view(), z_.view()},
-                 StartIteration{scalars_.view()}, skeleton);
-}
-
-template <class Real>
 void DeviceSolver<Real>::iterate(const SystemView<Real>& system,
                                  const DeviceSkeleton<Real>* skeleton) {
     machine_.for_each(TurnDirection<Real>{scalars_.read(), z_.read(), p_.view()});
-    nodes_.sum(Product<Real>{system, p_.read(), product_.view()}, ChooseStep{scalars_.view()});
+    nodes_.sum(Product<Real, Real>{system, p_.read(), product_.view()},
+               ChooseStep{scalars_.view()});
     precondition(TakeStep<Real>{scalars_.read(), p_.read(), product_.read(), inverse_.read(),
                                 x_.view(), r_.view(), z_.view()},
                  EndIteration{scalars_.view(), record_.view()}, skeleton);
 }
 
 template <class Real>
-SolveReport DeviceSolver<Real>::solve(const SystemView<Real>& system, View<const Vector3<Real>> b,
-                                      const DeviceSkeleton<Real>* skeleton,
-                                      const SolveLimits& limits, const std::stop_token& stop) {
-    SolveReport report;
-    report.method = skeleton != nullptr ? "skeleton" : "block-jacobi";
-    begin(system, b, skeleton);
+bool DeviceSolver<Real>::Energies::suffice(const SolveLimits& limits) const {
+    const double limit = squared(limits.energy_tolerance);
+    return (1.0 - limit) * error <= limit * solution;
+}
+
+// Conjugate gradients on A x_ = residual_ from 0, until its residual, squared, is below the limit.
+template <class Real>
+typename DeviceSolver<Real>::End DeviceSolver<Real>::run_round(
+    const SystemView<Real>& system, const DeviceSkeleton<Real>* skeleton, const SolveLimits& limits,
+    double residual_limit, Energies& energies, SolveReport& report, const std::stop_token& stop) {
+    precondition(
+        BeginRound<Real>{residual_.read(), inverse_.read(), x_.view(), r_.view(), z_.view()},
+        StartIteration{scalars_.view()}, skeleton);
     SolveScalars now = scalars();
-    const double rhs_squared = now.residual_squared;
-    if (!(rhs_squared > 0.0) || !std::isfinite(rhs_squared)) {
-        report.converged = rhs_squared == 0.0;
-        report.relative_residual = report.energy_error = report.converged ? 0.0 : 1.0;
-        return report;
-    }
     // What touches changes the spectrum from step to step: nothing is known of it from others.
     const bool touches = system.factors.touch != 0.0 && !system.touches.row.empty();
     ErrorBound bound(touches ? 0.0 : ErrorBound::relaxation * smallest_ritz_);
-    double work = now.work, solution_energy = 0.0, error_squared = bound.before() * work;
-    const double energy_limit = limits.energy_tolerance * limits.energy_tolerance;
-    const double residual_limit = limits.residual_tolerance * limits.residual_tolerance;
-    const auto finished = [&] {
-        report.converged = (1.0 - energy_limit) * error_squared <= energy_limit * solution_energy ||
-                           now.residual_squared <= residual_limit * rhs_squared ||
-                           now.residual_squared == 0.0;
-        return report.converged || now.broken != 0 || report.iterations >= limits.max_iterations;
-    };
+    double work = now.work;
+    energies.error = bound.before() * work;
+    int done = 0;
     std::array<IterationRecord, batch> records;
-    while (!finished()) {
+    const auto met = [&] { return now.residual_squared <= residual_limit; };
+    while (!energies.suffice(limits) && !met() && now.broken == 0 &&
+           report.iterations < limits.max_iterations) {
         throw_if_stopped(stop);
         const int more = std::min(batch, limits.max_iterations - report.iterations);
         for (int k = 0; k < more; ++k) iterate(system, skeleton);
         now = scalars();
         record_.download(records);
-        for (; report.iterations < now.iterations; ++report.iterations) {
-            const IterationRecord& done = records[report.iterations % batch];
-            solution_energy += done.step * work;
-            work = done.work;
-            error_squared = bound.after(done.step, done.ratio) * work;
-            // Where the smallest eigenvalue was taken too large there is no bound.
-            if (error_squared == 0.0 && done.residual_squared > 0.0) error_squared = INFINITY;
+        for (; done < now.iterations; ++done, ++report.iterations) {
+            const IterationRecord& one = records[done % batch];
+            energies.solution += one.step * work;
+            work = one.work;
+            energies.error = bound.after(one.step, one.ratio) * work;
         }
     }
-    if (report.iterations > 0 && !touches) smallest_ritz_ = bound.smallest();
-    report.relative_residual = std::sqrt(now.residual_squared / rhs_squared);
+    if (done > 0 && !touches) smallest_ritz_ = bound.smallest();
+    if (energies.suffice(limits)) return End::energies;
+    return met() ? End::residual : End::early;
+}
+
+template <class Real>
+SolveReport DeviceSolver<Real>::solve(const SystemView<Real>& system, View<const Vector3<double>> b,
+                                      const DeviceSkeleton<Real>* skeleton,
+                                      const SolveLimits& limits, const std::stop_token& stop) {
+    SolveReport report;
+    report.method = skeleton != nullptr ? "skeleton" : "block-jacobi";
+    const double rhs_squared = nodes_.read(BeginSolve{b, solution_.view(), residual_.view()})[0];
+    if (!(rhs_squared > 0.0) || !std::isfinite(rhs_squared)) {
+        report.converged = rhs_squared == 0.0;
+        report.relative_residual = report.energy_error = report.converged ? 0.0 : 1.0;
+        return report;
+    }
+    machine_.for_each(InvertDiagonal<Real>{system, inverse_.view()});
+    const double wanted = squared(limits.residual_tolerance) * rhs_squared;
+    double left = rhs_squared, before = 0.0;  // of the residual, squared
+    Energies energies;
+    End end = End::residual;
+    for (int round = 0; round < most_rounds; ++round) {
+        end = run_round(system, skeleton, limits,
+                        std::max(wanted, squared(least_residual<Real>) * left), energies, report,
+                        stop);
+        machine_.for_each(AddCorrection<Real>{x_.read(), solution_.view()});
+        before = left;
+        left = nodes_.read(FindResidual<Real>{system, b, solution_.read(), residual_.view()})[0];
+        if (end != End::residual || left <= wanted || !(left < squared(worth_a_round) * before))
+            break;
+    }
+    report.converged = end != End::early;
+    report.relative_residual = std::sqrt(left / rhs_squared);
     report.energy_error =
-        std::isfinite(error_squared)
-            ? std::sqrt(error_squared / (std::max(solution_energy, 0.0) + error_squared))
+        std::isfinite(energies.error)
+            ? std::sqrt(energies.error / (std::max(energies.solution, 0.0) + energies.error))
             : 1.0;
     return report;
 }

@@ -2,9 +2,12 @@
 // Conjugate gradients on a machine, preconditioned by the inverse diagonal blocks and, where there
 // is a skeleton, the additive correction of its coarse space. Iterations run
 // there in batches; after each the host reads what they did and stops by the rules of
-// ConjugateGradient, so that a solve may do a few iterations more than it needs.
+// ConjugateGradient, so that a solve may do a few iterations more than it needs. Where a residual
+// is asked for that Real cannot hold, what is left is found in double and solved for again
+// (iterative refinement, Wilkinson 1963).
 #pragma once
 
+#include <cmath>
 #include <stop_token>
 
 #include "core/deform/solvers/linear_solver.h"
@@ -18,17 +21,18 @@ namespace hepatica::gpu {
 template <class Real>
 class DeviceSolver {
   public:
-    DeviceSolver(Machine& machine, const Partition& nodes, std::size_t node_count);
+    DeviceSolver(Machine& machine, const Partition& nodes);
+    void resize(std::size_t nodes);
 
     // `skeleton`, prepared for this matrix, may be null.
     // Solves A x = b from x = 0. Not converged where it broke down or ran out of iterations. Throws
     // Cancelled within a batch of iterations after a stop was asked for.
-    SolveReport solve(const SystemView<Real>& system, View<const Vector3<Real>> b,
+    SolveReport solve(const SystemView<Real>& system, View<const Vector3<double>> b,
                       const DeviceSkeleton<Real>* skeleton, const SolveLimits& limits,
                       const std::stop_token& stop = {});
 
-    View<const Vector3<Real>> solution() const { return x_.read(); }
-    View<const Vector3<Real>> residual() const { return r_.read(); }  // b - A x
+    View<const Vector3<double>> solution() const { return solution_.read(); }
+    View<const Vector3<double>> residual() const { return residual_.read(); }  // b - A x
 
     // What it carries from one solve to the next, see ConjugateGradient.
     double smallest_ritz() const { return smallest_ritz_; }
@@ -37,8 +41,17 @@ class DeviceSolver {
   private:
     static constexpr int batch = 8;
 
-    void begin(const SystemView<Real>& system, View<const Vector3<Real>> b,
-               const DeviceSkeleton<Real>* skeleton);
+    // Of the solve so far: |x|_A squared, and the bound of the error in that norm, squared.
+    struct Energies {
+        double solution = 0.0, error = INFINITY;
+        bool suffice(const SolveLimits& limits) const;
+    };
+    // Where a round ended: by the energies, by its residual, or not where it should.
+    enum class End { energies, residual, early };
+
+    End run_round(const SystemView<Real>& system, const DeviceSkeleton<Real>* skeleton,
+                  const SolveLimits& limits, double residual_limit, Energies& energies,
+                  SolveReport& report, const std::stop_token& stop);
     void iterate(const SystemView<Real>& system, const DeviceSkeleton<Real>* skeleton);
     template <class Term, class Then>
     void precondition(const Term& term, const Then& then, const DeviceSkeleton<Real>* skeleton);
@@ -46,8 +59,9 @@ class DeviceSolver {
 
     Machine& machine_;
     const Partition& nodes_;
-    Array<Vector3<Real>> x_, r_, z_, p_, product_;
-    Array<Matrix3<Real>> inverse_;
+    GrowingArray<Vector3<double>> solution_, residual_;
+    GrowingArray<Vector3<Real>> x_, r_, z_, p_, product_;  // of a round
+    GrowingArray<Matrix3<Real>> inverse_;
     Array<SolveScalars> scalars_;
     Array<IterationRecord> record_;
     double smallest_ritz_ = 0.0;

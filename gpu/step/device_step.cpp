@@ -26,23 +26,12 @@ constexpr double least_part = 0.05;  // of what is left of it
 constexpr double armijo = 1e-4;      // of the predicted decrease must come true, as in NewtonStep
 
 // A change of energy below this share of the energies at hand is rounding.
-template <class Real>
-constexpr double energy_rounding = 1e-5;
-template <>
-constexpr double energy_rounding<double> = 1e-13;
+constexpr double energy_rounding = 1e-13;
 // And so is a strain below this: at rest all energies are.
-template <class Real>
-constexpr double strain_rounding = 1e-6;
-template <>
-constexpr double strain_rounding<double> = 0.0;
-// And below this the limiter lets it pass.
-template <class Real>
-constexpr double limiter_rounding = 1e-5;
-template <>
-constexpr double limiter_rounding<double> = 1e-9;
+constexpr double strain_rounding = 1e-12;
 
-// Of the body at a strain of 1, about [nJ].
-double energy_at_unit_strain(const Body& body) {
+// Below it energies mean nothing [nJ]: that of the body at such a strain, about.
+double energy_of_rounding(const Body& body) {
     double sum = 0.0;
     for (const ElementGroup& group : body.groups) {
         for (const auto& rest : group.tetrahedra) sum += rest.mu * rest.volume;
@@ -50,15 +39,15 @@ double energy_at_unit_strain(const Body& body) {
             for (int e = 0; e < 6; ++e)
                 sum += 0.5 * rest.stiffness[e] * rest.length[e] * rest.length[e];
     }
-    return sum;
+    return strain_rounding * strain_rounding * sum;
 }
 
-void copy_in(Machine& machine, const std::vector<Vec3>& from, Array<Vector3<double>>& to) {
+void copy_in(Machine& machine, const std::vector<Vec3>& from, GrowingArray<Vector3<double>>& to) {
     static_assert(sizeof(Vec3) == sizeof(Vector3<double>));
     machine.upload(to.view().data, from.data(), from.size() * sizeof(Vec3));
 }
 
-void copy_out(Machine& machine, const Array<Vector3<double>>& from, std::vector<Vec3>& to) {
+void copy_out(Machine& machine, const GrowingArray<Vector3<double>>& from, std::vector<Vec3>& to) {
     machine.download(to.data(), from.read().data, to.size() * sizeof(Vec3));
 }
 
@@ -72,42 +61,40 @@ class Step final : public DeviceStep {
           plan_(plan_assembly(body_, small::Tangent::rotated)),
           potentials_(potentials),
           guard_(body_, potentials),
-          limiter_(body_, plan_),
-          held_(body_.fixed),
-          energy_floor_(strain_rounding<Real> * strain_rounding<Real> *
-                        energy_at_unit_strain(body_)),
-          nodes_(body_.rest_positions_mm.size()),
+          whole_skeleton_(skeleton),
+          energy_floor_(energy_of_rounding(body_)),
           elements_(machine, body_, plan_),
           grabs_(machine),
-          touches_(machine, nodes_, potentials.obstacles_mm()),
-          all_(machine, body_.node_count()),
-          pieces_(machine, limiter_.piece_of_node()),
-          solver_(machine, all_, nodes_),
-          mass_(machine, body_.mass_g),
-          tether_(machine, body_.tether_un_per_mm),
-          device_held_(machine, held_),
-          rest_(machine, nodes_),
-          start_(machine, nodes_),
-          before_(machine, nodes_),
-          position_(machine, nodes_),
-          velocity_(machine, nodes_),
-          start_force_(machine, nodes_),
-          steepest_(machine, nodes_),
-          rhs_(machine, nodes_),
-          p_(machine, nodes_),
-          damping_(machine, nodes_) {
-        copy_in(machine, body_.rest_positions_mm, rest_);
-        if (skeleton.size() > 0)
-            skeleton_ = std::make_unique<DeviceSkeleton<Real>>(machine, skeleton,
-                                                               body_.rest_positions_mm, plan_);
+          touches_(machine, potentials.obstacles_mm()),
+          all_(machine),
+          pieces_(machine),
+          solver_(machine, all_),
+          mass_(machine),
+          tether_(machine),
+          device_held_(machine),
+          rest_(machine),
+          start_(machine),
+          before_(machine),
+          position_(machine),
+          velocity_(machine),
+          start_force_(machine),
+          steepest_(machine),
+          rhs_(machine),
+          damping_(machine) {
+        set_nodes();
         set_state({body_.rest_positions_mm, std::vector<Vec3>(nodes_, Vec3::Zero())});
+    }
+    void follow_tear() override {
+        plan_ = plan_assembly(body_, small::Tangent::rotated);
+        elements_.follow(body_, plan_);
+        set_nodes();
     }
 
     void set_grabs(std::span<const Grab> grabs) override { grabs_.set(grabs, plan_); }
     void set_gravity(const Vec3& gravity) override { gravity_ = small::from_eigen(gravity); }
     void set_held(std::span<const std::uint8_t> held) override {
         held_.assign(held.begin(), held.end());
-        device_held_.upload(held_);
+        device_held_.set(held_);
     }
     void set_state(const BodyState& state) override {
         state_ = state;
@@ -125,17 +112,19 @@ class Step final : public DeviceStep {
     void set_solver_memory(double memory) override { solver_.remember(memory); }
 
   private:
+    void set_nodes();
     double inertia(double dt) const { return 1.0 + dt * body_.damping.alpha_per_s; }
     double beta() const { return body_.damping.beta_s; }
-    NodeViews nodes_at(const Array<Vector3<double>>& x, const Array<Vector3<double>>& w) const;
+    NodeViews nodes_at(const GrowingArray<Vector3<double>>& x,
+                       const GrowingArray<Vector3<double>>& w) const;
     SystemView<Real> system(const SystemFactors& factors) const;
     SystemView<Real> step_matrix(double dt) const {
         return system({inertia(dt), dt * dt, dt * dt + dt * beta(), dt * dt, dt * dt});
     }
-    double product(const SystemView<Real>& system, const Array<Vector3<double>>& w,
-                   Array<Vector3<Real>>& y);
-    void place(double dt, double share, View<const Vector3<Real>> change, bool with_stiffness);
-    Descent<Real> descent(double dt, bool damped, Array<Vector3<Real>>& result) const;
+    double product(const SystemView<Real>& system, const GrowingArray<Vector3<double>>& w,
+                   GrowingArray<Vector3<double>>& y);
+    void place(double dt, double share, View<const Vector3<double>> change, bool with_stiffness);
+    Descent descent(double dt, bool damped, GrowingArray<Vector3<double>>& result) const;
     double value_of(const Balance& now, double dt, double damping_form) const;
     Balance balance() { return {pieces_.read(Energies{nodes_at(position_, velocity_)})}; }
 
@@ -161,33 +150,59 @@ class Step final : public DeviceStep {
     }
 
     Machine& machine_;
-    Body body_;
+    const Body& body_;
     AssemblyPlan plan_;
     PotentialList& potentials_;
     ContactGuard guard_;
-    EnergyLimiter limiter_;
+    CoarseSkeleton whole_skeleton_;         // of the body before it tore
+    std::optional<EnergyLimiter> limiter_;  // always there
     std::vector<std::uint8_t> held_;
-    double energy_floor_;  // below it energies mean nothing
-    std::size_t nodes_;
+    double energy_floor_;
+    std::size_t nodes_ = 0;
     DeviceBody<Real> elements_;
     DeviceGrabs grabs_;
     DeviceTouches touches_;
     Partition all_, pieces_;
     DeviceSolver<Real> solver_;
     std::unique_ptr<DeviceSkeleton<Real>> skeleton_;  // null: none
-    Array<double> mass_, tether_;
-    Array<std::uint8_t> device_held_;
-    Array<Vector3<double>> rest_, start_, before_, position_, velocity_, start_force_;
-    Array<Vector3<Real>> steepest_, rhs_, p_, damping_;
+    GrowingArray<double> mass_, tether_;
+    GrowingArray<std::uint8_t> device_held_;
+    GrowingArray<Vector3<double>> rest_, start_, before_, position_, velocity_, start_force_;
+    GrowingArray<Vector3<double>> steepest_, rhs_, damping_;
     Vector3<double> gravity_{{0.0, 0.0, 0.0}};
     bool evaluated_ = false;  // elastic forces and energies are those of start_
     BodyState state_;
     std::string left_because_;
 };
 
+// What there is one of for each node of the body as it is.
 template <class Real>
-NodeViews Step<Real>::nodes_at(const Array<Vector3<double>>& x,
-                               const Array<Vector3<double>>& w) const {
+void Step<Real>::set_nodes() {
+    nodes_ = body_.rest_positions_mm.size();
+    held_ = body_.fixed;
+    limiter_.emplace(body_, plan_);
+    grabs_.follow_tear(potentials_.grabs(), plan_);
+    touches_.set_nodes(nodes_);
+    all_.set_whole(nodes_);
+    pieces_.set(limiter_->piece_of_node());
+    solver_.resize(nodes_);
+    mass_.set(body_.mass_g);
+    tether_.set(body_.tether_un_per_mm);
+    device_held_.set(held_);
+    std::vector<Vector3<double>> rest;
+    for (const Vec3& x : body_.rest_positions_mm) rest.push_back(small::from_eigen(x));
+    rest_.set(std::move(rest));
+    for (auto* vector :
+         {&start_, &before_, &position_, &velocity_, &start_force_, &steepest_, &rhs_, &damping_})
+        vector->resize(nodes_);
+    if (whole_skeleton_.size() > 0)
+        skeleton_ = std::make_unique<DeviceSkeleton<Real>>(machine_, whole_skeleton_,
+                                                           body_.rest_positions_mm, plan_);
+}
+
+template <class Real>
+NodeViews Step<Real>::nodes_at(const GrowingArray<Vector3<double>>& x,
+                               const GrowingArray<Vector3<double>>& w) const {
     return {start_.read(),
             before_.read(),
             x.read(),
@@ -212,26 +227,25 @@ SystemView<Real> Step<Real>::system(const SystemFactors& factors) const {
 
 // y = A w; returns w . y.
 template <class Real>
-double Step<Real>::product(const SystemView<Real>& system, const Array<Vector3<double>>& w,
-                           Array<Vector3<Real>>& y) {
-    machine_.for_each(RoundVelocity<Real>{w.read(), p_.view()});
-    return all_.read(Product<Real>{system, p_.read(), y.view()})[0];
+double Step<Real>::product(const SystemView<Real>& system, const GrowingArray<Vector3<double>>& w,
+                           GrowingArray<Vector3<double>>& y) {
+    return all_.read(Product<Real, double>{system, w.read(), y.view()})[0];
 }
 
 // Goes to w = share v_n + change and evaluates there.
 template <class Real>
-void Step<Real>::place(double dt, double share, View<const Vector3<Real>> change,
+void Step<Real>::place(double dt, double share, View<const Vector3<double>> change,
                        bool with_stiffness) {
-    machine_.for_each(PlaceNodes<Real>{start_.read(), before_.read(), change, share, dt,
-                                       position_.view(), velocity_.view()});
+    machine_.for_each(PlaceNodes{start_.read(), before_.read(), change, share, dt, position_.view(),
+                                 velocity_.view()});
     grabs_.pull(position_.read());
     touches_.press(position_.read());
     elements_.evaluate(position_.read(), with_stiffness);
 }
 
 template <class Real>
-Descent<Real> Step<Real>::descent(double dt, bool damped, Array<Vector3<Real>>& result) const {
-    View<const Vector3<Real>> damping;
+Descent Step<Real>::descent(double dt, bool damped, GrowingArray<Vector3<double>>& result) const {
+    View<const Vector3<double>> damping;
     if (damped) damping = damping_.read();
     return {nodes_at(position_, velocity_), damping, dt, inertia(dt), result.view()};
 }
@@ -294,7 +308,7 @@ void Step<Real>::stand(Underway& step) {
     machine_.for_each(descent(dt, false, steepest_));
     machine_.for_each(descent(dt, false, rhs_));
     product(step_matrix(dt), before_, damping_);
-    machine_.for_each(Subtract<Real>{rhs_.view(), damping_.read()});
+    machine_.for_each(Subtract{rhs_.view(), damping_.read()});
 }
 
 // Finds the direction and goes along it. False where the solver broke down.
@@ -312,12 +326,12 @@ bool Step<Real>::solve(Underway& step, const SolveLimits& limits, StepReport& re
     report.linear_energy_error = solved.energy_error;
     if (!solved.converged && solved.iterations < limits.max_iterations) return false;
     const std::vector<double> along =
-        all_.read(AlongDirection<Real>{steepest_.read(), solver_.residual(), solver_.solution(),
-                                       before_.read(), step.predicted ? 0.0 : 1.0});
+        all_.read(AlongDirection{steepest_.read(), solver_.residual(), solver_.solution(),
+                                 before_.read(), step.predicted ? 0.0 : 1.0});
     step.slope = -along[0];
     step.residual_work = -along[1];
-    machine_.for_each(PlaceNodes<Real>{start_.read(), before_.read(), solver_.solution(), 1.0, dt,
-                                       position_.view(), velocity_.view()});
+    machine_.for_each(PlaceNodes{start_.read(), before_.read(), solver_.solution(), 1.0, dt,
+                                 position_.view(), velocity_.view()});
     // The stiffness is still that of where the iterate began.
     if (!step.predicted)
         step.curvature =
@@ -337,8 +351,7 @@ bool Step<Real>::accepted(Underway& step) {
     place(dt, 1.0, solver_.solution(), false);
     step.after = balance();
     const double value = value_of(step.after, dt, step.damping_form);
-    const double noise =
-        energy_rounding<Real> * (std::abs(value) + std::abs(step.value)) + energy_floor_;
+    const double noise = energy_rounding * (std::abs(value) + std::abs(step.value)) + energy_floor_;
     return std::isfinite(value) && value <= step.value + armijo * step.slope + noise;
 }
 
@@ -347,7 +360,7 @@ template <class Real>
 void Step<Real>::book(Underway& step, StepReport& report) {
     const double dt = step.dt_s;
     const std::vector<double> works =
-        all_.read(Works<Real>{descent(dt, beta() > 0.0, rhs_), start_force_.read()});
+        all_.read(Works{descent(dt, beta() > 0.0, rhs_), start_force_.read()});
     const double start_work = works[0];
     double end_work = start_work - step.curvature, solver_work = step.residual_work;
     if (step.predicted) {
@@ -374,15 +387,12 @@ bool Step<Real>::accept(const Underway& step, StepReport& report) {
     BodyState end = state_;
     copy_out(machine_, position_, end.positions_mm);
     copy_out(machine_, velocity_, end.velocities_mm_per_s);
-    if (guard_.any() && guard_.overdrawn(limiter_, step, end.velocities_mm_per_s, held_))
+    if (guard_.any() && guard_.overdrawn(*limiter_, step, end.velocities_mm_per_s, held_))
         return leave("a piece would pay for energy or momentum of others");
     const auto pieces_before = step.before.by_piece(), pieces_after = step.after.by_piece();
     const EnergyLimiter::Outcome outcome =
-        limiter_.limit({.before = pieces_before,
-                        .after = pieces_after,
-                        .rounding = limiter_rounding<Real>,
-                        .least_nj = energy_floor_},
-                       potentials_, end.positions_mm, held_, end.velocities_mm_per_s);
+        limiter_->limit({.before = pieces_before, .after = pieces_after, .least_nj = energy_floor_},
+                        potentials_, end.positions_mm, held_, end.velocities_mm_per_s);
     if (outcome.lost == MomentumLost::linear && potentials_.self())
         return leave("what its surfaces exchanged would be lost");
     std::swap(start_, position_);
@@ -450,7 +460,7 @@ bool Step<Real>::advance(double dt_s, const SolveLimits& limits, StepReport& rep
 // what is touched at its end.
 template <class Real>
 bool Step<Real>::passes_nothing(Underway& step) {
-    if (step.predicted && limiter_.pieces() > 1 && potentials_.self())
+    if (step.predicted && limiter_->pieces() > 1 && potentials_.self())
         potentials_.self()->note_meeting(step.from_mm);
     copy_out(machine_, position_, step.to_mm);
     if (!std::ranges::all_of(step.to_mm, [](const Vec3& x) { return x.allFinite(); })) return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The linearly implicit step of backward Euler, eq. (12), on a machine: what BackwardEuler and
-// NewtonStep of core/deform do where one iterate is taken whole. State and sums are double; the
-// matrix and the vectors of its solver are float, or double for tests.
+// NewtonStep of core/deform do where one iterate is taken whole. State, forces, residuals and sums
+// are double; the matrix and the vectors of its solver are float, or double for tests.
 #pragma once
 
 #include <cstdint>
@@ -31,6 +31,9 @@ class DeviceStep {
     virtual void set_gravity(const Vec3& gravity_mm_per_s2) = 0;
     // For each node 1 where it is fixed or frozen.
     virtual void set_held(std::span<const std::uint8_t> held) = 0;
+    // The body has been torn: its elements have other corners, and it may have more nodes. Grabs
+    // and weight stay, all but what is fixed is free; the state is to be set anew.
+    virtual void follow_tear() = 0;
     // Of every node; held ones have velocity 0.
     virtual void set_state(const BodyState& state) = 0;
     virtual const BodyState& state() const = 0;
@@ -51,10 +54,10 @@ class DeviceStep {
     virtual void set_solver_memory(double memory) = 0;
 };
 
-// Throws DeviceError. The body has_kernels(). Keeps a reference to the potentials, which are those
-// of the body and have its tool and its grabs: they search for what touches, and what they keep of
-// a step is there until their end_step(). With an empty skeleton the solver is preconditioned by
-// the diagonal blocks alone.
+// Throws DeviceError. The body has_kernels(). Keeps references to the body, which may be torn, and
+// to the potentials, which are those of the body and have its tool and its grabs: they search for
+// what touches, and what they keep of a step is there until their end_step(). With an empty
+// skeleton the solver is preconditioned by the diagonal blocks alone.
 std::unique_ptr<DeviceStep> make_device_step(Machine& machine, const Body& body,
                                              PotentialList& potentials,
                                              const CoarseSkeleton& skeleton, Precision precision);

@@ -31,21 +31,27 @@ void add_nodes(const std::vector<Touch>& touches, std::vector<int>& nodes) {
 
 }  // namespace
 
-DeviceTouches::DeviceTouches(Machine& machine, std::size_t nodes, std::span<const Vec3> standing_mm)
+DeviceTouches::DeviceTouches(Machine& machine, std::span<const Vec3> standing_mm)
     : machine_(machine),
-      nodes_(static_cast<int>(nodes)),
       standing_(machine, plain(standing_mm)),
-      row_(machine, std::vector<int>(nodes, -1)),
+      row_(machine),
       tool_(machine),
       points_(machine),
       pairs_(machine),
       rubs_(machine),
+      ties_(machine),
       touch_nodes_(machine),
       touched_(machine),
       begin_(machine),
       entries_(machine),
-      pulls_(machine),
-      count_of_node_(nodes, 0) {}
+      pulls_(machine) {}
+
+void DeviceTouches::set_nodes(std::size_t nodes) {
+    list_by_node({});
+    nodes_ = static_cast<int>(nodes);
+    row_.set(std::vector<int>(nodes, -1));
+    count_of_node_.assign(nodes, 0);
+}
 
 void DeviceTouches::set(const TouchList& list) {
     tool_pad_mm_ = list.tool_pad_mm;
@@ -53,14 +59,18 @@ void DeviceTouches::set(const TouchList& list) {
     points_.set(list.points);
     pairs_.set(list.pairs);
     rubs_.set(list.rubs);
+    softening_ = list.softening;
+    ties_.set(list.ties);
     std::vector<int> nodes;
     add_nodes(list.points, nodes);
     add_nodes(list.pairs, nodes);
     add_nodes(list.rubs, nodes);
+    for (const TieTouch& tie : list.ties)
+        nodes.insert(nodes.end(), {tie.nodes[0], tie.nodes[1], -1, -1});
     for (int& node : nodes)
         if (node >= nodes_) node = -1;
     list_by_node(std::move(nodes));
-    pulls_.resize(pads() + rubs_.size());
+    pulls_.resize(first_tie() + ties_.size());
 }
 
 // The touches of each node in their own order.
@@ -100,6 +110,8 @@ void DeviceTouches::press(View<const Vector3<double>> position) {
                                   pulls_.view(0, points_.size())});
     machine_.for_each(PressPairs{pairs_.read(), place, pulls_.view(points_.size(), pairs_.size())});
     machine_.for_each(RubPoints{rubs_.read(), place, pulls_.view(pads(), rubs_.size())});
+    machine_.for_each(
+        PullTies{softening_, ties_.read(), position, pulls_.view(first_tie(), ties_.size())});
 }
 
 void DeviceTouches::foresee(const NodeViews& nodes) {
@@ -109,8 +121,13 @@ void DeviceTouches::foresee(const NodeViews& nodes) {
 
 TouchesView DeviceTouches::view() const {
     if (touched_.size() == 0) return {};
-    return {row_.read(),         begin_.read(), entries_.read(),
-            touch_nodes_.read(), pulls_.read(), static_cast<int>(pads())};
+    return {row_.read(),
+            begin_.read(),
+            entries_.read(),
+            touch_nodes_.read(),
+            pulls_.read(),
+            static_cast<int>(pads()),
+            static_cast<int>(first_tie())};
 }
 
 }  // namespace hepatica::gpu

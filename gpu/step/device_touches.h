@@ -15,8 +15,10 @@ namespace hepatica::gpu {
 class DeviceTouches {
   public:
     // `standing_mm`: what the lists number behind the body's nodes.
-    DeviceTouches(Machine& machine, std::size_t nodes, std::span<const Vec3> standing_mm);
+    DeviceTouches(Machine& machine, std::span<const Vec3> standing_mm);
 
+    // Of a body of so many nodes, which touches nothing then.
+    void set_nodes(std::size_t nodes);
     // What does not change is not copied again.
     void set(const TouchList& list);
     // Forces and energies at these positions, stiffness but that of friction.
@@ -36,16 +38,19 @@ class DeviceTouches {
         return {position, standing_.read()};
     }
     std::size_t pads() const { return points_.size() + pairs_.size(); }
+    std::size_t first_tie() const { return pads() + rubs_.size(); }
 
     Machine& machine_;
-    int nodes_;
+    int nodes_ = 0;
     double tool_pad_mm_ = 1.0;
     Array<Vector3<double>> standing_;
-    Array<int> row_;
+    GrowingArray<int> row_;  // its copy on the host: while nothing touches
     GrowingArray<PadCapsule> tool_;
     GrowingArray<PadPoint> points_;
     GrowingArray<PadPair> pairs_;
     GrowingArray<RubPoint> rubs_;
+    SofteningLaw softening_;
+    GrowingArray<TieTouch> ties_;
     GrowingArray<int> touch_nodes_, touched_, begin_, entries_;
     GrowingArray<TouchPull> pulls_;
     std::vector<int> count_of_node_;  // scratch, all 0 between calls

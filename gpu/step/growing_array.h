@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An array on a machine whose length changes from step to step, and the host's copy of it: memory
-// is taken anew only where it grows, and what is the same is not copied again.
+// An array on a machine whose length changes, and the host's copy of it: memory is taken anew only
+// where it grows, and of what is set again only the parts that changed are copied.
 #pragma once
 
 #include <algorithm>
@@ -18,19 +18,25 @@ class GrowingArray {
     static_assert(std::is_trivially_copyable_v<T>);
 
   public:
-    explicit GrowingArray(Machine& machine) : machine_(machine) {}
+    explicit GrowingArray(Machine& machine) : machine_(&machine) {}
 
-    // Returns whether anything changed.
-    bool set(std::vector<T> values) {
-        const bool same = values.size() == values_.size() &&
-                          (values.empty() || std::memcmp(values.data(), values_.data(),
-                                                         sizeof(T) * values.size()) == 0);
+    void set(std::vector<T> values) {
+        const std::size_t size = values.size();
+        // Memory that was taken anew holds nothing of before.
+        const std::size_t known = reserve(size) ? 0 : std::min(size, values_.size());
+        const auto same = [&](std::size_t begin) {
+            const std::size_t end = std::min(begin + part, size);
+            return end <= known && std::memcmp(values.data() + begin, values_.data() + begin,
+                                               sizeof(T) * (end - begin)) == 0;
+        };
+        for (std::size_t begin = 0, end; begin < size; begin = end + part) {
+            for (end = begin; end < size && !same(end);) end += part;
+            if (end == begin) continue;
+            machine_->upload(array_.view().data + begin, values.data() + begin,
+                             sizeof(T) * (std::min(end, size) - begin));
+        }
         values_ = std::move(values);
-        size_ = values_.size();
-        if (same || values_.empty()) return !same;
-        reserve(values_.size());
-        machine_.upload(array_.view().data, values_.data(), sizeof(T) * values_.size());
-        return true;
+        size_ = size;
     }
     // Of this length, with any values, of which the host has none.
     void resize(std::size_t size) {
@@ -43,14 +49,21 @@ class GrowingArray {
     View<T> view(std::size_t begin, std::size_t size) const {
         return {array_.view().data + begin, static_cast<int>(size)};
     }
-    View<const T> read() const { return view(0, size()); }
+    View<T> view() const { return view(0, size()); }
+    View<const T> read() const { return view(); }
 
   private:
-    void reserve(std::size_t size) {
-        if (array_.size() < size) array_ = {machine_, std::max(size, 2 * array_.size())};
+    // What is compared at once: a copy costs as much as the way of some hundred kilobytes.
+    static constexpr std::size_t part = std::max<std::size_t>(1, 16384 / sizeof(T));
+
+    // Returns whether memory was taken anew: at first as much as is asked for, then a quarter more.
+    bool reserve(std::size_t size) {
+        if (size <= array_.size()) return false;
+        array_ = {*machine_, array_.size() == 0 ? size : size + size / 4};
+        return true;
     }
 
-    Machine& machine_;
+    Machine* machine_;
     std::vector<T> values_;
     std::size_t size_ = 0;
     Array<T> array_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace hepatica::gpu {
 namespace {
@@ -40,17 +41,13 @@ std::vector<int> by_piece(std::span<const int> piece_of_node) {
 
 }  // namespace
 
-Partition::Partition(Machine& machine, int nodes)
-    : Partition(machine, std::vector<int>(static_cast<std::size_t>(nodes), 0)) {}
-
-Partition::Partition(Machine& machine, std::span<const int> piece_of_node, int pieces)
-    : machine_(machine) {
-    const Layout layout = layout_of(piece_of_node, pieces);
-    order_ = Array<int>(machine, by_piece(piece_of_node));
-    chunk_begin_ = Array<int>(machine, layout.chunk_begin);
-    segment_begin_ = Array<int>(machine, layout.segment_begin);
-    partial_ = Array<double>(machine, most_width * (layout.chunk_begin.size() - 1));
-    result_ = Array<double>(machine, most_width * (layout.segment_begin.size() - 1));
+void Partition::set(std::span<const int> piece_of_node, int pieces) {
+    Layout layout = layout_of(piece_of_node, pieces);
+    partial_.resize(most_width * (layout.chunk_begin.size() - 1));
+    result_.resize(most_width * (layout.segment_begin.size() - 1));
+    order_.set(by_piece(piece_of_node));
+    chunk_begin_.set(std::move(layout.chunk_begin));
+    segment_begin_.set(std::move(layout.segment_begin));
 }
 
 }  // namespace hepatica::gpu

@@ -6,16 +6,24 @@
 #include <vector>
 
 #include "gpu/kernels/sums.h"
-#include "gpu/machine/array.h"
+#include "gpu/step/growing_array.h"
 
 namespace hepatica::gpu {
 
 class Partition {
   public:
-    // All nodes in one segment.
-    Partition(Machine& machine, int nodes);
+    explicit Partition(Machine& machine)
+        : machine_(machine),
+          order_(machine),
+          chunk_begin_(machine),
+          segment_begin_(machine),
+          partial_(machine),
+          result_(machine) {}
+
     // One segment for each piece, 0, 1, ...; there are `pieces` of them, or as many as are named.
-    Partition(Machine& machine, std::span<const int> piece_of_node, int pieces = 0);
+    void set(std::span<const int> piece_of_node, int pieces = 0);
+    // All nodes in one segment.
+    void set_whole(std::size_t nodes) { set(std::vector<int>(nodes, 0)); }
 
     int segments() const { return static_cast<int>(segment_begin_.size()) - 1; }
 
@@ -36,7 +44,7 @@ class Partition {
     std::vector<double> read(const Term& term) const {
         sum(term, KeepSums<Term::width>{result_.view()});
         std::vector<double> sums(static_cast<std::size_t>(segments() * Term::width));
-        result_.download(sums);
+        machine_.download(sums.data(), result_.read().data, sums.size() * sizeof(double));
         return sums;
     }
 
@@ -48,8 +56,8 @@ class Partition {
     }
 
     Machine& machine_;
-    Array<int> order_, chunk_begin_, segment_begin_;
-    Array<double> partial_, result_;
+    GrowingArray<int> order_, chunk_begin_, segment_begin_;
+    GrowingArray<double> partial_, result_;
 };
 
 }  // namespace hepatica::gpu

@@ -25,7 +25,8 @@ struct Balance {
     // Of elements and potentials.
     double potential() const {
         return sum(Energies::elastic) + sum(Energies::grab) + sum(Energies::tether) +
-               sum(Energies::weight) + sum(Energies::contact) + sum(Energies::friction);
+               sum(Energies::weight) + sum(Energies::contact) + sum(Energies::friction) +
+               sum(Energies::cohesion);
     }
     EnergyLedger ledger() const {
         EnergyLedger ledger;
@@ -35,6 +36,7 @@ struct Balance {
         ledger.tether = sum(Energies::tether);
         ledger.contact = sum(Energies::contact);
         ledger.friction_loss = sum(Energies::friction);
+        ledger.cohesion = sum(Energies::cohesion);
         ledger.gravity_work = -sum(Energies::weight);
         return ledger;
     }
@@ -44,7 +46,7 @@ struct Balance {
             const double* e = &of_pieces[p];
             pieces.push_back({e[Energies::kinetic] + e[Energies::elastic] + e[Energies::grab] +
                                   e[Energies::tether] + e[Energies::weight] + e[Energies::contact] +
-                                  e[Energies::friction],
+                                  e[Energies::friction] + e[Energies::cohesion],
                               e[Energies::kinetic]});
         }
         return pieces;

@@ -20,8 +20,10 @@ std::string number_or_null(const std::optional<double>& value) {
 std::string json_of(const GpuRow& row) {
     const std::optional<double> ratio =
         row.cpu_ms ? std::optional(*row.cpu_ms / row.ms) : std::nullopt;
-    return "{\"tetrahedra\": " + std::to_string(row.tetrahedra) + ", \"element\": \"" +
-           row.element + "\", \"solver\": \"" + row.solver +
+    return "{\"tetrahedra\": " + std::to_string(row.tetrahedra) +
+           ", \"contacts\": " + std::to_string(row.contacts) +
+           ", \"contact_rows\": " + std::to_string(hepatica::gpu::rows_per_contact * row.contacts) +
+           ", \"element\": \"" + row.element + "\", \"solver\": \"" + row.solver +
            "\", \"ms\": " + std::to_string(row.ms) +
            ", \"iterations\": " + std::to_string(row.iterations) +
            ", \"bytes\": " + std::to_string(row.traffic.kernel_bytes) +
@@ -35,6 +37,7 @@ std::string json_of(const GpuRow& row) {
 int run(int argc, const char* const* argv) {
     hepatica::gpu::GpuStudyOptions options;
     options.tetrahedra = {10000, 50000, 200000};
+    options.contacts = 16384;
     options.solvers = {"skeleton"};
     std::string device = hepatica::gpu::device_info().device;
     if (argc == 3) {
@@ -42,13 +45,13 @@ int run(int argc, const char* const* argv) {
         options.tetrahedra = {10000};
         device = options.plan->name + " (planned)";
     }
-    std::printf("%s\n%10s %-10s %-12s %9s %6s %9s %9s\n", device.c_str(), "tetrahedra", "element",
-                "solver", "ms", "iter.", "launches", "cpu ms");
+    std::printf("%s\n%10s %8s %-10s %-12s %9s %6s %9s %9s\n", device.c_str(), "tetrahedra",
+                "contacts", "element", "solver", "ms", "iter.", "launches", "cpu ms");
     std::string rows;
     study_gpu(options, [&](const GpuRow& row) {
-        std::printf("%10d %-10s %-12s %9.3f %6.0f %9ld %9s\n", row.tetrahedra, row.element.c_str(),
-                    row.solver.c_str(), row.ms, row.iterations, row.traffic.launches,
-                    number_or_null(row.cpu_ms).c_str());
+        std::printf("%10d %8d %-10s %-12s %9.3f %6.0f %9ld %9s\n", row.tetrahedra, row.contacts,
+                    row.element.c_str(), row.solver.c_str(), row.ms, row.iterations,
+                    row.traffic.launches, number_or_null(row.cpu_ms).c_str());
         std::fflush(stdout);
         rows += (rows.empty() ? "  " : ",\n  ") + json_of(row);
     });

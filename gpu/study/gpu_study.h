@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "core/deform/body/body.h"
-#include "gpu/machine/machine.h"
 #include "gpu/study/device_table.h"
 
 namespace hepatica::gpu {
@@ -17,6 +15,7 @@ struct GpuStudyOptions {
     std::vector<int> tetrahedra{10000};
     std::vector<std::string> elements{"corotated"};
     std::vector<std::string> solvers{"block-jacobi", "skeleton"};
+    int contacts = 0;  // not 0: also a body of which about so many vertices touch an obstacle
     int steps = 10;
     std::optional<PlannedDevice> plan{};  // none: measured on the device of this computer
 };
@@ -24,6 +23,7 @@ struct GpuStudyOptions {
 // Means over the steps. What a plan cannot know is empty.
 struct GpuRow {
     int tetrahedra = 0;
+    int contacts = 0;  // pairs of features in their pad at the end of the last step
     std::string element, solver;
     double ms = 0.0;
     double iterations = 0.0;
@@ -35,12 +35,13 @@ struct GpuRow {
 };
 
 // A slender bar of bricks cut into tetrahedra, four cells across, clamped at one end, pulled and
-// under gravity; linear error 1 %, single precision. `row_done` hears of each row. Throws
+// under gravity; with `contacts` then a slab that rests on a block; linear error 1 %, single
+// precision. `row_done` hears of each row. Throws
 // InputError where there is no device to measure.
 std::vector<GpuRow> study_gpu(const GpuStudyOptions& options,
                               const std::function<void(const GpuRow&)>& row_done = {});
 
-// The body of that study, with at least so many tetrahedra.
-BodyDescription slender_bar(int tetrahedra);
+// The paper has 98,304 rows for 16,384 contact points.
+constexpr int rows_per_contact = 6;
 
 }  // namespace hepatica::gpu

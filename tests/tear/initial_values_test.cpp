@@ -19,6 +19,8 @@ TEST(TearInitialFigures, AreThoseRecorded) {
     HEPATICA_ADD_INITIAL(figures, Joint);
     HEPATICA_ADD_INITIAL(figures, SofteningLaw);
     HEPATICA_ADD_INITIAL(figures, SofteningTie);
+    HEPATICA_ADD_INITIAL(figures, TieCorner);
+    HEPATICA_ADD_INITIAL(figures, TiePull);
     HEPATICA_ADD_INITIAL(figures, TearLaw);
     HEPATICA_ADD_INITIAL(figures, TearState);
     HEPATICA_ADD_INITIAL(figures, TearReport);

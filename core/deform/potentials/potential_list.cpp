@@ -143,6 +143,7 @@ TouchList PotentialList::touches_along(std::span<const Vec3> from_mm,
         contact_->list_touches(from_mm, to_mm, list);
         friction_->list_rubs(on_tool, list.rubs);
     }
+    if (ties_) ties_->list_touches(list);
     return list;
 }
 

@@ -51,6 +51,13 @@ void SofteningTies::turn(std::span<const Vec3> positions_mm) {
     for (SofteningTie& tie : ties_) turn_one(tie, positions_mm);
 }
 
+void SofteningTies::list_touches(TouchList& list) const {
+    list.softening = law_;
+    for (const SofteningTie& tie : ties_)
+        if (tie.most_mm < law_.opening_mm)
+            list.ties.push_back({{tie.vertices[0], tie.vertices[1]}, corner_of(tie)});
+}
+
 double SofteningTies::settle(std::span<const Vec3> positions_mm) {
     double loss = 0.0;
     for (SofteningTie& tie : ties_) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/deform/potentials/potential.h"
+#include "core/deform/potentials/touch_list.h"
 #include "core/tear/softening.h"
 
 namespace hepatica {
@@ -17,6 +18,8 @@ class SofteningTies final : public Potential {
     void set(const SofteningLaw& law, std::vector<SofteningTie> ties,
              std::span<const Vec3> positions_mm);
     const std::vector<SofteningTie>& all() const { return ties_; }
+
+    void list_touches(TouchList& list) const;
 
     // Takes their normals from other positions.
     void turn(std::span<const Vec3> positions_mm);

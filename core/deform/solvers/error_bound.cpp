@@ -32,14 +32,19 @@ double smallest_eigenvalue(double upper, std::span<const double> steps,
     return lower;
 }
 
+// The bound after one iteration more. Not above 0 where the eigenvalue was taken too large for a
+// bound to exist; it stays so then.
+double next_factor(double factor, double eigenvalue, double step, double ratio) {
+    const double excess = std::max(factor - step, 0.0);
+    return excess > 0.0 ? excess / (eigenvalue * excess + ratio) : 0.0;
+}
+
 // Upper bound of the squared energy-norm error after steps.size() iterations, in units of (r, z).
 double radau_factor(double eigenvalue, std::span<const double> steps,
                     std::span<const double> ratios) {
     double factor = 1.0 / eigenvalue;
-    for (std::size_t k = 0; k < steps.size(); ++k) {
-        const double excess = std::max(factor - steps[k], 0.0);
-        factor = excess / (eigenvalue * excess + ratios[k]);
-    }
+    for (std::size_t k = 0; k < steps.size(); ++k)
+        factor = next_factor(factor, eigenvalue, steps[k], ratios[k]);
     return factor;
 }
 
@@ -56,10 +61,15 @@ double ErrorBound::after(double step, double ratio) {
     steps_.push_back(step);
     ratios_.push_back(ratio);
     if (steps_.size() >= next_check_) update_spectrum();
-    const std::size_t done = std::exchange(factor_size_, steps_.size());
-    if (done == 0) return factor_ = radau_factor(eigenvalue_, steps_, ratios_);
-    const double excess = std::max(factor_ - step, 0.0);
-    return factor_ = excess / (eigenvalue_ * excess + ratio);
+    factor_ = factor_size_ > 0 ? next_factor(factor_, eigenvalue_, step, ratio)
+                               : radau_factor(eigenvalue_, steps_, ratios_);
+    if (!(factor_ > 0.0)) {
+        // The smallest Ritz value has fallen since the spectrum was last looked at.
+        update_spectrum();
+        factor_ = radau_factor(eigenvalue_, steps_, ratios_);
+    }
+    factor_size_ = factor_ > 0.0 ? steps_.size() : 0;
+    return factor_ > 0.0 ? factor_ : INFINITY;
 }
 
 void ErrorBound::update_spectrum() {

@@ -23,7 +23,7 @@ class ErrorBound {
 
     // Factor of (r, z) that bounds the squared error before the first iteration.
     double before() const;
-    // The same after each iteration, given its alpha and beta.
+    // The same after each iteration, given its alpha and beta. Infinite where there is no bound.
     double after(double step, double ratio);
 
     // Smallest Ritz value of this solve and of the earlier ones it was told of.

@@ -49,6 +49,25 @@ TEST(GpuStudy, PlansWhatTheDeviceWouldDo) {
     EXPECT_LT(rows[1].iterations, rows[0].iterations);
 }
 
+// With contacts there is one row more for each solver, of a body whose lower vertices touch: they
+// and their friction are computed by kernels of their own, and cost bytes and launches.
+TEST(GpuStudy, PlansContactBesideTheOthers) {
+    GpuStudyOptions options;
+    options.tetrahedra = {96};
+    options.contacts = 100;
+    options.solvers = {"block-jacobi"};
+    options.steps = 2;
+    options.plan = planned_device("H200");
+    const std::vector<GpuRow> rows = study_gpu(options);
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0].contacts, 0);
+    EXPECT_EQ(rows[1].tetrahedra, 9 * 9 * 6);
+    EXPECT_EQ(rows[1].contacts, 100);
+    EXPECT_EQ(rows[1].device_steps, 1.0);
+    EXPECT_FALSE(rows[1].measured);
+    EXPECT_DOUBLE_EQ(rows[1].ms, 1e3 * planned_seconds(rows[1].traffic, *options.plan));
+}
+
 TEST(GpuStudy, MeasuresOnADeviceAlone) {
     GpuStudyOptions options;
     options.tetrahedra = {960};
