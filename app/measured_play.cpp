@@ -167,8 +167,10 @@ MeasuredPlay measure_play(Session& session, const std::vector<std::vector<Comman
     std::string setting;
     for (const std::vector<Command>& now : commands) {
         for (const Command& command : now) session.post(command);
+        const FrameTimer timer;
         const SessionStep step = session.step(job);
         if (step.paused) break;
+        result.table.add(step, timer.passed());
         add_step(step, result);
         result.finite = result.finite && is_finite(session.world());
         session.update_frame();

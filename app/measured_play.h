@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/command_line.h"
+#include "app/step_table.h"
 #include "app/step_times.h"
 #include "core/scene/world.h"
 #include "core/session/session.h"
@@ -15,6 +16,7 @@ namespace hepatica {
 
 struct MeasuredPlay {
     StepTimes times;
+    StepTable table;
     Json real_time_factor;  // null where nothing was played
     int linear_iterations_max = 0;
     int degraded_steps = 0;

@@ -41,11 +41,13 @@ bool TreeActor::update(const Frame& frame) {
     const bool touched_anew = take_touched(frame.tool);
     if (rebuilt) take_topology();
     origins_ = frame.tear ? frame.tear->origins : nullptr;
-    rims_ = frame.tear ? frame.tear->rims : nullptr;
+    const auto rims = frame.tear ? frame.tear->rims : nullptr;
+    const bool torn_anew = rims != rims_;
+    rims_ = rims;
     const auto loads = frame.tear && warnings_ ? frame.tear->loads : nullptr;
     const bool warned_anew = loads != loads_;
     loads_ = loads;
-    if (rebuilt || touched_anew || warned_anew) take_colours();
+    if (rebuilt || touched_anew || warned_anew || torn_anew) take_colours();
     if (change != SurfaceGeometry::Change::none) {
         plain_is_old_ = rounded_is_old_ = true;
         take_positions();
@@ -58,7 +60,7 @@ bool TreeActor::update(const Frame& frame) {
     for (vtkActor* actor : actors()) drug_overlay::set_time(*actor, frame.drug, least_drug_end_s_);
     show_one();
     return change != SurfaceGeometry::Change::none || new_drug || drug_moved || touched_anew ||
-           warned_anew;
+           warned_anew || torn_anew;
 }
 
 void TreeActor::set_rounded(bool rounded) {

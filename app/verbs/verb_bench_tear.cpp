@@ -61,15 +61,33 @@ void write_plots(const TearPlots& plots, const std::vector<TearRow>& rows) {
     if (!plots.force.empty()) write_chart(plots.force, force_chart(rows));
 }
 
+struct Breaking {
+    std::vector<int> tetrahedra;  // empty: the bars instead
+    int tries = 9;
+};
+
+Json breaking_rows(const Breaking& wanted, Job& job) {
+    Json rows = Json::array();
+    for (const BreakingRow& row : study_breaking(wanted.tetrahedra, wanted.tries, job))
+        rows.push_back({{"tetrahedra", row.tetrahedra},
+                        {"joints", row.joints},
+                        {"awake_ms", row.awake_ms},
+                        {"breaks_ms", row.breaks_ms},
+                        {"after_ms", row.after_ms}});
+    return {{"rows", rows}};
+}
+
 }  // namespace
 
 void add_bench_tear(CommandLine& line) {
     const auto options = std::make_shared<TearStudyOptions>();
     const auto plots = std::make_shared<TearPlots>();
+    const auto breaking = std::make_shared<Breaking>();
     CLI::App& verb = line.add_verb(
         "bench", "Benchmarks", "tear",
         "What tearing a notched bar takes: bare limit and fracture energy, entropy and vertex stop",
-        [options, plots](Job& job) {
+        [options, plots, breaking](Job& job) {
+            if (!breaking->tetrahedra.empty()) return breaking_rows(*breaking, job);
             for (const auto& file : {plots->entropy, plots->force})
                 if (!file.empty()) {
                     require_chart_file(file);
@@ -103,6 +121,13 @@ void add_bench_tear(CommandLine& line) {
         ->check(CLI::Range(0.2, 4.0));
     verb.add_option("--tear-factors", options->tear_factors, "Each with both stops")
         ->check(CLI::Range(1e-3, 1e3));
+    verb.add_option("--breaking", breaking->tetrahedra,
+                    "Instead: what a step costs in which a hundred joints of a vessel tree break, "
+                    "of so many tetrahedra")
+        ->check(CLI::Range(2000, 1'000'000));
+    verb.add_option("--tries", breaking->tries, "How often, each elsewhere")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
     verb.add_option("--plot-entropy", plots->entropy,
                     "Entropy over the pull, on each mesh: .png or .csv");
     verb.add_option("--plot-force", plots->force, "Force over the pull, by law: .png or .csv");

@@ -9,6 +9,7 @@
 #include "app/measured_play.h"
 #include "app/output_place.h"
 #include "app/verbs/verbs.h"
+#include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/lesson/lesson_file.h"
@@ -32,6 +33,7 @@ struct SimulateChoices {
     std::string lesson;
     std::filesystem::path record;
     std::filesystem::path final_mesh;
+    std::filesystem::path steps_csv;
     int steps = 600;
     int threads = 0;
     double dt_s = 0.0;
@@ -88,7 +90,8 @@ void explain_quality(double wanted, const SceneSpec& spec, const PatientCase& pa
 Json run_simulate(const SimulateChoices& options, Job& job) {
     const BackEndChoice back_end = choose_back_end(options.backend);
     if (!options.record.empty()) require_writable(options.record);
-    if (!options.final_mesh.empty()) require_writable(options.final_mesh);
+    for (const auto& file : {options.final_mesh, options.steps_csv})
+        if (!file.empty()) require_writable(file);
     std::optional<ThreadLimit> limit;
     if (options.threads > 0) limit.emplace(options.threads);
     const Script script = read_script(options.script);
@@ -112,6 +115,7 @@ Json run_simulate(const SimulateChoices& options, Job& job) {
     const auto commands = commands_of(options, script, lesson, spec.dt_s, patient);
     const MeasuredPlay played = measure_play(session, commands, options.fit_velocity_error, job);
     if (recording) recording->close();
+    if (!options.steps_csv.empty()) write_text_atomically(options.steps_csv, played.table.text());
     if (!options.final_mesh.empty()) write_final_mesh(session.world(), options.final_mesh);
     Json answer{{"script", script.name},
                 {"tetrahedra", spec.deform ? patient->mesh.tetrahedra.size() : 0}};
@@ -155,6 +159,7 @@ void add_simulate(CommandLine& line) {
     verb.add_option("--record", options->record,
                     "Recording to write, NAME.hrec; it grows as the play goes");
     verb.add_option("--final-mesh", options->final_mesh, "Last shape to write, NAME.vtu");
+    verb.add_option("--steps-csv", options->steps_csv, "File to write, one line a step");
     CLI::Option* as_published = verb.add_flag(
         "--as-published", options->as_published,
         "As the paper has it: springs, eq. (12) taken whole, the published pressure law");

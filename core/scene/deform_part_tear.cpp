@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // hepatica::DeformPart: how its body tears, and what is kept per vertex while it does.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -19,6 +20,22 @@ namespace hepatica {
 namespace {
 
 constexpr double blade_radii = 1.3;  // reach of a blade to both sides of a vessel's axis
+
+// 1 for each vertex that has come apart from one that it was, and nothing binds the two any more;
+// none before a joint has come apart wholly, which is when a body counts as torn.
+std::shared_ptr<const std::vector<std::uint8_t>> rims_of(const Tearing& tearing) {
+    auto rims = std::make_shared<std::vector<std::uint8_t>>(tearing.topology().vertex_count(), 0);
+    if (tearing.report().joints_broken == 0) return rims;
+    std::vector<std::array<int, 2>> bound = tearing.bound_pairs();
+    for (auto& [a, b] : bound)
+        if (a > b) std::swap(a, b);
+    std::ranges::sort(bound);
+    for (const std::array<int, 2>& pair : tearing.parted_pairs()) {
+        if (std::ranges::binary_search(bound, pair)) continue;
+        for (const int v : pair) (*rims)[v] = 1;
+    }
+    return rims;
+}
 
 }  // namespace
 
@@ -45,6 +62,8 @@ void DeformPart::set_tear(const std::optional<TearSpec>& tear) {
 
 void DeformPart::show_tear(TearView& view) const {
     const TearReport& report = stepper_->tearing()->report();
+    if (view.origins && (!view.rims || view.joints_broken != report.joints_broken))
+        view.rims = rims_of(*stepper_->tearing());
     view.joints_broken = report.joints_broken;
     view.pieces = report.pieces;
     view.entropy_nats = report.entropy_nats;

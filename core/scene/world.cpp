@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
@@ -39,17 +40,11 @@ PartCost cost_of(const std::string& name, const std::function<void()>& build) {
     return cost;
 }
 
-void mark_rims(const TornTopology& torn, TearView& view) {
+std::shared_ptr<const std::vector<int>> origins_of(const TornTopology& torn) {
     const auto parents = torn.parents();
     auto origins = std::make_shared<std::vector<int>>(parents.begin(), parents.end());
-    auto rims = std::make_shared<std::vector<std::uint8_t>>(parents.size(), 0);
-    for (std::size_t v = 0; v < parents.size(); ++v) {
-        if (parents[v] == static_cast<int>(v)) continue;
-        (*origins)[v] = (*origins)[parents[v]];
-        (*rims)[v] = (*rims)[parents[v]] = 1;
-    }
-    view.origins = std::move(origins);
-    view.rims = std::move(rims);
+    for (int& origin : *origins) origin = (*origins)[origin];
+    return origins;
 }
 
 }  // namespace
@@ -186,14 +181,19 @@ void World::follow_tear() {
     bleed();
     const TornTopology* torn = deform_ ? deform_->torn() : nullptr;
     const std::uint64_t version = torn != nullptr ? torn->version() : 1;
-    if (version == torn_version_) return;
-    torn_version_ = version;
-    tear_view_ = {};
-    leaking_.clear();
-    if (torn != nullptr) mark_rims(*torn, tear_view_);
-    if (torn != nullptr && bleeding_)
+    const bool split = version != std::exchange(torn_version_, version);
+    if (split) {
+        tear_view_ = {};
+        leaking_.clear();
+        if (torn != nullptr) tear_view_.origins = origins_of(*torn);
+    }
+    // What was split comes apart later.
+    const auto rims_before = tear_view_.rims;
+    if (torn != nullptr) deform_->show_tear(tear_view_);
+    if (tear_view_.rims != rims_before && bleeding_)
         leaking_ = leaking_vertices(patient_->tree, bleeding_->tears(), tear_view_,
                                     patient_->mesh.vertices_mm, torn->surface());
+    if (!split) return;
     if (torn != nullptr)
         topology_->become({torn->parents().begin(), torn->parents().end()}, torn->surface());
     else {

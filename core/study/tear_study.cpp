@@ -9,6 +9,8 @@
 #include "core/base/median.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/mesh/brick_mesh.h"
+#include "core/study/timing.h"
+#include "core/study/vessel_body.h"
 #include "core/tear/tearing.h"
 
 namespace hepatica {
@@ -130,6 +132,66 @@ std::vector<TearRow> study_tear(const TearStudyOptions& options, Job& job) {
     for (const auto& [edge, one] : runs) {
         rows.push_back(pull(edge, one, options.step_mm, job));
         job.advance(static_cast<double>(rows.size()) / static_cast<double>(runs.size()));
+    }
+    return rows;
+}
+
+namespace {
+
+constexpr std::size_t breaking_joints = 100;
+
+std::vector<int> nearest_joints(const Tearing& tearing, const Vec3& place_mm) {
+    const auto joints = tearing.topology().joints();
+    std::vector<int> whole;
+    for (int j = 0; j < static_cast<int>(joints.size()); ++j)
+        if (!tearing.topology().parted(j)) whole.push_back(j);
+    const auto distance = [&](int j) { return (joints[j].centre_mm - place_mm).squaredNorm(); };
+    std::ranges::sort(whole, {}, distance);
+    whole.resize(std::min(whole.size(), breaking_joints));
+    return whole;
+}
+
+BreakingRow measure_breaking(int tetrahedra, int tries, const Job& job) {
+    Job meshing;  // its stages are none of the caller's
+    BodyDescription body = body_of(study_tree(6, 6.0), tetrahedra, meshing);
+    body.tether_pa_per_mm2 = 20.0;
+    body.tear = TearLaw{.bare_limit = true};
+    StepperOptions options;
+    options.sleeping = false;
+    const auto stepper = make_cpu_stepper(body, options);
+    const std::vector<Vec3>& rest = body.mesh.vertices_mm;
+    const int tip = furthest_vertex(body);
+    int frame = 0, broken = 0;
+    const auto step_ms = [&] {
+        const Grab grab = led_around(tip, rest[tip], frame++);
+        const FrameTimer timer;
+        stepper->set_grabs(std::span(&grab, 1));
+        broken = stepper->step(frame_s, job.stop_token()).tear.joints_broken;
+        return timer.passed().cost_ms();
+    };
+    for (int k = 0; k < 5; ++k) step_ms();
+    std::vector<double> awake, breaks, after, joints;
+    for (int k = 0; k < tries; ++k) {
+        for (int n = 0; n < 5; ++n) awake.push_back(step_ms());
+        const std::size_t place = rest.size() * (2 * k + 1) / (2 * tries);
+        stepper->weaken(nearest_joints(*stepper->tearing(), rest[place]), 0.0);
+        const int before = broken;
+        breaks.push_back(step_ms());
+        joints.push_back(broken - before);
+        after.push_back(step_ms());
+    }
+    return {static_cast<int>(body.mesh.tetrahedra.size()), quantile(joints, 0.5),
+            quantile(awake, 0.5), quantile(breaks, 0.5), quantile(after, 0.5)};
+}
+
+}  // namespace
+
+std::vector<BreakingRow> study_breaking(const std::vector<int>& tetrahedra, int tries, Job& job) {
+    std::vector<BreakingRow> rows;
+    job.begin_stage("Breaking joints");
+    for (const int size : tetrahedra) {
+        rows.push_back(measure_breaking(size, tries, job));
+        job.advance(static_cast<double>(rows.size()) / static_cast<double>(tetrahedra.size()));
     }
     return rows;
 }

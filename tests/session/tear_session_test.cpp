@@ -70,6 +70,33 @@ TEST(TearSession, AVesselTearsAlongItsCutLine) {
     EXPECT_LT(deform.mass_error_relative(), 1e-12);
 }
 
+// What was split but is bound still is no rim, as long as it counts as whole in the panel.
+TEST(TearSession, WhatIsBoundStillIsNotShownAsTorn) {
+    const auto session = new_session(that_tears());
+    session->post(line());
+    int bound = 0, torn = 0;
+    const auto& points = small_patient()->tree.segments[0].points_mm;
+    const Vec3 along = (points.back() - points.front()).normalized();
+    session->post(GrabPoint{points.back()});
+    for (int i = 0; i < 120; ++i) {
+        session->post(MoveGrab{points.back() + 0.15 * (i + 1) * along});
+        const TearReport report = session->step().deform.tear;
+        session->update_frame();
+        const auto rims = session->frame().tear->rims;
+        if (report.vertices_split == 0) continue;
+        ASSERT_TRUE(rims);
+        ASSERT_EQ(rims->size(), session->world().vertex_count());
+        const auto shown = std::ranges::count(*rims, 1);
+        ++(report.joints_broken == 0 ? bound : torn);
+        if (report.joints_broken == 0)
+            ASSERT_EQ(shown, 0);
+        else
+            ASSERT_GE(shown, 4);
+    }
+    EXPECT_GT(bound, 0);
+    EXPECT_GT(torn, 0);
+}
+
 // What comes near its limit is told before it tears, where it will tear, and no more once it has.
 TEST(TearSession, WhatIsNearItsLimitIsToldBeforeItTears) {
     const auto session = new_session(that_tears());

@@ -22,41 +22,60 @@ EliminationTree CholeskySolver::analyse(const BlockMatrix& pattern) {
 }
 
 void CholeskySolver::plan(const BlockMatrix& pattern, EliminationTree analysis) {
-    planned_rows_ = pattern.row_begin;
-    planned_columns_ = pattern.column;
     tree_ = std::move(analysis);
     single_.reset();
+    begin(pattern);
+}
+
+// With the analysis at hand, in single precision.
+void CholeskySolver::begin(const BlockMatrix& pattern) {
+    planned_rows_ = pattern.row_begin;
+    planned_columns_ = pattern.column;
     double_.reset();
-    in_double_ = false;
+    in_double_ = factored_ = false;
     iteration_.forget();
 }
 
+// A function of the whole body's pattern and of how it is torn, by whatever way it came there.
+EliminationTree CholeskySolver::analysis_of_split(const BlockMatrix& pattern) const {
+    EliminationTree tree = tree_of_split(whole_, parents_);
+    if (tree.multiplications <= most_fill * whole_.multiplications) return tree;
+    return hepatica::analyse(pattern, order_of_split(order_, parents_));
+}
+
 void CholeskySolver::plan_anew(const BlockMatrix& pattern) {
-    if (parents_.empty()) order_ = fill_reducing_order(pattern);
-    plan(pattern,
-         hepatica::analyse(pattern, parents_.empty() ? order_ : order_of_split(order_, parents_)));
+    if (parents_.empty()) {
+        order_ = fill_reducing_order(pattern);
+        return plan(pattern, hepatica::analyse(pattern, order_));
+    }
+    tree_ = analysis_of_split(pattern);
+    if (single_) single_->plan(pattern, tree_);
+    begin(pattern);
 }
 
 void CholeskySolver::follow_split(const BlockMatrix& pattern, std::span<const int> parents) {
-    if (order_.empty()) order_ = fill_reducing_order(pattern);
+    if (parents_.empty()) {
+        if (order_.empty() || !planned_for(pattern)) plan_anew(pattern);
+        whole_ = tree_;
+    }
     parents_.assign(parents.begin(), parents.end());
 }
 
 template <class T>
 void CholeskySolver::factor(std::optional<TreeFactor<T>>& factor,
                             std::span<const int> changed_rows) {
-    if (factor) {
+    if (!factor) factor.emplace(*matrix_, tree_);
+    if (factored_)
         factor->refactor(*matrix_, changed_rows, stop());
-        return;
-    }
-    factor.emplace(*matrix_, tree_);
-    factor->factor(*matrix_, stop());
+    else
+        factor->factor(*matrix_, stop());
+    factored_ = true;
 }
 
 void CholeskySolver::update(const BlockMatrix& matrix, std::span<const Vec3>,
                             std::span<const int> changed_rows) {
     matrix_ = &matrix;
-    if (planned_rows_ != matrix.row_begin || planned_columns_ != matrix.column) plan_anew(matrix);
+    if (!planned_for(matrix)) plan_anew(matrix);
     if (in_double_)
         factor(double_, changed_rows);
     else
@@ -132,6 +151,7 @@ SolveReport CholeskySolver::solve(std::span<const Vec3> rhs, std::span<Vec3> x,
         if ((report.converged && report.dropped_pivots == 0) || told_to_stop) return report;
         single_.reset();
         in_double_ = true;
+        factored_ = false;
         factor(double_, {});
     }
     return solve_by(*double_, rhs, x, limits);
@@ -152,10 +172,10 @@ std::vector<double> CholeskySolver::memory() const {
 void CholeskySolver::restore(const BlockMatrix& pattern, bool made_from_it, std::span<const Vec3>,
                              std::span<const double> memory) {
     require_memory(memory.size() == 2 && !made_from_it && (memory[0] == 0.0 || memory[0] == 1.0));
-    if (planned_rows_ != pattern.row_begin || planned_columns_ != pattern.column)
-        plan_anew(pattern);
+    if (!planned_for(pattern)) plan_anew(pattern);
     single_.reset();
     double_.reset();
+    factored_ = false;
     in_double_ = memory[0] == 1.0;
     iteration_.remember(memory[1]);
 }

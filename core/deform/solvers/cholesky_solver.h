@@ -43,8 +43,17 @@ class CholeskySolver final : public LinearSolver {
     std::size_t bytes() const;
     bool in_single_precision() const { return !in_double_; }
 
+    // Multiplications of a torn body's factor may be so many times the whole body's before its
+    // pattern is analysed anew.
+    static constexpr double most_fill = 1.25;
+
   private:
+    bool planned_for(const BlockMatrix& pattern) const {
+        return planned_rows_ == pattern.row_begin && planned_columns_ == pattern.column;
+    }
     void plan_anew(const BlockMatrix& pattern);
+    EliminationTree analysis_of_split(const BlockMatrix& pattern) const;
+    void begin(const BlockMatrix& pattern);
     template <class T>
     void factor(std::optional<TreeFactor<T>>& factor, std::span<const int> changed_rows);
     template <class T>
@@ -57,8 +66,11 @@ class CholeskySolver final : public LinearSolver {
 
     const BlockMatrix* matrix_ = nullptr;
     std::vector<int> planned_rows_, planned_columns_;  // of the pattern
-    std::vector<int> order_, parents_;                 // of a body before it was split; how it was
+    // Of a body before it was split: the order of elimination and its analysis; and how it was.
+    std::vector<int> order_, parents_;
+    EliminationTree whole_;
     EliminationTree tree_;
+    bool factored_ = false;  // by that analysis: from now on what changed is enough
     std::optional<TreePreconditioner> single_;
     std::optional<TreeCholesky> double_;
     bool in_double_ = false;

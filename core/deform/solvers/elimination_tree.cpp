@@ -192,10 +192,6 @@ void write_supernodes(const std::vector<Structure>& structures, const std::vecto
         supernode.rows_end = static_cast<int>(tree.rows.size());
         std::sort(tree.rows.begin() + supernode.rows_begin, tree.rows.end());
     }
-    tree.position_of.resize(tree.vertex_at.size());
-    for (std::size_t i = 0; i < tree.vertex_at.size(); ++i) {
-        tree.position_of[tree.vertex_at[i]] = static_cast<int>(i);
-    }
 }
 
 void link_supernodes(EliminationTree& tree) {
@@ -318,6 +314,16 @@ class ChainPlan {
     std::vector<int> stage_;  // of each chain
 };
 
+// All that follows from vertices, supernodes and rows.
+void complete(EliminationTree& tree) {
+    tree.position_of.resize(tree.vertex_at.size());
+    for (std::size_t i = 0; i < tree.vertex_at.size(); ++i)
+        tree.position_of[tree.vertex_at[i]] = static_cast<int>(i);
+    link_supernodes(tree);
+    for (const Supernode& s : tree.supernodes) tree.multiplications += multiplications(s);
+    ChainPlan(tree).write_stages(tree);
+}
+
 }  // namespace
 
 double multiplications(const Supernode& supernode) {
@@ -342,9 +348,42 @@ EliminationTree analyse(const BlockMatrix& pattern, std::span<const int> order) 
 
     EliminationTree tree;
     write_supernodes(SupernodeSearch(pattern, vertex_at, position, parent).take(), vertex_at, tree);
-    link_supernodes(tree);
-    for (const Supernode& s : tree.supernodes) tree.multiplications += multiplications(s);
-    ChainPlan(tree).write_stages(tree);
+    complete(tree);
+    return tree;
+}
+
+EliminationTree tree_of_split(const EliminationTree& whole, std::span<const int> parents) {
+    // Of each node of the whole body: those that stand for it, itself first.
+    std::vector<std::vector<int>> members(whole.vertex_at.size());
+    std::vector<int> origin;
+    for (std::size_t i = 0; i < parents.size(); ++i) {
+        const bool own = parents[i] == static_cast<int>(i);
+        origin.push_back(own ? parents[i] : int(origin[parents[i]]));
+        members[origin.back()].push_back(static_cast<int>(i));
+    }
+    EliminationTree tree;
+    std::vector<int> first_position;  // of each position of the whole
+    for (std::size_t j = 0; j < whole.vertex_at.size(); ++j) {
+        const std::vector<int>& all = members[whole.vertex_at[j]];
+        first_position.push_back(static_cast<int>(tree.vertex_at.size()));
+        tree.vertex_at.insert(tree.vertex_at.end(), all.begin(), all.end());
+        tree.supernode_of.insert(tree.supernode_of.end(), all.size(), whole.supernode_of[j]);
+    }
+    first_position.push_back(static_cast<int>(tree.vertex_at.size()));
+    for (const Supernode& of_whole : whole.supernodes) {
+        Supernode own;
+        own.first = first_position[of_whole.first];
+        own.count = first_position[of_whole.first + of_whole.count] - own.first;
+        own.parent = of_whole.parent;
+        own.rows_begin = static_cast<int>(tree.rows.size());
+        for (int r = of_whole.rows_begin; r < of_whole.rows_end; ++r)
+            for (int row = first_position[whole.rows[r]]; row < first_position[whole.rows[r] + 1];
+                 ++row)
+                tree.rows.push_back(row);
+        own.rows_end = static_cast<int>(tree.rows.size());
+        tree.supernodes.push_back(own);
+    }
+    complete(tree);
     return tree;
 }
 

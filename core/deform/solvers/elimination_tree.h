@@ -55,4 +55,10 @@ struct EliminationTree {
 // to the rows of its supernodes.
 EliminationTree analyse(const BlockMatrix& pattern, std::span<const int> order);
 
+// That of a body of which nodes were split, from that of the whole: node i from parents[i], a
+// smaller number, or from none where that is i. Each new node stands beside the one that it comes
+// from wherever that stands, among columns and rows: no front lacks a block of the torn body, and
+// some hold blocks that are zero. Time is proportional to the rows of the supernodes.
+EliminationTree tree_of_split(const EliminationTree& whole, std::span<const int> parents);
+
 }  // namespace hepatica

@@ -43,11 +43,22 @@ void descend(const EliminationTree& tree, const Visit& visit) {
     }
 }
 
+// With some more room than is needed now: a body that has torn tears further.
+template <class T>
+void make_room(std::vector<T>& values, std::size_t size) {
+    if (!values.empty() && size > values.capacity()) {
+        std::vector<T>().swap(values);
+        values.reserve(size + size / 8);
+    }
+    values.resize(size);
+}
+
 }  // namespace
 
 template <class T>
-TreeFactor<T>::TreeFactor(const BlockMatrix& pattern, EliminationTree tree)
-    : tree_(std::move(tree)) {
+void TreeFactor<T>::lay_out_fronts() {
+    for (auto* begins : {&panel_begin_, &remainder_begin_, &head_begin_, &tail_begin_})
+        begins->clear();
     std::size_t panel = 0, remainder = 0, head = 0, tail = 0;
     for (const Supernode& own : tree_.supernodes) {
         panel_begin_.push_back(panel);
@@ -63,13 +74,18 @@ TreeFactor<T>::TreeFactor(const BlockMatrix& pattern, EliminationTree tree)
         head += columns;
         tail += rows;
     }
-    panels_.resize(panel);
-    remainders_.resize(remainder);
-    heads_.resize(head);
-    tails_.resize(tail + front_alignment<T>);
+    make_room(panels_, panel);
+    make_room(remainders_, remainder);
+    make_room(heads_, head);
+    make_room(tails_, tail + front_alignment<T>);
     dropped_.assign(tree_.supernodes.size(), 0);
     dirty_.assign(tree_.supernodes.size(), 0);
+}
 
+template <class T>
+void TreeFactor<T>::plan(const BlockMatrix& pattern, EliminationTree tree) {
+    tree_ = std::move(tree);
+    lay_out_fronts();
     block_row_.assign(pattern.column.size(), -1);
     for (int j = 0; j < static_cast<int>(tree_.vertex_at.size()); ++j) {
         const Supernode& own = tree_.supernodes[tree_.supernode_of[j]];

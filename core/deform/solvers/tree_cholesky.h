@@ -6,6 +6,7 @@
 
 #include <span>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "core/deform/solvers/block_matrix.h"
@@ -28,7 +29,9 @@ class TreeFactor {
     TreeFactor(const BlockMatrix& pattern, std::span<const int> order)
         : TreeFactor(pattern, analyse(pattern, order)) {}
     // The same with an analysis of that pattern that was made before.
-    TreeFactor(const BlockMatrix& pattern, EliminationTree tree);
+    TreeFactor(const BlockMatrix& pattern, EliminationTree tree) { plan(pattern, std::move(tree)); }
+    // Another pattern in the same memory, as far as that reaches; must be factored whole.
+    void plan(const BlockMatrix& pattern, EliminationTree tree);
 
     // Factors the matrix, whose pattern is that of the constructor. A pivot that is not above
     // 1e-14 of its diagonal entry is dropped: solves give zero for it. In float one that is not
@@ -63,6 +66,7 @@ class TreeFactor {
     std::size_t bytes() const;
 
   private:
+    void lay_out_fronts();
     void factor_supernode(const BlockMatrix& matrix, int s, const std::stop_token& stop);
     void forward(std::span<const Vec3> b);
     void pass_up(const Supernode& child, const T* passed, T* parent_head, T* parent_tail) const;

@@ -11,7 +11,8 @@ constexpr std::size_t row_block = 256;
 }  // namespace
 
 Assembly::Assembly(const Body& body, small::Tangent tangent, const LiveSet* live)
-    : plan_(std::make_shared<const AssemblyPlan>(plan_assembly(body, tangent))),
+    : body_(body),
+      plan_(std::make_shared<AssemblyPlan>(plan_assembly(body, tangent))),
       live_(live),
       slots_(body, tangent, plan_, live) {}
 

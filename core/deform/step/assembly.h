@@ -51,6 +51,9 @@ class Assembly {
     void gather_stiffness(double factor, BlockMatrix& matrix) const;
 
     const AssemblyPlan& plan() const { return *plan_; }
+    // The body's nodes were split; it was as `before` when the plan was made. The plan stays where
+    // it is, and what the slots hold, too.
+    void follow_split(const Body& before) { *plan_ = plan_after_split(*plan_, before, body_); }
     const ElementSlots& slots() const { return slots_; }
 
     // Separate slots that share the plan.
@@ -65,7 +68,8 @@ class Assembly {
     template <class Visit>
     void for_each_row(const Visit& visit) const;
 
-    std::shared_ptr<const AssemblyPlan> plan_;
+    const Body& body_;
+    std::shared_ptr<AssemblyPlan> plan_;
     const LiveSet* live_;
     ElementSlots slots_;
 };

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <limits>
 
 #include "core/base/error.h"
@@ -167,19 +169,23 @@ class RowPlan {
     std::vector<std::array<int, 2>> factors_, blocks_, transposed_;
 };
 
+// Appends the row that was found last.
+void append_row(int i, RowPlan& row, AssemblyPlan& plan) {
+    const auto& columns = row.columns();
+    plan.diagonal.push_back(static_cast<int>(
+        plan.column.size() + (std::ranges::lower_bound(columns, i) - columns.begin())));
+    plan.column.insert(plan.column.end(), columns.begin(), columns.end());
+    plan.row_begin.push_back(static_cast<int>(plan.column.size()));
+    row.append_lists(i, plan);
+}
+
 // Row after row, and each from the elements of its node.
 void lay_out_rows(const Body& body, AssemblyPlan& plan) {
     list_forces(body, plan);
     RowPlan row(body, plan);
-    plan.diagonal.resize(body.node_count());
     for (int i = 0; i < body.node_count(); ++i) {
         row.find(i);
-        const auto& columns = row.columns();
-        plan.diagonal[i] = static_cast<int>(
-            plan.column.size() + (std::ranges::lower_bound(columns, i) - columns.begin()));
-        plan.column.insert(plan.column.end(), columns.begin(), columns.end());
-        plan.row_begin.push_back(static_cast<int>(plan.column.size()));
-        row.append_lists(i, plan);
+        append_row(i, row, plan);
     }
     plan.mirror.resize(plan.column.size());
     for (int i = 0; i < body.node_count(); ++i)
@@ -190,6 +196,70 @@ void lay_out_rows(const Body& body, AssemblyPlan& plan) {
         }
 }
 
+// Nodes of the body with other elements, or other partners that they parted from, than before.
+std::vector<std::uint8_t> changed_nodes(const Body& before, const Body& body) {
+    std::vector<std::uint8_t> changed(static_cast<std::size_t>(body.node_count()), 0);
+    const auto mark = [&](int node) {
+        if (node < body.node_count()) changed[node] = 1;
+    };
+    for (int i = before.node_count(); i < body.node_count(); ++i) mark(i);
+    for (std::size_t g = 0; g < body.groups.size(); ++g) {
+        const ElementGroup& group = body.groups[g];
+        const auto n = static_cast<std::size_t>(group.nodes_per_element);
+        const int *then = before.groups[g].connectivity.data(), *now = group.connectivity.data();
+        for (std::size_t e = 0; e < group.connectivity.size(); e += n) {
+            if (std::equal(now + e, now + e + n, then + e)) continue;
+            std::for_each(then + e, then + e + n, mark);
+            std::for_each(now + e, now + e + n, mark);
+        }
+    }
+    std::vector<std::array<int, 2>> pairs;
+    std::ranges::set_symmetric_difference(before.parted_pairs, body.parted_pairs,
+                                          std::back_inserter(pairs));
+    for (const auto& [i, j] : pairs) {
+        mark(i);
+        mark(j);
+    }
+    return changed;
+}
+
+// Entries begin[first] to begin[last] of the lists, behind those that there are.
+void take_lists(const GatherLists& from, int first, int last, GatherLists& lists) {
+    const int shift = lists.begin.back() - from.begin[first];
+    for (int k = first; k < last; ++k) lists.begin.push_back(from.begin[k + 1] + shift);
+    lists.place.insert(lists.place.end(), from.place.begin() + from.begin[first],
+                       from.place.begin() + from.begin[last]);
+}
+
+// Rows first_row ... last_row - 1 as they were, behind those that there are.
+void take_rows(const AssemblyPlan& from, int first_row, int last_row, AssemblyPlan& plan) {
+    const int first = from.row_begin[first_row], last = from.row_begin[last_row];
+    const int shift = static_cast<int>(plan.column.size()) - first;
+    for (int i = first_row; i < last_row; ++i) {
+        plan.diagonal.push_back(from.diagonal[i] + shift);
+        plan.row_begin.push_back(from.row_begin[i + 1] + shift);
+    }
+    plan.column.insert(plan.column.end(), from.column.begin() + first, from.column.begin() + last);
+    take_lists(from.factors, first, last, plan.factors);
+    take_lists(from.blocks, first, last, plan.blocks);
+    take_lists(from.transposed, first, last, plan.transposed);
+}
+
+// Blocks between rows that were taken over lie where they did within their rows.
+void take_mirror(const AssemblyPlan& from, const std::vector<std::uint8_t>& changed,
+                 AssemblyPlan& plan) {
+    plan.mirror.resize(plan.column.size());
+    for (int i = 0; i < static_cast<int>(changed.size()); ++i)
+        for (int k = plan.row_begin[i]; k < plan.row_begin[i + 1]; ++k) {
+            const int j = plan.column[k];
+            if (changed[i] || changed[j])
+                plan.mirror[k] = find(plan, j, i);
+            else
+                plan.mirror[k] = from.mirror[from.row_begin[i] + k - plan.row_begin[i]] -
+                                 from.row_begin[j] + plan.row_begin[j];
+        }
+}
+
 }  // namespace
 
 AssemblyPlan plan_assembly(const Body& body, Tangent tangent) {
@@ -197,6 +267,29 @@ AssemblyPlan plan_assembly(const Body& body, Tangent tangent) {
     lay_out_slots(body, tangent, plan);
     lay_out_rows(body, plan);
     return plan;
+}
+
+AssemblyPlan plan_after_split(const AssemblyPlan& plan, const Body& before, const Body& body) {
+    const std::vector<std::uint8_t> changed = changed_nodes(before, body);
+    AssemblyPlan after;
+    after.groups = plan.groups;
+    after.force_slots = plan.force_slots;
+    after.block_slots = plan.block_slots;
+    after.lambda_over_mu = plan.lambda_over_mu;
+    list_forces(body, after);
+    RowPlan row(body, after);
+    for (int i = 0; i < body.node_count(); ++i) {
+        if (changed[i]) {
+            row.find(i);
+            append_row(i, row, after);
+            continue;
+        }
+        const int first = i;
+        while (i + 1 < body.node_count() && !changed[i + 1]) ++i;
+        take_rows(plan, first, i + 1, after);
+    }
+    take_mirror(plan, changed, after);
+    return after;
 }
 
 std::vector<int> connected_pieces(const AssemblyPlan& plan) {

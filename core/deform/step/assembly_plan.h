@@ -58,6 +58,11 @@ struct AssemblyPlan {
 // more slots than an int can count. Costs one pass over the elements of every node.
 AssemblyPlan plan_assembly(const Body& body, small::Tangent tangent);
 
+// What plan_assembly() would make of a body whose nodes were split, or mended, since `plan` was
+// made of it as it was `before`: the same elements at other nodes. Rows of nodes whose elements and
+// partners are those they were are taken over.
+AssemblyPlan plan_after_split(const AssemblyPlan& plan, const Body& before, const Body& body);
+
 // The piece of each node, counted from 0 in the order of their first nodes: nodes that share an
 // element are of one piece.
 std::vector<int> connected_pieces(const AssemblyPlan& plan);

@@ -23,17 +23,29 @@ constexpr double least_part = 0.05;  // of what is left of a step
 BackwardEuler::BackwardEuler(const Body& body, const NewtonSettings& settings,
                              std::unique_ptr<LinearSolver> solver)
     : body_(body),
+      settings_(settings),
       potential_(body,
-                 settings.iterations > 1 ? small::Tangent::projected : small::Tangent::rotated),
-      newton_(body, potential_, std::move(solver)),
-      books_(body, potential_),
-      limiter_(body, potential_.assembly().plan()) {
-    set_settings(settings);
+                 settings.iterations > 1 ? small::Tangent::projected : small::Tangent::rotated) {
+    make_parts(std::move(solver));
+}
+
+void BackwardEuler::make_parts(std::unique_ptr<LinearSolver> solver) {
+    newton_.emplace(body_, potential_, std::move(solver));
+    books_.emplace(body_, potential_);
+    limiter_.emplace(body_, potential_.assembly().plan());
+    set_settings(settings_);
+}
+
+void BackwardEuler::follow_split(const Body& before, std::span<const int> parents) {
+    std::unique_ptr<LinearSolver> solver = newton_->release_solver();
+    solver->follow_split(potential_.matrix(), parents);
+    potential_.follow_split(before);
+    make_parts(std::move(solver));
 }
 
 void BackwardEuler::set_settings(const NewtonSettings& settings) {
     settings_ = settings;
-    newton_.set_settings(settings);
+    newton_->set_settings(settings);
     forget();
 }
 
@@ -95,8 +107,8 @@ double BackwardEuler::share_until_touch(const BodyState& state, double dt_s,
 
 MomentumLost BackwardEuler::limit_energy(const StepUnderway& step, std::vector<Vec3>& velocities,
                                          StepReport& report) {
-    const auto outcome = limiter_.limit(step, report.energy, potential_.assembly(),
-                                        potential_.live().held(), velocities);
+    const auto outcome = limiter_->limit(step, report.energy, potential_.assembly(),
+                                         potential_.live().held(), velocities);
     if (outcome.limited) hepatica::book(outcome, kinetic_energy(body_, velocities), report);
     return outcome.lost;
 }
@@ -107,7 +119,7 @@ MomentumLost BackwardEuler::limit_energy(const StepUnderway& step, std::vector<V
 // fly on as they are, or stand still where something holds them; unless they would meet something.
 void BackwardEuler::decline(StepUnderway& step, StepReport& report) {
     const auto overdrawn =
-        limiter_.overdrawn(step, potential_.assembly(), potential_.live().held());
+        limiter_->overdrawn(step, potential_.assembly(), potential_.live().held());
     if (overdrawn.empty()) return;
     std::vector<Vec3> velocity = step.velocity;
     for (const auto& [nodes, flies] : overdrawn) {
@@ -115,13 +127,13 @@ void BackwardEuler::decline(StepUnderway& step, StepReport& report) {
         if (flies) {
             RigidMotion motion = rigid_motion(nodes, body_.mass_g, step.start.positions_mm,
                                               step.start.velocities_mm_per_s);
-            motion.velocity_mm_per_s = limiter_.flight(step, motion.velocity_mm_per_s);
+            motion.velocity_mm_per_s = limiter_->flight(step, motion.velocity_mm_per_s);
             ways = straight_ways(motion, nodes, step.start.positions_mm, step.dt_s);
         }
         for (std::size_t k = 0; k < nodes.size(); ++k) velocity[nodes[k]] = ways[k];
     }
-    if (!newton_.replace_velocity(step, velocity)) return;
-    limiter_.forget_end();
+    if (!newton_->replace_velocity(step, velocity)) return;
+    limiter_->forget_end();
     report.degraded = true;
     report.message =
         "a piece went on without the step's forces: they would have made energy or "
@@ -156,13 +168,13 @@ StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
     StepUnderway step{.potentials = potentials,
                       .start = state,
                       .dt_s = dt_s,
-                      .before = books_.energies(state, potentials),
+                      .before = books_->energies(state, potentials),
                       .velocity = std::vector<Vec3>(state.positions_mm.size(), Vec3::Zero()),
                       .positions = state.positions_mm,
                       .stop = stop_};
     step.value = potential_.value(step);
-    if (settings_.line_search) limiter_.begin(step, potential_.assembly());
-    const bool stuck = !newton_.find_velocity(step, most_solves, report);
+    if (settings_.line_search) limiter_->begin(step, potential_.assembly());
+    const bool stuck = !newton_->find_velocity(step, most_solves, report);
     const int solves_left = most_solves - report.linear_solves;
     const bool may_halve = halvings_left > 0 && solves_left >= 2;
     if (stuck && may_halve)
@@ -172,7 +184,7 @@ StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
         report.message = "the body was stopped: no step lowers its energy";
     }
     if (settings_.line_search) decline(step, report);
-    books_.book(step, newton_, settings_.audit, report);
+    books_->book(step, *newton_, settings_.audit, report);
     std::vector<Vec3> velocities = std::move(step.velocity);
     if (settings_.line_search) {
         const MomentumLost lost = limit_energy(step, velocities, report);

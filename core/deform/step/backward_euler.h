@@ -6,6 +6,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -24,6 +25,10 @@ class BackwardEuler {
   public:
     BackwardEuler(const Body& body, const NewtonSettings& settings,
                   std::unique_ptr<LinearSolver> solver);
+    // The body's nodes were split, `parents` says how (see TornBody); it was as `before`. Gives
+    // what would be made anew with the solver, which knows of it, and keeps what splits do not
+    // change.
+    void follow_split(const Body& before, std::span<const int> parents);
 
     // Advances `state` by dt_s > 0 under `potentials`; fills everything in the report but
     // tool_work, which only the caller knows. A step that cannot be made without an increase of the
@@ -65,18 +70,14 @@ class BackwardEuler {
     // What the linear solver carries from step to step. restore() makes its factor anew to the bit;
     // it throws InputError where the checkpoint does not fit the body or the solver, and then
     // changes nothing.
-    SolverCheckpoint checkpoint() const { return newton_.checkpoint(); }
+    SolverCheckpoint checkpoint() const { return newton_->checkpoint(); }
     void restore(const SolverCheckpoint& checkpoint) {
         forget();
-        newton_.restore(checkpoint);
+        newton_->restore(checkpoint);
     }
 
-    // Which blocks of the matrix are not zero.
-    const BlockMatrix& pattern() { return potential_.matrix(); }
-    // Hands over the solver; no other function may be called afterwards.
-    std::unique_ptr<LinearSolver> release_solver() { return newton_.release_solver(); }
-
   private:
+    void make_parts(std::unique_ptr<LinearSolver> solver);
     void know_forces(const BodyState& state);
     double share_until_touch(const BodyState& state, double dt_s,
                              const PotentialList& potentials) const;
@@ -91,9 +92,10 @@ class BackwardEuler {
     const Body& body_;
     NewtonSettings settings_;
     IncrementalPotential potential_;
-    NewtonStep newton_;
-    StepBooks books_;
-    EnergyLimiter limiter_;
+    // Always there; made anew when the body tears.
+    std::optional<NewtonStep> newton_;
+    std::optional<StepBooks> books_;
+    std::optional<EnergyLimiter> limiter_;
     std::stop_token stop_;  // of the step that is being made
     // The potential was evaluated at the state: the energies of all elements, and the forces on
     // live nodes.

@@ -35,6 +35,8 @@ class CollapseStiffness {
     // One comparison an element, and a singular value decomposition where that may be.
     void find(const ElementSlots& slots, std::span<const Vec3> positions_mm);
     bool any() const { return !collapsed_.empty(); }
+    // To be called after the body's nodes were split.
+    void forget() { collapsed_.clear(); }
 
     // Adds factor * C, without the rows and columns of held nodes.
     void add_to(BlockMatrix& matrix, double factor) const;

@@ -14,16 +14,35 @@ IncrementalPotential::IncrementalPotential(const Body& body, small::Tangent tang
     : body_(body),
       live_(body),
       assembly_(body, tangent, &live_),
-      collapse_(body, assembly_.plan(), live_),
-      elastic_force_(body.node_count(), Vec3::Zero()),
-      force_(body.node_count(), Vec3::Zero()) {
+      collapse_(body, assembly_.plan(), live_) {
+    lay_out();
+}
+
+// By the plan. The matrix keeps its memory.
+void IncrementalPotential::lay_out() {
     const AssemblyPlan& plan = assembly_.plan();
-    matrix_ = {plan.row_begin,
-               plan.column,
-               std::vector<Mat3>(plan.column.size(), Mat3::Zero()),
-               plan.diagonal,
-               {}};
+    matrix_.row_begin = plan.row_begin;
+    matrix_.column = plan.column;
+    matrix_.diagonal = plan.diagonal;
+    matrix_.alone.clear();
+    matrix_.block.resize(plan.column.size());
+    for_each_node(matrix_.block.size(), [&](std::size_t k) { matrix_.block[k].setZero(); });
+    const auto nodes = static_cast<std::size_t>(body_.node_count());
+    elastic_force_.assign(nodes, Vec3::Zero());
+    force_.assign(nodes, Vec3::Zero());
     find_cut_blocks();
+}
+
+void IncrementalPotential::follow_split(const Body& before) {
+    live_.begin_again();
+    assembly_.follow_split(before);
+    tension_.reset();
+    collapse_.forget();
+    damping_ = {};
+    assembled_rows_.clear();
+    stiffness_known_ = tension_added_ = false;
+    elastic_ = 0.0;
+    lay_out();
 }
 
 template <class Visit>

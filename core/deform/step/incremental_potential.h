@@ -23,6 +23,9 @@ namespace hepatica {
 class IncrementalPotential {
   public:
     IncrementalPotential(const Body& body, small::Tangent tangent);
+    // The body's nodes were split; it was as `before`. Gives what would be made anew, but for what
+    // the slots of elements hold, which must be evaluated, all of them, before the next step.
+    void follow_split(const Body& before);
 
     // The rows that are computed. All others have a unit block on the diagonal.
     const LiveSet& live() const { return live_; }
@@ -90,6 +93,7 @@ class IncrementalPotential {
   private:
     template <class Visit>
     void for_each_live_row(const Visit& visit) const;
+    void lay_out();
     void find_cut_blocks();
 
     const Body& body_;

@@ -7,7 +7,12 @@
 
 namespace hepatica {
 
-LiveSet::LiveSet(const Body& body) : body_(body), held_(body.fixed), packs_(body.groups.size()) {
+LiveSet::LiveSet(const Body& body) : body_(body), packs_(body.groups.size()) {
+    begin_again();
+}
+
+void LiveSet::begin_again() {
+    held_ = body_.fixed;
     find_rows_and_packs(std::vector<std::uint8_t>(held_.size(), 0));
     forget_written();
 }

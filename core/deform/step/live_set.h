@@ -20,6 +20,8 @@ class LiveSet {
 
     // All nodes but the fixed ones are live.
     explicit LiveSet(const Body& body);
+    // To be called after the body's nodes were split: it begins again.
+    void begin_again();
 
     // Freezes the nodes with frozen[i] != 0 and no others. One entry per node.
     void freeze(std::span<const std::uint8_t> frozen);

@@ -2,6 +2,7 @@
 #include "core/deform/stepper/cpu_back_end.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/deform/potentials/potential_list.h"
@@ -180,13 +181,12 @@ std::vector<std::array<int, 2>> OwnCpuBackEnd::touching_nodes() const {
 }
 
 void OwnCpuBackEnd::tear(const BodyDescription& whole, const TornBody& tear) {
-    std::unique_ptr<LinearSolver> solver = integrator_->release_solver();
-    solver->follow_split(integrator_->pattern(), tear.parents);
     const std::vector<Grab> grabs = potentials_->grabs();
     const Vec3 gravity = potentials_->gravity_mm_per_s2();
     const std::optional<Tool> tool = potentials_->tool();
     const PotentialList::SurfacesBeforeTear surfaces = potentials_->before_tear();
-    body_ = build_body(torn(whole, tear), options_.model, options_.order);
+    const Body before =
+        std::exchange(body_, build_body(torn(whole, tear), options_.model, options_.order));
     body_.parted_pairs = tear.parted_pairs;
     inherit(tear.parents, state_.positions_mm);
     inherit(tear.parents, state_.velocities_mm_per_s);
@@ -197,7 +197,7 @@ void OwnCpuBackEnd::tear(const BodyDescription& whole, const TornBody& tear) {
     potentials_->set_tool(tool);
     potentials_->ties()->set(tear.law, tear.ties, state_.positions_mm);
     potentials_->follow_split(surfaces, tear.parents, state_.positions_mm);
-    integrator_.emplace(body_, newton_of(options_), std::move(solver));
+    integrator_->follow_split(before, tear.parents);
 }
 
 bool OwnCpuBackEnd::recover_from_inversion(StepReport& report) {

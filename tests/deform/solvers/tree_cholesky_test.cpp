@@ -20,9 +20,10 @@ namespace {
 
 using test::SampleBody;
 
-// A random symmetric positive definite matrix on a random graph.
-BlockMatrix random_matrix(int rows, int edges, std::mt19937& random) {
-    std::vector<std::set<int>> columns(static_cast<std::size_t>(rows));
+using Graph = std::vector<std::set<int>>;  // of each row, itself included
+
+Graph random_graph(int rows, int edges, std::mt19937& random) {
+    Graph columns(static_cast<std::size_t>(rows));
     for (int i = 0; i < rows; ++i) columns[i].insert(i);
     for (int e = 0; e < edges; ++e) {
         const int i = static_cast<int>(random() % static_cast<unsigned>(rows));
@@ -30,6 +31,12 @@ BlockMatrix random_matrix(int rows, int edges, std::mt19937& random) {
         columns[i].insert(j);
         columns[j].insert(i);
     }
+    return columns;
+}
+
+// A random symmetric positive definite matrix.
+BlockMatrix random_matrix(const Graph& columns, std::mt19937& random) {
+    const int rows = static_cast<int>(columns.size());
     BlockMatrix matrix;
     for (int i = 0; i < rows; ++i) {
         for (const int j : columns[i]) {
@@ -55,6 +62,10 @@ BlockMatrix random_matrix(int rows, int edges, std::mt19937& random) {
         matrix.block[matrix.diagonal[i]] += 0.1 * Mat3::Identity();
     }
     return matrix;
+}
+
+BlockMatrix random_matrix(int rows, int edges, std::mt19937& random) {
+    return random_matrix(random_graph(rows, edges, random), random);
 }
 
 std::vector<Vec3> random_vectors(int count, std::mt19937& random) {
@@ -258,6 +269,66 @@ TEST(EliminationTree, ChildrenComeInAnEarlierStageOrEarlierInTheChain) {
             }
     }
     EXPECT_GT(fronts_with_children, 60);
+}
+
+// Splits random nodes of the graph, some of them again: each neighbour stays with one of the two,
+// which may be bound to each other.
+std::vector<int> split_randomly(Graph& graph, int splits, std::mt19937& random) {
+    std::vector<int> parents(graph.size());
+    std::iota(parents.begin(), parents.end(), 0);
+    for (int n = 0; n < splits; ++n) {
+        const int old = static_cast<int>(random() % graph.size());
+        const int added = static_cast<int>(graph.size());
+        graph.push_back({added});
+        parents.push_back(old);
+        const std::set<int> neighbours = graph[old];
+        for (const int other : neighbours) {
+            if (other == old || random() % 2 == 0) continue;
+            graph[old].erase(other);
+            graph[other].erase(old);
+            graph[added].insert(other);
+            graph[other].insert(added);
+        }
+        if (random() % 2 == 0) continue;
+        graph[old].insert(added);
+        graph[added].insert(old);
+    }
+    return parents;
+}
+
+TEST(EliminationTree, OfASplitBodySolvesAsOneThatIsAnalysedAnew) {
+    std::mt19937 random(11);
+    for (int trial = 0; trial < 20; ++trial) {
+        Graph graph = random_graph(150, 260, random);
+        const BlockMatrix before = random_matrix(graph, random);
+        const std::vector<int> order = fill_reducing_order(before);
+        const EliminationTree whole = analyse(before, order);
+        TreeCholesky factor(before, whole);
+        factor.factor(before);
+        for (const int splits : {0, 3, 40}) {
+            Graph torn = graph;
+            const std::vector<int> parents = split_randomly(torn, splits, random);
+            const BlockMatrix matrix = random_matrix(torn, random);
+            const EliminationTree tree = tree_of_split(whole, parents);
+            if (splits == 0) {
+                EXPECT_EQ(tree.vertex_at, whole.vertex_at);
+                EXPECT_EQ(tree.rows, whole.rows);
+                EXPECT_EQ(tree.multiplications, whole.multiplications);
+            }
+            TreeCholesky anew(matrix, order_of_split(order, parents)), expanded(matrix, tree);
+            anew.factor(matrix);
+            expanded.factor(matrix);
+            factor.plan(matrix, tree);  // in the memory of another
+            factor.factor(matrix);
+            const auto load = random_vectors(matrix.rows(), random);
+            std::vector<Vec3> x(load.size()), by_expanded(load.size()), by_kept(load.size());
+            anew.solve(load, x);
+            expanded.solve(load, by_expanded);
+            factor.solve(load, by_kept);
+            EXPECT_LT(largest_difference(by_expanded, x), 1e-11);
+            EXPECT_EQ(by_kept, by_expanded);
+        }
+    }
 }
 
 TEST(TreeCholesky, DropsPivotsOfASemidefiniteMatrix) {

@@ -7,8 +7,12 @@
 
 #include <algorithm>
 #include <numeric>
+#include <random>
+#include <utility>
 
+#include "core/deform/body/torn_body.h"
 #include "core/mesh/brick_mesh.h"
+#include "core/tear/tearing.h"
 
 namespace hepatica {
 namespace {
@@ -88,6 +92,65 @@ TEST(AssemblyPlan, PiecesAreWhatElementsHoldTogether) {
     const std::vector<int> piece = connected_pieces(plan_assembly(body, small::Tangent::rotated));
     for (int i = 0; i < body.node_count(); ++i)
         EXPECT_EQ(piece[i], body.rest_positions_mm[i][0] < 25.0 ? 0 : 1);
+}
+
+void expect_equal(const GatherLists& one, const GatherLists& other) {
+    EXPECT_EQ(one.begin, other.begin);
+    EXPECT_EQ(one.place, other.place);
+}
+
+void expect_equal(const AssemblyPlan& one, const AssemblyPlan& other) {
+    EXPECT_EQ(one.force_slots, other.force_slots);
+    EXPECT_EQ(one.block_slots, other.block_slots);
+    EXPECT_EQ(one.lambda_over_mu, other.lambda_over_mu);
+    EXPECT_EQ(one.row_begin, other.row_begin);
+    EXPECT_EQ(one.column, other.column);
+    EXPECT_EQ(one.diagonal, other.diagonal);
+    EXPECT_EQ(one.mirror, other.mirror);
+    expect_equal(one.forces, other.forces);
+    expect_equal(one.factors, other.factors);
+    expect_equal(one.blocks, other.blocks);
+    expect_equal(one.transposed, other.transposed);
+}
+
+Body body_of(const BodyDescription& whole, const Tearing& tearing, ElementModel model) {
+    const TornBody tear = torn_body_of(tearing);
+    Body body = build_body(torn(whole, tear), model, ElementOrder::linear);
+    body.parted_pairs = tear.parted_pairs;
+    return body;
+}
+
+// A few joints at a time, at last all of them; then it is made whole again.
+TEST(AssemblyPlan, AfterRandomSplitsItIsWhatWouldBeMadeAnew) {
+    std::mt19937 random(5);
+    for (const auto model : {ElementModel::corotated, ElementModel::neohookean}) {
+        const auto tangent =
+            model == ElementModel::corotated ? small::Tangent::rotated : small::Tangent::projected;
+        BodyDescription whole;
+        whole.mesh = kuhn_brick(Vec3(4, 3, 3), {4, 3, 3});
+        whole.tear = TearLaw{};
+        Tearing tearing(whole.mesh, *whole.tear, {});
+        Body body = body_of(whole, tearing, model);
+        AssemblyPlan plan = plan_assembly(body, tangent);
+        std::vector<int> joints = counted(static_cast<int>(tearing.topology().joints().size()));
+        std::ranges::shuffle(joints, random);
+        std::size_t cut = 0;
+        const auto follow = [&] {
+            const Body before = std::exchange(body, body_of(whole, tearing, model));
+            plan = plan_after_split(plan, before, body);
+            expect_equal(plan, plan_assembly(body, tangent));
+        };
+        while (cut < joints.size() && !testing::Test::HasFailure()) {
+            const std::size_t count = std::min(joints.size() - cut, std::size_t{1} + random() % 40);
+            tearing.cut(std::span(joints).subspan(cut, count));
+            cut += count;
+            follow();
+        }
+        EXPECT_EQ(body.node_count(), 4 * static_cast<int>(whole.mesh.tetrahedra.size()));
+        tearing.restore({});
+        follow();
+        EXPECT_EQ(body.node_count(), static_cast<int>(whole.mesh.vertices_mm.size()));
+    }
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One line of comma separated values for each step of a play: what it took, and what it did.
+#pragma once
+
+#include <sstream>
+#include <string>
+
+#include "core/session/session.h"
+#include "core/study/timing.h"
+
+namespace hepatica {
+
+class StepTable {
+  public:
+    StepTable();
+    void add(const SessionStep& step, const FrameTime& took);
+    std::string text() const { return lines_.str(); }
+
+  private:
+    std::ostringstream lines_;
+};
+
+}  // namespace hepatica
