@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/accuracy/trunk_of_truth.h"
 #include "core/base/error.h"
 #include "core/image/section.h"
 
@@ -110,6 +111,9 @@ std::vector<Vec3> KnownSystems::trunk_ends(const KnownSystem& known) const {
                 const auto [x, y, z] = cava_.grid.index_of(i);
                 ends.push_back(cava_.grid.to_mm(x, y, z));
             }
+    } else if (const std::optional<int> end = end_of_trunk(known.samples);
+               end && !known.samples.samples[*end].judged) {
+        ends.push_back(known.samples.samples[*end].position_mm);
     } else if (const std::optional<Section> section = largest_section(
                    part_of(known.lumen, judged_, true), part_of(known.lumen, judged_, false))) {
         ends.push_back(section->middle_mm);

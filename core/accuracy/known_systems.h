@@ -40,8 +40,9 @@ class KnownSystems {
     std::uint8_t system_at(const Vec3& p, double reach_mm) const;
 
     // Where the trunk of a system ends: the roots of its tree, where that was given; of hepatic
-    // veins the voxels near the vena cava, where they reach it; of others the widest section at
-    // which they leave what is judged; else the widest judged end.
+    // veins the voxels near the vena cava, where they reach it; of others the place at which they
+    // divide outside of what is judged; else the widest section at which they leave it; else the
+    // widest judged end.
     std::vector<Vec3> trunk_ends(const KnownSystem& known) const;
 
     // A point on the axis of a system's widest judged end, about inwards_mm from that end: where a

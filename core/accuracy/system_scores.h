@@ -42,9 +42,9 @@ struct SystemScore {
     std::optional<double> surface_dice, dice;
     // From the root of the tree's largest piece of this system to where the truth's trunk ends: its
     // root, where the truth is a tree; for hepatic veins that reach the vena cava, the nearest
-    // point of it; else the middle of the widest section at which the truth leaves what is judged;
-    // else the widest end of the judged centrelines. None where the tree has no root of this
-    // system.
+    // point of it; else the place at which the truth divides before it enters what is judged; else
+    // the middle of the widest section at which it leaves that; else the widest end of the judged
+    // centrelines. None where the tree has no root of this system.
     std::optional<double> root_error_mm;
     std::optional<Vec3> trunk_at_mm;  // that end, the nearest to the root where there are several
 };

@@ -132,6 +132,46 @@ TEST(SystemScores, ATrunkEndsWhereItLeavesWhatIsJudged) {
     EXPECT_NEAR(*s.systems[0].root_error_mm, 20.0, 1.5);
 }
 
+// A portal vein that divides at (0, 0, 0) into branches to the right and to the left, with a trunk
+// from (0, 40, 0); what is judged begins 12 mm to the right and 20 mm to the left.
+struct DividedOutside {
+    VesselGraph graph;
+    std::vector<SystemTruth> truth;
+    Mask liver;
+
+    DividedOutside() {
+        for (const Vec3& p : {Vec3(0, 40, 0), Vec3(0, 0, 0), Vec3(30, 0, 0), Vec3(-28, 0, 0)})
+            graph.nodes.push_back({p, 3.0});
+        graph.links = {straight_link(graph, 0, 1, 3, 3, portal),
+                       straight_link(graph, 1, 2, 4, 3, portal),
+                       straight_link(graph, 1, 3, 3, 2, portal)};
+        const VesselTree known = directed(graph);
+        truth = {{portal, lumen(known, portal), {}}};
+        liver = test::mask_where(truth[0].mask.grid,
+                                 [](const Vec3& p) { return p.x() > 12 || p.x() < -20; });
+    }
+
+    // Of a tree that begins there, at y along the trunk or at x along the right branch.
+    double root_error_mm(const Vec3& root) const {
+        VesselGraph ours;
+        ours.nodes = {{root, 3.0}, {Vec3(30, 0, 0), 3.0}};
+        ours.links = {straight_link(ours, 0, 1, 3, 3, portal)};
+        const RootWish wish{0, portal};
+        Job job;
+        return judge_systems(directed(ours, {&wish, 1}), Mask(), truth, &liver, nullptr, {}, job)
+            .systems[0]
+            .root_error_mm.value();
+    }
+};
+
+// No tree whose trunk is whole can begin at the border of what is judged, which a branch crosses.
+TEST(SystemScores, ATrunkThatDividesOutsideOfWhatIsJudgedEndsThere) {
+    const DividedOutside vein;
+    EXPECT_NEAR(vein.root_error_mm(Vec3(0, 0, 0)), 0.0, 1.5);
+    EXPECT_NEAR(vein.root_error_mm(Vec3(0, 30, 0)), 30.0, 1.5);
+    EXPECT_NEAR(vein.root_error_mm(Vec3(12, 0, 0)), 12.0, 1.5) << "where the right branch enters";
+}
+
 TEST(SystemScores, SwappedLabelsAreNowhereRight) {
     const SystemScores s = judged(directed(swapped(two_systems())));
     EXPECT_DOUBLE_EQ(s.system_right, 0.0);

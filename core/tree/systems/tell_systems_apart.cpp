@@ -344,13 +344,26 @@ SystemsFound tell_systems_apart(VesselGraph& graph, const Volume* ct, const Syst
 }
 
 // The greatest within 10 mm: the lumen of a trunk that the image or the liver's border cuts off
-// tapers over its last millimetres.
-double radius_near_end(const VesselLink& link, int node) {
+// tapers over its last millimetres. What lies in the lumen of another vessel is that one's: a stub
+// on a trunk is no wider for where it begins.
+double radius_near_end(const VesselGraph& graph, const std::vector<std::vector<int>>& at_node,
+                       int node) {
     constexpr double reach_mm = 10.0;
-    const Vec3& end = node == link.from ? link.points_mm.front() : link.points_mm.back();
-    double radius = 0.0;
+    const int id = at_node[node].front();
+    const VesselLink& link = graph.links[id];
+    const bool first = node == link.from;
+    const int other = first ? link.to : link.from;
+    double lumen_mm = 0.0;
+    for (const int beside : at_node[other])
+        if (const VesselLink& vessel = graph.links[beside]; beside != id)
+            lumen_mm = std::max(
+                lumen_mm, vessel.from == other ? vessel.radii_mm.front() : vessel.radii_mm.back());
+    const Vec3& end = graph.nodes[node].position_mm;
+    const Vec3& fork = graph.nodes[other].position_mm;
+    double radius = first ? link.radii_mm.front() : link.radii_mm.back();
     for (std::size_t i = 0; i < link.points_mm.size(); ++i)
-        if ((link.points_mm[i] - end).norm() <= reach_mm)
+        if ((link.points_mm[i] - end).norm() <= reach_mm &&
+            (link.points_mm[i] - fork).norm() > lumen_mm)
             radius = std::max(radius, link.radii_mm[i]);
     return radius;
 }
@@ -367,7 +380,7 @@ std::vector<RootWish> anatomical_roots(const VesselGraph& graph, const Anatomica
         const Vec3& anchor =
             link.system == VascularSystem::hepatic ? anchors.confluence_mm : anchors.hilum_mm;
         const double away = (graph.nodes[n].position_mm - anchor).norm() -
-                            mm_per_radius * radius_near_end(link, static_cast<int>(n));
+                            mm_per_radius * radius_near_end(graph, at_node, static_cast<int>(n));
         const auto [entry, is_new] =
             best.try_emplace(component[n], away, RootWish{static_cast<int>(n), link.system});
         if (!is_new && away < entry->second.first)

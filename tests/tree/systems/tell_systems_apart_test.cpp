@@ -163,6 +163,23 @@ TEST(TellSystemsApart, FindsTwoSchematicVeinsThatTouch) {
     }
 }
 
+// A stub that leaves a trunk begins in the trunk's lumen, and is not as wide for it: the trunk's
+// own end, farther from where the veins are looked for, is the root.
+TEST(AnatomicalRoots, AreNoStubsBesideAWideEnd) {
+    VesselGraph graph;
+    for (const Vec3& p : {Vec3(0, 0, 0), Vec3(16, 0, 0), Vec3(80, 0, 0), Vec3(16, 9, 0)})
+        graph.nodes.push_back({p, 1.0});
+    for (const VascularSystem system : {VascularSystem::portal, VascularSystem::hepatic}) {
+        graph.links = {test::straight_link(graph, 0, 1, 6, 6, system),
+                       test::straight_link(graph, 1, 2, 5, 1, system),
+                       test::straight_link(graph, 1, 3, 5.5, 1.0, system)};
+        const AnatomicalAnchors anchors{Vec3(16, 12, 0), Vec3(16, 12, 0)};
+        const std::vector<RootWish> wishes = anatomical_roots(graph, anchors);
+        ASSERT_EQ(wishes.size(), 1u);
+        EXPECT_EQ(wishes[0].node, 0);
+    }
+}
+
 // Grown trees bend and fork any way, which real ones do not; brightness would help, and there is
 // none here. Drawing lots gives a half.
 TEST(TellSystemsApart, FindsMostOfGrownVeinsThatTouch) {
