@@ -6,7 +6,6 @@
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -16,7 +15,6 @@ namespace hepatica {
 namespace {
 
 constexpr int figure_text_size = 13;
-constexpr double edge_pixels = 4.0;  // that stay free beside the label
 
 }  // namespace
 
@@ -49,14 +47,7 @@ void FigureLabel::place(double pixel_ratio) {
     point->SetCoordinateSystemToWorld();
     point->SetValue(at_mm_.x(), at_mm_.y(), at_mm_.z());
     const double* at = point->GetComputedDoubleDisplayValue(&renderer_);
-    std::array<double, 2> size{};
-    text_->GetSize(&renderer_, size.data());
-    const int* picture = renderer_.GetSize();
-    std::array<double, 2> place{at[0], at[1]};
-    for (int axis = 0; axis < 2; ++axis)
-        place[axis] = std::clamp(place[axis], edge_pixels,
-                                 std::max(edge_pixels, picture[axis] - size[axis] - edge_pixels));
-    text_->GetPositionCoordinate()->SetValue(place[0], place[1]);
+    stand_inside(*text_, renderer_, at[0], at[1]);
 }
 
 std::optional<PictureBox> FigureLabel::box() const {

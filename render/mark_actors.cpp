@@ -4,6 +4,7 @@
 #include <vtkActor.h>
 #include <vtkBillboardTextActor3D.h>
 #include <vtkCamera.h>
+#include <vtkCoordinate.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -69,6 +70,20 @@ bool MarkActors::update(std::vector<MarkView> marks) {
     return true;
 }
 
+// To the right of the ball, or to its left where the picture ends.
+int MarkActors::beside(const Vec3& at, const MarkView& mark, double pixel_ratio) const {
+    constexpr double widest_letter = 0.9;  // of its height
+    const std::size_t letters = mark.number.size() + (mark.reached ? 1 : 0);
+    const double away = 0.8 * radius_points * pixel_ratio;
+    const double width = widest_letter * text_size * pixel_ratio * static_cast<double>(letters);
+    vtkNew<vtkCoordinate> place;
+    place->SetCoordinateSystemToWorld();
+    place->SetValue(at.x(), at.y(), at.z());
+    const double x = place->GetComputedDoubleDisplayValue(&renderer_)[0];
+    const bool fits = x + away + width <= renderer_.GetSize()[0];
+    return static_cast<int>(std::lround(fits ? away : -away - width));
+}
+
 void MarkActors::set_scale(double mm_per_point, double pixel_ratio) {
     // Numbers stand before what would cover them.
     const Vec3 to_eye = -Vec3(renderer_.GetActiveCamera()->GetDirectionOfProjection());
@@ -81,7 +96,7 @@ void MarkActors::set_scale(double mm_per_point, double pixel_ratio) {
         style_text(*drawn.number->GetTextProperty(),
                    static_cast<int>(std::lround(text_size * pixel_ratio)), text_colour_);
         drawn.number->GetTextProperty()->SetBold(true);
-        drawn.number->SetDisplayOffset(away, away);
+        drawn.number->SetDisplayOffset(beside(at, shown_[i], pixel_ratio), away);
     }
 }
 

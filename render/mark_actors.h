@@ -43,6 +43,7 @@ class MarkActors {
         vtkSmartPointer<vtkBillboardTextActor3D> number;
     };
     Drawn add_one();
+    int beside(const Vec3& at, const MarkView& mark, double pixel_ratio) const;
 
     vtkRenderer& renderer_;
     std::vector<MarkView> shown_;

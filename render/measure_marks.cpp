@@ -102,8 +102,8 @@ void MeasureMarks::update(const Place& place, double point) {
                                                    ground_colour_[2]);
         text.GetTextProperty()->SetBackgroundOpacity(0.7);
         text.SetInput(measure.text.c_str());
-        text.SetPosition(std::round(line.back()[0] + 8.0 * point),
-                         std::round(line.back()[1] + 6.0 * point));
+        stand_inside(text, renderer_, std::round(line.back()[0] + 8.0 * point),
+                     std::round(line.back()[1] + 6.0 * point));
         text.SetVisibility(true);
     }
     points_->Modified();

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/text_style.h"
 
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 
 namespace hepatica {
@@ -25,6 +29,18 @@ void style_text(vtkTextProperty& text, int size, const Colour& colour) {
     text.SetBold(0);
     text.SetItalic(0);
     text.SetShadow(0);
+}
+
+void stand_inside(vtkTextActor& text, vtkRenderer& renderer, double x, double y) {
+    constexpr double edge_pixels = 4.0;  // that stay free beside the label
+    std::array<double, 2> size{};
+    text.GetSize(&renderer, size.data());
+    const int* picture = renderer.GetSize();
+    std::array<double, 2> place{x, y};
+    for (int axis = 0; axis < 2; ++axis)
+        place[axis] = std::clamp(place[axis], edge_pixels,
+                                 std::max(edge_pixels, picture[axis] - size[axis] - edge_pixels));
+    text.SetPosition(place[0], place[1]);
 }
 
 }  // namespace hepatica

@@ -4142,7 +4142,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Labels of a mask go from 1 to 255: give it others, or name those that are vessels (--vessel-label)</source>
-        <translation>Labels einer Maske gehen von 1 bis 255: Geben Sie ihr andere, oder nennen Sie mit hepatica-cli reconstruct die der Gefäße</translation>
+        <translation>Labels einer Maske gehen von 1 bis 255: Geben Sie ihr andere in dem Programm, das sie gezeichnet hat</translation>
     </message>
     <message>
         <source>Leave --series out, or give a DICOM folder</source>
@@ -4382,7 +4382,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Remove it: hepatica-cli lesson scores its recording again</source>
-        <translation>Entfernen Sie es: hepatica-cli lesson bewertet die Aufzeichnung neu</translation>
+        <translation>Entfernen Sie die Datei: Datei &gt; Aufzeichnung öffnen zeigt das Spiel weiterhin</translation>
     </message>
     <message>
         <source>is not JSON</source>
@@ -5174,7 +5174,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>The labels of the vessel mask were taken for systems: %1. If they mean something else, name them: --vessel-label LABEL=SYSTEM,LABEL=SYSTEM.</source>
-        <translation>Die Labels der Gefäßmaske wurden als Systeme genommen: %1. Wenn sie etwas anderes bedeuten, nimmt hepatica-cli reconstruct LABEL=SYSTEM für jedes.</translation>
+        <translation>Die Labels der Gefäßmaske wurden als Systeme genommen: %1. Wenn sie etwas anderes bedeuten, geben Sie ihnen diese Labels in dem Programm, das sie gezeichnet hat.</translation>
     </message>
     <message>
         <source>%1 as %2, %3 as %4, %5 as %6</source>
@@ -5194,7 +5194,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Name those that are vessels: --vessel-label LABEL=SYSTEM,LABEL=SYSTEM, where SYSTEM is portal, hepatic, artery or unknown; the others are left out</source>
-        <translation>Nennen Sie die der Gefäße: hepatica-cli reconstruct nimmt LABEL=SYSTEM für jedes, wobei SYSTEM portal, hepatic, artery oder unknown ist; die anderen entfallen</translation>
+        <translation>Geben Sie den Gefäßen in dem Programm, das sie gezeichnet hat, die Labels 1 (Pfortader), 2 (Lebervenen), 3 (Arterie) oder 255 (unbekannt), und lassen Sie die anderen weg</translation>
     </message>
     <message>
         <source>holds the labels %1, and %2 is no vascular system (%3)</source>
@@ -5866,7 +5866,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Measure again: hepatica-cli dial CASE --anew; or remove the file</source>
-        <translation>Messen Sie neu: hepatica-cli dial CASE --anew; oder entfernen Sie die Datei</translation>
+        <translation>Entfernen Sie die Datei: Es wird neu gemessen, während niemand spielt</translation>
     </message>
     <message>
         <source>Branch %1 (%2), %3 of %4 mm along: %5 of %6 ends lie downstream; they get %7 % of the flow</source>
@@ -8374,6 +8374,93 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>needs obstacles that this scene does not have</source>
         <translation>braucht Hindernisse, die diese Szene nicht hat</translation>
+    </message>
+    <message>
+        <source>The vessels were corrected since this lesson was made.</source>
+        <translation>Seit diese Lektion gemacht wurde, wurden die Gefäße korrigiert.</translation>
+    </message>
+    <message>
+        <source>⚠ %1 (no longer fits)</source>
+        <translation>⚠ %1 (passt nicht mehr)</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; holds no lesson yet: Lesson &gt; Edit course adds some</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt; enthält noch keine Lektion: Lektion &gt; Kurs bearbeiten fügt welche hinzu</translation>
+    </message>
+    <message>
+        <source>&amp;New course…</source>
+        <translation>&amp;Neuer Kurs…</translation>
+    </message>
+    <message>
+        <source>Ne&amp;w course…</source>
+        <translation>Ne&amp;uer Kurs…</translation>
+    </message>
+    <message>
+        <source>New course</source>
+        <translation>Neuer Kurs</translation>
+    </message>
+    <message>
+        <source>Where shall the new course lie?</source>
+        <translation>Wo soll der neue Kurs liegen?</translation>
+    </message>
+    <message>
+        <source>Where its places lie on the vessels is not noted yet: open its patient, and save it then.</source>
+        <translation>Wo ihre Orte auf den Gefäßen liegen, ist noch nicht vermerkt: Öffnen Sie ihren Patienten, und speichern Sie sie dann.</translation>
+    </message>
+    <message>
+        <source>The places are &amp;right as they lie now</source>
+        <translation>Die Orte stimmen, wie sie jetzt &amp;liegen</translation>
+    </message>
+    <message>
+        <source>The vessels were corrected since the lesson was made: look at each place, put it elsewhere where that is needed, then say so here and save</source>
+        <translation>Seit die Lektion gemacht wurde, wurden die Gefäße korrigiert: Sehen Sie jeden Ort an, setzen Sie ihn anderswohin, wo das nötig ist, sagen Sie es dann hier, und speichern Sie</translation>
+    </message>
+    <message>
+        <source>%1 is not played: the vessels were corrected since it was made, and its places lie elsewhere now.</source>
+        <translation>%1 wird nicht gespielt: Seit sie gemacht wurde, wurden die Gefäße korrigiert, und ihre Orte liegen jetzt anderswo.</translation>
+    </message>
+    <message>
+        <source>Whoever made it looks at them in the lesson editor and saves it again.</source>
+        <translation>Wer sie gemacht hat, sieht sie unter Lektion &gt; Lektionen bearbeiten an und speichert sie wieder.</translation>
+    </message>
+    <message>
+        <source>Edit the lesson</source>
+        <translation>Lektion bearbeiten</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lesson(s) for this patient fit his vessels no more:</source>
+        <translation>
+            <numerusform>%n Lektion für diesen Patienten passt nicht mehr zu seinen Gefäßen:</numerusform>
+            <numerusform>%n Lektionen für diesen Patienten passen nicht mehr zu seinen Gefäßen:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nobody can play them until their places were looked at in the lesson editor. Undo of the correction makes them fit again.</source>
+        <translation>Niemand kann sie spielen, bis ihre Orte unter Lektion &gt; Lektionen bearbeiten angesehen wurden. Wird die Korrektur rückgängig gemacht, passen sie wieder.</translation>
+    </message>
+    <message>
+        <source>No vessel there: press on one and drag it</source>
+        <translation>Dort ist kein Gefäß: Drücken Sie auf eines, und ziehen Sie</translation>
+    </message>
+    <message>
+        <source>The vessel slipped out of the jaws: C opens them</source>
+        <translation>Das Gefäß ist aus den Backen geglitten: C öffnet sie</translation>
+    </message>
+    <message>
+        <source>The jaws closed beside the vessel: C opens them, the wheel moves them in depth</source>
+        <translation>Die Backen haben sich neben dem Gefäß geschlossen: C öffnet sie, das Rad bewegt sie in die Tiefe</translation>
+    </message>
+    <message>
+        <source>%1 now lies %2 from where it was when the lesson was made.</source>
+        <translation>%1 liegt jetzt %2 von da, wo es lag, als die Lektion gemacht wurde.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 of vessels beyond it, and had %3 when the lesson was made.</source>
+        <translation>%1: Dahinter liegen %2 Gefäße; als die Lektion gemacht wurde, waren es %3.</translation>
+    </message>
+    <message>
+        <source>Place %1 of the setup</source>
+        <translation>Ort %1 der Vorbereitung</translation>
     </message>
 </context>
 </TS>

@@ -101,5 +101,12 @@
             <numerusform>Vessels rebuilt with %n strokes</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n lesson(s) for this patient fit his vessels no more:</source>
+        <translation>
+            <numerusform>%n lesson for this patient fits his vessels no more:</numerusform>
+            <numerusform>%n lessons for this patient fit his vessels no more:</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

@@ -70,7 +70,7 @@ QString text_of(const Workspace::Step& step, const VesselTree& tree) {
     return step.edit ? text_of(*step.edit, tree) : Words::tr("Vessels rebuilt");
 }
 
-QString text_of(const Workspace::Rebuilding& rebuilding) {
+QString text_of(const Rebuilding& rebuilding) {
     if (rebuilding.strokes == 0) return Words::tr("Vessels rebuilt");
     return Words::tr("Vessels rebuilt with %n stroke(s)", nullptr,
                      static_cast<int>(rebuilding.strokes));
@@ -79,7 +79,7 @@ QString text_of(const Workspace::Rebuilding& rebuilding) {
 // What was done, in its order.
 QStringList lines_of_history(const Workspace& workspace, const VesselTree& tree) {
     QStringList lines;
-    const std::vector<Workspace::Rebuilding> rebuildings = workspace.rebuildings();
+    const std::vector<Rebuilding>& rebuildings = workspace.patient()->corrections.rebuilt;
     auto rebuilding = rebuildings.begin();
     auto stroke = workspace.strokes().begin();
     for (std::size_t edit = 0; edit <= workspace.edits().size(); ++edit) {

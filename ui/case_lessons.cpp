@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "ui/core_words.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -26,6 +27,12 @@ QString title_of(Patient patient) {
             break;
     }
     return Words::tr("Cannot be read");
+}
+
+QString misfits_in_words(const std::vector<std::string>& misfits) {
+    QStringList lines{Words::tr("The vessels were corrected since this lesson was made.")};
+    for (const std::string& misfit : misfits) lines << translated(misfit);
+    return lines.join(" ");
 }
 
 }  // namespace
@@ -72,8 +79,11 @@ void CaseLessons::show_lessons(std::vector<ShelvedLesson> lessons, bool can_begi
             part->setFont(0, bold);
             of = lesson.patient;
         }
-        auto* row = new QTreeWidgetItem(part, {lesson.name});
-        row->setToolTip(0, lesson.about.toHtmlEscaped());
+        const bool fits = lesson.misfits.empty();
+        auto* row = new QTreeWidgetItem(
+            part, {fits ? lesson.name : Words::tr("⚠ %1 (no longer fits)").arg(lesson.name)});
+        row->setToolTip(0,
+                        (fits ? lesson.about : misfits_in_words(lesson.misfits)).toHtmlEscaped());
         row->setData(0, Qt::UserRole, static_cast<int>(i));
     }
     if (lessons_.empty()) {

@@ -72,12 +72,15 @@ QString facts_of(const PatientCase& patient, const AttemptsOfPatients& attempts)
     return lines.join("<br>");
 }
 
-ShelvedCase shelved(const fs::path& place, const AttemptsOfPatients& attempts) {
+ShelvedCase shelved(const fs::path& place, const AttemptsOfPatients& attempts,
+                    const std::vector<ShelvedLesson>& lessons) {
     ShelvedCase entry{place, to_text(place.stem()), {}, {}, false};
+    entry.lessons = lessons_of(lessons, place);
     try {
         const PatientCase patient = read_case_without_voxels(place);
         entry.drawing = drawing_of(patient.tree, drawing_size);
         entry.facts = facts_of(patient, attempts);
+        compare_with(patient.tree, place, entry.lessons);
         entry.readable = true;
     } catch (const InputError& error) {
         entry.facts = Words::tr("It cannot be opened: %1. %2")
@@ -142,8 +145,7 @@ std::vector<ShelvedCase> cases_in(const fs::path& folder, const fs::path& record
     std::vector<ShelvedCase> cases;
     for (const fs::path& place : places) {
         job.throw_if_cancelled();
-        cases.push_back(shelved(place, attempts));
-        cases.back().lessons = lessons_of(lessons, place);
+        cases.push_back(shelved(place, attempts, lessons));
         job.advance(static_cast<double>(cases.size()) / static_cast<double>(places.size()));
     }
     return cases;

@@ -86,7 +86,11 @@ void CourseDialog::show_course(const std::string& name, std::vector<CourseLine> 
                                         : Words::tr("<b>%1</b>: %2 of %3 lessons passed by %4");
     QString text = title.arg(translated(name).toHtmlEscaped()).arg(passed).arg(lines_.size());
     if (!whose.empty()) text = text.arg(QString::fromStdString(whose).toHtmlEscaped());
+    if (lines_.empty())
+        text = Words::tr("<b>%1</b> holds no lesson yet: Lesson > Edit course adds some")
+                   .arg(QString::fromStdString(name).toHtmlEscaped());
     title_->setText(text);
+    start_->setEnabled(!lines_.empty());
     table_->setRowCount(static_cast<int>(lines_.size()));
     for (int row = 0; row < table_->rowCount(); ++row) {
         const CourseLine& line = lines_[static_cast<std::size_t>(row)];
@@ -98,7 +102,8 @@ void CourseDialog::show_course(const std::string& name, std::vector<CourseLine> 
     table_->resizeColumnToContents(0);
     table_->resizeColumnToContents(3);
     const auto next = std::ranges::find(lines_, false, &CourseLine::passed);
-    table_->selectRow(next == lines_.end() ? 0 : static_cast<int>(next - lines_.begin()));
+    if (!lines_.empty())
+        table_->selectRow(next == lines_.end() ? 0 : static_cast<int>(next - lines_.begin()));
     show();
     raise();
 }

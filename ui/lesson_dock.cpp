@@ -18,6 +18,7 @@
 #include "core/lesson/course_results.h"
 #include "core/lesson/lesson_doubts.h"
 #include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_ties.h"
 #include "core/lesson/lesson_writer.h"
 #include "ui/attempts_dialog.h"
 #include "ui/core_words.h"
@@ -109,7 +110,7 @@ void LessonDock::fill(QMenu& menu) {
     }
     menu.addSeparator();
     connect(menu.addAction(Words::tr("&Course…")), &QAction::triggered, this,
-            [this] { show_course(course_file_); });
+            [this] { show_chosen_course(); });
     connect(menu.addAction(Words::tr("&Results of all…")), &QAction::triggered, this,
             [this] { show_results(); });
     connect(menu.addAction(Words::tr("&Open lesson…")), &QAction::triggered, this,
@@ -120,6 +121,8 @@ void LessonDock::fill(QMenu& menu) {
             [this] { ways_.edit(); });
     connect(menu.addAction(Words::tr("Edi&t course…")), &QAction::triggered, this,
             [this] { edit_course(); });
+    connect(menu.addAction(Words::tr("&New course…")), &QAction::triggered, this,
+            [this] { begin_new_course(); });
 }
 
 void LessonDock::ask_for_lesson() {
@@ -143,10 +146,17 @@ void LessonDock::show_course(const fs::path& file) {
                           [this](const Attempt& attempt) { return attempt.name != trainee_; });
         course_->show_course(course.name, standing_of(course, file.parent_path(), attempts),
                              trainee_, file.empty());
-        course_file_ = file;
+        choose_course(file);
     } catch (...) {
+        // One that was chosen before and is gone now gives way to the program's own.
+        if (file == course_file_) choose_course({});
         ways_.failed(Words::tr("Open course"), std::current_exception());
     }
+}
+
+void LessonDock::choose_course(const fs::path& file) {
+    course_file_ = file;
+    ways_.course_chosen(file);
 }
 
 void LessonDock::show_results() {
@@ -165,6 +175,14 @@ void LessonDock::show_results() {
 }
 
 void LessonDock::edit_course() {
+    course_editor().edit(course_file_);
+}
+
+void LessonDock::begin_new_course() {
+    course_editor().begin_new();
+}
+
+CourseEditor& LessonDock::course_editor() {
     if (course_editor_ == nullptr) {
         CourseEditor::Ways ways;
         ways.which_lesson = [this]() -> std::optional<fs::path> {
@@ -172,9 +190,10 @@ void LessonDock::edit_course() {
                 course_editor_, Words::tr("Add a lesson"), {}, Words::tr("Lessons (*.json)"));
             return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
         };
-        ways.where_to_save = [this](const std::string& name) -> std::optional<fs::path> {
+        ways.where_to_save = [this](const QString& question,
+                                    const std::string& name) -> std::optional<fs::path> {
             const QString file = ask_where_to_save_file(
-                *parentWidget(), Words::tr("A copy of the course is edited: where shall it lie?"),
+                *parentWidget(), question,
                 QString("%1/%2.json").arg(QDir::homePath(), translated(name)),
                 Words::tr("Courses (*.json)"));
             return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
@@ -184,12 +203,12 @@ void LessonDock::edit_course() {
             tell_failure(shown, doing, failure_of(error));
         };
         ways.written = [this](const fs::path& file) {
-            course_file_ = file;
+            choose_course(file);
             if (course_->isVisible()) show_course(file);
         };
         course_editor_ = new CourseEditor(std::move(ways), parentWidget());
     }
-    course_editor_->edit(course_file_);
+    return *course_editor_;
 }
 
 void LessonDock::find_next() {
@@ -293,6 +312,12 @@ fs::path LessonDock::next_recording() const {
 void LessonDock::begin() {
     const std::shared_ptr<const PatientCase> patient = ways_.patient();
     if (!lesson_ || patient == nullptr) return;
+    // Whoever tries it makes it fit.
+    const bool tries = fs::path(name_).parent_path() == tried();
+    if (const auto wrong = misfits(*lesson_, patient->tree); !wrong.empty() && !tries) {
+        hide();
+        return ways_.unfit(name_, *lesson_, wrong);
+    }
     keep_result();  // of the attempt before
     drop_what_is_empty();
     try {

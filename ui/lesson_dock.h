@@ -44,10 +44,17 @@ class LessonDock : public QDockWidget {
             look_back;
         // Asks where to; `called`: what the file is called at first.
         std::function<void(const char* called, const std::string& csv)> save_table;
-        std::function<void()> edit;                      // shows the editor of lessons
+        std::function<void()> edit;  // shows the editor of lessons
+        // This lesson is not begun: its places are elsewhere on its patient's vessels now.
+        std::function<void(const std::filesystem::path& file, const Lesson& lesson,
+                           const std::vector<std::string>& misfits)>
+            unfit;
         std::function<void()> left;                      // a lesson, for free play
         std::function<void(const QString& name)> named;  // the trainee, or nobody any more
         std::function<void()> ended = [] {};             // an attempt, by being passed or failed
+        // This course is shown from now on; empty: the program's own.
+        std::function<void(const std::filesystem::path& file)> course_chosen =
+            [](const std::filesystem::path&) {};
     };
 
     LessonDock(Ways ways, std::filesystem::path recordings, QWidget* parent);
@@ -65,11 +72,15 @@ class LessonDock : public QDockWidget {
     bool try_out(const Lesson& lesson);
     // A course: a file; empty: the one that comes with the program.
     void show_course(const std::filesystem::path& file);
+    // The one that was chosen last, in an earlier run, too.
+    void show_chosen_course() { show_course(std::filesystem::path(course_file_)); }
+    void set_course(const std::filesystem::path& file) { course_file_ = file; }
     // Who passed what of the course shown last, of all whose attempts are kept.
     void show_results();
     CourseDialog& course() { return *course_; }
     // Edits the course shown last; of the program's own a copy, where the person wants it to lie.
     void edit_course();
+    void begin_new_course();
     // There is another patient now, who was opened from this place: a lesson that waited for him
     // begins, one that ran is over.
     void patient_shown(bool built_in, const std::filesystem::path& asked_for);
@@ -106,6 +117,8 @@ class LessonDock : public QDockWidget {
     bool read(const std::string& name);  // into lesson_; false where it failed, which is said
     void ask_for_lesson();
     void ask_for_course();
+    void choose_course(const std::filesystem::path& file);
+    CourseEditor& course_editor();
     void open_case(const std::filesystem::path& place);
     void end_play();            // the patient goes
     void drop_what_is_empty();  // a recording of an attempt in which nothing was done

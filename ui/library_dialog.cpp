@@ -17,6 +17,7 @@
 #include "ui/case_lessons.h"
 #include "ui/on_screen.h"
 #include "ui/paths.h"
+#include "ui/untinted_icon.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -177,7 +178,7 @@ void LibraryDialog::fill() {
     list_->clear();
     for (const ShelvedCase& one : cases_) {
         auto* item = new QListWidgetItem(one.name, list_);
-        if (!one.drawing.isNull()) item->setIcon(QPixmap::fromImage(one.drawing));
+        if (!one.drawing.isNull()) item->setIcon(untinted(QPixmap::fromImage(one.drawing)));
     }
     list_->setCurrentRow(cases_.empty() ? -1 : 0);
 }

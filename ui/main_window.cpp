@@ -186,7 +186,7 @@ void MainWindow::build_view() {
          [this](MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke) {
              tear(mode, stroke);
          },
-         [this] { statusBar()->showMessage(Words::tr("No vessel there: click on one"), 6000); },
+         [this] { say_missed(); },
          [this](const SurfacePick& pick) {
              if (patient_) lead_crosshair_to(frame().origin_of(pick.nearest_vertex));
          }},
@@ -206,7 +206,7 @@ void MainWindow::build_view() {
     column->addLayout(row, 1);
     setCentralWidget(centre);
     welcome_ = new Welcome(
-        *actions_, [this] { lessons_->show_course({}); }, view_);
+        *actions_, [this] { lessons_->show_chosen_course(); }, view_);
     log_ = new MessageLog(this);
     messages_->on_branch = log_->on_branch = [this](int branch) { branches_->show_branch(branch); };
     const auto keep_clear = [this] {
@@ -230,7 +230,9 @@ void MainWindow::build_panels() {
                        [this](bool shown) {
                            view_->scene().set_warnings_visible(shown);
                            view_->draw_again();
-                       }});
+                       },
+                       [this](const UseContact& contact) { settings_.set_contact(contact); }});
+    if (const auto contact = settings_.contact()) tool_panel_->set_wanted_contact(*contact);
     view_->scene().set_warnings_visible(tool_panel_->shows_warnings());
     tabifyDockWidget(edit_dock, make_dock(*this, Words::id("Tool"), tool_panel_));
     findChild<QDockWidget*>("Injection")->raise();
@@ -296,7 +298,9 @@ void MainWindow::make_keeper(Patients patients, PatientKeeper::Questions questio
     };
     screen.remember = [this](const std::filesystem::path& path) { remember(path); };
     screen.remake_painted = [this] { view_layout_->remake_painted(); };
+    screen.image_read = [this](std::shared_ptr<const Volume> ct) { show_image(std::move(ct)); };
     screen.not_opened = [this] {
+        show_image(nullptr);
         lessons_->patient_not_shown();
         before_lesson_.reset();
         if (lesson_editor_ && !lessons_->playing()) lesson_editor_->back_from_trying();
@@ -409,6 +413,7 @@ void MainWindow::connect_tools() {
     actions_->on(ActionId::weaken_mode, [this] { set_mouse_mode(MouseMode::weaken); });
     ToolHand& hand = view_->mouse().hand();
     hand.set_size(tool_panel_->size());
+    hand.on_empty_grip = [this](GripWatch::Seen seen) { say_empty_grip(seen); };
     actions_->on(ActionId::turn_tool, [&hand] { hand.turn(turn_rad); });
     actions_->on(ActionId::turn_tool_back, [&hand] { hand.turn(-turn_rad); });
     actions_->on(ActionId::close_or_open, [&hand] { hand.close_or_open(); });

@@ -16,6 +16,7 @@
 #include "ui/mouse_tool.h"
 #include "ui/patient_keeper.h"
 #include "ui/settings.h"
+#include "ui/shelved_lessons.h"
 
 class QTimer;
 
@@ -26,6 +27,7 @@ class CaseEditing;
 class CurvesDock;
 class DialKeeper;
 class EditPanel;
+class FitKeeper;
 class InjectPanel;
 class LessonDock;
 class DraftSlot;
@@ -141,6 +143,10 @@ class MainWindow : public QMainWindow {
 
     // main_window_slices.cpp: slices of the CT, and corrections.
     void build_slices(QWidget* parent);
+    // A CT while its vessels are looked for; null: there will be none. Not beside a patient who is
+    // shown meanwhile.
+    void show_image(std::shared_ptr<const Volume> ct);
+    void end_image();
     void show_corrections_with_slices();
     void warn_of_stroke_outside(const BrushStroke& stroke);
     void build_editing();
@@ -154,6 +160,8 @@ class MainWindow : public QMainWindow {
     // Who is shown, where he can be opened again.
     std::optional<OpenRequest> patient_from_where() const;
     void offer_patient_from_before();
+    // The vessels were corrected: these lessons do not fit them any more.
+    void tell_unfit(const std::vector<ShelvedLesson>& lessons);
     // What a lesson does not allow cannot be chosen while it is played.
     void allow_tools();
     void set_lesson_place(const SurfacePick& pick);
@@ -199,6 +207,10 @@ class MainWindow : public QMainWindow {
     void show_figures_soon();
     void show_figures();
     void show_message_of(const FrameStatistics& statistics);
+    // Why a hand's deed in the view did nothing: at the window's foot, and beside the pointer.
+    void hint(const QString& text);
+    void say_missed();
+    void say_empty_grip(GripWatch::Seen seen);
     void colour_by_segments(const std::vector<std::uint8_t>& of_branches);
     void show_hover(const SurfacePick& pick);
     void light_up(const TreePoint& under_mouse);
@@ -261,12 +273,14 @@ class MainWindow : public QMainWindow {
     std::string last_message_;
     QString report_program_;
     QString report_message_;  // that says where the last report lies
+    QString unfit_message_;   // that names lessons which fit no more
     std::function<void()> first_picture_;
     std::function<void(const std::optional<OpenRequest>&)> begin_anew_;
     bool begins_anew_ = false;  // once it has closed
     // Who was shown before a lesson brought its own patient.
     std::optional<OpenRequest> before_lesson_;
     std::optional<std::vector<LessonTool>> allowed_tools_;  // of the lesson that is played
+    bool slices_for_image_ = false;  // they came by themselves, and go when the patient is there
     bool may_close_ = false;
     std::function<bool(const std::string& lesson)> end_lesson_;  // asks; see Questions
     bool in_close_event_ = false;
@@ -275,6 +289,7 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<CaseEditing> editing_;
     std::unique_ptr<DialKeeper> dial_;
     std::unique_ptr<LiverKeeper> liver_;
+    std::unique_ptr<FitKeeper> fits_;
     VolumeLook volume_look_;
     std::unique_ptr<VolumeKeeper> volume_;
     std::unique_ptr<ViewRuler> ruler_;

@@ -94,6 +94,7 @@ void MainWindow::show_jobs() {
 void MainWindow::remember(const std::filesystem::path& path) {
     settings_.add_recent_file(to_text(path));
     settings_.set_last_folder(to_text(path.parent_path()));
+    if (is_case(path)) settings_.set_case_folder(to_text(path.parent_path()));
 }
 
 void MainWindow::fail(const QString& doing, const Failure& failure) {

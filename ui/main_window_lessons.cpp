@@ -11,6 +11,7 @@
 #include "core/tree/station.h"
 #include "ui/core_words.h"
 #include "ui/curves_dock.h"
+#include "ui/fit_keeper.h"
 #include "ui/inject_panel.h"
 #include "ui/lesson_dock.h"
 #include "ui/lesson_editor/about_page.h"
@@ -42,9 +43,17 @@ QString as_file_name(QString name) {
     return name.isEmpty() ? "lesson" : name;
 }
 
+QString in_lines(const std::vector<std::string>& sentences) {
+    QStringList lines;
+    for (const std::string& sentence : sentences) lines << translated(sentence);
+    return lines.join("\n");
+}
+
 }  // namespace
 
 void MainWindow::build_lessons() {
+    fits_ = std::make_unique<FitKeeper>(
+        [this](const std::vector<ShelvedLesson>& lessons) { tell_unfit(lessons); });
     LessonDock::Ways ways;
     ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
     ways.open_built_in = [this] { open_for_lesson(OpenRequest{true, {}}); };
@@ -78,14 +87,30 @@ void MainWindow::build_lessons() {
         save_table(called, csv);
     };
     ways.edit = [this] { lesson_editor().show_editor(); };
+    ways.unfit = [this](const std::filesystem::path& file, const Lesson& lesson,
+                        const std::vector<std::string>& misfits) {
+        const QString name = QString::fromStdString(lesson.name);
+        messages_->show_notice(
+            Words::tr("%1 is not played: the vessels were corrected since it was made, and its "
+                      "places lie elsewhere now.")
+                    .arg(name) +
+                "\n" + in_lines(misfits) + "\n" +
+                Words::tr("Whoever made it looks at them in the lesson editor and saves it again."),
+            Words::tr("Edit the lesson"), [this, file] { lesson_editor().edit(file); });
+        log_->add_warning(name, in_lines(misfits));
+    };
     ways.left = [this] {
         if (lesson_editor_) lesson_editor_->back_from_trying();
         offer_patient_from_before();
     };
     ways.named = [this](const QString& name) { settings_.set_trainee(name); };
+    ways.course_chosen = [this](const std::filesystem::path& file) {
+        settings_.set_course(to_text(file));
+    };
     lessons_ = new LessonDock(std::move(ways), to_path(settings_.recordings_folder()), this);
     lessons_->set_units(flow_units_named(settings_.flow_units()));
     lessons_->set_trainee(settings_.trainee());
+    lessons_->set_course(to_path(settings_.course()));
     addDockWidget(Qt::LeftDockWidgetArea, lessons_);
     auto* menu = new QMenu(Words::tr("&Lesson"), menuBar());
     lessons_->fill(*menu);
@@ -133,6 +158,26 @@ void MainWindow::offer_patient_from_before() {
     messages_->show_notice(
         Words::tr("The lesson's own patient is shown. Before it, it was %1.").arg(name),
         Words::tr("Open %1").arg(name), [this, before] { open(*before); });
+}
+
+void MainWindow::tell_unfit(const std::vector<ShelvedLesson>& lessons) {
+    if (lessons.empty()) {
+        if (!unfit_message_.isEmpty() && messages_->text() == unfit_message_) messages_->dismiss();
+        return unfit_message_.clear();
+    }
+    QStringList lines{Words::tr("%n lesson(s) for this patient fit his vessels no more:", nullptr,
+                                static_cast<int>(lessons.size()))};
+    for (const ShelvedLesson& lesson : lessons)
+        lines << lesson.name + ": " + in_lines(lesson.misfits).replace("\n", " ");
+    lines << Words::tr(
+        "Nobody can play them until their places were looked at in the lesson "
+        "editor. Undo of the correction makes them fit again.");
+    const QString text = lines.join("\n");
+    if (text == unfit_message_) return;  // of an earlier correction, and was read
+    unfit_message_ = text;
+    log_->add_warning(Words::tr("Corrections"), text);
+    messages_->show_notice(text, Words::tr("Edit the lesson"),
+                           [this, file = lessons.front().file] { lesson_editor().edit(file); });
 }
 
 // A lesson that an earlier run left, unless something else is to be said already.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window shows of the patient, and what the user does with him.
+#include <QCursor>
 #include <QDockWidget>
 #include <QGuiApplication>
 #include <QStatusBar>
 #include <QTimer>
+#include <QToolTip>
 #include <utility>
 
 #include "core/lesson/allowed_commands.h"
@@ -12,6 +14,7 @@
 #include "ui/core_words.h"
 #include "ui/curves_dock.h"
 #include "ui/dial_keeper.h"
+#include "ui/fit_keeper.h"
 #include "ui/inject_panel.h"
 #include "ui/lesson_dock.h"
 #include "ui/lesson_editor/lesson_editor.h"
@@ -19,6 +22,7 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
+#include "ui/paths.h"
 #include "ui/quality_panel.h"
 #include "ui/review_dock.h"
 #include "ui/second_view.h"
@@ -37,6 +41,7 @@ namespace hepatica {
 void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     end_recording();
     SceneView& scene = view_->scene();
+    end_image();
     if (!corrected) scene.show(Frame{});  // forgets the one before: the camera finds the new one
     curves_->clear();
     patient_ = std::move(patient);
@@ -66,10 +71,14 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     branches_->show_patient(patient_->patient, patient_->flow_shares,
                             keeper_->workspace().folder());
     show_warnings();  // a correction alone has none
-    if (corrected)
+    if (corrected) {
         lessons_->patient_corrected();
-    else
+        fits_->look(patient_->patient, keeper_->workspace().folder(),
+                    to_path(settings_.library_folder()));
+    } else {
+        fits_->stop();
         lessons_->patient_shown(patient_->title == built_in_title, patient_->asked_for);
+    }
     allow_tools();
     if (lesson_editor_) lesson_editor_->patient_shown();
     review_->patient_shown();
@@ -246,6 +255,26 @@ void MainWindow::show_message_of(const FrameStatistics& statistics) {
                            [this] { (*actions_)[ActionId::restore].trigger(); });
 }
 
+void MainWindow::hint(const QString& text) {
+    constexpr int readable_ms = 6000;
+    statusBar()->showMessage(text, readable_ms);
+    if (view_->underMouse())
+        QToolTip::showText(QCursor::pos() + QPoint(12, 8), text, view_, {}, readable_ms / 2);
+}
+
+void MainWindow::say_missed() {
+    hint(view_->mouse().mode() == MouseMode::pull
+             ? Words::tr("No vessel there: press on one and drag it")
+             : Words::tr("No vessel there: click on one"));
+}
+
+void MainWindow::say_empty_grip(GripWatch::Seen seen) {
+    hint(seen == GripWatch::Seen::slipped
+             ? Words::tr("The vessel slipped out of the jaws: C opens them")
+             : Words::tr("The jaws closed beside the vessel: C opens them, the wheel moves them in "
+                         "depth"));
+}
+
 void MainWindow::show_hover(const SurfacePick& pick) {
     if (!patient_) return;
     if (pick.nearest_vertex == hovered_vertex_) return;
@@ -280,8 +309,7 @@ void MainWindow::tear(MouseMode mode, const std::optional<std::array<Vec3, 2>>& 
     view_->draw_again();
     if (!patient_) return;
     if (!stroke) {
-        statusBar()->showMessage(Words::tr("The line meets no vessel: draw it across one"), 6000);
-        return;
+        return hint(Words::tr("The line meets no vessel: draw it across one"));
     }
     if (!frame().tear) post(tool_panel_->tear());
     const auto& [from, to] = *stroke;
@@ -304,7 +332,7 @@ void MainWindow::post(Command command) {
     // A slip of the hand is told of; it does not end the attempt.
     if (const Lesson* lesson = lessons_->running())
         if (const std::string objection = objection_to(command, *lesson); !objection.empty())
-            return statusBar()->showMessage(translated(objection), 6000);
+            return hint(translated(objection));
     if (lessons_->begins_with(command)) patient_->simulation->post(SetPaused{false});
     patient_->simulation->post(std::move(command));
 }

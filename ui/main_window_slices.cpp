@@ -88,6 +88,24 @@ void MainWindow::build_slices(QWidget* parent) {
     show_corrections_with_slices();
 }
 
+void MainWindow::show_image(std::shared_ptr<const Volume> ct) {
+    if (patient_) return;
+    if (ct == nullptr) {
+        view_layout_->clear();
+        return end_image();
+    }
+    view_layout_->show_image(std::move(ct));
+    QAction& slices = (*actions_)[ActionId::toggle_slices];
+    if (slices.isChecked()) return;
+    slices_for_image_ = true;
+    slices.trigger();
+}
+
+void MainWindow::end_image() {
+    QAction& slices = (*actions_)[ActionId::toggle_slices];
+    if (std::exchange(slices_for_image_, false) && slices.isChecked()) slices.trigger();
+}
+
 // It would become a vessel by Rebuild, and be given to a system. The organs are known only as far
 // as the case has them.
 void MainWindow::warn_of_stroke_outside(const BrushStroke& stroke) {

@@ -2,6 +2,7 @@
 #include "ui/mouse_tool.h"
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace hepatica {
@@ -22,13 +23,14 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
     clicked_ = dragged_ = false;
     callbacks_.hover(SurfacePick{});  // while a button is down nothing is lit up
     pressed_ = last_ = at;
+    pressed_left_ = false;
     if (const auto gesture = scheme_->camera(button, modifiers)) {
         action_ = *gesture == CameraGesture::pan    ? Action::pan
                   : *gesture == CameraGesture::zoom ? Action::zoom
                                                     : Action::orbit;
         return;
     }
-    const bool left = button == MouseButton::left;
+    const bool left = pressed_left_ = button == MouseButton::left;
     if (left && draws() && !modifiers.control) {
         action_ = Action::draw;
         return;
@@ -101,10 +103,13 @@ bool MouseTool::is_click(const Pixel& at) const {
 void MouseTool::release(const Pixel& at) {
     clicked_ = action_ == Action::wait_for_click;
     const bool points = pulling() && !dragged_;
+    const bool tried_to_pull = action_ == Action::orbit && mode_ == MouseMode::pull && may_pull_ &&
+                               !dragged_ && pressed_left_;
     if (action_ == Action::draw) callbacks_.drawn(mode_, stroke_to(at));
     cancel();
     if (clicked_) click_at(at);
     if (points) callbacks_.pointed(pulled_);
+    if (tried_to_pull && is_near_miss(at)) callbacks_.missed();
 }
 
 void MouseTool::double_click(const Pixel& at) {
@@ -147,6 +152,19 @@ void MouseTool::click_at(const Pixel& at) {
         callbacks_.edit(pick);
     else
         callbacks_.inject(pick);
+}
+
+bool MouseTool::is_near_miss(const Pixel& at) const {
+    constexpr int directions = 8;
+    for (const double click_radii : {2.0, 4.0})
+        for (int i = 0; i < directions; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / directions;
+            const double away = click_radii * click_radius_px_;
+            if (view_.pick({at.x + away * std::cos(angle), at.y + away * std::sin(angle)})
+                    .triangle >= 0)
+                return true;
+        }
+    return false;
 }
 
 void MouseTool::inject_at(const Pixel& at) {

@@ -45,7 +45,8 @@ class MouseTool {
         std::function<Vec3(const SurfacePick& pick)> vessel_direction;
         // A line was drawn in cut or weaken mode. Where it meets no vessel both points are none.
         std::function<void(MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke)> drawn;
-        // A click for a vessel, in inject, edit, place or measure mode, met none.
+        // A click for a vessel met none: in inject, edit, place or measure mode, or in pull mode
+        // close beside one.
         std::function<void()> missed = [] {};
         // A plain click met this vessel in a mode in which it does nothing else.
         std::function<void(const SurfacePick& pick)> pointed = [](const SurfacePick&) {};
@@ -86,6 +87,8 @@ class MouseTool {
     enum class Action { none, pull, orbit, pan, zoom, wait_for_click, draw };
 
     void click_at(const Pixel& at);
+    // A vessel is so near that a hand may have meant it.
+    bool is_near_miss(const Pixel& at) const;
     bool is_click(const Pixel& at) const;  // and no drag
     // Whether a plain click is for a vessel.
     bool clicks_vessels() const { return mode_ == MouseMode::inject || chooses(); }
@@ -106,9 +109,10 @@ class MouseTool {
     MouseMode mode_ = MouseMode::pull;
     bool may_pull_ = true;
     Action action_ = Action::none;
-    bool clicked_ = false;  // the last press ended as a click
-    bool dragged_ = false;  // since the last press
-    SurfacePick pulled_;    // what is or was pulled last
+    bool clicked_ = false;       // the last press ended as a click
+    bool dragged_ = false;       // since the last press
+    bool pressed_left_ = false;  // and for no gesture of the camera
+    SurfacePick pulled_;         // what is or was pulled last
     Pixel pressed_;
     Pixel last_;
     HandPace pace_;                // of a pull

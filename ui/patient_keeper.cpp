@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/patient_keeper.h"
 
+#include <QCoreApplication>
+#include <QMetaObject>
 #include <exception>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/opening/patient_image.h"
+#include "ui/core_words.h"
 #include "ui/paths.h"
 #include "ui/words.h"
 
@@ -111,10 +114,12 @@ QueuedJob PatientKeeper::opening_job(const OpenRequest& request) {
                           : Words::tr("Opening %1").arg(to_text(request.reconstruct.ct.filename())))
             .toStdString();
     job.failed = [this, title = job.title](const Failure& failure) {
+        opening_.reset();
         screen_.failed(title, failure);
         screen_.not_opened();
     };
     job.cancelled = [this] {
+        opening_.reset();
         screen_.say(Words::tr("Cancelled").toStdString());
         screen_.not_opened();
     };
@@ -125,20 +130,36 @@ void PatientKeeper::start_opening(const OpenRequest& request) {
     QueuedJob job = opening_job(request);
     job.begin = [this, request]() -> BackgroundJob::Work {
         written_.clear();
-        return [this, request](Job& progress) -> std::function<void()> {
-            const auto series = ways_.list_series(request, progress);
-            if (!series.empty()) return [this, request, series] { choose_series(request, series); };
-            // std::function wants to be copied, a loaded patient does not.
-            auto loaded = std::make_shared<LoadedPatient>(ways_.load(request, progress));
-            if (!request.built_in) loaded->asked_for = request.reconstruct.ct;
-            return [this, request, loaded] {
-                if (!request.built_in && !request.unsaved_copy && !request.left_edits)
-                    screen_.remember(request.reconstruct.ct);
-                arrived(request, loaded);
+        return
+            [this, request = request_that_tells(request)](Job& progress) -> std::function<void()> {
+                const auto series = ways_.list_series(request, progress);
+                if (!series.empty())
+                    return [this, request, series] { choose_series(request, series); };
+                // std::function wants to be copied, a loaded patient does not.
+                auto loaded = std::make_shared<LoadedPatient>(ways_.load(request, progress));
+                if (!request.built_in) loaded->asked_for = request.reconstruct.ct;
+                return [this, request, loaded] {
+                    if (!request.built_in && !request.unsaved_copy && !request.left_edits)
+                        screen_.remember(request.reconstruct.ct);
+                    arrived(request, loaded);
+                };
             };
-        };
     };
     jobs_.replace(std::move(job));
+}
+
+OpenRequest PatientKeeper::request_that_tells(OpenRequest request) {
+    opening_ = std::make_shared<int>();
+    request.image_read =
+        [this, newest = std::weak_ptr(opening_)](const std::shared_ptr<const Volume>& ct) {
+            QMetaObject::invokeMethod(
+                QCoreApplication::instance(),
+                [this, newest, ct] {
+                    if (!newest.expired()) screen_.image_read(ct);
+                },
+                Qt::QueuedConnection);
+        };
+    return request;
 }
 
 void PatientKeeper::choose_series(OpenRequest request,
@@ -155,6 +176,7 @@ void PatientKeeper::choose_series(OpenRequest request,
 // The patient before may have been corrected while this one was made ready.
 void PatientKeeper::arrived(const OpenRequest& request,
                             const std::shared_ptr<LoadedPatient>& loaded) {
+    opening_.reset();
     const auto show = [this, request, loaded] {
         // Saved over since it was read: what was read is not on disk any more.
         if (written_.contains(loaded->folder)) return start_opening(request);
@@ -270,6 +292,7 @@ BackgroundJob::Work PatientKeeper::remaking(std::shared_ptr<const Volume> ct,
         const auto before =
             std::make_shared<const PatientCase>(whole_case(*patient, folder, edits, job));
         RemadeCase made = ways_.remake(*before, *vessels, *ct, job);
+        note_rebuilding(*before, strokes, made.patient);
         auto loaded = std::make_shared<LoadedPatient>(
             ways_.play_on(std::make_shared<const PatientCase>(std::move(made.patient)), job));
         loaded->warnings = std::move(made.warnings);
@@ -369,19 +392,14 @@ bool PatientKeeper::ask_and_save() {
     return folder.has_value();
 }
 
-// Beside a CT called "ct.nii.gz", or a folder "ct" of slices: "ct.hep".
+// Not beside the CT: that may lie in an archive, or on a disc. What the patient is called names the
+// case, "ct.nii.gz" as well as a folder "ct" of slices: "ct.hep".
 std::filesystem::path PatientKeeper::proposed_folder() const {
     if (!workspace_.folder().empty()) return workspace_.folder();
-    const std::filesystem::path& ct = workspace_.image();
-    if (ct.empty()) return {};
-    const std::filesystem::path place = ct.has_filename() ? ct : ct.parent_path();
-    std::error_code ignored;
-    std::filesystem::path name = place.filename();
-    if (!std::filesystem::is_directory(place, ignored)) {
-        if (name.extension() == ".gz") name = name.stem();
-        name = name.stem();
-    }
-    return place.parent_path() / (name.string() + ".hep");
+    std::filesystem::path name = to_path(translated(workspace_.title())).filename();
+    for (const char* ending : {".gz", ".nii", ".mha", ".mhd", ".nrrd", ".nhdr"})
+        if (name.extension() == ending) name = name.stem();
+    return name.string() + ".hep";
 }
 
 void PatientKeeper::save_as(const std::filesystem::path& folder) {

@@ -58,8 +58,8 @@ class PatientKeeper {
         std::function<StrokesAnswer(const std::string& title, std::size_t strokes)> strokes;
         // The number of one of these series, from 1, which is the best; none: not after all.
         std::function<std::optional<int>(const std::vector<SeriesDescription>&)> which_series;
-        // The folder of the case; none: not after all. `proposed`: where it lies, or beside the CT
-        // that it was made from; empty: nothing is known of either.
+        // The folder of the case; none: not after all. `proposed`: where it lies, or else only
+        // what it may be called.
         std::function<std::optional<std::filesystem::path>(const std::filesystem::path& proposed)>
             where_to_save;
         // A lesson of this name is being played: whether the window may close all the same.
@@ -78,6 +78,9 @@ class PatientKeeper {
         // An opening came to nothing: it failed, or the person gave it up. Not told of one whose
         // place a newer one takes.
         std::function<void()> not_opened = [] {};
+        // The CT that is being reconstructed, once it is read: until show() or not_opened().
+        std::function<void(std::shared_ptr<const Volume>)> image_read =
+            [](const std::shared_ptr<const Volume>&) {};
         // A file that was opened or saved, and can be opened again.
         std::function<void(const std::filesystem::path&)> remember;
         // Shall call remake() with the voxels as the strokes that wait have left them; may refuse.
@@ -132,6 +135,8 @@ class PatientKeeper {
     // With what it is called, and what is said where it comes to nothing.
     QueuedJob opening_job(const OpenRequest& request);
     void start_opening(const OpenRequest& request);
+    // Brings the CT to the screen's thread, while this opening is the newest.
+    OpenRequest request_that_tells(OpenRequest request);
     void choose_series(OpenRequest request, const std::vector<SeriesDescription>& series);
     void arrived(const OpenRequest& request, const std::shared_ptr<LoadedPatient>& loaded);
     void correct();
@@ -162,6 +167,7 @@ class PatientKeeper {
     std::optional<std::uint64_t> discarded_version_;  // of the workspace: the person let it go
     std::optional<std::uint64_t> dropped_strokes_;    // likewise, strokes_version()
     std::set<std::filesystem::path> written_;         // cases, since the last opening began to read
+    std::shared_ptr<int> opening_;                    // another one with each opening
     JobQueue jobs_;
 };
 

@@ -2,37 +2,37 @@
 #include "ui/progress_strip.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <utility>
 
 #include "ui/core_words.h"
+#include "ui/elided_label.h"
 #include "ui/words.h"
 
 namespace hepatica {
 
 ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* pictures)
     : OverlayBar(Qt::BottomEdge, pictures),
-      title_(new QLabel(this)),
-      stage_(new QLabel(this)),
-      waiting_(new QLabel(this)),
+      // The beginning says what is done, the end of a name tells it from others.
+      title_(new ElidedLabel(Qt::ElideMiddle, this)),
+      stage_(new ElidedLabel(Qt::ElideMiddle, this)),
+      waiting_(new ElidedLabel(Qt::ElideRight, this)),
       bar_(new QProgressBar(this)),
       cancel_(new QPushButton(Words::tr("Cancel"), this)) {
     setObjectName("progressStrip");
+    title_->setObjectName("jobTitle");
     stage_->setObjectName("quiet");
     waiting_->setObjectName("quiet");
     bar_->setRange(0, 1000);
     bar_->setTextVisible(false);
     bar_->setMaximumWidth(260);
     bar_->setMinimumWidth(80);
-    // Words that are too long are cut: they must not make the window wider than the screen.
-    for (QLabel* label : {title_, stage_, waiting_}) label->setMinimumWidth(1);
     connect(cancel_, &QPushButton::clicked, this, std::move(cancel));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(14, 8, 10, 8);
     row->setSpacing(14);
-    row->addWidget(title_);
+    row->addWidget(title_, 1);
     row->addWidget(stage_, 1);
     row->addWidget(waiting_);
     row->addWidget(bar_);
@@ -59,7 +59,6 @@ void ProgressStrip::update_progress(const JobProgress& progress) {
             "  " + Words::tr("(%1 of %2)").arg(progress.stage_number).arg(progress.stage_count);
     }
     stage_->setText(stage);
-    stage_->setToolTip(stage);  // it may be cut
     bar_->setRange(0, 1000);
     bar_->setValue(static_cast<int>(1000.0 * progress.fraction));
 }

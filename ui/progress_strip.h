@@ -8,11 +8,12 @@
 #include "core/base/job.h"
 #include "ui/overlay_bar.h"
 
-class QLabel;
 class QProgressBar;
 class QPushButton;
 
 namespace hepatica {
+
+class ElidedLabel;
 
 class ProgressStrip : public OverlayBar {
   public:
@@ -25,9 +26,9 @@ class ProgressStrip : public OverlayBar {
     void finish() { hide(); }
 
   private:
-    QLabel* title_;
-    QLabel* stage_;
-    QLabel* waiting_;
+    ElidedLabel* title_;
+    ElidedLabel* stage_;
+    ElidedLabel* waiting_;
     QProgressBar* bar_;
     QPushButton* cancel_;
 };

@@ -88,10 +88,9 @@ PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& s
     questions.where_to_save =
         [&parent,
          &settings](const std::filesystem::path& proposed) -> std::optional<std::filesystem::path> {
-        const bool known = !proposed.empty();
         SaveCaseDialog dialog(
-            known ? to_text(proposed.parent_path()) : settings.last_folder(),
-            known ? to_text(proposed.filename()) : "patient.hep",
+            proposed.has_parent_path() ? to_text(proposed.parent_path()) : settings.case_folder(),
+            to_text(proposed.filename()),
             [&parent](const QString& name) { return ask_replace(parent, name); }, &parent);
         if (dialog.exec() != QDialog::Accepted) return std::nullopt;
         return dialog.chosen();

@@ -79,6 +79,9 @@ constexpr std::array sentences_lesson{
     Words::id("%1: \"%2\" %3"),
     Words::id("%1 lies %2 beside the vessels of this patient, as if it was clicked on another one: "
               "click on it again."),
+    Words::id("%1 now lies %2 from where it was when the lesson was made."),
+    Words::id("%1 has %2 of vessels beyond it, and had %3 when the lesson was made."),
+    Words::id("Place %1 of the setup"),
     Words::id("The tool %1 does nothing: the scene has no %2."),
     Words::id("%1 is a point of one patient, but the lesson is for any: give it as a share of the "
               "longest path, or choose the patient."),

@@ -17,6 +17,7 @@
 #include "ui/on_screen.h"
 #include "ui/paths.h"
 #include "ui/series_thumbnails.h"
+#include "ui/untinted_icon.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -51,13 +52,6 @@ QPixmap placeholder(double pixels_per_point, const QString& text) {
     painter.drawText(QRect(0, 0, picture_points, picture_points),
                      Qt::AlignCenter | Qt::TextWordWrap, text);
     return empty;
-}
-
-// The same in a row that is chosen: nothing may tint a CT.
-QIcon untinted(const QPixmap& picture) {
-    QIcon icon(picture);
-    icon.addPixmap(picture, QIcon::Selected);
-    return icon;
 }
 
 // The frame of the focus would lie over the pictures; the chosen row shows where the keys go.

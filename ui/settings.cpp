@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/scene_spec.h"
+
 namespace hepatica {
 namespace {
 
@@ -28,6 +30,11 @@ const char* const volume_key = "volume/shown";
 const char* const volume_preset_key = "volume/preset";
 const char* const volume_density_key = "volume/density";
 const char* const library_key = "library_folder";
+const char* const course_key = "course";
+const char* const case_folder_key = "case_folder";
+const char* const self_contact_key = "contact/vessels";
+const char* const obstacles_key = "contact/obstacles";
+const char* const friction_key = "contact/friction";
 
 }  // namespace
 
@@ -169,6 +176,32 @@ void Settings::set_trainee(const QString& name) {
     name.isEmpty() ? store_->remove(trainee_key) : store_->setValue(trainee_key, name);
 }
 
+QString Settings::course() const {
+    return store_ ? store_->value(course_key).toString() : QString();
+}
+
+void Settings::set_course(const QString& file) {
+    if (!store_) return;
+    file.isEmpty() ? store_->remove(course_key) : store_->setValue(course_key, file);
+}
+
+// Somebody may have written anything into the file.
+std::optional<UseContact> Settings::contact() const {
+    if (!store_ || !store_->contains(self_contact_key)) return std::nullopt;
+    UseContact contact{store_->value(self_contact_key).toBool(),
+                       store_->value(obstacles_key).toBool(), 0.0};
+    const double friction = store_->value(friction_key).toDouble();
+    if (std::isfinite(friction)) contact.friction = std::clamp(friction, 0.0, greatest_friction);
+    return contact;
+}
+
+void Settings::set_contact(const UseContact& contact) {
+    if (!store_) return;
+    store_->setValue(self_contact_key, contact.self);
+    store_->setValue(obstacles_key, contact.obstacles);
+    store_->setValue(friction_key, contact.friction);
+}
+
 bool Settings::volume_shown() const {
     return store_ && store_->value(volume_key, false).toBool();
 }
@@ -202,6 +235,19 @@ QString Settings::library_folder() const {
 
 void Settings::set_library_folder(const QString& folder) {
     if (store_) store_->setValue(library_key, folder);
+}
+
+QString Settings::case_folder() const {
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    const QString kept =
+        store_ ? store_->value(case_folder_key).toString() : case_folder_in_safe_mode_;
+    return QFileInfo(kept).isDir()        ? kept
+           : QFileInfo(documents).isDir() ? documents
+                                          : QDir::homePath();
+}
+
+void Settings::set_case_folder(const QString& folder) {
+    store_ ? store_->setValue(case_folder_key, folder) : void(case_folder_in_safe_mode_ = folder);
 }
 
 QString Settings::last_folder() const {

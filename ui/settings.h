@@ -9,8 +9,10 @@
 #include <QStringList>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "core/session/command.h"
 #include "render/volume_look.h"
 
 class QSettings;
@@ -78,11 +80,23 @@ class Settings {
     QString trainee() const;
     void set_trainee(const QString& name);
 
+    // The file of the course that was chosen last; empty: the program's own.
+    QString course() const;
+    void set_course(const QString& file);
+
+    // What vessels touch in free play, as it was chosen last; none: never chosen.
+    std::optional<UseContact> contact() const;
+    void set_contact(const UseContact& contact);
+
     // Whether the CT is drawn as a volume, and how; the grey window is not kept.
     bool volume_shown() const;
     void set_volume_shown(bool shown);
     VolumeLook volume_look() const;
     void set_volume_look(const VolumeLook& look);
+
+    // Where a case was opened or saved last; at first where the user's documents are.
+    QString case_folder() const;
+    void set_case_folder(const QString& folder);
 
     QString last_folder() const;
     void set_last_folder(const QString& folder);
@@ -93,7 +107,7 @@ class Settings {
 
     std::unique_ptr<QSettings> store_;  // null in safe mode
     QStringList recent_in_safe_mode_;
-    QString folder_in_safe_mode_;
+    QString folder_in_safe_mode_, case_folder_in_safe_mode_;
     std::map<std::string, QString> images_in_safe_mode_;  // by their digests
 };
 

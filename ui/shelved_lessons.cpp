@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_ties.h"
 #include "ui/core_words.h"
 #include "ui/paths.h"
 
@@ -94,6 +95,18 @@ std::vector<ShelvedLesson> lessons_of(const std::vector<ShelvedLesson>& all,
                 (kind != Patient::this_case || is_same_place(lesson.of_case, place)))
                 fitting.push_back(lesson);
     return fitting;
+}
+
+void compare_with(const VesselTree& tree, const fs::path& place,
+                  std::vector<ShelvedLesson>& lessons) {
+    for (ShelvedLesson& lesson : lessons) {
+        if (lesson.patient != Patient::this_case || !is_same_place(lesson.of_case, place)) continue;
+        try {
+            lesson.misfits = misfits(read_lesson(lesson.file), tree);
+        } catch (const InputError&) {
+            continue;  // it is being written, or is gone
+        }
+    }
 }
 
 }  // namespace hepatica

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 
@@ -19,6 +20,8 @@ struct ShelvedLesson {
     QString about;  // for the trainee, or why it cannot be read
     Patient patient = Patient::any;
     std::filesystem::path of_case;  // whom it names; empty where it goes with any
+    // Of one that was laid beside its patient's vessels: its places that are elsewhere now.
+    std::vector<std::string> misfits{};
 };
 
 // The lessons in the folder itself, by name of file, those that come with the program and go with
@@ -30,5 +33,9 @@ std::vector<ShelvedLesson> lessons_in(const std::filesystem::path& folder, Job& 
 // read.
 std::vector<ShelvedLesson> lessons_of(const std::vector<ShelvedLesson>& all,
                                       const std::filesystem::path& place);
+
+// Says of those that name the case there which of their places are elsewhere on these vessels.
+void compare_with(const VesselTree& tree, const std::filesystem::path& place,
+                  std::vector<ShelvedLesson>& lessons);
 
 }  // namespace hepatica

@@ -76,6 +76,9 @@ void ToolHand::follow(const std::optional<ToolView>& tool) {
     if (tool && !seen_) depth_mm_ = tool->tip_mm;
     if (tool || seen_) asked_ = false;
     seen_ = tool;
+    if (!tool || kind_ != "forceps") return;
+    if (const auto seen = grip_.see(*tool, closed_); seen != GripWatch::Seen::nothing_new)
+        on_empty_grip(seen);
 }
 
 void ToolHand::begin_again() {

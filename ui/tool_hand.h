@@ -12,6 +12,7 @@
 #include "core/session/command.h"
 #include "core/session/hand_pace.h"
 #include "render/scene_view.h"
+#include "ui/grip_watch.h"
 
 namespace hepatica {
 
@@ -52,6 +53,8 @@ class ToolHand {
     void turn(double angle_rad);
     // Forceps alone: closes jaws that are led to be open, and opens others.
     void close_or_open();
+    // Jaws that were closed hold nothing.
+    std::function<void(GripWatch::Seen)> on_empty_grip = [](GripWatch::Seen) {};
 
   private:
     void bring(const Vec3& tip_mm, const Vec3& direction);
@@ -65,7 +68,8 @@ class ToolHand {
     ToolSize size_;
     std::optional<ToolView> seen_;
     bool closed_ = false;  // jaws are led to be
-    bool asked_ = false;   // it was sent for, and no frame has shown it yet
+    GripWatch grip_;
+    bool asked_ = false;  // it was sent for, and no frame has shown it yet
     HandPace pace_;
     Vec3 depth_mm_ = Vec3::Zero();  // a point of the plane in which the tip is led
     std::optional<Pixel> mouse_at_;

@@ -116,7 +116,10 @@ QWidget* ToolPanel::make_contact() {
 
 void ToolPanel::choose_contact() {
     friction_->setEnabled(touch_each_other_->isChecked());
-    if (free_play_) wanted_contact_ = contact();
+    if (free_play_) {
+        wanted_contact_ = contact();
+        callbacks_.contact_chosen(contact());
+    }
     asked_ = contact();
     asked_at_ = shown_at_;
     callbacks_.use_contact(contact());

@@ -23,12 +23,16 @@ class ToolPanel : public QWidget {
         std::function<void(const UseTear&)> use_tear;
         std::function<void(const UseContact&)> use_contact;
         std::function<void(bool)> show_warnings;
+        // What vessels shall touch in free play from now on.
+        std::function<void(const UseContact&)> contact_chosen = [](const UseContact&) {};
     };
     explicit ToolPanel(Callbacks callbacks, QWidget* parent = nullptr);
 
     ToolSize size() const;
     // The tear factor that is chosen, with tearing switched on.
     UseTear tear() const;
+    // What vessels touch in free play until the user chooses otherwise.
+    void set_wanted_contact(const UseContact& contact) { wanted_contact_ = contact; }
     double cut_line_strength() const;
     bool shows_warnings() const;
     void show_tear(const std::optional<TearView>& tear);

@@ -12,7 +12,7 @@ namespace hepatica {
 namespace {
 
 // The longer ones first: they hold the shorter ones.
-constexpr std::array<std::pair<const char*, const char*>, 34> words{{
+constexpr std::array<std::pair<const char*, const char*>, 36> words{{
     {"--seed-mm X,Y,Z,1 and --seed-mm X,Y,Z,2",
      "written into Portal vein seeds and Hepatic vein seeds of File > Reconstruct with options"},
     {"--seed-mm X,Y,Z,portal and --seed-mm X,Y,Z,hepatic",
@@ -24,10 +24,17 @@ constexpr std::array<std::pair<const char*, const char*>, 34> words{{
     {"--vessel-mask", "Vessel mask"},
     {"--liver-mask", "Liver mask"},
     {"--window", "Window"},
-    {"--vessel-label LABEL=SYSTEM,LABEL=SYSTEM",
-     "hepatica-cli reconstruct takes LABEL=SYSTEM for each of them"},
-    {"--vessel-label A,B", "hepatica-cli reconstruct takes their labels"},
-    {"(--vessel-label)", "(hepatica-cli reconstruct takes their labels)"},
+    {"Name those that are vessels: --vessel-label LABEL=SYSTEM,LABEL=SYSTEM, where SYSTEM is "
+     "portal, hepatic, artery or unknown; the others are left out",
+     "Give the vessels the labels 1 (portal vein), 2 (hepatic veins), 3 (artery) or 255 (unknown) "
+     "in the program that drew them, and leave out the others"},
+    {"name them: --vessel-label LABEL=SYSTEM,LABEL=SYSTEM",
+     "give them these labels in the program that drew them"},
+    {", or name those that are vessels (--vessel-label)", " in the program that drew it"},
+    {"Measure again: hepatica-cli dial CASE --anew; or remove the file",
+     "Remove the file: it is measured again while nobody plays"},
+    {"Remove it: hepatica-cli lesson scores its recording again",
+     "Remove the file: File > Open recording still shows the play"},
     {"hepatica-cli reconstruct CT --out CASE.hep", "File > Open CT folder or Open CT file"},
     {"(hepatica-cli edit)", "(Edit in the tool bar)"},
     {"hepatica-cli edit", "Edit in the tool bar, then Cut the vessel"},

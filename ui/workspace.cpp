@@ -142,12 +142,6 @@ std::shared_ptr<const PatientCase> Workspace::before_remaking() const {
     return remade_.back().before;
 }
 
-std::vector<Workspace::Rebuilding> Workspace::rebuildings() const {
-    std::vector<Rebuilding> all;
-    for (const Remaking& made : remade_) all.push_back({made.edits, made.strokes.size()});
-    return all;
-}
-
 void Workspace::take_back_remaking() {
     if (before_remaking() == nullptr) return;
     patient_ = remade_.back().before;

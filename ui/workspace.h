@@ -76,12 +76,6 @@ class Workspace {
                      std::shared_ptr<const PatientCase> patient, std::size_t strokes = 0);
     // The next undo would take that back, to the patient from before; null: it would not.
     std::shared_ptr<const PatientCase> before_remaking() const;
-    // Those that can be taken back, the oldest first: behind so many of edits(), of so many
-    // strokes.
-    struct Rebuilding {
-        std::size_t after_edits = 0, strokes = 0;
-    };
-    std::vector<Rebuilding> rebuildings() const;
     void take_back_remaking();
     // There will be no other body: back to the corrections that are shown.
     void give_up_edits();

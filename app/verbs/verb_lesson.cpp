@@ -11,6 +11,7 @@
 #include "app/verbs/verbs.h"
 #include "core/base/atomic_write.h"
 #include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_ties.h"
 #include "core/lesson/score.h"
 #include "core/session/recording_file.h"
 
@@ -37,6 +38,7 @@ Json run_lesson(const LessonChoices& options, Job& job) {
     const auto patient = std::make_shared<const PatientCase>(recorded_patient(
         recording, options.recording, case_of_lesson(lesson, options.lesson, options.patient),
         lesson.patient == "built-in" ? &no_cache : nullptr, building_and_replaying, job));
+    for (const std::string& misfit : misfits(lesson, patient->tree)) spdlog::warn("{}", misfit);
     const Score scored =
         score(recording, lesson, patient, job, choose_back_end(recording.back_end).back_end);
     if (!options.csv.empty()) write_text_atomically(options.csv, to_csv(scored.standing.metrics));

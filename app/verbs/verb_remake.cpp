@@ -14,6 +14,7 @@
 #include "core/image/brush.h"
 #include "core/image/volume_reader.h"
 #include "core/opening/patient_image.h"
+#include "core/patient/corrections.h"
 #include "core/patient/painted_tumours.h"
 #include "core/reconstruction/given_vessels.h"
 #include "core/reconstruction/remade_case.h"
@@ -107,6 +108,7 @@ Json run_remake(const RemakeChoices& options, Job& job) {
                       .vessels(vessels, options.threshold, unknown, job);
     paint(strokes, vessels, warnings);  // last: what is erased stays away
     RemadeCase made = remade(patient, std::move(vessels), ct, job);
+    note_rebuilding(patient, strokes.size(), made.patient);
     warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
     for (const std::string& warning : warnings) spdlog::warn("{}", warning);
     job.begin_stage("Writing the case");

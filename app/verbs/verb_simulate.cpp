@@ -14,6 +14,7 @@
 #include "core/base/parallel.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_run.h"
+#include "core/lesson/lesson_ties.h"
 #include "core/mesh/mesh_io.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/deform_part.h"
@@ -100,6 +101,9 @@ Json run_simulate(const SimulateChoices& options, Job& job) {
     job.expect_stages(3);
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(read_case_without_voxels(options.patient));
+    if (lesson)
+        for (const std::string& misfit : misfits(*lesson, patient->tree))
+            spdlog::warn("{}", misfit);
     const SceneSpec spec = scene_of(options, script, lesson);
     if (options.quality >= 0.0 && spec.deform && !options.automatic)
         explain_quality(options.quality, spec, *patient);

@@ -13,10 +13,19 @@
 
 namespace hepatica {
 
+// Where a place lay on its patient's vessels when the lesson was saved; see lesson_ties.h.
+struct PlaceTie {
+    Vec3 at_mm = Vec3::Zero();  // on the centreline
+    double radius_mm = 0.0;
+    double beyond_mm = 0.0;  // of a target: length of all vessels beyond it
+    bool operator==(const PlaceTie&) const = default;
+};
+
 // A place on the vessels that goals speak of; it moves with them.
 struct LessonMark {
     std::string name;
     ScriptPlace place;
+    std::optional<PlaceTie> tie{};
 };
 
 struct LessonStep {
@@ -43,18 +52,20 @@ const char* name_of(LessonTool tool);
 
 struct Lesson {
     std::string name;
-    std::string about;              // for the trainee, before it begins; may be empty
-    std::string patient = "any";    // "built-in", "any", or a case (relative: to the lesson's file)
-    SceneSpec scene;                // of the play
-    Script setup;                   // done in the first step
-    std::string setup_json;         // its actions as they were given, a JSON array; may be empty
-    std::vector<LessonTool> tools;  // empty: none
+    std::string about;            // for the trainee, before it begins; may be empty
+    std::string patient = "any";  // "built-in", "any", or a case (relative: to the lesson's file)
+    SceneSpec scene;              // of the play
+    Script setup;                 // done in the first step
+    std::string setup_json;       // its actions as they were given, a JSON array; may be empty
+    std::vector<std::optional<PlaceTie>> setup_ties{};  // of its places, in their order; or empty
+    std::vector<LessonTool> tools;                      // empty: none
     std::vector<LessonMark> marks;
     std::string drug;                   // second phase of what is injected; empty: any
     std::optional<ScriptPlace> target;  // of the drug: the vessels from there on
-    std::vector<LessonStep> steps;      // in this order; not empty
-    std::vector<Predicate> limits;      // all the time
-    std::vector<Predicate> pass;        // at the end
+    std::optional<PlaceTie> target_tie;
+    std::vector<LessonStep> steps;  // in this order; not empty
+    std::vector<Predicate> limits;  // all the time
+    std::vector<Predicate> pass;    // at the end
 
     std::vector<std::string> mark_names() const;
 };

@@ -36,8 +36,19 @@ LessonTool tool_from(const LessonFields& field) {
     field.refuse("is \"" + name + "\", which is no tool", "Choose from " + known);
 }
 
+PlaceTie tie_from(const LessonFields& fields) {
+    fields.know({"at_mm", "radius_mm", "beyond_mm"});
+    PlaceTie tie{fields.need("at_mm").vector(), fields.need("radius_mm").number(), 0.0};
+    if (fields.has("beyond_mm")) tie.beyond_mm = fields.need("beyond_mm").number();
+    return tie;
+}
+
+std::optional<PlaceTie> tie_beside(const LessonFields& place) {
+    return place.has("tied") ? std::optional(tie_from(place.need("tied"))) : std::nullopt;
+}
+
 ScriptPlace place_from(const LessonFields& fields) {
-    fields.know({"share_of_longest_path", "point_mm"});
+    fields.know({"share_of_longest_path", "point_mm", "tied"});
     if (fields.has("share_of_longest_path") == fields.has("point_mm"))
         fields.refuse("needs either share_of_longest_path or point_mm", remedy);
     ScriptPlace place;
@@ -102,8 +113,8 @@ std::string drug_from(const LessonFields& drug) {
 
 Lesson lesson_from(const LessonFields& fields) {
     fields.require_format("hepatica-lesson", remedy);
-    fields.know({"format", "version", "name", "about", "patient", "scene", "setup", "tools",
-                 "marks", "drug", "target", "steps", "limits", "pass"});
+    fields.know({"format", "version", "name", "about", "patient", "scene", "setup", "setup_tied",
+                 "tools", "marks", "drug", "target", "steps", "limits", "pass"});
     Lesson lesson;
     lesson.name = fields.need("name").text();
     if (fields.has("about")) lesson.about = fields.need("about").text();
@@ -113,14 +124,20 @@ Lesson lesson_from(const LessonFields& fields) {
         lesson.setup = setup_from(fields.need("setup"));
         lesson.setup_json = fields.need("setup").dump();
     }
+    if (fields.has("setup_tied"))
+        for (const LessonFields& tie : fields.need("setup_tied").list())
+            lesson.setup_ties.emplace_back(tie_from(tie));
     if (fields.has("tools"))
         for (const LessonFields& tool : fields.need("tools").list())
             lesson.tools.push_back(tool_from(tool));
     if (fields.has("marks"))
         for (const auto& [name, place] : fields.need("marks").entries())
-            lesson.marks.push_back({name, place_from(place)});
+            lesson.marks.push_back({name, place_from(place), tie_beside(place)});
     if (fields.has("drug")) lesson.drug = drug_from(fields.need("drug"));
-    if (fields.has("target")) lesson.target = place_from(fields.need("target"));
+    if (fields.has("target")) {
+        lesson.target = place_from(fields.need("target"));
+        lesson.target_tie = tie_beside(fields.need("target"));
+    }
     const std::vector<std::string> marks = lesson.mark_names();
     for (const LessonFields& step : fields.need("steps").list())
         lesson.steps.push_back(step_from(step, marks));
@@ -139,7 +156,6 @@ Course course_from(const LessonFields& fields) {
         entry.know({"lesson", "pass"});
         course.lessons.push_back({entry.need("lesson").text(), predicates_from(entry, "pass", {})});
     }
-    if (course.lessons.empty()) fields.need("lessons").refuse("is empty", remedy);
     return course;
 }
 

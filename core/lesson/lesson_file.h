@@ -33,7 +33,7 @@ struct CourseEntry {
 };
 struct Course {
     std::string name;
-    std::vector<CourseEntry> lessons;  // in this order; not empty
+    std::vector<CourseEntry> lessons;  // in this order; empty while it is being made
     bool operator==(const Course&) const = default;
 };
 

@@ -21,6 +21,29 @@ Json place_json(const ScriptPlace& place) {
     return {{"point_mm", {at.x(), at.y(), at.z()}}};
 }
 
+Json tie_json(const PlaceTie& tie) {
+    Json json{{"at_mm", {tie.at_mm.x(), tie.at_mm.y(), tie.at_mm.z()}},
+              {"radius_mm", tie.radius_mm}};
+    if (tie.beyond_mm != 0.0) json["beyond_mm"] = tie.beyond_mm;
+    return json;
+}
+
+Json place_json(const ScriptPlace& place, const std::optional<PlaceTie>& tie) {
+    Json json = place_json(place);
+    if (tie) json["tied"] = tie_json(*tie);
+    return json;
+}
+
+// Nothing where one of them is missing: they are found by their order alone.
+Json ties_json(const std::vector<std::optional<PlaceTie>>& ties) {
+    Json json = Json::array();
+    for (const std::optional<PlaceTie>& tie : ties) {
+        if (!tie) return nullptr;
+        json.push_back(tie_json(*tie));
+    }
+    return json.empty() ? Json() : json;
+}
+
 Json step_json(const LessonStep& step, const std::vector<std::string>& marks) {
     Json json{{"text", step.text}};
     if (!step.hint.empty()) json["hint"] = step.hint;
@@ -39,12 +62,14 @@ std::string text_of(const Lesson& lesson) {
     json["patient"] = lesson.patient;
     json["scene"] = to_json(lesson.scene);
     if (!lesson.setup_json.empty()) json["setup"] = Json::parse(lesson.setup_json);
+    if (const Json ties = ties_json(lesson.setup_ties); !ties.is_null()) json["setup_tied"] = ties;
     json["tools"] = Json::array();
     for (const LessonTool tool : lesson.tools) json["tools"].push_back(name_of(tool));
     if (!lesson.marks.empty()) json["marks"] = Json::object();
-    for (const LessonMark& mark : lesson.marks) json["marks"][mark.name] = place_json(mark.place);
+    for (const LessonMark& mark : lesson.marks)
+        json["marks"][mark.name] = place_json(mark.place, mark.tie);
     if (!lesson.drug.empty()) json["drug"] = lesson.drug;
-    if (lesson.target) json["target"] = place_json(*lesson.target);
+    if (lesson.target) json["target"] = place_json(*lesson.target, lesson.target_tie);
     json["steps"] = Json::array();
     for (const LessonStep& step : lesson.steps) json["steps"].push_back(step_json(step, marks));
     if (!lesson.limits.empty()) json["limits"] = json_of(lesson.limits, marks);

@@ -61,8 +61,9 @@ OpenedPatient built_in_patient(const BuiltInCache& cache, Job& job) {
     return opened;
 }
 
-OpenedPatient reconstructed(const ReconstructOptions& options, Job& job) {
-    OpenedPatient opened = opened_from(reconstruct(options, job));
+OpenedPatient reconstructed(const ReconstructOptions& options, Job& job,
+                            const ImageRead& image_read) {
+    OpenedPatient opened = opened_from(reconstruct(options, job, image_read));
     opened.image = options.ct;
     opened.worth_saving = true;
     return opened;
@@ -157,7 +158,7 @@ OpenedPatient open_patient(const OpenRequest& request, Job& job) {
         job.begin_stage("Reading the tree");
         opened.patient = std::make_shared<const PatientCase>(patient_of(read_tree(path), job));
     } else {
-        opened = reconstructed(request.reconstruct, job);
+        opened = reconstructed(request.reconstruct, job, request.image_read);
     }
     if (!request.built_in && is_case(path)) opened.read_from = path;
     if (request.left_edits) require_same(*opened.patient, *request.left_edits);

@@ -34,6 +34,7 @@ struct OpenRequest {
     bool unsaved_copy = false;
     // To be made once he is open: open_patient() only looks whether he is the one they belong to.
     std::optional<LeftEdits> left_edits{};
+    ImageRead image_read{};  // of a CT that is reconstructed; empty: nobody waits for it
 };
 
 // What the built-in patient is called.

@@ -174,4 +174,9 @@ PatientCase with_edits(const PatientCase& patient, const std::vector<TreeEdit>& 
     return result;
 }
 
+void note_rebuilding(const PatientCase& before, std::size_t strokes, PatientCase& after) {
+    after.corrections.rebuilt = before.corrections.rebuilt;
+    after.corrections.rebuilt.push_back({after.corrections.edits.size(), strokes});
+}
+
 }  // namespace hepatica

@@ -54,4 +54,8 @@ PatientCase with_edited_tree(const PatientCase& patient, const std::vector<TreeE
 // Cancelled. `patient` itself stays as it is.
 PatientCase with_edits(const PatientCase& patient, const std::vector<TreeEdit>& edits, Job& job);
 
+// Says of a patient who was made anew from other voxels that his vessels were rebuilt, with so many
+// strokes, after what had been done to him before.
+void note_rebuilding(const PatientCase& before, std::size_t strokes, PatientCase& after);
+
 }  // namespace hepatica

@@ -46,6 +46,22 @@ VesselTree extracted_tree(const fs::path& folder, const CaseHeader& header) {
     return read_tree_vtp(folder / case_file::extracted, in_case);
 }
 
+Json json_of(const std::vector<Rebuilding>& rebuilt) {
+    Json list = Json::array();
+    for (const auto& [after_edits, strokes] : rebuilt)
+        list.push_back({{"after_edits", after_edits}, {"strokes", strokes}});
+    return list;
+}
+
+std::vector<Rebuilding> rebuilt_from(const Json& corrections) {
+    std::vector<Rebuilding> rebuilt;
+    if (const auto list = corrections.find("rebuilt"); list != corrections.end())
+        for (const Json& one : *list)
+            rebuilt.push_back(
+                {one.at("after_edits").get<std::size_t>(), one.at("strokes").get<std::size_t>()});
+    return rebuilt;
+}
+
 void read_corrections(const fs::path& folder, const CaseHeader& header, PatientCase& patient) {
     Corrections& corrections = patient.corrections;
     corrections.extracted = extracted_tree(folder, header);
@@ -60,6 +76,7 @@ void read_corrections(const fs::path& folder, const CaseHeader& header, PatientC
         corrections.bridges = bridges_from_json(json.at("bridges").dump(), file.string());
         corrections.edits =
             edits_from_json(old ? edits_of_format_1(edits, seeded) : edits, file.string());
+        corrections.rebuilt = rebuilt_from(json);
     }
     if (corrections.edits.empty() != corrections.extracted.segments.empty())
         refuse_case(folder, "holds edits without the tree that they were made on");
@@ -83,9 +100,11 @@ void read_all_voxels(const fs::path& folder, const CaseHeader& header, PatientCa
 }
 
 void write_corrections(const fs::path& folder, const Corrections& corrections) {
-    if (corrections.bridges.empty() && corrections.edits.empty()) return;
-    const Json json{{"bridges", Json::parse(bridges_to_json(corrections.bridges))},
-                    {"edits", Json::parse(edits_to_json(corrections.edits))}};
+    if (corrections.bridges.empty() && corrections.edits.empty() && corrections.rebuilt.empty())
+        return;
+    Json json{{"bridges", Json::parse(bridges_to_json(corrections.bridges))},
+              {"edits", Json::parse(edits_to_json(corrections.edits))}};
+    if (!corrections.rebuilt.empty()) json["rebuilt"] = json_of(corrections.rebuilt);
     write_text_atomically(folder / case_file::corrections, json.dump(1) + "\n");
     if (!corrections.edits.empty())
         write_tree_vtp(folder / case_file::extracted, corrections.extracted);

@@ -33,6 +33,13 @@ struct CaseSource {
     std::string parameters_json = "{}";  // options of the reconstruction, one JSON object
 };
 
+// The vessels were made anew from painted voxels: behind so many edits, with so many strokes of a
+// brush where these were counted, else 0.
+struct Rebuilding {
+    std::size_t after_edits = 0, strokes = 0;
+    bool operator==(const Rebuilding&) const = default;
+};
+
 // What may be corrected by hand and what was; see corrections.h.
 struct Corrections {
     std::vector<Bridge> bridges;  // gaps found: bridged by the reconstruction, or only offered
@@ -41,6 +48,7 @@ struct Corrections {
     // The organs before the first stroke at a tumour (painted_tumours.h), all 0 where there were
     // none; empty without strokes, and where the patient was read without voxels.
     Mask unpainted;
+    std::vector<Rebuilding> rebuilt;  // the oldest first; only told of: their voxels are the mask
 };
 
 // Labels of organs.nii.gz.

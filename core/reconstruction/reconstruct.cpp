@@ -110,14 +110,17 @@ bool has_systems(const Mask& vessels) {
 
 // `warnings` holds what was found so far, also where it throws.
 Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::string>& warnings,
-                           Job& job) {
+                           Job& job, const ImageRead& image_read) {
     Reconstruction result;
     PatientCase& patient = result.patient;
     // First, so that a wrong file is refused before anybody waits.
     std::optional<LinkModel> model;
     if (chooses(options)) model = read_link_model(*options.model);
-    const Volume ct = read_volume(options.ct, job, &warnings, options.series);
+    const auto read =
+        std::make_shared<const Volume>(read_volume(options.ct, job, &warnings, options.series));
+    const Volume& ct = *read;
     require_plausible_ct(ct, options.ct.string(), job);
+    if (image_read) image_read(read);
     require_seeds_in_image(options.seeds, ct.grid);
     patient.source = {options.name, digest_of(ct, job), ct.grid, parameters_json(options)};
 
@@ -159,12 +162,13 @@ int stage_count(const ReconstructOptions& options) {
            make_body_stages;
 }
 
-Reconstruction reconstruct(const ReconstructOptions& options, Job& job) {
+Reconstruction reconstruct(const ReconstructOptions& options, Job& job,
+                           const ImageRead& image_read) {
     job.throw_if_cancelled();
     job.expect_stages(stage_count(options));
     std::vector<std::string> warnings;
     try {
-        return reconstruct(options, warnings, job);
+        return reconstruct(options, warnings, job, image_read);
     } catch (const InputError& error) {
         // What was odd about the image may be the reason.
         std::string problem = error.problem();

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -55,8 +57,12 @@ struct Reconstruction {
 // How many stages of its job it begins. A caller that begins others announces them all together.
 int stage_count(const ReconstructOptions& options);
 
+// Told of the CT as soon as it is read, on the job's thread: whoever waits can look at it.
+using ImageRead = std::function<void(const std::shared_ptr<const Volume>& ct)>;
+
 // Throws InputError for whatever cannot be reconstructed (with file, value and remedy), Cancelled.
 // Writes nothing: see write_case. Thread safety: may run on any thread.
-Reconstruction reconstruct(const ReconstructOptions& options, Job& job);
+Reconstruction reconstruct(const ReconstructOptions& options, Job& job,
+                           const ImageRead& image_read = {});
 
 }  // namespace hepatica

@@ -2,6 +2,7 @@
 #include "core/session/quality_governor.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "core/base/median.h"
@@ -15,18 +16,31 @@ constexpr double share_before_up = 0.7;
 constexpr int frames_before_up = 60;
 constexpr int first_penalty = 120, longest_penalty = 7200;
 constexpr int settling_frames = 2;
+// A setting that misses less than the one before it by no more than this share is no better: a
+// measurement on another pull would have it the other way round.
+constexpr double same_error = 0.05;
+
+std::vector<std::size_t> noticeably_better(const std::vector<double>& errors) {
+    std::vector<std::size_t> choices{0};
+    for (std::size_t i = 1; i < errors.size(); ++i)
+        if (errors[i] < (1.0 - same_error) * errors[choices.back()]) choices.push_back(i);
+    return choices;
+}
 
 }  // namespace
 
-QualityGovernor::QualityGovernor(std::vector<double> front_ms)
+QualityGovernor::QualityGovernor(std::vector<double> front_ms, const std::vector<double>& errors)
     : front_ms_(std::move(front_ms)),
+      choices_(noticeably_better(errors)),
       barred_(front_ms_.size(), 0),
-      penalty_(front_ms_.size(), first_penalty) {}
+      penalty_(front_ms_.size(), first_penalty) {
+    assert(errors.size() == front_ms_.size());
+}
 
 std::size_t QualityGovernor::start(double budget_ms) const {
-    std::size_t best = 0;
-    while (best + 1 < front_ms_.size() && front_ms_[best + 1] <= share_after_down * budget_ms)
-        ++best;
+    std::size_t best = choices_.front();
+    for (const std::size_t choice : choices_)
+        if (front_ms_[choice] <= share_after_down * budget_ms) best = choice;
     return best;
 }
 
@@ -52,17 +66,21 @@ std::size_t QualityGovernor::next(std::size_t at, double frame_ms, double budget
     if (recent_ms_.size() < window) return at;
     const double seen_ms = median(std::vector<double>(recent_ms_.begin(), recent_ms_.end()));
     if (seen_ms > budget_ms) {
-        if (at == 0) return at;
+        auto lower = std::ranges::lower_bound(choices_, at);
+        if (lower == choices_.begin()) return at;
         barred_[at] = penalty_[at];
         penalty_[at] = std::min(2 * penalty_[at], longest_penalty);
-        std::size_t lower = at - 1;
-        while (lower > 0 && forecast(lower, at, seen_ms) > share_after_down * budget_ms) --lower;
-        return moved_to(lower);
+        --lower;
+        while (lower != choices_.begin() &&
+               forecast(*lower, at, seen_ms) > share_after_down * budget_ms)
+            --lower;
+        return moved_to(*lower);
     }
-    const bool room = at + 1 < front_ms_.size() && barred_[at + 1] == 0 &&
-                      forecast(at + 1, at, seen_ms) <= share_before_up * budget_ms;
+    const auto better = std::ranges::upper_bound(choices_, at);
+    const bool room = better != choices_.end() && barred_[*better] == 0 &&
+                      forecast(*better, at, seen_ms) <= share_before_up * budget_ms;
     roomy_frames_ = room ? roomy_frames_ + 1 : 0;
-    return roomy_frames_ >= frames_before_up ? moved_to(at + 1) : at;
+    return roomy_frames_ >= frames_before_up ? moved_to(*better) : at;
 }
 
 }  // namespace hepatica

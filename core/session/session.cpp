@@ -48,10 +48,13 @@ bool begins_way(const Command& command) {
     return (grab != nullptr && grab->over_s) || (tool != nullptr && tool->over_s);
 }
 
-std::vector<double> costs_of(const QualityDial& dial) {
-    std::vector<double> costs;
-    for (const QualityPoint& point : dial.front()) costs.push_back(point.frame_ms);
-    return costs;
+QualityGovernor governor_of(const QualityDial& dial) {
+    std::vector<double> costs, errors;
+    for (const QualityPoint& point : dial.front()) {
+        costs.push_back(point.frame_ms);
+        errors.push_back(point.error_relative);
+    }
+    return {std::move(costs), errors};
 }
 
 }  // namespace
@@ -59,7 +62,7 @@ std::vector<double> costs_of(const QualityDial& dial) {
 Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job,
                  const DeformBackEnd& back_end)
     : dial_(spec.tear ? dial_that_tears(dial_of(*patient)) : dial_of(*patient)),
-      governor_(costs_of(dial_)),
+      governor_(governor_of(dial_)),
       world_(std::make_unique<World>(patient, spec, job, back_end)) {
     message_.reserve(longest_message);
     recording_start_.program = program_version();
@@ -193,7 +196,7 @@ void Session::take_dial(QualityDial dial) {
     const double turn = was_on_dial ? dial_.quality_of(*point_) : 0.0;
     const bool tears = world_->deform() != nullptr && world_->deform()->tears();
     dial_ = tears ? dial_that_tears(dial) : std::move(dial);
-    governor_ = QualityGovernor(costs_of(dial_));
+    governor_ = governor_of(dial_);
     if (world_->deform() == nullptr) return;
     point_ = point_of(world_->deform()->setting());
     if (point_ || !was_on_dial) return;

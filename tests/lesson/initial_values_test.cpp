@@ -45,6 +45,7 @@ TEST(LessonInitialFigures, AreThoseRecorded) {
     HEPATICA_ADD_INITIAL(figures, LessonMetrics);
     HEPATICA_ADD_INITIAL(figures, MarkMoment);
     HEPATICA_ADD_INITIAL(figures, LessonMoment);
+    HEPATICA_ADD_INITIAL(figures, PlaceTie);
     HEPATICA_ADD_INITIAL(figures, PlayEvent);
     HEPATICA_ADD_INITIAL(figures, PlayEvents);
     HEPATICA_ADD_INITIAL(figures, PlayNote);

@@ -20,6 +20,7 @@ TEST(PatientInitialFigures, AreThoseRecorded) {
     HEPATICA_ADD_INITIAL(figures, Doubts);
     HEPATICA_ADD_INITIAL(figures, Tumour);
     HEPATICA_ADD_INITIAL(figures, CaseSource);
+    HEPATICA_ADD_INITIAL(figures, Rebuilding);
     HEPATICA_ADD_INITIAL(figures, Corrections);
     HEPATICA_ADD_INITIAL(figures, PatientCase);
     test::expect_recorded("patient", "initial", figures);

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/sha256.h"
 #include "core/patient/case_header.h"
+#include "core/patient/corrections.h"
 #include "tests/patient/some_patient.h"
 
 namespace hepatica {
@@ -67,6 +68,20 @@ TEST_F(PatientCaseTest, ReadsBackWhatItWrote) {
     EXPECT_TRUE(read_case_without_voxels(case_).organs.voxels.empty());
     for (const char* name : {"tree.vtp", "tree.swc", "surface.vtp", "mesh.vtu", "organs.nii.gz"})
         EXPECT_TRUE(fs::exists(case_ / name)) << name;
+}
+
+// What was done stands in the list of corrections after the case is opened again, too.
+TEST_F(PatientCaseTest, KnowsHowItsVesselsWereRebuilt) {
+    const PatientCase before = some_patient();
+    EXPECT_TRUE(before.corrections.rebuilt.empty());
+    PatientCase after = some_patient();
+    note_rebuilding(before, 3, after);
+    PatientCase last = some_patient();
+    note_rebuilding(after, 0, last);
+    write_case(case_, last);
+    const std::vector<Rebuilding> expected{{0, 3}, {0, 0}};
+    EXPECT_EQ(read_case(case_).corrections.rebuilt, expected);
+    EXPECT_EQ(read_case_without_voxels(case_).corrections.rebuilt, expected);
 }
 
 // Another program may have put another patient in its place since it was opened.

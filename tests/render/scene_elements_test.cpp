@@ -4,14 +4,17 @@
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
+#include <vtkPropCollection.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkTextActor.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/deform/body/obstacles.h"
 #include "render/bleeding_actor.h"
+#include "render/measure_marks.h"
 #include "render/osmesa_context.h"
 #include "render/scene_view.h"
 #include "render/tool_actor.h"
@@ -339,6 +342,37 @@ TEST_F(SceneElements, what_was_measured_and_its_value_are_seen) {
     }
     EXPECT_TRUE(view_.set_measures({}));
     EXPECT_EQ(picture().rgb, plain.rgb);
+}
+
+// On a dense screen letters are large, and a vessel may end at any edge.
+TEST_F(SceneElements, the_value_of_a_measure_stays_within_the_picture) {
+    vtkNew<vtkRenderer> renderer;
+    OsmesaContext context(200, 150);
+    context.window().AddRenderer(renderer);
+    MeasureMarks marks(*renderer);
+    for (const std::array<double, 2>& end :
+         {std::array{195.0, 75.0}, {2.0, 2.0}, {100.0, 148.0}, {199.0, 149.0}}) {
+        marks.show({{{Vec3(0, 0, 0), Vec3(1, 0, 0)}, std::to_string(end[0]).substr(0, 3) + " mm"}});
+        marks.update(
+            [&](const Vec3& position) {
+                return std::optional(position.x() > 0.0 ? end : std::array{100.0, 75.0});
+            },
+            2.0);
+        context.window().Render();
+        vtkTextActor* text = nullptr;
+        vtkPropCollection& props = *renderer->GetViewProps();
+        for (int i = 0; i < props.GetNumberOfItems(); ++i)
+            if (auto* one = vtkTextActor::SafeDownCast(props.GetItemAsObject(i))) text = one;
+        ASSERT_NE(text, nullptr);
+        std::array<double, 2> size{};
+        text->GetSize(renderer, size.data());
+        EXPECT_GT(size[0], 40.0) << "it says something";
+        for (int axis = 0; axis < 2; ++axis) {
+            EXPECT_GE(text->GetPosition()[axis], 0.0);
+            EXPECT_LE(text->GetPosition()[axis] + size[axis], axis == 0 ? 200.0 : 150.0);
+        }
+    }
+    context.window().RemoveRenderer(renderer);
 }
 
 TEST_F(SceneElements, every_measure_is_seen_but_what_lies_behind_the_eye) {

@@ -261,7 +261,7 @@ TEST(SessionFigures, OfAutomaticQuality) {
     std::vector<double> chosen;
     for (const double speed : {0.4, 1.0, 2.5}) {
         const std::vector<double> costs{2.0, 5.0, 9.0, 14.0, 30.0};
-        QualityGovernor governor(costs);
+        QualityGovernor governor(costs, {0.5, 0.25, 0.12, 0.06, 0.03});
         std::size_t at = governor.start(16.0);
         for (int frame = 0; frame < 2000; ++frame) {
             const bool late = frame % 37 == 0;

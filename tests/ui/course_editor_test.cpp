@@ -26,7 +26,8 @@ namespace fs = std::filesystem;
 class CourseEditing : public ::testing::Test {
   protected:
     CourseEditing()
-        : editor_({[this] { return lesson_file_; }, [this](const std::string&) { return copy_; },
+        : editor_({[this] { return lesson_file_; },
+                   [this](const QString&, const std::string&) { return copy_; },
                    [this](const QString&, const std::exception_ptr& error) {
                        failures_.push_back(failure_of(error).problem);
                    },
@@ -89,7 +90,28 @@ TEST_F(CourseEditing, every_change_is_in_the_file_and_can_be_undone) {
     EXPECT_EQ(lessons(), (Names{"embolization", "cut_line"}));
     click("courseRemove");
     click("courseRemove");
-    EXPECT_EQ(lessons().size(), 1u) << "the last one stays";
+    EXPECT_TRUE(lessons().empty());
+    EXPECT_FALSE(editor_.findChild<QPushButton*>("courseRemove")->isEnabled());
+    click("courseUndo");
+    EXPECT_EQ(lessons().size(), 1u);
+    EXPECT_TRUE(failures_.empty());
+}
+
+TEST_F(CourseEditing, a_new_one_is_empty_called_as_its_file_and_filled_then) {
+    editor_.begin_new();
+    EXPECT_FALSE(editor_.isVisible()) << "not after all";
+    fs::create_directories(file_.parent_path());
+    copy_ = file_.parent_path() / "First year.json";
+    editor_.begin_new();
+    EXPECT_TRUE(editor_.isVisible());
+    EXPECT_EQ(read_course(*copy_), (Course{"First year", {}}));
+    EXPECT_EQ(editor_.findChild<QLineEdit*>("courseName")->text(), "First year");
+    EXPECT_EQ(list().count(), 0);
+    add("gentle_pull");
+    add("cut_line");
+    EXPECT_EQ(read_course(*copy_).lessons.size(), 2u);
+    EXPECT_EQ(read_course(*copy_).lessons[1].lesson, "cut_line");
+    EXPECT_EQ(written_.back(), *copy_);
     EXPECT_TRUE(failures_.empty());
 }
 

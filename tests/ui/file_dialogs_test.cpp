@@ -117,10 +117,10 @@ TEST_F(NamedFiles, GetTheSuffixOfTheirKind) {
               folder_.filePath("branches.csv"));
 }
 
-TEST_F(NamedFiles, AreProposedBesideTheCt) {
+TEST_F(NamedFiles, AreCasesCalledAsThePatientAndLieWhereTheyDo) {
     open_built_in();
     window_.actions()[ActionId::save_case_as].trigger();
-    EXPECT_TRUE(proposed_place_.empty()) << "the built-in patient has none";
+    EXPECT_EQ(proposed_place_, "Built-in patient.hep");
     window_.save_case(folder_.filePath("p.hep"));
     ASSERT_TRUE(testing::wait_for([this] { return !window_.busy(); }));
     window_.actions()[ActionId::save_case_as].trigger();

@@ -268,6 +268,30 @@ TEST_F(LessonWindowTest, a_course_says_what_is_passed_and_begins_the_next_with_i
     EXPECT_TRUE(window_.messages().text().contains("none.json"));
 }
 
+TEST_F(LessonWindowTest, the_course_that_was_chosen_is_shown_in_the_next_run_too) {
+    const std::string course = folder_.filePath("course.json").toStdString();
+    std::ofstream(course) << R"({"format": "hepatica-course", "version": 1, "name": "Wards",
+        "lessons": []})";
+    window_.lessons().show_course(course);
+    const auto title = [](MainWindow& window) {
+        window.lessons().show_chosen_course();
+        return window.lessons().course().findChild<QLabel*>("courseTitle")->text();
+    };
+    EXPECT_TRUE(title(window_).contains("Wards</b> holds no lesson yet"));
+    EXPECT_FALSE(window_.lessons().course().findChild<QPushButton*>("courseBegin")->isEnabled());
+    {
+        MainWindow next(settings_, {});
+        EXPECT_TRUE(title(next).contains("Wards"));
+        std::filesystem::remove(course);
+        next.lessons().show_chosen_course();
+        EXPECT_TRUE(next.messages().text().contains("course.json"));
+        EXPECT_TRUE(title(next).contains("First steps")) << "the program's own";
+    }
+    MainWindow last(settings_, {});
+    EXPECT_TRUE(title(last).contains("First steps"));
+    EXPECT_TRUE(last.messages().text().isEmpty());
+}
+
 // Someone opens another patient while the lesson's own is on his way.
 TEST_F(LessonWindowTest, a_lesson_for_one_case_begins_on_no_other) {
     Lesson lesson = new_lesson();

@@ -9,11 +9,15 @@
 #include "core/base/error.h"
 #include "core/base/temporary_folder.h"
 #include "core/lesson/attempts.h"
+#include "core/lesson/lesson_draft.h"
+#include "core/lesson/lesson_ties.h"
+#include "core/lesson/lesson_writer.h"
 #include "core/session/recording_file.h"
 #include "tests/patient/parted_patient.h"
 #include "tests/session/new_session.h"
 #include "tests/session/recorded.h"
 #include "tests/ui/window_test.h"
+#include "ui/case_lessons.h"
 #include "ui/case_shelf.h"
 #include "ui/lesson_dock.h"
 #include "ui/library_dialog.h"
@@ -139,6 +143,35 @@ TEST(CaseShelf, TellsWhichLessonsGoWithEachCase) {
     EXPECT_EQ(cases[0].lessons[1].about, "Take <it>.");
 }
 
+// Whoever chooses a case sees which of its lessons a correction has made unfit.
+TEST(CaseShelf, TellsWhichLessonsFitTheirCaseNoMore) {
+    const TemporaryFolder folder, recordings;
+    const fs::path& place = folder.path();
+    write_case(place / "one.hep", *test::small_patient());
+    Lesson lesson = new_lesson();
+    lesson.patient = "one.hep";
+    for (const char* name : {"fits", "moved"}) {
+        lesson.name = name;
+        tie(lesson, test::small_patient()->tree);
+        if (lesson.name == "moved") lesson.marks[0].tie->at_mm += Vec3(0, 30, 0);
+        write_lesson(place / (lesson.name + ".json"), lesson);
+    }
+    Job job;
+    const std::vector<ShelvedCase> cases = cases_in(place, recordings.path(), job);
+    ASSERT_EQ(cases.size(), 1u);
+    ASSERT_GE(cases[0].lessons.size(), 2u);
+    EXPECT_TRUE(cases[0].lessons[0].misfits.empty());
+    ASSERT_EQ(cases[0].lessons[1].misfits.size(), 1u);
+    EXPECT_EQ(cases[0].lessons[1].misfits[0],
+              "\"mark 1\" now lies 30 mm from where it was when the lesson was made.");
+    CaseLessons list([](const ShelvedLesson&) {});
+    list.show_lessons(cases[0].lessons, true);
+    const auto* tree = list.findChild<QTreeWidget*>("caseLessons");
+    EXPECT_EQ(tree->topLevelItem(0)->child(0)->text(0), "fits");
+    EXPECT_TRUE(tree->topLevelItem(0)->child(1)->text(0).contains("moved (no longer fits)"));
+    EXPECT_TRUE(tree->topLevelItem(0)->child(1)->toolTip(0).contains("30 mm"));
+}
+
 class LibraryTest : public testing::WindowTest {
   protected:
     LibraryTest()
@@ -181,6 +214,15 @@ class LibraryTest : public testing::WindowTest {
 
     fs::path cases_, opened_;
 };
+
+// A chosen one is not tinted with the colour of choice, which in high contrast is not a vessel's.
+TEST_F(LibraryTest, shows_the_same_drawing_of_a_case_that_is_chosen) {
+    open_library();
+    const QIcon icon = dialog().findChild<QListWidget*>("library")->item(0)->icon();
+    const QSize size(180, 150);
+    EXPECT_EQ(icon.pixmap(size, QIcon::Selected).toImage(),
+              icon.pixmap(size, QIcon::Normal).toImage());
+}
 
 TEST_F(LibraryTest, opens_what_is_chosen) {
     open_library();

@@ -9,6 +9,7 @@
 
 #include "tests/ui/fake_window_test.h"
 #include "ui/branch_links.h"
+#include "ui/elided_label.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
 #include "ui/recent_menu.h"
@@ -177,6 +178,20 @@ TEST_F(Messages, recent_files_are_absolute_whatever_was_given) {
 }
 
 // As at the start, where unsaved work is offered before the window is seen.
+TEST(ElidedLabel, LeavesOutTheMiddleAndNeverWidensItsWindow) {
+    ElidedLabel label(Qt::ElideMiddle, nullptr);
+    const QString text = "Opening a_name_of_a_patient_that_is_far_too_long_for_the_strip.nii.gz";
+    label.setText(text);
+    label.resize(label.sizeHint());
+    EXPECT_EQ(label.shown(), text);
+    label.resize(220, label.height());
+    EXPECT_LT(label.shown().size(), text.size());
+    EXPECT_TRUE(label.shown().startsWith("Opening ")) << label.shown().toStdString();
+    EXPECT_TRUE(label.shown().endsWith(".nii.gz")) << label.shown().toStdString();
+    EXPECT_LE(label.fontMetrics().horizontalAdvance(label.shown()), 220);
+    EXPECT_LT(label.minimumSizeHint().width(), 10);
+}
+
 TEST(MessageBar, WhatWasSaidBeforeItIsSeenCanBeRead) {
     QWidget pictures;
     MessageBar bar(&pictures);

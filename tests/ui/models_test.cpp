@@ -2,13 +2,16 @@
 // The window's smaller parts: mapping of pixels, numbers, settings, the table of actions, anatomy.
 #include <gtest/gtest.h>
 
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QLocale>
 #include <QSet>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "core/base/error.h"
+#include "core/scene/scene_spec.h"
 #include "core/scene/surface_anatomy.h"
 #include "tests/ui/fake_simulation.h"
 #include "ui/actions.h"
@@ -78,6 +81,36 @@ TEST(Settings, remember_ten_recent_files_newest_first) {
     ASSERT_EQ(again.recent_files().size(), 10);
     EXPECT_EQ(again.recent_files()[0], "/p5");
     EXPECT_EQ(again.recent_files()[1], "/p11");
+}
+
+TEST(Settings, remember_the_course_the_folder_of_cases_and_what_vessels_touch) {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("s.ini");
+    {
+        Settings settings(file);
+        EXPECT_TRUE(settings.course().isEmpty());
+        EXPECT_FALSE(settings.contact());
+        EXPECT_TRUE(QFileInfo(settings.case_folder()).isDir());
+        settings.set_course("/courses/wards.json");
+        settings.set_case_folder(folder.path());
+        settings.set_contact({true, false, 0.25});
+    }
+    {
+        Settings again(file);
+        EXPECT_EQ(again.course(), "/courses/wards.json");
+        EXPECT_EQ(again.case_folder(), folder.path());
+        ASSERT_TRUE(again.contact());
+        EXPECT_TRUE(again.contact()->self);
+        EXPECT_FALSE(again.contact()->obstacles);
+        EXPECT_EQ(again.contact()->friction, 0.25);
+        again.set_course({});
+        again.set_case_folder("/a/folder/that/went");
+    }
+    Settings last(file);
+    EXPECT_TRUE(last.course().isEmpty()) << "the program's own";
+    EXPECT_TRUE(QFileInfo(last.case_folder()).isDir()) << "another one is proposed";
+    QSettings(file, QSettings::IniFormat).setValue("contact/friction", 1e30);
+    EXPECT_LE(Settings(file).contact()->friction, greatest_friction);
 }
 
 TEST(Settings, in_safe_mode_read_and_write_nothing) {

@@ -2,12 +2,14 @@
 // A tool in the hand of the mouse: what keys, moves and the wheel send, and what is shown of it.
 #include <QCheckBox>
 #include <QDoubleSpinBox>
+#include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
 #include <QWheelEvent>
 #include <numbers>
 
 #include "tests/ui/fake_window_test.h"
+#include "ui/grip_watch.h"
 #include "ui/tool_panel.h"
 
 namespace hepatica {
@@ -262,6 +264,79 @@ TEST(ToolPanel, keeps_what_the_vessels_shall_touch_until_it_is_heard) {
     EXPECT_FALSE(each_other.isEnabled());
     panel.show_contact(frame);
     EXPECT_FALSE(friction.isEnabled());
+}
+
+// The boxes are off at every start unless the user had them on; a lesson changes no such wish.
+TEST(ToolPanel, begins_with_what_was_touched_in_an_earlier_run) {
+    std::vector<UseContact> asked, chosen;
+    ToolPanel::Callbacks callbacks;
+    callbacks.use_contact = [&](const UseContact& contact) { asked.push_back(contact); };
+    callbacks.contact_chosen = [&](const UseContact& contact) { chosen.push_back(contact); };
+    ToolPanel panel(std::move(callbacks));
+    panel.set_wanted_contact({true, false, 0.1});
+    panel.begin_play(false);
+    EXPECT_TRUE(asked.empty());
+    panel.findChild<QCheckBox*>("obstaclesTouch")->click();  // where the lesson allows it
+    EXPECT_TRUE(chosen.empty());
+    asked.clear();
+    panel.begin_play(true);
+    ASSERT_EQ(asked.size(), 1u);
+    EXPECT_TRUE(asked[0].self && !asked[0].obstacles);
+    EXPECT_EQ(asked[0].friction, 0.1);
+    EXPECT_TRUE(chosen.empty());
+    panel.findChild<QCheckBox*>("vesselsTouch")->click();
+    ASSERT_EQ(chosen.size(), 1u);
+}
+
+TEST(GripWatch, TellsOfEachClosingThatHoldsNothingOnce) {
+    using enum GripWatch::Seen;
+    GripWatch watch;
+    ToolView jaws;
+    jaws.opening_mm = 12.0;
+    EXPECT_EQ(watch.see(jaws, false), nothing_new);
+    jaws.opening_mm = 3.0;  // on their way
+    EXPECT_EQ(watch.see(jaws, true), nothing_new);
+    jaws.opening_mm = 0.0;
+    EXPECT_EQ(watch.see(jaws, true), closed_on_nothing);
+    EXPECT_EQ(watch.see(jaws, true), nothing_new);
+    jaws.opening_mm = 12.0;
+    EXPECT_EQ(watch.see(jaws, false), nothing_new);
+    jaws = {};
+    jaws.opening_mm = 2.0;  // a vessel between them
+    jaws.grip_un = 5e4;
+    EXPECT_EQ(watch.see(jaws, true), nothing_new);
+    jaws.grip_un = 0.0;  // for a step
+    EXPECT_EQ(watch.see(jaws, true), nothing_new) << "they have not met";
+    jaws.grip_un = 5e4;
+    EXPECT_EQ(watch.see(jaws, true), nothing_new);
+    jaws.grip_un = 0.0;
+    jaws.opening_mm = 0.0;
+    EXPECT_EQ(watch.see(jaws, true), slipped);
+    EXPECT_EQ(watch.see(jaws, true), nothing_new);
+    jaws.opening_mm = 2.0;  // let go by the hand
+    EXPECT_EQ(watch.see(jaws, false), nothing_new);
+}
+
+TEST_F(ToolInHand, of_the_hand_that_just_misses_a_vessel_is_told) {
+    const auto said = [this] { return window_.statusBar()->currentMessage(); };
+    const auto click = [this](const QPoint& place) {
+        window_.statusBar()->clearMessage();
+        QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, place);
+    };
+    // From the trunk outwards until the first place beside it.
+    QPoint beside = on_trunk();
+    const double ratio = window_.view().devicePixelRatioF();
+    while (window_.view().scene().pick(pixel_at(beside, ratio)).triangle >= 0)
+        beside += QPoint(1, 0);
+    click(beside + QPoint(2, 0));
+    EXPECT_EQ(said(), "No vessel there: press on one and drag it");
+    click(on_trunk());
+    EXPECT_EQ(said(), "");
+    click(QPoint(4, 4));
+    EXPECT_EQ(said(), "") << "nobody meant a vessel there";
+    QTest::keyClick(&window_, Qt::Key_2);
+    click(QPoint(4, 4));
+    EXPECT_EQ(said(), "No vessel there: click on one");
 }
 
 TEST_F(ToolInHand, a_reset_takes_it_and_the_next_move_brings_it_again) {

@@ -145,6 +145,7 @@ QWidget* CourseEditor::build_foot() {
     const auto redo = [this] { attempt(Words::tr("Redo"), [this] { document_.redo(); }); };
     undo_ = button(Words::tr("Undo"), "courseUndo", undo);
     redo_ = button(Words::tr("Redo"), "courseRedo", redo);
+    button(Words::tr("Ne&w course…"), "courseNew", [this] { begin_new(); });
     button(Words::tr("Copy to another &file…"), "courseCopy",
            [this] { save_copy(document_.course(), document_.file().parent_path()); });
     connect(new QShortcut(QKeySequence::Undo, this), &QShortcut::activated, this, undo);
@@ -163,13 +164,27 @@ void CourseEditor::edit(const std::filesystem::path& file) {
     } else if (!file.empty() && file != document_.file()) {
         if (!attempt(Words::tr("Edit course"), [&] { document_.open(file); })) return;
     }
+    show_editor();
+}
+
+void CourseEditor::begin_new() {
+    const std::string name = Words::tr("New course").toStdString();
+    const auto file = ways_.where_to_save(Words::tr("Where shall the new course lie?"), name);
+    if (!file) return;
+    const std::string called = to_text(file->stem()).toStdString();
+    if (attempt(Words::tr("New course"), [&] { document_.begin(*file, {called, {}}, {}); }))
+        show_editor();
+}
+
+void CourseEditor::show_editor() {
     show();
     raise();
     activateWindow();
 }
 
 void CourseEditor::save_copy(const Course& course, const std::filesystem::path& folder) {
-    const auto file = ways_.where_to_save(course.name);
+    const auto file = ways_.where_to_save(
+        Words::tr("A copy of the course is edited: where shall it lie?"), course.name);
     if (!file) return;
     attempt(Words::tr("Copy course"), [&] { document_.begin(*file, course, folder); });
 }
@@ -206,7 +221,7 @@ void CourseEditor::add_file() {
 
 void CourseEditor::remove() {
     const int row = lessons_->currentRow();
-    if (row < 0 || lessons_->count() < 2) return;
+    if (row < 0) return;
     change("", [row](Course& course) { course.lessons.erase(course.lessons.begin() + row); });
 }
 
@@ -265,7 +280,7 @@ void CourseEditor::show_marks() {
     if (marks_->bounds() != shown) marks_->show_bounds(shown, {});
     up_->setEnabled(row > 0);
     down_->setEnabled(any && row + 1 < lessons_->count());
-    remove_->setEnabled(lessons_->count() > 1);
+    remove_->setEnabled(any);
 }
 
 void CourseEditor::show_state() {

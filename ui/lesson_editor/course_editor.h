@@ -25,10 +25,12 @@ class BoundsTable;
 class CourseEditor : public QDialog {
   public:
     struct Ways {
-        // A lesson's file to add; the file for a copy of a course of that name. None: not after
-        // all.
+        // A lesson's file to add; the file for a course of that name, which is asked for in these
+        // words. None: not after all.
         std::function<std::optional<std::filesystem::path>()> which_lesson;
-        std::function<std::optional<std::filesystem::path>(const std::string& name)> where_to_save;
+        std::function<std::optional<std::filesystem::path>(const QString& question,
+                                                           const std::string& name)>
+            where_to_save;
         std::function<void(const QString& doing, const std::exception_ptr& error)> failed;
         // The course in this file is another one now.
         std::function<void(const std::filesystem::path& file)> written;
@@ -38,6 +40,8 @@ class CourseEditor : public QDialog {
     // Shows the course of this file; of the program's own (an empty one) a copy, where the person
     // wants it to lie.
     void edit(const std::filesystem::path& file);
+    // Begins a course without a lesson, called as its file, where the person wants it to lie.
+    void begin_new();
     const CourseDocument& document() const { return document_; }
 
   private:
@@ -46,6 +50,7 @@ class CourseEditor : public QDialog {
     QWidget* build_foot();
     void fill_menu(QMenu& menu);
     void save_copy(const Course& course, const std::filesystem::path& folder);
+    void show_editor();
     // Does it to a copy of the course, which takes its place.
     void change(const std::string& what, const std::function<void(Course&)>& how);
     void add(const std::string& lesson);

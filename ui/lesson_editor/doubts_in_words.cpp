@@ -7,6 +7,7 @@
 #include "core/lesson/lesson_doubts.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_gaps.h"
+#include "core/lesson/lesson_ties.h"
 #include "core/lesson/lesson_writer.h"
 #include "ui/core_words.h"
 #include "ui/paths.h"
@@ -30,15 +31,26 @@ QStringList gaps_in_words(const Lesson& lesson) {
     return lines;
 }
 
-// Whether its points lie on the patient who is shown, or on another one.
+// Whether its points lie on the patient who is shown, and where they were, or on another one.
 std::vector<std::string> place_doubts(const Lesson& lesson, const VesselTree& tree,
                                       const QString& shown) {
-    const bool its_own = lesson.patient == "any" || lesson.patient == shown.toStdString() ||
-                         same_place(lesson.patient, to_path(shown));
-    return its_own ? doubts_about_places(lesson, tree) : doubts_about_another(lesson, tree);
+    if (!is_for_shown(lesson, shown)) return doubts_about_another(lesson, tree);
+    std::vector<std::string> doubts = misfits(lesson, tree);
+    return doubts.empty() ? doubts_about_places(lesson, tree) : doubts;
+}
+
+// Nobody would notice where a correction of its patient moves its places.
+bool is_left_untied(const Lesson& lesson, const PatientCase* patient, const QString& shown) {
+    const bool tied_by_saving = patient != nullptr && is_for_shown(lesson, shown);
+    return can_be_tied(lesson) && !tied_by_saving && !is_tied(lesson);
 }
 
 }  // namespace
+
+bool is_for_shown(const Lesson& lesson, const QString& shown) {
+    return lesson.patient == "any" || lesson.patient == shown.toStdString() ||
+           same_place(lesson.patient, to_path(shown));
+}
 
 QString doubts_in_words(const Lesson& lesson, const PatientCase* patient, const QString& shown) {
     QStringList lines = gaps_in_words(lesson);
@@ -46,6 +58,10 @@ QString doubts_in_words(const Lesson& lesson, const PatientCase* patient, const 
     if (patient != nullptr)
         for (const std::string& doubt : place_doubts(lesson, patient->tree, shown))
             lines << translated(doubt);
+    if (is_left_untied(lesson, patient, shown))
+        lines << Words::tr(
+            "Where its places lie on the vessels is not noted yet: open its "
+            "patient, and save it then.");
     constexpr qsizetype most = 4;
     if (lines.size() > most)
         lines = lines.mid(0, most - 1)

@@ -84,6 +84,7 @@ bool LessonDocument::dirty() const {
 bool LessonDocument::change(const std::string& field, const std::function<void(Lesson&)>& change) {
     Lesson changed = lesson();
     change(changed);
+    if (changed.patient != lesson().patient) untie(changed);  // they were to another one's vessels
     if (text_of(changed) == text_of(lesson())) return false;
     states_.resize(now_ + 1);
     const bool joins = now_ > 0 && !field.empty() && field == field_;

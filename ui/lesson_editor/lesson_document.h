@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/lesson/lesson.h"
+#include "core/lesson/lesson_ties.h"
 #include "core/lesson/lesson_writer.h"
 
 namespace hepatica {
@@ -38,6 +39,9 @@ class LessonDocument {
     void undo();
     void redo();
 
+    // Ties its places to its patient's vessels where they are not yet, see lesson_ties.h. That is
+    // no change to be undone.
+    void tie(const VesselTree& tree) { hepatica::tie(states_[now_], tree); }
     // Throws as write_lesson() does. A patient beside the file or below it is named relative to it.
     void save(const std::filesystem::path& file);
     // Writes the copy where something is unsaved, and removes it where all is saved.

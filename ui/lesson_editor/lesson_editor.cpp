@@ -47,6 +47,7 @@ LessonEditor::LessonEditor(Ways ways, std::filesystem::path kept_copy, QWidget* 
       document_(std::move(kept_copy)),
       pages_(new QTabWidget),
       doubts_(new QLabel),
+      accept_(new QPushButton(Words::tr("The places are &right as they lie now"))),
       keep_(new QTimer(this)) {
     setObjectName("lessonEditor");
     resize_on_screen(*this, {640, 700});
@@ -82,12 +83,18 @@ void LessonEditor::build() {
     doubts_->setWordWrap(true);
     doubts_->setTextFormat(Qt::PlainText);
     doubts_->setAccessibleName(Words::tr("What is doubtful in this lesson"));
+    accept_->setObjectName("lessonAcceptPlaces");
+    accept_->setToolTip(
+        Words::tr("The vessels were corrected since the lesson was made: look at each place, "
+                  "put it elsewhere where that is needed, then say so here and save"));
+    connect(accept_, &QPushButton::clicked, this, [this] { accept_places(); });
     auto* foot = new QWidget;
     build_buttons(*foot);
     build_keys();
     auto* column = new QVBoxLayout(this);
     column->addWidget(pages_, 1);
     column->addWidget(doubts_);
+    column->addWidget(accept_, 0, Qt::AlignLeft);
     column->addWidget(foot);
 }
 
@@ -107,7 +114,8 @@ void LessonEditor::build_buttons(QWidget& foot) {
     auto* menu = new QMenu(begin);
     connect(menu->addAction(Words::tr("A new lesson")), &QAction::triggered, this,
             [this] { begin_with(""); });
-    connect(menu->addAction(Words::tr("A file…")), &QAction::triggered, this, [this] { open(); });
+    connect(menu->addAction(Words::tr("A file…")), &QAction::triggered, this,
+            [this] { open(ways_.which_file); });
     menu->addSeparator();
     for (const BuiltInLesson& entry : built_in_lessons()) {
         QAction* action =
@@ -188,6 +196,8 @@ void LessonEditor::show_state() {
     doubts_->setText(
         left + doubts_in_words(document_.lesson(), ways_.patient().get(), ways_.shown_patient()));
     doubts_->setVisible(!doubts_->text().isEmpty());
+    const std::shared_ptr<const PatientCase> own = own_patient();
+    accept_->setVisible(own && !misfits(document_.lesson(), own->tree).empty());
     undo_->setEnabled(document_.can_undo());
     redo_->setEnabled(document_.can_redo());
 }
@@ -248,10 +258,31 @@ void LessonEditor::begin_with(const std::string& id) {
     changed(true);
 }
 
-void LessonEditor::open() {
+void LessonEditor::edit(const std::filesystem::path& file) {
+    if (document_.file() != file) open([&file] { return std::optional(file); });
+    show_editor();
+}
+
+std::shared_ptr<const PatientCase> LessonEditor::own_patient() const {
+    const Lesson& lesson = document_.lesson();
+    const bool own = can_be_tied(lesson) && is_for_shown(lesson, ways_.shown_patient());
+    return own ? ways_.patient() : nullptr;
+}
+
+void LessonEditor::accept_places() {
+    const std::shared_ptr<const PatientCase> own = own_patient();
+    if (own == nullptr) return;
+    document_.change("", [&own](Lesson& lesson) {
+        untie(lesson);
+        tie(lesson, own->tree);
+    });
+    changed(true);
+}
+
+void LessonEditor::open(const std::function<std::optional<std::filesystem::path>()>& which) {
     take_what_is_typed();
     if (!may_leave(false)) return;
-    const auto file = ways_.which_file();
+    const auto file = which();
     if (!file) return;
     attempt(Words::tr("Open lesson"), [&] {
         document_.open(*file);
@@ -268,6 +299,7 @@ void LessonEditor::save(bool ask) {
     if (!file) return;
     attempt(Words::tr("Save lesson"), [&] {
         refuse_gaps(document_.lesson(), Words::id("This lesson cannot be saved yet"));
+        if (const auto own = own_patient()) document_.tie(own->tree);
         document_.save(*file);
     });
     show_state();

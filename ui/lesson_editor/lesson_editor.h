@@ -54,6 +54,8 @@ class LessonEditor : public QWidget {
 
     // Shows the lesson where it was left.
     void show_editor();
+    // Shows this one, unless what is not saved of another one keeps it here.
+    void edit(const std::filesystem::path& file);
     // On the centreline, undeformed.
     void place_clicked(const Vec3& place_mm);
     // Of the marks and the target on the patient that is shown, undeformed; none while hidden.
@@ -81,7 +83,10 @@ class LessonEditor : public QWidget {
     void show_state();
     void keep_now();
     void begin_with(const std::string& id);  // empty: a new one
-    void open();
+    void open(const std::function<std::optional<std::filesystem::path>()>& which);
+    // Who is shown, where he is the patient of this lesson and of no other; else null.
+    std::shared_ptr<const PatientCase> own_patient() const;
+    void accept_places();
     void save(bool ask);
     void try_out();
     void take_what_is_typed();
@@ -95,6 +100,7 @@ class LessonEditor : public QWidget {
     PlacesPage* places_ = nullptr;
     std::vector<LessonPage*> shown_pages_;  // in the order of the tabs
     QLabel* doubts_;
+    QPushButton* accept_;
     QPushButton *undo_ = nullptr, *redo_ = nullptr;
     QTimer* keep_;
     bool trying_ = false;

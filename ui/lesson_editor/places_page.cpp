@@ -157,10 +157,14 @@ void PlacesPage::rename(int mark, QLineEdit& field) {
 
 void PlacesPage::set_place(int place, const ScriptPlace& at, bool same_row) {
     const auto set = [&](Lesson& lesson) {
-        if (place == target)
+        if (place == target) {
             lesson.target = at;
-        else
-            lesson.marks.at(static_cast<std::size_t>(place)).place = at;
+            lesson.target_tie.reset();
+        } else {
+            LessonMark& mark = lesson.marks.at(static_cast<std::size_t>(place));
+            mark.place = at;
+            mark.tie.reset();
+        }
     };
     if (same_row)
         change_value("place" + std::to_string(place), set);
@@ -170,10 +174,9 @@ void PlacesPage::set_place(int place, const ScriptPlace& at, bool same_row) {
 
 void PlacesPage::remove(int place) {
     change_shape([&](Lesson& lesson) {
-        if (place == target)
-            lesson.target.reset();
-        else
-            remove_mark(lesson, place);
+        if (place != target) return remove_mark(lesson, place);
+        lesson.target.reset();
+        lesson.target_tie.reset();
     });
 }
 

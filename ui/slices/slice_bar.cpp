@@ -119,11 +119,15 @@ QWidget* SliceBar::segment_choice() {
     choice->setObjectName("segments");
     choice->setAccessibleName(Words::tr("Couinaud's segments of the liver over the CT"));
     choice->setChecked(false);
-    connect(choice, &QCheckBox::toggled, this,
-            [this](bool visible) { scene_.set_segments_visible(visible); });
+    // Where there are none yet, or any more, a click says why.
+    connect(choice, &QCheckBox::clicked, this, [this, choice](bool wanted) {
+        const bool known = !scene_.segments().voxels.empty();
+        choice->setChecked(wanted && known);
+        scene_.set_segments_visible(wanted && known);
+        if (wanted && !known) say(translated(scene_.why_no_segments()));
+    });
     const auto follow = [this, choice] {
         const bool known = !scene_.segments().voxels.empty();
-        choice->setEnabled(known);
         choice->setToolTip(
             known ? Words::tr("Couinaud's segments I to VIII, in the colours of the branches "
                               "that supply them (F6)")

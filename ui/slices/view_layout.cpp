@@ -160,6 +160,12 @@ void ViewLayout::show_patient(std::shared_ptr<const PatientCase> patient,
     if (slices_visible_) set_slices_visible(true);
 }
 
+void ViewLayout::show_image(std::shared_ptr<const Volume> ct) {
+    if (patient_) return;
+    scene_.show(std::move(ct), {}, {});
+    arrange();
+}
+
 void ViewLayout::show_corrected(std::shared_ptr<const PatientCase> patient) {
     patient_ = std::move(patient);
     segments_.show_corrected(patient_);
@@ -219,7 +225,7 @@ void ViewLayout::enlarge(SliceView* view) {
 
 void ViewLayout::arrange() {
     const bool slices = slices_visible_ && !scene_.empty();
-    bar_->setVisible(slices);
+    bar_->setVisible(slices && patient_);  // it is of what is done to a patient
     notice_->setVisible(slices_visible_ && !slices);
     for (SliceView* slice : views_) slice->setVisible(slices && (!enlarged_ || enlarged_ == slice));
     view_->setVisible(!slices || !enlarged_);

@@ -61,6 +61,9 @@ class ViewLayout : public QWidget {
     // See CtKeeper::show().
     void show_patient(std::shared_ptr<const PatientCase> patient,
                       const std::filesystem::path& folder, const std::filesystem::path& image);
+    // A CT whose patient is not there yet: it can be looked at, and nothing can be done to it.
+    // Nothing where a patient is shown.
+    void show_image(std::shared_ptr<const Volume> ct);
     // The same patient with other corrections.
     void show_corrected(std::shared_ptr<const PatientCase> patient);
     // The corrections that are wanted of him, for the tumours among them.
