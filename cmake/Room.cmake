@@ -17,7 +17,7 @@ function(hepatica_ctest prefix)
     cmake_parse_arguments(CTEST "" "" "TOGETHER;LABELS" ${ARGN})
     foreach(suite ${CTEST_TOGETHER})
         add_test(NAME ${prefix}.${suite} COMMAND ${prefix}_tests --gtest_filter=${suite}.*)
-        set_tests_properties(${prefix}.${suite} PROPERTIES LABELS "${CTEST_LABELS}" TIMEOUT 900 COST 1
+        set_tests_properties(${prefix}.${suite} PROPERTIES LABELS "${CTEST_LABELS}" TIMEOUT 1800 COST 1
             FAIL_REGULAR_EXPRESSION "Running 0 tests")
     endforeach()
     list(TRANSFORM CTEST_TOGETHER APPEND ".*")
