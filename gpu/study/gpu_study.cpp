@@ -108,6 +108,11 @@ GpuRow row_of(const BodyDescription& body, const StepperOptions& options, int st
     return row;
 }
 
+// A slab has no tree that a skeleton could follow.
+std::vector<std::string> solvers_for(const BodyDescription& body, const GpuStudyOptions& options) {
+    return body.obstacles ? std::vector<std::string>{"block-jacobi"} : options.solvers;
+}
+
 }  // namespace
 
 std::vector<GpuRow> study_gpu(const GpuStudyOptions& options,
@@ -120,7 +125,7 @@ std::vector<GpuRow> study_gpu(const GpuStudyOptions& options,
     std::vector<GpuRow> rows;
     for (const BodyDescription& body : bodies)
         for (const std::string& element : options.elements)
-            for (const std::string& solver : options.solvers) {
+            for (const std::string& solver : solvers_for(body, options)) {
                 const StepperOptions stepper = options_of(element, solver);
                 GpuRow row = row_of(body, stepper, options.steps, machine, options.plan);
                 row.tetrahedra = static_cast<int>(body.mesh.tetrahedra.size());

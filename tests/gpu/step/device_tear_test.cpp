@@ -67,7 +67,7 @@ std::vector<Grab> pull_of(const Play& play, const BodyDescription& body, double 
     return grabs;
 }
 
-StepperOptions options_of(LinearSolverKind solver, Precision precision) {
+StepperOptions tear_options(LinearSolverKind solver, Precision precision) {
     StepperOptions options = test::exact_options("corotated");
     options.solver = solver;
     options.tension = false;
@@ -145,10 +145,10 @@ class DeviceTear : public testing::TestWithParam<Play> {
         Torn torn(which);
         const gpu::CudaOptions cuda{.precision = precision};
         torn.back_ends.push_back(make_cpu_back_end(
-            torn.body, options_of(LinearSolverKind::cholesky, Precision::double_precision)));
+            torn.body, tear_options(LinearSolverKind::cholesky, Precision::double_precision)));
         torn.back_ends.push_back(gpu::make_cuda_back_end(
-            torn.body, options_of(LinearSolverKind::block_jacobi, precision), gpu::make_emulator(),
-            cuda));
+            torn.body, tear_options(LinearSolverKind::block_jacobi, precision),
+            gpu::make_emulator(), cuda));
         torn.cut();
         StepBackEnd &cpu = *torn.back_ends[0], &gpu = *torn.back_ends[1];
         Difference most;
@@ -202,7 +202,7 @@ TEST_P(DeviceTear, StepsAgreeInFloat) {
 }
 
 TEST_P(DeviceTear, AnyOrderOfBlocksGivesTheSameBits) {
-    StepperOptions quick = options_of(LinearSolverKind::automatic, Precision::single_precision);
+    StepperOptions quick = tear_options(LinearSolverKind::automatic, Precision::single_precision);
     quick.linear = {.max_iterations = 200};
     std::vector<BodyState> ends;
     for (const BlockOrder order : {BlockOrder::ascending, BlockOrder::descending,
@@ -230,7 +230,7 @@ TEST_P(DeviceTear, AnyOrderOfBlocksGivesTheSameBits) {
 // A device that has followed every split goes on to the bit as one that was told of all of them at
 // once.
 TEST_P(DeviceTear, FollowsSplitsAsOneThatIsMadeAnew) {
-    StepperOptions options = options_of(LinearSolverKind::automatic, Precision::single_precision);
+    StepperOptions options = tear_options(LinearSolverKind::automatic, Precision::single_precision);
     options.linear = {.max_iterations = 200};
     Torn torn(GetParam());
     torn.back_ends.push_back(gpu::make_cuda_back_end(torn.body, options, gpu::make_emulator(), {}));
@@ -269,7 +269,7 @@ TEST_P(DeviceTear, TheEntropyStopsTheSame) {
     body.tear->entropy_budget_nats = GetParam().peel ? 1.0 : 0.1;
     const auto tear_until_stopped = [&](LinearSolverKind solver,
                                         const GovernedStepper::MakeBackEnd& make) {
-        const StepperOptions options = options_of(solver, Precision::double_precision);
+        const StepperOptions options = tear_options(solver, Precision::double_precision);
         GovernedStepper stepper(body, options, std::nullopt, make);
         const Tearing whole(body.mesh, *body.tear, {});
         stepper.weaken(first_cut(GetParam(), whole, body.mesh.vertices_mm), 0.1);
@@ -319,7 +319,8 @@ TEST(DeviceTearCopies, OnlyWhatASplitChanges) {
     body.fixed.assign(body.mesh.vertices_mm.size(), 0);
     const std::shared_ptr<gpu::Machine> machine = gpu::make_emulator();
     const auto device = gpu::make_cuda_back_end(
-        body, options_of(LinearSolverKind::block_jacobi, Precision::single_precision), machine, {});
+        body, tear_options(LinearSolverKind::block_jacobi, Precision::single_precision), machine,
+        {});
     const std::size_t made = machine->traffic().copied_bytes;
     Tearing tearing(body.mesh, *body.tear, {});
     const auto copied_by_a_cut = [&](double x_mm) {

@@ -55,12 +55,13 @@ TEST(GpuStudy, PlansContactBesideTheOthers) {
     GpuStudyOptions options;
     options.tetrahedra = {96};
     options.contacts = 100;
-    options.solvers = {"block-jacobi"};
+    options.solvers = {"skeleton"};
     options.steps = 2;
     options.plan = planned_device("H200");
     const std::vector<GpuRow> rows = study_gpu(options);
     ASSERT_EQ(rows.size(), 2u);
     EXPECT_EQ(rows[0].contacts, 0);
+    EXPECT_EQ(rows[1].solver, "block-jacobi");
     EXPECT_EQ(rows[1].tetrahedra, 9 * 9 * 6);
     EXPECT_EQ(rows[1].contacts, 100);
     EXPECT_EQ(rows[1].device_steps, 1.0);
