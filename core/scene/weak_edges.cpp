@@ -2,6 +2,7 @@
 #include "core/scene/weak_edges.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "core/tear/tearing.h"
@@ -16,30 +17,38 @@ Edge edge_of(int a, int b) {
     return {std::min(a, b), std::max(a, b)};
 }
 
-std::vector<Edge> edges_of_surface(const TornTopology& topology) {
-    std::vector<Edge> edges;
-    for (const auto& [a, b, c] : topology.surface())
-        for (const Edge& edge : {edge_of(a, b), edge_of(b, c), edge_of(c, a)})
-            edges.push_back(edge);
+void sort_once(std::vector<Edge>& edges) {
     std::ranges::sort(edges);
-    return edges;
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 }
 
 // Of a joint that holds, both sides have the same corners.
-std::vector<Edge> edges_at(const TornTopology& topology, const std::vector<int>& joints) {
-    const std::vector<Edge> surface = edges_of_surface(topology);
+std::vector<Edge> edges_of(const TornTopology& topology, const std::vector<int>& joints) {
     std::vector<Edge> edges;
     for (const int j : joints) {
         const Joint& joint = topology.joints()[j];
-        std::array<int, 3> corners;
-        for (int k = 0; k < 3; ++k) corners[k] = topology.sides(joint, k)[0];
-        for (int k = 0; k < 3; ++k) {
-            const Edge edge = edge_of(corners[k], corners[(k + 1) % 3]);
-            if (std::ranges::binary_search(surface, edge)) edges.push_back(edge);
-        }
+        for (int k = 0; k < 3; ++k)
+            edges.push_back(
+                edge_of(topology.sides(joint, k)[0], topology.sides(joint, (k + 1) % 3)[0]));
     }
-    std::ranges::sort(edges);
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    sort_once(edges);
+    return edges;
+}
+
+// Those of the joints' edges that lie on the surface.
+std::vector<Edge> edges_at(const TornTopology& topology, const std::vector<int>& joints) {
+    const std::vector<Edge> all = edges_of(topology, joints);
+    std::vector<std::uint8_t> has_edges(topology.vertex_count(), 0);
+    for (const Edge& edge : all)
+        for (const int v : edge) has_edges[v] = 1;
+    std::vector<Edge> edges;
+    for (const auto& triangle : topology.surface())
+        for (int k = 0; k < 3; ++k) {
+            const int a = triangle[k], b = triangle[(k + 1) % 3];
+            if (has_edges[a] && has_edges[b] && std::ranges::binary_search(all, edge_of(a, b)))
+                edges.push_back(edge_of(a, b));
+        }
+    sort_once(edges);
     return edges;
 }
 

@@ -60,6 +60,7 @@ TEST(StudyInitialFigures, AreThoseRecorded) {
     HEPATICA_ADD_INITIAL(figures, StepRow);
     HEPATICA_ADD_INITIAL(figures, StepStudyOptions);
     HEPATICA_ADD_INITIAL(figures, TearStudyOptions);
+    HEPATICA_ADD_INITIAL(figures, BreakingRow);
     HEPATICA_ADD_INITIAL(figures, TearRow);
     HEPATICA_ADD_INITIAL(figures, TearRow::Sample);
     HEPATICA_ADD_INITIAL(figures, FrameTime);

@@ -155,6 +155,11 @@ void add_tetrahedra(const BodyDescription& d, ElementOrder order, Body& body) {
                  : body.model == ElementModel::spring ? ElementGroup::Kind::spring
                                                       : ElementGroup::Kind::linear_tetrahedron;
     group.nodes_per_element = quadratic ? 10 : 4;
+    group.connectivity.reserve(d.mesh.tetrahedra.size() * group.nodes_per_element);
+    if (group.kind == ElementGroup::Kind::spring)
+        group.springs.reserve(d.mesh.tetrahedra.size());
+    else
+        group.tetrahedra.reserve(d.mesh.tetrahedra.size());
     // Quadratic: shares of the consistent mass's diagonal (Hinton, Rock and Zienkiewicz 1976), all
     // positive, which plain row sums are not.
     double share[max_nodes];

@@ -43,10 +43,11 @@ void descend(const EliminationTree& tree, const Visit& visit) {
     }
 }
 
-// With some more room than is needed now: a body that has torn tears further.
+// With some more room than is needed now, which costs nothing until it is used: a body that tears
+// needs it, and memory that is new costs more than what is written there.
 template <class T>
 void make_room(std::vector<T>& values, std::size_t size) {
-    if (!values.empty() && size > values.capacity()) {
+    if (size > values.capacity()) {
         std::vector<T>().swap(values);
         values.reserve(size + size / 8);
     }

@@ -223,6 +223,23 @@ std::vector<std::uint8_t> changed_nodes(const Body& before, const Body& body) {
     return changed;
 }
 
+// Room for as much as there is in another, and a little more.
+void make_room_as(const std::vector<int>& other, std::vector<int>& values) {
+    values.reserve(other.size() + other.size() / 16);
+}
+
+void make_room_as(const AssemblyPlan& other, AssemblyPlan& plan) {
+    make_room_as(other.row_begin, plan.row_begin);
+    make_room_as(other.column, plan.column);
+    make_room_as(other.diagonal, plan.diagonal);
+    make_room_as(other.factors.begin, plan.factors.begin);
+    make_room_as(other.factors.place, plan.factors.place);
+    make_room_as(other.blocks.begin, plan.blocks.begin);
+    make_room_as(other.blocks.place, plan.blocks.place);
+    make_room_as(other.transposed.begin, plan.transposed.begin);
+    make_room_as(other.transposed.place, plan.transposed.place);
+}
+
 // Entries begin[first] to begin[last] of the lists, behind those that there are.
 void take_lists(const GatherLists& from, int first, int last, GatherLists& lists) {
     const int shift = lists.begin.back() - from.begin[first];
@@ -276,6 +293,7 @@ AssemblyPlan plan_after_split(const AssemblyPlan& plan, const Body& before, cons
     after.force_slots = plan.force_slots;
     after.block_slots = plan.block_slots;
     after.lambda_over_mu = plan.lambda_over_mu;
+    make_room_as(plan, after);
     list_forces(body, after);
     RowPlan row(body, after);
     for (int i = 0; i < body.node_count(); ++i) {
