@@ -259,7 +259,7 @@ void MainWindow::hint(const QString& text) {
     constexpr int readable_ms = 6000;
     statusBar()->showMessage(text, readable_ms);
     if (view_->underMouse())
-        QToolTip::showText(QCursor::pos() + QPoint(12, 8), text, view_, {}, readable_ms / 2);
+        QToolTip::showText(QCursor::pos() + QPoint(12, 8), text, view_, {}, readable_ms);
 }
 
 void MainWindow::say_missed() {

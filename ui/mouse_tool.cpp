@@ -156,7 +156,7 @@ void MouseTool::click_at(const Pixel& at) {
 
 bool MouseTool::is_near_miss(const Pixel& at) const {
     constexpr int directions = 8;
-    for (const double click_radii : {2.0, 4.0})
+    for (const double click_radii : {2.0, 4.0, 6.0})
         for (int i = 0; i < directions; ++i) {
             const double angle = 2.0 * std::numbers::pi * i / directions;
             const double away = click_radii * click_radius_px_;

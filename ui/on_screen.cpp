@@ -3,13 +3,16 @@
 
 #include <QLayout>
 #include <QScreen>
+#include <QStyle>
 #include <QWidget>
 #include <algorithm>
 
 namespace hepatica {
 
 void resize_on_screen(QWidget& window, const QSize& wanted) {
-    window.resize(wanted.boundedTo(window.screen()->availableSize()));
+    // Its title, which the desktop adds, would push its foot off the screen.
+    const int title = window.style()->pixelMetric(QStyle::PM_TitleBarHeight);
+    window.resize(wanted.boundedTo(window.screen()->availableSize() - QSize(0, title)));
 }
 
 void place_on_screen(QWidget& window, const QPoint& wanted, int title) {

@@ -260,6 +260,7 @@ void LessonEditor::begin_with(const std::string& id) {
 
 void LessonEditor::edit(const std::filesystem::path& file) {
     if (document_.file() != file) open([&file] { return std::optional(file); });
+    pages_->setCurrentIndex(1);  // of places
     show_editor();
 }
 

@@ -54,7 +54,7 @@ class LessonEditor : public QWidget {
 
     // Shows the lesson where it was left.
     void show_editor();
-    // Shows this one, unless what is not saved of another one keeps it here.
+    // Shows the places of this one, unless what is not saved of another one keeps that here.
     void edit(const std::filesystem::path& file);
     // On the centreline, undeformed.
     void place_clicked(const Vec3& place_mm);

@@ -42,7 +42,8 @@ std::size_t QualityDial::index_at(double quality) const {
 }
 
 double QualityDial::quality_of(std::size_t index) const {
-    if (front_.size() == 1) return 1.0;
+    // The cheapest stands there, whether dearer ones are known already or not.
+    if (index == 0) return 0.0;
     const double low = std::log(front_.front().frame_ms), high = std::log(front_.back().frame_ms);
     return (std::log(front_[index].frame_ms) - low) / (high - low);
 }

@@ -31,6 +31,19 @@ TEST(QualityDial, TurnsFromCheapestToMostAccurate) {
         EXPECT_EQ(dial.at(dial.quality_of(i)).frame_ms, dial.front()[i].frame_ms);
 }
 
+// A dial is measured one setting after the other, and some miss as much as cheaper ones: the
+// cheapest stays where it is, or the slider in the window would jump from end to end and back.
+TEST(QualityDial, KeepsTheCheapestAtItsEndWhileItIsMeasured) {
+    std::vector<QualityPoint> points;
+    for (const auto& [ms, error] : {std::pair{2.0, 0.021}, {4.0, 0.021}, {9.0, 0.014}}) {
+        points.push_back(point(ms, error));
+        const QualityDial dial(points);
+        EXPECT_EQ(dial.quality_of(0), 0.0) << points.size();
+        EXPECT_EQ(dial.at(0.0).frame_ms, 2.0);
+    }
+    EXPECT_EQ(QualityDial(points).quality_of(1), 1.0);
+}
+
 TEST(QualityDial, RefusesWhatIsNoMeasurement) {
     EXPECT_THROW(QualityDial({}), InputError);
     EXPECT_THROW(QualityDial({point(0, 0.1)}), InputError);
