@@ -306,6 +306,33 @@ TEST_P(DeviceTear, TheEntropyStopsTheSame) {
     EXPECT_LT(difference_of_books(found.energy, expected.energy), 1e-8);
 }
 
+// A torn body that goes on from a checkpoint, on a device that never saw it whole.
+TEST_P(DeviceTear, ContinuesFromACheckpointToTheBit) {
+    const BodyDescription body = body_of(GetParam());
+    const auto make = [&] {
+        return GovernedStepper(body, {}, std::nullopt,
+                               [](const BodyDescription& whole, const StepperOptions& options) {
+                                   return gpu::make_cuda_back_end(whole, options,
+                                                                  gpu::make_emulator(), {});
+                               });
+    };
+    GovernedStepper one = make(), other = make();
+    one.weaken(first_cut(GetParam(), Tearing(body.mesh, *body.tear, {}), body.mesh.vertices_mm),
+               0.1);
+    for (int k = 1; k <= 6; ++k) {
+        one.set_grabs(pull_of(GetParam(), body, 0.1 * k));
+        one.step(frame_s);
+    }
+    EXPECT_GT(one.tearing()->report().vertices_split, 3);
+    other.restore(one.checkpoint());
+    EXPECT_EQ(one.state_hash(), other.state_hash());
+    for (int k = 0; k < 3; ++k) {
+        one.step(frame_s);
+        other.step(frame_s);
+        EXPECT_EQ(one.state_hash(), other.state_hash());
+    }
+}
+
 std::string name_of_play(const testing::TestParamInfo<Play>& play) {
     return play.param.peel ? "peel" : "notch";
 }
