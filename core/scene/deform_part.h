@@ -108,7 +108,7 @@ class DeformPart {
     std::vector<ThroughTear> torn_through(const VesselTree& tree);
     // |mass of the torn body - mass of the whole| over that.
     double mass_error_relative() const;
-    // Its counts and entropy, and what is near its limit.
+    // Counts, entropy, what is near its limit; of a view that has origins its rims, too.
     void show_tear(TearView& view) const;
     // Null where it does not tear.
     const TornTopology* torn() const;

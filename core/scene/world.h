@@ -107,7 +107,7 @@ class World {
     std::shared_ptr<const PatientCase> patient_;
     SceneSpec spec_;
     std::optional<BodyTopology> topology_;
-    TearView tear_view_;              // origins and rims as of torn_version_
+    TearView tear_view_;              // origins as of torn_version_, rims as of the last step
     std::uint64_t torn_version_ = 1;  // of the body's topology, as topology_ has it
     std::unique_ptr<DeformPart> deform_;
     std::unique_ptr<FlowPart> flow_;
