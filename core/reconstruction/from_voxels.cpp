@@ -51,8 +51,6 @@ void warn_of_left_out(const TreeExtraction& extraction, const TreeOptions& optio
             " mm that nothing joins are often noise");
     say(extraction.blobs, " as wide as an organ",
         "what hangs on a vessel by a neck and is wide and short is hardly one");
-    say(extraction.beside_trunk, " of vessels",
-        "what joins the portal trunk before it divides mostly comes from other organs");
 }
 
 // Fills tree and gaps of the case; its voxels take the systems of the tree.
