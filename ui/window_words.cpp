@@ -12,7 +12,7 @@ namespace hepatica {
 namespace {
 
 // The longer ones first: they hold the shorter ones.
-constexpr std::array<std::pair<const char*, const char*>, 36> words{{
+constexpr std::array<std::pair<const char*, const char*>, 37> words{{
     {"--seed-mm X,Y,Z,1 and --seed-mm X,Y,Z,2",
      "written into Portal vein seeds and Hepatic vein seeds of File > Reconstruct with options"},
     {"--seed-mm X,Y,Z,portal and --seed-mm X,Y,Z,hepatic",
@@ -33,6 +33,7 @@ constexpr std::array<std::pair<const char*, const char*>, 36> words{{
     {", or name those that are vessels (--vessel-label)", " in the program that drew it"},
     {"Measure again: hepatica-cli dial CASE --anew; or remove the file",
      "Remove the file: it is measured again while nobody plays"},
+    {"Give a file written by simulate --record", "Give a recording (NAME.hrec) of this program"},
     {"Remove it: hepatica-cli lesson scores its recording again",
      "Remove the file: File > Open recording still shows the play"},
     {"hepatica-cli reconstruct CT --out CASE.hep", "File > Open CT folder or Open CT file"},

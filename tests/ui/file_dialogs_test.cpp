@@ -120,7 +120,7 @@ TEST_F(NamedFiles, GetTheSuffixOfTheirKind) {
 TEST_F(NamedFiles, AreCasesCalledAsThePatientAndLieWhereTheyDo) {
     open_built_in();
     window_.actions()[ActionId::save_case_as].trigger();
-    EXPECT_EQ(proposed_place_, "Built-in patient.hep");
+    EXPECT_EQ(proposed_place_, "Fake patient.hep");
     window_.save_case(folder_.filePath("p.hep"));
     ASSERT_TRUE(testing::wait_for([this] { return !window_.busy(); }));
     window_.actions()[ActionId::save_case_as].trigger();

@@ -138,7 +138,7 @@ TEST_F(Story, an_instructor_makes_a_lesson_of_a_ct_that_is_dropped) {
     wait_for_patient();
     EXPECT_LT(tree().segments.size(), branches);
 
-    // The case goes beside the CT, under its name.
+    // The case is called as the CT.
     save_place_ = to_path(folder_.filePath("anton.hep"));
     window_.actions()[ActionId::save_case].trigger();
     ASSERT_TRUE(wait_for([this] { return !window_.busy(); }));
