@@ -30,8 +30,8 @@ inline std::shared_ptr<Recording> keep_recording(Session& session) {
 // and from the last keyframe before each of these steps, it must end with the session's bits.
 inline void expect_to_play_again(const Session& session, const Recording& recording,
                                  std::initializer_list<std::uint64_t> from_steps) {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    const auto file = std::filesystem::path(testing::TempDir()) /
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    const auto file = std::filesystem::path(::testing::TempDir()) /
                       (std::string(test->test_suite_name()) + "." + test->name() + ".hrec");
     write_recording(file, recording);
     const Recording read = read_recording(file);
