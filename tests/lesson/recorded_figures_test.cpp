@@ -281,7 +281,7 @@ TEST(LessonFigures, OfWhatIsSaidAboutWrongLessons) {
     }
     for (const char* text : {"{", "[]", R"({"format": "hepatica-course", "version": 1})",
                              R"({"format": "hepatica-course", "version": 1, "name": "c",
-                                 "lessons": []})"}) {
+                                 "lessons": {}})"}) {
         try {
             course_of(text, "course");
             ADD_FAILURE() << text;
