@@ -157,8 +157,8 @@ TEST_F(LessonWindowTest, the_menu_lists_the_seven_and_any_other) {
             for (const QAction* action : menu->menu()->actions()) names << action->objectName();
     for (const BuiltInLesson& lesson : built_in_lessons())
         EXPECT_TRUE(names.contains(lesson.id)) << lesson.id;
-    EXPECT_EQ(names.size(), 14) << "with a line, a course, its results, two others to open, and "
-                                   "two editors";
+    EXPECT_EQ(names.size(), 15) << "with a line, a course, its results, a new one, two others to "
+                                   "open, and two editors";
 }
 
 TEST_F(LessonWindowTest, a_trainee_takes_hold_lets_go_and_has_the_score_of_the_recording) {
