@@ -26,7 +26,7 @@ function(hepatica_ctest prefix)
         TEST_FILTER "-${together}" PROPERTIES LABELS "${CTEST_LABELS}" TIMEOUT 300)
 endfunction()
 
-# Tests are compiled at -O1, in two thirds of the time: of what they test, they compile nothing but copies of structs.
+# Tests are compiled at -O1, in two thirds of the time: of what they test, they compile hardly more than copies of structs.
 function(hepatica_compile_quickly target)
     target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-O1>)
 endfunction()
