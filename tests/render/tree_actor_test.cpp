@@ -7,9 +7,19 @@
 #include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLVertexBufferObject.h>
 #include <vtkOpenGLVertexBufferObjectGroup.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkRenderer.h>
 
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <numeric>
+#include <utility>
+#include <vector>
+
 #include "render/osmesa_context.h"
+#include "render/palette.h"
 #include "tests/render/fake_frame.h"
 
 namespace hepatica {
@@ -85,6 +95,38 @@ TEST_P(TreeOnCard, takes_colours_where_something_comes_near_its_limit_if_that_is
     tree_.set_warnings(false);
     context_.window().Render();
     EXPECT_GT(sent("scalarColor"), warned);
+}
+
+// What was merely split has its own colour until its joint comes apart: no vertex is new then.
+TEST_P(TreeOnCard, takes_colours_where_a_joint_comes_apart) {
+    const std::size_t vertices = first_.positions_mm.size() / 3;
+    std::vector<int> origins(vertices);
+    std::iota(origins.begin(), origins.end(), 0);
+    Frame split = first_;
+    split.tear.emplace();
+    split.tear->origins = std::make_shared<const std::vector<int>>(std::move(origins));
+    std::vector<std::uint8_t> rims(vertices, 0);
+    split.tear->rims = std::make_shared<const std::vector<std::uint8_t>>(rims);
+    tree_.update(split);
+    const auto colour = [this](vtkIdType vertex) {
+        std::array<double, 4> rgba{};
+        vtkPolyDataMapper::SafeDownCast(shown()->GetMapper())
+            ->GetInput()
+            ->GetPointData()
+            ->GetScalars()
+            ->GetTuple(vertex, rgba.data());
+        return rgba;
+    };
+    const std::array<double, 4> own = colour(0);
+    Frame torn = split;
+    rims[0] = 1;
+    torn.tear->rims = std::make_shared<const std::vector<std::uint8_t>>(rims);
+    EXPECT_TRUE(tree_.update(torn));
+    EXPECT_NE(colour(0), own);
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(colour(0)[c], 255.0 * palette::torn[c], 0.5) << c;
+    EXPECT_EQ(colour(30), own) << "of no rim";
+    EXPECT_FALSE(tree_.update(torn)) << "the same rims";
 }
 
 TEST_P(TreeOnCard, takes_nothing_where_only_the_drug_runs) {
