@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/segmentation/organ_surroundings.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 #include "core/base/error.h"
@@ -26,6 +28,10 @@ std::string percent(double share) {
 }  // namespace
 
 OrganSurroundings surroundings_of(const Mask& organ, const FloatVolume& hu, Job& job) {
+    if (std::ranges::count(organ.voxels, 0) == std::ssize(organ.voxels))
+        throw InputError(
+            "no liver was found: the largest soft organ has no border that it is told by", "CT",
+            "Check that the scan shows the liver, or give a liver mask.");
     const Mask grown = dilate(organ, near_mm, job);
     std::size_t all = 0, bone = 0, lung = 0;
     for (std::size_t i = 0; i < grown.voxels.size(); ++i) {

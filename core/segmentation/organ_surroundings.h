@@ -15,7 +15,7 @@ struct OrganSurroundings {
 };
 
 // `hu`: the scan, smoothed or not, on the organ's grid. 0 of everything around an organ that fills
-// the image. Throws Cancelled.
+// the image. Throws Cancelled, and InputError where there is no organ.
 OrganSurroundings surroundings_of(const Mask& organ, const FloatVolume& hu, Job& job);
 
 // Throws InputError that says what the scan seems to show instead, where it is no liver.

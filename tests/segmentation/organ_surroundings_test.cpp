@@ -30,6 +30,20 @@ TEST(OrganSurroundings, AreSharesOfTheShell) {
     EXPECT_EQ(none.bone, 0.0);
 }
 
+// Of an organ of slopes alone no voxel is worth its border.
+TEST(OrganSurroundings, OfNoOrganAreRefused) {
+    Grid grid;
+    grid.dims = {4, 4, 4};
+    Job job;
+    try {
+        surroundings_of(Mask(grid), FloatVolume(grid), job);
+        ADD_FAILURE() << "nothing was said";
+    } catch (const InputError& error) {
+        EXPECT_NE(error.problem().find("no liver was found"), std::string::npos);
+        EXPECT_NE(error.remedy().find("liver mask"), std::string::npos);
+    }
+}
+
 TEST(OrganSurroundings, ABrainAndAHeartAreNamed) {
     EXPECT_NO_THROW(require_surroundings_of_liver({0.12, 0.3}));
     for (const auto& [around, word] :
