@@ -15,6 +15,8 @@ namespace hepatica {
 namespace {
 
 constexpr double pool_opacity = 0.55;  // the stump in it stays to be found
+// Less is not seen, and where only blood runs no picture is drawn for it.
+constexpr double seen_mm = 0.1;
 
 vtkSmartPointer<vtkActor> new_pool() {
     vtkNew<vtkSphereSource> sphere;
@@ -49,6 +51,7 @@ BleedingActor::~BleedingActor() {
 bool BleedingActor::update(const std::optional<TearView>& tear) {
     const std::size_t count = tear ? tear->leaks.size() : 0;
     if (count == 0 && pools_.empty()) return false;
+    bool changed = pools_.size() != count;
     for (; pools_.size() > count; pools_.pop_back()) renderer_.RemoveActor(pools_.back());
     while (pools_.size() < count) {
         pools_.push_back(new_pool());
@@ -56,12 +59,19 @@ bool BleedingActor::update(const std::optional<TearView>& tear) {
     }
     for (std::size_t i = 0; i < count; ++i) {
         const LeakView& leak = tear->leaks[i];
-        pools_[i]->SetPosition(leak.at_mm.x(), leak.at_mm.y(), leak.at_mm.z());
         const double radius_mm = radius_of_pool_mm(leak.share * tear->leaked_g);
-        pools_[i]->SetScale(radius_mm);
-        pools_[i]->SetVisibility(radius_mm > 0.0);
+        vtkActor& pool = *pools_[i];
+        const Vec3 drawn_at(pool.GetPosition());
+        const bool grown = std::abs(radius_mm - pool.GetScale()[0]) >= seen_mm;
+        const bool moved = (leak.at_mm - drawn_at).norm() >= seen_mm;
+        const bool visible = radius_mm > 0.0;
+        if (!grown && !moved && visible == (pool.GetVisibility() != 0)) continue;
+        pool.SetPosition(leak.at_mm.x(), leak.at_mm.y(), leak.at_mm.z());
+        pool.SetScale(radius_mm);
+        pool.SetVisibility(visible);
+        changed = true;
     }
-    return true;
+    return changed;
 }
 
 }  // namespace hepatica

@@ -26,7 +26,8 @@ class BleedingActor {
     BleedingActor(const BleedingActor&) = delete;
     BleedingActor& operator=(const BleedingActor&) = delete;
 
-    // Costs nothing where nothing bleeds. Returns true if the picture is another now.
+    // Costs nothing where nothing bleeds. Returns true if the picture is another now: a pool that
+    // grew by less than can be seen is drawn as it was.
     bool update(const std::optional<TearView>& tear);
 
   private:
