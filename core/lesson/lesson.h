@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/lesson/predicate.h"
@@ -19,6 +20,14 @@ struct PlaceTie {
     double radius_mm = 0.0;
     double beyond_mm = 0.0;  // of a target: length of all vessels beyond it
     bool operator==(const PlaceTie&) const = default;
+};
+
+// One place of a setup, as it is given there, and its tie: so it keeps it whatever is put before
+// it.
+using SetupPlace = std::variant<ScriptPlace, Blade>;
+struct SetupTie {
+    SetupPlace of;
+    std::optional<PlaceTie> tie;
 };
 
 // A place on the vessels that goals speak of; it moves with them.
@@ -57,8 +66,8 @@ struct Lesson {
     SceneSpec scene;              // of the play
     Script setup;                 // done in the first step
     std::string setup_json;       // its actions as they were given, a JSON array; may be empty
-    std::vector<std::optional<PlaceTie>> setup_ties{};  // of its places, in their order; or empty
-    std::vector<LessonTool> tools;                      // empty: none
+    std::vector<SetupTie> setup_ties{};
+    std::vector<LessonTool> tools;  // empty: none
     std::vector<LessonMark> marks;
     std::string drug;                   // second phase of what is injected; empty: any
     std::optional<ScriptPlace> target;  // of the drug: the vessels from there on

@@ -37,14 +37,15 @@ LessonTool tool_from(const LessonFields& field) {
 }
 
 PlaceTie tie_from(const LessonFields& fields) {
-    fields.know({"at_mm", "radius_mm", "beyond_mm"});
     PlaceTie tie{fields.need("at_mm").vector(), fields.need("radius_mm").number(), 0.0};
     if (fields.has("beyond_mm")) tie.beyond_mm = fields.need("beyond_mm").number();
     return tie;
 }
 
 std::optional<PlaceTie> tie_beside(const LessonFields& place) {
-    return place.has("tied") ? std::optional(tie_from(place.need("tied"))) : std::nullopt;
+    if (!place.has("tied")) return std::nullopt;
+    place.need("tied").know({"at_mm", "radius_mm", "beyond_mm"});
+    return tie_from(place.need("tied"));
 }
 
 ScriptPlace place_from(const LessonFields& fields) {
@@ -80,6 +81,24 @@ LessonStep step_from(const LessonFields& fields, const std::vector<std::string>&
     }
     step.limits = predicates_from(fields, "limits", marks);
     return step;
+}
+
+// Those without "of" went by their order, which a setup that is changed by hand does not keep.
+std::vector<SetupTie> setup_ties_from(const LessonFields& fields) {
+    std::vector<SetupTie> ties;
+    for (const LessonFields& tie : fields.list()) {
+        tie.know({"of", "at_mm", "radius_mm", "beyond_mm"});
+        if (!tie.has("of")) continue;
+        const LessonFields of = tie.need("of");
+        if (of.has("from_mm")) {
+            of.know({"from_mm", "to_mm"});
+            const Blade blade{of.need("from_mm").vector(), of.need("to_mm").vector()};
+            ties.push_back({blade, tie_from(tie)});
+        } else {
+            ties.push_back({place_from(of), tie_from(tie)});
+        }
+    }
+    return ties;
 }
 
 // What is done before the lesson begins: in one step, so that a recording shows that it was done.
@@ -124,9 +143,7 @@ Lesson lesson_from(const LessonFields& fields) {
         lesson.setup = setup_from(fields.need("setup"));
         lesson.setup_json = fields.need("setup").dump();
     }
-    if (fields.has("setup_tied"))
-        for (const LessonFields& tie : fields.need("setup_tied").list())
-            lesson.setup_ties.emplace_back(tie_from(tie));
+    if (fields.has("setup_tied")) lesson.setup_ties = setup_ties_from(fields.need("setup_tied"));
     if (fields.has("tools"))
         for (const LessonFields& tool : fields.need("tools").list())
             lesson.tools.push_back(tool_from(tool));

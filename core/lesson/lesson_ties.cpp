@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <variant>
 
 #include "core/lesson/target_region.h"
 #include "core/tree/station.h"
@@ -21,8 +22,9 @@ constexpr double same_length_mm = 2.0, same_length_share = 0.01;
 
 // One place of a lesson with its tie.
 struct TiedPlace {
+    using OnTree = std::function<TreePoint(const VesselTree&)>;
     std::string name;
-    std::function<TreePoint(const VesselTree&)> on_tree;
+    OnTree on_tree;
     std::optional<PlaceTie>* tie;
     bool has_beyond = false;
 };
@@ -45,36 +47,59 @@ TreePoint on_tree(const Blade& blade, const VesselTree& tree) {
     return nearest;
 }
 
+bool same(const SetupPlace& a, const SetupPlace& b) {
+    if (a.index() != b.index()) return false;
+    if (const auto* blade = std::get_if<Blade>(&a)) {
+        const auto& other = std::get<Blade>(b);
+        return blade->from_mm == other.from_mm && blade->to_mm == other.to_mm;
+    }
+    const auto &place = std::get<ScriptPlace>(a), &other = std::get<ScriptPlace>(b);
+    return place.point_mm == other.point_mm &&
+           place.share_of_longest_path == other.share_of_longest_path;
+}
+
 // The places at which a setup does something, in its order.
-std::vector<std::function<TreePoint(const VesselTree&)>> places_of(const Script& setup) {
-    std::vector<std::function<TreePoint(const VesselTree&)>> places;
-    const auto add = [&](const auto& place) {
-        places.emplace_back([place](const VesselTree& tree) { return on_tree(place, tree); });
-    };
+std::vector<SetupPlace> places_of(const Script& setup) {
+    std::vector<SetupPlace> places;
     for (const ScriptAction& action : setup.actions) {
         for (const ScriptPlace& place : {action.place, action.to_place})
-            if (place.point_mm || place.share_of_longest_path) add(place);
+            if (place.point_mm || place.share_of_longest_path) places.emplace_back(place);
         if (action.command)
-            if (const auto* blade = std::get_if<Blade>(&*action.command)) add(*blade);
+            if (const auto* blade = std::get_if<Blade>(&*action.command))
+                places.emplace_back(*blade);
     }
     return places;
+}
+
+// An entry for each place of the setup, with the tie that was noted for that very place.
+std::vector<SetupTie> in_order_of_setup(const Lesson& lesson) {
+    std::vector<SetupTie> ties;
+    for (const SetupPlace& place : places_of(lesson.setup)) {
+        const auto noted = std::ranges::find_if(
+            lesson.setup_ties, [&](const SetupTie& tie) { return same(tie.of, place); });
+        ties.push_back({place, noted == lesson.setup_ties.end() ? std::nullopt : noted->tie});
+    }
+    return ties;
 }
 
 // All places, with room for a tie of each.
 std::vector<TiedPlace> places_of(Lesson& lesson) {
     std::vector<TiedPlace> places;
-    const auto at = [](const ScriptPlace& place) {
+    const auto at = [](const auto& place) {
         return [place](const VesselTree& tree) { return on_tree(place, tree); };
     };
     for (LessonMark& mark : lesson.marks)
         places.push_back({"\"" + mark.name + "\"", at(mark.place), &mark.tie});
     if (lesson.target)
         places.push_back({"The target", at(*lesson.target), &lesson.target_tie, true});
-    auto of_setup = places_of(lesson.setup);
-    lesson.setup_ties.resize(of_setup.size());
-    for (std::size_t i = 0; i < of_setup.size(); ++i)
-        places.push_back({"Place " + std::to_string(i + 1) + " of the setup",
-                          std::move(of_setup[i]), &lesson.setup_ties[i]});
+    lesson.setup_ties = in_order_of_setup(lesson);
+    for (std::size_t i = 0; i < lesson.setup_ties.size(); ++i) {
+        auto& [of, tie] = lesson.setup_ties[i];
+        places.push_back(
+            {"Place " + std::to_string(i + 1) + " of the setup",
+             std::visit([&at](const auto& place) -> TiedPlace::OnTree { return at(place); }, of),
+             &tie});
+    }
     return places;
 }
 

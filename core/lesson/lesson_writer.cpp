@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <variant>
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
@@ -34,14 +36,21 @@ Json place_json(const ScriptPlace& place, const std::optional<PlaceTie>& tie) {
     return json;
 }
 
-// Nothing where one of them is missing: they are found by their order alone.
-Json ties_json(const std::vector<std::optional<PlaceTie>>& ties) {
+Json json_of(const SetupPlace& place) {
+    if (const auto* given = std::get_if<ScriptPlace>(&place)) return place_json(*given);
+    const auto& [from, to] = std::get<Blade>(place);
+    return {{"from_mm", {from.x(), from.y(), from.z()}}, {"to_mm", {to.x(), to.y(), to.z()}}};
+}
+
+Json ties_json(const std::vector<SetupTie>& ties) {
     Json json = Json::array();
-    for (const std::optional<PlaceTie>& tie : ties) {
-        if (!tie) return nullptr;
-        json.push_back(tie_json(*tie));
+    for (const auto& [of, tie] : ties) {
+        if (!tie) continue;
+        Json entry{{"of", json_of(of)}};
+        entry.update(tie_json(*tie));
+        json.push_back(std::move(entry));
     }
-    return json.empty() ? Json() : json;
+    return json;
 }
 
 Json step_json(const LessonStep& step, const std::vector<std::string>& marks) {
@@ -62,7 +71,7 @@ std::string text_of(const Lesson& lesson) {
     json["patient"] = lesson.patient;
     json["scene"] = to_json(lesson.scene);
     if (!lesson.setup_json.empty()) json["setup"] = Json::parse(lesson.setup_json);
-    if (const Json ties = ties_json(lesson.setup_ties); !ties.is_null()) json["setup_tied"] = ties;
+    if (Json ties = ties_json(lesson.setup_ties); !ties.empty()) json["setup_tied"] = ties;
     json["tools"] = Json::array();
     for (const LessonTool tool : lesson.tools) json["tools"].push_back(name_of(tool));
     if (!lesson.marks.empty()) json["marks"] = Json::object();

@@ -57,6 +57,16 @@ Lesson lesson_of_a_case() {
     return lesson;
 }
 
+constexpr const char* blade_on_back =
+    R"({"do": "blade", "from_mm": [-5, 15, 40], "to_mm": [5, 15, 40]})";
+constexpr const char* cut_line_on_right =
+    R"({"do": "cut_line", "from": {"point_mm": [20, 0, 40]}, "to": {"point_mm": [22, 0, 40]}})";
+
+void give_setup(Lesson& lesson, const std::string& actions) {
+    lesson.setup_json = actions;
+    lesson.setup = script_of(R"({"name": "setup", "actions": )" + actions + "}", "setup");
+}
+
 TEST(LessonTies, FitTheVesselsOnWhichTheyWereMade) {
     Lesson lesson = lesson_of_a_case();
     lesson.target = ScriptPlace{std::nullopt, 0.25};
@@ -101,11 +111,7 @@ TEST(LessonTies, NameTheTargetThatHasOtherVesselsBeyondIt) {
 TEST(LessonTies, NameWhatTheSetupCuts) {
     Lesson lesson = lesson_of_a_case();
     lesson.marks.clear();
-    const std::string actions =
-        R"([{"do": "blade", "from_mm": [-5, 15, 40], "to_mm": [5, 15, 40]},)"
-        R"( {"do": "cut_line", "from": {"point_mm": [20, 0, 40]}, "to": {"point_mm": [22, 0, 40]}}])";
-    lesson.setup_json = actions;
-    lesson.setup = script_of(R"({"name": "setup", "actions": )" + actions + "}", "setup");
+    give_setup(lesson, std::string("[") + blade_on_back + ", " + cut_line_on_right + "]");
     tie(lesson, fork());
     EXPECT_EQ(lesson.setup_ties.size(), 3u);
     EXPECT_THAT(misfits(lesson, without_branch_at(on_back)),
@@ -113,6 +119,38 @@ TEST(LessonTies, NameWhatTheSetupCuts) {
     EXPECT_THAT(misfits(lesson, without_branch_at(on_right)),
                 ElementsAre(HasSubstr("Place 2 of the setup now lies 20 mm"),
                             HasSubstr("Place 3 of the setup now lies 22 mm")));
+}
+
+// Whoever edits the file by hand puts something in front, exchanges two actions, takes one away.
+TEST(LessonTies, StayWithThePlacesOfASetupWhoseOrderChanges) {
+    Lesson lesson = lesson_of_a_case();
+    lesson.marks.pop_back();  // the one on the branch that goes
+    give_setup(lesson, std::string("[") + blade_on_back + ", " + cut_line_on_right + "]");
+    tie(lesson, fork());
+    const std::string inject_at_root = R"({"do": "inject", "where": {"share_of_longest_path": 0}})";
+    give_setup(lesson,
+               "[" + inject_at_root + ", " + cut_line_on_right + ", " + blade_on_back + "]");
+    EXPECT_THAT(misfits(lesson, fork()), IsEmpty()) << "all places are where they were";
+    EXPECT_FALSE(is_tied(lesson)) << "the new one is not noted yet";
+    const Lesson read = lesson_of(text_of(lesson), "file");
+    EXPECT_THAT(misfits(read, without_branch_at(on_back)),
+                ElementsAre(HasSubstr("Place 4 of the setup now lies 15 mm")));
+    give_setup(lesson, std::string("[") + cut_line_on_right + "]");
+    EXPECT_THAT(misfits(lesson, without_branch_at(on_back)), IsEmpty()) << "cut no more";
+    tie(lesson, fork());
+    EXPECT_EQ(lesson.setup_ties.size(), 2u);
+}
+
+// As the program before wrote them: nobody knows of which places they are.
+TEST(LessonTies, OfASetupThatNameNoPlaceAreLeft) {
+    Lesson lesson = lesson_of_a_case();
+    give_setup(lesson, std::string("[") + blade_on_back + "]");
+    std::string text = text_of(lesson);
+    text.insert(text.find("\"tools\""),
+                R"("setup_tied": [{"at_mm": [90, 0, 0], "radius_mm": 1}], )");
+    const Lesson read = lesson_of(text, "file");
+    EXPECT_THAT(misfits(read, fork()), IsEmpty());
+    EXPECT_FALSE(is_tied(read));
 }
 
 // Of a rebuilding the centreline comes out a little beside where it was.
@@ -153,16 +191,13 @@ TEST(LessonTies, ArePutAnewOnlyWhereThereAreNone) {
 TEST(LessonTies, AreInTheFile) {
     Lesson lesson = lesson_of_a_case();
     lesson.target = ScriptPlace{std::nullopt, 0.25};
-    const std::string actions =
-        R"([{"do": "blade", "from_mm": [-5, 15, 40], "to_mm": [5, 15, 40]}])";
-    lesson.setup_json = actions;
-    lesson.setup = script_of(R"({"name": "setup", "actions": )" + actions + "}", "setup");
+    give_setup(lesson, std::string("[") + blade_on_back + ", " + cut_line_on_right + "]");
     tie(lesson, fork());
     const Lesson read = lesson_of(text_of(lesson), "file");
     EXPECT_TRUE(is_tied(read));
     EXPECT_EQ(read.marks[0].tie, lesson.marks[0].tie);
     EXPECT_EQ(read.target_tie, lesson.target_tie);
-    EXPECT_EQ(read.setup_ties, lesson.setup_ties);
+    EXPECT_EQ(read.setup_ties.size(), 3u);
     EXPECT_EQ(text_of(read), text_of(lesson));
     EXPECT_THROW(lesson_of(R"({"format": "hepatica-lesson", "version": 1, "name": "n",
         "scene": {"flow": {}}, "marks": {"m": {"point_mm": [0, 0, 0], "tied": {"at_mm": [0, 0]}}},
