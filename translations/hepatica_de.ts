@@ -532,10 +532,6 @@
         <translation>Mausrad mit einem Werkzeug</translation>
     </message>
     <message>
-        <source>move it in depth; Ctrl + wheel zooms</source>
-        <translation>es in die Tiefe bewegen; Strg + Mausrad vergrößert</translation>
-    </message>
-    <message>
         <source>Left drag with blade or cut line</source>
         <translation>Linksziehen mit Skalpell oder Schwächungslinie</translation>
     </message>
@@ -7641,7 +7637,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Another &amp;file…</source>
-        <translation>Andere &amp;Datei…</translation>
+        <translation>Andere &amp;Datei …</translation>
     </message>
     <message>
         <source>Played</source>
@@ -8385,11 +8381,11 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>&amp;New course…</source>
-        <translation>&amp;Neuer Kurs…</translation>
+        <translation>&amp;Neuer Kurs …</translation>
     </message>
     <message>
         <source>Ne&amp;w course…</source>
-        <translation>Ne&amp;uer Kurs…</translation>
+        <translation>Ne&amp;uer Kurs …</translation>
     </message>
     <message>
         <source>New course</source>
@@ -8457,6 +8453,22 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Place %1 of the setup</source>
         <translation>Ort %1 der Vorbereitung</translation>
+    </message>
+    <message>
+        <source>move it in depth, with Shift five times as far; Ctrl + wheel zooms</source>
+        <translation>es in die Tiefe bewegen, mit Umschalt fünfmal so weit; Strg + Mausrad vergrößert</translation>
+    </message>
+    <message>
+        <source>Look which lessons still fit</source>
+        <translation>Nachsehen, welche Lektionen noch passen</translation>
+    </message>
+    <message>
+        <source>Which lessons still fit the corrected vessels is not known:</source>
+        <translation>Welche Lektionen noch zu den korrigierten Gefäßen passen, ist nicht bekannt:</translation>
+    </message>
+    <message>
+        <source>no liver was found: the largest soft organ has no border that it is told by</source>
+        <translation>Es wurde keine Leber gefunden: Das größte weiche Organ hat keinen Rand, an dem es zu erkennen ist</translation>
     </message>
 </context>
 </TS>

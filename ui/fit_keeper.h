@@ -17,18 +17,24 @@ namespace hepatica {
 // UI thread; needs Qt's event loop and nothing else of the toolkit.
 class FitKeeper {
   public:
-    // Those that do not fit; none: all do.
-    using Found = std::function<void(const std::vector<ShelvedLesson>& unfit)>;
-    explicit FitKeeper(Found found) : found_(std::move(found)) {}
+    struct Ways {
+        // Those that do not fit; none: all do.
+        std::function<void(const std::vector<ShelvedLesson>& unfit)> found;
+        std::function<void(const Failure&)> failed;
+    };
+    explicit FitKeeper(Ways ways) : ways_(std::move(ways)) {}
 
+    // A patient as he is opened. His vessels are what lessons were made on that no editor tied to
+    // him. What was looked for is given up.
+    void patient_opened(const VesselTree& vessels);
     // Begins; what was looked for before is given up. `place`: the patient's case.
     void look(std::shared_ptr<const PatientCase> patient, const std::filesystem::path& place,
               const std::filesystem::path& library);
-    void stop() { job_.reset(); }
     bool working() const { return job_ != nullptr; }
 
   private:
-    Found found_;
+    Ways ways_;
+    std::shared_ptr<const VesselTree> opened_;
     std::unique_ptr<BackgroundJob> job_;
 };
 

@@ -52,8 +52,15 @@ QString in_lines(const std::vector<std::string>& sentences) {
 }  // namespace
 
 void MainWindow::build_lessons() {
-    fits_ = std::make_unique<FitKeeper>(
-        [this](const std::vector<ShelvedLesson>& lessons) { tell_unfit(lessons); });
+    FitKeeper::Ways fits;
+    fits.found = [this](const std::vector<ShelvedLesson>& lessons) { tell_unfit(lessons); };
+    fits.failed = [this](const Failure& failure) {
+        fail(Words::tr("Look which lessons still fit"), failure);
+        messages_->show_notice(
+            Words::tr("Which lessons still fit the corrected vessels is not known:") + "\n" +
+            messages_->text());
+    };
+    fits_ = std::make_unique<FitKeeper>(std::move(fits));
     LessonDock::Ways ways;
     ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
     ways.open_built_in = [this] { open_for_lesson(OpenRequest{true, {}}); };

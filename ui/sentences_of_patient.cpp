@@ -175,6 +175,7 @@ constexpr std::array sentences_patient{
     Words::id("the liver mask is empty"),
     Words::id("the liver mask lies outside the CT"),
     Words::id("no liver was found: the largest soft organ between %1 and %2 HU has %3 ml"),
+    Words::id("no liver was found: the largest soft organ has no border that it is told by"),
     Words::id("Check that the scan shows the liver, or give a liver mask."),
     Words::id("Choose a CT of the upper abdomen; where it does show the liver, give a liver mask."),
     Words::id("no liver was found: the largest soft organ is enclosed by bone (%1 of what lies "

@@ -12,6 +12,7 @@
 #include "core/lesson/lesson_ties.h"
 #include "ui/core_words.h"
 #include "ui/paths.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -67,6 +68,9 @@ std::vector<ShelvedLesson> lessons_in(const fs::path& folder, Job& job) {
     for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
          entry.increment(failed))
         if (entry->path().extension() == ".json") files.push_back(entry->path());
+    if (failed && failed != std::errc::no_such_file_or_directory)
+        throw InputError("cannot be read (" + failed.message() + ")", folder.string(),
+                         Words::id("Choose another folder"));
     std::ranges::sort(files);
     std::vector<ShelvedLesson> lessons;
     for (const fs::path& file : files) {
@@ -98,11 +102,13 @@ std::vector<ShelvedLesson> lessons_of(const std::vector<ShelvedLesson>& all,
 }
 
 void compare_with(const VesselTree& tree, const fs::path& place,
-                  std::vector<ShelvedLesson>& lessons) {
+                  std::vector<ShelvedLesson>& lessons, const VesselTree* before) {
     for (ShelvedLesson& lesson : lessons) {
         if (lesson.patient != Patient::this_case || !is_same_place(lesson.of_case, place)) continue;
         try {
-            lesson.misfits = misfits(read_lesson(lesson.file), tree);
+            Lesson own = read_lesson(lesson.file);
+            if (before != nullptr) tie(own, *before);
+            lesson.misfits = misfits(own, tree);
         } catch (const InputError&) {
             continue;  // it is being written, or is gone
         }

@@ -26,7 +26,7 @@ struct ShelvedLesson {
 
 // The lessons in the folder itself, by name of file, those that come with the program and go with
 // any patient after them. JSON files that are no lessons are passed over; a lesson that is damaged
-// says why. Throws Cancelled.
+// says why. Throws Cancelled, and InputError where the folder is there and cannot be read.
 std::vector<ShelvedLesson> lessons_in(const std::filesystem::path& folder, Job& job);
 
 // Those that go with the case there: its own first, then those of any patient, then what cannot be
@@ -35,7 +35,8 @@ std::vector<ShelvedLesson> lessons_of(const std::vector<ShelvedLesson>& all,
                                       const std::filesystem::path& place);
 
 // Says of those that name the case there which of their places are elsewhere on these vessels.
+// `before`: vessels by which places are judged that no editor has tied; null: those fit.
 void compare_with(const VesselTree& tree, const std::filesystem::path& place,
-                  std::vector<ShelvedLesson>& lessons);
+                  std::vector<ShelvedLesson>& lessons, const VesselTree* before = nullptr);
 
 }  // namespace hepatica

@@ -84,6 +84,34 @@ TEST_F(LessonFit, who_corrects_is_told_which_lesson_fits_no_more_and_of_undo_tha
     EXPECT_TRUE(wait_for([&] { return window_.messages().text().isEmpty(); }));
 }
 
+// As one that was written by hand, or saved while another patient was shown.
+TEST_F(LessonFit, who_corrects_is_told_of_a_lesson_that_was_never_tied) {
+    for (const Vec3& mark : {on_loose_piece, on_trunk}) {
+        Lesson lesson = read_lesson(save_lesson(mark));
+        untie(lesson);
+        lesson.name = mark == on_trunk ? "On the trunk" : "On what goes";
+        write_lesson(case_.parent_path() / (lesson.name + ".json"), lesson);
+        fs::remove(case_.parent_path() / "lesson.json");
+    }
+    delete_loose_piece();
+    ASSERT_TRUE(wait_for([&] { return told("1 lesson for this patient fits"); }))
+        << window_.messages().text().toStdString();
+    EXPECT_TRUE(told("On what goes: \"mark 1\" now lies"));
+    window_.actions()[ActionId::undo_edit].trigger();
+    wait();
+    EXPECT_TRUE(wait_for([&] { return window_.messages().text().isEmpty(); }));
+}
+
+TEST_F(LessonFit, who_corrects_is_told_that_nobody_knows_which_lessons_fit) {
+    settings_.set_library_folder(folder_.filePath("no folder"));
+    std::ofstream(to_path(folder_.filePath("no folder"))) << "a file";
+    delete_loose_piece();
+    ASSERT_TRUE(wait_for([&] { return told("Which lessons still fit"); }));
+    EXPECT_TRUE(told("Cannot be read (Not a directory)"));
+    EXPECT_TRUE(told("no folder"));
+    EXPECT_TRUE(told("Choose another folder"));
+}
+
 TEST_F(LessonFit, nothing_is_said_of_a_lesson_that_still_fits) {
     const fs::path file = save_lesson(on_trunk);
     delete_loose_piece();
