@@ -43,6 +43,8 @@ constexpr std::array<EditTool, 7> tools{{
 
 QListWidget* make_list(QWidget* parent, const QString& name) {
     auto* list = new QListWidget(parent);
+    list->setWordWrap(true);  // its end says whose vessel it was
+    list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list->setAccessibleName(name);
     list->setMaximumHeight(5 * list->fontMetrics().height() + 8);
     return list;

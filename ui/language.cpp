@@ -65,8 +65,10 @@ void use_language(const QString& chosen) {
     spoken = code;
     load("hepatica", code, ":/translations");
     load("qtbase", code, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+    // By its name: the system's own locale asks the environment again for a single number, and not
+    // for one within a sentence.
     const QLocale system = QLocale::system();
-    QLocale numbers = system.language() == QLocale(code).language() ? system : QLocale(code);
+    QLocale numbers(system.language() == QLocale(code).language() ? system.name() : code);
     numbers.setNumberOptions(QLocale::OmitGroupSeparator);
     QLocale::setDefault(numbers);
 }

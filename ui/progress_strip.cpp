@@ -32,8 +32,8 @@ ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* pictures)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(14, 8, 10, 8);
     row->setSpacing(14);
-    row->addWidget(title_, 1);
-    row->addWidget(stage_, 1);
+    row->addWidget(title_);
+    row->addWidget(stage_, 1);  // what the title leaves
     row->addWidget(waiting_);
     row->addWidget(bar_);
     row->addWidget(cancel_);

@@ -254,5 +254,30 @@ TEST(LanguageOfTheSystem, HoldsWhereNoneIsChosen) {
     EXPECT_EQ(language_of("en"), "en");
 }
 
+// A process of its own, for the system's locale is read once. Its language is German, its numbers
+// are those of the C locale.
+TEST(NumbersOfAMixedSystem, AreWrittenOneWay) {
+    constexpr const char* mixed = "HEPATICA_TEST_IN_MIXED_LOCALE";
+    if (!qEnvironmentVariableIsSet(mixed)) {
+        QProcess itself;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(mixed, "1");
+        environment.insert("LANGUAGE", "de");
+        environment.insert("LC_ALL", "C.UTF-8");
+        itself.setProcessEnvironment(environment);
+        itself.start(QCoreApplication::applicationFilePath(),
+                     {"--gtest_filter=NumbersOfAMixedSystem.*"});
+        ASSERT_TRUE(itself.waitForFinished(patience_ms));
+        EXPECT_EQ(itself.exitCode(), 0) << itself.readAllStandardOutput().toStdString();
+        return;
+    }
+    use_language("");
+    EXPECT_EQ(spoken_language(), "de");
+    const DecimalSpinBox field(0.0, 9.0, 2.5, 1, "");
+    EXPECT_EQ(QString("%L1").arg(2.5, 0, 'f', 1), "2,5");
+    EXPECT_EQ(field.text(), "2,5");
+    EXPECT_EQ(QLocale().toString(2.5, 'f', 1), "2,5");
+}
+
 }  // namespace
 }  // namespace hepatica::testing

@@ -11,7 +11,9 @@
 
 #include "tests/ui/fake_window_test.h"
 #include "ui/curves_dock.h"
+#include "ui/elided_label.h"
 #include "ui/plot_panel.h"
+#include "ui/progress_strip.h"
 
 namespace hepatica {
 namespace {
@@ -115,6 +117,22 @@ TEST(PlotTitles, AreWholeOrEndInAnEllipsisAndNeverOverlap) {
         for (const auto& title : titles) whole += title.text + " ";
         EXPECT_FALSE(width >= 250 && whole.contains("…")) << width << ": " << whole.toStdString();
     }
+}
+
+// In German, at the least width that a whole window has for it.
+TEST(ProgressStripTest, cuts_no_words_where_there_is_room_for_them) {
+    QWidget pictures;
+    pictures.resize(860, 400);
+    auto* strip = new ProgressStrip([] {}, &pictures);
+    strip->start("Der eingebaute Patient wird geöffnet");
+    JobProgress progress;
+    progress.stage = "Die Gefäßsysteme werden unterschieden";
+    progress.stage_number = 14;
+    progress.stage_count = 17;
+    strip->update_progress(progress);
+    pictures.show();
+    for (const auto* label : strip->findChildren<ElidedLabel*>())
+        EXPECT_EQ(label->shown(), label->text());
 }
 
 }  // namespace
