@@ -120,7 +120,9 @@ void MouseTool::double_click(const Pixel& at) {
 
 void MouseTool::wheel(double steps, const MouseModifiers& modifiers) {
     if (modifiers.alt) return clip_.shift(clip_step_mm * steps);
-    if (mode_ == MouseMode::tool && !modifiers.control) return hand_.shift_depth(steps);
+    constexpr double with_shift = 5.0;
+    if (mode_ == MouseMode::tool && !modifiers.control)
+        return hand_.shift_depth(modifiers.shift ? with_shift * steps : steps);
     view_.zoom_by(std::pow(1.15, steps));
 }
 

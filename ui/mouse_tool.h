@@ -7,7 +7,7 @@
 //   Alt + wheel              move the plane that opens the view
 //   right and middle drag, Shift + left drag   the camera, as the scheme says (mouse_scheme.h)
 // With a tool in hand the mouse leads it (tool_hand.h): every drag orbits or pans, the wheel moves
-// the tool in depth, Ctrl + wheel zooms.
+// the tool in depth (with Shift five times as far), Ctrl + wheel zooms.
 // In cut and weaken mode a left drag draws a line across a vessel: a blade goes along it, or the
 // vessel tears more easily there.
 // In pull mode a click on a vessel points at it.

@@ -99,6 +99,15 @@ TEST_F(ToolInHand, the_wheel_moves_it_in_depth_and_control_zooms) {
     EXPECT_EQ(count<MoveTool>(), moves);
 }
 
+// Taken up over nothing it may be far from the vessel that it is for.
+TEST_F(ToolInHand, the_wheel_with_shift_moves_it_five_times_as_far) {
+    take(Qt::Key_4);
+    const Vec3 before = window_.frame().tool->tip_mm;
+    turn_wheel(-2, Qt::ShiftModifier);
+    const Vec3 target = commands_of_type<MoveTool>().back().target_mm;
+    EXPECT_NEAR((target - before).dot(axes().forward), -10.0, 1e-9);
+}
+
 TEST_F(ToolInHand, keys_turn_it_in_the_plane_of_the_picture) {
     take(Qt::Key_5);
     QTest::keyClick(&window_, Qt::Key_T);
