@@ -94,6 +94,8 @@ class GuidePictures : Photographer {
         until([&] { return dialog.measured() && !dialog.working(); });
         dialog.findChild<QSlider*>("lineShare")->setValue(75);
         settle();
+        until([&] { return !dialog.working(); });
+        settle();
         save("threshold", &dialog);
         dialog.hide();
     }
