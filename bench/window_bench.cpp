@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window costs on a screen: processor time while nothing moves, before and after an
-// injection that has run out, and pictures a second, counted when they are swapped onto the screen,
-// while the patient is turned and while a hand pulls a vessel. The whole window, with its mouse
-// events, on whatever display there is:
+// injection that has run out, and where a cut vessel bleeds, and pictures a second, counted when
+// they are swapped onto the screen, while the patient is turned and while a hand pulls a vessel.
+// The whole window, with its mouse events, on whatever display there is:
 //
 //     xvfb-run -s "-screen 0 1280x800x24" build/release/bin/window_bench CASE
 #include <malloc.h>
@@ -123,6 +123,26 @@ class WindowBench {
         return run_until([this] {
             const DrugView& drug = window_.frame().drug;
             return drug.arrival_s && drug.time_s >= drug.end_s;
+        });
+    }
+
+    // A blade across the longest branch. False where nothing bleeds then.
+    bool cut() {
+        window_.actions()[ActionId::cut_mode].trigger();
+        VtkWidget& view = window_.view();
+        const auto place = [&](double share) {
+            return point_at(view.scene().pixel_of(on_vessel(share)), view.devicePixelRatioF());
+        };
+        const QPointF at = place(0.7), along = place(0.72) - place(0.68);
+        const double length = std::hypot(along.x(), along.y());
+        const QPointF across = 40.0 / std::max(length, 1.0) * QPointF(-along.y(), along.x());
+        send(QEvent::MouseButtonPress, at - across);
+        send(QEvent::MouseMove, at + across);
+        send(QEvent::MouseButtonRelease, at + across);
+        window_.actions()[ActionId::pull_mode].trigger();
+        return run_until([this] {
+            const std::optional<TearView>& tear = window_.frame().tear;
+            return tear && tear->leak_g_s > 0.0;
         });
     }
 
@@ -405,5 +425,9 @@ int main(int argc, char** argv) {
     bench.turn();
     if (!only_pull && !bench.turn_with_a_probe()) return 1;
     bench.pull();
+    if (only_pull) return 0;
+    if (!bench.cut()) return 1;
+    run_for(idle_s);  // the stump swings back
+    bench.idle("while a cut vessel bleeds");
     return 0;
 }
