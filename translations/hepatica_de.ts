@@ -5165,6 +5165,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Was an einem Hals an einem Gefäß hängt und weit und kurz ist, ist kaum eines</translation>
     </message>
     <message>
+        <source>what joins the portal trunk before it divides mostly comes from other organs</source>
+        <translation>Was vor der Teilung in den Pfortaderstamm mündet, kommt meist aus anderen Organen</translation>
+    </message>
+    <message>
         <source>The labels of the vessel mask were taken for systems: %1. If they mean something else, name them: --vessel-label LABEL=SYSTEM,LABEL=SYSTEM.</source>
         <translation>Die Labels der Gefäßmaske wurden als Systeme genommen: %1. Wenn sie etwas anderes bedeuten, geben Sie ihnen diese Labels in dem Programm, das sie gezeichnet hat.</translation>
     </message>

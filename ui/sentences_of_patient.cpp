@@ -122,6 +122,7 @@ constexpr std::array sentences_patient{
               "inside such a piece keeps it."),
     Words::id("pieces shorter than %1 mm that nothing joins are often noise"),
     Words::id("what hangs on a vessel by a neck and is wide and short is hardly one"),
+    Words::id("what joins the portal trunk before it divides mostly comes from other organs"),
     Words::id("The labels of the vessel mask were taken for systems: %1. If they mean something "
               "else, name them: --vessel-label LABEL=SYSTEM,LABEL=SYSTEM."),
     Words::id("%1 as %2, %3 as %4, %5 as %6"),

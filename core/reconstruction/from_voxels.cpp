@@ -51,6 +51,8 @@ void warn_of_left_out(const TreeExtraction& extraction, const TreeOptions& optio
             " mm that nothing joins are often noise");
     say(extraction.blobs, " as wide as an organ",
         "what hangs on a vessel by a neck and is wide and short is hardly one");
+    say(extraction.beside_trunk, " of vessels",
+        "what joins the portal trunk before it divides mostly comes from other organs");
 }
 
 // Fills tree and gaps of the case; its voxels take the systems of the tree.
@@ -62,6 +64,7 @@ void extract(const FromVoxelsOptions& options, const Volume& ct, PatientCase& pa
     tree_options.systems_before = options.systems_before;
     tree_options.liver_mm = box_mm(bounding_box(patient.organs), patient.organs.grid);
     tree_options.portal_trunk_mm = options.portal_trunk_mm;
+    tree_options.shorten_trunk = options.shorten_trunk;
     tree_options.bridging.confidence = options.bridge_confidence;
     job.begin_stage("Extracting the tree");
     TreeExtraction extraction =
@@ -76,7 +79,8 @@ void extract(const FromVoxelsOptions& options, const Volume& ct, PatientCase& pa
     patient.doubts->noise_hu = options.of_image.noise_hu;
     patient.doubts->coarsest_spacing_mm = options.of_image.coarsest_spacing_mm;
     job.begin_stage("Telling the systems apart");
-    follow_tree(patient.mask, patient.tree, tree_options.find_systems, job);
+    follow_tree(patient.mask, patient.tree, tree_options.find_systems, job,
+                extraction.trunk_left_out);
 }
 
 }  // namespace

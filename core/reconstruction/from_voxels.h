@@ -23,6 +23,7 @@ struct FromVoxelsOptions {
     double bridge_confidence = BridgeOptions{}.confidence;
     ThinningMethod thinning = ThinningMethod::queue;
     std::optional<Vec3> portal_trunk_mm;  // where it comes in, if that is known
+    bool shorten_trunk = false;           // see TreeOptions
     Doubts of_image{};                    // contrast, noise and spacing
 };
 

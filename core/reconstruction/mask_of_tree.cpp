@@ -27,9 +27,12 @@ std::vector<Votes> votes_of(const Components& pieces, const VesselTree& tree) {
     return votes;
 }
 
-// Points of the tree that lie in the mask: those of a bridge do not.
-std::vector<VesselSeed> centreline_seeds(const Mask& mask, const VesselTree& tree) {
-    std::vector<VesselSeed> seeds;
+// Points that lie in the mask: those of a bridge do not.
+std::vector<VesselSeed> centreline_seeds(const Mask& mask, const VesselTree& tree,
+                                         std::vector<VesselSeed> seeds) {
+    std::erase_if(seeds, [&](const VesselSeed& seed) {
+        return !holds(mask.grid, seed.position_mm) || value_at(mask, seed.position_mm) == 0;
+    });
     for (const VesselSegment& segment : tree.segments)
         for (const Vec3& point : segment.points_mm)
             if (value_at(mask, point) != 0) seeds.push_back({point, segment.system});
@@ -42,8 +45,9 @@ VascularSystem most_voted(const Votes& votes) {
 
 }  // namespace
 
-void follow_tree(Mask& mask, const VesselTree& tree, bool anew, Job& job) {
-    if (anew) mask = label_systems(mask, centreline_seeds(mask, tree), job);
+void follow_tree(Mask& mask, const VesselTree& tree, bool anew, Job& job,
+                 const std::vector<VesselSeed>& left_out) {
+    if (anew) mask = label_systems(mask, centreline_seeds(mask, tree, left_out), job);
     constexpr auto unknown = static_cast<std::uint8_t>(VascularSystem::unknown);
     Mask open(mask.grid);
     for_each_voxel(mask.voxels.size(), job,

@@ -3,6 +3,8 @@
 // to one.
 #pragma once
 
+#include <vector>
+
 #include "core/base/job.h"
 #include "core/image/volume.h"
 #include "core/tree/vessel_tree.h"
@@ -13,6 +15,8 @@ namespace hepatica {
 // is nearest along the vessels (vessel_systems.h); then each 26-connected piece of voxels of an
 // unknown system the one that most centreline points in it have. Pieces without any centreline
 // stay unknown. Throws Cancelled.
-void follow_tree(Mask& mask, const VesselTree& tree, bool anew, Job& job);
+// `left_out` are places on centrelines that the tree lost, which say as much as those that it has.
+void follow_tree(Mask& mask, const VesselTree& tree, bool anew, Job& job,
+                 const std::vector<VesselSeed>& left_out = {});
 
 }  // namespace hepatica

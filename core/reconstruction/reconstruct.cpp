@@ -131,12 +131,14 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     patient.organs = std::move(anatomy.organs);
     mark_tumours(options, ct.grid, patient.organs, job);
     require_seeds_in_vessels(patient.mask, options.seeds);
+    keep_portal_trunk(anatomy.portal_trunk_mm, patient.source.parameters_json);
     FromVoxelsOptions from_voxels;
     from_voxels.seeds = options.seeds;
     from_voxels.find_systems = !options.seeds.empty() || !has_systems(patient.mask);
     from_voxels.bridge_confidence = options.bridge_confidence;
     from_voxels.thinning = options.thinning;
     from_voxels.portal_trunk_mm = anatomy.portal_trunk_mm;
+    from_voxels.shorten_trunk = anatomy.portal_trunk_mm.has_value();
     from_voxels.of_image.contrast_hu = anatomy.contrast.contrast_hu();
     from_voxels.of_image.noise_hu = anatomy.contrast.noise_hu;
     from_voxels.of_image.coarsest_spacing_mm = ct.grid.spacing_mm.maxCoeff();

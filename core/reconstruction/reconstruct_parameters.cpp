@@ -1,12 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/reconstruction/reconstruct_parameters.h"
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
 #include "core/base/sha256.h"
 
 namespace hepatica {
+
+namespace {
+
+constexpr const char* trunk_key = "portal_trunk_mm";
+
+// None where it does not say three numbers.
+std::optional<Vec3> place_in(const nlohmann::json& json) {
+    if (!json.is_array() || json.size() != 3 ||
+        !std::ranges::all_of(json, [](const auto& number) { return number.is_number(); }))
+        return std::nullopt;
+    return Vec3(json[0].get<double>(), json[1].get<double>(), json[2].get<double>());
+}
+
+}  // namespace
 
 std::string parameters_json(const ReconstructOptions& options) {
     nlohmann::ordered_json json;
@@ -36,6 +51,13 @@ std::string parameters_json(const ReconstructOptions& options) {
     return json.dump();
 }
 
+void keep_portal_trunk(const std::optional<Vec3>& trunk_mm, std::string& parameters_json) {
+    if (!trunk_mm) return;
+    auto json = nlohmann::ordered_json::parse(parameters_json);
+    json[trunk_key] = {trunk_mm->x(), trunk_mm->y(), trunk_mm->z()};
+    parameters_json = json.dump();
+}
+
 FromVoxelsOptions from_voxels_options(const std::string& parameters_json) {
     FromVoxelsOptions options;
     const auto json = nlohmann::json::parse(parameters_json, nullptr, false);
@@ -61,6 +83,8 @@ FromVoxelsOptions from_voxels_options(const std::string& parameters_json) {
         options.bridge_confidence = json["bridge_confidence"].get<double>();
     if (json.contains("thinning") && json["thinning"] == "parallel")
         options.thinning = ThinningMethod::parallel;
+    if (json.contains(trunk_key)) options.portal_trunk_mm = place_in(json[trunk_key]);
+    options.shorten_trunk = options.portal_trunk_mm.has_value();
     return options;
 }
 

@@ -18,7 +18,8 @@ namespace hepatica {
 
 namespace {
 
-// Where the widest portal tree began before anybody edited it.
+// Where the widest portal tree began before anybody edited it: cases of older programs do not keep
+// where its trunk was seen.
 std::optional<Vec3> portal_trunk_of(const PatientCase& patient) {
     const VesselTree& made =
         patient.corrections.edits.empty() ? patient.tree : patient.corrections.extracted;
@@ -73,7 +74,7 @@ std::vector<TreeEdit> possible_edits(const PatientCase& made, const std::vector<
 RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Job& job) {
     RemadeCase result;
     FromVoxelsOptions options = from_voxels_options(patient.source.parameters_json);
-    options.portal_trunk_mm = portal_trunk_of(patient);
+    if (!options.portal_trunk_mm) options.portal_trunk_mm = portal_trunk_of(patient);
     options.systems_before = &patient.mask;
     if (patient.doubts) options.of_image = *patient.doubts;
     drop_lost_seeds(vessels, options.seeds, result.warnings);

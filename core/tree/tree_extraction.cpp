@@ -70,9 +70,10 @@ std::vector<RootWish> trunk_wish(const VesselGraph& graph, const std::optional<V
 
 // The first wish of a component counts: a person's, then the trunk that was seen, then anatomy's.
 std::vector<RootWish> all_wishes(const TreeOptions& options, const VesselGraph& graph,
-                                 const AnatomicalAnchors& anchors) {
+                                 const AnatomicalAnchors& anchors,
+                                 const std::optional<Vec3>& trunk_mm) {
     std::vector<RootWish> wishes = wishes_of(options, graph);
-    std::ranges::copy(trunk_wish(graph, options.portal_trunk_mm), std::back_inserter(wishes));
+    std::ranges::copy(trunk_wish(graph, trunk_mm), std::back_inserter(wishes));
     std::ranges::copy(anatomical_roots(graph, anchors), std::back_inserter(wishes));
     return wishes;
 }
@@ -97,18 +98,28 @@ void grow_found_systems(VesselGraph graph, const Volume* ct, const TreeOptions& 
     result.systems = tell_systems_apart(
         graph, ct, {options.seeds, options.liver_mm, options.systems_before}, job);
     const AnatomicalAnchors& anchors = result.systems->anchors;
-    if (options.portal_trunk_mm) lead_trunk_to(*options.portal_trunk_mm, graph);
-    result.tree = directed(graph, all_wishes(options, graph, anchors));
+    std::optional<Vec3> trunk_mm = options.portal_trunk_mm;
+    const auto directed_by_wishes = [&](const VesselGraph& made) {
+        return directed(made, all_wishes(options, made, anchors, trunk_mm));
+    };
+    if (trunk_mm) lead_trunk_to(*trunk_mm, graph);
+    result.tree = directed_by_wishes(graph);
     OpenedLoops opened = open_loops(result.tree);
     result.opened_loops = opened.count;
-    if (opened.count > 0)
-        result.tree = directed(opened.graph, all_wishes(options, opened.graph, anchors));
+    if (opened.count > 0) result.tree = directed_by_wishes(opened.graph);
+    if (trunk_mm && options.shorten_trunk && options.roots_mm.empty())
+        if (const auto trunk = short_trunk(result.tree, *trunk_mm, options.seeds)) {
+            trunk_mm = trunk->begins_mm;
+            result.beside_trunk = trunk->beside;
+            result.trunk_left_out = trunk->left_out;
+            result.tree = directed_by_wishes(trunk->graph);
+        }
     // What hung on a piece that is gone may stand apart now.
     while (true) {
         const RemovedPieces blobs = remove_blobs(result.tree, options.seeds, graph);
         if (blobs.count == 0) break;
         add(result.blobs, blobs);
-        result.tree = directed(graph, all_wishes(options, graph, anchors));
+        result.tree = directed_by_wishes(graph);
     }
 }
 

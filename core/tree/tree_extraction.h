@@ -25,8 +25,9 @@ struct TreeOptions {
     bool find_systems = false;
     const Mask* systems_before = nullptr;  // for find_systems: see SystemSearch::before
     Eigen::AlignedBox3d liver_mm;          // for find_systems; empty: not known
-    // Where the portal trunk comes in, if known: for find_systems.
+    // Where the portal trunk comes in from outside, if known: for find_systems.
     std::optional<Vec3> portal_trunk_mm;
+    bool shorten_trunk = false;  // the tree begins shortly before it divides (portal_trunk.h)
     // Wished roots; each acts on the component it lies nearest to, at its end nearest to the
     // position. A component without one begins at its widest end.
     std::vector<Vec3> roots_mm;
@@ -47,7 +48,9 @@ struct TreeExtraction {
     RemovedPieces too_short;              // left out, before and after gaps were bridged
     std::optional<SystemsFound> systems;  // where they were looked for
     int opened_loops = 0;
-    RemovedPieces blobs;  // what is no vessel, left out where systems were looked for
+    RemovedPieces blobs;         // what is no vessel, left out where systems were looked for
+    RemovedPieces beside_trunk;  // of the portal vein, before it divides (portal_trunk.h)
+    std::vector<VesselSeed> trunk_left_out;  // along the trunk that was shortened, and beside it
 };
 
 // Both masks lie on one grid; `vessels` holds numbers of systems (vascular_system.h). Radii are

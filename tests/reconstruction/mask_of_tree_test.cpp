@@ -54,5 +54,17 @@ TEST_F(MaskOfTree, AnewEveryVoxelFollowsItsCentreline) {
     EXPECT_EQ(mask_.at(9, 20, 1), 255);
 }
 
+// Also where it is no longer in the tree; one that a bridge led over tissue says nothing.
+TEST_F(MaskOfTree, AnewWhatTheTreeLostIsWhatItWas) {
+    Job job;
+    follow_tree(mask_, tree_, true, job,
+                {{Vec3(9, 4, 1), VascularSystem::portal},
+                 {Vec3(7, 4, 1), VascularSystem::artery},
+                 {Vec3(90, 4, 1), VascularSystem::artery}});
+    EXPECT_EQ(mask_.at(9, 20, 1), 1);
+    EXPECT_EQ(mask_.at(5, 20, 1), 2);
+    EXPECT_EQ(mask_.at(1, 20, 1), 1);
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -159,7 +159,30 @@ TEST_F(RemadeCaseTest, SystemsFromBeforeAreForgotten) {
     EXPECT_EQ(made.mask.voxels[there], number_of(VascularSystem::unknown));
 }
 
-// The portal trunk comes in where it did, although the case keeps no place for that.
+// A case that keeps where its trunk was seen begins shortly before that divides, however often it
+// is remade; one of an older program, whose root alone is known, stays as long as it was.
+TEST_F(RemadeCaseTest, TheTrunkIsShortenedOnceAndWhereItWasSeen) {
+    const auto portal_root = [](const VesselTree& tree) {
+        for (const VesselSegment& segment : tree.segments)
+            if (segment.parent < 0 && segment.system == VascularSystem::portal)
+                return segment.points_mm.front();
+        throw std::runtime_error("there is no portal vein");
+    };
+    const Vec3 seen_mm = portal_root(patient_->tree);
+    PatientCase keeps = *patient_;
+    keep_portal_trunk(seen_mm, keeps.source.parameters_json);
+    const PatientCase once = remade_of(patient_->mask, keeps).patient;
+    EXPECT_LT(length_mm(once.tree), length_mm(patient_->tree) - 3.0);
+    EXPECT_GT((portal_root(once.tree) - seen_mm).norm(), 3.0);
+    EXPECT_LT(nearest_point(patient_->tree, portal_root(once.tree)).distance_mm, 0.5);
+    EXPECT_EQ(once.source.parameters_json, keeps.source.parameters_json);
+    const PatientCase twice = remade_of(once.mask, once).patient;
+    EXPECT_TRUE(same_points(twice.tree, once.tree));
+    EXPECT_EQ(hash_of(twice), hash_of(once));
+    EXPECT_EQ(portal_root(remade_of(patient_->mask).patient.tree), seen_mm);
+}
+
+// The portal trunk comes in where it did.
 class RemadeRealCase : public testing::TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(Ircadb01, RemadeRealCase, testing::ValuesIn(test::real_cases));
@@ -253,14 +276,28 @@ TEST(FromVoxelsOptions, AreThoseOfTheReconstruction) {
     ASSERT_EQ(options.seeds.size(), 1u);
     EXPECT_EQ(options.seeds[0].position_mm, Vec3(1.5, -2, 3));
     EXPECT_EQ(options.seeds[0].system, VascularSystem::hepatic);
+    EXPECT_FALSE(options.portal_trunk_mm);
+    EXPECT_FALSE(options.shorten_trunk) << "an older case, or one whose trunk was not seen";
+    // Odd numbers come back to the bit.
+    const Vec3 seen_mm(0.1, -1.0 / 3.0, 30.0);
+    std::string kept = parameters_json(made);
+    keep_portal_trunk(std::nullopt, kept);
+    EXPECT_EQ(kept, parameters_json(made));
+    keep_portal_trunk(seen_mm, kept);
+    EXPECT_EQ(from_voxels_options(kept).portal_trunk_mm, seen_mm);
+    EXPECT_TRUE(from_voxels_options(kept).shorten_trunk);
+    EXPECT_EQ(from_voxels_options(kept).seeds.size(), 1u);
     // What a file may hold instead.
     for (const char* text : {"", "[]", "{\"seeds\": 3, \"bridge_confidence\": \"x\"}",
                              "{\"seeds\": [{\"system\": 4}, {}, 7], \"thinning\": \"other\"}",
-                             "{\"thinning\": 3, \"vessel_mask_given\": \"x\"}"}) {
+                             "{\"thinning\": 3, \"vessel_mask_given\": \"x\"}",
+                             "{\"portal_trunk_mm\": [1, 2]}", "{\"portal_trunk_mm\": null}",
+                             "{\"portal_trunk_mm\": [1, 2, \"x\"]}", "{\"portal_trunk_mm\": 7}"}) {
         options = from_voxels_options(text);
         EXPECT_TRUE(options.seeds.empty()) << text;
         EXPECT_EQ(options.bridge_confidence, 0.25) << text;
         EXPECT_EQ(options.thinning, ThinningMethod::queue) << text;
+        EXPECT_FALSE(options.portal_trunk_mm) << text;
     }
 }
 

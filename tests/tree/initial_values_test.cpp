@@ -27,6 +27,7 @@
 #include "core/tree/systems/doubtful_roots.h"
 #include "core/tree/systems/labelled_graph.h"
 #include "core/tree/systems/loop_opening.h"
+#include "core/tree/systems/portal_trunk.h"
 #include "core/tree/systems/potts_labelling.h"
 #include "core/tree/systems/seeded_spread.h"
 #include "core/tree/systems/system_evidence.h"
@@ -76,6 +77,7 @@ TEST(TreeInitialFigures, AreThoseRecorded) {
     HEPATICA_ADD_INITIAL(figures, DoubtfulRoot);
     HEPATICA_ADD_INITIAL(figures, PieceSystem);
     HEPATICA_ADD_INITIAL(figures, OpenedLoops);
+    HEPATICA_ADD_INITIAL(figures, ShortTrunk);
     HEPATICA_ADD_INITIAL(figures, Tie);
     HEPATICA_ADD_INITIAL(figures, PottsProblem);
     HEPATICA_ADD_INITIAL(figures, SeededVessel);

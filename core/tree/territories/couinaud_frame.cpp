@@ -7,6 +7,8 @@
 #include <numbers>
 #include <optional>
 
+#include "core/tree/systems/portal_trunk.h"
+
 namespace hepatica {
 
 namespace {
@@ -142,35 +144,6 @@ double caudate_likelihood(const CouinaudFrame& frame, const Vec3& at) {
 }
 
 }  // namespace
-
-int end_of_portal_trunk(const VesselTree& tree) {
-    constexpr double notable_share = 1.0 / 7.0;
-    std::vector<double> beyond_mm(tree.segments.size(), 0.0);
-    std::vector<std::vector<int>> below(tree.segments.size());
-    int at = -1;
-    for (std::size_t i = tree.segments.size(); i-- > 0;) {  // children before parents
-        const VesselSegment& segment = tree.segments[i];
-        if (segment.system != VascularSystem::portal || segment.closes_loop) continue;
-        const int parent = segment.parent;
-        beyond_mm[i] += length_mm(segment);
-        const bool goes_on = parent >= 0 && !tree.segments[parent].closes_loop &&
-                             tree.segments[parent].system == VascularSystem::portal;
-        if (goes_on) {
-            beyond_mm[parent] += beyond_mm[i];
-            below[parent].push_back(static_cast<int>(i));
-        } else if (at < 0 || beyond_mm[i] >= beyond_mm[at]) {
-            at = static_cast<int>(i);
-        }
-    }
-    const double least_mm = notable_share * beyond_mm[at];
-    while (true) {
-        std::vector<int>& next = below[at];
-        std::ranges::stable_sort(next, std::ranges::greater{},
-                                 [&](int branch) { return beyond_mm[branch]; });
-        if (next.empty() || (next.size() > 1 && beyond_mm[next[1]] >= least_mm)) return at;
-        at = next.front();
-    }
-}
 
 CouinaudFrame couinaud_frame(const VesselTree& tree, const Eigen::AlignedBox3d& liver_mm,
                              double liver_ml) {

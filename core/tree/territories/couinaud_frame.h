@@ -35,11 +35,6 @@ struct CouinaudFrame {
     Vec3 left_branch_mm = Vec3::Zero();
 };
 
-// The segment at whose end the portal trunk divides: down from the root of the longest portal tree
-// to the first node beyond which a second branch holds at least a seventh of its length. There must
-// be a portal segment.
-int end_of_portal_trunk(const VesselTree& tree);
-
 // Of a tree with a portal system, in a liver of this box and volume. Patient space is LPS: organs
 // that lie mirrored in the body are not known.
 CouinaudFrame couinaud_frame(const VesselTree& tree, const Eigen::AlignedBox3d& liver_mm,

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/test_trees.h"
 
 namespace hepatica {
@@ -76,6 +78,85 @@ TEST(PortalTrunk, NeverLeavesAHepaticVein) {
     lead_trunk_to(Vec3(30, 14, 0), graph);  // 4 mm from the hepatic vein, 14 from the portal one
     EXPECT_EQ(graph.links.back().system, portal);
     EXPECT_NEAR(total_mm(graph), 134.0, 1e-9);
+}
+
+// From (0, 0, 0) a trunk of 5 mm radius that divides at (60, 0, 0) into branches of 100 and 80 mm.
+// Where `joined` is set a vessel of 20 mm joins it at (30, 0, 0), another at (58, 0, 0).
+VesselGraph trunk_that_divides(bool joined) {
+    VesselGraph graph;
+    for (const Vec3& p : {Vec3(0, 0, 0), Vec3(30, 0, 0), Vec3(58, 0, 0), Vec3(60, 0, 0),
+                          Vec3(160, 0, 0), Vec3(60, 80, 0), Vec3(30, 20, 0), Vec3(58, -20, 0)})
+        graph.nodes.push_back({p, 5});
+    for (const auto& [from, to] : {std::pair{0, 1}, {1, 2}, {2, 3}})
+        graph.links.push_back(straight_link(graph, from, to, 5, 5, portal));
+    graph.links.push_back(straight_link(graph, 3, 4, 4, 2, portal));
+    graph.links.push_back(straight_link(graph, 3, 5, 3, 2, portal));
+    if (joined)
+        for (const auto& [from, to] : {std::pair{1, 6}, {2, 7}})
+            graph.links.push_back(straight_link(graph, from, to, 2, 2, portal));
+    join_passing_nodes(graph);
+    return graph;
+}
+
+VesselTree begun_at(const VesselGraph& graph, const Vec3& root_mm) {
+    for (std::size_t n = 0; n < graph.nodes.size(); ++n)
+        if (graph.nodes[n].position_mm == root_mm) {
+            const RootWish wish{static_cast<int>(n), portal};
+            return directed(graph, {&wish, 1});
+        }
+    return directed(graph);
+}
+
+// What joins the trunk within its last radius stays.
+TEST(PortalTrunk, BeginsOneRadiusBeforeItDivides) {
+    for (const bool joined : {false, true}) {
+        const VesselTree tree = begun_at(trunk_that_divides(joined), Vec3(0, 0, 0));
+        const auto made = short_trunk(tree, Vec3(1, 2, 0), {});
+        ASSERT_TRUE(made);
+        EXPECT_LT((made->begins_mm - Vec3(55, 0, 0)).norm(), 1e-6);
+        EXPECT_NEAR(total_mm(made->graph), 5.0 + 180.0 + (joined ? 20.0 : 0.0), 1e-6);
+        EXPECT_EQ(made->beside.count, joined ? 1 : 0);
+        EXPECT_NEAR(made->beside.length_mm, joined ? 20.0 : 0.0, 1e-6);
+        double farthest_mm = 0.0;
+        for (const VesselSeed& left_out : made->left_out) {
+            EXPECT_EQ(left_out.system, portal);
+            EXPECT_LE(left_out.position_mm.x(), 55.0 + 1e-6);
+            farthest_mm = std::max(farthest_mm, left_out.position_mm.y());
+        }
+        EXPECT_NEAR(farthest_mm, joined ? 20.0 : 0.0, 1e-6) << "what hung on the trunk, too";
+        const VesselTree shorter = begun_at(made->graph, made->begins_mm);
+        EXPECT_EQ(roots(shorter).size(), 1u);
+        EXPECT_FALSE(short_trunk(shorter, made->begins_mm, {})) << "it is short already";
+    }
+}
+
+// The trunk goes on into other organs, and the tree begins at a stub beside it (a real patient).
+TEST(PortalTrunk, LosesWhatGoesOnBesideItsRoot) {
+    VesselGraph with_stub = trunk_that_divides(true);
+    const auto at = std::ranges::find_if(
+        with_stub.nodes, [](const VesselNode& n) { return n.position_mm == Vec3(30, 0, 0); });
+    const int fork = static_cast<int>(at - with_stub.nodes.begin());
+    with_stub.nodes.push_back({Vec3(30, -4, 0), 5});
+    with_stub.links.push_back(
+        straight_link(with_stub, fork, static_cast<int>(with_stub.nodes.size()) - 1, 5, 5, portal));
+    const auto made = short_trunk(begun_at(with_stub, Vec3(30, -4, 0)), Vec3(30, -4, 0), {});
+    ASSERT_TRUE(made);
+    EXPECT_LT((made->begins_mm - Vec3(55, 0, 0)).norm(), 1e-6);
+    EXPECT_EQ(made->beside.count, 2) << "the trunk's own beginning and what joins it there";
+    EXPECT_NEAR(made->beside.length_mm, 50.0, 1e-6);
+    EXPECT_NEAR(total_mm(made->graph), 205.0, 1e-6);
+}
+
+TEST(PortalTrunk, StaysLongWhereItMay) {
+    const VesselTree tree = begun_at(trunk_that_divides(true), Vec3(0, 0, 0));
+    EXPECT_FALSE(short_trunk(tree, Vec3(0, 16, 0), {})) << "it was seen elsewhere";
+    for (const Vec3& seed : {Vec3(20, 1, 0), Vec3(50, -1, 0), Vec3(30, 12, 1)})
+        EXPECT_FALSE(short_trunk(tree, Vec3(0, 0, 0), {{seed, portal}})) << seed.transpose();
+    EXPECT_TRUE(short_trunk(tree, Vec3(0, 0, 0), {{Vec3(100, 1, 0), portal}}));
+    EXPECT_FALSE(short_trunk(directed(two_veins()), Vec3(0, 0, 0), {})) << "it never divides";
+    VesselGraph veins = trunk_that_divides(true);
+    for (VesselLink& link : veins.links) link.system = hepatic;
+    EXPECT_FALSE(short_trunk(directed(veins), Vec3(0, 0, 0), {}));
 }
 
 }  // namespace

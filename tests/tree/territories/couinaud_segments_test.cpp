@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/image/morphology.h"
 #include "core/phantom/phantom.h"
+#include "core/tree/systems/portal_trunk.h"
 #include "tests/tree/territories/textbook_portal.h"
 
 namespace hepatica {
