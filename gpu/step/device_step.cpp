@@ -316,7 +316,7 @@ template <class Real>
 bool Step<Real>::solve(Underway& step, const SolveLimits& limits, StepReport& report,
                        const std::stop_token& stop) {
     const double dt = step.dt_s;
-    if (skeleton_) skeleton_->prepare(step_matrix(dt), state_.positions_mm, held_);
+    if (skeleton_) skeleton_->prepare(step_matrix(dt), start_.read());
     const SolveReport solved =
         solver_.solve(step_matrix(dt), step.predicted ? steepest_.read() : rhs_.read(),
                       skeleton_.get(), limits, stop);

@@ -39,6 +39,12 @@ class Partition {
         machine_.launch(SumChunks<Term>{term, view(), partial_.view()});
         machine_.launch(FinishSum<Then>{then, view(), partial_.read()});
     }
+    // The same for many segments, in one launch where none of them is long.
+    template <class Term, class Then>
+    void sum_segments(const Term& term, const Then& then) const {
+        if (longest_ > most_at_once) return sum(term, then);
+        machine_.launch(SumSegments<Term, Then>{term, then, view()});
+    }
     // The same, read back: `width` numbers a segment. Waits for the machine.
     template <class Term>
     std::vector<double> read(const Term& term) const {
@@ -50,12 +56,14 @@ class Partition {
 
   private:
     static constexpr int most_width = 12;
+    static constexpr int most_at_once = 32 * sum_threads;  // nodes of a segment
 
     PartitionView view() const {
         return {order_.read(), chunk_begin_.read(), segment_begin_.read()};
     }
 
     Machine& machine_;
+    int longest_ = 0;  // segment, in nodes
     GrowingArray<int> order_, chunk_begin_, segment_begin_;
     GrowingArray<double> partial_, result_;
 };
