@@ -96,11 +96,13 @@ struct NodePair {
 // P^T A P,
 //   sum_i P_i (m_i P_i + sum_j A_ij (P_j - P_i)),
 // by differences, as A itself: one block of threads a pair of nodes, sixteen threads for the pairs
-// of their vectors, eight times over for the vertices. Grabs are left out.
+// of their vectors, many times over for the vertices. Grabs are left out.
 template <class Real>
 struct ProjectMatrix {
-    static constexpr int vectors = coarse_vectors * coarse_vectors, parts = 8;
+    static constexpr int vectors = coarse_vectors * coarse_vectors, parts = 32;
     static constexpr int threads = vectors * parts, shared = 9 * threads;
+    static constexpr int halvings = 5;
+    static_assert(1 << halvings == parts);
     SystemView<Real> system;
     View<const VertexModes<Real>> modes;
     NodeVertices vertices;
@@ -108,14 +110,14 @@ struct ProjectMatrix {
     View<double> matrix;  // blocks of the factor
 
     int blocks() const { return pair.size; }
-    HEPATICA_HOST_DEVICE int phases() const { return 5; }
+    HEPATICA_HOST_DEVICE int phases() const { return 2 + halvings; }
     std::size_t bytes() const {
         return system.bytes() + bytes_of(modes, vertices.vertex, pair, matrix);
     }
     HEPATICA_HOST_DEVICE void operator()(int phase, int q, int thread, double* sums) const {
         if (phase == 0) return add_up(pair[q], thread, sums);
         const int half = threads >> phase;
-        if (phase <= 3) {
+        if (phase <= halvings) {
             for (int e = 0; e < 9 && thread < half; ++e)
                 sums[9 * thread + e] += sums[9 * (thread + half) + e];
         } else if (thread < vectors) {

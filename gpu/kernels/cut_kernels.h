@@ -6,6 +6,13 @@
 
 #include "gpu/kernels/view.h"
 
+// Loops whose loads a device has under way at once.
+#ifdef __CUDACC__
+#define HEPATICA_UNROLL _Pragma("unroll")
+#else
+#define HEPATICA_UNROLL
+#endif
+
 namespace hepatica::gpu {
 
 constexpr int coarse_vectors = 4;  // per node, as vectors_per_node
@@ -32,11 +39,12 @@ struct CutListsView {
 // out of the coarse space. So are those that move nothing, whose pivots are zero from the start.
 constexpr double least_pivot = 1e-10;
 
-// Cuts of one level: C_ip = A_ip - sum_k C_ik N_pk^T, D_p = C_pp inverted, N_ip = C_ip D_p^-1.
+// Cuts of one level: C_ip = A_ip - sum_k C_ik N_pk^T, D_p = C_pp inverted, N_ip = C_ip D_p^-1. A
+// thread has one entry of every block.
 template <class Real>
 struct EliminateCuts {
-    static constexpr int threads = 256;
-    static constexpr int shared = cut_entries + 2 * cut_rows;  // C_pp; a row and a column of it
+    static constexpr int threads = cut_entries;
+    static constexpr int shared = cut_entries + 3 * cut_rows;  // C_pp; a row, a column; diagonal
     CutListsView lists;
     int first, cuts;
     View<const double> matrix;
@@ -59,22 +67,27 @@ struct EliminateCuts {
         else if (phase % 2 == 1)
             keep_pivot((phase - 1) / 2, thread, own);
         else
-            turn_pivot((phase - 1) / 2, cut, thread, own);
+            turn_pivot((phase - 1) / 2, thread, own);
     }
 
   private:
-    HEPATICA_HOST_DEVICE void reduce(int cut, int thread, double* own) const {
+    static constexpr int in_row = cut_entries, in_column = in_row + cut_rows;
+    static constexpr int diagonal = in_column + cut_rows;  // before elimination
+
+    HEPATICA_HOST_DEVICE void reduce(int cut, int entry, double* own) const {
+        const int row = entry % cut_rows, column = entry / cut_rows;
         const int begin = lists.column_begin[cut];
-        const int entries = cut_entries * (lists.column_begin[cut + 1] - begin);
-        for (int k = thread; k < entries; k += threads) {
-            const int block = begin + k / cut_entries, entry = k % cut_entries;
-            const int row = entry % cut_rows, column = entry / cut_rows;
+        for (int block = begin; block < lists.column_begin[cut + 1]; ++block) {
             double sum = matrix[cut_entries * block + entry];
+            if (block == begin && row == column) own[diagonal + row] = sum;
             for (int u = lists.update_begin[block]; u < lists.update_begin[block + 1]; ++u) {
                 const double* const left = reduced.data + cut_entries * lists.update[u].left;
                 const double* const right = multiplier.data + cut_entries * lists.update[u].right;
+                double product = 0.0;
+                HEPATICA_UNROLL
                 for (int c = 0; c < cut_rows; ++c)
-                    sum -= left[entry_of_cut(row, c)] * right[entry_of_cut(column, c)];
+                    product += left[entry_of_cut(row, c)] * right[entry_of_cut(column, c)];
+                sum -= product;
             }
             reduced[cut_entries * block + entry] = sum;
             if (block == begin) own[entry] = sum;
@@ -82,41 +95,31 @@ struct EliminateCuts {
     }
     HEPATICA_HOST_DEVICE void keep_pivot(int pivot, int thread, double* own) const {
         if (thread >= cut_rows) return;
-        own[cut_entries + thread] = own[entry_of_cut(pivot, thread)];
-        own[cut_entries + cut_rows + thread] = own[entry_of_cut(thread, pivot)];
+        own[in_row + thread] = own[entry_of_cut(pivot, thread)];
+        own[in_column + thread] = own[entry_of_cut(thread, pivot)];
     }
     // A step of Gauss and Jordan's inversion in place.
-    HEPATICA_HOST_DEVICE void turn_pivot(int pivot, int cut, int thread, double* own) const {
-        const double* const in_row = own + cut_entries;
-        const double* const in_column = in_row + cut_rows;
-        const double before =
-            matrix[cut_entries * lists.column_begin[cut] + entry_of_cut(pivot, pivot)];
-        const bool alive = in_row[pivot] > least_pivot * before && in_row[pivot] > 0.0;
-        const double scale = alive ? 1.0 / in_row[pivot] : 0.0;
-        for (int entry = thread; entry < cut_entries; entry += threads) {
-            const int row = entry % cut_rows, column = entry / cut_rows;
-            double& value = own[entry];
-            if (row == pivot)
-                value = column == pivot ? scale : scale * in_row[column];
-            else if (column == pivot)
-                value = -scale * in_column[row];
-            else
-                value -= scale * in_column[row] * in_row[column];
-        }
+    HEPATICA_HOST_DEVICE void turn_pivot(int pivot, int entry, double* own) const {
+        const double value = own[in_row + pivot];
+        const bool alive = value > least_pivot * own[diagonal + pivot] && value > 0.0;
+        const double scale = alive ? 1.0 / value : 0.0;
+        const int row = entry % cut_rows, column = entry / cut_rows;
+        if (row == pivot)
+            own[entry] = column == pivot ? scale : scale * own[in_row + column];
+        else if (column == pivot)
+            own[entry] = -scale * own[in_column + row];
+        else
+            own[entry] -= scale * own[in_column + row] * own[in_row + column];
     }
-    HEPATICA_HOST_DEVICE void finish(int cut, int thread, const double* own) const {
-        const int begin = lists.column_begin[cut];
-        for (int entry = thread; entry < cut_entries; entry += threads) {
-            const int row = entry % cut_rows, column = entry / cut_rows;
-            inverse[cut_entries * cut + entry] =
-                Real(0.5 * (own[entry] + own[entry_of_cut(column, row)]));
-        }
-        const int entries = cut_entries * (lists.column_begin[cut + 1] - begin - 1);
-        for (int k = thread; k < entries; k += threads) {
-            const int block = begin + 1 + k / cut_entries, entry = k % cut_entries;
-            const int row = entry % cut_rows, column = entry / cut_rows;
+    HEPATICA_HOST_DEVICE void finish(int cut, int entry, const double* own) const {
+        const int row = entry % cut_rows, column = entry / cut_rows;
+        inverse[cut_entries * cut + entry] =
+            Real(0.5 * (own[entry] + own[entry_of_cut(column, row)]));
+        for (int block = lists.column_begin[cut] + 1; block < lists.column_begin[cut + 1];
+             ++block) {
             const double* const left = reduced.data + cut_entries * block;
             double sum = 0.0;
+            HEPATICA_UNROLL
             for (int c = 0; c < cut_rows; ++c)
                 sum += left[entry_of_cut(row, c)] * own[entry_of_cut(c, column)];
             multiplier[cut_entries * block + entry] = sum;
@@ -129,9 +132,15 @@ struct EliminateCuts {
 // x = N^-T D^-1 g as the motion.
 enum class CutSolve { forward, backward, both };
 
+// Cuts of a stage at most, as many as partial sums have room for.
+constexpr int most_cuts_of_stage = 16;
+
+// Eight threads a row, each with three columns of every block; then one adds them up.
 template <class Real>
 struct SolveCuts {
-    static constexpr int threads = 256, shared = 1;
+    static constexpr int parts = 8, columns = cut_rows / parts;
+    static constexpr int per_cut = cut_rows * parts, threads = 2 * per_cut;
+    static constexpr int shared = most_cuts_of_stage * per_cut;
     CutListsView lists;
     int stages;
     View<const int> begin, cut;  // CutStages
@@ -140,55 +149,72 @@ struct SolveCuts {
     View<double> load, motion;  // cut_rows for each cut
 
     int blocks() const { return stages > 0 ? begin.size / (stages + 1) : 0; }
-    HEPATICA_HOST_DEVICE int phases() const { return way == CutSolve::both ? 2 * stages : stages; }
+    HEPATICA_HOST_DEVICE int phases() const {
+        return 2 * (way == CutSolve::both ? 2 * stages : stages);
+    }
     std::size_t bytes() const {
         const auto cuts = static_cast<std::size_t>(cut.size);
         const std::size_t entries = cuts * cut_entries * sizeof(Real);
         const std::size_t once = entries * 2 + cuts * cut_rows * 2 * sizeof(double);
         return way == CutSolve::both ? 2 * once : once;
     }
-    HEPATICA_HOST_DEVICE void operator()(int phase, int row, int thread, double*) const {
-        const bool forward = way == CutSolve::forward || (way == CutSolve::both && phase < stages);
-        int stage = phase;
-        if (!forward) stage = (way == CutSolve::both ? 2 * stages : stages) - 1 - phase;
+    HEPATICA_HOST_DEVICE void operator()(int phase, int row, int thread, double* sums) const {
+        const int step = phase / 2;
+        const bool forward = way == CutSolve::forward || (way == CutSolve::both && step < stages);
+        int stage = step;
+        if (!forward) stage = (way == CutSolve::both ? 2 * stages : stages) - 1 - step;
         const int at = row * (stages + 1) + stage;
-        const int end = cut_rows * begin[at + 1];
-        for (int k = cut_rows * begin[at] + thread; k < end; k += threads) {
-            const int own = cut[k / cut_rows];
-            if (forward)
-                eliminate(own, k % cut_rows);
-            else
-                substitute(own, k % cut_rows);
+        const int first = begin[at], cuts = begin[at + 1] - first;
+        if (phase % 2 == 0) {
+            for (int k = thread; k < cuts * per_cut; k += threads)
+                sums[k] = forward ? eliminate(cut[first + k / per_cut], k % cut_rows, part_of(k))
+                                  : substitute(cut[first + k / per_cut], k % cut_rows, part_of(k));
+        } else {
+            for (int k = thread; k < cuts * cut_rows; k += threads)
+                add_up(cut[first + k / cut_rows], k % cut_rows,
+                       sums + k / cut_rows * per_cut + k % cut_rows, forward);
         }
     }
 
   private:
-    // g_p = b_p - sum_k N_pk g_k
-    HEPATICA_HOST_DEVICE void eliminate(int own, int r) const {
-        double sum = load[cut_rows * own + r];
+    HEPATICA_HOST_DEVICE int part_of(int k) const { return k % per_cut / cut_rows; }
+
+    // g_p = b_p - sum_k N_pk g_k: of the sum, some columns.
+    HEPATICA_HOST_DEVICE double eliminate(int own, int r, int part) const {
+        double sum = 0.0;
         for (int k = lists.row_begin[own]; k < lists.row_begin[own + 1]; ++k) {
             const int block = lists.in_row[k];
             const Real* const entries = factor.data + cut_entries * block;
             const double* const below = load.data + cut_rows * lists.column[block];
-            for (int c = 0; c < cut_rows; ++c)
+            HEPATICA_UNROLL
+            for (int c = columns * part; c < columns * (part + 1); ++c)
                 sum -= double(entries[entry_of_cut(r, c)]) * below[c];
         }
-        load[cut_rows * own + r] = sum;
+        return sum;
     }
-    // x_p = D_p^-1 g_p - sum_i N_ip^T x_i
-    HEPATICA_HOST_DEVICE void substitute(int own, int r) const {
+    // x_p = D_p^-1 g_p - sum_i N_ip^T x_i, likewise.
+    HEPATICA_HOST_DEVICE double substitute(int own, int r, int part) const {
         const Real* const diagonal = inverse.data + cut_entries * own;
         const double* const reduced = load.data + cut_rows * own;
         double sum = 0.0;
-        for (int c = 0; c < cut_rows; ++c) sum += double(diagonal[entry_of_cut(r, c)]) * reduced[c];
+        HEPATICA_UNROLL
+        for (int c = columns * part; c < columns * (part + 1); ++c)
+            sum += double(diagonal[entry_of_cut(r, c)]) * reduced[c];
         for (int block = lists.column_begin[own] + 1; block < lists.column_begin[own + 1];
              ++block) {
             const Real* const entries = factor.data + cut_entries * block;
             const double* const above = motion.data + cut_rows * lists.row[block];
-            for (int c = 0; c < cut_rows; ++c)
+            HEPATICA_UNROLL
+            for (int c = columns * part; c < columns * (part + 1); ++c)
                 sum -= double(entries[entry_of_cut(c, r)]) * above[c];
         }
-        motion[cut_rows * own + r] = sum;
+        return sum;
+    }
+    HEPATICA_HOST_DEVICE void add_up(int own, int r, const double* parts_of_row,
+                                     bool forward) const {
+        double sum = forward ? load[cut_rows * own + r] : 0.0;
+        for (int part = 0; part < parts; ++part) sum += parts_of_row[part * cut_rows];
+        (forward ? load : motion)[cut_rows * own + r] = sum;
     }
 };
 

@@ -191,7 +191,9 @@ class Planner {
         std::ranges::sort(cuts);
         Lists stages;
         for (std::size_t k = 0; k < cuts.size(); ++k) {
-            if (k == 0 || level(cuts[k]) != level(cuts[k - 1])) stages.emplace_back();
+            if (k == 0 || level(cuts[k]) != level(cuts[k - 1]) ||
+                stages.back().size() == most_cuts_of_stage)
+                stages.emplace_back();
             stages.back().push_back(cuts[k]);
         }
         return stages;

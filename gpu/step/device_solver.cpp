@@ -70,8 +70,10 @@ template <class Real>
 void DeviceSolver<Real>::iterate(const SystemView<Real>& system,
                                  const DeviceSkeleton<Real>* skeleton) {
     machine_.for_each(TurnDirection<Real>{scalars_.read(), z_.read(), p_.view()});
-    nodes_.sum(Product<Real, Real>{system, p_.read(), product_.view()},
-               ChooseStep{scalars_.view()});
+    const auto product = [&](View<double> partial) {
+        return ProductChunks<Real, Real>{system, p_.read(), product_.view(), partial};
+    };
+    nodes_.sum_whole(product, ChooseStep{scalars_.view()});
     precondition(TakeStep<Real>{scalars_.read(), p_.read(), product_.read(), inverse_.read(),
                                 x_.view(), r_.view(), z_.view()},
                  EndIteration{scalars_.view(), record_.view()}, skeleton);

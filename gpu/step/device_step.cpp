@@ -235,7 +235,9 @@ SystemView<Real> Step<Real>::system(const SystemFactors& factors) const {
 template <class Real>
 double Step<Real>::product(const SystemView<Real>& system, const GrowingArray<Vector3<double>>& w,
                            GrowingArray<Vector3<double>>& y) {
-    return all_.read(Product<Real, double>{system, w.read(), y.view()})[0];
+    return all_.read_whole<1>([&](View<double> partial) {
+        return ProductChunks<Real, double>{system, w.read(), y.view(), partial};
+    })[0];
 }
 
 // Goes to w = share v_n + change and evaluates there.

@@ -107,7 +107,7 @@ GpuRow row_of(const BodyDescription& body, const StepperOptions& options, int st
     CudaOptions cuda;
     const auto back_end = make_cuda_back_end(body, options, machine, cuda);
     begin(*back_end, body);
-    warm_up(*back_end, plan ? 1 : warm_up_steps);  // the first allocates
+    warm_up(*back_end, warm_up_steps);  // the first allocates
     const Traffic before = machine->traffic();
     *cuda.share = {};
     const Timed timed = time_steps(*back_end, steps);
