@@ -95,14 +95,14 @@ struct NodePair {
 
 // P^T A P,
 //   sum_i P_i (m_i P_i + sum_j A_ij (P_j - P_i)),
-// by differences, as A itself: one block of threads a pair of nodes, sixteen threads for the pairs
-// of their vectors, many times over for the vertices. Grabs are left out.
+// by differences, as A itself: one block of threads a pair of nodes, four threads for the vectors
+// of the other node, many times over for the vertices. Grabs are left out.
 template <class Real>
 struct ProjectMatrix {
-    static constexpr int vectors = coarse_vectors * coarse_vectors, parts = 32;
-    static constexpr int threads = vectors * parts, shared = 9 * threads;
-    static constexpr int halvings = 5;
+    static constexpr int parts = 32, halvings = 5;
     static_assert(1 << halvings == parts);
+    static constexpr int entries = 9 * coarse_vectors;  // for all vectors of the own node
+    static constexpr int threads = coarse_vectors * parts, shared = entries * threads;
     SystemView<Real> system;
     View<const VertexModes<Real>> modes;
     NodeVertices vertices;
@@ -115,45 +115,54 @@ struct ProjectMatrix {
         return system.bytes() + bytes_of(modes, vertices.vertex, pair, matrix);
     }
     HEPATICA_HOST_DEVICE void operator()(int phase, int q, int thread, double* sums) const {
-        if (phase == 0) return add_up(pair[q], thread, sums);
         const int half = threads >> phase;
-        if (phase <= halvings) {
-            for (int e = 0; e < 9 && thread < half; ++e)
-                sums[9 * thread + e] += sums[9 * (thread + half) + e];
-        } else if (thread < vectors) {
-            const NodePair& at = pair[q];
-            double* const block = matrix.data + cut_entries * at.block;
-            for (int r = 0; r < 3; ++r)
-                for (int c = 0; c < 3; ++c)
-                    block[entry_of_cut(at.row + 3 * (thread / coarse_vectors) + r,
-                                       at.column + 3 * (thread % coarse_vectors) + c)] =
-                        sums[9 * thread + 3 * r + c];
+        if (phase == 0) {
+            add_up(pair[q], thread, sums);
+        } else if (phase <= halvings) {
+            for (int e = 0; e < entries && thread < half; ++e)
+                sums[e * threads + thread] += sums[e * threads + thread + half];
+        } else if (thread < coarse_vectors) {
+            write(pair[q], thread, sums);
         }
     }
 
   private:
-    HEPATICA_HOST_DEVICE void add_up(const NodePair& at, int thread, double* sums) const {
-        const int own_vector = thread % vectors / coarse_vectors;
-        const int other_vector = thread % coarse_vectors;
+    // A P of a vertex, for one vector of the other node.
+    HEPATICA_HOST_DEVICE Matrix3<double> image(int i, int other, int vector, double right) const {
         Matrix3<double> sum = small::zero_matrix<double>();
-        for (int k = vertices.begin[at.own] + thread / vectors; k < vertices.begin[at.own + 1];
-             k += parts) {
+        for (int b = system.row_begin[i]; b < system.row_begin[i + 1]; ++b) {
+            const double off = double(modes[system.column[b]].in(other, vector)) - right;
+            if (off == 0.0) continue;
+            for (int r = 0; r < 3; ++r)
+                for (int c = 0; c < 3; ++c) sum(r, c) += off * double(system.block[b](r, c));
+        }
+        sum = system.factors.stiffness * sum;
+        for (int c = 0; c < 3; ++c) sum(c, c) += system.on_diagonal(i) * right;
+        return sum;
+    }
+    HEPATICA_HOST_DEVICE void add_up(const NodePair& at, int thread, double* sums) const {
+        const int vector = thread % coarse_vectors;
+        double sum[entries] = {};
+        for (int k = vertices.begin[at.own] + thread / coarse_vectors;
+             k < vertices.begin[at.own + 1]; k += parts) {
             const int i = vertices.vertex[k];
-            const double left = double(modes[i].in(at.own, own_vector));
-            const double right = double(modes[i].in(at.other, other_vector));
-            if (left == 0.0) continue;
-            const double inertia = left * system.on_diagonal(i) * right;
-            for (int c = 0; c < 3; ++c) sum(c, c) += inertia;
-            for (int b = system.row_begin[i]; b < system.row_begin[i + 1]; ++b) {
-                const double off =
-                    double(modes[system.column[b]].in(at.other, other_vector)) - right;
-                if (off == 0.0) continue;
-                const double scale = left * system.factors.stiffness * off;
-                for (int r = 0; r < 3; ++r)
-                    for (int c = 0; c < 3; ++c) sum(r, c) += scale * double(system.block[b](r, c));
+            const VertexModes<Real> own = modes[i];
+            const Matrix3<double> moved =
+                image(i, at.other, vector, double(own.in(at.other, vector)));
+            for (int m = 0; m < coarse_vectors; ++m) {
+                const double left = double(own.in(at.own, m));
+                for (int e = 0; e < 9; ++e) sum[9 * m + e] += left * moved(e / 3, e % 3);
             }
         }
-        for (int e = 0; e < 9; ++e) sums[9 * thread + e] = sum(e / 3, e % 3);
+        for (int e = 0; e < entries; ++e) sums[e * threads + thread] = sum[e];
+    }
+    HEPATICA_HOST_DEVICE void write(const NodePair& at, int vector, const double* sums) const {
+        double* const block = matrix.data + cut_entries * at.block;
+        for (int m = 0; m < coarse_vectors; ++m)
+            for (int r = 0; r < 3; ++r)
+                for (int c = 0; c < 3; ++c)
+                    block[entry_of_cut(at.row + 3 * m + r, at.column + 3 * vector + c)] =
+                        sums[(9 * m + 3 * r + c) * threads + vector];
     }
 };
 

@@ -26,12 +26,15 @@ HEPATICA_HOST_DEVICE int entry_of_cut(int row, int column) {
 
 // The lists of CoarsePlan.
 struct CutListsView {
-    View<const int> column_begin, row, column;
-    View<const int> row_begin, in_row;
-    View<const int> update_begin;
+    struct Term {
+        int block, cut;
+    };
     struct Update {
         int left, right;
     };
+    View<const int> by_level, column_begin, row, row_begin;
+    View<const Term> in_row;
+    View<const int> update_begin;
     View<const Update> update;
 };
 
@@ -44,35 +47,33 @@ constexpr double least_pivot = 1e-10;
 template <class Real>
 struct EliminateCuts {
     static constexpr int threads = cut_entries;
-    static constexpr int shared = cut_entries + 3 * cut_rows;  // C_pp; a row, a column; diagonal
+    static constexpr int shared =
+        2 * cut_entries + cut_rows;  // C_pp before and after a pivot; diagonal
     CutListsView lists;
     int first, cuts;
     View<const double> matrix;
     View<double> reduced, multiplier;  // C, N
     View<Real> inverse, factor;        // D_p^-1 of each cut; N, rounded
 
-    static constexpr int pivot_phases = 2 * cut_rows;
     int blocks() const { return cuts; }
-    HEPATICA_HOST_DEVICE int phases() const { return 2 + pivot_phases; }
+    HEPATICA_HOST_DEVICE int phases() const { return 2 + cut_rows; }
     std::size_t bytes() const {
         const auto columns = static_cast<std::size_t>(cuts) * cut_entries;
         return columns * (4 * sizeof(double) + 2 * sizeof(Real));
     }
     HEPATICA_HOST_DEVICE void operator()(int phase, int block, int thread, double* own) const {
-        const int cut = first + block;
+        const int cut = lists.by_level[first + block];
         if (phase == 0)
             reduce(cut, thread, own);
-        else if (phase > pivot_phases)
+        else if (phase > cut_rows)
             finish(cut, thread, own);
-        else if (phase % 2 == 1)
-            keep_pivot((phase - 1) / 2, thread, own);
         else
-            turn_pivot((phase - 1) / 2, thread, own);
+            turn_pivot(phase - 1, thread, own);
     }
 
   private:
-    static constexpr int in_row = cut_entries, in_column = in_row + cut_rows;
-    static constexpr int diagonal = in_column + cut_rows;  // before elimination
+    static constexpr int diagonal = 2 * cut_entries;  // before elimination
+    static_assert(cut_rows % 2 == 0);                 // the last pivot leaves C_pp at the front
 
     HEPATICA_HOST_DEVICE void reduce(int cut, int entry, double* own) const {
         const int row = entry % cut_rows, column = entry / cut_rows;
@@ -93,23 +94,22 @@ struct EliminateCuts {
             if (block == begin) own[entry] = sum;
         }
     }
-    HEPATICA_HOST_DEVICE void keep_pivot(int pivot, int thread, double* own) const {
-        if (thread >= cut_rows) return;
-        own[in_row + thread] = own[entry_of_cut(pivot, thread)];
-        own[in_column + thread] = own[entry_of_cut(thread, pivot)];
-    }
-    // A step of Gauss and Jordan's inversion in place.
+    // A step of Gauss and Jordan's inversion, from one half of the memory into the other.
     HEPATICA_HOST_DEVICE void turn_pivot(int pivot, int entry, double* own) const {
-        const double value = own[in_row + pivot];
+        const double* const before = own + pivot % 2 * cut_entries;
+        double& after = own[(1 - pivot % 2) * cut_entries + entry];
+        const double value = before[entry_of_cut(pivot, pivot)];
         const bool alive = value > least_pivot * own[diagonal + pivot] && value > 0.0;
         const double scale = alive ? 1.0 / value : 0.0;
         const int row = entry % cut_rows, column = entry / cut_rows;
+        const double in_row = before[entry_of_cut(pivot, column)];
+        const double in_column = before[entry_of_cut(row, pivot)];
         if (row == pivot)
-            own[entry] = column == pivot ? scale : scale * own[in_row + column];
+            after = column == pivot ? scale : scale * in_row;
         else if (column == pivot)
-            own[entry] = -scale * own[in_column + row];
+            after = -scale * in_column;
         else
-            own[entry] -= scale * own[in_column + row] * own[in_row + column];
+            after = before[entry] - scale * in_column * in_row;
     }
     HEPATICA_HOST_DEVICE void finish(int cut, int entry, const double* own) const {
         const int row = entry % cut_rows, column = entry / cut_rows;
@@ -139,11 +139,12 @@ constexpr int most_cuts_of_stage = 16;
 template <class Real>
 struct SolveCuts {
     static constexpr int parts = 8, columns = cut_rows / parts;
-    static constexpr int per_cut = cut_rows * parts, threads = 2 * per_cut;
+    static constexpr int per_cut = cut_rows * parts, threads = 4 * per_cut;
     static constexpr int shared = most_cuts_of_stage * per_cut;
     CutListsView lists;
+    int solved;  // cuts in all
     int stages;
-    View<const int> begin, cut;  // CutStages
+    View<const int> begin;  // CutStages
     CutSolve way;
     View<const Real> inverse, factor;
     View<double> load, motion;  // cut_rows for each cut
@@ -153,7 +154,7 @@ struct SolveCuts {
         return 2 * (way == CutSolve::both ? 2 * stages : stages);
     }
     std::size_t bytes() const {
-        const auto cuts = static_cast<std::size_t>(cut.size);
+        const auto cuts = static_cast<std::size_t>(solved);
         const std::size_t entries = cuts * cut_entries * sizeof(Real);
         const std::size_t once = entries * 2 + cuts * cut_rows * 2 * sizeof(double);
         return way == CutSolve::both ? 2 * once : once;
@@ -167,11 +168,11 @@ struct SolveCuts {
         const int first = begin[at], cuts = begin[at + 1] - first;
         if (phase % 2 == 0) {
             for (int k = thread; k < cuts * per_cut; k += threads)
-                sums[k] = forward ? eliminate(cut[first + k / per_cut], k % cut_rows, part_of(k))
-                                  : substitute(cut[first + k / per_cut], k % cut_rows, part_of(k));
+                sums[k] = forward ? eliminate(first + k / per_cut, k % cut_rows, part_of(k))
+                                  : substitute(first + k / per_cut, k % cut_rows, part_of(k));
         } else {
             for (int k = thread; k < cuts * cut_rows; k += threads)
-                add_up(cut[first + k / cut_rows], k % cut_rows,
+                add_up(first + k / cut_rows, k % cut_rows,
                        sums + k / cut_rows * per_cut + k % cut_rows, forward);
         }
     }
@@ -183,9 +184,9 @@ struct SolveCuts {
     HEPATICA_HOST_DEVICE double eliminate(int own, int r, int part) const {
         double sum = 0.0;
         for (int k = lists.row_begin[own]; k < lists.row_begin[own + 1]; ++k) {
-            const int block = lists.in_row[k];
-            const Real* const entries = factor.data + cut_entries * block;
-            const double* const below = load.data + cut_rows * lists.column[block];
+            const CutListsView::Term term = lists.in_row[k];
+            const Real* const entries = factor.data + cut_entries * term.block;
+            const double* const below = load.data + cut_rows * term.cut;
             HEPATICA_UNROLL
             for (int c = columns * part; c < columns * (part + 1); ++c)
                 sum -= double(entries[entry_of_cut(r, c)]) * below[c];

@@ -2,8 +2,10 @@
 #include "gpu/step/coarse_plan.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "gpu/kernels/coarse_kernels.h"
 #include "gpu/step/bisection.h"
@@ -11,8 +13,8 @@
 namespace hepatica::gpu {
 namespace {
 
-// A block of threads solves so many cuts while others solve others; fewer in all need no others.
-constexpr int cuts_per_subtree = 32;
+// So many cuts a block of threads solves while others solve others, or the last one alone.
+constexpr int cuts_per_row = 8, cuts_of_last_row = 24;
 
 using Lists = std::vector<std::vector<int>>;
 
@@ -54,6 +56,37 @@ Lists coupled_cuts(const std::vector<std::array<int, 2>>& cuts, const std::vecto
     return coupled;
 }
 
+// Tiers of rows of cuts: subtrees of a few cuts, together with others while there is room, then the
+// same of what is left, until that is small.
+std::vector<Lists> tiers_of(const Lists& above) {
+    const auto cuts = static_cast<int>(above.size());
+    std::vector<char> left(above.size(), 1);
+    std::vector<Lists> tiers;
+    for (int remaining = cuts; remaining > 0;) {
+        std::vector<int> size(left.begin(), left.end()), root(above.size(), -1);
+        for (int p = 0; p < cuts; ++p)
+            if (!above[p].empty()) size[above[p][0]] += size[p];
+        const bool last = remaining <= cuts_of_last_row;
+        std::map<int, std::vector<int>> subtrees;
+        for (int p = cuts; p-- > 0;) {
+            if (left[p] == 0 || (!last && size[p] > cuts_per_row)) continue;
+            const int parent = above[p].empty() ? -1 : above[p][0];
+            root[p] = last ? 0 : (parent >= 0 && root[parent] >= 0 ? root[parent] : p);
+            subtrees[root[p]].push_back(p);
+        }
+        Lists rows;
+        for (const auto& [at, members] : subtrees) {
+            if (rows.empty() || (rows.back().size() + members.size() > cuts_per_row && !last))
+                rows.emplace_back();
+            rows.back().insert(rows.back().end(), members.begin(), members.end());
+            for (const int p : members) left[p] = 0;
+            remaining -= static_cast<int>(members.size());
+        }
+        tiers.push_back(std::move(rows));
+    }
+    return tiers;
+}
+
 class Planner {
   public:
     Planner(const CoarseSkeleton& skeleton, const BlockMatrix& coarse) {
@@ -62,49 +95,68 @@ class Planner {
         for (std::size_t p = 0; p < cuts.size(); ++p)
             for (const int node : cuts[p])
                 if (node >= 0) cut_of_node[node] = static_cast<int>(p);
-        const Lists above = coupled_above(coupled_cuts(cuts, cut_of_node, coarse));
-        number_by_level(cuts, above);
-        set_blocks(above);
+        above_ = coupled_above(coupled_cuts(cuts, cut_of_node, coarse));
+        level_ = levels_of(above_);
+        place_.resize(cuts.size());
+        for (Lists& tier : tiers_of(above_)) add_tier(tier);
+        plan_.slot_of_node.resize(cut_of_node.size());
+        for (std::size_t p = 0; p < cuts.size(); ++p)
+            for (int side = 0; side < 2; ++side)
+                if (cuts[p][side] >= 0) plan_.slot_of_node[cuts[p][side]] = 2 * place_[p] + side;
+        set_levels();
+        set_blocks();
         set_updates();
-        set_stages();
     }
     CoarsePlan plan() && { return std::move(plan_); }
 
   private:
-    void number_by_level(const std::vector<std::array<int, 2>>& cuts, const Lists& above) {
-        const std::vector<int> level = levels_of(above);
-        order_.resize(cuts.size());
-        std::iota(order_.begin(), order_.end(), 0);
-        std::ranges::stable_sort(order_, {}, [&](int p) { return level[p]; });
-        place_.resize(cuts.size());
-        plan_.slot_of_node.resize(2 * cuts.size(), -1);
-        int nodes = 0;
-        for (std::size_t k = 0; k < order_.size(); ++k) {
-            const int p = order_[k], at = static_cast<int>(k);
-            place_[p] = at;
-            plan_.level_begin.resize(static_cast<std::size_t>(level[p]) + 1, at);
-            for (int side = 0; side < 2; ++side)
-                if (cuts[p][side] >= 0) {
-                    plan_.slot_of_node[cuts[p][side]] = 2 * at + side;
-                    ++nodes;
-                }
+    void add_tier(Lists& rows) {
+        std::vector<std::vector<int>> stages_of_rows;
+        CutStages tier;
+        for (std::vector<int>& row : rows) {
+            std::ranges::sort(row, {}, [&](int p) { return std::pair(level_[p], p); });
+            std::vector<int> begin;
+            for (std::size_t k = 0; k < row.size(); ++k) {
+                const int at = static_cast<int>(order_.size());
+                if (k == 0 || level_[row[k]] != level_[row[k - 1]] ||
+                    at - begin.back() == most_cuts_of_stage)
+                    begin.push_back(at);
+                place_[row[k]] = at;
+                order_.push_back(row[k]);
+            }
+            tier.stages = std::max(tier.stages, static_cast<int>(begin.size()));
+            begin.push_back(static_cast<int>(order_.size()));
+            stages_of_rows.push_back(std::move(begin));
         }
-        plan_.level_begin.push_back(static_cast<int>(cuts.size()));
-        plan_.slot_of_node.resize(static_cast<std::size_t>(nodes));
+        for (std::vector<int>& begin : stages_of_rows) {
+            begin.resize(static_cast<std::size_t>(tier.stages) + 1, begin.back());
+            tier.begin.insert(tier.begin.end(), begin.begin(), begin.end());
+        }
+        plan_.tiers.push_back(std::move(tier));
     }
 
-    void set_blocks(const Lists& above) {
+    void set_levels() {
+        plan_.by_level.resize(order_.size());
+        std::iota(plan_.by_level.begin(), plan_.by_level.end(), 0);
+        const auto level = [&](int k) { return level_[order_[k]]; };
+        std::ranges::stable_sort(plan_.by_level, {}, level);
+        for (std::size_t k = 0; k < order_.size(); ++k)
+            plan_.level_begin.resize(static_cast<std::size_t>(level(plan_.by_level[k])) + 1,
+                                     static_cast<int>(k));
+        plan_.level_begin.push_back(static_cast<int>(order_.size()));
+    }
+
+    void set_blocks() {
         plan_.column_begin = plan_.row_begin = {0};
-        Lists in_row(order_.size());
+        std::vector<std::vector<CutTerm>> in_row(order_.size());
         for (std::size_t k = 0; k < order_.size(); ++k) {
             const int own = static_cast<int>(k);
             std::vector<int> rows{own};
-            for (const int i : above[order_[k]]) rows.push_back(place_[i]);
+            for (const int i : above_[order_[k]]) rows.push_back(place_[i]);
             std::ranges::sort(rows);
             for (const int i : rows) {
-                if (i != own) in_row[i].push_back(plan_.blocks());
+                if (i != own) in_row[i].push_back({plan_.blocks(), own});
                 plan_.row.push_back(i);
-                plan_.column.push_back(own);
             }
             plan_.column_begin.push_back(plan_.blocks());
         }
@@ -127,80 +179,10 @@ class Planner {
         }
     }
 
-    // The root of the largest subtree of at most so many cuts that each cut belongs to; -1: none.
-    std::vector<int> subtrees() const {
-        const auto parent = [&](int p) {
-            const int own = plan_.column_begin[p];
-            return own + 1 < plan_.column_begin[p + 1] ? plan_.row[own + 1] : -1;
-        };
-        std::vector<int> size(order_.size(), 1), root(order_.size(), -1);
-        if (plan_.cuts() <= 2 * cuts_per_subtree) return root;
-        for (int p = 0; p < plan_.cuts(); ++p)
-            if (parent(p) >= 0) size[parent(p)] += size[p];
-        for (int p = plan_.cuts(); p-- > 0;) {
-            if (size[p] > cuts_per_subtree) continue;
-            const bool whole = parent(p) < 0 || root[parent(p)] < 0;
-            root[p] = whole ? p : root[parent(p)];
-        }
-        return root;
-    }
-
-    // Subtrees share a row while it has room.
-    void set_stages() {
-        const std::vector<int> root = subtrees();
-        std::vector<int> size(order_.size(), 0), row_of(order_.size(), -1);
-        for (const int r : root)
-            if (r >= 0) ++size[r];
-        Lists below;
-        for (std::size_t r = 0; r < size.size(); ++r) {
-            if (size[r] == 0) continue;
-            if (below.empty() || static_cast<int>(below.back().size()) + size[r] > cuts_per_subtree)
-                below.emplace_back();
-            for (std::size_t p = 0; p <= r; ++p)
-                if (root[p] == static_cast<int>(r)) below.back().push_back(static_cast<int>(p));
-        }
-        std::vector<int> top;
-        for (std::size_t p = 0; p < root.size(); ++p)
-            if (root[p] < 0) top.push_back(static_cast<int>(p));
-        plan_.below = stages_of(below);
-        plan_.top = stages_of({top});
-    }
-
-    CutStages stages_of(const Lists& rows) const {
-        CutStages all;
-        std::vector<Lists> by_row;
-        for (const auto& row : rows) {
-            by_row.push_back(by_level(row));
-            all.stages = std::max(all.stages, static_cast<int>(by_row.back().size()));
-        }
-        for (Lists& stages : by_row) {
-            stages.resize(static_cast<std::size_t>(all.stages));
-            for (const auto& stage : stages) {
-                all.begin.push_back(static_cast<int>(all.cut.size()));
-                all.cut.insert(all.cut.end(), stage.begin(), stage.end());
-            }
-            all.begin.push_back(static_cast<int>(all.cut.size()));
-        }
-        return all;
-    }
-    // Those of one level together, without levels that have none.
-    Lists by_level(std::vector<int> cuts) const {
-        const auto level = [&](int p) {
-            return std::ranges::upper_bound(plan_.level_begin, p) - plan_.level_begin.begin();
-        };
-        std::ranges::sort(cuts);
-        Lists stages;
-        for (std::size_t k = 0; k < cuts.size(); ++k) {
-            if (k == 0 || level(cuts[k]) != level(cuts[k - 1]) ||
-                stages.back().size() == most_cuts_of_stage)
-                stages.emplace_back();
-            stages.back().push_back(cuts[k]);
-        }
-        return stages;
-    }
-
     CoarsePlan plan_;
-    std::vector<int> order_, place_;  // cuts by number, and the number of each
+    // Of cuts in the order of bisection, but for order_, which has them by number.
+    Lists above_;
+    std::vector<int> level_, place_, order_;
 };
 
 }  // namespace

@@ -13,27 +13,36 @@
 
 namespace hepatica::gpu {
 
-// What one block of threads does in sequence: stage s has the cuts
-// cut[begin[row * (stages + 1) + s] ...], row by row a block of threads.
+// What blocks of threads that know nothing of each other do in stages: those of row r and stage s
+// are the cuts from begin[r * (stages + 1) + s] to the next.
 struct CutStages {
     int stages = 0;
-    std::vector<int> begin, cut;
+    std::vector<int> begin;
 
     int rows() const { return stages > 0 ? static_cast<int>(begin.size()) / (stages + 1) : 0; }
 };
 
-// Cuts are numbered by level. Blocks of the factor lie column by column, the diagonal one first.
+// A block and the cut that it couples another one with.
+struct CutTerm {
+    int block = 0, cut = 0;
+};
+
+// Cuts are numbered as a solve goes through them: by tier, row and stage. Blocks of the factor lie
+// column by column, the diagonal one first.
 struct CoarsePlan {
     std::vector<int> slot_of_node;  // two slots a cut; the second may be empty
-    std::vector<int> level_begin;   // cuts
+    std::vector<int> level_begin;   // places in by_level
+    std::vector<int> by_level;      // cuts, those first that hear of no other
     std::vector<int> column_begin;  // blocks of each cut
-    std::vector<int> row, column;   // the cuts of each block
-    // Blocks beside the diagonal in the row of each cut.
-    std::vector<int> row_begin, in_row;
+    std::vector<int> row;           // the row's cut of each block
+    // Blocks beside the diagonal in the row of each cut, with their columns.
+    std::vector<int> row_begin;
+    std::vector<CutTerm> in_row;
     // What elimination takes from block (i, p): the products of (i, k) and (p, k), for every k.
     std::vector<int> update_begin;
     std::vector<std::array<int, 2>> update;
-    CutStages below, top;  // independent subtrees, and what stands above them all
+    // Small subtrees first, then those of what stands above them; one row at last.
+    std::vector<CutStages> tiers;
 
     int cuts() const { return static_cast<int>(column_begin.size()) - 1; }
     int slots() const { return 2 * cuts(); }

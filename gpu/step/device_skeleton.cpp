@@ -10,6 +10,12 @@ BlockMatrix pattern_of(const AssemblyPlan& plan) {
     return {plan.row_begin, plan.column, {}, plan.diagonal, {}};
 }
 
+std::vector<CutListsView::Term> rows_of(const CoarsePlan& plan) {
+    std::vector<CutListsView::Term> terms;
+    for (const CutTerm& term : plan.in_row) terms.push_back({term.block, term.cut});
+    return terms;
+}
+
 std::vector<CutListsView::Update> updates_of(const CoarsePlan& plan) {
     std::vector<CutListsView::Update> updates;
     for (const auto& [left, right] : plan.update) updates.push_back({left, right});
@@ -32,15 +38,14 @@ DeviceSkeleton<Real>::DeviceSkeleton(Machine& machine, const CoarseSkeleton& ske
     plan_ = plan_coarse(skeleton, space.coarse_pattern());
     set_vertices(space, skeleton);
     set_pairs(space.coarse_pattern());
+    by_level_ = {machine, plan_.by_level};
     column_begin_ = {machine, plan_.column_begin};
     row_ = {machine, plan_.row};
-    column_ = {machine, plan_.column};
     row_begin_ = {machine, plan_.row_begin};
-    in_row_ = {machine, plan_.in_row};
+    in_row_ = {machine, rows_of(plan_)};
     update_begin_ = {machine, plan_.update_begin};
     update_ = {machine, updates_of(plan_)};
-    below_ = stages_of(plan_.below);
-    top_ = stages_of(plan_.top);
+    for (const CutStages& tier : plan_.tiers) stage_begin_.emplace_back(machine, tier.begin);
     const auto entries = static_cast<std::size_t>(cut_entries) * plan_.row.size();
     for (auto* blocks : {&matrix_, &reduced_, &multiplier_}) *blocks = {machine, entries};
     factor_ = {machine, entries};
@@ -102,14 +107,9 @@ void DeviceSkeleton<Real>::set_pairs(const BlockMatrix& coarse) {
 }
 
 template <class Real>
-auto DeviceSkeleton<Real>::stages_of(const CutStages& stages) const -> Stages {
-    return {stages.stages, {machine_, stages.begin}, {machine_, stages.cut}};
-}
-
-template <class Real>
 CutListsView DeviceSkeleton<Real>::lists() const {
-    return {column_begin_.read(), row_.read(),          column_.read(), row_begin_.read(),
-            in_row_.read(),       update_begin_.read(), update_.read()};
+    return {by_level_.read(), column_begin_.read(), row_.read(),   row_begin_.read(),
+            in_row_.read(),   update_begin_.read(), update_.read()};
 }
 
 template <class Real>
@@ -134,16 +134,18 @@ void DeviceSkeleton<Real>::prepare(const SystemView<Real>& system,
 
 template <class Real>
 void DeviceSkeleton<Real>::solve() const {
-    solve(below_, CutSolve::forward);
-    solve(top_, CutSolve::both);
-    solve(below_, CutSolve::backward);
+    const std::size_t last = plan_.tiers.size() - 1;
+    for (std::size_t tier = 0; tier < last; ++tier) solve(tier, CutSolve::forward);
+    solve(last, CutSolve::both);
+    for (std::size_t tier = last; tier-- > 0;) solve(tier, CutSolve::backward);
 }
 
 template <class Real>
-void DeviceSkeleton<Real>::solve(const Stages& stages, CutSolve way) const {
-    machine_.launch(SolveCuts<Real>{lists(), stages.stages, stages.begin.read(), stages.cut.read(),
-                                    way, inverse_.read(), factor_.read(), load_.view(),
-                                    motion_.view()});
+void DeviceSkeleton<Real>::solve(std::size_t tier, CutSolve way) const {
+    const CutStages& stages = plan_.tiers[tier];
+    const int solved = stages.begin.back() - stages.begin.front();
+    machine_.launch(SolveCuts<Real>{lists(), solved, stages.stages, stage_begin_[tier].read(), way,
+                                    inverse_.read(), factor_.read(), load_.view(), motion_.view()});
 }
 
 template class DeviceSkeleton<float>;

@@ -37,18 +37,11 @@ class DeviceSkeleton {
     }
 
   private:
-    // On the machine, as CutStages.
-    struct Stages {
-        int stages = 0;
-        Array<int> begin, cut;
-    };
-
-    Stages stages_of(const CutStages& stages) const;
     void set_vertices(const AffineCoarseSpace& space, const CoarseSkeleton& skeleton);
     void set_pairs(const BlockMatrix& coarse);
     CutListsView lists() const;
     void solve() const;
-    void solve(const Stages& stages, CutSolve way) const;
+    void solve(std::size_t tier, CutSolve way) const;
 
     Machine& machine_;
     CoarsePlan plan_;
@@ -59,9 +52,10 @@ class DeviceSkeleton {
     Array<VertexModes<Real>> modes_;
     Array<int> vertices_begin_, vertex_, node_;  // vertices by node
     Array<NodePair> pair_;
-    Array<int> column_begin_, row_, column_, row_begin_, in_row_, update_begin_;
+    Array<int> by_level_, column_begin_, row_, row_begin_, update_begin_;
+    Array<CutListsView::Term> in_row_;
     Array<CutListsView::Update> update_;
-    Stages below_, top_;
+    std::vector<Array<int>> stage_begin_;  // of each tier
     Array<double> matrix_, reduced_, multiplier_;
     Array<Real> inverse_, factor_;
     Array<double> load_, motion_;

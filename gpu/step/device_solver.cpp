@@ -25,6 +25,18 @@ double squared(double a) {
     return a * a;
 }
 
+// How many iterations more the error needs where it goes on to fall as it fell in those that are
+// done, so that none are made for nothing; many where that says nothing.
+int expected_iterations(double first_error, double error, int done, const SolveLimits& limits,
+                        double solution) {
+    constexpr int many = 1 << 20;
+    const double wanted = squared(limits.energy_tolerance) * solution;
+    const double fall = std::log(first_error / error) / done;
+    if (done == 0 || !(wanted > 0.0) || !(fall > 0.0) || !std::isfinite(fall)) return many;
+    return static_cast<int>(
+        std::clamp(std::ceil(std::log(error / wanted) / fall), 1.0, static_cast<double>(many)));
+}
+
 }  // namespace
 
 template <class Real>
@@ -99,13 +111,17 @@ typename DeviceSolver<Real>::End DeviceSolver<Real>::run_round(
     ErrorBound bound(touches ? 0.0 : ErrorBound::relaxation * smallest_ritz_);
     double work = now.work;
     energies.error = bound.before() * work;
+    const double first_error = energies.error;
     int done = 0;
     std::array<IterationRecord, batch> records;
     const auto met = [&] { return now.residual_squared <= residual_limit; };
     while (!energies.suffice(limits) && !met() && now.broken == 0 &&
            report.iterations < limits.max_iterations) {
         throw_if_stopped(stop);
-        const int more = std::min(batch, limits.max_iterations - report.iterations);
+        const int more = std::min(
+            {batch,
+             expected_iterations(first_error, energies.error, done, limits, energies.solution),
+             limits.max_iterations - report.iterations});
         for (int k = 0; k < more; ++k) iterate(system, skeleton);
         now = scalars();
         record_.download(records);

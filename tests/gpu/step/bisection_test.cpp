@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <numeric>
 
@@ -59,34 +60,32 @@ TEST(CoarsePlan, MakesLongChainsShallow) {
     EXPECT_EQ(slots.size(), 400u);
 }
 
-// Each cut is solved once, after all that it hears from: in its own block of threads, or before.
+// Each cut is solved once, after all that it hears from: in an earlier tier, or in its own block of
+// threads in an earlier stage.
 TEST(CoarsePlan, OrdersTheStagesOfASolve) {
     const gpu::CoarsePlan plan = gpu::plan_coarse(chain(400), coupled_chain(400));
-    EXPECT_GT(plan.below.rows(), 2);
-    EXPECT_EQ(plan.top.rows(), 1);
-    struct Place {
-        int launch, row, stage;
-    };
-    std::vector<Place> places(static_cast<std::size_t>(plan.cuts()), {-1, -1, -1});
-    int launch = 0;
-    for (const gpu::CutStages* stages : {&plan.below, &plan.top}) {
-        for (int row = 0; row < stages->rows(); ++row)
-            for (int s = 0; s < stages->stages; ++s) {
-                const int at = row * (stages->stages + 1) + s;
-                for (int k = stages->begin[at]; k < stages->begin[at + 1]; ++k) {
-                    EXPECT_EQ(places[stages->cut[k]].launch, -1);
-                    places[stages->cut[k]] = {launch, row, s};
+    ASSERT_GE(plan.tiers.size(), 2u);
+    EXPECT_GT(plan.tiers.front().rows(), 10);
+    EXPECT_EQ(plan.tiers.back().rows(), 1);
+    using Place = std::array<int, 3>;  // tier, row, stage
+    std::vector<Place> places(static_cast<std::size_t>(plan.cuts()), Place{-1, -1, -1});
+    for (std::size_t t = 0; t < plan.tiers.size(); ++t) {
+        const gpu::CutStages& tier = plan.tiers[t];
+        for (int row = 0; row < tier.rows(); ++row)
+            for (int s = 0; s < tier.stages; ++s) {
+                const int at = row * (tier.stages + 1) + s;
+                for (int cut = tier.begin[at]; cut < tier.begin[at + 1]; ++cut) {
+                    EXPECT_EQ(places[cut][0], -1);
+                    places[cut] = {static_cast<int>(t), row, s};
                 }
             }
-        ++launch;
     }
     for (int k = 0; k < plan.cuts(); ++k) {
-        ASSERT_GE(places[k].launch, 0);
+        ASSERT_GE(places[k][0], 0);
         for (int b = plan.column_begin[k] + 1; b < plan.column_begin[k + 1]; ++b) {
             const Place &low = places[k], &high = places[plan.row[b]];
-            EXPECT_TRUE(
-                low.launch < high.launch ||
-                (low.launch == high.launch && low.row == high.row && low.stage < high.stage));
+            EXPECT_TRUE(low[0] < high[0] ||
+                        (low[0] == high[0] && low[1] == high[1] && low[2] < high[2]));
         }
     }
 }
