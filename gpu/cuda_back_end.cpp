@@ -11,11 +11,14 @@
 namespace hepatica::gpu {
 namespace {
 
+// A diameter between nodes takes no more iterations than half of one (docs/gpu.md).
+constexpr double spacing_diameters = 1.0;
+
 // Empty for block-jacobi. A body with kernels has tetrahedra alone.
 CoarseSkeleton skeleton_for(const BodyDescription& description, const StepperOptions& options) {
     if (options.solver == LinearSolverKind::block_jacobi) return {};
     return description.skeleton.size() > 0 ? description.skeleton
-                                           : skeleton_of_mesh(description.mesh);
+                                           : skeleton_of_mesh(description.mesh, spacing_diameters);
 }
 
 class CudaBackEnd final : public StepBackEnd {
@@ -174,6 +177,8 @@ StepReport CudaBackEnd::advance(double dt_s, const std::stop_token& stop) {
     if (reason) say_once("The processor makes the steps: " + *reason);
     if (made && device_) {
         ++cuda_.share->device;
+        cuda_.share->solves.seconds += device_->solve_cost().seconds;
+        cuda_.share->solves.kernel_bytes += device_->solve_cost().kernel_bytes;
         cpu_->follow(device_->state(), report);
         return report;
     }

@@ -20,6 +20,7 @@ namespace hepatica::gpu {
 struct StepShare {
     long device = 0;
     long processor = 0;
+    SolveCost solves{};  // of the device's steps, added up
 };
 
 struct CudaOptions {

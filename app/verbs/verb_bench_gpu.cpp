@@ -14,30 +14,6 @@ struct BenchGpuChoices {
     std::string plan;
 };
 
-Json number_or_null(const std::optional<double>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
-
-Json json_row(const gpu::GpuRow& row) {
-    return {{"tetrahedra", row.tetrahedra},
-            {"contacts", row.contacts},
-            {"contact_rows", gpu::rows_per_contact * row.contacts},
-            {"element", row.element},
-            {"solver", row.solver},
-            {"ms", row.ms},
-            {"iterations", row.iterations},
-            {"bytes", row.traffic.kernel_bytes},
-            {"bandwidth_share", number_or_null(row.bandwidth_share)},
-            {"launches", row.traffic.launches},
-            {"barriers", row.traffic.barriers},
-            {"copies", row.traffic.copies},
-            {"copied_bytes", row.traffic.copied_bytes},
-            {"device_steps", row.device_steps},
-            {"cpu_ms", number_or_null(row.cpu_ms)},
-            {"cpu_ratio", row.cpu_ms ? Json(*row.cpu_ms / row.ms) : Json(nullptr)},
-            {"measured", row.measured}};
-}
-
 Json run_bench_gpu(BenchGpuChoices options, Job& job) {
     Json answer = {{"device", gpu::device_info().device}};
     if (!options.plan.empty()) {
@@ -47,7 +23,7 @@ Json run_bench_gpu(BenchGpuChoices options, Job& job) {
     Json rows = Json::array();
     study_gpu(options.study, [&](const gpu::GpuRow& row) {
         job.throw_if_cancelled();
-        rows.push_back(json_row(row));
+        rows.push_back(Json::parse(json_of(row)));
     });
     answer["rows"] = rows;
     return answer;

@@ -24,22 +24,23 @@ struct Joined<KernelList<A...>, KernelList<B...>, Rest...> {
 };
 
 template <class Real>
-using KernelsOf =
-    KernelList<ForEach<EvaluateTurned<Real>>, ForEach<EvaluateCorotated<Real>>,
-               ForEach<EvaluateCorotated10<Real>>, ForEach<EvaluateNeoHookean<Real>>,
-               ForEach<EvaluateSprings<Real>>, ForEach<GatherStiffness<Real>>,
-               ForEach<InvertDiagonal<Real>>, SumChunks<Product<Real, double>>,
-               SumChunks<FindResidual<Real>>, SumChunks<BeginRound<Real>>,
-               SumChunks<TakeStep<Real>>, ForEach<TurnDirection<Real>>,
-               ForEach<AddCorrection<Real>>, ForEach<ProjectMatrix<Real>>,
-               SumChunks<RestrictResidual<Real>>, RunStages<Real>, SumChunks<AddMotion<Real>>>;
+using KernelsOf = KernelList<
+    ForEach<EvaluateTurned<Real>>, ForEach<EvaluateCorotated<Real>>,
+    ForEach<EvaluateCorotated10<Real>>, ForEach<EvaluateNeoHookean<Real>>,
+    ForEach<EvaluateSprings<Real>>, ForEach<GatherStiffness<Real>>, ForEach<InvertDiagonal<Real>>,
+    ProductChunks<Real, double>, SumChunks<FindResidual<Real>>, SumChunks<BeginRound<Real>>,
+    SumChunks<TakeStep<Real>>, ForEach<TurnDirection<Real>>, ForEach<AddCorrection<Real>>,
+    ForEach<ShapeModes<Real>>, ProjectMatrix<Real>, EliminateCuts<Real>, SolveCuts<Real>,
+    SumSegments<RestrictResidual<Real>, KeepSums<3 * coarse_vectors>>,
+    SumChunks<RestrictResidual<Real>>, SumChunks<AddMotion<Real>>>;
 
 using SharedKernels =
     KernelList<ForEach<GatherForces>, ForEach<PullGrabs>, ForEach<PressPoints>, ForEach<PressPairs>,
                ForEach<RubPoints>, ForEach<PullTies>, ForEach<ForeseeSlips>, ForEach<SetRows>,
                ForEach<KeepForces>, ForEach<PlaceNodes>, ForEach<Descent>, ForEach<Subtract>,
-               SumChunks<Product<float, float>>, SumChunks<BeginSolve>, SumChunks<AlongDirection>,
-               SumChunks<Works>, SumChunks<Energies>, FinishSum<StartIteration>,
+               ProductChunks<float, float>, SumChunks<BeginSolve>, SumChunks<AlongDirection>,
+               SumChunks<Works>, SumChunks<Energies>, SumSegments<CentreOfNode, KeepCentre>,
+               SumChunks<CentreOfNode>, FinishSum<KeepCentre>, FinishSum<StartIteration>,
                FinishSum<ChooseStep>, FinishSum<EndIteration>, FinishSum<KeepSums<1>>,
                FinishSum<KeepSums<2>>, FinishSum<KeepSums<3>>,
                FinishSum<KeepSums<3 * coarse_vectors>>, FinishSum<KeepSums<Energies::width>>>;

@@ -18,7 +18,7 @@ struct PartitionView {
 };
 
 constexpr int sum_threads = 128;  // a power of two
-constexpr int nodes_per_chunk = 1024;
+constexpr int nodes_per_chunk = sum_threads;
 
 namespace detail {
 
@@ -85,6 +85,37 @@ struct FinishSum {
             for (int c = partition.segment_begin[segment] + thread;
                  c < partition.segment_begin[segment + 1]; c += threads)
                 for (int k = 0; k < width; ++k) sum[k] += partial[c * width + k];
+            for (int k = 0; k < width; ++k) sums[k * threads + thread] = sum[k];
+        } else if (phase <= detail::halvings) {
+            detail::add_by_halves<width>(phase, thread, sums);
+        } else if (thread == 0) {
+            double sum[width];
+            for (int k = 0; k < width; ++k) sum[k] = sums[k * threads];
+            then(segment, sum);
+        }
+    }
+};
+
+// Both at once where no segment is long: one block of threads a segment.
+template <class Term, class Then>
+struct SumSegments {
+    static constexpr int threads = sum_threads, shared = Term::width * sum_threads;
+    static_assert(Term::width == Then::width);
+    Term term;
+    Then then;
+    PartitionView partition;
+
+    int blocks() const { return partition.segments(); }
+    HEPATICA_HOST_DEVICE int phases() const { return 2 + detail::halvings; }
+    std::size_t bytes() const { return term.bytes() + bytes_of(partition.order); }
+    HEPATICA_HOST_DEVICE void operator()(int phase, int segment, int thread, double* sums) const {
+        constexpr int width = Term::width;
+        if (phase == 0) {
+            double sum[width] = {};
+            const int end = partition.chunk_begin[partition.segment_begin[segment + 1]];
+            for (int k = partition.chunk_begin[partition.segment_begin[segment]] + thread; k < end;
+                 k += threads)
+                term(partition.order.empty() ? k : partition.order[k], sum);
             for (int k = 0; k < width; ++k) sums[k * threads + thread] = sum[k];
         } else if (phase <= detail::halvings) {
             detail::add_by_halves<width>(phase, thread, sums);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "gpu/kernels/grab_kernels.h"
+#include "gpu/kernels/sums.h"
 #include "gpu/kernels/touch_kernels.h"
 
 namespace hepatica::gpu {
@@ -35,15 +36,28 @@ struct SystemView {
     // Row i times p, which is zero at held nodes; in Real, or in double whatever the blocks are.
     template <class V>
     HEPATICA_HOST_DEVICE Vector3<V> row(int i, const View<const Vector3<V>>& p) const {
-        if (held[i] != 0) return {{V(0), V(0), V(0)}};
+        return whole_row(i, p, differences(i, p, 0, 1));
+    }
+    // sum_j A_ij (p_j - p_i) over every `lanes`-th block of the row, from `lane` on.
+    template <class V>
+    HEPATICA_HOST_DEVICE Vector3<V> differences(int i, const View<const Vector3<V>>& p, int lane,
+                                                int lanes) const {
         const Vector3<V> own = p[i];
         Vector3<V> sum{{V(0), V(0), V(0)}};
-        for (int k = row_begin[i]; k < row_begin[i + 1]; ++k) {
+        for (int k = row_begin[i] + lane; k < row_begin[i + 1]; k += lanes) {
             const Matrix3<Real>& b = block[k];
             const Vector3<V> d = p[column[k]] - own;
             for (int r = 0; r < 3; ++r)
                 sum[r] += V(b(r, 0)) * d[0] + V(b(r, 1)) * d[1] + V(b(r, 2)) * d[2];
         }
+        return sum;
+    }
+    // The row from the sum of its differences.
+    template <class V>
+    HEPATICA_HOST_DEVICE Vector3<V> whole_row(int i, const View<const Vector3<V>>& p,
+                                              const Vector3<V>& sum) const {
+        if (held[i] != 0) return {{V(0), V(0), V(0)}};
+        const Vector3<V> own = p[i];
         Vector3<V> y = V(factors.stiffness) * sum + V(on_diagonal(i)) * own;
         if (factors.grab != 0.0 && !grabs.first.empty()) {
             const Vector3<double> pulled = grabs.product(i, p);
@@ -57,20 +71,52 @@ struct SystemView {
     }
 };
 
-// y = A p, and p . y; the blocks are Real, the vectors V.
+// y = A p, and p . y by chunks, as SumChunks; the blocks are Real, the vectors V. Four threads a
+// row read neighbouring blocks.
 template <class Real, class V>
-struct Product {
-    static constexpr int width = 1;
+struct ProductChunks {
+    static constexpr int lanes = 4, width = 1;
+    static constexpr int threads = lanes * nodes_per_chunk, shared = 3 * threads + nodes_per_chunk;
     SystemView<Real> system;
     View<const Vector3<V>> p;
     View<Vector3<V>> y;
+    View<double> partial;  // of each chunk
 
-    std::size_t bytes() const { return system.bytes() + bytes_of(p, y); }
-    HEPATICA_HOST_DEVICE void operator()(int i, double* sum) const {
-        const Vector3<V> row = system.row(i, p);
-        y[i] = row;
-        const Vector3<V> own = p[i];
-        for (int c = 0; c < 3; ++c) sum[0] += double(own[c]) * double(row[c]);
+    int blocks() const { return (y.size + nodes_per_chunk - 1) / nodes_per_chunk; }
+    HEPATICA_HOST_DEVICE int phases() const { return 3 + detail::halvings; }
+    std::size_t bytes() const {
+        return system.bytes() + bytes_of(p, y) +
+               static_cast<std::size_t>(blocks()) * sizeof(double);
+    }
+    HEPATICA_HOST_DEVICE void operator()(int phase, int chunk, int thread, double* sums) const {
+        if (phase == 0) {
+            const int i = chunk * nodes_per_chunk + thread / lanes;
+            if (i >= y.size) return;
+            const Vector3<V> sum = system.differences(i, p, thread % lanes, lanes);
+            for (int c = 0; c < 3; ++c) sums[c * threads + thread] = double(sum[c]);
+        } else if (phase == 1) {
+            if (thread < nodes_per_chunk)
+                finish_row(chunk * nodes_per_chunk + thread, thread, sums);
+        } else if (phase <= 1 + detail::halvings) {
+            detail::add_by_halves<1>(phase - 1, thread, sums + 3 * threads);
+        } else if (thread == 0) {
+            partial[chunk] = sums[3 * threads];
+        }
+    }
+
+  private:
+    HEPATICA_HOST_DEVICE void finish_row(int i, int thread, double* sums) const {
+        double dot = 0.0;
+        if (i < y.size) {
+            Vector3<V> sum{{V(0), V(0), V(0)}};
+            for (int c = 0; c < 3; ++c)
+                for (int lane = 0; lane < lanes; ++lane)
+                    sum[c] += V(sums[c * threads + thread * lanes + lane]);
+            const Vector3<V> row = system.whole_row(i, p, sum), own = p[i];
+            y[i] = row;
+            for (int c = 0; c < 3; ++c) dot += double(own[c]) * double(row[c]);
+        }
+        sums[3 * threads + thread] = dot;
     }
 };
 

@@ -26,7 +26,8 @@ class Array {
     Array(Machine& machine, const std::vector<T>& values)
         : Array(machine, std::span<const T>(values)) {}
     ~Array() {
-        if (view_.data != nullptr) machine_->release(view_.data, size() * sizeof(T));
+        if (machine_ != nullptr && view_.data != nullptr)
+            machine_->release(view_.data, size() * sizeof(T));
     }
     Array(Array&& other) noexcept { swap(other); }
     Array& operator=(Array&& other) noexcept {

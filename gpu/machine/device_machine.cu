@@ -32,6 +32,14 @@ class DeviceMachine final : public MachineBy<DeviceMachine> {
         require(cudaGetLastError(), "a kernel could not be launched");
     }
 
+    void pin(void* memory, std::size_t bytes) override {
+        if (cudaHostRegister(memory, bytes, cudaHostRegisterDefault) != cudaSuccess)
+            cudaGetLastError();  // forgotten: pinning is for speed alone
+    }
+    void unpin(void* memory) noexcept override {
+        if (cudaHostUnregister(memory) != cudaSuccess) cudaGetLastError();
+    }
+
   private:
     void* take(std::size_t bytes) override {
         void* memory = nullptr;

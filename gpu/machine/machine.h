@@ -50,6 +50,10 @@ class Machine : public RunsAll<AllKernels> {
         held_bytes_ -= bytes;
         give_back(memory);
     }
+    // Memory of the host that is often copied from or to: a device copies it some times faster. To
+    // be released before it is freed; where that cannot be had, copies are merely slower.
+    virtual void pin(void*, std::size_t) {}
+    virtual void unpin(void*) noexcept {}
     // Both wait until the machine is done with what was launched before.
     void upload(void* to, const void* from, std::size_t bytes) {
         count_copy(bytes);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 
 #include "core/base/stop.h"
@@ -22,6 +23,18 @@ constexpr double worth_a_round = 0.5;
 
 double squared(double a) {
     return a * a;
+}
+
+// How many iterations more the error needs where it goes on to fall as it fell in those that are
+// done, so that none are made for nothing; many where that says nothing.
+int expected_iterations(double first_error, double error, int done, const SolveLimits& limits,
+                        double solution) {
+    constexpr int many = 1 << 20;
+    const double wanted = squared(limits.energy_tolerance) * solution;
+    const double fall = std::log(first_error / error) / done;
+    if (done == 0 || !(wanted > 0.0) || !(fall > 0.0) || !std::isfinite(fall)) return many;
+    return static_cast<int>(
+        std::clamp(std::ceil(std::log(error / wanted) / fall), 1.0, static_cast<double>(many)));
 }
 
 }  // namespace
@@ -69,8 +82,10 @@ template <class Real>
 void DeviceSolver<Real>::iterate(const SystemView<Real>& system,
                                  const DeviceSkeleton<Real>* skeleton) {
     machine_.for_each(TurnDirection<Real>{scalars_.read(), z_.read(), p_.view()});
-    nodes_.sum(Product<Real, Real>{system, p_.read(), product_.view()},
-               ChooseStep{scalars_.view()});
+    const auto product = [&](View<double> partial) {
+        return ProductChunks<Real, Real>{system, p_.read(), product_.view(), partial};
+    };
+    nodes_.sum_whole(product, ChooseStep{scalars_.view()});
     precondition(TakeStep<Real>{scalars_.read(), p_.read(), product_.read(), inverse_.read(),
                                 x_.view(), r_.view(), z_.view()},
                  EndIteration{scalars_.view(), record_.view()}, skeleton);
@@ -96,13 +111,17 @@ typename DeviceSolver<Real>::End DeviceSolver<Real>::run_round(
     ErrorBound bound(touches ? 0.0 : ErrorBound::relaxation * smallest_ritz_);
     double work = now.work;
     energies.error = bound.before() * work;
+    const double first_error = energies.error;
     int done = 0;
     std::array<IterationRecord, batch> records;
     const auto met = [&] { return now.residual_squared <= residual_limit; };
     while (!energies.suffice(limits) && !met() && now.broken == 0 &&
            report.iterations < limits.max_iterations) {
         throw_if_stopped(stop);
-        const int more = std::min(batch, limits.max_iterations - report.iterations);
+        const int more = std::min(
+            {batch,
+             expected_iterations(first_error, energies.error, done, limits, energies.solution),
+             limits.max_iterations - report.iterations});
         for (int k = 0; k < more; ++k) iterate(system, skeleton);
         now = scalars();
         record_.download(records);
@@ -130,6 +149,10 @@ SolveReport DeviceSolver<Real>::solve(const SystemView<Real>& system, View<const
         report.relative_residual = report.energy_error = report.converged ? 0.0 : 1.0;
         return report;
     }
+    using Clock = std::chrono::steady_clock;
+    // The sum above was waited for, and so is the last residual.
+    const auto start = Clock::now();
+    const std::size_t bytes_before = machine_.traffic().kernel_bytes;
     machine_.for_each(InvertDiagonal<Real>{system, inverse_.view()});
     const double wanted = squared(limits.residual_tolerance) * rhs_squared;
     double left = rhs_squared, before = 0.0;  // of the residual, squared
@@ -145,6 +168,8 @@ SolveReport DeviceSolver<Real>::solve(const SystemView<Real>& system, View<const
         if (end != End::residual || left <= wanted || !(left < squared(worth_a_round) * before))
             break;
     }
+    cost_ = {std::chrono::duration<double>(Clock::now() - start).count(),
+             machine_.traffic().kernel_bytes - bytes_before};
     report.converged = end != End::early;
     report.relative_residual = std::sqrt(left / rhs_squared);
     report.energy_error =

@@ -18,6 +18,12 @@
 namespace hepatica::gpu {
 
 // Keeps references. Not thread-safe.
+// Of one solve, with its products and sums, without what is prepared for it.
+struct SolveCost {
+    double seconds = 0.0;
+    std::size_t kernel_bytes = 0;  // see bytes_of
+};
+
 template <class Real>
 class DeviceSolver {
   public:
@@ -33,6 +39,8 @@ class DeviceSolver {
 
     View<const Vector3<double>> solution() const { return solution_.read(); }
     View<const Vector3<double>> residual() const { return residual_.read(); }  // b - A x
+
+    const SolveCost& cost() const { return cost_; }  // of the last solve
 
     // What it carries from one solve to the next, see ConjugateGradient.
     double smallest_ritz() const { return smallest_ritz_; }
@@ -64,6 +72,7 @@ class DeviceSolver {
     GrowingArray<Matrix3<Real>> inverse_;
     Array<SolveScalars> scalars_;
     Array<IterationRecord> record_;
+    SolveCost cost_;
     double smallest_ritz_ = 0.0;
 };
 

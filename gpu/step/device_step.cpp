@@ -11,10 +11,10 @@
 #include "core/deform/potentials/self_contact.h"
 #include "core/deform/step/energy_limiter.h"
 #include "core/deform/step/step_books.h"
+#include "gpu/machine/pinned_vectors.h"
 #include "gpu/step/contact_guard.h"
 #include "gpu/step/device_body.h"
 #include "gpu/step/device_grabs.h"
-#include "gpu/step/device_solver.h"
 #include "gpu/step/device_touches.h"
 #include "gpu/step/step_balance.h"
 
@@ -80,7 +80,8 @@ class Step final : public DeviceStep {
           start_force_(machine),
           steepest_(machine),
           rhs_(machine),
-          damping_(machine) {
+          damping_(machine),
+          pinned_(machine) {
         set_nodes();
         set_state({body_.rest_positions_mm, std::vector<Vec3>(nodes_, Vec3::Zero())});
     }
@@ -108,6 +109,7 @@ class Step final : public DeviceStep {
                  const std::stop_token& stop) override;
     const std::string& left_because() const override { return left_because_; }
 
+    const SolveCost& solve_cost() const override { return solver_.cost(); }
     double solver_memory() const override { return solver_.smallest_ritz(); }
     void set_solver_memory(double memory) override { solver_.remember(memory); }
 
@@ -171,7 +173,8 @@ class Step final : public DeviceStep {
     GrowingArray<Vector3<double>> steepest_, rhs_, damping_;
     Vector3<double> gravity_{{0.0, 0.0, 0.0}};
     bool evaluated_ = false;  // elastic forces and energies are those of start_
-    BodyState state_;
+    BodyState state_, end_;   // end_: memory for the state at the end of a step
+    PinnedVectors pinned_;    // the vectors of both
     std::string left_because_;
 };
 
@@ -179,6 +182,9 @@ class Step final : public DeviceStep {
 template <class Real>
 void Step<Real>::set_nodes() {
     nodes_ = body_.rest_positions_mm.size();
+    pinned_.resize({&state_.positions_mm, &state_.velocities_mm_per_s, &end_.positions_mm,
+                    &end_.velocities_mm_per_s},
+                   nodes_);
     held_ = body_.fixed;
     limiter_.emplace(body_, plan_);
     grabs_.follow_tear(potentials_.grabs(), plan_);
@@ -229,7 +235,9 @@ SystemView<Real> Step<Real>::system(const SystemFactors& factors) const {
 template <class Real>
 double Step<Real>::product(const SystemView<Real>& system, const GrowingArray<Vector3<double>>& w,
                            GrowingArray<Vector3<double>>& y) {
-    return all_.read(Product<Real, double>{system, w.read(), y.view()})[0];
+    return all_.read_whole<1>([&](View<double> partial) {
+        return ProductChunks<Real, double>{system, w.read(), y.view(), partial};
+    })[0];
 }
 
 // Goes to w = share v_n + change and evaluates there.
@@ -316,7 +324,7 @@ template <class Real>
 bool Step<Real>::solve(Underway& step, const SolveLimits& limits, StepReport& report,
                        const std::stop_token& stop) {
     const double dt = step.dt_s;
-    if (skeleton_) skeleton_->prepare(step_matrix(dt), state_.positions_mm, held_);
+    if (skeleton_) skeleton_->prepare(step_matrix(dt), start_.read());
     const SolveReport solved =
         solver_.solve(step_matrix(dt), step.predicted ? steepest_.read() : rhs_.read(),
                       skeleton_.get(), limits, stop);
@@ -384,21 +392,20 @@ void Step<Real>::book(Underway& step, StepReport& report) {
 // The step's end becomes the state; the limiter has the last word on its velocities.
 template <class Real>
 bool Step<Real>::accept(const Underway& step, StepReport& report) {
-    BodyState end = state_;
-    copy_out(machine_, position_, end.positions_mm);
-    copy_out(machine_, velocity_, end.velocities_mm_per_s);
-    if (guard_.any() && guard_.overdrawn(*limiter_, step, end.velocities_mm_per_s, held_))
+    copy_out(machine_, position_, end_.positions_mm);
+    copy_out(machine_, velocity_, end_.velocities_mm_per_s);
+    if (guard_.any() && guard_.overdrawn(*limiter_, step, end_.velocities_mm_per_s, held_))
         return leave("a piece would pay for energy or momentum of others");
     const auto pieces_before = step.before.by_piece(), pieces_after = step.after.by_piece();
     const EnergyLimiter::Outcome outcome =
         limiter_->limit({.before = pieces_before, .after = pieces_after, .least_nj = energy_floor_},
-                        potentials_, end.positions_mm, held_, end.velocities_mm_per_s);
+                        potentials_, end_.positions_mm, held_, end_.velocities_mm_per_s);
     if (outcome.lost == MomentumLost::linear && potentials_.self())
         return leave("what its surfaces exchanged would be lost");
     std::swap(start_, position_);
     std::swap(before_, velocity_);
     evaluated_ = true;
-    state_ = std::move(end);
+    std::swap(state_, end_);
     if (!outcome.limited) return true;
     copy_in(machine_, state_.velocities_mm_per_s, before_);
     hepatica::book(outcome, kinetic_energy(body_, state_.velocities_mm_per_s), report);

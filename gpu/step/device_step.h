@@ -17,6 +17,7 @@
 #include "core/deform/solvers/linear_solver.h"
 #include "core/deform/step/step_report.h"
 #include "gpu/machine/machine.h"
+#include "gpu/step/device_solver.h"
 
 namespace hepatica::gpu {
 
@@ -48,6 +49,8 @@ class DeviceStep {
     // After a step that was not made: why, in words; empty where it would have made energy or could
     // not be solved for.
     virtual const std::string& left_because() const = 0;
+
+    virtual const SolveCost& solve_cost() const = 0;  // of the last step's linear solve
 
     // What the linear solver carries from one step to the next.
     virtual double solver_memory() const = 0;

@@ -10,10 +10,12 @@ namespace {
 
 struct Layout {
     std::vector<int> chunk_begin{0}, segment_begin{0};
+    int longest = 0;
 
     // Segments follow one another.
     void add_segment(int nodes) {
         const int first = chunk_begin.back();
+        longest = std::max(longest, nodes);
         for (int done = 0; done < nodes; done += nodes_per_chunk)
             chunk_begin.push_back(first + std::min(nodes, done + nodes_per_chunk));
         segment_begin.push_back(static_cast<int>(chunk_begin.size()) - 1);
@@ -43,6 +45,7 @@ std::vector<int> by_piece(std::span<const int> piece_of_node) {
 
 void Partition::set(std::span<const int> piece_of_node, int pieces) {
     Layout layout = layout_of(piece_of_node, pieces);
+    longest_ = layout.longest;
     partial_.resize(most_width * (layout.chunk_begin.size() - 1));
     result_.resize(most_width * (layout.segment_begin.size() - 1));
     order_.set(by_piece(piece_of_node));

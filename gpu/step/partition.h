@@ -39,23 +39,47 @@ class Partition {
         machine_.launch(SumChunks<Term>{term, view(), partial_.view()});
         machine_.launch(FinishSum<Then>{then, view(), partial_.read()});
     }
+    // The same where the whole body is one segment and a kernel adds up the chunks itself:
+    // make(partial) is that kernel.
+    template <class Make, class Then>
+    void sum_whole(const Make& make, const Then& then) const {
+        machine_.launch(make(partial_.view()));
+        machine_.launch(FinishSum<Then>{then, view(), partial_.read()});
+    }
+    // The same for many segments, in one launch where none of them is long.
+    template <class Term, class Then>
+    void sum_segments(const Term& term, const Then& then) const {
+        if (longest_ > most_at_once) return sum(term, then);
+        machine_.launch(SumSegments<Term, Then>{term, then, view()});
+    }
     // The same, read back: `width` numbers a segment. Waits for the machine.
     template <class Term>
     std::vector<double> read(const Term& term) const {
         sum(term, KeepSums<Term::width>{result_.view()});
-        std::vector<double> sums(static_cast<std::size_t>(segments() * Term::width));
-        machine_.download(sums.data(), result_.read().data, sums.size() * sizeof(double));
-        return sums;
+        return result<Term::width>();
+    }
+    template <int Width, class Make>
+    std::vector<double> read_whole(const Make& make) const {
+        sum_whole(make, KeepSums<Width>{result_.view()});
+        return result<Width>();
     }
 
   private:
     static constexpr int most_width = 12;
+    static constexpr int most_at_once = 32 * sum_threads;  // nodes of a segment
 
+    template <int Width>
+    std::vector<double> result() const {
+        std::vector<double> sums(static_cast<std::size_t>(segments() * Width));
+        machine_.download(sums.data(), result_.read().data, sums.size() * sizeof(double));
+        return sums;
+    }
     PartitionView view() const {
         return {order_.read(), chunk_begin_.read(), segment_begin_.read()};
     }
 
     Machine& machine_;
+    int longest_ = 0;  // segment, in nodes
     GrowingArray<int> order_, chunk_begin_, segment_begin_;
     GrowingArray<double> partial_, result_;
 };

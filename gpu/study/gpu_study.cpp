@@ -19,6 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double dt_s = 1.0 / 60.0;
+constexpr int warm_up_steps = 20;
 constexpr double pressed = 0.01;  // of the pads of a slab that rests on a block
 
 StepperOptions options_of(const std::string& element, const std::string& solver) {
@@ -47,21 +48,32 @@ void begin(StepBackEnd& back_end, const BodyDescription& body) {
 }
 
 struct Timed {
-    double ms = 0.0, iterations = 0.0;  // means of a step
-    int contacts = 0;                   // at the end
+    double ms = 0.0;  // median of a step
+    double slowest_ms = 0.0;
+    double iterations = 0.0;  // mean of a step
+    int contacts = 0;         // at the end
 };
 
 Timed time_steps(StepBackEnd& back_end, int steps) {
     Timed timed;
-    const auto start = Clock::now();
+    std::vector<double> ms;
     for (int k = 0; k < steps; ++k) {
+        const auto start = Clock::now();
         const StepReport report = back_end.advance(dt_s);
+        ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
         timed.iterations += static_cast<double>(report.linear_iterations) / steps;
         timed.contacts = report.obstacles.touch.contacts;
     }
-    const std::chrono::duration<double, std::milli> wall = Clock::now() - start;
-    timed.ms = wall.count() / steps;
+    std::ranges::sort(ms);
+    timed.ms = ms[ms.size() / 2];
+    timed.slowest_ms = ms.back();
     return timed;
+}
+
+// Until the first shock of weight and pull is over: a bar that begins to fall takes shortened
+// steps, which are the processor's on either back end.
+void warm_up(StepBackEnd& back_end, int steps) {
+    for (int k = 0; k < steps; ++k) back_end.advance(dt_s);
 }
 
 Traffic mean(const Traffic& before, const Traffic& after, int steps) {
@@ -90,22 +102,33 @@ double measured_bandwidth(Machine& machine) {
 }
 
 GpuRow row_of(const BodyDescription& body, const StepperOptions& options, int steps,
-              const std::shared_ptr<Machine>& machine, const std::optional<PlannedDevice>& plan) {
+              const std::shared_ptr<Machine>& machine, const std::optional<PlannedDevice>& plan,
+              double bandwidth) {
     CudaOptions cuda;
     const auto back_end = make_cuda_back_end(body, options, machine, cuda);
     begin(*back_end, body);
-    back_end->advance(dt_s);  // the first allocates
+    warm_up(*back_end, warm_up_steps);  // the first allocates
     const Traffic before = machine->traffic();
     *cuda.share = {};
     const Timed timed = time_steps(*back_end, steps);
     GpuRow row;
+    row.measured = !plan;
     row.traffic = mean(before, machine->traffic(), steps);
     row.iterations = timed.iterations;
     row.contacts = timed.contacts;
+    const SolveCost& solves = cuda.share->solves;
+    if (row.measured && cuda.share->device > 0) {
+        row.solve_ms = 1e3 * solves.seconds / static_cast<double>(cuda.share->device);
+        row.bandwidth_share = static_cast<double>(solves.kernel_bytes) / solves.seconds / bandwidth;
+    }
     row.device_steps = static_cast<double>(cuda.share->device) / steps;
-    row.measured = !plan;
+    row.slowest_ms = timed.slowest_ms;
     row.ms = plan ? 1e3 * planned_seconds(row.traffic, *plan) : timed.ms;
     return row;
+}
+
+std::string number_or_null(const std::optional<double>& value) {
+    return value ? std::to_string(*value) : "null";
 }
 
 // A slab has no tree that a skeleton could follow.
@@ -127,22 +150,45 @@ std::vector<GpuRow> study_gpu(const GpuStudyOptions& options,
         for (const std::string& element : options.elements)
             for (const std::string& solver : solvers_for(body, options)) {
                 const StepperOptions stepper = options_of(element, solver);
-                GpuRow row = row_of(body, stepper, options.steps, machine, options.plan);
+                GpuRow row = row_of(body, stepper, options.steps, machine, options.plan, bandwidth);
                 row.tetrahedra = static_cast<int>(body.mesh.tetrahedra.size());
                 row.element = element;
                 row.solver = solver;
                 if (row.measured) {
-                    row.bandwidth_share =
-                        static_cast<double>(row.traffic.kernel_bytes) / (1e-3 * row.ms) / bandwidth;
                     const auto cpu = make_cpu_back_end(body, options_of(element, "automatic"));
                     begin(*cpu, body);
-                    cpu->advance(dt_s);
+                    warm_up(*cpu, warm_up_steps);
                     row.cpu_ms = time_steps(*cpu, options.steps).ms;
                 }
                 rows.push_back(row);
                 if (row_done) row_done(row);
             }
     return rows;
+}
+
+std::string json_of(const GpuRow& row) {
+    const std::optional<double> ratio =
+        row.cpu_ms ? std::optional(*row.cpu_ms / row.ms) : std::nullopt;
+    const std::optional<double> slowest =
+        row.measured ? std::optional(row.slowest_ms) : std::nullopt;
+    return "{\"tetrahedra\": " + std::to_string(row.tetrahedra) +
+           ", \"contacts\": " + std::to_string(row.contacts) +
+           ", \"contact_rows\": " + std::to_string(rows_per_contact * row.contacts) +
+           ", \"element\": \"" + row.element + "\", \"solver\": \"" + row.solver +
+           "\", \"ms\": " + std::to_string(row.ms) +
+           ", \"slowest_ms\": " + number_or_null(slowest) +
+           ", \"iterations\": " + std::to_string(row.iterations) +
+           ", \"bytes\": " + std::to_string(row.traffic.kernel_bytes) +
+           ", \"solve_ms\": " + number_or_null(row.solve_ms) +
+           ", \"bandwidth_share\": " + number_or_null(row.bandwidth_share) +
+           ", \"launches\": " + std::to_string(row.traffic.launches) +
+           ", \"barriers\": " + std::to_string(row.traffic.barriers) +
+           ", \"copies\": " + std::to_string(row.traffic.copies) +
+           ", \"copied_bytes\": " + std::to_string(row.traffic.copied_bytes) +
+           ", \"device_steps\": " + std::to_string(row.device_steps) +
+           ", \"cpu_ms\": " + number_or_null(row.cpu_ms) +
+           ", \"cpu_ratio\": " + number_or_null(ratio) +
+           ", \"measured\": " + (row.measured ? "true" : "false") + "}";
 }
 
 }  // namespace hepatica::gpu

@@ -20,15 +20,17 @@ struct GpuStudyOptions {
     std::optional<PlannedDevice> plan{};  // none: measured on the device of this computer
 };
 
-// Means over the steps. What a plan cannot know is empty.
+// Means over the steps, times the median. What a plan cannot know is empty.
 struct GpuRow {
     int tetrahedra = 0;
     int contacts = 0;  // pairs of features in their pad at the end of the last step
     std::string element, solver;
     double ms = 0.0;
+    double slowest_ms = 0.0;  // of the steps, where they are measured
     double iterations = 0.0;
     Traffic traffic;                        // of a step
-    std::optional<double> bandwidth_share;  // of a copy on the device, while measured
+    std::optional<double> solve_ms;         // of a step's linear solve
+    std::optional<double> bandwidth_share;  // that it reaches of a copy on the device
     std::optional<double> cpu_ms;           // of the same step on all cores of this computer
     double device_steps = 0.0;              // the share of steps that the device made
     bool measured = false;
@@ -40,6 +42,9 @@ struct GpuRow {
 // to measure.
 std::vector<GpuRow> study_gpu(const GpuStudyOptions& options,
                               const std::function<void(const GpuRow&)>& row_done = {});
+
+// A row as an object of JSON.
+std::string json_of(const GpuRow& row);
 
 // The paper has 98,304 rows for 16,384 contact points.
 constexpr int rows_per_contact = 6;

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double cell_mm = 1.5;
 constexpr int across = 4, per_cell = 6;
+// What holds a vessel in a scene (SceneSpec): without it a bar of metres would swing in free fall.
+constexpr double tether_pa_per_mm2 = 20.0;
 
 }  // namespace
 
@@ -19,6 +21,7 @@ BodyDescription slender_bar(int tetrahedra) {
     const int along = std::max(1, (tetrahedra + slice - 1) / slice);
     constexpr int side = across + 1;
     BodyDescription body;
+    body.tether_pa_per_mm2 = tether_pa_per_mm2;
     for (int i = 0; i <= along; ++i)
         for (int j = 0; j < side; ++j)
             for (int k = 0; k < side; ++k) {
