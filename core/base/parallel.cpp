@@ -9,6 +9,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #else
 #include <atomic>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -28,8 +29,8 @@ struct ThreadLimit::Implementation {
 #else
 
 // Without TBB: on machines that lack it, and under the thread sanitizer, which cannot see how TBB's
-// own library orders its threads. Threads are started for each loop, which costs some 50
-// microseconds; the order of the results is the same.
+// own library orders its threads. Helpers wait for loops that have blocks left; the order of the
+// results is the same.
 namespace {
 
 std::atomic<int>& most_threads() {
@@ -56,9 +57,13 @@ class BlockQueue {
         }
     }
 
+    bool all_taken() const { return next_ >= blocks_; }
+
     void rethrow() const {
         if (failure_) std::rethrow_exception(failure_);
     }
+
+    int helpers = 0;  // that work on it; guarded by the mutex of the crew
 
   private:
     std::size_t blocks_;
@@ -68,14 +73,67 @@ class BlockQueue {
     std::exception_ptr failure_;
 };
 
-void run_blocks(std::size_t blocks, const std::function<void(std::size_t)>& run) {
-    BlockQueue queue(blocks, run);
-    {
-        std::vector<std::jthread> helpers;
-        const auto helping = std::min(blocks, static_cast<std::size_t>(most_threads().load())) - 1;
-        for (std::size_t h = 0; h < helping; ++h) helpers.emplace_back([&] { queue.work(); });
-        queue.work();
+// Threads that help with loops. Who begins a loop works on it, too, and waits for nobody who has
+// not begun to help: loops may begin loops.
+class Crew {
+  public:
+    ~Crew() {
+        {
+            const std::scoped_lock lock(mutex_);
+            ended_ = true;
+        }
+        opened_.notify_all();
     }
+
+    void run(BlockQueue& queue, std::size_t blocks) {
+        const int most = most_threads();
+        const auto wanted = std::min(blocks, static_cast<std::size_t>(most)) - 1;
+        if (wanted == 0) return queue.work();
+        {
+            const std::scoped_lock lock(mutex_);
+            open_.push_back(&queue);
+            while (threads_.size() + 1 < static_cast<std::size_t>(most))
+                threads_.emplace_back([this] { help(); });
+        }
+        for (std::size_t h = 0; h < wanted; ++h) opened_.notify_one();
+        queue.work();
+        std::unique_lock lock(mutex_);
+        std::erase(open_, &queue);
+        left_.wait(lock, [&] { return queue.helpers == 0; });
+    }
+
+  private:
+    BlockQueue* one_to_help() {
+        for (BlockQueue* queue : open_)
+            if (!queue->all_taken() && queue->helpers + 1 < most_threads()) return queue;
+        return nullptr;
+    }
+
+    void help() {
+        std::unique_lock lock(mutex_);
+        for (;;) {
+            BlockQueue* queue = nullptr;
+            opened_.wait(lock, [&] { return ended_ || (queue = one_to_help()) != nullptr; });
+            if (ended_) return;
+            ++queue->helpers;
+            lock.unlock();
+            queue->work();
+            lock.lock();
+            if (--queue->helpers == 0) left_.notify_all();
+        }
+    }
+
+    std::mutex mutex_;
+    std::condition_variable opened_, left_;
+    std::vector<BlockQueue*> open_;
+    bool ended_ = false;
+    std::vector<std::jthread> threads_;  // the last: they end before the rest does
+};
+
+void run_blocks(std::size_t blocks, const std::function<void(std::size_t)>& run) {
+    static Crew crew;
+    BlockQueue queue(blocks, run);
+    crew.run(queue, blocks);
     queue.rethrow();
 }
 

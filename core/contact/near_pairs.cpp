@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/parallel.h"
 
 namespace hepatica {
 namespace {
 
+constexpr double margin_slacks = 4.0;  // of boxes in the tree
 constexpr std::size_t pairs_per_block = 16;
 constexpr std::size_t patches_per_block = 64;
 
@@ -22,85 +24,24 @@ Box grown(Box box, double margin) {
     return box;
 }
 
-template <class Nodes>
-Box swept(const Nodes& nodes, const Sweep& sweep, const Vec3& observer_mm) {
-    Box box;
-    for (const int v : nodes) box.add(sweep.from_mm[v]);
-    if (sweep.stands()) return box;
-    for (const int v : nodes) box.add(sweep.to_mm[v] - observer_mm);
-    return box;
-}
-
-bool shares(const std::array<int, 4>& nodes, int first_count) {
-    for (int a = 0; a < first_count; ++a)
-        for (int b = first_count; b < 4; ++b)
-            if (nodes[a] == nodes[b]) return true;
-    return false;
-}
-
-// A triangle and its features, each in the box that it sweeps.
-struct SweptTriangle {
-    int triangle = 0;
-    Box box;
-};
-
-// One pair of patches, as an observer sees them.
-class PairOfPatches {
-  public:
-    PairOfPatches(const SurfaceFeatures& features, const Sweep& sweep, const Vec3& observer_mm,
-                  std::vector<FeaturePair>& found)
-        : features_(features), sweep_(sweep), observer_mm_(observer_mm), found_(found) {}
-
-    // The triangles of a patch that come near the box; all that they sweep.
-    std::vector<SweptTriangle> near(int patch, const Box& other) const {
-        std::vector<SweptTriangle> some;
-        for (const int t : features_.surface().triangles_of(patch)) {
-            const Box box = swept(features_.surface().triangles()[t], sweep_, observer_mm_);
-            if (box.meets(other)) some.push_back({t, box});
-        }
-        return some;
-    }
-
-    void add(const SweptTriangle& a, const SweptTriangle& b) {
-        const Box wide_a = grown(a.box, sweep_.reach_mm);
-        if (!wide_a.meets(b.box)) return;
-        const Box wide_b = grown(b.box, sweep_.reach_mm);
-        for (const int v : features_.nodes_owned_by(a.triangle)) add_vertex(v, b.triangle, wide_b);
-        for (const int v : features_.nodes_owned_by(b.triangle)) add_vertex(v, a.triangle, wide_a);
-        for (const int e : features_.edges_owned_by(a.triangle))
-            for (const int f : features_.edges_owned_by(b.triangle)) add_edges(e, f);
-    }
-
-  private:
-    void add_vertex(int node, int triangle, const Box& wide) {
-        const auto& corners = features_.surface().triangles()[triangle];
-        const FeaturePair pair{
-            .first = node, .second = triangle, .nodes = {node, corners[0], corners[1], corners[2]}};
-        if (shares(pair.nodes, 1)) return;
-        if (swept(std::array{node}, sweep_, observer_mm_).meets(wide)) found_.push_back(pair);
-    }
-
-    void add_edges(int edge, int other) {
-        const auto& a = features_.edges()[std::min(edge, other)];
-        const auto& b = features_.edges()[std::max(edge, other)];
-        const FeaturePair pair{.of_edges = true,
-                               .first = std::min(edge, other),
-                               .second = std::max(edge, other),
-                               .nodes = {a[0], a[1], b[0], b[1]}};
-        if (shares(pair.nodes, 2)) return;
-        const Box wide = grown(swept(a, sweep_, observer_mm_), sweep_.reach_mm);
-        if (wide.meets(swept(b, sweep_, observer_mm_))) found_.push_back(pair);
-    }
-
-    const SurfaceFeatures& features_;
-    const Sweep& sweep_;
-    Vec3 observer_mm_;
-    std::vector<FeaturePair>& found_;
-};
-
 }  // namespace
 
+NearPairs::NearPairs(const SurfaceFeatures& features, double slack_mm)
+    : features_(features), slack_mm_(slack_mm) {}
+
 NearPairs::~NearPairs() = default;
+
+int NearPairs::searches() const {
+    int sum = 0;
+    for (const Strangers& two : strangers_) sum += two.pairs ? two.pairs->searches() : 0;
+    return sum;
+}
+
+std::size_t NearPairs::bytes() const {
+    std::size_t sum = strangers_.capacity() * sizeof(Strangers);
+    for (const Strangers& two : strangers_) sum += two.pairs ? two.pairs->bytes() : 0;
+    return sum;
+}
 
 Box NearPairs::Moving::swept(const Vec3& observer_mm) const {
     Box all = box;
@@ -135,7 +76,7 @@ void NearPairs::find_strangers(const Sweep& sweep) {
     for (std::size_t p = 0; p < patches_.size(); ++p) {
         const Box needed = grown(patches_[p].swept(Vec3::Zero()), 0.5 * sweep.reach_mm);
         if (contains(boxes_[p], needed)) continue;
-        boxes_[p] = grown(needed, margin_mm_);
+        boxes_[p] = grown(needed, margin_slacks * slack_mm_);
         left = true;
     }
     if (!left) return;
@@ -143,68 +84,63 @@ void NearPairs::find_strangers(const Sweep& sweep) {
         tree_->refit(boxes_);
     else
         tree_ = std::make_unique<PatchTree>(boxes_);
-    strangers_ = tree_->meeting_pairs();
-    std::erase_if(strangers_, [&](const auto& pair) {
-        return features_.neighbours(pair[0], pair[1]) || !features_.may_meet(pair[0], pair[1]);
-    });
+    keep_strangers(tree_->meeting_pairs());
 }
 
-bool NearPairs::may_meet(int patch, int other, double reach_mm) const {
-    const Vec3& observer = patches_[other].motion_mm;
-    return grown(patches_[patch].swept(observer), reach_mm)
-        .meets(grown(patches_[other].box, patches_[other].spread_mm));
+// What is known of those that met before goes on. Both lists ascend.
+void NearPairs::keep_strangers(const std::vector<std::array<int, 2>>& meeting) {
+    std::vector<Strangers> now;
+    auto before = strangers_.begin();
+    for (const auto& pair : meeting) {
+        if (features_.neighbours(pair[0], pair[1]) || !features_.may_meet(pair[0], pair[1]))
+            continue;
+        while (before != strangers_.end() && before->patches < pair) ++before;
+        if (before != strangers_.end() && before->patches == pair)
+            now.push_back(std::move(*before));
+        else
+            now.emplace_back().patches = pair;
+    }
+    strangers_ = std::move(now);
+}
+
+bool NearPairs::may_meet(const Strangers& two, double reach_mm) const {
+    const auto &one = patches_[two.patches[0]], &other = patches_[two.patches[1]];
+    return grown(one.swept(other.motion_mm), reach_mm).meets(grown(other.box, other.spread_mm));
+}
+
+void NearPairs::add_pairs_of(Strangers& two, const Sweep& sweep, const LeftOut& left_out,
+                             std::optional<double> goes_on_mm, PatchPairSearch& search,
+                             std::vector<FeaturePair>& found) const {
+    const auto [patch, other] = two.patches;
+    if (!two.pairs)
+        two.pairs = std::make_unique<ClusterPairs>(features_, patch, std::vector<int>{other});
+    const bool goes_on = two.asked == questions_ - 1;
+    two.asked = questions_;
+    const auto before = static_cast<std::ptrdiff_t>(found.size());
+    two.pairs->add_along(sweep, slack_mm_, goes_on ? goes_on_mm : std::nullopt, search, found);
+    if (before == std::ssize(found) || !left_out(patch, other)) return;
+    found.erase(std::remove_if(found.begin() + before, found.end(),
+                               [&](const auto& pair) { return !features_.counts(pair, left_out); }),
+                found.end());
 }
 
 void NearPairs::add_between_strangers(const Sweep& sweep, const LeftOut& left_out,
+                                      std::optional<double> goes_on_mm,
                                       std::vector<FeaturePair>& found) {
+    ++questions_;
     find_strangers(sweep);
-    std::vector<std::array<int, 2>> meeting;
-    for (const auto& pair : strangers_)
-        if (may_meet(pair[0], pair[1], sweep.reach_mm)) meeting.push_back(pair);
+    std::vector<Strangers*> meeting;
+    for (Strangers& two : strangers_)
+        if (may_meet(two, sweep.reach_mm)) meeting.push_back(&two);
     const std::size_t blocks = (meeting.size() + pairs_per_block - 1) / pairs_per_block;
     std::vector<std::vector<FeaturePair>> found_in(blocks);
     parallel_blocks(meeting.size(), pairs_per_block, [&](std::size_t begin, std::size_t end) {
-        std::vector<FeaturePair>& some = found_in[begin / pairs_per_block];
-        for (std::size_t k = begin; k < end; ++k) {
-            const auto [patch, other] = meeting[k];
-            const std::size_t before = some.size();
-            add_pairs_of(patch, other, sweep, patches_[other].motion_mm, some);
-            if (some.size() == before || !left_out(patch, other)) continue;
-            const auto first = some.begin() + static_cast<std::ptrdiff_t>(before);
-            some.erase(
-                std::remove_if(first, some.end(),
-                               [&](const auto& pair) { return !features_.counts(pair, left_out); }),
-                some.end());
-        }
+        PatchPairSearch search(features_);
+        for (std::size_t k = begin; k < end; ++k)
+            add_pairs_of(*meeting[k], sweep, left_out, goes_on_mm, search,
+                         found_in[begin / pairs_per_block]);
     });
     for (const auto& some : found_in) found.insert(found.end(), some.begin(), some.end());
-}
-
-void NearPairs::add_pairs_of(int patch, int other, const Sweep& sweep,
-                             std::vector<FeaturePair>& found) const {
-    add_pairs_of(patch, other, sweep, moving(other, sweep).motion_mm, found);
-}
-
-void NearPairs::add_pairs_of(int patch, int other, const Sweep& sweep, const Vec3& observer_mm,
-                             std::vector<FeaturePair>& found) const {
-    PairOfPatches pairs(features_, sweep, observer_mm, found);
-    const SurfacePatches& surface = features_.surface();
-    const Box box = swept(surface.vertices_of(other), sweep, observer_mm);
-    const auto first = pairs.near(patch, grown(box, sweep.reach_mm));
-    if (patch == other) {
-        for (std::size_t i = 0; i < first.size(); ++i)
-            for (std::size_t j = i + 1; j < first.size(); ++j) pairs.add(first[i], first[j]);
-        return;
-    }
-    if (first.empty()) return;
-    Box ahead;
-    for (const SweptTriangle& t : first) {
-        ahead.add(t.box.low);
-        ahead.add(t.box.high);
-    }
-    const auto second = pairs.near(other, grown(ahead, sweep.reach_mm));
-    for (const SweptTriangle& t : first)
-        for (const SweptTriangle& s : second) pairs.add(t, s);
 }
 
 }  // namespace hepatica

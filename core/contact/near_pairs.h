@@ -1,44 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which features of a surface may come near each other while all its vertices move in straight
-// lines: vertices and triangles, edges and edges, that share no vertex. Decided by boxes around
-// what patches, triangles and features sweep, seen by an observer who flies along with one of the
-// two patches: what flies together meets little, and what flies past meets only what lies ahead.
+// Which features of patches that share no node may come near each other while all vertices move in
+// straight lines. Patches are looked at first, by an observer who flies along with one of the two:
+// what flies together meets little, and what flies past meets only what lies ahead. Of two that
+// meet, the pairs are kept for as long as they move as one: what lies on another is searched once.
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "core/contact/cluster_pairs.h"
 #include "core/contact/patch_tree.h"
-#include "core/contact/surface_features.h"
 
 namespace hepatica {
 
-// All vertices move straight from one place to another, and what comes nearer than the reach is
-// asked for.
-struct Sweep {
-    std::span<const Vec3> from_mm, to_mm;
-    double reach_mm = 0.0;
-
-    bool stands() const { return from_mm.data() == to_mm.data(); }
-};
-
-// A search over one surface. Not thread-safe; runs in parallel. The same motion gives the same
-// pairs, in an order that depends on the motions before.
+// A search over one surface. Not thread-safe; runs in parallel. What is found besides the nearest
+// depends on the questions before.
 class NearPairs {
   public:
-    // Keeps a reference. Boxes in the tree are so much wider than what moves in them, so that small
-    // motions leave the tree as it is.
-    NearPairs(const SurfaceFeatures& features, double margin_mm)
-        : features_(features), margin_mm_(margin_mm) {}
+    // Keeps a reference. Two patches are searched anew where they have moved against each other by
+    // more than slack_mm >= 0; boxes in the tree are some times wider than what moves in them, so
+    // that small motions leave the tree as it is.
+    NearPairs(const SurfaceFeatures& features, double slack_mm);
     ~NearPairs();
 
-    // Adds all pairs that may come nearer than the reach, of patches that share no node; some that
-    // do not, too. Costs the boxes of all patches and the triangles of those that meet.
+    // Adds all pairs that may come nearer than the reach, but for those left out; some that do not,
+    // too. `goes_on_mm` as in ClusterPairs. Costs the boxes of all patches, and a pass over the
+    // vertices of those that meet.
     void add_between_strangers(const Sweep& sweep, const LeftOut& left_out,
-                               std::vector<FeaturePair>& found);
+                               std::optional<double> goes_on_mm, std::vector<FeaturePair>& found);
 
-    // The same of one pair of patches or of one patch, all of which count. Thread-safe.
-    void add_pairs_of(int patch, int other, const Sweep& sweep,
-                      std::vector<FeaturePair>& found) const;
+    // Of two patches, so far.
+    int searches() const;
+    std::size_t bytes() const;
 
   private:
     // The vertices of a patch in their box at the beginning, all moved by `motion_mm` but for
@@ -50,18 +43,27 @@ class NearPairs {
 
         Box swept(const Vec3& observer_mm) const;
     };
+    // Two patches whose boxes in the tree meet.
+    struct Strangers {
+        std::array<int, 2> patches{};
+        int asked = -1;                       // the question in which they met last
+        std::unique_ptr<ClusterPairs> pairs;  // null: they have not met
+    };
     Moving moving(int patch, const Sweep& sweep) const;
     void find_strangers(const Sweep& sweep);
-    bool may_meet(int patch, int other, double reach_mm) const;
-    void add_pairs_of(int patch, int other, const Sweep& sweep, const Vec3& observer_mm,
+    void keep_strangers(const std::vector<std::array<int, 2>>& meeting);
+    bool may_meet(const Strangers& two, double reach_mm) const;
+    void add_pairs_of(Strangers& two, const Sweep& sweep, const LeftOut& left_out,
+                      std::optional<double> goes_on_mm, PatchPairSearch& search,
                       std::vector<FeaturePair>& found) const;
 
     const SurfaceFeatures& features_;
-    double margin_mm_;
+    double slack_mm_;
     std::unique_ptr<PatchTree> tree_;
-    std::vector<Box> boxes_;                     // in the tree
-    std::vector<std::array<int, 2>> strangers_;  // whose boxes meet
+    std::vector<Box> boxes_;  // in the tree
+    std::vector<Strangers> strangers_;
     std::vector<Moving> patches_;
+    int questions_ = 0;
 };
 
 }  // namespace hepatica

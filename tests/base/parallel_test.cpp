@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -62,6 +64,29 @@ TEST(Parallel, HandsAnExceptionToTheCaller) {
                                      if (begin == 500) throw std::runtime_error("block 50");
                                  }),
                  std::runtime_error);
+}
+
+// Loops within loops, from several threads at once, over and over: each index is visited once, and
+// nobody waits for a helper who never comes.
+TEST(Parallel, LoopsMayBeginLoops) {
+    std::atomic<int> visits{0};
+    const auto play = [&] {
+        for (int round = 0; round < 200; ++round)
+            parallel_blocks(8, 1, [&](std::size_t, std::size_t) {
+                parallel_blocks(16, 4, [&](std::size_t begin, std::size_t end) {
+                    visits += static_cast<int>(end - begin);
+                });
+            });
+    };
+    for (const int threads : {1, 2, 5}) {
+        const ThreadLimit limit(threads);
+        visits = 0;
+        {
+            const std::jthread other(play);
+            play();
+        }
+        EXPECT_EQ(visits, 2 * 200 * 8 * 16) << threads;
+    }
 }
 
 }  // namespace

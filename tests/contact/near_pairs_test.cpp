@@ -70,10 +70,11 @@ std::vector<FeaturePair> without_memory(const SurfaceFeatures& features, NearPai
                                         double reach_mm) {
     const Sweep sweep{from, to, reach_mm};
     std::vector<FeaturePair> found;
-    search.add_between_strangers(sweep, none_left_out, found);
+    search.add_between_strangers(sweep, none_left_out, std::nullopt, found);
+    PatchPairSearch of_two(features);
     for (int p = 0; p < static_cast<int>(features.surface().size()); ++p) {
-        search.add_pairs_of(p, p, sweep, found);
-        for (const int q : features.neighbours_above(p)) search.add_pairs_of(p, q, sweep, found);
+        of_two.add_pairs_of(p, p, sweep, found);
+        for (const int q : features.neighbours_above(p)) of_two.add_pairs_of(p, q, sweep, found);
     }
     return found;
 }
@@ -88,7 +89,7 @@ TEST(NearPairs, FindsWhatComesNearAtAnyMoment) {
     const std::vector<Vec3>& from = boxes.mesh.vertices_mm;
     std::mt19937 random(4);
     std::uniform_real_distribution<double> in(-1.0, 1.0);
-    NearPairs search(features, 0.5);
+    NearPairs search(features, 0.12);
     PairCover cover(features, 0.4, 0.3);
     std::size_t met = 0;
     for (const double size : {0.0, 0.2, 1.0, 4.0, 50.0})
@@ -148,6 +149,75 @@ TEST(NearPairs, KnowNeighboursThatTurnAndBend) {
     }
     EXPECT_GT(met, 1000u);
     EXPECT_GT(cover.searches(), after_first);  // those that bent
+}
+
+// Boxes that lie on each other, creep and roll together: no pair is lost between searches, though
+// these are few; and what is thrown apart is found when it comes back.
+TEST(NearPairs, KeepWhatLiesOnAnother) {
+    Boxes boxes;
+    boxes.add(Vec3(0, 0, 0), 0.0);
+    boxes.add(Vec3(0.3, 0.2, 2.1), 1.3);
+    boxes.add(Vec3(0.5, 0.1, 4.25), 0.4);
+    const SurfaceFeatures features = boxes.features(4);
+    const double reach = 0.3;
+    PairCover cover(features, reach, 0.2);
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> in(-1.0, 1.0);
+    const std::size_t third = boxes.mesh.vertices_mm.size() / 3;
+    std::vector<Vec3> from = boxes.mesh.vertices_mm;
+    std::size_t met = 0;
+    int after_first = 0;
+    for (int step = 0; step < 40; ++step) {
+        const Eigen::AngleAxisd roll(0.2 * in(random), Vec3(1, 2, 3).normalized());
+        const Vec3 fly = 2.0 * Vec3(in(random), in(random), in(random));
+        std::vector<Vec3> to = from;
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            const Vec3 creep = 0.003 * Vec3(in(random), in(random), in(random)) +
+                               0.004 * static_cast<double>(i / third) * Vec3::UnitX();
+            to[i] = roll * Vec3(from[i] + creep) + fly;
+            if (step == 30 && i >= 2 * third) to[i] += Vec3(0, 0, 5);
+            if (step == 31 && i >= 2 * third) to[i] -= Vec3(0, 0, 5);
+        }
+        const auto covered = keys_of(cover.along(from, to, none_left_out));
+        for (int k = 0; k <= 4; ++k)
+            for (const Key& key : all_nearer(features, between(from, to, k / 4.0), reach)) {
+                EXPECT_TRUE(covered.contains(key)) << step << " at " << k;
+                ++met;
+            }
+        if (step == 0) after_first = cover.searches_of_strangers();
+        from = to;
+    }
+    EXPECT_GT(met, 10000u);
+    EXPECT_GT(after_first, 0);
+    EXPECT_LT(cover.searches_of_strangers(), 20 * after_first);  // of 40 steps
+}
+
+// What was known of two patches when they met last says nothing of where they come from now, though
+// they have been apart by little.
+TEST(NearPairs, ForgetWhereTheyWereBeforeTheyParted) {
+    Boxes boxes;
+    boxes.add(Vec3(0, 0, 0), 0.0);
+    boxes.add(Vec3(0.3, 0.2, 2.1), 0.3);
+    const SurfaceFeatures features = boxes.features();
+    const double reach = 0.3;
+    const std::vector<Vec3>& near = boxes.mesh.vertices_mm;
+    const auto at_end = all_nearer(features, near, reach);
+    std::size_t only_on_the_way = 0;
+    for (int turn = 0; turn < 12; ++turn) {
+        PairCover cover(features, reach, 0.2);
+        std::vector<Vec3> far = near;
+        const Vec3 aside = Eigen::AngleAxisd(0.5 * turn, Vec3::UnitZ()) * Vec3(1.5, 0, 0.5);
+        for (std::size_t i = far.size() / 2; i < far.size(); ++i) far[i] += aside;
+        cover.along(near, near, none_left_out);
+        cover.along(far, far, none_left_out);
+        const auto covered = keys_of(cover.along(far, near, none_left_out));
+        for (int k = 0; k <= 20; ++k)
+            for (const Key& key : all_nearer(features, between(far, near, k / 20.0), reach)) {
+                EXPECT_TRUE(covered.contains(key)) << turn << " at " << k;
+                only_on_the_way += at_end.contains(key) ? 0 : 1;
+            }
+    }
+    EXPECT_GT(only_on_the_way, 100u);
 }
 
 // What is left out is a pair of patches, not the features on their borders: these count with the

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "core/base/parallel.h"
 #include "core/base/small_matrix_eigen.h"
 #include "core/deform/potentials/point_stiffness.h"
 
@@ -52,13 +53,19 @@ Mat3 CoulombFriction::stiffness_of(const Grip& grip, std::span<const Vec3> posit
 }
 
 void CoulombFriction::list_rubs(int kind, std::vector<RubPoint>& rubs) const {
-    for (const Grip& grip : grips_)
-        rubs.push_back({{grip.nodes[0], grip.nodes[1], grip.nodes[2], -1},
-                        {grip.weights[0], grip.weights[1], grip.weights[2], 0.0},
-                        small::from_eigen(grip.normal),
-                        small::from_eigen(grip.anchor_mm),
-                        law_of(grip),
-                        kind});
+    const std::size_t before = rubs.size();
+    rubs.resize(before + grips_.size());
+    parallel_blocks(grips_.size(), grips_per_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const Grip& grip = grips_[k];
+            rubs[before + k] = {{grip.nodes[0], grip.nodes[1], grip.nodes[2], -1},
+                                {grip.weights[0], grip.weights[1], grip.weights[2], 0.0},
+                                small::from_eigen(grip.normal),
+                                small::from_eigen(grip.anchor_mm),
+                                law_of(grip),
+                                kind};
+        }
+    });
 }
 
 // What slips is about to stick where the other forces that act on it fall short of friction by
@@ -79,9 +86,11 @@ void CoulombFriction::foresee(std::span<const Vec3> positions_mm, std::span<cons
 
 std::vector<CoulombFriction::PointForce> CoulombFriction::point_forces(
     std::span<const Vec3> positions_mm) const {
-    std::vector<PointForce> forces;
-    for (const Grip& grip : grips_)
-        forces.push_back({grip.point(positions_mm), force_of(grip, positions_mm)});
+    std::vector<PointForce> forces(grips_.size());
+    parallel_blocks(grips_.size(), grips_per_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            forces[k] = {grips_[k].point(positions_mm), force_of(grips_[k], positions_mm)};
+    });
     return forces;
 }
 

@@ -27,6 +27,9 @@ struct Grip {
     Vec3 point(std::span<const Vec3> positions_mm) const;
 };
 
+// That a thread takes at once.
+constexpr std::size_t grips_per_block = 256;
+
 // How far a step of dt_s > 0 lets creep what sticks.
 double creep_mm(const Body& body, double dt_s);
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/deform/potentials/point_stiffness.h"
 
 namespace hepatica {
-
 ObstacleContact::ObstacleContact(const Body& body) : body_(body) {
     WithObstacles both =
         with_obstacles(*body.obstacles, body.rest_positions_mm, body.touching_surface);
@@ -115,13 +115,17 @@ double ObstacleContact::share_until_touch(std::span<const Vec3> from_mm,
 std::vector<Grip> ObstacleFriction::grips_of(std::span<const Vec3> start_mm, double) const {
     std::vector<Grip> grips;
     if (contact_.friction() == 0.0) return grips;
-    for (const SurfaceContact& contact : contact_.contacts(start_mm)) {
-        const ObstacleContactPoint point = contact_.point_of(contact);
-        Grip grip{point.nodes, point.weights, point.normal, contact_.friction() * contact.force_un,
-                  Vec3::Zero()};
-        grip.anchor_mm = grip.point(start_mm);
-        grips.push_back(grip);
-    }
+    const std::vector<SurfaceContact>& contacts = contact_.contacts(start_mm);
+    grips.resize(contacts.size());
+    parallel_blocks(contacts.size(), grips_per_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const ObstacleContactPoint point = contact_.point_of(contacts[k]);
+            Grip grip{point.nodes, point.weights, point.normal,
+                      contact_.friction() * contacts[k].force_un, Vec3::Zero()};
+            grip.anchor_mm = grip.point(start_mm);
+            grips[k] = grip;
+        }
+    });
     return grips;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -20,7 +19,8 @@ constexpr double touched = 0.5;            // of the pad
 constexpr double touching_at_rest = 0.05;  // of the pad
 constexpr double slack_edges = 0.25;       // of the search, see PairCover
 constexpr double band = 1e-3;              // of a gap, for times of contact
-constexpr std::size_t pairs_per_block = 64;
+constexpr double beyond_rounding = 1.0 + 1e-9;
+constexpr std::size_t pairs_per_block = 128;
 
 // Adds the time between its construction and destruction to a sum.
 class Stopwatch {
@@ -101,6 +101,23 @@ std::vector<int> one_by_one(const Overlaps::Pairs& pairs) {
     return all;
 }
 
+// What there is of each pair, in their order; found in parallel.
+template <class Found, class Find>
+void append_of_each(const std::vector<FeaturePair>& pairs, std::vector<Found>& all,
+                    const Find& find) {
+    std::vector<std::vector<Found>> found((pairs.size() + pairs_per_block - 1) / pairs_per_block);
+    parallel_blocks(pairs.size(), pairs_per_block, [&](std::size_t begin, std::size_t end) {
+        std::vector<Found>& of_block = found[begin / pairs_per_block];
+        of_block.reserve(end - begin);
+        for (std::size_t k = begin; k < end; ++k)
+            if (const auto some = find(pairs[k])) of_block.push_back(*some);
+    });
+    std::size_t count = all.size();
+    for (const auto& some : found) count += some.size();
+    all.reserve(count);
+    for (const auto& some : found) all.insert(all.end(), some.begin(), some.end());
+}
+
 Overlaps::Pairs in_pairs(const std::vector<int>& all) {
     Overlaps::Pairs pairs;
     for (std::size_t i = 0; i + 1 < all.size(); i += 2) pairs.push_back({all[i], all[i + 1]});
@@ -127,6 +144,7 @@ SurfacePairs::SurfacePairs(SurfaceFeatures features, std::span<const Vec3> rest_
 
 void SurfacePairs::forget() {
     cover_.forget();
+    free_in_answer_ = -1;
     looked_at_mm_.clear();
 }
 
@@ -194,7 +212,7 @@ void SurfacePairs::find_clearances() {
     NearPairs(features_, 0.0)
         .add_between_strangers(
             {rest_mm_, rest_mm_, 2.0 * pad_.thickness_mm},
-            [&](int p, int q) { return at_rest_.left_out(p, q); }, near);
+            [&](int p, int q) { return at_rest_.left_out(p, q); }, std::nullopt, near);
     const auto take = [](double& least, double distance) { least = std::min(least, distance); };
     for (const FeaturePair& pair : near) {
         const double apart = distance_mm(pair, rest_mm_);
@@ -283,40 +301,31 @@ std::optional<SurfaceContact> SurfacePairs::contact_of(const FeaturePair& pair,
     return contact;
 }
 
+bool SurfacePairs::in_reach(const FeaturePair& pair, std::span<const Vec3> x) const {
+    const double most = pad_.thickness_mm;
+    return squared_gap_of_boxes_mm2(pair, x) < most * most && distance_mm(pair, x) < most;
+}
+
 void SurfacePairs::list_touches(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
                                 std::vector<PadPair>& list) const {
     const Stopwatch watch(spent_ms_);
-    const double most = pad_.thickness_mm;
-    std::vector<const FeaturePair*> near;
-    for (const FeaturePair& pair : candidates(from_mm, to_mm))
-        if (squared_gap_of_boxes_mm2(pair, from_mm) < most * most ||
-            squared_gap_of_boxes_mm2(pair, to_mm) < most * most)
-            near.push_back(&pair);
-    std::ranges::sort(near, {}, [](const FeaturePair* pair) {
-        return std::tuple(pair->of_edges, pair->first, pair->second);
+    append_of_each<PadPair>(candidates(from_mm, to_mm), list, [&](const FeaturePair& pair) {
+        std::optional<PadPair> touch;
+        if (!in_reach(pair, from_mm) && !in_reach(pair, to_mm)) return touch;
+        if (const double area = area_of(pair); area != 0.0)
+            touch = pad_pair(pair, pad_of(pair), area);
+        return touch;
     });
-    for (const FeaturePair* pair : near)
-        if (const double area = area_of(*pair); area != 0.0)
-            list.push_back(pad_pair(*pair, pad_of(*pair), area));
 }
 
 const std::vector<SurfaceContact>& SurfacePairs::contacts(
     std::span<const Vec3> positions_mm) const {
     if (std::ranges::equal(looked_at_mm_, positions_mm)) return contacts_;
     const Stopwatch watch(spent_ms_);
-    const std::vector<FeaturePair>& near = candidates(positions_mm, positions_mm);
-    const std::size_t blocks = (near.size() + pairs_per_block - 1) / pairs_per_block;
-    std::vector<std::vector<SurfaceContact>> found(blocks);
-    parallel_blocks(near.size(), pairs_per_block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
-            if (const auto contact = contact_of(near[k], positions_mm))
-                found[begin / pairs_per_block].push_back(*contact);
-    });
     contacts_.clear();
-    for (const auto& some : found) contacts_.insert(contacts_.end(), some.begin(), some.end());
-    std::ranges::sort(contacts_, {}, [](const SurfaceContact& contact) {
-        return std::tuple(contact.of.of_edges, contact.of.first, contact.of.second);
-    });
+    append_of_each<SurfaceContact>(
+        candidates(positions_mm, positions_mm), contacts_,
+        [&](const FeaturePair& pair) { return contact_of(pair, positions_mm); });
     looked_at_mm_.assign(positions_mm.begin(), positions_mm.end());
     return contacts_;
 }
@@ -330,43 +339,52 @@ SelfLoad load_of(const std::vector<SurfaceContact>& contacts) {
     return load;
 }
 
-double SurfacePairs::least_share(
-    std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
-    const std::function<double(double gap_mm, double pad_mm)>& kept) const {
+double SurfacePairs::least_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
+                                 const Kept& kept) const {
     const Stopwatch watch(spent_ms_);
     const std::vector<FeaturePair>& near = candidates(from_mm, to_mm);
     const std::size_t blocks = (near.size() + pairs_per_block - 1) / pairs_per_block;
     std::vector<double> share(blocks, 1.0);
     parallel_blocks(near.size(), pairs_per_block, [&](std::size_t begin, std::size_t end) {
         double& least = share[begin / pairs_per_block];
-        for (std::size_t k = begin; k < end; ++k) {
-            const double approach = approach_mm(near[k], from_mm, to_mm);
-            // A pair that starts farther apart than this cannot come nearer than any kept gap.
-            const double far =
-                std::max(approach / (1.0 - least_part), approach + touched * pad_.thickness_mm);
-            if (squared_gap_of_boxes_mm2(near[k], from_mm) > far * far) continue;
-            const double gap = distance_mm(near[k], from_mm);
-            if (gap > far) continue;
-            const double keep = kept(gap, pad_of(near[k]));
-            if (keep < 0.0) continue;
-            const double tolerance = band * std::max(gap - keep, keep);
-            const auto time = time_to(near[k], from_mm, to_mm, keep, tolerance);
-            if (time) least = std::min(least, *time);
-        }
+        for (std::size_t k = begin; k < end; ++k)
+            least = std::min(least, share_of(near[k], from_mm, to_mm, kept));
     });
     return share.empty() ? 1.0 : *std::ranges::min_element(share);
 }
 
+// Most pairs come nothing like as near as they may: they are let go by what is cheap to know.
+double SurfacePairs::share_of(const FeaturePair& pair, std::span<const Vec3> from_mm,
+                              std::span<const Vec3> to_mm, const Kept& kept) const {
+    const double approach = beyond_rounding * approach_mm(pair, from_mm, to_mm);
+    const auto stays_away = [&](double gap, double pad) {
+        return gap - kept.part * std::min(gap, pad) > approach;
+    };
+    const double least_gap = std::sqrt(squared_gap_of_boxes_mm2(pair, from_mm));
+    if (stays_away(least_gap, pad_.thickness_mm)) return 1.0;
+    const double gap = distance_mm(pair, from_mm);
+    if (stays_away(gap, pad_.thickness_mm)) return 1.0;
+    const double pad = pad_of(pair);
+    if ((kept.only_from_outside && gap <= pad) || stays_away(gap, pad)) return 1.0;
+    const double keep = kept.part * std::min(gap, pad);
+    const double tolerance = band * std::max(gap - keep, keep);
+    return std::min(1.0, time_to(pair, from_mm, to_mm, keep, tolerance).value_or(1.0));
+}
+
 double SurfacePairs::free_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const {
-    return least_share(from_mm, to_mm,
-                       [](double gap, double pad) { return least_part * std::min(gap, pad); });
+    if (free_in_answer_ == cover_.answers() && cover_.is_of(from_mm, to_mm)) return free_share_;
+    const double share = least_share(from_mm, to_mm, {.part = least_part});
+    if (cover_.is_of(from_mm, to_mm)) {
+        free_in_answer_ = cover_.answers();
+        free_share_ = share;
+    }
+    return share;
 }
 
 double SurfacePairs::share_until_touch(std::span<const Vec3> from_mm,
                                        std::span<const Vec3> to_mm) const {
     if (free_share(from_mm, to_mm) == 1.0) return 1.0;
-    return least_share(from_mm, to_mm,
-                       [](double gap, double pad) { return gap > pad ? touched * pad : -1.0; });
+    return least_share(from_mm, to_mm, {.part = touched, .only_from_outside = true});
 }
 
 SelfCost SurfacePairs::take_cost() {

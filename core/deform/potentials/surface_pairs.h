@@ -89,6 +89,7 @@ class SurfacePairs {
     OverlapsKept kept_overlaps() const;
 
     // See Potential. Every gap keeps a tenth of itself, or of the pad where it is wider.
+    // A motion that is asked for again is not looked at again.
     double free_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const;
     // Where something would pass: the share of the motion after which what was farther is half into
     // the pad.
@@ -103,13 +104,21 @@ class SurfacePairs {
     bool of_obstacle(int node) const { return node >= moving_nodes_; }
     std::optional<SurfaceContact> contact_of(const FeaturePair& pair,
                                              std::span<const Vec3> positions_mm) const;
+    bool in_reach(const FeaturePair& pair, std::span<const Vec3> positions_mm) const;
     PadPair pad_pair(const FeaturePair& pair, double pad_mm, double area_mm2) const;
     const std::vector<FeaturePair>& candidates(std::span<const Vec3> from_mm,
                                                std::span<const Vec3> to_mm) const;
-    // The least share over all pairs of a motion to which kept(gap, pad) >= 0 is left; negative:
-    // not asked.
+    // Of its gap, or of the pad where it is wider, a pair keeps this part; those that begin in
+    // their pad may be left out.
+    struct Kept {
+        double part = 1.0;
+        bool only_from_outside = false;
+    };
+    // The least share of a motion over all pairs, which leaves each what it keeps.
     double least_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
-                       const std::function<double(double gap_mm, double pad_mm)>& kept) const;
+                       const Kept& kept) const;
+    double share_of(const FeaturePair& pair, std::span<const Vec3> from_mm,
+                    std::span<const Vec3> to_mm, const Kept& kept) const;
     // Beside obstacles: how far each feature of the body is from all of them at rest.
     void find_clearances();
     double clearance_of(const FeaturePair& pair) const;
@@ -126,6 +135,8 @@ class SurfacePairs {
     int whole_nodes_ = 0;
     std::vector<double> node_clearance_mm_, edge_clearance_mm_, triangle_clearance_mm_;
     mutable PairCover cover_;
+    mutable int free_in_answer_ = -1;  // of the cover, to which free_share_ belongs; -1: none
+    mutable double free_share_ = 1.0;
     mutable std::vector<Vec3> looked_at_mm_;  // where contacts_ are
     mutable std::vector<SurfaceContact> contacts_;
     double build_ms_ = 0.0;

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 
+#include "core/base/parallel.h"
 #include "core/base/stop.h"
 
 namespace hepatica {
@@ -95,6 +96,10 @@ void subtract_columns(int columns, const T* a, const T* b, std::ptrdiff_t stride
 }
 
 constexpr int strip = 4;  // columns that are eliminated together
+// Fronts with so many pivots are worth several threads, each of which takes so much of them at
+// once. Every entry is summed up as by one thread.
+constexpr int deep = 96;
+constexpr std::size_t shared_rows = 192, shared_strips = 6;
 
 // Unblocked elimination of `columns` columns whose earlier updates are all in.
 template <class T>
@@ -138,17 +143,25 @@ int factor_front(T* panel, T* remainder, int pivots, int rest, PivotRule rule,
         const int columns = std::min(strip, pivots - j);
         std::array<T, strip> diagonal{};
         for (int c = 0; c < columns; ++c) diagonal[c] = panel[(j + c) * stride + j + c];
-        subtract_columns(columns, panel + j, panel + j, stride, j, panel + j * stride + j, stride,
-                         static_cast<int>(stride) - j);
+        const auto rows = static_cast<std::size_t>(stride - j);
+        parallel_blocks(rows, j < deep ? rows : shared_rows, [&](std::size_t begin, auto end) {
+            subtract_columns(columns, panel + j + begin, panel + j, stride, j,
+                             panel + j * stride + j + begin, stride, static_cast<int>(end - begin));
+        });
         lost += eliminate_strip(panel, stride, j, columns, diagonal.data(), rule);
     }
     const std::ptrdiff_t rest_stride = padded<T>(rest);
-    for (int j = 0; j < rest; j += strip) {
-        throw_if_stopped(stop);
-        const T* rows = panel + pivots + j;
-        subtract_columns(std::min(strip, rest - j), rows, rows, stride, pivots,
-                         remainder + j * rest_stride + j, rest_stride, padded<T>(rest) - j);
-    }
+    if (rest == 0) return lost;
+    const auto strips = static_cast<std::size_t>((rest + strip - 1) / strip);
+    parallel_blocks(strips, pivots < deep ? strips : shared_strips, [&](auto begin, auto end) {
+        for (int j = strip * static_cast<int>(begin);
+             j < std::min(rest, strip * static_cast<int>(end)); j += strip) {
+            throw_if_stopped(stop);
+            const T* rows = panel + pivots + j;
+            subtract_columns(std::min(strip, rest - j), rows, rows, stride, pivots,
+                             remainder + j * rest_stride + j, rest_stride, padded<T>(rest) - j);
+        }
+    });
     return lost;
 }
 

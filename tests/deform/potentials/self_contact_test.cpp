@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "core/base/parallel.h"
 #include "core/deform/potentials/potential_list.h"
@@ -204,6 +205,64 @@ TEST(SelfContact, AnswersDoNotDependOnWhatWasAskedBefore) {
         EXPECT_EQ(often.free_share(body.rest_positions_mm, x),
                   fresh.free_share(body.rest_positions_mm, x));
     }
+}
+
+// Whoever asks in whatever order gets the answers of one who was never asked before: contacts,
+// shares of motions and what may be touched, to the last bit. In some places the bars cross.
+TEST(SelfContact, AnswersDoNotDependOnQuestionsBefore) {
+    const Body body = built(crossed_bars(1.0, 1.4));
+    const SelfContact asked(body);
+    const double pad = body.self_pad->thickness_mm;
+    std::mt19937 random(21);
+    std::uniform_real_distribution<double> in(0.0, 1.0);
+    std::vector<std::vector<Vec3>> places;
+    const auto add_place = [&] {
+        std::vector<Vec3> x = body.rest_positions_mm;
+        const auto number = static_cast<unsigned>(places.size());
+        const auto noise = random_field(x.size(), 0.2 * in(random)*pad, number);
+        const double drop = 1.0 - pad * (0.3 * number - 0.5), away = number == 5 ? 3.0 : 0.0;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            x[i] += noise[i];
+            if (i >= x.size() / 2) x[i] += Vec3(0.02 * in(random), away, away - drop);
+        }
+        places.push_back(std::move(x));
+    };
+    for (int k = 0; k < 8; ++k) add_place();
+    const auto any = [&] { return static_cast<std::size_t>(in(random)*7.999); };
+    std::size_t touching = 0, stopped = 0;
+    for (int question = 0; question < 300; ++question) {
+        const std::vector<Vec3>&from = places[any()], &to = places[any()];
+        const SelfContact fresh(body);
+        switch (question % 4) {
+            case 0: {
+                const double share = fresh.free_share(from, to);
+                EXPECT_EQ(asked.free_share(from, to), share) << question;
+                stopped += share < 1.0 ? 1 : 0;
+                break;
+            }
+            case 1:
+                EXPECT_EQ(asked.share_until_touch(from, to), fresh.share_until_touch(from, to))
+                    << question;
+                break;
+            case 2:
+                EXPECT_EQ(asked.contacts(to).size(), fresh.contacts(to).size()) << question;
+                EXPECT_EQ(asked.energy(to, to), fresh.energy(to, to)) << question;
+                touching += fresh.contacts(to).size();
+                break;
+            default: {
+                std::vector<PadPair> list, expected;
+                asked.pairs().list_touches(from, to, list);
+                fresh.pairs().list_touches(from, to, expected);
+                ASSERT_EQ(list.size(), expected.size()) << question;
+                for (std::size_t k = 0; k < list.size(); ++k) {
+                    EXPECT_TRUE(std::ranges::equal(list[k].nodes, expected[k].nodes)) << question;
+                    EXPECT_EQ(list[k].pad_mm, expected[k].pad_mm) << question;
+                }
+            }
+        }
+    }
+    EXPECT_GT(touching, 100u);
+    EXPECT_GT(stopped, 10u);
 }
 
 }  // namespace
