@@ -160,8 +160,9 @@ void say_where_obstacles_are_none(const World& world) {
 }
 
 MeasuredPlay measure_play(Session& session, const std::vector<std::vector<Command>>& commands,
-                          bool fit, Job& job) {
+                          const PlayWishes& wishes, Job& job) {
     MeasuredPlay result;
+    if (wishes.table) result.table.emplace();
     MotionRecorder motion;
     DeformPart* deform = session.world().deform();
     std::string setting;
@@ -170,7 +171,7 @@ MeasuredPlay measure_play(Session& session, const std::vector<std::vector<Comman
         const FrameTimer timer;
         const SessionStep step = session.step(job);
         if (step.paused) break;
-        result.table.add(step, timer.passed());
+        if (result.table) result.table->add(step, timer.passed());
         add_step(step, result);
         result.finite = result.finite && is_finite(session.world());
         session.update_frame();
@@ -180,11 +181,11 @@ MeasuredPlay measure_play(Session& session, const std::vector<std::vector<Comman
         const std::string& used = session.frame().statistics.setting;
         if (!setting.empty() && used != setting) ++result.setting_changes;
         setting = used;
-        if (fit && deform != nullptr) motion.keep(*deform);
+        if (wishes.fit && deform != nullptr) motion.keep(*deform);
         job.advance(static_cast<double>(step.step) / static_cast<double>(commands.size()));
     }
     if (result.times.steps() == 0) return result;
-    if (fit && deform != nullptr) result.velocity_error_fit = motion.fit(*deform);
+    if (wishes.fit && deform != nullptr) result.velocity_error_fit = motion.fit(*deform);
     result.real_time_factor = 1e3 * session.world().spec().dt_s *
                               static_cast<double>(result.times.steps()) / result.times.wall_ms();
     return result;

@@ -3,6 +3,7 @@
 // reports: times, solver, touch, tears, blood lost, and the errors of what must be conserved.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,8 @@ namespace hepatica {
 
 struct MeasuredPlay {
     StepTimes times;
-    StepTable table;
-    Json real_time_factor;  // null where nothing was played
+    std::optional<StepTable> table;  // where it was asked for
+    Json real_time_factor;           // null where nothing was played
     int linear_iterations_max = 0;
     int degraded_steps = 0;
     std::string degraded_because;  // of the first such step
@@ -35,10 +36,15 @@ struct MeasuredPlay {
     bool finite = true;
 };
 
-// Posts commands[i] before step i; ends early where the session pauses itself. `fit`: also fits the
-// velocity error of eq. (11) to the first 120 steps. Throws Cancelled.
+// What is measured only where somebody asks for it.
+struct PlayWishes {
+    bool fit = false;    // of the velocity error of eq. (11) to the first 120 steps
+    bool table = false;  // a line for each step
+};
+
+// Posts commands[i] before step i; ends early where the session pauses itself. Throws Cancelled.
 MeasuredPlay measure_play(Session& session, const std::vector<std::vector<Command>>& commands,
-                          bool fit, Job& job);
+                          const PlayWishes& wishes, Job& job);
 
 // How many surfaces the scene's vessels may touch beside their own; null where it asks for none.
 Json obstacles_of(const World& world);

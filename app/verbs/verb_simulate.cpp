@@ -117,9 +117,11 @@ Json run_simulate(const SimulateChoices& options, Job& job) {
     job.begin_stage("Simulating");
     if (options.automatic) session.post(SetAutomaticQuality{true});
     const auto commands = commands_of(options, script, lesson, spec.dt_s, patient);
-    const MeasuredPlay played = measure_play(session, commands, options.fit_velocity_error, job);
+    const MeasuredPlay played =
+        measure_play(session, commands,
+                     {.fit = options.fit_velocity_error, .table = !options.steps_csv.empty()}, job);
     if (recording) recording->close();
-    if (!options.steps_csv.empty()) write_text_atomically(options.steps_csv, played.table.text());
+    if (played.table) write_text_atomically(options.steps_csv, played.table->text());
     if (!options.final_mesh.empty()) write_final_mesh(session.world(), options.final_mesh);
     Json answer{{"script", script.name},
                 {"tetrahedra", spec.deform ? patient->mesh.tetrahedra.size() : 0}};
