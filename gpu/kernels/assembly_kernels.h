@@ -4,6 +4,7 @@
 #pragma once
 
 #include "gpu/kernels/element_kernels.h"
+#include "gpu/kernels/planes.h"
 
 namespace hepatica::gpu {
 
@@ -40,20 +41,20 @@ template <class Real>
 struct GatherStiffness {
     View<const int> place, mirror;          // of each upper block in `block`
     ListsView factors, blocks, transposed;  // one list an upper block
-    View<const Vector3<Real>> turned;
+    View<const Aligned3<Real>> turned;
     View<const Matrix3<Real>> slot;
     Real lambda_over_mu;
-    View<Matrix3<Real>> block;
+    Planes<Matrix3<Real>, Real> block;
 
     HEPATICA_HOST_DEVICE int count() const { return place.size; }
     std::size_t bytes() const {
         return factors.bytes() + blocks.bytes() + transposed.bytes() +
-               bytes_of(place, mirror, turned, slot, block);
+               bytes_of(place, mirror, turned, slot) + bytes_of(block);
     }
     HEPATICA_HOST_DEVICE void operator()(int u) const {
         Matrix3<Real> s = small::zero_matrix<Real>();
         for (int k = factors.begin[u]; k < factors.begin[u + 1]; k += 2)
-            s = s + small::outer(turned[factors.place[k + 1]], turned[factors.place[k]]);
+            s = s + small::outer<Real>(turned[factors.place[k + 1]], turned[factors.place[k]]);
         const Matrix3<Real> swapped = small::transpose(s);
         Matrix3<Real> sum = s + lambda_over_mu * swapped;
         const Real trace = small::trace(s);
@@ -62,8 +63,8 @@ struct GatherStiffness {
             sum = sum + slot[blocks.place[k]];
         for (int k = transposed.begin[u]; k < transposed.begin[u + 1]; ++k)
             sum = sum + small::transpose(slot[transposed.place[k]]);
-        block[place[u]] = sum;
-        block[mirror[u]] = small::transpose(sum);
+        block.set(place[u], sum);
+        block.set(mirror[u], small::transpose(sum));
     }
 };
 

@@ -24,11 +24,6 @@ struct VertexModes {
     }
 };
 
-// The vertices of each node; one that it shares with itself stands there once.
-struct NodeVertices {
-    View<const int> begin, vertex;
-};
-
 // One of the two nodes of a vertex and its share of it, which sum to 1 (SkeletonBinding).
 struct VertexShares {
     int node[2];
@@ -93,76 +88,122 @@ struct NodePair {
     int block, row, column;
 };
 
-// P^T A P,
-//   sum_i P_i (m_i P_i + sum_j A_ij (P_j - P_i)),
-// by differences, as A itself: one block of threads a pair of nodes, four threads for the vectors
-// of the other node, many times over for the vertices. Grabs are left out.
+// What a few vertices between the same two nodes hold of
+//   P^T A P = sum_i P_i (m_i P_i + sum_j A_ij (P_j - P_i)),
+// which is taken by differences, as A itself. Its parts are 144 numbers each, of one of its own two
+// nodes and another one that moves these vertices or their neighbours: by the own node's vector,
+// the other one's, and the rows of 3 x 3 blocks.
+struct CoarseElement {
+    static constexpr int most_vertices = 32, most_others = 4;
+    static constexpr int part_numbers = 9 * coarse_vectors * coarse_vectors;
+
+    int first, vertices;  // places in the list of vertices
+    int own[2];
+    int other[most_others];  // -1: none
+    unsigned wanted;         // parts that a pair of nodes asks for, a bit each
+
+    HEPATICA_HOST_DEVICE bool wants(int side, int k) const {
+        return (wanted >> (side * most_others + k) & 1u) != 0;
+    }
+    // The number of a part among those of all elements.
+    HEPATICA_HOST_DEVICE static int part(int element, int side, int other) {
+        return (2 * element + side) * most_others + other;
+    }
+};
+
+// One block of threads an element: at first a thread is a vertex and a vector of the other nodes,
+// then both nodes with a vector of each. Grabs are left out.
 template <class Real>
-struct ProjectMatrix {
-    static constexpr int parts = 32, halvings = 5;
-    static_assert(1 << halvings == parts);
-    static constexpr int entries = 9 * coarse_vectors;  // for all vectors of the own node
-    static constexpr int threads = coarse_vectors * parts, shared = entries * threads;
+struct ProjectElements {
+    static constexpr int others = CoarseElement::most_others;
+    static constexpr int threads = CoarseElement::most_vertices * coarse_vectors;
+    static_assert(threads == 2 * others * coarse_vectors * coarse_vectors);
+    static constexpr int shared = 9 * others * threads;
     SystemView<Real> system;
     View<const VertexModes<Real>> modes;
-    NodeVertices vertices;
-    View<const NodePair> pair;
-    View<double> matrix;  // blocks of the factor
+    View<const CoarseElement> element;
+    View<const int> vertex;
+    View<double> part;
 
-    int blocks() const { return pair.size; }
-    HEPATICA_HOST_DEVICE int phases() const { return 2 + halvings; }
-    std::size_t bytes() const {
-        return system.bytes() + bytes_of(modes, vertices.vertex, pair, matrix);
-    }
-    HEPATICA_HOST_DEVICE void operator()(int phase, int q, int thread, double* sums) const {
-        const int half = threads >> phase;
-        if (phase == 0) {
-            add_up(pair[q], thread, sums);
-        } else if (phase <= halvings) {
-            for (int e = 0; e < entries && thread < half; ++e)
-                sums[e * threads + thread] += sums[e * threads + thread + half];
-        } else if (thread < coarse_vectors) {
-            write(pair[q], thread, sums);
-        }
+    int blocks() const { return element.size; }
+    HEPATICA_HOST_DEVICE int phases() const { return 2; }
+    std::size_t bytes() const { return system.bytes() + bytes_of(modes, element, vertex, part); }
+    HEPATICA_HOST_DEVICE void operator()(int phase, int e, int thread, double* image) const {
+        if (phase == 0)
+            apply(element[e], thread, image + thread);
+        else
+            project(element[e], e, thread, image);
     }
 
   private:
-    // A P of a vertex, for one vector of the other node.
-    HEPATICA_HOST_DEVICE Matrix3<double> image(int i, int other, int vector, double right) const {
-        Matrix3<double> sum = small::zero_matrix<double>();
-        for (int b = system.row_begin[i]; b < system.row_begin[i + 1]; ++b) {
-            const double off = double(modes[system.column[b]].in(other, vector)) - right;
-            if (off == 0.0) continue;
-            for (int r = 0; r < 3; ++r)
-                for (int c = 0; c < 3; ++c) sum(r, c) += off * double(system.block[b](r, c));
-        }
-        sum = system.factors.stiffness * sum;
-        for (int c = 0; c < 3; ++c) sum(c, c) += system.on_diagonal(i) * right;
-        return sum;
-    }
-    HEPATICA_HOST_DEVICE void add_up(const NodePair& at, int thread, double* sums) const {
+    // A P of a vertex for one vector of every other node; numbers lie `threads` apart.
+    HEPATICA_HOST_DEVICE void apply(const CoarseElement& at, int thread, double* image) const {
         const int vector = thread % coarse_vectors;
-        double sum[entries] = {};
-        for (int k = vertices.begin[at.own] + thread / coarse_vectors;
-             k < vertices.begin[at.own + 1]; k += parts) {
-            const int i = vertices.vertex[k];
-            const VertexModes<Real> own = modes[i];
-            const Matrix3<double> moved =
-                image(i, at.other, vector, double(own.in(at.other, vector)));
-            for (int m = 0; m < coarse_vectors; ++m) {
-                const double left = double(own.in(at.own, m));
-                for (int e = 0; e < 9; ++e) sum[9 * m + e] += left * moved(e / 3, e % 3);
+        if (thread / coarse_vectors >= at.vertices) return;
+        const int i = vertex[at.first + thread / coarse_vectors];
+        double right[others];
+        Matrix3<double> sum[others];
+        for (int k = 0; k < others; ++k) {
+            right[k] = double(modes[i].in(at.other[k], vector));
+            sum[k] = small::zero_matrix<double>();
+        }
+        for (int b = system.row_begin[i]; b < system.row_begin[i + 1]; ++b) {
+            const VertexModes<Real>& neighbour = modes[system.column[b]];
+            const Matrix3<Real> block = system.block[b];
+            HEPATICA_UNROLL
+            for (int k = 0; k < others; ++k) {
+                const double off = double(neighbour.in(at.other[k], vector)) - right[k];
+                for (int c = 0; c < 9; ++c)
+                    sum[k](c / 3, c % 3) += off * double(block(c / 3, c % 3));
             }
         }
-        for (int e = 0; e < entries; ++e) sums[e * threads + thread] = sum[e];
+        for (int k = 0; k < others; ++k) {
+            sum[k] = system.factors.stiffness * sum[k];
+            for (int c = 0; c < 3; ++c) sum[k](c, c) += system.on_diagonal(i) * right[k];
+            for (int c = 0; c < 9; ++c) image[(9 * k + c) * threads] = sum[k](c / 3, c % 3);
+        }
     }
-    HEPATICA_HOST_DEVICE void write(const NodePair& at, int vector, const double* sums) const {
-        double* const block = matrix.data + cut_entries * at.block;
-        for (int m = 0; m < coarse_vectors; ++m)
-            for (int r = 0; r < 3; ++r)
-                for (int c = 0; c < 3; ++c)
-                    block[entry_of_cut(at.row + 3 * m + r, at.column + 3 * vector + c)] =
-                        sums[(9 * m + 3 * r + c) * threads + vector];
+    HEPATICA_HOST_DEVICE void project(const CoarseElement& at, int e, int thread,
+                                      const double* image) const {
+        const int right = thread % coarse_vectors, left = thread / coarse_vectors % coarse_vectors;
+        const int pair = thread / (coarse_vectors * coarse_vectors);
+        const int k = pair % others, side = pair / others;
+        if (!at.wants(side, k)) return;
+        double sum[9] = {};
+        for (int v = 0; v < at.vertices; ++v) {
+            const double weight = double(modes[vertex[at.first + v]].in(at.own[side], left));
+            for (int c = 0; c < 9; ++c)
+                sum[c] += weight * image[(9 * k + c) * threads + v * coarse_vectors + right];
+        }
+        double* const own =
+            part.data + CoarseElement::part_numbers * CoarseElement::part(e, side, k);
+        for (int c = 0; c < 9; ++c) own[9 * (coarse_vectors * left + right) + c] = sum[c];
+    }
+};
+
+// P^T A P from its parts: a block of threads a pair of nodes, a thread a number.
+struct GatherProjected {
+    static constexpr int threads = CoarseElement::part_numbers, shared = 1;
+    View<const NodePair> pair;
+    View<const int> part_begin, parts;
+    View<const double> part;
+    View<double> matrix;  // blocks of the factor
+
+    int blocks() const { return pair.size; }
+    HEPATICA_HOST_DEVICE int phases() const { return 1; }
+    std::size_t bytes() const {
+        return bytes_of(pair, part_begin, parts, matrix) +
+               static_cast<std::size_t>(parts.size) * threads * sizeof(double);
+    }
+    HEPATICA_HOST_DEVICE void operator()(int, int q, int thread, double*) const {
+        double sum = 0.0;
+        for (int k = part_begin[q]; k < part_begin[q + 1]; ++k)
+            sum += part[threads * parts[k] + thread];
+        const int vectors = thread / 9, c = thread % 9;
+        const NodePair& at = pair[q];
+        const int row = at.row + 3 * (vectors / coarse_vectors) + c / 3;
+        const int column = at.column + 3 * (vectors % coarse_vectors) + c % 3;
+        matrix[cut_entries * at.block + entry_of_cut(row, column)] = sum;
     }
 };
 

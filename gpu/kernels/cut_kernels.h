@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The factor N D N^T of the coarse matrix by cuts of two nodes (CoarsePlan), and its solve. One
-// block of threads eliminates a cut: blocks are dense, gathered by lists, and no two blocks of
-// threads of a level write one place.
+// The factor N D N^T of the coarse matrix by cuts of two nodes (CoarsePlan), N inverted, and the
+// solve. One block of threads eliminates a cut: blocks are dense, gathered by lists, and no two
+// blocks of threads of a level write one place.
 #pragma once
 
-#include "gpu/kernels/view.h"
-
-// Loops whose loads a device has under way at once.
-#ifdef __CUDACC__
-#define HEPATICA_UNROLL _Pragma("unroll")
-#else
-#define HEPATICA_UNROLL
-#endif
+#include "gpu/kernels/planes.h"
 
 namespace hepatica::gpu {
 
@@ -24,18 +17,34 @@ HEPATICA_HOST_DEVICE int entry_of_cut(int row, int column) {
     return column * cut_rows + row;
 }
 
-// The lists of CoarsePlan.
+// The lists of CoarsePlan: the blocks of N, column by column, and what elimination takes from each.
 struct CutListsView {
-    struct Term {
-        int block, cut;
-    };
     struct Update {
         int left, right;
     };
-    View<const int> by_level, column_begin, row, row_begin;
-    View<const Term> in_row;
+    View<const int> by_level, column_begin;
     View<const int> update_begin;
     View<const Update> update;
+};
+
+// The blocks of N^-1 beside its diagonal, row by row: those of a cut and all that stand below it.
+struct InverseListsView {
+    // The block in the column of a cut and the row of another one.
+    struct Above {
+        int block, cut;
+    };
+    // What a block is minus the sum of: a product of one of N^-1 (-1: its diagonal) and one of N.
+    struct Product {
+        int inverse, factor;
+    };
+    View<const int> by_level;  // blocks, those first whose columns stand highest
+    View<const int> column;    // of each block
+    View<const int> product_begin;
+    View<const Product> product;
+    View<const int> chunk_begin,
+        first_chunk;  // blocks of each chunk, which is of one row; its chunks
+    View<const int> above_begin;
+    View<const Above> above;
 };
 
 // A pivot that elimination has lowered to this share of what it was is rounding: its vector is left
@@ -47,13 +56,13 @@ constexpr double least_pivot = 1e-10;
 template <class Real>
 struct EliminateCuts {
     static constexpr int threads = cut_entries;
-    static constexpr int shared =
-        2 * cut_entries + cut_rows;  // C_pp before and after a pivot; diagonal
+    // C_pp before and after a pivot; its diagonal before all; one over this pivot and the next
+    static constexpr int shared = 2 * cut_entries + cut_rows + 2;
     CutListsView lists;
     int first, cuts;
     View<const double> matrix;
     View<double> reduced, multiplier;  // C, N
-    View<Real> inverse, factor;        // D_p^-1 of each cut; N, rounded
+    View<Real> pivot, factor;          // D_p^-1 of each cut; N, rounded
 
     int blocks() const { return cuts; }
     HEPATICA_HOST_DEVICE int phases() const { return 2 + cut_rows; }
@@ -72,9 +81,14 @@ struct EliminateCuts {
     }
 
   private:
-    static constexpr int diagonal = 2 * cut_entries;  // before elimination
-    static_assert(cut_rows % 2 == 0);                 // the last pivot leaves C_pp at the front
+    static constexpr int diagonal = 2 * cut_entries, scales = diagonal + cut_rows;
+    static_assert(cut_rows % 2 == 0);  // the last pivot leaves C_pp at the front
 
+    // What pivot k, as elimination has left it, is divided by. One thread has it for all others.
+    HEPATICA_HOST_DEVICE void set_scale(int k, double value, double* own) const {
+        const bool alive = value > least_pivot * own[diagonal + k] && value > 0.0;
+        own[scales + k % 2] = alive ? 1.0 / value : 0.0;
+    }
     HEPATICA_HOST_DEVICE void reduce(int cut, int entry, double* own) const {
         const int row = entry % cut_rows, column = entry / cut_rows;
         const int begin = lists.column_begin[cut];
@@ -92,28 +106,28 @@ struct EliminateCuts {
             }
             reduced[cut_entries * block + entry] = sum;
             if (block == begin) own[entry] = sum;
+            if (block == begin && entry == 0) set_scale(0, sum, own);
         }
     }
     // A step of Gauss and Jordan's inversion, from one half of the memory into the other.
-    HEPATICA_HOST_DEVICE void turn_pivot(int pivot, int entry, double* own) const {
-        const double* const before = own + pivot % 2 * cut_entries;
-        double& after = own[(1 - pivot % 2) * cut_entries + entry];
-        const double value = before[entry_of_cut(pivot, pivot)];
-        const bool alive = value > least_pivot * own[diagonal + pivot] && value > 0.0;
-        const double scale = alive ? 1.0 / value : 0.0;
+    HEPATICA_HOST_DEVICE void turn_pivot(int k, int entry, double* own) const {
+        const double* const before = own + k % 2 * cut_entries;
+        double& after = own[(1 - k % 2) * cut_entries + entry];
+        const double scale = own[scales + k % 2];
         const int row = entry % cut_rows, column = entry / cut_rows;
-        const double in_row = before[entry_of_cut(pivot, column)];
-        const double in_column = before[entry_of_cut(row, pivot)];
-        if (row == pivot)
-            after = column == pivot ? scale : scale * in_row;
-        else if (column == pivot)
+        const double in_row = before[entry_of_cut(k, column)];
+        const double in_column = before[entry_of_cut(row, k)];
+        if (row == k)
+            after = column == k ? scale : scale * in_row;
+        else if (column == k)
             after = -scale * in_column;
         else
             after = before[entry] - scale * in_column * in_row;
+        if (row == column && row == k + 1) set_scale(row, after, own);
     }
     HEPATICA_HOST_DEVICE void finish(int cut, int entry, const double* own) const {
         const int row = entry % cut_rows, column = entry / cut_rows;
-        inverse[cut_entries * cut + entry] =
+        pivot[cut_entries * cut + entry] =
             Real(0.5 * (own[entry] + own[entry_of_cut(column, row)]));
         for (int block = lists.column_begin[cut] + 1; block < lists.column_begin[cut + 1];
              ++block) {
@@ -128,94 +142,163 @@ struct EliminateCuts {
     }
 };
 
-// Which way a solve goes through its stages: g = N^-1 b in place of the load, then
-// x = N^-T D^-1 g as the motion.
-enum class CutSolve { forward, backward, both };
-
-// Cuts of a stage at most, as many as partial sums have room for.
-constexpr int most_cuts_of_stage = 16;
-
-// Eight threads a row, each with three columns of every block; then one adds them up.
+// Blocks of N^-1 whose columns are of one level, from the level above on: a thread has a row and a
+// few columns.
 template <class Real>
-struct SolveCuts {
-    static constexpr int parts = 8, columns = cut_rows / parts;
-    static constexpr int per_cut = cut_rows * parts, threads = 4 * per_cut;
-    static constexpr int shared = most_cuts_of_stage * per_cut;
-    CutListsView lists;
-    int solved;  // cuts in all
-    int stages;
-    View<const int> begin;  // CutStages
-    CutSolve way;
-    View<const Real> inverse, factor;
-    View<double> load, motion;  // cut_rows for each cut
+struct InvertFactor {
+    static constexpr int parts = 4, columns = cut_rows / parts;
+    static constexpr int threads = cut_rows * parts, shared = 1;
+    static_assert(columns * parts == cut_rows);
+    InverseListsView lists;
+    int first, count;
+    View<const Real> factor;
+    View<Real> inverse;
 
-    int blocks() const { return stages > 0 ? begin.size / (stages + 1) : 0; }
-    HEPATICA_HOST_DEVICE int phases() const {
-        return 2 * (way == CutSolve::both ? 2 * stages : stages);
-    }
+    int blocks() const { return count; }
+    HEPATICA_HOST_DEVICE int phases() const { return 1; }
     std::size_t bytes() const {
-        const auto cuts = static_cast<std::size_t>(solved);
-        const std::size_t entries = cuts * cut_entries * sizeof(Real);
-        const std::size_t once = entries * 2 + cuts * cut_rows * 2 * sizeof(double);
-        return way == CutSolve::both ? 2 * once : once;
+        return 3 * static_cast<std::size_t>(count) * cut_entries * sizeof(Real);
     }
-    HEPATICA_HOST_DEVICE void operator()(int phase, int row, int thread, double* sums) const {
-        const int step = phase / 2;
-        const bool forward = way == CutSolve::forward || (way == CutSolve::both && step < stages);
-        int stage = step;
-        if (!forward) stage = (way == CutSolve::both ? 2 * stages : stages) - 1 - step;
-        const int at = row * (stages + 1) + stage;
-        const int first = begin[at], cuts = begin[at + 1] - first;
-        if (phase % 2 == 0) {
-            for (int k = thread; k < cuts * per_cut; k += threads)
-                sums[k] = forward ? eliminate(first + k / per_cut, k % cut_rows, part_of(k))
-                                  : substitute(first + k / per_cut, k % cut_rows, part_of(k));
-        } else {
-            for (int k = thread; k < cuts * cut_rows; k += threads)
-                add_up(first + k / cut_rows, k % cut_rows,
-                       sums + k / cut_rows * per_cut + k % cut_rows, forward);
+    HEPATICA_HOST_DEVICE void operator()(int, int at, int thread, double*) const {
+        const int row = thread % cut_rows, begin = columns * (thread / cut_rows);
+        const int block = lists.by_level[first + at];
+        Real sum[columns] = {};
+        for (int k = lists.product_begin[block]; k < lists.product_begin[block + 1]; ++k) {
+            const InverseListsView::Product product = lists.product[k];
+            const Real* const right = factor.data + cut_entries * product.factor;
+            if (product.inverse < 0)
+                for (int j = 0; j < columns; ++j) sum[j] -= right[entry_of_cut(row, begin + j)];
+            else
+                subtract(inverse.data + cut_entries * product.inverse + row,
+                         right + entry_of_cut(0, begin), sum);
         }
+        for (int j = 0; j < columns; ++j)
+            inverse[cut_entries * block + entry_of_cut(row, begin + j)] = sum[j];
     }
 
   private:
-    HEPATICA_HOST_DEVICE int part_of(int k) const { return k % per_cut / cut_rows; }
-
-    // g_p = b_p - sum_k N_pk g_k: of the sum, some columns.
-    HEPATICA_HOST_DEVICE double eliminate(int own, int r, int part) const {
-        double sum = 0.0;
-        for (int k = lists.row_begin[own]; k < lists.row_begin[own + 1]; ++k) {
-            const CutListsView::Term term = lists.in_row[k];
-            const Real* const entries = factor.data + cut_entries * term.block;
-            const double* const below = load.data + cut_rows * term.cut;
-            HEPATICA_UNROLL
-            for (int c = columns * part; c < columns * (part + 1); ++c)
-                sum -= double(entries[entry_of_cut(r, c)]) * below[c];
-        }
-        return sum;
-    }
-    // x_p = D_p^-1 g_p - sum_i N_ip^T x_i, likewise.
-    HEPATICA_HOST_DEVICE double substitute(int own, int r, int part) const {
-        const Real* const diagonal = inverse.data + cut_entries * own;
-        const double* const reduced = load.data + cut_rows * own;
-        double sum = 0.0;
+    // A row of the left factor times columns of the right one.
+    HEPATICA_HOST_DEVICE static void subtract(const Real* left, const Real* right, Real* sum) {
         HEPATICA_UNROLL
-        for (int c = columns * part; c < columns * (part + 1); ++c)
-            sum += double(diagonal[entry_of_cut(r, c)]) * reduced[c];
-        for (int block = lists.column_begin[own] + 1; block < lists.column_begin[own + 1];
-             ++block) {
-            const Real* const entries = factor.data + cut_entries * block;
-            const double* const above = motion.data + cut_rows * lists.row[block];
-            HEPATICA_UNROLL
-            for (int c = columns * part; c < columns * (part + 1); ++c)
-                sum -= double(entries[entry_of_cut(c, r)]) * above[c];
+        for (int c = 0; c < cut_rows; ++c) {
+            const Real value = left[entry_of_cut(0, c)];
+            for (int j = 0; j < columns; ++j) sum[j] -= value * right[entry_of_cut(c, j)];
         }
+    }
+};
+
+// A solve is x = N^-T D^-1 N^-1 b, in three kernels of many threads each: substitution would go
+// through the levels one after the other, and wait for each. Here eight threads have three rows or
+// columns of a block each, and one adds up what they found.
+struct CutThreads {
+    static constexpr int parts = 8, each = cut_rows / parts;
+    static constexpr int threads = cut_rows * parts, shared = threads;
+    static_assert(each * parts == cut_rows);
+
+    // The sum of a row's parts, which lie cut_rows apart.
+    HEPATICA_HOST_DEVICE static double add_up(const double* of_row) {
+        double sum = 0.0;
+        for (int part = 0; part < parts; ++part) sum += of_row[part * cut_rows];
         return sum;
     }
-    HEPATICA_HOST_DEVICE void add_up(int own, int r, const double* parts_of_row,
-                                     bool forward) const {
-        double sum = forward ? load[cut_rows * own + r] : 0.0;
-        for (int part = 0; part < parts; ++part) sum += parts_of_row[part * cut_rows];
-        (forward ? load : motion)[cut_rows * own + r] = sum;
+};
+
+// N^-1 b beside the diagonal, by chunks.
+template <class Real>
+struct SumBelow : CutThreads {
+    static constexpr int most_blocks = 8;  // of a chunk
+    InverseListsView lists;
+    View<const Real> inverse;
+    View<const double> load;  // cut_rows for each cut, as in what follows
+    View<double> partial;     // cut_rows for each chunk
+
+    int blocks() const { return lists.chunk_begin.size - 1; }
+    HEPATICA_HOST_DEVICE int phases() const { return 2; }
+    std::size_t bytes() const { return bytes_of(inverse, load, partial, lists.column); }
+    HEPATICA_HOST_DEVICE void operator()(int phase, int chunk, int thread, double* sums) const {
+        const int row = thread % cut_rows, first = each * (thread / cut_rows);
+        if (phase == 0) {
+            double sum = 0.0;
+            for (int k = lists.chunk_begin[chunk]; k < lists.chunk_begin[chunk + 1]; ++k) {
+                const Real* const entries = inverse.data + cut_entries * k;
+                const double* const below = load.data + cut_rows * lists.column[k];
+                HEPATICA_UNROLL
+                for (int c = first; c < first + each; ++c)
+                    sum += double(entries[entry_of_cut(row, c)]) * below[c];
+            }
+            sums[thread] = sum;
+        } else if (thread < cut_rows) {
+            partial[cut_rows * chunk + row] = add_up(sums + row);
+        }
+    }
+};
+
+// D^-1 of what chunks and diagonal of N^-1 give.
+template <class Real>
+struct DivideByPivots : CutThreads {
+    static constexpr int shared = threads + cut_rows;
+    InverseListsView lists;
+    View<const Real> pivot;  // D^-1
+    View<const double> load, partial;
+    View<double> divided;
+
+    int blocks() const { return lists.first_chunk.size - 1; }
+    HEPATICA_HOST_DEVICE int phases() const { return 4; }
+    std::size_t bytes() const { return bytes_of(pivot, load, partial, divided); }
+    HEPATICA_HOST_DEVICE void operator()(int phase, int cut, int thread, double* sums) const {
+        const int row = thread % cut_rows, part = thread / cut_rows;
+        double* const whole = sums + threads;
+        double sum = 0.0;
+        if (phase == 0) {
+            for (int chunk = lists.first_chunk[cut] + part; chunk < lists.first_chunk[cut + 1];
+                 chunk += parts)
+                sum += partial[cut_rows * chunk + row];
+            sums[thread] = sum;
+        } else if (phase == 2) {
+            const Real* const entries = pivot.data + cut_entries * cut;
+            HEPATICA_UNROLL
+            for (int c = each * part; c < each * (part + 1); ++c)
+                sum += double(entries[entry_of_cut(row, c)]) * whole[c];
+            sums[thread] = sum;
+        } else if (thread < cut_rows) {
+            sum = add_up(sums + row);
+            if (phase == 1)
+                whole[row] = load[cut_rows * cut + row] + sum;
+            else
+                divided[cut_rows * cut + row] = sum;
+        }
+    }
+};
+
+// N^-T of that.
+template <class Real>
+struct SumAbove : CutThreads {
+    InverseListsView lists;
+    View<const Real> inverse;
+    View<const double> divided;
+    View<double> motion;
+
+    int blocks() const { return lists.above_begin.size - 1; }
+    HEPATICA_HOST_DEVICE int phases() const { return 2; }
+    std::size_t bytes() const { return bytes_of(inverse, divided, motion, lists.above); }
+    HEPATICA_HOST_DEVICE void operator()(int phase, int cut, int thread, double* sums) const {
+        if (phase == 0) {
+            // Neighbouring threads read neighbouring rows of a column.
+            const int column = thread / parts, first = each * (thread % parts);
+            double sum = 0.0;
+            for (int k = lists.above_begin[cut]; k < lists.above_begin[cut + 1]; ++k) {
+                const InverseListsView::Above above = lists.above[k];
+                const Real* const entries = inverse.data + cut_entries * above.block;
+                const double* const higher = divided.data + cut_rows * above.cut;
+                HEPATICA_UNROLL
+                for (int r = first; r < first + each; ++r)
+                    sum += double(entries[entry_of_cut(r, column)]) * higher[r];
+            }
+            sums[cut_rows * (thread % parts) + column] = sum;
+        } else if (thread < cut_rows) {
+            const int entry = cut_rows * cut + thread;
+            motion[entry] = divided[entry] + add_up(sums + thread);
+        }
     }
 };
 

@@ -7,18 +7,31 @@
 
 #include "core/deform/elements/spring_element.h"
 #include "core/deform/elements/tetrahedron_element.h"
-#include "gpu/kernels/view.h"
+#include "gpu/kernels/planes.h"
 
 namespace hepatica::gpu {
 
 using small::Matrix3;
 using small::Vector3;
 
+// Three numbers that a device moves as four at once.
+template <class T>
+struct alignas(4 * sizeof(T)) Aligned3 : Vector3<T> {
+    Aligned3() = default;
+    HEPATICA_HOST_DEVICE Aligned3(const Vector3<T>& value) : Vector3<T>(value), unused(T(0)) {}
+
+  private:
+    T unused;
+};
+static_assert(sizeof(Aligned3<float>) == 4 * sizeof(float));
+
 // What an element does to one of its nodes: a force [uN], and an equal share of its energy [nJ].
-struct ForceSlot {
+struct alignas(16) ForceSlot {
     Vector3<double> force;
     double energy;
 };
+
+using TetrahedronRests = Planes<small::TetrahedronRest<double>, const double>;
 
 template <class Real>
 HEPATICA_HOST_DEVICE Vector3<Real> rounded(const Vector3<double>& v) {
@@ -57,18 +70,18 @@ struct GroupViews {
 template <class Real>
 struct EvaluateTurned {
     GroupViews group;
-    View<const small::TetrahedronRest<double>> rest;
-    View<Vector3<Real>> turned;  // as the slots
+    TetrahedronRests rest;
+    View<Aligned3<Real>> turned;  // as the slots
 
     HEPATICA_HOST_DEVICE int count() const { return rest.size; }
-    std::size_t bytes() const { return group.bytes() + bytes_of(rest, turned); }
+    std::size_t bytes() const { return group.bytes() + bytes_of(rest) + bytes_of(turned); }
     HEPATICA_HOST_DEVICE void operator()(int e) const {
         Vector3<double> x[4], force[4], gradient[4];
         group.load<4>(e, x);
         const double energy = small::evaluate_turned_gradients(rest[e], x, force, gradient);
         group.store<4>(e, force, energy);
         for (int a = 0; a < 4; ++a)
-            turned[group.first_slot + 4 * e + a] = rounded<Real>(gradient[a]);
+            turned[group.first_slot + 4 * e + a] = Aligned3<Real>(rounded<Real>(gradient[a]));
     }
 };
 
@@ -78,11 +91,11 @@ struct EvaluateTetrahedra {
     static constexpr int pairs = small::pair_count<Nodes>;
 
     GroupViews group;
-    View<const small::TetrahedronRest<double>> rest;
+    TetrahedronRests rest;
     View<Matrix3<Real>> block;  // of this group; may be empty
 
     HEPATICA_HOST_DEVICE int count() const { return rest.size; }
-    std::size_t bytes() const { return group.bytes() + bytes_of(rest, block); }
+    std::size_t bytes() const { return group.bytes() + bytes_of(rest) + bytes_of(block); }
     HEPATICA_HOST_DEVICE void operator()(int e) const {
         Vector3<double> x[Nodes], force[Nodes];
         group.load<Nodes>(e, x);

@@ -8,9 +8,15 @@
 //   int blocks() const, phases() const;
 //   std::size_t bytes() const;                        see bytes_of
 //   void operator()(int phase, int block, int thread, double* shared) const;
+// and may go on alone in the block that ends last, which sees what all of them wrote:
+//   int end_phases() const;
+//   void end(int phase, int blocks, int thread, double* shared) const;
+// A device can be asked to have room for so many of its blocks at once on each multiprocessor:
+//   static constexpr int least_blocks;
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 
 #include "core/base/small_matrix.h"
 
@@ -30,6 +36,27 @@ struct ForEach {
         if (i < item.count()) item(i);
     }
 };
+
+namespace detail {
+
+template <class Kernel, class = void>
+constexpr bool has_end = false;
+template <class Kernel>
+constexpr bool has_end<Kernel, std::void_t<decltype(&Kernel::end)>> = true;
+
+template <class Kernel, class = void>
+constexpr int least_blocks = 1;
+template <class Kernel>
+constexpr int least_blocks<Kernel, std::void_t<decltype(Kernel::least_blocks)>> =
+    Kernel::least_blocks;
+
+}  // namespace detail
+
+// Whether the block that ends last goes on.
+template <class Kernel>
+constexpr bool has_end = detail::has_end<Kernel>;
+template <class Kernel>
+constexpr int least_blocks = detail::least_blocks<Kernel>;
 
 template <class... Kernel>
 struct KernelList {};

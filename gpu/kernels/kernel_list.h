@@ -24,26 +24,30 @@ struct Joined<KernelList<A...>, KernelList<B...>, Rest...> {
 };
 
 template <class Real>
-using KernelsOf = KernelList<
-    ForEach<EvaluateTurned<Real>>, ForEach<EvaluateCorotated<Real>>,
-    ForEach<EvaluateCorotated10<Real>>, ForEach<EvaluateNeoHookean<Real>>,
-    ForEach<EvaluateSprings<Real>>, ForEach<GatherStiffness<Real>>, ForEach<InvertDiagonal<Real>>,
-    ProductChunks<Real, double>, SumChunks<FindResidual<Real>>, SumChunks<BeginRound<Real>>,
-    SumChunks<TakeStep<Real>>, ForEach<TurnDirection<Real>>, ForEach<AddCorrection<Real>>,
-    ForEach<ShapeModes<Real>>, ProjectMatrix<Real>, EliminateCuts<Real>, SolveCuts<Real>,
-    SumSegments<RestrictResidual<Real>, KeepSums<3 * coarse_vectors>>,
-    SumChunks<RestrictResidual<Real>>, SumChunks<AddMotion<Real>>>;
+using KernelsOf =
+    KernelList<ForEach<EvaluateTurned<Real>>, ForEach<EvaluateCorotated<Real>>,
+               ForEach<EvaluateCorotated10<Real>>, ForEach<EvaluateNeoHookean<Real>>,
+               ForEach<EvaluateSprings<Real>>, ForEach<GatherStiffness<Real>>,
+               ForEach<InvertDiagonal<Real>>, SumProduct<Real, double, KeepSums<1>>,
+               SumProduct<Real, Real, ChooseStep>, SumWhole<FindResidual<Real>, KeepSums<1>>,
+               SumWhole<BeginRound<Real>, StartIteration>, ForEach<Unsummed<BeginRound<Real>>>,
+               SumWhole<TakeStep<Real>, EndIteration>, ForEach<Unsummed<TakeStep<Real>>>,
+               ForEach<TurnDirection<Real>>, ForEach<AddCorrection<Real>>,
+               ForEach<ShapeModes<Real>>, ProjectElements<Real>, EliminateCuts<Real>,
+               InvertFactor<Real>, SumBelow<Real>, DivideByPivots<Real>, SumAbove<Real>,
+               SumSegments<RestrictResidual<Real>, KeepSums<3 * coarse_vectors>>,
+               SumChunks<RestrictResidual<Real>>, SumWhole<AddMotion<Real>, StartIteration>,
+               SumWhole<AddMotion<Real>, EndIteration>, SumWhole<AddMotion<Real>, KeepSums<2>>>;
 
 using SharedKernels =
     KernelList<ForEach<GatherForces>, ForEach<PullGrabs>, ForEach<PressPoints>, ForEach<PressPairs>,
                ForEach<RubPoints>, ForEach<PullTies>, ForEach<ForeseeSlips>, ForEach<SetRows>,
                ForEach<KeepForces>, ForEach<PlaceNodes>, ForEach<Descent>, ForEach<Subtract>,
-               ProductChunks<float, float>, SumChunks<BeginSolve>, SumChunks<AlongDirection>,
-               SumChunks<Works>, SumChunks<Energies>, SumSegments<CentreOfNode, KeepCentre>,
-               SumChunks<CentreOfNode>, FinishSum<KeepCentre>, FinishSum<StartIteration>,
-               FinishSum<ChooseStep>, FinishSum<EndIteration>, FinishSum<KeepSums<1>>,
-               FinishSum<KeepSums<2>>, FinishSum<KeepSums<3>>,
-               FinishSum<KeepSums<3 * coarse_vectors>>, FinishSum<KeepSums<Energies::width>>>;
+               SumWhole<BeginSolve, KeepSums<1>>, SumWhole<AlongDirection, KeepSums<2>>,
+               SumWhole<Works, KeepSums<3>>, SumSegments<Energies, KeepSums<Energies::width>>,
+               SumChunks<Energies>, SumSegments<CentreOfNode, KeepCentre>, SumChunks<CentreOfNode>,
+               GatherProjected, FinishSum<KeepCentre>, FinishSum<KeepSums<3 * coarse_vectors>>,
+               FinishSum<KeepSums<Energies::width>>>;
 
 }  // namespace detail
 

@@ -40,10 +40,10 @@ template <class Real>
 struct BeginRound {
     static constexpr int width = 2;
     View<const Vector3<double>> b;
-    View<const Matrix3<Real>> inverse;
+    MatrixPlanes<Real> inverse;
     View<Vector3<Real>> x, r, z;
 
-    std::size_t bytes() const { return bytes_of(b, inverse, x, r, z); }
+    std::size_t bytes() const { return bytes_of(b, x, r, z) + bytes_of(inverse); }
     HEPATICA_HOST_DEVICE void operator()(int i, double* sum) const {
         const Vector3<Real> residual = rounded<Real>(b[i]), image = inverse[i] * residual;
         x[i] = {{Real(0), Real(0), Real(0)}};
@@ -111,10 +111,10 @@ struct TakeStep {
     static constexpr int width = 2;
     View<const SolveScalars> scalars;
     View<const Vector3<Real>> p, product;
-    View<const Matrix3<Real>> inverse;
+    MatrixPlanes<Real> inverse;
     View<Vector3<Real>> x, r, z;
 
-    std::size_t bytes() const { return bytes_of(p, product, inverse, x, x, r, r, z); }
+    std::size_t bytes() const { return bytes_of(p, product, x, x, r, r, z) + bytes_of(inverse); }
     HEPATICA_HOST_DEVICE void operator()(int i, double* sum) const {
         const Real step = Real(scalars[0].step);
         x[i] = x[i] + step * p[i];

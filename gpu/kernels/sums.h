@@ -1,11 +1,106 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums over nodes, in double and in a fixed order, in two kernels: one adds up chunks of nodes, the
-// other the chunks of each segment (all nodes, or the pieces of a body).
+// Sums over nodes, in double and in a fixed order. Over all nodes in one kernel: blocks of threads
+// add up chunks of nodes, and the block that ends last the chunks. Over many segments, such as the
+// pieces of a body, in one kernel where no segment is long, else in two.
 #pragma once
 
 #include "gpu/kernels/view.h"
 
 namespace hepatica::gpu {
+
+constexpr int sum_threads = 128;  // a power of two
+constexpr int nodes_per_chunk = sum_threads;
+
+// Term: static constexpr int width; std::size_t bytes() const;
+//   void operator()(int node, double* sum) const   adds `width` numbers; may write node's values
+// Then: static constexpr int width; void operator()(int segment, const double* sum) const
+namespace detail {
+
+constexpr int halvings = 7;
+static_assert(1 << halvings == sum_threads);
+constexpr int sum_phases = 2 + halvings;
+
+// A phase of adding up what the threads of a block have: put(sum) adds what this one has, and at
+// last take(sum) has it all.
+template <int Width, class Put, class Take>
+HEPATICA_HOST_DEVICE void sum_over_threads(int phase, int thread, double* shared, const Put& put,
+                                           const Take& take) {
+    double sum[Width] = {};
+    if (phase == 0) {
+        put(sum);
+        for (int k = 0; k < Width; ++k) shared[k * sum_threads + thread] = sum[k];
+    } else if (phase <= halvings) {
+        const int half = sum_threads >> phase;
+        for (int k = 0; k < Width && thread < half; ++k)
+            shared[k * sum_threads + thread] += shared[k * sum_threads + thread + half];
+    } else if (thread == 0) {
+        for (int k = 0; k < Width; ++k) sum[k] = shared[k * sum_threads];
+        take(sum);
+    }
+}
+
+// A phase of adding up chunks [begin, end).
+template <class Then>
+HEPATICA_HOST_DEVICE void sum_chunks(int phase, int thread, double* shared,
+                                     const View<const double>& partial, int begin, int end,
+                                     int segment, const Then& then) {
+    constexpr int width = Then::width;
+    sum_over_threads<width>(
+        phase, thread, shared,
+        [&](double* sum) {
+            for (int c = begin + thread; c < end; c += sum_threads)
+                for (int k = 0; k < width; ++k) sum[k] += partial[c * width + k];
+        },
+        [&](const double* sum) { then(segment, sum); });
+}
+
+}  // namespace detail
+
+// Calls a term for every node; its sums are lost.
+template <class Term>
+struct Unsummed {
+    Term term;
+    int nodes;
+
+    HEPATICA_HOST_DEVICE int count() const { return nodes; }
+    std::size_t bytes() const { return term.bytes(); }
+    HEPATICA_HOST_DEVICE void operator()(int i) const {
+        double sum[Term::width] = {};
+        term(i, sum);
+    }
+};
+
+// Over all nodes.
+template <class Term, class Then>
+struct SumWhole {
+    static constexpr int width = Term::width, threads = sum_threads, shared = width * sum_threads;
+    static_assert(width == Then::width);
+    Term term;
+    Then then;
+    int nodes;
+    View<double> partial;  // of each chunk, `width` numbers
+
+    int blocks() const { return (nodes + nodes_per_chunk - 1) / nodes_per_chunk; }
+    HEPATICA_HOST_DEVICE int phases() const { return detail::sum_phases; }
+    HEPATICA_HOST_DEVICE int end_phases() const { return detail::sum_phases; }
+    std::size_t bytes() const {
+        return term.bytes() + 2 * static_cast<std::size_t>(blocks()) * width * sizeof(double);
+    }
+    HEPATICA_HOST_DEVICE void operator()(int phase, int chunk, int thread, double* sums) const {
+        const int i = chunk * nodes_per_chunk + thread;
+        detail::sum_over_threads<width>(
+            phase, thread, sums,
+            [&](double* sum) {
+                if (i < nodes) term(i, sum);
+            },
+            [&](const double* sum) {
+                for (int k = 0; k < width; ++k) partial[chunk * width + k] = sum[k];
+            });
+    }
+    HEPATICA_HOST_DEVICE void end(int phase, int chunks, int thread, double* sums) const {
+        detail::sum_chunks(phase, thread, sums, partial, 0, chunks, 0, then);
+    }
+};
 
 // Which nodes are added up together.
 struct PartitionView {
@@ -15,27 +110,21 @@ struct PartitionView {
 
     HEPATICA_HOST_DEVICE int chunks() const { return chunk_begin.size - 1; }
     HEPATICA_HOST_DEVICE int segments() const { return segment_begin.size - 1; }
+    // A phase of adding up the term over places [begin, end), with any number of them.
+    template <class Term, class Take>
+    HEPATICA_HOST_DEVICE void sum_places(int phase, int thread, double* shared, const Term& term,
+                                         int begin, int end, const Take& take) const {
+        detail::sum_over_threads<Term::width>(
+            phase, thread, shared,
+            [&](double* sum) {
+                for (int k = begin + thread; k < end; k += sum_threads)
+                    term(order.empty() ? k : order[k], sum);
+            },
+            take);
+    }
 };
 
-constexpr int sum_threads = 128;  // a power of two
-constexpr int nodes_per_chunk = sum_threads;
-
-namespace detail {
-
-// Adds up shared[k * sum_threads ...] by halves: phases 1 to 7 after every thread has put its own.
-template <int Width>
-HEPATICA_HOST_DEVICE void add_by_halves(int phase, int thread, double* shared) {
-    const int half = sum_threads >> phase;
-    for (int k = 0; k < Width && thread < half; ++k)
-        shared[k * sum_threads + thread] += shared[k * sum_threads + thread + half];
-}
-inline constexpr int halvings = 7;
-static_assert(1 << halvings == sum_threads);
-
-}  // namespace detail
-
-// Term: static constexpr int width; std::size_t bytes() const;
-//   void operator()(int node, double* sum) const   adds `width` numbers; may write node's values
+// The chunks of segments.
 template <class Term>
 struct SumChunks {
     static constexpr int threads = sum_threads, shared = Term::width * sum_threads;
@@ -44,28 +133,21 @@ struct SumChunks {
     View<double> partial;  // of each chunk, `width` numbers
 
     int blocks() const { return partition.chunks(); }
-    HEPATICA_HOST_DEVICE int phases() const { return 2 + detail::halvings; }
+    HEPATICA_HOST_DEVICE int phases() const { return detail::sum_phases; }
     std::size_t bytes() const {
         return term.bytes() + bytes_of(partition.order) +
                static_cast<std::size_t>(blocks()) * Term::width * sizeof(double);
     }
     HEPATICA_HOST_DEVICE void operator()(int phase, int chunk, int thread, double* sums) const {
-        constexpr int width = Term::width;
-        if (phase == 0) {
-            double sum[width] = {};
-            for (int k = partition.chunk_begin[chunk] + thread;
-                 k < partition.chunk_begin[chunk + 1]; k += threads)
-                term(partition.order.empty() ? k : partition.order[k], sum);
-            for (int k = 0; k < width; ++k) sums[k * threads + thread] = sum[k];
-        } else if (phase <= detail::halvings) {
-            detail::add_by_halves<width>(phase, thread, sums);
-        } else if (thread < width) {
-            partial[chunk * width + thread] = sums[thread * threads];
-        }
+        partition.sum_places(phase, thread, sums, term, partition.chunk_begin[chunk],
+                             partition.chunk_begin[chunk + 1], [&](const double* sum) {
+                                 for (int k = 0; k < Term::width; ++k)
+                                     partial[chunk * Term::width + k] = sum[k];
+                             });
     }
 };
 
-// Then: static constexpr int width; void operator()(int segment, const double* sum) const
+// And the segments of chunks.
 template <class Then>
 struct FinishSum {
     static constexpr int threads = sum_threads, shared = Then::width * sum_threads;
@@ -74,25 +156,13 @@ struct FinishSum {
     View<const double> partial;
 
     int blocks() const { return partition.segments(); }
-    HEPATICA_HOST_DEVICE int phases() const { return 2 + detail::halvings; }
+    HEPATICA_HOST_DEVICE int phases() const { return detail::sum_phases; }
     std::size_t bytes() const {
         return static_cast<std::size_t>(partition.chunks()) * Then::width * sizeof(double);
     }
     HEPATICA_HOST_DEVICE void operator()(int phase, int segment, int thread, double* sums) const {
-        constexpr int width = Then::width;
-        if (phase == 0) {
-            double sum[width] = {};
-            for (int c = partition.segment_begin[segment] + thread;
-                 c < partition.segment_begin[segment + 1]; c += threads)
-                for (int k = 0; k < width; ++k) sum[k] += partial[c * width + k];
-            for (int k = 0; k < width; ++k) sums[k * threads + thread] = sum[k];
-        } else if (phase <= detail::halvings) {
-            detail::add_by_halves<width>(phase, thread, sums);
-        } else if (thread == 0) {
-            double sum[width];
-            for (int k = 0; k < width; ++k) sum[k] = sums[k * threads];
-            then(segment, sum);
-        }
+        detail::sum_chunks(phase, thread, sums, partial, partition.segment_begin[segment],
+                           partition.segment_begin[segment + 1], segment, then);
     }
 };
 
@@ -106,24 +176,13 @@ struct SumSegments {
     PartitionView partition;
 
     int blocks() const { return partition.segments(); }
-    HEPATICA_HOST_DEVICE int phases() const { return 2 + detail::halvings; }
+    HEPATICA_HOST_DEVICE int phases() const { return detail::sum_phases; }
     std::size_t bytes() const { return term.bytes() + bytes_of(partition.order); }
     HEPATICA_HOST_DEVICE void operator()(int phase, int segment, int thread, double* sums) const {
-        constexpr int width = Term::width;
-        if (phase == 0) {
-            double sum[width] = {};
-            const int end = partition.chunk_begin[partition.segment_begin[segment + 1]];
-            for (int k = partition.chunk_begin[partition.segment_begin[segment]] + thread; k < end;
-                 k += threads)
-                term(partition.order.empty() ? k : partition.order[k], sum);
-            for (int k = 0; k < width; ++k) sums[k * threads + thread] = sum[k];
-        } else if (phase <= detail::halvings) {
-            detail::add_by_halves<width>(phase, thread, sums);
-        } else if (thread == 0) {
-            double sum[width];
-            for (int k = 0; k < width; ++k) sum[k] = sums[k * threads];
-            then(segment, sum);
-        }
+        partition.sum_places(phase, thread, sums, term,
+                             partition.chunk_begin[partition.segment_begin[segment]],
+                             partition.chunk_begin[partition.segment_begin[segment + 1]],
+                             [&](const double* sum) { then(segment, sum); });
     }
 };
 

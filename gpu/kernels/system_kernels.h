@@ -5,6 +5,7 @@
 #pragma once
 
 #include "gpu/kernels/grab_kernels.h"
+#include "gpu/kernels/planes.h"
 #include "gpu/kernels/sums.h"
 #include "gpu/kernels/touch_kernels.h"
 
@@ -19,7 +20,7 @@ struct SystemFactors {
 template <class Real>
 struct SystemView {
     View<const int> row_begin, column;  // blocks beside the diagonal
-    View<const Matrix3<Real>> block;
+    MatrixPlanes<Real> block;
     View<const double> mass, tether;
     View<const unsigned char> held;
     GrabsView grabs;
@@ -27,7 +28,7 @@ struct SystemView {
     SystemFactors factors;
 
     std::size_t bytes() const {
-        return bytes_of(row_begin, column, block, mass, tether, held) + grabs.bytes() +
+        return bytes_of(row_begin, column, mass, tether, held) + bytes_of(block) + grabs.bytes() +
                (factors.touch != 0.0 ? touches.bytes() : 0);
     }
     HEPATICA_HOST_DEVICE double on_diagonal(int i) const {
@@ -45,7 +46,7 @@ struct SystemView {
         const Vector3<V> own = p[i];
         Vector3<V> sum{{V(0), V(0), V(0)}};
         for (int k = row_begin[i] + lane; k < row_begin[i + 1]; k += lanes) {
-            const Matrix3<Real>& b = block[k];
+            const Matrix3<Real> b = block[k];
             const Vector3<V> d = p[column[k]] - own;
             for (int r = 0; r < 3; ++r)
                 sum[r] += V(b(r, 0)) * d[0] + V(b(r, 1)) * d[1] + V(b(r, 2)) * d[2];
@@ -71,22 +72,25 @@ struct SystemView {
     }
 };
 
-// y = A p, and p . y by chunks, as SumChunks; the blocks are Real, the vectors V. Four threads a
-// row read neighbouring blocks.
-template <class Real, class V>
-struct ProductChunks {
-    static constexpr int lanes = 4, width = 1;
+// y = A p, and then p . y, as SumWhole; the blocks are Real, the vectors V. Four threads a row read
+// neighbouring blocks.
+template <class Real, class V, class Then>
+struct SumProduct {
+    static constexpr int lanes = 4, width = 1, least_blocks = 3;
     static constexpr int threads = lanes * nodes_per_chunk, shared = 3 * threads + nodes_per_chunk;
+    static_assert(Then::width == width);
     SystemView<Real> system;
     View<const Vector3<V>> p;
     View<Vector3<V>> y;
+    Then then;
     View<double> partial;  // of each chunk
 
     int blocks() const { return (y.size + nodes_per_chunk - 1) / nodes_per_chunk; }
-    HEPATICA_HOST_DEVICE int phases() const { return 3 + detail::halvings; }
+    HEPATICA_HOST_DEVICE int phases() const { return 1 + detail::sum_phases; }
+    HEPATICA_HOST_DEVICE int end_phases() const { return detail::sum_phases; }
     std::size_t bytes() const {
         return system.bytes() + bytes_of(p, y) +
-               static_cast<std::size_t>(blocks()) * sizeof(double);
+               2 * static_cast<std::size_t>(blocks()) * sizeof(double);
     }
     HEPATICA_HOST_DEVICE void operator()(int phase, int chunk, int thread, double* sums) const {
         if (phase == 0) {
@@ -94,29 +98,32 @@ struct ProductChunks {
             if (i >= y.size) return;
             const Vector3<V> sum = system.differences(i, p, thread % lanes, lanes);
             for (int c = 0; c < 3; ++c) sums[c * threads + thread] = double(sum[c]);
-        } else if (phase == 1) {
-            if (thread < nodes_per_chunk)
-                finish_row(chunk * nodes_per_chunk + thread, thread, sums);
-        } else if (phase <= 1 + detail::halvings) {
-            detail::add_by_halves<1>(phase - 1, thread, sums + 3 * threads);
-        } else if (thread == 0) {
-            partial[chunk] = sums[3 * threads];
+        } else if (thread < nodes_per_chunk) {
+            const int i = chunk * nodes_per_chunk + thread;
+            detail::sum_over_threads<width>(
+                phase - 1, thread, sums + 3 * threads,
+                [&](double* dot) {
+                    if (i < y.size) dot[0] = finish_row(i, sums + lanes * thread);
+                },
+                [&](const double* dot) { partial[chunk] = dot[0]; });
         }
+    }
+    HEPATICA_HOST_DEVICE void end(int phase, int chunks, int thread, double* sums) const {
+        if (thread < nodes_per_chunk)
+            detail::sum_chunks(phase, thread, sums, partial, 0, chunks, 0, then);
     }
 
   private:
-    HEPATICA_HOST_DEVICE void finish_row(int i, int thread, double* sums) const {
+    // From what its lanes have added up; returns p . y there.
+    HEPATICA_HOST_DEVICE double finish_row(int i, const double* of_lanes) const {
+        Vector3<V> sum{{V(0), V(0), V(0)}};
+        for (int c = 0; c < 3; ++c)
+            for (int lane = 0; lane < lanes; ++lane) sum[c] += V(of_lanes[c * threads + lane]);
+        const Vector3<V> row = system.whole_row(i, p, sum), own = p[i];
+        y[i] = row;
         double dot = 0.0;
-        if (i < y.size) {
-            Vector3<V> sum{{V(0), V(0), V(0)}};
-            for (int c = 0; c < 3; ++c)
-                for (int lane = 0; lane < lanes; ++lane)
-                    sum[c] += V(sums[c * threads + thread * lanes + lane]);
-            const Vector3<V> row = system.whole_row(i, p, sum), own = p[i];
-            y[i] = row;
-            for (int c = 0; c < 3; ++c) dot += double(own[c]) * double(row[c]);
-        }
-        sums[3 * threads + thread] = dot;
+        for (int c = 0; c < 3; ++c) dot += double(own[c]) * double(row[c]);
+        return dot;
     }
 };
 
@@ -139,25 +146,28 @@ struct FindResidual {
 template <class Real>
 struct InvertDiagonal {
     SystemView<Real> system;
-    View<Matrix3<Real>> inverse;
+    Planes<Matrix3<Real>, Real> inverse;
 
     HEPATICA_HOST_DEVICE int count() const { return inverse.size; }
     std::size_t bytes() const { return system.bytes() + bytes_of(inverse); }
     HEPATICA_HOST_DEVICE void operator()(int i) const {
         Matrix3<double> sum = system.on_diagonal(i) * small::identity_matrix<double>();
-        for (int k = system.row_begin[i]; k < system.row_begin[i + 1]; ++k)
+        for (int k = system.row_begin[i]; k < system.row_begin[i + 1]; ++k) {
+            const Matrix3<Real> b = system.block[k];
             for (int r = 0; r < 3; ++r)
                 for (int c = 0; c < 3; ++c)
-                    sum(r, c) -= system.factors.stiffness * 0.5 *
-                                 (double(system.block[k](r, c)) + double(system.block[k](c, r)));
+                    sum(r, c) -=
+                        system.factors.stiffness * 0.5 * (double(b(r, c)) + double(b(c, r)));
+        }
         sum = sum + system.factors.grab * system.grabs.diagonal(i);
         if (system.factors.touch != 0.0)
             sum = sum + system.factors.touch * system.touches.diagonal(i);
         const double volume = small::determinant(sum);
         const Matrix3<double> adjugate = small::transpose(small::cofactor(sum));
         const double scale = system.held[i] == 0 && volume > 0.0 ? 1.0 / volume : 0.0;
-        for (int r = 0; r < 3; ++r)
-            for (int c = 0; c < 3; ++c) inverse[i](r, c) = Real(scale * adjugate(r, c));
+        Matrix3<Real> rounded;
+        round_to(scale * adjugate, rounded);
+        inverse.set(i, rounded);
     }
 };
 

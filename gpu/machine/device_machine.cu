@@ -13,23 +13,81 @@ void require(cudaError_t status, const char* what) {
     throw DeviceError(std::string(what) + ": " + cudaGetErrorString(status));
 }
 
+// Kernels of compute capability 9.0 come to their places while the one before still runs, and wait
+// here until all that it wrote is there.
+__device__ void wait_for_the_kernel_before() {
+#if __CUDA_ARCH__ >= 900
+    cudaTriggerProgrammaticLaunchCompletion();
+    cudaGridDependencySynchronize();
+#endif
+}
+
+// Whether all other blocks of the kernel have ended. `ended` is zero before the first one ends and
+// after the last.
+__device__ bool is_last_block(unsigned* ended) {
+    __shared__ bool last;
+    __threadfence();
+    __syncthreads();
+    if (threadIdx.x == 0) {
+        last = atomicAdd(ended, 1u) + 1 == gridDim.x;
+        if (last) *ended = 0;
+    }
+    __syncthreads();
+    __threadfence();
+    return last;
+}
+
 template <class Kernel>
-__global__ void __launch_bounds__(Kernel::threads) run_phases(const Kernel kernel) {
+__global__ void __launch_bounds__(Kernel::threads, least_blocks<Kernel>)
+    run_phases(const Kernel kernel, unsigned* ended) {
     __shared__ double shared[Kernel::shared];
+    const int block = static_cast<int>(blockIdx.x), thread = static_cast<int>(threadIdx.x);
+    wait_for_the_kernel_before();
     for (int phase = 0; phase < kernel.phases(); ++phase) {
         if (phase > 0) __syncthreads();
-        kernel(phase, static_cast<int>(blockIdx.x), static_cast<int>(threadIdx.x), shared);
+        kernel(phase, block, thread, shared);
     }
+    if constexpr (has_end<Kernel>) {
+        if (!is_last_block(ended)) return;
+        for (int phase = 0; phase < kernel.end_phases(); ++phase) {
+            if (phase > 0) __syncthreads();
+            kernel.end(phase, static_cast<int>(gridDim.x), thread, shared);
+        }
+    }
+}
+
+// Whether a kernel can be launched while the one before it still runs.
+bool launches_overlap() {
+    int major = 0;
+    require(cudaDeviceGetAttribute(&major, cudaDevAttrComputeCapabilityMajor, 0),
+            "the device does not answer");
+    return major >= 9;
 }
 
 class DeviceMachine final : public MachineBy<DeviceMachine> {
   public:
+    DeviceMachine() : overlap_(launches_overlap()) {
+        require(cudaMalloc(&ended_, sizeof *ended_), "no memory on the device");
+        require(cudaMemset(ended_, 0, sizeof *ended_), "the device failed");
+    }
+    ~DeviceMachine() override { cudaFree(ended_); }
+    DeviceMachine(const DeviceMachine&) = delete;
+    DeviceMachine& operator=(const DeviceMachine&) = delete;
+
     std::string name() const override { return device_info().device; }
 
     template <class Kernel>
     void execute(const Kernel& kernel) {
-        run_phases<<<kernel.blocks(), Kernel::threads>>>(kernel);
-        require(cudaGetLastError(), "a kernel could not be launched");
+        cudaLaunchAttribute overlap{};
+        overlap.id = cudaLaunchAttributeProgrammaticStreamSerialization;
+        overlap.val.programmaticStreamSerializationAllowed = 1;
+        cudaLaunchConfig_t config{};
+        config.gridDim = dim3(static_cast<unsigned>(kernel.blocks()));
+        config.blockDim = dim3(Kernel::threads);
+        config.attrs = &overlap;
+        config.numAttrs = overlap_ ? 1 : 0;
+        require(cudaLaunchKernelEx(&config, run_phases<Kernel>, kernel, ended_),
+                "a kernel could not be launched");
     }
 
     void pin(void* memory, std::size_t bytes) override {
@@ -55,6 +113,9 @@ class DeviceMachine final : public MachineBy<DeviceMachine> {
         require(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToHost),
                 "a copy from the device failed");
     }
+
+    bool overlap_;
+    unsigned* ended_ = nullptr;  // blocks of the kernel that runs
 };
 
 std::string version_text(int version) {

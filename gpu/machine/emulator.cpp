@@ -52,6 +52,11 @@ class Emulator final : public MachineBy<Emulator> {
                 loops_.run(Kernel::threads,
                            [&](int thread) { kernel(phase, block, thread, shared); });
         });
+        if constexpr (has_end<Kernel>) {
+            for (int phase = 0; phase < kernel.end_phases(); ++phase)
+                loops_.run(Kernel::threads,
+                           [&](int thread) { kernel.end(phase, kernel.blocks(), thread, shared); });
+        }
     }
 
   private:

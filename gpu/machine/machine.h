@@ -70,6 +70,7 @@ class Machine : public RunsAll<AllKernels> {
         if (kernel.blocks() == 0) return;
         ++traffic_.launches;
         traffic_.barriers += kernel.phases() - 1;
+        if constexpr (has_end<Kernel>) traffic_.barriers += kernel.end_phases();
         traffic_.kernel_bytes += kernel.bytes();
         static_cast<Runs<Kernel>&>(*this).run(kernel);
     }

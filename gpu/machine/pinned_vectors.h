@@ -3,6 +3,7 @@
 // and again (Machine::pin). They keep their length; two of one length may be swapped.
 #pragma once
 
+#include <initializer_list>
 #include <vector>
 
 #include "core/base/vector.h"

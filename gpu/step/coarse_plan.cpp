@@ -2,6 +2,7 @@
 #include "gpu/step/coarse_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 #include <set>
@@ -12,9 +13,6 @@
 
 namespace hepatica::gpu {
 namespace {
-
-// So many cuts a block of threads solves while others solve others, or the last one alone.
-constexpr int cuts_per_row = 8, cuts_of_last_row = 24;
 
 using Lists = std::vector<std::vector<int>>;
 
@@ -56,35 +54,15 @@ Lists coupled_cuts(const std::vector<std::array<int, 2>>& cuts, const std::vecto
     return coupled;
 }
 
-// Tiers of rows of cuts: subtrees of a few cuts, together with others while there is room, then the
-// same of what is left, until that is small.
-std::vector<Lists> tiers_of(const Lists& above) {
-    const auto cuts = static_cast<int>(above.size());
-    std::vector<char> left(above.size(), 1);
-    std::vector<Lists> tiers;
-    for (int remaining = cuts; remaining > 0;) {
-        std::vector<int> size(left.begin(), left.end()), root(above.size(), -1);
-        for (int p = 0; p < cuts; ++p)
-            if (!above[p].empty()) size[above[p][0]] += size[p];
-        const bool last = remaining <= cuts_of_last_row;
-        std::map<int, std::vector<int>> subtrees;
-        for (int p = cuts; p-- > 0;) {
-            if (left[p] == 0 || (!last && size[p] > cuts_per_row)) continue;
-            const int parent = above[p].empty() ? -1 : above[p][0];
-            root[p] = last ? 0 : (parent >= 0 && root[parent] >= 0 ? root[parent] : p);
-            subtrees[root[p]].push_back(p);
-        }
-        Lists rows;
-        for (const auto& [at, members] : subtrees) {
-            if (rows.empty() || (rows.back().size() + members.size() > cuts_per_row && !last))
-                rows.emplace_back();
-            rows.back().insert(rows.back().end(), members.begin(), members.end());
-            for (const int p : members) left[p] = 0;
-            remaining -= static_cast<int>(members.size());
-        }
-        tiers.push_back(std::move(rows));
-    }
-    return tiers;
+// Numbers 0, 1, ... sorted by their levels, and where each level begins; there are `levels`.
+void sort_by_level(const std::vector<int>& level, int levels, std::vector<int>& by_level,
+                   std::vector<int>& begin) {
+    by_level.resize(level.size());
+    std::iota(by_level.begin(), by_level.end(), 0);
+    std::ranges::stable_sort(by_level, {}, [&](int k) { return level[k]; });
+    begin.assign(static_cast<std::size_t>(levels) + 1, 0);
+    for (const int one : level) ++begin[one + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
 }
 
 class Planner {
@@ -97,77 +75,32 @@ class Planner {
                 if (node >= 0) cut_of_node[node] = static_cast<int>(p);
         above_ = coupled_above(coupled_cuts(cuts, cut_of_node, coarse));
         level_ = levels_of(above_);
-        place_.resize(cuts.size());
-        for (Lists& tier : tiers_of(above_)) add_tier(tier);
         plan_.slot_of_node.resize(cut_of_node.size());
         for (std::size_t p = 0; p < cuts.size(); ++p)
             for (int side = 0; side < 2; ++side)
-                if (cuts[p][side] >= 0) plan_.slot_of_node[cuts[p][side]] = 2 * place_[p] + side;
-        set_levels();
+                if (cuts[p][side] >= 0)
+                    plan_.slot_of_node[cuts[p][side]] = 2 * static_cast<int>(p) + side;
         set_blocks();
+        sort_by_level(level_, levels(), plan_.by_level, plan_.level_begin);
         set_updates();
+        set_inverse();
     }
     CoarsePlan plan() && { return std::move(plan_); }
 
   private:
-    void add_tier(Lists& rows) {
-        std::vector<std::vector<int>> stages_of_rows;
-        CutStages tier;
-        for (std::vector<int>& row : rows) {
-            std::ranges::sort(row, {}, [&](int p) { return std::pair(level_[p], p); });
-            std::vector<int> begin;
-            for (std::size_t k = 0; k < row.size(); ++k) {
-                const int at = static_cast<int>(order_.size());
-                if (k == 0 || level_[row[k]] != level_[row[k - 1]] ||
-                    at - begin.back() == most_cuts_of_stage)
-                    begin.push_back(at);
-                place_[row[k]] = at;
-                order_.push_back(row[k]);
-            }
-            tier.stages = std::max(tier.stages, static_cast<int>(begin.size()));
-            begin.push_back(static_cast<int>(order_.size()));
-            stages_of_rows.push_back(std::move(begin));
-        }
-        for (std::vector<int>& begin : stages_of_rows) {
-            begin.resize(static_cast<std::size_t>(tier.stages) + 1, begin.back());
-            tier.begin.insert(tier.begin.end(), begin.begin(), begin.end());
-        }
-        plan_.tiers.push_back(std::move(tier));
-    }
-
-    void set_levels() {
-        plan_.by_level.resize(order_.size());
-        std::iota(plan_.by_level.begin(), plan_.by_level.end(), 0);
-        const auto level = [&](int k) { return level_[order_[k]]; };
-        std::ranges::stable_sort(plan_.by_level, {}, level);
-        for (std::size_t k = 0; k < order_.size(); ++k)
-            plan_.level_begin.resize(static_cast<std::size_t>(level(plan_.by_level[k])) + 1,
-                                     static_cast<int>(k));
-        plan_.level_begin.push_back(static_cast<int>(order_.size()));
-    }
+    int levels() const { return level_.empty() ? 0 : *std::ranges::max_element(level_) + 1; }
 
     void set_blocks() {
-        plan_.column_begin = plan_.row_begin = {0};
-        std::vector<std::vector<CutTerm>> in_row(order_.size());
-        for (std::size_t k = 0; k < order_.size(); ++k) {
-            const int own = static_cast<int>(k);
-            std::vector<int> rows{own};
-            for (const int i : above_[order_[k]]) rows.push_back(place_[i]);
-            std::ranges::sort(rows);
-            for (const int i : rows) {
-                if (i != own) in_row[i].push_back({plan_.blocks(), own});
-                plan_.row.push_back(i);
-            }
+        plan_.column_begin = {0};
+        for (std::size_t p = 0; p < above_.size(); ++p) {
+            plan_.row.push_back(static_cast<int>(p));
+            plan_.row.insert(plan_.row.end(), above_[p].begin(), above_[p].end());
             plan_.column_begin.push_back(plan_.blocks());
-        }
-        for (const auto& blocks : in_row) {
-            plan_.in_row.insert(plan_.in_row.end(), blocks.begin(), blocks.end());
-            plan_.row_begin.push_back(static_cast<int>(plan_.in_row.size()));
         }
     }
 
     void set_updates() {
-        std::vector<std::vector<std::array<int, 2>>> updates(plan_.row.size());
+        std::vector<std::vector<CutListsView::Update>> updates(plan_.row.size());
         for (int k = 0; k < plan_.cuts(); ++k)
             for (int b = plan_.column_begin[k] + 1; b < plan_.column_begin[k + 1]; ++b)
                 for (int a = b; a < plan_.column_begin[k + 1]; ++a)
@@ -179,10 +112,58 @@ class Planner {
         }
     }
 
+    // All cuts that stand above one, nearest first: N^-1 has a block for each.
+    std::vector<int> path_from(int cut) const {
+        std::vector<int> path;
+        while (!above_[cut].empty()) path.push_back(cut = above_[cut][0]);
+        return path;
+    }
+
+    void set_inverse() {
+        InversePlan& inverse = plan_.inverse;
+        const auto cuts = static_cast<int>(above_.size());
+        Lists below(above_.size());
+        for (int p = 0; p < cuts; ++p)
+            for (const int i : path_from(p)) below[i].push_back(p);
+        std::map<std::pair<int, int>, int> block_at;  // by row and column
+        std::vector<int> level;
+        for (int i = 0; i < cuts; ++i) {
+            for (std::size_t k = 0; k < below[i].size(); ++k) {
+                if (k % SumBelow<float>::most_blocks == 0 && k > 0)
+                    inverse.chunk_begin.push_back(static_cast<int>(inverse.column.size()));
+                block_at[{i, below[i][k]}] = static_cast<int>(inverse.column.size());
+                inverse.column.push_back(below[i][k]);
+                level.push_back(levels() - 1 - level_[below[i][k]]);
+            }
+            if (!below[i].empty())
+                inverse.chunk_begin.push_back(static_cast<int>(inverse.column.size()));
+            inverse.first_chunk.push_back(static_cast<int>(inverse.chunk_begin.size()) - 1);
+        }
+        sort_by_level(level, levels(), inverse.by_level, inverse.level_begin);
+        for (const auto& [place, block] : block_at)
+            add_products(place.first, place.second, block_at);
+        for (int p = 0; p < cuts; ++p) {
+            for (const int i : path_from(p)) inverse.above.push_back({block_at.at({i, p}), i});
+            inverse.above_begin.push_back(static_cast<int>(inverse.above.size()));
+        }
+    }
+
+    // Of N^-1 N = 1: block (i, p) is minus the sum of (N^-1)_ik N_kp over p < k <= i.
+    void add_products(int i, int p, const std::map<std::pair<int, int>, int>& block_at) {
+        InversePlan& inverse = plan_.inverse;
+        for (int b = plan_.column_begin[p] + 1; b < plan_.column_begin[p + 1]; ++b) {
+            const int k = plan_.row[b];
+            if (k == i)
+                inverse.product.push_back({-1, b});
+            else if (const auto left = block_at.find({i, k}); left != block_at.end())
+                inverse.product.push_back({left->second, b});
+        }
+        inverse.product_begin.push_back(static_cast<int>(inverse.product.size()));
+    }
+
     CoarsePlan plan_;
-    // Of cuts in the order of bisection, but for order_, which has them by number.
     Lists above_;
-    std::vector<int> level_, place_, order_;
+    std::vector<int> level_;
 };
 
 }  // namespace

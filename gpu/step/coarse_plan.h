@@ -2,47 +2,41 @@
 // How the coarse matrix P^T A P is factored and solved on a device: nested dissection of the vessel
 // tree. A cut takes two neighbouring nodes and halves what is left; cuts of one level know nothing
 // of each other, and a chain of n nodes has about log2 n levels, not n. The factor is N D N^T in
-// blocks of two nodes: D inverted, N with ones on its diagonal.
+// blocks of two nodes: D inverted, N with ones on its diagonal. N^-1 has a block for each cut and
+// each of those above it, some log2 n a cut.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "core/deform/solvers/block_matrix.h"
 #include "core/deform/solvers/coarse_skeleton.h"
+#include "gpu/kernels/cut_kernels.h"
 
 namespace hepatica::gpu {
 
-// What blocks of threads that know nothing of each other do in stages: those of row r and stage s
-// are the cuts from begin[r * (stages + 1) + s] to the next.
-struct CutStages {
-    int stages = 0;
-    std::vector<int> begin;
-
-    int rows() const { return stages > 0 ? static_cast<int>(begin.size()) / (stages + 1) : 0; }
+// See InverseListsView.
+struct InversePlan {
+    std::vector<int> level_begin, by_level;
+    std::vector<int> column;
+    std::vector<int> product_begin{0};
+    std::vector<InverseListsView::Product> product;
+    std::vector<int> chunk_begin{0}, first_chunk{0};
+    std::vector<int> above_begin{0};
+    std::vector<InverseListsView::Above> above;
 };
 
-// A block and the cut that it couples another one with.
-struct CutTerm {
-    int block = 0, cut = 0;
-};
-
-// Cuts are numbered as a solve goes through them: by tier, row and stage. Blocks of the factor lie
-// column by column, the diagonal one first.
+// Cuts are numbered in the order of elimination. Blocks of the factor lie column by column, the
+// diagonal one first.
 struct CoarsePlan {
     std::vector<int> slot_of_node;  // two slots a cut; the second may be empty
     std::vector<int> level_begin;   // places in by_level
     std::vector<int> by_level;      // cuts, those first that hear of no other
     std::vector<int> column_begin;  // blocks of each cut
     std::vector<int> row;           // the row's cut of each block
-    // Blocks beside the diagonal in the row of each cut, with their columns.
-    std::vector<int> row_begin;
-    std::vector<CutTerm> in_row;
     // What elimination takes from block (i, p): the products of (i, k) and (p, k), for every k.
     std::vector<int> update_begin;
-    std::vector<std::array<int, 2>> update;
-    // Small subtrees first, then those of what stands above them; one row at last.
-    std::vector<CutStages> tiers;
+    std::vector<CutListsView::Update> update;
+    InversePlan inverse;
 
     int cuts() const { return static_cast<int>(column_begin.size()) - 1; }
     int slots() const { return 2 * cuts(); }

@@ -37,7 +37,7 @@ DeviceBody<Real>::DeviceBody(Machine& machine, const Body& body, const AssemblyP
       mirror_(machine),
       block_(machine) {
     if (!plan.factors.place.empty())
-        turned_ = Array<Vector3<Real>>(machine, static_cast<std::size_t>(plan.force_slots));
+        turned_ = Array<Aligned3<Real>>(machine, static_cast<std::size_t>(plan.force_slots));
     for (std::size_t g = 0; g < body.groups.size(); ++g) add_group(body.groups[g], plan.groups[g]);
     follow(body, plan);
 }
@@ -61,7 +61,7 @@ void DeviceBody<Real>::add_group(const ElementGroup& group, const GroupSlots& sl
                        static_cast<int>(slots.first_block),
                        slots.in_factors ? 0 : group.size() * group.pairs(),
                        GrowingArray<int>(machine_),
-                       {machine_, group.tetrahedra},
+                       {machine_, in_planes<double>(group.tetrahedra)},
                        {machine_, group.springs}});
 }
 
@@ -92,7 +92,7 @@ void DeviceBody<Real>::set_pattern(const AssemblyPlan& plan) {
     set_upper(plan.factors, factors_);
     set_upper(plan.blocks, blocks_);
     set_upper(plan.transposed, transposed_);
-    block_.resize(column.size());
+    block_.resize(9 * column.size());
     row_begin_.set(std::move(row_begin));
     column_.set(std::move(column));
     place_.set(std::move(place));
@@ -105,7 +105,7 @@ void DeviceBody<Real>::evaluate_group(const Group& group, View<const Vector3<dou
     const GroupViews views{group.connectivity.read(), position, slot_.view(), group.first_slot};
     View<Matrix3<Real>> block;
     if (with_stiffness) block = {block_slot_.view().data + group.first_block, group.blocks};
-    const auto rest = group.tetrahedra.read();
+    const TetrahedronRests rest(group.tetrahedra.read());
     if (group.in_factors)
         machine_.for_each(EvaluateTurned<Real>{views, rest, turned_.view()});
     else if (group.kind == Kind::spring)
@@ -129,7 +129,8 @@ template <class Real>
 void DeviceBody<Real>::assemble() {
     machine_.for_each(GatherStiffness<Real>{place_.read(), mirror_.read(), factors_.view(),
                                             blocks_.view(), transposed_.view(), turned_.read(),
-                                            block_slot_.read(), lambda_over_mu_, block_.view()});
+                                            block_slot_.read(), lambda_over_mu_,
+                                            Planes<Matrix3<Real>, Real>(block_.view())});
 }
 
 template class DeviceBody<float>;

@@ -33,8 +33,7 @@ class DeviceBody {
     View<const double> elastic_energy() const { return energy_.read(); }
     View<const int> row_begin() const { return row_begin_.read(); }
     View<const int> column() const { return column_.read(); }
-    View<const Matrix3<Real>> block() const { return block_.read(); }
-    std::size_t blocks() const { return block_.size(); }
+    MatrixPlanes<Real> block() const { return MatrixPlanes<Real>(block_.read()); }
 
   private:
     struct Lists {
@@ -47,7 +46,7 @@ class DeviceBody {
         bool in_factors;
         int first_slot, first_block, blocks;
         GrowingArray<int> connectivity;
-        Array<small::TetrahedronRest<double>> tetrahedra;
+        Array<double> tetrahedra;  // their rest, in planes
         Array<small::SpringRest<double>> springs;
     };
 
@@ -61,13 +60,13 @@ class DeviceBody {
     Real lambda_over_mu_;
     std::vector<Group> groups_;
     Array<ForceSlot> slot_;
-    Array<Vector3<Real>> turned_;
+    Array<Aligned3<Real>> turned_;
     Array<Matrix3<Real>> block_slot_;
     Lists force_lists_, factors_, blocks_, transposed_;
     GrowingArray<Vector3<double>> force_;
     GrowingArray<double> energy_;
     GrowingArray<int> row_begin_, column_, place_, mirror_;
-    GrowingArray<Matrix3<Real>> block_;
+    GrowingArray<Real> block_;  // in planes
 };
 
 extern template class DeviceBody<float>;

@@ -12,6 +12,7 @@
 #include "gpu/kernels/coarse_kernels.h"
 #include "gpu/step/coarse_plan.h"
 #include "gpu/step/partition.h"
+#include "gpu/step/whole_sum.h"
 
 namespace hepatica::gpu {
 
@@ -27,21 +28,22 @@ class DeviceSkeleton {
 
     // Adds the correction to z, and hands r . z and r . r to `then`.
     template <class Then>
-    void correct(const Partition& nodes, View<const Vector3<Real>> r, View<Vector3<Real>> z,
+    void correct(const WholeSum& nodes, View<const Vector3<Real>> r, View<Vector3<Real>> z,
                  const Then& then) const {
-        by_node_.sum_segments(
-            RestrictResidual<Real>{modes_.read(), vertex_.read(), node_.read(), r},
-            KeepSums<3 * coarse_vectors>{load_.view()});
+        by_node_.sum(RestrictResidual<Real>{modes_.read(), vertex_.read(), node_.read(), r},
+                     KeepSums<3 * coarse_vectors>{load_.view()});
         solve();
         nodes.sum(AddMotion<Real>{modes_.read(), motion_.read(), r, z}, then);
     }
 
   private:
     void set_vertices(const AffineCoarseSpace& space, const CoarseSkeleton& skeleton);
-    void set_pairs(const BlockMatrix& coarse);
+    void set_pairs(const AffineCoarseSpace& space, const AssemblyPlan& plan);
+    void set_inverse();
     CutListsView lists() const;
+    InverseListsView inverse_lists() const;
+    void factor();
     void solve() const;
-    void solve(std::size_t tier, CutSolve way) const;
 
     Machine& machine_;
     CoarsePlan plan_;
@@ -50,15 +52,19 @@ class DeviceSkeleton {
     Array<double> radius_;
     Array<Vector3<double>> centre_;
     Array<VertexModes<Real>> modes_;
-    Array<int> vertices_begin_, vertex_, node_;  // vertices by node
+    Array<int> vertex_, node_;  // vertices by node
     Array<NodePair> pair_;
-    Array<int> by_level_, column_begin_, row_, row_begin_, update_begin_;
-    Array<CutListsView::Term> in_row_;
+    Array<CoarseElement> element_;
+    Array<int> element_vertex_, parts_begin_, parts_;
+    Array<double> part_;
+    Array<int> by_level_, column_begin_, update_begin_;
     Array<CutListsView::Update> update_;
-    std::vector<Array<int>> stage_begin_;  // of each tier
+    Array<int> inverse_by_level_, column_, product_begin_, chunk_begin_, first_chunk_, above_begin_;
+    Array<InverseListsView::Product> product_;
+    Array<InverseListsView::Above> above_;
     Array<double> matrix_, reduced_, multiplier_;
-    Array<Real> inverse_, factor_;
-    Array<double> load_, motion_;
+    Array<Real> pivot_, factor_, inverse_;             // D^-1, N, N^-1
+    Array<double> load_, partial_, divided_, motion_;  // of a solve
 };
 
 extern template class DeviceSkeleton<float>;

@@ -40,7 +40,7 @@ int expected_iterations(double first_error, double error, int done, const SolveL
 }  // namespace
 
 template <class Real>
-DeviceSolver<Real>::DeviceSolver(Machine& machine, const Partition& nodes)
+DeviceSolver<Real>::DeviceSolver(Machine& machine, const WholeSum& nodes)
     : machine_(machine),
       nodes_(nodes),
       solution_(machine),
@@ -58,7 +58,7 @@ template <class Real>
 void DeviceSolver<Real>::resize(std::size_t nodes) {
     for (auto* vector : {&x_, &r_, &z_, &p_, &product_}) vector->resize(nodes);
     for (auto* vector : {&solution_, &residual_}) vector->resize(nodes);
-    inverse_.resize(nodes);
+    inverse_.resize(9 * nodes);
 }
 
 template <class Real>
@@ -82,13 +82,11 @@ template <class Real>
 void DeviceSolver<Real>::iterate(const SystemView<Real>& system,
                                  const DeviceSkeleton<Real>* skeleton) {
     machine_.for_each(TurnDirection<Real>{scalars_.read(), z_.read(), p_.view()});
-    const auto product = [&](View<double> partial) {
-        return ProductChunks<Real, Real>{system, p_.read(), product_.view(), partial};
-    };
-    nodes_.sum_whole(product, ChooseStep{scalars_.view()});
-    precondition(TakeStep<Real>{scalars_.read(), p_.read(), product_.read(), inverse_.read(),
-                                x_.view(), r_.view(), z_.view()},
-                 EndIteration{scalars_.view(), record_.view()}, skeleton);
+    nodes_.product(system, p_.read(), product_.view(), ChooseStep{scalars_.view()});
+    precondition(
+        TakeStep<Real>{scalars_.read(), p_.read(), product_.read(),
+                       MatrixPlanes<Real>(inverse_.read()), x_.view(), r_.view(), z_.view()},
+        EndIteration{scalars_.view(), record_.view()}, skeleton);
 }
 
 template <class Real>
@@ -102,9 +100,9 @@ template <class Real>
 typename DeviceSolver<Real>::End DeviceSolver<Real>::run_round(
     const SystemView<Real>& system, const DeviceSkeleton<Real>* skeleton, const SolveLimits& limits,
     double residual_limit, Energies& energies, SolveReport& report, const std::stop_token& stop) {
-    precondition(
-        BeginRound<Real>{residual_.read(), inverse_.read(), x_.view(), r_.view(), z_.view()},
-        StartIteration{scalars_.view()}, skeleton);
+    precondition(BeginRound<Real>{residual_.read(), MatrixPlanes<Real>(inverse_.read()), x_.view(),
+                                  r_.view(), z_.view()},
+                 StartIteration{scalars_.view()}, skeleton);
     SolveScalars now = scalars();
     // What touches changes the spectrum from step to step: nothing is known of it from others.
     const bool touches = system.factors.touch != 0.0 && !system.touches.row.empty();
@@ -153,7 +151,7 @@ SolveReport DeviceSolver<Real>::solve(const SystemView<Real>& system, View<const
     // The sum above was waited for, and so is the last residual.
     const auto start = Clock::now();
     const std::size_t bytes_before = machine_.traffic().kernel_bytes;
-    machine_.for_each(InvertDiagonal<Real>{system, inverse_.view()});
+    machine_.for_each(InvertDiagonal<Real>{system, Planes<Matrix3<Real>, Real>(inverse_.view())});
     const double wanted = squared(limits.residual_tolerance) * rhs_squared;
     double left = rhs_squared, before = 0.0;  // of the residual, squared
     Energies energies;

@@ -13,7 +13,7 @@
 #include "core/deform/solvers/linear_solver.h"
 #include "gpu/kernels/solve_kernels.h"
 #include "gpu/step/device_skeleton.h"
-#include "gpu/step/partition.h"
+#include "gpu/step/whole_sum.h"
 
 namespace hepatica::gpu {
 
@@ -27,7 +27,7 @@ struct SolveCost {
 template <class Real>
 class DeviceSolver {
   public:
-    DeviceSolver(Machine& machine, const Partition& nodes);
+    DeviceSolver(Machine& machine, const WholeSum& nodes);
     void resize(std::size_t nodes);
 
     // `skeleton`, prepared for this matrix, may be null.
@@ -66,10 +66,10 @@ class DeviceSolver {
     SolveScalars scalars() const;
 
     Machine& machine_;
-    const Partition& nodes_;
+    const WholeSum& nodes_;
     GrowingArray<Vector3<double>> solution_, residual_;
     GrowingArray<Vector3<Real>> x_, r_, z_, p_, product_;  // of a round
-    GrowingArray<Matrix3<Real>> inverse_;
+    GrowingArray<Real> inverse_;                           // of the diagonal blocks, in planes
     Array<SolveScalars> scalars_;
     Array<IterationRecord> record_;
     SolveCost cost_;

@@ -2,6 +2,7 @@
 #include "gpu/step/device_step.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "gpu/step/device_body.h"
 #include "gpu/step/device_grabs.h"
 #include "gpu/step/device_touches.h"
+#include "gpu/step/partition.h"
 #include "gpu/step/step_balance.h"
 
 namespace hepatica::gpu {
@@ -164,7 +166,8 @@ class Step final : public DeviceStep {
     DeviceBody<Real> elements_;
     DeviceGrabs grabs_;
     DeviceTouches touches_;
-    Partition all_, pieces_;
+    WholeSum all_;
+    Partition pieces_;
     DeviceSolver<Real> solver_;
     std::unique_ptr<DeviceSkeleton<Real>> skeleton_;  // null: none
     GrowingArray<double> mass_, tether_;
@@ -189,7 +192,7 @@ void Step<Real>::set_nodes() {
     limiter_.emplace(body_, plan_);
     grabs_.follow_tear(potentials_.grabs(), plan_);
     touches_.set_nodes(nodes_);
-    all_.set_whole(nodes_);
+    all_.resize(nodes_);
     pieces_.set(limiter_->piece_of_node());
     solver_.resize(nodes_);
     mass_.set(body_.mass_g);
@@ -235,9 +238,7 @@ SystemView<Real> Step<Real>::system(const SystemFactors& factors) const {
 template <class Real>
 double Step<Real>::product(const SystemView<Real>& system, const GrowingArray<Vector3<double>>& w,
                            GrowingArray<Vector3<double>>& y) {
-    return all_.read_whole<1>([&](View<double> partial) {
-        return ProductChunks<Real, double>{system, w.read(), y.view(), partial};
-    })[0];
+    return all_.read_product(system, w.read(), y.view());
 }
 
 // Goes to w = share v_n + change and evaluates there.
@@ -333,7 +334,7 @@ bool Step<Real>::solve(Underway& step, const SolveLimits& limits, StepReport& re
     report.linear_residual = solved.relative_residual;
     report.linear_energy_error = solved.energy_error;
     if (!solved.converged && solved.iterations < limits.max_iterations) return false;
-    const std::vector<double> along =
+    const std::array<double, 2> along =
         all_.read(AlongDirection{steepest_.read(), solver_.residual(), solver_.solution(),
                                  before_.read(), step.predicted ? 0.0 : 1.0});
     step.slope = -along[0];
@@ -367,7 +368,7 @@ bool Step<Real>::accepted(Underway& step) {
 template <class Real>
 void Step<Real>::book(Underway& step, StepReport& report) {
     const double dt = step.dt_s;
-    const std::vector<double> works =
+    const std::array<double, 3> works =
         all_.read(Works{descent(dt, beta() > 0.0, rhs_), start_force_.read()});
     const double start_work = works[0];
     double end_work = start_work - step.curvature, solver_work = step.residual_work;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which nodes are added up together, on a machine; and the two launches of a sum.
+// Segments of nodes that are added up each for itself, on a machine, such as the pieces of a body.
 #pragma once
 
 #include <span>
@@ -22,58 +22,32 @@ class Partition {
 
     // One segment for each piece, 0, 1, ...; there are `pieces` of them, or as many as are named.
     void set(std::span<const int> piece_of_node, int pieces = 0);
-    // All nodes in one segment.
-    void set_whole(std::size_t nodes) { set(std::vector<int>(nodes, 0)); }
 
     int segments() const { return static_cast<int>(segment_begin_.size()) - 1; }
 
-    // Calls the term for every node; its sums are lost.
-    template <class Term>
-    void apply(const Term& term) const {
-        machine_.launch(SumChunks<Term>{term, view(), partial_.view()});
-    }
-    // Adds up the term over each segment and hands the sums to `then`, on the machine.
+    // Adds up the term over each segment and hands the sums to `then`, on the machine: in one
+    // launch where no segment is long.
     template <class Term, class Then>
     void sum(const Term& term, const Then& then) const {
         static_assert(Term::width == Then::width && Term::width <= most_width);
+        if (longest_ <= most_at_once)
+            return machine_.launch(SumSegments<Term, Then>{term, then, view()});
         machine_.launch(SumChunks<Term>{term, view(), partial_.view()});
         machine_.launch(FinishSum<Then>{then, view(), partial_.read()});
-    }
-    // The same where the whole body is one segment and a kernel adds up the chunks itself:
-    // make(partial) is that kernel.
-    template <class Make, class Then>
-    void sum_whole(const Make& make, const Then& then) const {
-        machine_.launch(make(partial_.view()));
-        machine_.launch(FinishSum<Then>{then, view(), partial_.read()});
-    }
-    // The same for many segments, in one launch where none of them is long.
-    template <class Term, class Then>
-    void sum_segments(const Term& term, const Then& then) const {
-        if (longest_ > most_at_once) return sum(term, then);
-        machine_.launch(SumSegments<Term, Then>{term, then, view()});
     }
     // The same, read back: `width` numbers a segment. Waits for the machine.
     template <class Term>
     std::vector<double> read(const Term& term) const {
         sum(term, KeepSums<Term::width>{result_.view()});
-        return result<Term::width>();
-    }
-    template <int Width, class Make>
-    std::vector<double> read_whole(const Make& make) const {
-        sum_whole(make, KeepSums<Width>{result_.view()});
-        return result<Width>();
+        std::vector<double> sums(static_cast<std::size_t>(segments() * Term::width));
+        machine_.download(sums.data(), result_.read().data, sums.size() * sizeof(double));
+        return sums;
     }
 
   private:
     static constexpr int most_width = 12;
     static constexpr int most_at_once = 32 * sum_threads;  // nodes of a segment
 
-    template <int Width>
-    std::vector<double> result() const {
-        std::vector<double> sums(static_cast<std::size_t>(segments() * Width));
-        machine_.download(sums.data(), result_.read().data, sums.size() * sizeof(double));
-        return sums;
-    }
     PartitionView view() const {
         return {order_.read(), chunk_begin_.read(), segment_begin_.read()};
     }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // gpu_bench TABLE.json [DEVICE] [TETRAHEDRA ...]: the rows of `hepatica-cli bench gpu` where only
-// the solver is built: a table on standard output, the same rows as JSON in the file. With the name
-// of a device the rows are planned for it, otherwise measured on the device of this computer. With
-// sizes the bars have these, and there is no slab.
+// the solver is built: a table on standard output, the same rows as JSON in the file, which is
+// whole after every row. With the name of a device the rows are planned for it, otherwise measured
+// on the device of this computer. With sizes the bars have these, and there is no slab.
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <string>
 #include <vector>
 
 #include "core/base/error.h"
@@ -15,6 +17,17 @@
 namespace {
 
 using hepatica::gpu::GpuRow;
+
+// Another file takes its place once it is written. False where it cannot be.
+bool write_table(const std::string& path, const std::string& device, const std::string& rows) {
+    const std::string unfinished = path + ".part";
+    std::ofstream file(unfinished);
+    file << "{\"device\": \"" << device << "\", \"rows\": [\n" << rows << "\n]}\n";
+    file.close();
+    std::error_code error;
+    if (file) std::filesystem::rename(unfinished, path, error);
+    return file && !error;
+}
 
 int run(int argc, const char* const* argv) {
     hepatica::gpu::GpuStudyOptions options;
@@ -38,16 +51,18 @@ int run(int argc, const char* const* argv) {
     std::printf("%s\n%10s %8s %-10s %-12s %9s %6s %9s %9s\n", device.c_str(), "tetrahedra",
                 "contacts", "element", "solver", "ms", "iter.", "launches", "cpu ms");
     std::string rows;
+    bool written = true;
     study_gpu(options, [&](const GpuRow& row) {
         std::printf("%10d %8d %-10s %-12s %9.3f %6.0f %9ld %9s\n", row.tetrahedra, row.contacts,
                     row.element.c_str(), row.solver.c_str(), row.ms, row.iterations,
                     row.traffic.launches, (row.cpu_ms ? std::to_string(*row.cpu_ms) : "-").c_str());
         std::fflush(stdout);
         rows += (rows.empty() ? "  " : ",\n  ") + json_of(row);
+        written = write_table(argv[1], device, rows);
     });
-    std::ofstream file(argv[1]);
-    file << "{\"device\": \"" << device << "\", \"rows\": [\n" << rows << "\n]}\n";
-    return file ? 0 : 1;
+    if (!written)
+        std::fprintf(stderr, "%s: cannot be written; name a file in a folder that can\n", argv[1]);
+    return written ? 0 : 1;
 }
 
 }  // namespace

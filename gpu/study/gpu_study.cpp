@@ -20,6 +20,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double dt_s = 1.0 / 60.0;
 constexpr int warm_up_steps = 20;
+constexpr int least_steps = 3;    // of the processor, of which steps may take seconds,
+constexpr double most_s = 15.0;   // and about so long it may take for all
 constexpr double pressed = 0.01;  // of the pads of a slab that rests on a block
 
 StepperOptions options_of(const std::string& element, const std::string& solver) {
@@ -54,10 +56,11 @@ struct Timed {
     int contacts = 0;         // at the end
 };
 
-Timed time_steps(StepBackEnd& back_end, int steps) {
+// As many steps as were asked for, or at least `least_steps` until the time is over.
+Timed time_steps(StepBackEnd& back_end, int steps, Clock::time_point over) {
     Timed timed;
     std::vector<double> ms;
-    for (int k = 0; k < steps; ++k) {
+    for (int k = 0; k < steps && (k < least_steps || Clock::now() < over); ++k) {
         const auto start = Clock::now();
         const StepReport report = back_end.advance(dt_s);
         ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
@@ -71,9 +74,14 @@ Timed time_steps(StepBackEnd& back_end, int steps) {
 }
 
 // Until the first shock of weight and pull is over: a bar that begins to fall takes shortened
-// steps, which are the processor's on either back end.
-void warm_up(StepBackEnd& back_end, int steps) {
-    for (int k = 0; k < steps; ++k) back_end.advance(dt_s);
+// steps, which are the processor's on either back end. Not longer than the time lasts.
+void warm_up(StepBackEnd& back_end, Clock::time_point over) {
+    for (int k = 0; k < warm_up_steps && Clock::now() < over; ++k) back_end.advance(dt_s);
+}
+
+Clock::time_point processor_ends() {
+    return Clock::now() +
+           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(most_s));
 }
 
 Traffic mean(const Traffic& before, const Traffic& after, int steps) {
@@ -107,10 +115,10 @@ GpuRow row_of(const BodyDescription& body, const StepperOptions& options, int st
     CudaOptions cuda;
     const auto back_end = make_cuda_back_end(body, options, machine, cuda);
     begin(*back_end, body);
-    warm_up(*back_end, warm_up_steps);  // the first allocates
+    warm_up(*back_end, Clock::time_point::max());  // the first allocates
     const Traffic before = machine->traffic();
     *cuda.share = {};
-    const Timed timed = time_steps(*back_end, steps);
+    const Timed timed = time_steps(*back_end, steps, Clock::time_point::max());
     GpuRow row;
     row.measured = !plan;
     row.traffic = mean(before, machine->traffic(), steps);
@@ -157,8 +165,9 @@ std::vector<GpuRow> study_gpu(const GpuStudyOptions& options,
                 if (row.measured) {
                     const auto cpu = make_cpu_back_end(body, options_of(element, "automatic"));
                     begin(*cpu, body);
-                    warm_up(*cpu, warm_up_steps);
-                    row.cpu_ms = time_steps(*cpu, options.steps).ms;
+                    const auto over = processor_ends();
+                    warm_up(*cpu, over);
+                    row.cpu_ms = time_steps(*cpu, options.steps, over).ms;
                 }
                 rows.push_back(row);
                 if (row_done) row_done(row);

@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <numeric>
+#include <random>
 
 #include "gpu/step/coarse_plan.h"
 #include "tests/deform/support/test_bodies.h"
@@ -60,34 +62,67 @@ TEST(CoarsePlan, MakesLongChainsShallow) {
     EXPECT_EQ(slots.size(), 400u);
 }
 
-// Each cut is solved once, after all that it hears from: in an earlier tier, or in its own block of
-// threads in an earlier stage.
-TEST(CoarsePlan, OrdersTheStagesOfASolve) {
-    const gpu::CoarsePlan plan = gpu::plan_coarse(chain(400), coupled_chain(400));
-    ASSERT_GE(plan.tiers.size(), 2u);
-    EXPECT_GT(plan.tiers.front().rows(), 10);
-    EXPECT_EQ(plan.tiers.back().rows(), 1);
-    using Place = std::array<int, 3>;  // tier, row, stage
-    std::vector<Place> places(static_cast<std::size_t>(plan.cuts()), Place{-1, -1, -1});
-    for (std::size_t t = 0; t < plan.tiers.size(); ++t) {
-        const gpu::CutStages& tier = plan.tiers[t];
-        for (int row = 0; row < tier.rows(); ++row)
-            for (int s = 0; s < tier.stages; ++s) {
-                const int at = row * (tier.stages + 1) + s;
-                for (int cut = tier.begin[at]; cut < tier.begin[at + 1]; ++cut) {
-                    EXPECT_EQ(places[cut][0], -1);
-                    places[cut] = {static_cast<int>(t), row, s};
-                }
-            }
-    }
-    for (int k = 0; k < plan.cuts(); ++k) {
-        ASSERT_GE(places[k][0], 0);
-        for (int b = plan.column_begin[k] + 1; b < plan.column_begin[k + 1]; ++b) {
-            const Place &low = places[k], &high = places[plan.row[b]];
-            EXPECT_TRUE(low[0] < high[0] ||
-                        (low[0] == high[0] && low[1] == high[1] && low[2] < high[2]));
+// N with a random number for each block, in full.
+Eigen::MatrixXd random_factor(const gpu::CoarsePlan& plan, std::vector<double>& of_block) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> any(-1.0, 1.0);
+    Eigen::MatrixXd factor = Eigen::MatrixXd::Identity(plan.cuts(), plan.cuts());
+    for (int p = 0; p < plan.cuts(); ++p)
+        for (int b = plan.column_begin[p]; b < plan.column_begin[p + 1]; ++b) {
+            of_block.push_back(any(random));
+            if (plan.row[b] != p) factor(plan.row[b], p) = of_block[b];
         }
+    return factor;
+}
+
+// The lists of N^-1, followed level by level with a number for each block, give the inverse.
+TEST(CoarsePlan, InvertsTheFactor) {
+    const CoarseSkeleton tree = test::make_brick_tree(4, 4.0, 2.0).skeleton;
+    for (const CoarseSkeleton& skeleton : {chain(1), chain(2), chain(400), tree}) {
+        const gpu::CoarsePlan plan = gpu::plan_coarse(skeleton, coupled_chain(skeleton.size()));
+        const gpu::InversePlan& inverse = plan.inverse;
+        std::vector<double> of_block;
+        const Eigen::MatrixXd factor = random_factor(plan, of_block);
+        std::vector<double> found(inverse.column.size(), NAN);
+        for (const int block : inverse.by_level) {
+            double sum = 0.0;
+            for (int k = inverse.product_begin[block]; k < inverse.product_begin[block + 1]; ++k) {
+                const auto [left, right] = inverse.product[k];
+                sum -= (left < 0 ? 1.0 : found[left]) * of_block[right];
+            }
+            found[block] = sum;
+        }
+        Eigen::MatrixXd by_rows = Eigen::MatrixXd::Identity(plan.cuts(), plan.cuts());
+        Eigen::MatrixXd by_columns = by_rows;
+        for (int i = 0; i < plan.cuts(); ++i)
+            for (int k = inverse.chunk_begin[inverse.first_chunk[i]];
+                 k < inverse.chunk_begin[inverse.first_chunk[i + 1]]; ++k)
+                by_rows(i, inverse.column[k]) = found[k];
+        for (int p = 0; p < plan.cuts(); ++p)
+            for (int k = inverse.above_begin[p]; k < inverse.above_begin[p + 1]; ++k)
+                by_columns(inverse.above[k].cut, p) = found[inverse.above[k].block];
+        const Eigen::MatrixXd exact = factor.inverse();
+        EXPECT_LT((by_rows - exact).norm(), 1e-12 * exact.norm());
+        EXPECT_EQ((by_columns - by_rows).norm(), 0.0);
     }
+}
+
+// A level of N^-1 hears of earlier ones alone.
+TEST(CoarsePlan, InvertsFromTheHighestLevelDown) {
+    const gpu::CoarsePlan plan = gpu::plan_coarse(chain(400), coupled_chain(400));
+    const gpu::InversePlan& inverse = plan.inverse;
+    std::vector<int> level(inverse.column.size());
+    for (std::size_t l = 0; l + 1 < inverse.level_begin.size(); ++l)
+        for (int k = inverse.level_begin[l]; k < inverse.level_begin[l + 1]; ++k)
+            level[inverse.by_level[k]] = static_cast<int>(l);
+    int products = 0;
+    for (std::size_t block = 0; block < level.size(); ++block)
+        for (int k = inverse.product_begin[block]; k < inverse.product_begin[block + 1]; ++k) {
+            if (inverse.product[k].inverse < 0) continue;
+            EXPECT_LT(level[inverse.product[k].inverse], level[block]);
+            ++products;
+        }
+    EXPECT_GT(products, 400);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ class Skeletal {
         }
         row_begin_ = {*machine_, row_begin};
         column_ = {*machine_, column};
-        block_ = {*machine_, block};
+        block_ = {*machine_, gpu::in_planes<Real>(block)};
         mass_ = {*machine_, std::vector<double>(nodes, mass)};
         tether_ = {*machine_, nodes};
         held_ = {*machine_, body_.fixed};
@@ -81,11 +81,11 @@ class Skeletal {
         const gpu::Array<Vector3<Real>> loads(*machine_, r);
         const gpu::Array<Vector3<Real>> z(*machine_, r.size());
         const gpu::Array<double> sums(*machine_, 2);
-        gpu::Partition nodes(*machine_);
-        nodes.set_whole(r.size());
+        gpu::WholeSum nodes(*machine_);
+        nodes.resize(r.size());
         gpu::SystemView<Real> system{row_begin_.read(),
                                      column_.read(),
-                                     block_.read(),
+                                     gpu::MatrixPlanes<Real>(block_.read()),
                                      mass_.read(),
                                      tether_.read(),
                                      held_.read(),
@@ -131,7 +131,7 @@ class Skeletal {
     gpu::DeviceSkeleton<Real> device_;
     BlockMatrix full_;
     gpu::Array<int> row_begin_, column_;
-    gpu::Array<Matrix3<Real>> block_;
+    gpu::Array<Real> block_;
     gpu::Array<double> mass_, tether_;
     gpu::Array<std::uint8_t> held_;
 };
