@@ -17,13 +17,9 @@ void Gravity::add_energy_by_piece(std::span<const Vec3> positions_mm,
                                   std::span<const Vec3> reference_mm,
                                   std::span<const int> piece_of_node,
                                   std::span<double> energy_nj) const {
-    if (gravity_.isZero(0.0)) return;
-    add_by_group(
-        positions_mm.size(), [&](std::size_t i) { return piece_of_node[i]; },
-        [&](std::size_t i) {
-            return -body_.mass_g[i] * gravity_.dot(positions_mm[i] - reference_mm[i]);
-        },
-        energy_nj);
+    for (std::size_t i = 0; i < positions_mm.size(); ++i)
+        energy_nj[piece_of_node[i]] -=
+            body_.mass_g[i] * gravity_.dot(positions_mm[i] - reference_mm[i]);
 }
 
 void Gravity::add_forces(std::span<const Vec3>, std::span<Vec3> forces_un) const {

@@ -25,10 +25,8 @@ double Tether::energy(std::span<const Vec3> positions_mm, std::span<const Vec3>)
 void Tether::add_energy_by_piece(std::span<const Vec3> positions_mm, std::span<const Vec3>,
                                  std::span<const int> piece_of_node,
                                  std::span<double> energy_nj) const {
-    if (!any_) return;
-    add_by_group(
-        positions_mm.size(), [&](std::size_t i) { return piece_of_node[i]; },
-        [&](std::size_t i) { return energy_of(i, positions_mm[i]); }, energy_nj);
+    for (std::size_t i = 0; any_ && i < positions_mm.size(); ++i)
+        energy_nj[piece_of_node[i]] += energy_of(i, positions_mm[i]);
 }
 
 void Tether::add_forces(std::span<const Vec3> positions_mm, std::span<Vec3> forces_un) const {

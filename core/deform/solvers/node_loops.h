@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "core/base/parallel.h"
 #include "core/base/vector.h"
@@ -31,20 +30,6 @@ double sum_over_nodes(std::size_t count, const Term& term) {
         for (std::size_t i = begin; i < end; ++i) sum += term(i);
         return sum;
     });
-}
-
-// Adds term(i) to sums[group_of(i)] for i in [0, count). Of few groups: every block of nodes has
-// sums of its own.
-template <class Group, class Term>
-void add_by_group(std::size_t count, const Group& group_of, const Term& term,
-                  std::span<double> sums) {
-    const std::size_t groups = sums.size();
-    std::vector<double> partial(groups * ((count + nodes_per_block - 1) / nodes_per_block), 0.0);
-    parallel_blocks(count, nodes_per_block, [&](std::size_t begin, std::size_t end) {
-        double* own = partial.data() + groups * (begin / nodes_per_block);
-        for (std::size_t i = begin; i < end; ++i) own[group_of(i)] += term(i);
-    });
-    for (std::size_t p = 0; p < partial.size(); ++p) sums[p % groups] += partial[p];
 }
 
 // Sum of a[i] . b[i]; sizes alike.

@@ -8,7 +8,6 @@
 
 #include "core/base/parallel.h"
 #include "core/deform/body/element_dispatch.h"
-#include "core/deform/solvers/node_loops.h"
 #include "core/tear/joint.h"
 
 namespace hepatica {
@@ -293,12 +292,9 @@ void ElementSlots::add_energy_by_piece(std::span<const int> piece_of_node,
                                        std::span<double> energy_nj) const {
     for (std::size_t g = 0; g < body_.groups.size(); ++g) {
         const ElementGroup& group = body_.groups[g];
-        add_by_group(
-            energy_[g].size(),
-            [&](std::size_t e) {
-                return piece_of_node[group.connectivity[e * group.nodes_per_element]];
-            },
-            [&](std::size_t e) { return energy_[g][e]; }, energy_nj);
+        for (int e = 0; e < group.size(); ++e)
+            energy_nj[piece_of_node[group.connectivity[e * group.nodes_per_element]]] +=
+                energy_[g][e];
     }
 }
 

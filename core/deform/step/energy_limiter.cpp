@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/deform/solvers/node_loops.h"
 #include "core/deform/step/rigid_motion.h"
 
 namespace hepatica {
@@ -79,13 +78,11 @@ std::vector<EnergyLimiter::Balance> EnergyLimiter::balance(
     for (const auto& potential : step.potentials.all())
         potential->add_energy_by_piece(positions_mm, step.start.positions_mm, piece_of_node_,
                                        energy);
-    std::vector<double> kinetic(nodes_.size(), 0.0);
-    add_by_group(
-        piece_of_node_.size(), [&](std::size_t i) { return piece_of_node_[i]; },
-        [&](std::size_t i) { return 0.5 * body_.mass_g[i] * velocities_mm_per_s[i].squaredNorm(); },
-        kinetic);
     std::vector<Balance> sums(nodes_.size());
-    for (std::size_t p = 0; p < sums.size(); ++p) sums[p] = {kinetic[p] + energy[p], kinetic[p]};
+    for (std::size_t i = 0; i < piece_of_node_.size(); ++i)
+        sums[piece_of_node_[i]].kinetic +=
+            0.5 * body_.mass_g[i] * velocities_mm_per_s[i].squaredNorm();
+    for (std::size_t p = 0; p < sums.size(); ++p) sums[p].energy = sums[p].kinetic + energy[p];
     return sums;
 }
 
