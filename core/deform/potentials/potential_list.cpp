@@ -65,6 +65,10 @@ void PotentialList::set_grabs(std::span<const Grab> grabs) {
     grabs_->set(grabs);
 }
 
+double PotentialList::grab_energy(std::span<const Vec3> positions_mm) const {
+    return grabs_->energy(positions_mm, positions_mm);
+}
+
 void PotentialList::set_gravity(const Vec3& gravity_mm_per_s2) {
     validate_gravity(gravity_mm_per_s2);
     gravity_->set(gravity_mm_per_s2);

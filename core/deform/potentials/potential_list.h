@@ -99,6 +99,9 @@ class PotentialList {
     double free_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const;
     double share_until_touch(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const;
 
+    // Of the grabs alone [nJ].
+    double grab_energy(std::span<const Vec3> positions_mm) const;
+
     // Sums over all, as in Potential.
     double energy(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm) const;
     void add_forces(std::span<const Vec3> positions_mm, std::span<Vec3> forces_un) const;

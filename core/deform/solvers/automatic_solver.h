@@ -27,6 +27,9 @@ class AutomaticSolver final : public LinearSolver {
                       const SolveLimits& limits) override {
         return chosen_->solve(rhs, x, limits);  // the report names the method used
     }
+    const std::vector<Vec3>* product() const override {
+        return chosen_ != nullptr ? chosen_->product() : nullptr;
+    }
     void precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) override {
         chosen_->precondition(r, z);
     }

@@ -75,6 +75,7 @@ void CholeskySolver::factor(std::optional<TreeFactor<T>>& factor,
 void CholeskySolver::update(const BlockMatrix& matrix, std::span<const Vec3>,
                             std::span<const int> changed_rows) {
     matrix_ = &matrix;
+    product_known_ = false;
     if (!planned_for(matrix)) plan_anew(matrix);
     if (in_double_)
         factor(double_, changed_rows);
@@ -118,6 +119,7 @@ SolveReport CholeskySolver::solve_by(TreeFactor<T>& factor, std::span<const Vec3
     SolveReport report;
     report.method = name();
     report.dropped_pivots = factor.dropped_pivots();
+    product_known_ = false;
     factor.solve(rhs, x);
     residual_.assign(x.begin(), x.end());
     multiply(*matrix_, residual_, product_);
@@ -132,6 +134,7 @@ SolveReport CholeskySolver::solve_by(TreeFactor<T>& factor, std::span<const Vec3
          report.relative_residual <= limits.residual_tolerance);
     if (report.converged) {
         own_up_unless_finite(report, x);
+        product_known_ = report.converged;
         if (report.converged) return report;
     }
     const auto precondition = [&](const std::vector<Vec3>& r, std::vector<Vec3>& z) {

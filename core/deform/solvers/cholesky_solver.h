@@ -22,6 +22,9 @@ class CholeskySolver final : public LinearSolver {
     void follow_split(const BlockMatrix& pattern, std::span<const int> parents) override;
     SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
                       const SolveLimits& limits) override;
+    const std::vector<Vec3>* product() const override {
+        return product_known_ ? &product_ : nullptr;
+    }
     void precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) override;
     std::string_view name() const override { return name_of(LinearSolverKind::cholesky); }
 
@@ -76,6 +79,7 @@ class CholeskySolver final : public LinearSolver {
     bool in_double_ = false;
     ConjugateGradient iteration_;
     std::vector<Vec3> residual_, product_;
+    bool product_known_ = false;
 };
 
 }  // namespace hepatica

@@ -68,6 +68,10 @@ class LinearSolver {
     virtual SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
                               const SolveLimits& limits) = 0;
 
+    // A x of the last answer, where solving came by it; else null. Until the next update() or
+    // solve().
+    virtual const std::vector<Vec3>* product() const { return nullptr; }
+
     // z near A^-1 r, by an operator that is symmetric, positive semidefinite and the same until the
     // next update(): for iterations on a matrix that is near this one. Changes no later answer but
     // by preparing what solve() would have prepared.

@@ -50,7 +50,7 @@ void assemble_again(const Body& body, IncrementalPotential& potential,
     potential.count_collapse(origin.collapse);
     if (taut) {
         potential.evaluate_forces(origin.taut_mm);
-        potential.find_tension(origin.taut_mm);
+        potential.find_tension();
     }
     potential.evaluate(step.positions);
     potential.find_force(step);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/deform/elements/polar_decomposition.h"
 
 namespace hepatica {
@@ -11,6 +12,7 @@ namespace {
 
 // s0 > 3 stores more than mu V (s0 - 1)^2.
 constexpr double least_energy_of_mu = 4.0;
+constexpr std::size_t packs_at_once = 512;
 constexpr double least_z = 1e-6;  // bounds the stiffness at the tip itself
 
 Vec3 column(const small::Matrix3<double>& m, int j) {
@@ -21,20 +23,33 @@ Vec3 column(const small::Matrix3<double>& m, int j) {
 
 void CollapseStiffness::find(const ElementSlots& slots, std::span<const Vec3> positions_mm) {
     collapsed_.clear();
+    if (least_nj_.empty()) find_least_energies();
     for (std::size_t g = 0; g < body_.groups.size(); ++g) {
         if (!plan_.groups[g].in_factors) continue;
         const ElementGroup& group = body_.groups[g];
         const std::vector<double>& energy_nj = slots.energies(g);
-        for (const int pack : live_.packs(g)) {
-            const int first = pack * LiveSet::elements_per_pack;
-            for (int e = first; e < std::min(first + LiveSet::elements_per_pack, group.size());
-                 ++e) {
-                const auto& rest = group.tetrahedra[e];
-                if (energy_nj[e] > least_energy_of_mu * rest.mu * rest.volume)
-                    add_if_collapsed(group, e, positions_mm);
+        const auto packs = live_.packs(g);
+        std::vector<std::vector<int>> may_have(packs.size() / packs_at_once + 1);
+        parallel_blocks(packs.size(), packs_at_once, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t p = begin; p < end; ++p) {
+                const int first = packs[p] * LiveSet::elements_per_pack;
+                const int last = std::min(first + LiveSet::elements_per_pack, group.size());
+                for (int e = first; e < last; ++e)
+                    if (energy_nj[e] > least_nj_[g][e])
+                        may_have[begin / packs_at_once].push_back(e);
             }
-        }
+        });
+        for (const std::vector<int>& block : may_have)
+            for (const int e : block) add_if_collapsed(group, e, positions_mm);
     }
+}
+
+void CollapseStiffness::find_least_energies() {
+    least_nj_.resize(body_.groups.size());
+    for (std::size_t g = 0; g < body_.groups.size(); ++g)
+        if (plan_.groups[g].in_factors)
+            for (const auto& rest : body_.groups[g].tetrahedra)
+                least_nj_[g].push_back(least_energy_of_mu * rest.mu * rest.volume);
 }
 
 // With F = u diag(s) v^T and G = u^T dF v the two parts of dz are G_11 + G_22 and G_12 - G_21.

@@ -36,7 +36,10 @@ class CollapseStiffness {
     void find(const ElementSlots& slots, std::span<const Vec3> positions_mm);
     bool any() const { return !collapsed_.empty(); }
     // To be called after the body's nodes were split.
-    void forget() { collapsed_.clear(); }
+    void forget() {
+        collapsed_.clear();
+        least_nj_.clear();
+    }
 
     // Adds factor * C, without the rows and columns of held nodes.
     void add_to(BlockMatrix& matrix, double factor) const;
@@ -50,6 +53,7 @@ class CollapseStiffness {
         const int* nodes;
         std::array<Vec3, 4> widens, turns;
     };
+    void find_least_energies();
     void add_if_collapsed(const ElementGroup& group, int element,
                           std::span<const Vec3> positions_mm);
 
@@ -57,6 +61,8 @@ class CollapseStiffness {
     const AssemblyPlan& plan_;
     const LiveSet& live_;
     std::vector<Collapsed> collapsed_;
+    // Of every element of each group in factors: what it stores at least once it has collapsed.
+    std::vector<std::vector<double>> least_nj_;
 };
 
 }  // namespace hepatica

@@ -59,6 +59,7 @@ ElementSlots::ElementSlots(const Body& body, Tangent tangent,
         for (std::size_t p = 0; slots.four_at_a_time && p < packs_of(group); ++p)
             rest.push_back(gather_rest(group.tetrahedra, p * lanes));
         energy_.emplace_back(group.size(), 0.0);
+        pull_.emplace_back(slots.in_factors ? group.size() : 0, 0.0);
         factors = factors || slots.in_factors;
     }
     force_.assign(plan_->force_slots, Wide(0.0));
@@ -141,6 +142,15 @@ void ElementSlots::keep(const Pack& pack, const Wide& energy) {
         energy_[pack.group][pack.first + lane] = energy[lane];
 }
 
+// x is relative to the first node.
+void ElementSlots::keep_pull(const Pack& pack, const small::Vector3<Wide>* x,
+                             const small::Vector3<Wide>* force) {
+    Wide sum(0.0);
+    for (int a = 1; a < 4; ++a) sum -= small::dot(force[a], x[a]);
+    for (int lane = 0; lane < pack.count; ++lane)
+        pull_[pack.group][pack.first + lane] = 0.5 * sum[lane];
+}
+
 void ElementSlots::evaluate_factors(const Pack& pack, std::span<const Vec3> positions_mm) {
     small::Vector3<Wide> x[4], force[4], turned[4];
     load(pack, positions_mm, x);
@@ -149,6 +159,7 @@ void ElementSlots::evaluate_factors(const Pack& pack, std::span<const Vec3> posi
     store(pack, force, force_);
     store(pack, turned, turned_gradient_);
     keep(pack, energy);
+    keep_pull(pack, x, force);
 }
 
 void ElementSlots::evaluate_lanes(const Pack& pack, std::span<const Vec3> positions_mm) {
@@ -202,10 +213,8 @@ double ElementSlots::evaluate(std::span<const Vec3> positions_mm) {
 }
 
 // Energies of four elements, and their forces where `force` is not null.
-Wide ElementSlots::forces_of_four(const Pack& pack, std::span<const Vec3> positions_mm,
+Wide ElementSlots::forces_of_four(const Pack& pack, const small::Vector3<Wide>* x,
                                   small::Vector3<Wide>* force) const {
-    small::Vector3<Wide> x[10];
-    load(pack, positions_mm, x);
     const auto& rest = rest_of_four_[pack.group][static_cast<std::size_t>(pack.first / lanes)];
     small::Matrix3<Wide>* no_blocks = nullptr;
     if (body_.groups[pack.group].kind == Kind::linear_tetrahedron)
@@ -221,10 +230,12 @@ void ElementSlots::find_forces(const LiveSet* live, std::span<const Vec3> positi
             evaluate_singly<Tangent::none>(pack, positions_mm);
             return 0.0;
         }
-        small::Vector3<Wide> force[10];
-        const Wide energy = forces_of_four(pack, positions_mm, force);
+        small::Vector3<Wide> x[10], force[10];
+        load(pack, positions_mm, x);
+        const Wide energy = forces_of_four(pack, x, force);
         store(pack, force, force_);
         keep(pack, energy);
+        if (plan_->groups[pack.group].in_factors) keep_pull(pack, x, force);
         return 0.0;
     });
 }
@@ -263,8 +274,11 @@ void ElementSlots::find_stress(std::vector<Mat3>& stress_pa, std::vector<double>
 
 double ElementSlots::energy(std::span<const Vec3> positions_mm) const {
     return sum_over_packs(nullptr, [&](const Pack& pack) {
-        if (four_at_a_time(pack))
-            return sum_of(forces_of_four(pack, positions_mm, nullptr), pack.count);
+        if (four_at_a_time(pack)) {
+            small::Vector3<Wide> x[10];
+            load(pack, positions_mm, x);
+            return sum_of(forces_of_four(pack, x, nullptr), pack.count);
+        }
         double sum = 0.0;
         for (int e = pack.first; e < pack.first + pack.count; ++e)
             sum += evaluate_element<Tangent::none>(

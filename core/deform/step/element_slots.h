@@ -40,6 +40,9 @@ class ElementSlots {
     void add_energy_by_piece(std::span<const int> piece_of_node, std::span<double> energy_nj) const;
     // Of the elements of one group at the last evaluation [nJ].
     const std::vector<double>& energies(std::size_t group) const { return energy_[group]; }
+    // Of the elements of a group in factors, likewise: half the volume times the trace of the
+    // stress [nJ], by the virial of the element's forces.
+    const std::vector<double>& pulls(std::size_t group) const { return pull_[group]; }
     // First Piola-Kirchhoff stress [Pa] of the live linear tetrahedra at the last evaluation, and
     // the energy [nJ] of all; others keep their entries, unless there are none. The body has no
     // other elements.
@@ -76,9 +79,11 @@ class ElementSlots {
     double kept_energy() const;
     void find_forces(const LiveSet* live, std::span<const Vec3> positions_mm);
     void keep(const Pack& pack, const Wide& energy);
+    void keep_pull(const Pack& pack, const small::Vector3<Wide>* x,
+                   const small::Vector3<Wide>* force);
     void evaluate_factors(const Pack& pack, std::span<const Vec3> positions_mm);
     void evaluate_lanes(const Pack& pack, std::span<const Vec3> positions_mm);
-    Wide forces_of_four(const Pack& pack, std::span<const Vec3> positions_mm,
+    Wide forces_of_four(const Pack& pack, const small::Vector3<Wide>* x,
                         small::Vector3<Wide>* force) const;
     template <small::Tangent tangent>
     void evaluate_singly(const Pack& pack, std::span<const Vec3> positions_mm);
@@ -93,6 +98,7 @@ class ElementSlots {
     // Rest shapes of four elements each, of every group that is evaluated so.
     std::vector<std::vector<small::TetrahedronRest<Wide>>> rest_of_four_;
     std::vector<std::vector<double>> energy_;  // of every element of every group
+    std::vector<std::vector<double>> pull_;    // likewise, of groups in factors
     std::vector<Wide> force_;
     std::vector<Wide> turned_gradient_;
     std::vector<small::Matrix3<double>> block_;

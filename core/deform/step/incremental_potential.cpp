@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/deform/step/incremental_potential.h"
 
+#include <utility>
+
 #include "core/deform/solvers/node_loops.h"
 
 namespace hepatica {
@@ -65,7 +67,8 @@ void IncrementalPotential::forget_matrix() {
     find_cut_blocks();
 }
 
-// Includes the rows that were live until the last change of the live part.
+// Includes, until the matrix is written, the rows that were live before the last change of the live
+// part: nobody writes them again.
 void IncrementalPotential::find_cut_blocks() {
     cut_blocks_.clear();
     for (const int i : live_.changed_rows())
@@ -108,7 +111,7 @@ double IncrementalPotential::value(const StepUnderway& step) const {
 }
 
 void IncrementalPotential::find_force(const StepUnderway& step) {
-    force_ = elastic_force_;
+    for_each_node(force_.size(), [&](std::size_t i) { force_[i] = elastic_force_[i]; });
     step.potentials.add_forces(step.positions, force_);
 }
 
@@ -134,6 +137,7 @@ void IncrementalPotential::assemble(const StepUnderway& step) {
     const double dt = step.dt_s, beta = body_.damping.beta_s;
     if (!stiffness_known_) assembly_.evaluate(step.positions);
     stiffness_known_ = true;
+    if (std::exchange(cut_is_wide_, false)) find_cut_blocks();
     assembly_.gather_stiffness(step.iterate == 0 ? dt * dt + dt * beta : dt * dt, matrix_);
     if (step.iterate > 0 && beta > 0.0)
         for_each_live_row([&](int i) {
@@ -151,10 +155,12 @@ void IncrementalPotential::assemble(const StepUnderway& step) {
         collapse_.add_to(matrix_, dt * dt);
     }
     cut_held(matrix_);
-    for (int i = 0; i < matrix_.rows(); ++i)
+    for_each_node(step.positions.size(), [&](std::size_t i) {
         if (held(i)) matrix_.block[matrix_.diagonal[i]] = Mat3::Identity();
+    });
     matrix_.alone = live_.held();
     assembled_rows_.assign(live_.changed_rows().begin(), live_.changed_rows().end());
+    cut_is_wide_ = assembled_rows_.size() > live_.rows().size();
     live_.written();
     tension_added_ = false;
 }

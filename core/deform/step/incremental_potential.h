@@ -60,9 +60,9 @@ class IncrementalPotential {
     bool collapsed() const { return collapse_.any(); }
     BlockMatrix& matrix() { return matrix_; }
     // Which elements are taut, at the positions of the last evaluation, and whether any is.
-    void find_tension(std::span<const Vec3> positions_mm) {
+    void find_tension() {
         if (!tension_) tension_.emplace(body_, assembly_.plan(), live_);
-        tension_->find(assembly_.slots(), positions_mm);
+        tension_->find(assembly_.slots());
     }
     bool taut() const { return tension_ && tension_->any(); }
     // Adds their resistance to turning to A, in the frames of the present iterate. Neither the
@@ -104,6 +104,7 @@ class IncrementalPotential {
     CollapseStiffness collapse_;               // of the matrix
     bool collapse_counts_ = false;
     std::vector<int> cut_blocks_;  // beside the diagonal, with a held node
+    bool cut_is_wide_ = false;     // some of them are in rows that are no longer written
     std::vector<int> assembled_rows_;
     BlockMatrix matrix_;
     BlockMatrix damping_;           // beta K_0

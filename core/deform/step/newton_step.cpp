@@ -33,12 +33,19 @@ constexpr int rescue_iterates = 2;
 
 // Infinite where any is not finite.
 double longest_of(const std::vector<Vec3>& vectors) {
-    double squared = 0.0;
-    for (const Vec3& v : vectors) {
-        if (!v.allFinite()) return INFINITY;
-        squared = std::max(squared, v.squaredNorm());
-    }
-    return std::sqrt(squared);
+    std::vector<double> squared(vectors.size() / nodes_per_block + 1, 0.0);
+    parallel_blocks(vectors.size(), nodes_per_block, [&](std::size_t begin, std::size_t end) {
+        double& longest = squared[begin / nodes_per_block];
+        for (std::size_t i = begin; i < end; ++i)
+            longest =
+                vectors[i].allFinite() ? std::max(longest, vectors[i].squaredNorm()) : INFINITY;
+    });
+    return std::sqrt(*std::ranges::max_element(squared));
+}
+
+void copy_nodes(const std::vector<Vec3>& from, std::vector<Vec3>& to) {
+    to.resize(from.size());
+    for_each_node(from.size(), [&](std::size_t i) { to[i] = from[i]; });
 }
 
 }  // namespace
@@ -71,11 +78,25 @@ void NewtonStep::find_damping(StepUnderway& step) {
 void NewtonStep::damping_of_first(const StepUnderway& step, const std::vector<Vec3>& velocity,
                                   std::vector<Vec3>& damping) {
     multiply(potential_.matrix(), velocity, product_);
+    damping_by(step, velocity, damping);
+}
+
+// With the product of that matrix and the velocity at hand.
+void NewtonStep::damping_by(const StepUnderway& step, const std::vector<Vec3>& velocity,
+                            std::vector<Vec3>& damping) {
     if (velocity_error_.any()) {
         multiply(velocity_error_.matrix(), velocity, damping);
         for_each_node(product_.size(), [&](std::size_t i) { product_[i] -= damping[i]; });
     }
     potential_.damping_from(step, first_mm_, velocity, product_, damping);
+}
+
+// The matrix times the solution of its system.
+void NewtonStep::find_product_of_change() {
+    if (const std::vector<Vec3>* known = system_.product())
+        copy_nodes(*known, product_);
+    else
+        multiply(potential_.matrix(), change_, product_);
 }
 
 // Computes beta K_0 w for a first iterate with w != 0, and adds it to the residual.
@@ -169,7 +190,7 @@ void NewtonStep::keep_linearised_work(StepUnderway& step) {
     step.linearised.start_force = dot(dx, step.start_force);
     step.linearised.curvature = elastic_form + dot(dx, product_);
     direction_form_ = body_.damping.beta_s * elastic_form / (step.dt_s * step.dt_s);
-    multiply(potential_.matrix(), change_, product_);
+    find_product_of_change();
     add_coupling(step, change_, product_);
     step.linearised.residual = dot(direction_, product_) - dot(direction_, residual_);
     if (!velocity_error_.any()) return;
@@ -194,15 +215,23 @@ void NewtonStep::damp(StepUnderway& step, double step_length) {
 }
 
 bool NewtonStep::try_step_length(StepUnderway& step, double step_length, double slope) {
-    const std::vector<Vec3> before = step.velocity;
+    copy_nodes(step.velocity, velocity_before_);
     const double form_before = step.damping_form;
+    // Another iterate will follow this length, even where no pad is met: its stiffness, found along
+    // with the forces, costs less than evaluating all elements once more.
+    const int iterates_on = !step.predicted ? rescue_iterates : taut(step) ? 1 : 0;
+    const bool goes_on =
+        step_length < 1.0 && settings_.iterations == 1 && step.iterate < iterates_on;
     for_each_node(step.velocity.size(), [&](std::size_t i) {
         step.velocity[i] += step_length * direction_[i];
         step.positions[i] = step.start.positions_mm[i] + step.dt_s * step.velocity[i];
     });
     if (all_finite(step.positions)) {
         damp(step, step_length);
-        potential_.evaluate_forces(step.positions);
+        if (goes_on)
+            potential_.evaluate(step.positions);
+        else
+            potential_.evaluate_forces(step.positions);
         const double value = potential_.value(step);
         const double noise = rounding * (std::abs(value) + std::abs(step.value));
         if (std::isfinite(value) && value <= step.value + armijo * step_length * slope + noise) {
@@ -211,8 +240,8 @@ bool NewtonStep::try_step_length(StepUnderway& step, double step_length, double 
         }
         if (!settings_.line_search && std::isfinite(value)) return true;
     }
-    step.velocity = before;
-    step.damping_force = damping_before_;
+    copy_nodes(velocity_before_, step.velocity);
+    copy_nodes(damping_before_, step.damping_force);
     step.damping_form = form_before;
     return false;
 }
@@ -234,7 +263,7 @@ double NewtonStep::free_length(const StepUnderway& step) const {
 // before.
 bool NewtonStep::search_line(StepUnderway& step) {
     const double slope = -dot(steepest_, direction_);  // of the potential, along the direction
-    damping_before_ = step.damping_force;
+    copy_nodes(step.damping_force, damping_before_);
     step.free = free_length(step);
     const double shortest = meets_pads(step) ? shortest_onto_pad : shortest_step_length;
     for (double length = step.free; length > shortest; length *= 0.5) {
@@ -253,7 +282,7 @@ bool NewtonStep::search_line(StepUnderway& step) {
 
 bool NewtonStep::iterate(StepUnderway& step, StepReport& report) {
     throw_if_stopped(step.stop);
-    if (step.iterate == 0) first_mm_ = step.positions;
+    if (step.iterate == 0) copy_nodes(step.positions, first_mm_);
     if (step.iterate == 1 && body_.damping.beta_s > 0.0) {
         keep_damping(step);
         potential_.damping_of(step.velocity, step.damping_force);
@@ -268,15 +297,18 @@ bool NewtonStep::iterate(StepUnderway& step, StepReport& report) {
             return iterate(step, report);
         }
     }
-    steepest_ = residual_;
+    copy_nodes(residual_, steepest_);
     if (step.iterate == 0 && taut(step)) potential_.add_tension(step.dt_s);
     if (step.iterate == 0 && velocity_error_.any())
         velocity_error_.add_to(potential_, body_, step.dt_s);
     solve(step, report);
     ++report.newton_iterations;
-    direction_ = change_;
+    copy_nodes(change_, direction_);
     if (step.iterate == 0 && step.predicted) {
-        if (body_.damping.beta_s > 0.0) damping_of_first(step, direction_, damping_along_);
+        if (body_.damping.beta_s > 0.0) {
+            find_product_of_change();
+            damping_by(step, direction_, damping_along_);
+        }
     } else if (step.iterate == 0) {
         for_each_node(change_.size(),
                       [&](std::size_t i) { direction_[i] += step.start.velocities_mm_per_s[i]; });
@@ -317,8 +349,8 @@ void NewtonStep::predict(StepUnderway& step) {
 
 // Returns false where contact blocks that motion, or the potential is higher than at rest.
 bool NewtonStep::begin_at(StepUnderway& step, const std::vector<Vec3>& velocity) {
-    step.velocity = velocity;
     for_each_node(velocity.size(), [&](std::size_t i) {
+        step.velocity[i] = velocity[i];
         step.positions[i] = step.start.positions_mm[i] + step.dt_s * velocity[i];
     });
     step.predicted = true;
@@ -347,7 +379,7 @@ bool NewtonStep::find_velocity(StepUnderway& step, int most_solves, StepReport& 
     step.start_force = potential_.elastic_force();
     step.potentials.add_forces(step.positions, step.start_force);
     step.standing = step.value;
-    if (settings_.tension) potential_.find_tension(step.positions);
+    if (settings_.tension) potential_.find_tension();
     if (settings_.line_search) predict(step);
     if (iterate_from_here(step, most_solves, report)) return true;
     if (step.predicted) stay_at_start(step);

@@ -75,6 +75,9 @@ class NewtonStep {
     void begin_damping(StepUnderway& step);
     void damping_of_first(const StepUnderway& step, const std::vector<Vec3>& velocity,
                           std::vector<Vec3>& damping);
+    void damping_by(const StepUnderway& step, const std::vector<Vec3>& velocity,
+                    std::vector<Vec3>& damping);
+    void find_product_of_change();
     void keep_damping(const StepUnderway& step);
     void damp(StepUnderway& step, double step_length);
     void add_to_free(double factor, const BlockMatrix& matrix, const std::vector<Vec3>& x);
@@ -98,6 +101,7 @@ class NewtonStep {
     double direction_form_ =
         0.0;  // of the first direction from rest: direction^T beta K_0 direction
     std::vector<Vec3> direction_;  // of the velocity
+    std::vector<Vec3> velocity_before_;
     // Of the velocity before the direction is taken, and of the first direction: beta K_0 times it.
     std::vector<Vec3> damping_before_, damping_along_;
     std::vector<Vec3> residual_, steepest_, change_, product_;

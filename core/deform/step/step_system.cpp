@@ -20,6 +20,7 @@ SolveReport StepSystem::solve(const StepUnderway& step, const CouplingBlocks& co
     const BlockMatrix& matrix = potential_.matrix();
     const std::vector<std::uint8_t>& held = potential_.live().held();
     std::ranges::fill(x, Vec3::Zero());
+    coupled_last_ = !coupling.empty();
     if (coupled_.pays(matrix, coupling)) {
         solver_unaware_ = true;
         coupled_.bound_below(body_.mass_g, share);

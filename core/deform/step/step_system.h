@@ -34,6 +34,12 @@ class StepSystem {
     SolveReport solve(const StepUnderway& step, const CouplingBlocks& coupling, double share,
                       std::span<const Vec3> rhs, std::vector<Vec3>& x, const SolveLimits& limits);
 
+    // A x of the last answer of a system without couplings, where solving came by it; else null.
+    // The matrix must still be that one.
+    const std::vector<Vec3>* product() const {
+        return coupled_last_ ? nullptr : solver_->product();
+    }
+
     // Whether the solver's factor is of the matrix that was solved last. What determined that
     // matrix must then be told to keep_origin(), for checkpoints to come.
     bool factor_is_latest() const { return !solver_unaware_ && solver_->made_from_latest(); }
@@ -52,6 +58,7 @@ class StepSystem {
     IncrementalPotential& potential_;
     std::unique_ptr<LinearSolver> solver_;
     CoupledFactor coupled_;        // in its place where many surfaces touch
+    bool coupled_last_ = false;    // the last system had couplings
     bool solver_unaware_ = false;  // matrices were made that solver_ was not given
     SolverCheckpoint made_;        // but what the solvers remember
 };

@@ -11,49 +11,38 @@ namespace {
 // Of twice the shear modulus: below it an element counts as slack. In a pull by a hand that leaves
 // a few hundred elements of forty thousand.
 constexpr double least_tautness = 0.01;
-constexpr std::size_t packs_at_once = 32, rows_at_once = 64;
+constexpr std::size_t packs_at_once = 256, rows_at_once = 64;
 constexpr int lanes = LiveSet::elements_per_pack;
 
 }  // namespace
 
 TensionStiffness::TensionStiffness(const Body& body, const AssemblyPlan& plan, const LiveSet& live)
-    : body_(body), plan_(plan), live_(live), of_element_(body.groups.size()) {
-    volume_mm3_.assign(body.node_count(), 0.0);
-    mean_pull_pa_.assign(body.node_count(), 0.0);
-    pull_.assign(plan.force_slots, 0.0);
-    at_slot_.assign(plan.force_slots, 0.0);
+    : body_(body), plan_(plan), live_(live), twice_mu_pa_(body.groups.size()) {
+    const auto nodes = static_cast<std::size_t>(body.node_count());
+    mean_pull_pa_.assign(nodes, 0.0);
+    taut_node_.assign(nodes, 0);
+    tautness_.assign(plan.force_slots, 0.0);
+    volume_mm3_.assign(nodes, 0.0);
+    std::vector<int> element_of_slot(plan.force_slots, -1), group_of_slot(plan.force_slots);
     for (std::size_t g = 0; g < body.groups.size(); ++g) {
         if (!plan.groups[g].in_factors) continue;
         const ElementGroup& group = body.groups[g];
-        of_element_[g].assign(group.size(), 0.0);
-        for (int e = 0; e < group.size(); ++e)
-            for (int a = 0; a < 4; ++a)
-                volume_mm3_[group.connectivity[4 * e + a]] += group.tetrahedra[e].volume;
+        for (int e = 0; e < group.size(); ++e) {
+            const auto& rest = group.tetrahedra[e];
+            twice_mu_pa_[g].push_back(2.0 * rest.mu);
+            for (int a = 0; a < 4; ++a) {
+                volume_mm3_[group.connectivity[4 * e + a]] += rest.volume;
+                element_of_slot[plan.force_slot(g, e, 4) + a] = e;
+                group_of_slot[plan.force_slot(g, e, 4) + a] = static_cast<int>(g);
+            }
+        }
     }
-}
-
-template <class Visit>
-void TensionStiffness::for_each_live_element(std::size_t group, const Visit& visit) const {
-    const int size = body_.groups[group].size();
-    const auto packs = live_.packs(group);
-    parallel_blocks(packs.size(), packs_at_once, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t p = begin; p < end; ++p)
-            for (int e = packs[p] * lanes; e < std::min((packs[p] + 1) * lanes, size); ++e)
-                visit(e);
-    });
-}
-
-// By the virial of the element's forces, which is minus the volume times the trace of the stress.
-double TensionStiffness::pull(const ElementSlots& slots, std::span<const Vec3> positions_mm,
-                              std::size_t group, int element) const {
-    const int* nodes = body_.groups[group].connectivity.data() + std::ptrdiff_t{4} * element;
-    const ElementSlots::Wide* force = slots.force() + plan_.force_slot(group, element, 4);
-    double sum = 0.0;
-    for (int a = 1; a < 4; ++a) {
-        const Vec3 arm = positions_mm[nodes[a]] - positions_mm[nodes[0]];
-        sum -= force[a][0] * arm[0] + force[a][1] * arm[1] + force[a][2] * arm[2];
+    for (std::size_t i = 0; i < nodes; ++i) {
+        for (int k = plan.forces.begin[i]; k < plan.forces.begin[i + 1]; ++k)
+            if (const int slot = plan.forces.place[k]; element_of_slot[slot] >= 0)
+                at_node_.push_back({group_of_slot[slot], element_of_slot[slot]});
+        node_begin_.push_back(at_node_.size());
     }
-    return 0.5 * sum;
 }
 
 // Held nodes are left out: elements around them need not be live.
@@ -66,55 +55,58 @@ double TensionStiffness::tautness(std::size_t group, int element) const {
         sum += mean_pull_pa_[nodes[a]];
         ++free;
     }
-    if (free == 0) return 0.0;
-    const double share = sum / (free * 2.0 * body_.groups[group].tetrahedra[element].mu);
+    if (!(sum > 0.0)) return 0.0;
+    const double share = sum / (free * twice_mu_pa_[group][element]);
     return share > least_tautness ? share : 0.0;
 }
 
-void TensionStiffness::find(const ElementSlots& slots, std::span<const Vec3> positions_mm) {
-    for (std::size_t g = 0; g < of_element_.size(); ++g) {
-        if (of_element_[g].empty()) continue;
-        for_each_live_element(g, [&](int e) {
-            double* target = pull_.data() + plan_.force_slot(g, e, 4);
-            std::fill(target, target + 4, pull(slots, positions_mm, g, e));
-        });
-    }
+void TensionStiffness::find_mean_pulls(const ElementSlots& slots) {
     const auto rows = live_.rows();
     parallel_blocks(rows.size(), rows_at_once, [&](std::size_t begin, std::size_t end) {
         for (std::size_t r = begin; r < end; ++r) {
             const int i = rows[r];
             if (live_.held()[i] != 0 || !(volume_mm3_[i] > 0.0)) continue;
             double sum = 0.0;
-            for (int k = plan_.forces.begin[i]; k < plan_.forces.begin[i + 1]; ++k)
-                sum += pull_[plan_.forces.place[k]];
+            for (std::size_t k = node_begin_[i]; k < node_begin_[i + 1]; ++k)
+                sum += slots.pulls(at_node_[k].group)[at_node_[k].element];
             mean_pull_pa_[i] = sum / volume_mm3_[i];
         }
     });
-    for (std::size_t g = 0; g < of_element_.size(); ++g)
-        if (!of_element_[g].empty())
-            for_each_live_element(g, [&](int e) { of_element_[g][e] = tautness(g, e); });
-    list_taut();
 }
 
-void TensionStiffness::list_taut() {
-    for (const int slot : taut_slots_) at_slot_[slot] = 0.0;
+// Of the elements of one group, by blocks of packs; those of one block follow one another.
+std::vector<std::vector<TensionStiffness::Taut>> TensionStiffness::taut_of(
+    std::size_t group) const {
+    const int size = body_.groups[group].size();
+    const auto packs = live_.packs(group);
+    std::vector<std::vector<Taut>> found((packs.size() + packs_at_once - 1) / packs_at_once);
+    parallel_blocks(packs.size(), packs_at_once, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p)
+            for (int e = packs[p] * lanes; e < std::min((packs[p] + 1) * lanes, size); ++e)
+                if (const double share = tautness(group, e); share > 0.0)
+                    found[begin / packs_at_once].push_back({e, share});
+    });
+    return found;
+}
+
+void TensionStiffness::find(const ElementSlots& slots) {
+    for (const int slot : taut_slots_) tautness_[slot] = 0.0;
+    for (const int i : rows_) taut_node_[i] = 0;
     taut_slots_.clear();
     rows_.clear();
-    for (std::size_t g = 0; g < of_element_.size(); ++g) {
-        if (of_element_[g].empty()) continue;
-        const ElementGroup& group = body_.groups[g];
-        for (const int pack : live_.packs(g))
-            for (int e = pack * lanes; e < std::min((pack + 1) * lanes, group.size()); ++e) {
-                if (of_element_[g][e] == 0.0) continue;
+    find_mean_pulls(slots);
+    for (std::size_t g = 0; g < body_.groups.size(); ++g) {
+        if (!plan_.groups[g].in_factors) continue;
+        for (const std::vector<Taut>& block : taut_of(g))
+            for (const auto& [element, share] : block)
                 for (int a = 0; a < 4; ++a) {
-                    taut_slots_.push_back(plan_.force_slot(g, e, 4) + a);
-                    at_slot_[taut_slots_.back()] = of_element_[g][e];
-                    rows_.push_back(group.connectivity[4 * e + a]);
+                    taut_slots_.push_back(plan_.force_slot(g, element, 4) + a);
+                    tautness_[taut_slots_.back()] = share;
+                    taut_node_[body_.groups[g].connectivity[4 * element + a]] = 1;
                 }
-            }
     }
-    std::ranges::sort(rows_);
-    rows_.erase(std::unique(rows_.begin(), rows_.end()), rows_.end());
+    for (const int i : live_.rows())
+        if (taut_node_[i] != 0) rows_.push_back(i);
     row_begin_.assign(1, 0);
     for (const int i : rows_)
         row_begin_.push_back(row_begin_.back() + plan_.row_begin[i + 1] - plan_.row_begin[i]);
@@ -125,7 +117,7 @@ void TensionStiffness::list_taut() {
 Mat3 TensionStiffness::upper_block(const ElementSlots& slots, int k) const {
     Mat3 sum = Mat3::Zero();
     for (int s = plan_.factors.begin[k]; s < plan_.factors.begin[k + 1]; s += 2) {
-        const double share = at_slot_[plan_.factors.place[s]];
+        const double share = tautness_[plan_.factors.place[s]];
         if (share == 0.0) continue;
         const auto &a = slots.turned_gradient()[plan_.factors.place[s]],
                    &b = slots.turned_gradient()[plan_.factors.place[s + 1]];

@@ -8,6 +8,7 @@
 // semidefinite. It belongs to the matrix of a step only: energies, forces and damping are without.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -25,8 +26,8 @@ class TensionStiffness {
   public:
     TensionStiffness(const Body& body, const AssemblyPlan& plan, const LiveSet& live);
 
-    // Which live elements are taut, at the positions where `slots` found the forces last.
-    void find(const ElementSlots& slots, std::span<const Vec3> positions_mm);
+    // Which live elements are taut, at the positions of the slots' last evaluation.
+    void find(const ElementSlots& slots);
     bool any() const { return !rows_.empty(); }
 
     // Computes factor * T by the turned gradients in the slots.
@@ -37,28 +38,34 @@ class TensionStiffness {
     void subtract_product(std::span<const Vec3> d, std::span<Vec3> product) const;
 
   private:
-    template <class Visit>
-    void for_each_live_element(std::size_t group, const Visit& visit) const;
-    double pull(const ElementSlots& slots, std::span<const Vec3> positions_mm, std::size_t group,
-                int element) const;
+    struct Taut {
+        int element;
+        double share;  // the mean pull over twice the shear modulus
+    };
+    struct Place {
+        int group, element;
+    };
+
+    void find_mean_pulls(const ElementSlots& slots);
     double tautness(std::size_t group, int element) const;
-    void list_taut();
+    std::vector<std::vector<Taut>> taut_of(std::size_t group) const;
     Mat3 upper_block(const ElementSlots& slots, int k) const;
 
     const Body& body_;
     const AssemblyPlan& plan_;
     const LiveSet& live_;
-    std::vector<double> volume_mm3_;    // of the elements at each node
-    std::vector<double> pull_;          // at each force slot: V/2 trace of the element's stress
-    std::vector<double> mean_pull_pa_;  // at each node
-    // Of each element of every group in factors, and at each force slot: 0, or the mean pull over
-    // twice the shear modulus.
-    std::vector<std::vector<double>> of_element_;
-    std::vector<double> at_slot_;
-    std::vector<int> taut_slots_;         // whose at_slot_ is not 0
-    std::vector<int> rows_;               // nodes of taut elements, ascending
-    std::vector<std::size_t> row_begin_;  // of each of them: its first block
-    std::vector<Mat3> block_;             // as the plan has them
+    std::vector<std::vector<double>> twice_mu_pa_;  // of each element of every group in factors
+    // Of each node: its elements of these groups, and their volume.
+    std::vector<std::size_t> node_begin_{0};
+    std::vector<Place> at_node_;
+    std::vector<double> volume_mm3_;
+    std::vector<double> mean_pull_pa_;
+    std::vector<double> tautness_;         // at each force slot
+    std::vector<int> taut_slots_;          // whose tautness is not 0
+    std::vector<std::uint8_t> taut_node_;  // 1: of a taut element
+    std::vector<int> rows_;                // these nodes, ascending
+    std::vector<std::size_t> row_begin_;   // of each of them: its first block
+    std::vector<Mat3> block_;              // as the plan has them
 };
 
 }  // namespace hepatica

@@ -154,7 +154,7 @@ class OwnCpuBackEnd final : public CpuBackEnd {
         now.elastic = integrator_->elastic_energy(state_.positions_mm);
         return now;
     }
-    double grab_energy() const override { return outside_energies().grab; }
+    double grab_energy() const override { return potentials_->grab_energy(state_.positions_mm); }
     double contact_energy() const override { return outside_energies().contact; }
     double kinetic_energy() const override {
         return hepatica::kinetic_energy(body_, state_.velocities_mm_per_s);

@@ -5,8 +5,14 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 
 namespace hepatica {
+namespace {
+
+constexpr std::size_t nodes_at_once = 256;
+
+}  // namespace
 
 LiveRegion::LiveRegion(const CoarseSkeleton& skeleton, std::span<const Vec3> rest_positions_mm,
                        const LiveRegionOptions& options)
@@ -123,24 +129,26 @@ bool LiveRegion::wake(std::span<const int> vertices) {
 bool LiveRegion::watch(std::span<const Vec3> positions_mm,
                        std::span<const Vec3> velocities_mm_per_s, double dt_s) {
     std::vector<int> waking;
-    std::vector<char> restless(live_.size(), 0);
-    for (std::size_t n = 0; n < live_.size(); ++n) {
-        if (!live_[n]) continue;
-        const double radius = skeleton_.radii_mm[n];
-        double fastest = 0.0, furthest = 0.0;
-        for (const int v : vertices_of_[n]) {
-            fastest = std::max(fastest, velocities_mm_per_s[v].squaredNorm());
-            furthest = std::max(furthest, (positions_mm[v] - reference_mm_[v]).squaredNorm());
+    std::vector<char> restless(live_.size(), 0), strained(live_.size(), 0);
+    parallel_blocks(live_.size(), nodes_at_once, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t n = begin; n < end; ++n) {
+            if (!live_[n]) continue;
+            const double radius = skeleton_.radii_mm[n];
+            double fastest = 0.0, furthest = 0.0;
+            for (const int v : vertices_of_[n]) {
+                fastest = std::max(fastest, velocities_mm_per_s[v].squaredNorm());
+                furthest = std::max(furthest, (positions_mm[v] - reference_mm_[v]).squaredNorm());
+            }
+            const double still = options_.still_radii_per_s * radius;
+            still_s_[n] = fastest < still * still ? still_s_[n] + dt_s : 0.0;
+            restless[n] = still_s_[n] < options_.still_s;
+            const double moved = options_.wake_radii * radius;
+            strained[n] = !(furthest < moved * moved);
         }
-        const double still = options_.still_radii_per_s * radius;
-        still_s_[n] = fastest < still * still ? still_s_[n] + dt_s : 0.0;
-        restless[n] = still_s_[n] < options_.still_s;
-        const double moved = options_.wake_radii * radius;
-        if (furthest < moved * moved) continue;
-        for (const int other : neighbours_[n]) {
-            if (!live_[other]) waking.push_back(other);
-        }
-    }
+    });
+    for (std::size_t n = 0; n < live_.size(); ++n)
+        for (const int other : neighbours_[n])
+            if (strained[n] != 0 && !live_[other]) waking.push_back(other);
     if (wake_around(waking)) {
         // Each growth costs a rebuild, so past half of the body all of it is made live.
         if (2 * live_count() > static_cast<int>(live_.size())) wake_all();

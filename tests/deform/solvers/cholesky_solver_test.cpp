@@ -95,6 +95,27 @@ TEST(CholeskySolver, PolishesToAnyTolerance) {
     EXPECT_LT(test::energy_error(matrix, x, test::solve_exactly(matrix, load)), 1e-8);
 }
 
+// For who needs it beside the answer: not another product. Iterations do not come by it.
+TEST(CholeskySolver, KnowsTheProductOfADirectAnswer) {
+    const Motion motion;
+    const auto positions = motion.positions(1.0, 0.0);
+    const BlockMatrix matrix = test::assemble(motion.body, positions, {});
+    const std::vector<Vec3> load = test::make_load(motion.body, {});
+    CholeskySolver solver;
+    EXPECT_EQ(solver.product(), nullptr);
+    solver.prepare(matrix, positions);
+    std::vector<Vec3> x(load.size(), Vec3::Zero()), expected;
+    solver.solve(load, x, {});
+    multiply(matrix, x, expected);
+    ASSERT_NE(solver.product(), nullptr);
+    EXPECT_EQ(*solver.product(), expected);
+    solver.prepare(matrix, positions);
+    EXPECT_EQ(solver.product(), nullptr) << "of the matrix before";
+    solver.solve(load, x, {});
+    solver.solve(load, x, {.energy_tolerance = 1e-10});
+    EXPECT_EQ(solver.product(), nullptr) << "of an answer that was improved since";
+}
+
 // One end is a million million times as stiff as the other: single precision loses the soft one.
 TEST(CholeskySolver, GoesOverToDoublePrecisionWhereSingleDoesNotDo) {
     const Motion motion;

@@ -33,7 +33,7 @@ class StretchedBar {
         for (const Vec3& p : body_.rest_positions_mm)
             x_.emplace_back((1.0 + strain) * p[0], across * p[1], across * p[2]);
         assembly_.evaluate(x_);
-        tension_.find(assembly_.slots(), x_);
+        tension_.find(assembly_.slots());
         tension_.make(assembly_.slots(), 1.0);
     }
 
@@ -61,6 +61,23 @@ class StretchedBar {
     }
     const Body& body() const { return body_; }
     const TensionStiffness& tension() const { return tension_; }
+    // The largest difference of an element's pull from the virial of its forces, over the largest.
+    double error_of_pulls() {
+        assembly_.evaluate_forces(x_);
+        const ElementSlots& slots = assembly_.slots();
+        double error = 0.0, largest = 0.0;
+        for (int e = 0; e < body_.groups[0].size(); ++e) {
+            double pull = 0.0;
+            for (int a = 0; a < 4; ++a) {
+                const auto& force = slots.force()[assembly_.plan().force_slot(0, e, 4) + a];
+                pull -= 0.5 * x_[body_.groups[0].connectivity[4 * e + a]].dot(
+                                  Vec3(force[0], force[1], force[2]));
+            }
+            error = std::max(error, std::abs(slots.pulls(0)[e] - pull));
+            largest = std::max(largest, std::abs(pull));
+        }
+        return error / largest;
+    }
 
   private:
     static BodyDescription description(double held_below_mm) {
@@ -107,6 +124,11 @@ TEST(TensionStiffness, IsTheClosedFormOfAHomogeneousStretch) {
     const double stress = material.young_modulus_pa * e * (1.0 + e);
     const double closed = 0.25 * bar_length_mm * stress * sum * sum;
     EXPECT_NEAR(bar.tension_form(bar.turned(Vec3(0.0, 0.0, 1.0))), closed, 1e-4 * closed);
+}
+
+TEST(TensionStiffness, PullsAreTheVirialsOfTheForces) {
+    EXPECT_LT(StretchedBar(0.2).error_of_pulls(), 1e-13);
+    EXPECT_LT(StretchedBar(-0.1).error_of_pulls(), 1e-13);
 }
 
 TEST(TensionStiffness, IsNothingAtRestAndUnderPressure) {
