@@ -10,10 +10,10 @@
 namespace hepatica::gpu {
 namespace {
 
-class Planner {
+class ElementPlanner {
   public:
-    Planner(std::span<const std::array<int, 2>> nodes, const AssemblyPlan& plan,
-            std::span<const NodePair> pairs)
+    ElementPlanner(std::span<const std::array<int, 2>> nodes, const AssemblyPlan& plan,
+                   std::span<const NodePair> pairs)
         : nodes_(nodes), plan_(plan) {
         for (std::size_t q = 0; q < pairs.size(); ++q)
             pair_of_[{pairs[q].own, pairs[q].other}] = static_cast<int>(q);
@@ -85,7 +85,7 @@ class Planner {
 
 CoarseElements plan_coarse_elements(std::span<const std::array<int, 2>> nodes,
                                     const AssemblyPlan& plan, std::span<const NodePair> pairs) {
-    return Planner(nodes, plan, pairs).elements();
+    return ElementPlanner(nodes, plan, pairs).elements();
 }
 
 }  // namespace hepatica::gpu
