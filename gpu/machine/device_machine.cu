@@ -13,6 +13,17 @@ void require(cudaError_t status, const char* what) {
     throw DeviceError(std::string(what) + ": " + cudaGetErrorString(status));
 }
 
+// A multiprocessor holds so many threads at least.
+#if defined(__CUDA_ARCH__) && __CUDA_ARCH__ < 800
+constexpr int held_threads = 1024;
+#else
+constexpr int held_threads = 1536;
+#endif
+template <class Kernel>
+constexpr int asked_blocks =
+    least_blocks<Kernel>* Kernel::threads <= held_threads ? least_blocks<Kernel>
+                                                          : held_threads / Kernel::threads;
+
 // Kernels of compute capability 9.0 come to their places while the one before still runs, and wait
 // here until all that it wrote is there.
 __device__ void wait_for_the_kernel_before() {
@@ -38,7 +49,7 @@ __device__ bool is_last_block(unsigned* ended) {
 }
 
 template <class Kernel>
-__global__ void __launch_bounds__(Kernel::threads, least_blocks<Kernel>)
+__global__ void __launch_bounds__(Kernel::threads, asked_blocks<Kernel>)
     run_phases(const Kernel kernel, unsigned* ended) {
     __shared__ double shared[Kernel::shared];
     const int block = static_cast<int>(blockIdx.x), thread = static_cast<int>(threadIdx.x);

@@ -38,6 +38,18 @@ class Loops {
     unsigned long state_ = 1;
 };
 
+// Compiled once for each kernel, not once for each order of blocks and of threads.
+template <class Kernel>
+[[gnu::noinline]] void run_thread(const Kernel& kernel, int phase, int block, int thread,
+                                  double* shared) {
+    kernel(phase, block, thread, shared);
+}
+template <class Kernel>
+[[gnu::noinline]] void end_thread(const Kernel& kernel, int phase, int blocks, int thread,
+                                  double* shared) {
+    kernel.end(phase, blocks, thread, shared);
+}
+
 class Emulator final : public MachineBy<Emulator> {
   public:
     explicit Emulator(BlockOrder order) : loops_(order) {}
@@ -50,12 +62,13 @@ class Emulator final : public MachineBy<Emulator> {
         loops_.run(kernel.blocks(), [&](int block) {
             for (int phase = 0; phase < kernel.phases(); ++phase)
                 loops_.run(Kernel::threads,
-                           [&](int thread) { kernel(phase, block, thread, shared); });
+                           [&](int thread) { run_thread(kernel, phase, block, thread, shared); });
         });
         if constexpr (has_end<Kernel>) {
             for (int phase = 0; phase < kernel.end_phases(); ++phase)
-                loops_.run(Kernel::threads,
-                           [&](int thread) { kernel.end(phase, kernel.blocks(), thread, shared); });
+                loops_.run(Kernel::threads, [&](int thread) {
+                    end_thread(kernel, phase, kernel.blocks(), thread, shared);
+                });
         }
     }
 
