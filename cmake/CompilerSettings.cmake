@@ -35,6 +35,11 @@ if(HEPATICA_SANITIZE)
     add_link_options(-fsanitize=${HEPATICA_SANITIZE})
     # The sanitizers' own code makes gcc warn of variables that are always set.
     list(APPEND HEPATICA_COMPILE_OPTIONS -Wno-maybe-uninitialized)
+    # A quarter of the time to compile is spent on these. What null pointers and objects that are too small do, the
+    # address sanitizer finds as well; alignment is checked by the fuzzers, which clang compiles.
+    if(HEPATICA_SANITIZE MATCHES address AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        add_compile_options(-fno-sanitize=null,object-size,alignment)
+    endif()
 endif()
 
 # What a file calls its own must then differ from what its neighbours call theirs; a parameter that is

@@ -47,6 +47,14 @@ TEST(Hash, TellsEverySingleBitFlipAndTrailingZeroApart) {
     EXPECT_EQ(seen.size(), text.size() * 8 + 2);
 }
 
+// Files and recordings of earlier versions keep such values: computed apart, from FNV-1a over words
+// and MurmurHash3's finaliser, in arithmetic of any length.
+TEST(Hash, IsWhatFilesKeep) {
+    EXPECT_EQ(hash_of(""), 0xbac1775082379709ULL);
+    EXPECT_EQ(hash_of("hepatica"), 0x53b35475967cf2acULL);
+    EXPECT_EQ(hash_of("a vessel of the liver"), 0x4cd7e4607ec42d7eULL);
+}
+
 TEST(Hash, OfAFileIsThatOfItsBytes) {
     const auto file = std::filesystem::path(testing::TempDir()) / "hash.bin";
     for (const std::size_t size : {0u, 1u, 65'536u, 200'000u}) {

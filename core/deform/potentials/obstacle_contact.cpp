@@ -8,6 +8,7 @@
 #include "core/deform/potentials/point_stiffness.h"
 
 namespace hepatica {
+
 ObstacleContact::ObstacleContact(const Body& body) : body_(body) {
     WithObstacles both =
         with_obstacles(*body.obstacles, body.rest_positions_mm, body.touching_surface);
