@@ -75,6 +75,13 @@ TEST_F(Messages, a_long_one_takes_one_line_until_it_is_opened) {
     QCoreApplication::processEvents();
     EXPECT_TRUE(bar.open());
     EXPECT_GT(bar.height(), 2 * low);
+    // Whoever acts on the vessels sees them again.
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {},
+                      QPoint(20, window_.view().height() - 20));
+    EXPECT_FALSE(bar.open());
+    EXPECT_LE(bar.height(), 44);
+    QTest::mouseClick(more, Qt::LeftButton);
+    EXPECT_TRUE(bar.open());
     QTest::mouseClick(more, Qt::LeftButton);
     QCoreApplication::processEvents();
     EXPECT_LE(bar.height(), 44);
