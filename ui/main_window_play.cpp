@@ -117,8 +117,8 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     inject_->begin_play(free);
     view_->mouse().hand().forget();
     tool_panel_->begin_play(free);
-    back_to_pulling();
     allow_tools();
+    back_to_pulling();
     follow(frame());
     follow_simulation();
 }
@@ -339,6 +339,7 @@ void MainWindow::post(Command command) {
 
 void MainWindow::set_mouse_mode(MouseMode mode) {
     view_->mouse().set_mode(mode);
+    if (mode != MouseMode::place) end_waiting_for_place();
     Measurements& measurements = view_layout_->slices().measurements();
     if (mode != MouseMode::measure && measurements.chosen()) measurements.choose(std::nullopt);
     view_->setCursor(mode == MouseMode::pull ? Qt::ArrowCursor : Qt::CrossCursor);
@@ -348,7 +349,9 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
     if (mode == MouseMode::edit) findChild<QDockWidget*>("Corrections")->raise();
     if (mode == MouseMode::inject) findChild<QDockWidget*>("Injection")->raise();
     statusBar()->showMessage(
-        mode == MouseMode::pull      ? Words::tr("Drag a vessel to pull it")
+        mode == MouseMode::pull && !view_->mouse().may_pull()
+            ? Words::tr("Choose a tool; a drag turns the view")
+        : mode == MouseMode::pull    ? Words::tr("Drag a vessel to pull it")
         : mode == MouseMode::inject  ? Words::tr("Click on a vessel to inject there")
         : mode == MouseMode::edit    ? Words::tr("Click on a vessel to correct the tree")
         : mode == MouseMode::place   ? Words::tr("Click on a vessel: the place is there")
