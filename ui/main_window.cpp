@@ -461,6 +461,9 @@ void MainWindow::connect_views() {
     actions_->on(ActionId::toggle_branches,
                  [this, &branches] { show_dock(*branches_, branches.isChecked()); });
     connect(branches_, &QDockWidget::visibilityChanged, &branches, &QAction::setChecked);
+    connect(branches_, &QDockWidget::visibilityChanged, this, [this] {
+        if (patient_) light_up(TreePoint{});
+    });
     QAction& plots = (*actions_)[ActionId::toggle_plots];
     curves_->set_comes_by_itself(settings_.curves_come());
     curves_->on_choice = [this](bool come) { settings_.set_curves_come(come); };

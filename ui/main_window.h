@@ -204,6 +204,7 @@ class MainWindow : public QMainWindow {
     void show_newest_frame();
     // The yellow balls of the lesson that is played or edited. True where they moved.
     bool show_marks();
+    std::optional<Vec3> middle_of_chosen_branch() const;
     // The dial is measured while nobody plays and no job runs.
     void tell_dial_keeper();
     void follow(const Frame& frame);  // by the controls of the play

@@ -81,7 +81,7 @@ void MainWindow::build_lessons() {
     };
     // What runs on, such as a bleeding, would contradict what was judged, and cost for nothing.
     ways.ended = [this] {
-        patient_->simulation->post(PlayDrug{false});
+        if (frame().drug.injection) patient_->simulation->post(PlayDrug{false});
         patient_->simulation->post(SetPaused{true});
     };
     ways.failed = [this](const QString& doing, const std::exception_ptr& error) {

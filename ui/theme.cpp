@@ -161,7 +161,9 @@ QPalette palette_of(const Theme& theme) {
     palette.setColor(QPalette::Base, theme.base);
     palette.setColor(QPalette::AlternateBase, theme.bar);
     palette.setColor(QPalette::Text, theme.text);
-    palette.setColor(QPalette::PlaceholderText, theme.quiet);  // it says what may be written
+    // It says what may be written: as readable as words, but none of them.
+    palette.setColor(QPalette::PlaceholderText,
+                     theme.quiet == theme.text ? theme.disabled : theme.quiet);
     palette.setColor(QPalette::Button, theme.button);
     palette.setColor(QPalette::ButtonText, theme.text);
     palette.setColor(QPalette::Highlight, theme.accent);

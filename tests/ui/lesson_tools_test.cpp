@@ -124,10 +124,12 @@ TEST_F(LessonToolsTest, where_nothing_may_be_pulled_nobody_is_told_to_pull) {
 // It would bleed and swing on under the verdict, and cost for nothing.
 TEST_F(LessonToolsTest, its_clock_stands_from_the_verdict_on_until_something_is_done) {
     Lesson lesson = new_lesson();
-    lesson.limits = {{Quantity::time_s, -1, false, 0.1}};
+    lesson.limits = {{Quantity::time_s, -1, false, 2.0}};
     begin(lesson);
-    ASSERT_TRUE(wait_for(
-        [&] { return window_.lessons().recorded() && window_.frame().statistics.paused; }));
+    ASSERT_TRUE(wait_for([&] { return !window_.frame().statistics.paused; }));
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
+    ASSERT_TRUE(wait_for([&] { return window_.frame().statistics.paused; }));
+    EXPECT_EQ(window_.messages().text(), "") << "no drug flows in it, and none is told to stop";
     auto* clock = window_.lessons().findChild<QLabel*>("lessonClock");
     EXPECT_TRUE(wait_for([&] { return clock->text().startsWith("The play stands as it was"); }));
     EXPECT_FALSE(clock->isHidden());

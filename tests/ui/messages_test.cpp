@@ -115,11 +115,17 @@ TEST_F(Messages, lead_to_the_branch_that_they_name) {
     ASSERT_TRUE(testing::wait_for([table] { return table->currentRow() >= 0; }));
     EXPECT_TRUE(table->isVisible());
     EXPECT_EQ(table->item(table->currentRow(), 0)->text(), "2");
+    // A short one would hardly be seen by its light alone.
+    ASSERT_EQ(window_.view().scene().marks().size(), 1u);
+    EXPECT_FALSE(window_.view().scene().marks()[0].of_lesson);
     window_.log().add_warning("A", "Branch 1 is an end");
     auto* list = window_.log().findChild<QTreeWidget*>();
     emit list->itemActivated(list->topLevelItem(0), 0);
     EXPECT_EQ(table->item(table->currentRow(), 0)->text(), "1");
     emit label->linkActivated("branch:999");  // of a patient before
+    window_.actions()[ActionId::toggle_branches].trigger();
+    EXPECT_FALSE(table->isVisible());
+    EXPECT_TRUE(window_.view().scene().marks().empty());
 }
 
 TEST(BranchLinks, LeaveACutNumberAlone) {
