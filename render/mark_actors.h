@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Places that a lesson speaks of, as translucent balls of one size on the screen, through which the
 // vessel is seen, each with its number. One that is done with is green and ticked. Another place,
-// such as a branch that is too short to be found, has one of the colour of words, before all
-// vessels.
+// such as a branch that is too short to be found, has one of the colour of words, nearer to the
+// eye.
 #pragma once
 
 #include <vtkSmartPointer.h>
