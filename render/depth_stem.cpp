@@ -42,8 +42,9 @@ const char* way_to_mark(double deeper_mm, double away_mm) {
 const MarkView* nearest_waiting(const Vec3& point, const std::vector<MarkView>& marks) {
     const MarkView* nearest = nullptr;
     for (const MarkView& mark : marks)
-        if (!mark.reached && (nearest == nullptr || (mark.place_mm - point).squaredNorm() <
-                                                        (nearest->place_mm - point).squaredNorm()))
+        if (mark.of_lesson && !mark.reached &&
+            (nearest == nullptr ||
+             (mark.place_mm - point).squaredNorm() < (nearest->place_mm - point).squaredNorm()))
             nearest = &mark;
     return nearest;
 }

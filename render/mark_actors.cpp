@@ -62,7 +62,6 @@ bool MarkActors::update(std::vector<MarkView> marks) {
         const MarkView& mark = shown_[i];
         const Colour& colour = mark.reached ? palette::reached : palette::torn_circle;
         drawn_[i].ball->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
-        drawn_[i].ball->SetPosition(mark.place_mm.x(), mark.place_mm.y(), mark.place_mm.z());
         const std::string text = mark.number + (mark.reached ? "✓" : "");
         drawn_[i].number->SetInput(text.c_str());
         drawn_[i].number->SetVisibility(!text.empty());
@@ -92,7 +91,11 @@ void MarkActors::set_scale(double mm_per_point, double pixel_ratio) {
         const Drawn& drawn = drawn_[i];
         const Vec3 at = shown_[i].place_mm + before_radii * radius_points * mm_per_point * to_eye;
         drawn.number->SetPosition(at.x(), at.y(), at.z());
+        const Vec3& ball = shown_[i].of_lesson ? shown_[i].place_mm : at;
+        drawn.ball->SetPosition(ball.x(), ball.y(), ball.z());
         drawn.ball->SetScale(radius_points * mm_per_point);
+        if (!shown_[i].of_lesson)
+            drawn.ball->GetProperty()->SetColor(text_colour_[0], text_colour_[1], text_colour_[2]);
         style_text(*drawn.number->GetTextProperty(),
                    static_cast<int>(std::lround(text_size * pixel_ratio)), text_colour_);
         drawn.number->GetTextProperty()->SetBold(true);

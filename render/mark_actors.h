@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Places that a lesson speaks of, as translucent balls of one size on the screen, through which the
-// vessel is seen, each with its number. One that is done with is green and ticked.
+// vessel is seen, each with its number. One that is done with is green and ticked. Another place,
+// such as a branch that is too short to be found, has one of the colour of words, nearer to the
+// eye.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -21,6 +23,7 @@ struct MarkView {
     Vec3 place_mm = Vec3::Zero();
     std::string number;  // beside it; may be empty
     bool reached = false;
+    bool of_lesson = true;
     bool operator==(const MarkView&) const = default;
 };
 
@@ -34,7 +37,7 @@ class MarkActors {
     const std::vector<MarkView>& shown() const { return shown_; }
     // Size of one screen point at the focal plane, and how many pixels it has.
     void set_scale(double mm_per_point, double pixel_ratio);
-    // Of the numbers.
+    // Of the numbers, and of what is no place of a lesson.
     void set_text_colour(const Colour& colour) { text_colour_ = colour; }
 
   private:

@@ -182,7 +182,7 @@ bool SceneView::set_crosshair(const std::optional<Vec3>& position_mm) {
 }
 
 bool SceneView::set_marks(std::vector<MarkView> marks) {
-    parts_->legend.places = !marks.empty();
+    parts_->legend.places = std::ranges::any_of(marks, &MarkView::of_lesson);
     return parts_->marks.update(std::move(marks));
 }
 

@@ -3026,7 +3026,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Reset</source>
-        <translation>Neu</translation>
+        <translation>Reset</translation>
     </message>
     <message>
         <source>First steps</source>
@@ -8473,6 +8473,30 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>no liver was found: the largest soft organ has no border that it is told by</source>
         <translation>Es wurde keine Leber gefunden: Das größte weiche Organ hat keinen Rand, an dem es zu erkennen ist</translation>
+    </message>
+    <message>
+        <source>The play stands as it was judged: the first thing you do lets it go on.</source>
+        <translation>Die Übung steht, wie sie beurteilt wurde: Sobald Sie etwas tun, geht sie weiter.</translation>
+    </message>
+    <message>
+        <source>Back to the lesson editor</source>
+        <translation>Zurück zum Lektionseditor</translation>
+    </message>
+    <message>
+        <source>Choose a tool; a drag turns the view</source>
+        <translation>Wählen Sie ein Werkzeug; Ziehen mit der Maus dreht die Ansicht</translation>
+    </message>
+    <message>
+        <source>Nothing is corrected during a lesson: leave it first</source>
+        <translation>Während einer Lektion wird nichts korrigiert: Verlassen Sie sie erst</translation>
+    </message>
+    <message>
+        <source>Not drawn: leave the lesson first</source>
+        <translation>Nicht gezeichnet: Verlassen Sie erst die Lektion</translation>
+    </message>
+    <message>
+        <source>not judged</source>
+        <translation>nicht gewertet</translation>
     </message>
 </context>
 </TS>

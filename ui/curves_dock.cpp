@@ -32,7 +32,7 @@ void CurvesDock::follow(std::shared_ptr<const PatientCase> patient, const DrugVi
             const auto curves = injection_curves(patient->tree, *injection, end_s, job);
             return [this, curves] {
                 plots_->set_charts(curves.pressure, curves.delivery);
-                if (comes_by_itself_) show();
+                come();
             };
         },
         std::move(callbacks));
@@ -47,7 +47,13 @@ void CurvesDock::follow_tear(const Frame& frame, bool may_come) {
         events.push_back({event.time_s, translated(event.text)});
     plots_->set_tear(tear_.chart(), std::move(events));
     const bool first = before == 0 && !tear_.events().empty();
-    if (first && may_come && comes_by_itself_) show();
+    if (first && may_come) come();
+}
+
+void CurvesDock::come() {
+    if (!comes_by_itself_ || !isHidden()) return;
+    came_ = true;
+    show();
 }
 
 void CurvesDock::set_time(std::optional<double> time_s) {
@@ -59,11 +65,12 @@ void CurvesDock::clear() {
     followed_.reset();
     tear_.clear();
     plots_->clear();
+    if (std::exchange(came_, false)) hide();
 }
 
 void CurvesDock::closeEvent(QCloseEvent* event) {
     QDockWidget::closeEvent(event);
-    comes_by_itself_ = false;
+    comes_by_itself_ = came_ = false;
     on_choice(false);
 }
 

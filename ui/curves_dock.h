@@ -31,7 +31,8 @@ class CurvesDock : public QDockWidget {
     void follow_tear(const Frame& frame, bool may_come = true);
     // The drug's clock in the curves; none: nothing is injected.
     void set_time(std::optional<double> time_s);
-    // Forgets all; nothing is computed any more.
+    // Forgets all; nothing is computed any more. Where it came by itself it goes, too: nothing is
+    // left to show.
     void clear();
 
     // Whether it comes by itself when there is something to show: until the user closes it, and
@@ -44,12 +45,15 @@ class CurvesDock : public QDockWidget {
     void closeEvent(QCloseEvent* event) override;
 
   private:
+    void come();
+
     std::function<void(const Failure&)> failed_;
     PlotPanel* plots_;
     std::shared_ptr<const InjectionOptions> followed_;  // whose curves were asked for last
     std::unique_ptr<BackgroundJob> job_;
     TearHistory tear_;
     bool comes_by_itself_ = true;
+    bool came_ = false;  // by itself, and is there since
 };
 
 }  // namespace hepatica

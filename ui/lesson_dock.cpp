@@ -329,6 +329,7 @@ void LessonDock::begin() {
         watched_course_pass_ = course_pass_;
         result_kept_ = false;
         read_first_ = true;
+        stands_at_end_ = false;
         on_screen_ = true;
         ways_.use(std::move(play.simulation));
     } catch (...) {
@@ -353,10 +354,10 @@ void LessonDock::leave() {
 }
 
 bool LessonDock::begins_with(const Command& command) {
-    if (!read_first_ || running() == nullptr) return false;
+    if (!watch_ || !on_screen_ || !clock_stands()) return false;
     const bool lets_it_run = std::holds_alternative<SetPaused>(command);
     const bool does_something = !objection_to(command, Lesson{}).empty();
-    if (lets_it_run || does_something) read_first_ = false;
+    if (lets_it_run || does_something) read_first_ = stands_at_end_ = false;
     return does_something;
 }
 
@@ -377,7 +378,11 @@ void LessonDock::set_trainee(const QString& name) {
 
 void LessonDock::show_figures() {
     if (!watch_) return;
-    panel_->show_standing(watch_->standing(), read_first_);
+    if (watch_->recorded() && !result_kept_ && on_screen_) {
+        stands_at_end_ = true;
+        ways_.ended();
+    }
+    panel_->show_standing(watch_->standing(), clock_stands());
     keep_result();
 }
 
@@ -396,7 +401,6 @@ void LessonDock::name_last_attempt() {
 void LessonDock::keep_result() {
     if (!watch_ || !watch_->recorded() || std::exchange(result_kept_, true)) return;
     guard_.reset();
-    ways_.ended();
     if (watch_->recording().parent_path() == tried()) return;
     const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
     try {

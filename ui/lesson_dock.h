@@ -98,8 +98,8 @@ class LessonDock : public QDockWidget {
     bool recorded() const { return watch_->recorded(); }
     AttemptsDialog& attempts() { return *attempts_; }
     void set_units(FlowUnits units);
-    // The clock stands while the task is read: whether this is the first thing that is done, with
-    // which it begins to run.
+    // The clock stands while the task is read, and from the end of the attempt on: whether this is
+    // the first thing that is done, with which it begins to run.
     bool begins_with(const Command& command);
     // Of attempts that end from now on; empty: nobody is named.
     void set_trainee(const QString& name);
@@ -122,6 +122,7 @@ class LessonDock : public QDockWidget {
     void open_case(const std::filesystem::path& place);
     void end_play();            // the patient goes
     void drop_what_is_empty();  // a recording of an attempt in which nothing was done
+    bool clock_stands() const { return read_first_ || stands_at_end_; }
     void begin();
     void leave();
     // Where lessons that are tried and their recordings are kept.
@@ -150,6 +151,7 @@ class LessonDock : public QDockWidget {
     std::unique_ptr<RecordingGuard> guard_;  // of watch_'s recording, while it grows
     bool result_kept_ = false;               // of watch_
     bool read_first_ = false;                // likewise: nothing was done yet
+    bool stands_at_end_ = false;             // likewise: nothing was done since it has ended
     bool on_screen_ = false;                 // likewise: it is its simulation that the window shows
     AttemptsDialog* attempts_;
     CourseDialog* course_;

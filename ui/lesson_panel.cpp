@@ -39,7 +39,9 @@ QString row_of(const BoundStanding& bound, const std::vector<std::string>& marks
     const bool known = !std::isnan(bound.value);
     const QString now =
         known ? translated(to_words_beside(bound.predicate, bound.value, units)) : "";
-    return QString("<tr><td>%1&nbsp;</td><td>%2</td><td align='right'>&nbsp;<b>%3</b></td></tr>")
+    return QString(
+               "<tr><td width='18'>%1</td><td>%2</td>"
+               "<td align='right'>&nbsp;<b>%3</b></td></tr>")
         .arg(QString::fromUtf8(bound.kept ? kept : broken),
              with_units_beside(translated(to_words(bound.predicate, marks, units))).toHtmlEscaped(),
              with_units_beside(now).toHtmlEscaped());
@@ -151,13 +153,16 @@ void LessonPanel::begin(const Lesson& lesson, const std::vector<std::string>& do
     about_->setVisible(!lesson.about.empty());
 }
 
-void LessonPanel::show_standing(const LessonStanding& standing, bool read_first) {
+void LessonPanel::show_standing(const LessonStanding& standing, bool clock_stands) {
     const bool running = standing.outcome == LessonOutcome::running;
-    clock_->setVisible(running);
-    clock_->setText(read_first ? Words::tr("The clock stands: it runs from the first thing you do.")
-                               : Words::tr("Time: %1")
-                                     .arg(with_units_beside(translated(to_words(
-                                         Quantity::time_s, standing.metrics.time_s, units_)))));
+    clock_->setVisible(running || clock_stands);
+    clock_->setText(
+        !running ? Words::tr("The play stands as it was judged: the first thing you do lets it go "
+                             "on.")
+        : clock_stands ? Words::tr("The clock stands: it runs from the first thing you do.")
+                       : Words::tr("Time: %1")
+                             .arg(with_units_beside(translated(
+                                 to_words(Quantity::time_s, standing.metrics.time_s, units_)))));
     for (QWidget* widget : std::initializer_list<QWidget*>{step_, goal_, hold_, hint_button_})
         widget->setVisible(running);
     end_->setVisible(!running);

@@ -37,8 +37,8 @@ class LessonPanel : public QWidget {
     void set_name(const QString& name);
     // For what is shown from the next standing on.
     void set_units(FlowUnits units) { units_ = units; }
-    // `read_first`: nothing was done yet, and the clock stands.
-    void show_standing(const LessonStanding& standing, bool read_first = false);
+    // `clock_stands`: nothing was done yet, or nothing since the end.
+    void show_standing(const LessonStanding& standing, bool clock_stands = false);
 
   private:
     QLayout* make_name();

@@ -32,7 +32,9 @@ bool allows(std::span<const LessonTool> tools, LessonTool tool) {
 }
 
 std::set<ActionId> forbidden_actions(std::span<const LessonTool> tools) {
-    std::set<ActionId> forbidden{ActionId::reset};
+    // Correcting the vessels would end the play that is judged.
+    std::set<ActionId> forbidden{ActionId::reset, ActionId::edit_mode, ActionId::undo_edit,
+                                 ActionId::redo_edit, ActionId::choose_threshold};
     for (const auto& [tool, action] : action_of_tool)
         if (!allows(tools, tool)) forbidden.insert(action);
     return forbidden;

@@ -15,7 +15,8 @@ namespace hepatica {
 
 bool allows(std::span<const LessonTool> tools, LessonTool tool);
 
-// The actions that would take a tool which is not among these, or take the play back.
+// The actions that would take a tool which is not among these, take the play back, or correct the
+// vessels.
 std::set<ActionId> forbidden_actions(std::span<const LessonTool> tools);
 
 // Enables a control, or disables it with a tip that says why.

@@ -197,6 +197,7 @@ void MainWindow::build_view() {
     column->addWidget(volume_bar_);
     build_slices(centre);
     messages_ = new MessageBar(&view_layout_->pictures());
+    messages_->fold_when_used(*view_);
     progress_ = new ProgressStrip([this] { cancel_job(); }, &view_layout_->pictures());
     auto* row = new QHBoxLayout;
     row->setSpacing(0);
@@ -420,7 +421,8 @@ void MainWindow::connect_tools() {
     actions_->on(ActionId::put_tool_away, [this] {
         const MouseMode mode = view_->mouse().mode();
         const bool draws = mode == MouseMode::cut || mode == MouseMode::weaken;
-        if (draws || mode == MouseMode::measure || view_->mouse().hand().holds())
+        if (draws || mode == MouseMode::measure || mode == MouseMode::place ||
+            view_->mouse().hand().holds())
             back_to_pulling();
         else
             view_layout_->slices().measurements().clear();
@@ -459,6 +461,9 @@ void MainWindow::connect_views() {
     actions_->on(ActionId::toggle_branches,
                  [this, &branches] { show_dock(*branches_, branches.isChecked()); });
     connect(branches_, &QDockWidget::visibilityChanged, &branches, &QAction::setChecked);
+    connect(branches_, &QDockWidget::visibilityChanged, this, [this] {
+        if (patient_) light_up(TreePoint{});
+    });
     QAction& plots = (*actions_)[ActionId::toggle_plots];
     curves_->set_comes_by_itself(settings_.curves_come());
     curves_->on_choice = [this](bool come) { settings_.set_curves_come(come); };

@@ -147,6 +147,8 @@ class MainWindow : public QMainWindow {
     // shown meanwhile.
     void show_image(std::shared_ptr<const Volume> ct);
     void end_image();
+    // Else says why not; of a review in these words.
+    bool may_correct(const char* why_not_in_review);
     void show_corrections_with_slices();
     void warn_of_stroke_outside(const BrushStroke& stroke);
     void build_editing();
@@ -164,6 +166,8 @@ class MainWindow : public QMainWindow {
     void tell_unfit(const std::vector<ShelvedLesson>& lessons);
     // What a lesson does not allow cannot be chosen while it is played.
     void allow_tools();
+    void wait_for_place();
+    void end_waiting_for_place();
     void set_lesson_place(const SurfacePick& pick);
     void build_review();
 
@@ -200,6 +204,7 @@ class MainWindow : public QMainWindow {
     void show_newest_frame();
     // The yellow balls of the lesson that is played or edited. True where they moved.
     bool show_marks();
+    std::optional<Vec3> middle_of_chosen_branch() const;
     // The dial is measured while nobody plays and no job runs.
     void tell_dial_keeper();
     void follow(const Frame& frame);  // by the controls of the play
@@ -274,6 +279,7 @@ class MainWindow : public QMainWindow {
     QString report_program_;
     QString report_message_;  // that says where the last report lies
     QString unfit_message_;   // that names lessons which fit no more
+    QString place_message_;   // that asks for a place of a lesson
     std::function<void()> first_picture_;
     std::function<void(const std::optional<OpenRequest>&)> begin_anew_;
     bool begins_anew_ = false;  // once it has closed

@@ -79,8 +79,11 @@ void MainWindow::build_lessons() {
         show_whole_from_the_front();
         view_->setFocus();  // so that the keys of the tools reach the play
     };
-    // What runs on would contradict what was judged.
-    ways.ended = [this] { patient_->simulation->post(PlayDrug{false}); };
+    // What runs on, such as a bleeding, would contradict what was judged, and cost for nothing.
+    ways.ended = [this] {
+        if (frame().drug.injection) patient_->simulation->post(PlayDrug{false});
+        patient_->simulation->post(SetPaused{true});
+    };
     ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
         fail(doing, failure_of(error));
     };
@@ -231,7 +234,11 @@ void MainWindow::build_lesson_editor() {
         const std::filesystem::path& folder = keeper_->workspace().folder();
         return folder.empty() ? QString(unsaved_patient) : to_text(folder);
     };
-    ways.ask_for_place = [this] { set_mouse_mode(MouseMode::place); };
+    ways.ask_for_place = [this] {
+        set_mouse_mode(MouseMode::place);
+        const QRect seen(view_->mapToGlobal(QPoint()), view_->size());
+        if (patient_ && lesson_editor_->frameGeometry().intersects(seen)) wait_for_place();
+    };
     ways.ask_no_more = [this] {
         if (view_->mouse().mode() == MouseMode::place) back_to_pulling();
     };
@@ -262,15 +269,31 @@ void MainWindow::build_lesson_editor() {
     lesson_editor_ = new LessonEditor(std::move(ways), draft_slot_->file(), this);
 }
 
+// What covers the vessels steps aside, and the way back is in sight.
+void MainWindow::wait_for_place() {
+    lesson_editor_->step_aside();
+    activateWindow();
+    view_->setFocus();
+    messages_->show_notice(Words::tr("Click on a vessel: the place is there"),
+                           Words::tr("Back to the lesson editor"), [this] { back_to_pulling(); });
+    place_message_ = messages_->text();
+}
+
+void MainWindow::end_waiting_for_place() {
+    if (lesson_editor_) lesson_editor_->come_back();
+    if (!place_message_.isEmpty() && messages_->text() == place_message_) messages_->dismiss();
+    place_message_.clear();
+}
+
 // On the centreline, so that it means the same whatever side was clicked on.
 void MainWindow::set_lesson_place(const SurfacePick& pick) {
     const TreePoint at = patient_->anatomy.tree_point(frame().origin_of(pick.nearest_vertex));
-    back_to_pulling();
-    if (at.segment < 0) return;
     const VesselTree& tree = patient_->patient->tree;
-    lesson_editor_->place_clicked(
-        station_at(tree.segments[static_cast<std::size_t>(at.segment)], at.arclength_mm)
-            .position_mm);
+    if (at.segment >= 0)
+        lesson_editor_->place_clicked(
+            station_at(tree.segments[static_cast<std::size_t>(at.segment)], at.arclength_mm)
+                .position_mm);
+    back_to_pulling();
 }
 
 void MainWindow::build_review() {

@@ -117,8 +117,8 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     inject_->begin_play(free);
     view_->mouse().hand().forget();
     tool_panel_->begin_play(free);
-    back_to_pulling();
     allow_tools();
+    back_to_pulling();
     follow(frame());
     follow_simulation();
 }
@@ -202,7 +202,25 @@ bool MainWindow::show_marks() {
         marks = lessons_->marks_in(frame());
     else if (lesson_editor_)
         for (const Vec3& place : lesson_editor_->places()) marks.push_back({place, "", false});
+    if (marks.empty())
+        if (const auto middle = middle_of_chosen_branch())
+            marks.push_back({*middle, "", false, false});
     return view_->scene().set_marks(std::move(marks));
+}
+
+// As the body lies now. Its light alone does not show a short one.
+std::optional<Vec3> MainWindow::middle_of_chosen_branch() const {
+    if (!patient_ || chosen_branch_ < 0 || !branches_->isVisible()) return std::nullopt;
+    const std::vector<std::uint8_t> lit = patient_->anatomy.vertices_of(chosen_branch_);
+    const std::vector<float>& at = frame().positions_mm;
+    Vec3 sum = Vec3::Zero();
+    double count = 0.0;
+    for (std::size_t v = 0; v < lit.size() && 3 * v + 2 < at.size(); ++v) {
+        if (lit[v] == 0) continue;
+        sum += Vec3(at[3 * v], at[3 * v + 1], at[3 * v + 2]);
+        ++count;
+    }
+    return count > 0.0 ? std::optional(Vec3(sum / count)) : std::nullopt;
 }
 
 void MainWindow::tell_dial_keeper() {
@@ -292,6 +310,7 @@ void MainWindow::light_up(const TreePoint& under_mouse) {
     const bool chosen = under_mouse.segment < 0 && chosen_branch_ >= 0 && branches_->isVisible();
     view_->scene().set_highlight(chosen ? patient_->anatomy.vertices_of(chosen_branch_)
                                         : patient_->anatomy.downstream_of(under_mouse));
+    show_marks();
     view_->draw_again();
 }
 
@@ -339,6 +358,7 @@ void MainWindow::post(Command command) {
 
 void MainWindow::set_mouse_mode(MouseMode mode) {
     view_->mouse().set_mode(mode);
+    if (mode != MouseMode::place) end_waiting_for_place();
     Measurements& measurements = view_layout_->slices().measurements();
     if (mode != MouseMode::measure && measurements.chosen()) measurements.choose(std::nullopt);
     view_->setCursor(mode == MouseMode::pull ? Qt::ArrowCursor : Qt::CrossCursor);
@@ -348,7 +368,9 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
     if (mode == MouseMode::edit) findChild<QDockWidget*>("Corrections")->raise();
     if (mode == MouseMode::inject) findChild<QDockWidget*>("Injection")->raise();
     statusBar()->showMessage(
-        mode == MouseMode::pull      ? Words::tr("Drag a vessel to pull it")
+        mode == MouseMode::pull && !view_->mouse().may_pull()
+            ? Words::tr("Choose a tool; a drag turns the view")
+        : mode == MouseMode::pull    ? Words::tr("Drag a vessel to pull it")
         : mode == MouseMode::inject  ? Words::tr("Click on a vessel to inject there")
         : mode == MouseMode::edit    ? Words::tr("Click on a vessel to correct the tree")
         : mode == MouseMode::place   ? Words::tr("Click on a vessel: the place is there")

@@ -8,6 +8,7 @@
 
 #include "ui/case_editing.h"
 #include "ui/edit_panel.h"
+#include "ui/lesson_dock.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
@@ -17,6 +18,7 @@
 #include "ui/slices/stroke_place.h"
 #include "ui/slices/view_layout.h"
 #include "ui/vtk_widget.h"
+#include "ui/welcome.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -24,6 +26,8 @@ namespace {
 
 constexpr const char* not_in_review =
     Words::id("Nothing is corrected during a review: end it first");
+constexpr const char* not_in_lesson =
+    Words::id("Nothing is corrected during a lesson: leave it first");
 
 }  // namespace
 
@@ -45,23 +49,21 @@ void MainWindow::build_slices(QWidget* parent) {
                             VesselPen::Answered answered) {
         if (review_->reviewing())
             return answered({false, Words::tr("Not drawn: end the review first").toStdString()});
+        if (lessons_->running() != nullptr)
+            return answered({false, Words::tr("Not drawn: leave the lesson first").toStdString()});
         editing_->draw(ct, places, std::move(answered));
     };
     callbacks.stop_drawing = [this] { editing_->stop_drawing(); };
-    const auto only_looks_back = [this](const char* why) {
-        if (review_->reviewing()) messages_->show_notice(Words::tr(why));
-        return review_->reviewing();
+    callbacks.correct = [this](const Vec3& place) {
+        if (may_correct(not_in_review)) editing_->click_at(place);
     };
-    callbacks.correct = [this, only_looks_back](const Vec3& place) {
-        if (!only_looks_back(not_in_review)) editing_->click_at(place);
-    };
-    callbacks.remake = [this, only_looks_back](std::shared_ptr<const Volume> ct, Mask vessels) {
-        if (only_looks_back(Words::id("Nothing is rebuilt during a review: end it first"))) return;
+    callbacks.remake = [this](std::shared_ptr<const Volume> ct, Mask vessels) {
+        if (!may_correct(Words::id("Nothing is rebuilt during a review: end it first"))) return;
         messages_->dismiss();
         keeper_->remake(std::move(ct), std::move(vessels));
     };
-    callbacks.paint_tumour = [this, only_looks_back](const TreeEdit& stroke) {
-        if (only_looks_back(not_in_review)) return false;
+    callbacks.paint_tumour = [this](const TreeEdit& stroke) {
+        if (!may_correct(not_in_review)) return false;
         messages_->dismiss();
         keeper_->add(stroke);
         return true;
@@ -88,8 +90,18 @@ void MainWindow::build_slices(QWidget* parent) {
     show_corrections_with_slices();
 }
 
+// What is judged or looked back on is played on the patient as he is.
+bool MainWindow::may_correct(const char* why_not_in_review) {
+    const char* why = review_->reviewing()             ? why_not_in_review
+                      : lessons_->running() != nullptr ? not_in_lesson
+                                                       : nullptr;
+    if (why != nullptr) messages_->show_notice(Words::tr(why));
+    return why == nullptr;
+}
+
 void MainWindow::show_image(std::shared_ptr<const Volume> ct) {
     if (patient_) return;
+    welcome_->setVisible(ct == nullptr);  // its quarter is too small for it
     if (ct == nullptr) {
         view_layout_->clear();
         return end_image();
@@ -136,10 +148,16 @@ void MainWindow::build_editing() {
         *edit_panel_, keeper_->workspace(),
         CaseEditing::Callbacks{
             [this](const TreeEdit& edit) {
+                if (!may_correct(not_in_review)) return;
                 messages_->dismiss();
                 keeper_->add(edit);
             },
-            [this] { keeper_->undo(); }, [this] { keeper_->redo(); },
+            [this] {
+                if (may_correct(not_in_review)) keeper_->undo();
+            },
+            [this] {
+                if (may_correct(not_in_review)) keeper_->redo();
+            },
             [this](const QString& undo, const QString& redo) {
                 actions_->show_history(undo, redo);
             },

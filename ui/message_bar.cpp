@@ -122,6 +122,12 @@ void MessageBar::showEvent(QShowEvent* event) {
         this, [this] { write(); }, Qt::QueuedConnection);
 }
 
+bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
+    const bool acts = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::Wheel;
+    if (acts && open_) set_open(false);
+    return OverlayBar::eventFilter(watched, event);
+}
+
 // In one line as far as there is room, or all of it.
 void MessageBar::write() {
     const QString first = lines_.value(0);

@@ -35,10 +35,13 @@ class MessageBar : public OverlayBar {
     void dismiss() { hide(); }
     QString text() const;                // plain, all of it, a paragraph a line; empty while hidden
     bool open() const { return open_; }  // all of it is to be seen
+    // All of it covers what lies under it: one line is left as soon as somebody acts in there.
+    void fold_when_used(QWidget& picture) { picture.installEventFilter(this); }
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     // The first line is written more strongly where it is a failure's.

@@ -59,6 +59,7 @@ class MouseTool {
     void set_scheme(const MouseScheme& scheme) { scheme_ = &scheme; }
     // Where it may not, a drag on a vessel turns the view.
     void set_may_pull(bool may_pull) { may_pull_ = may_pull; }
+    bool may_pull() const { return may_pull_; }
     ToolHand& hand() { return hand_; }
     ClipControl& clip() { return clip_; }
 

@@ -22,6 +22,7 @@
 #include "core/opening/recorded_case.h"
 #include "core/session/recording_file.h"
 #include "ui/core_words.h"
+#include "ui/elided_label.h"
 #include "ui/lesson_marks.h"
 #include "ui/paths.h"
 #include "ui/recording_dialog.h"
@@ -103,9 +104,8 @@ QWidget* ReviewDock::build_heading() {
     auto* box = new QWidget;
     auto* row = new QHBoxLayout(box);
     row->setContentsMargins(0, 0, 0, 0);
-    title_ = new QLabel;
+    title_ = new ElidedLabel(Qt::ElideRight, box);
     title_->setObjectName("reviewTitle");
-    title_->setMinimumWidth(1);  // a long name is cut
     row->addWidget(title_, 1);
     compare_ = new QPushButton(Words::tr("&Compare with…"));
     compare_->setObjectName("reviewCompare");
@@ -281,7 +281,9 @@ void ReviewDock::compare(const fs::path& other) {
     compare_->setText(Words::tr("&Compare with…"));
     if (other.empty() || !reviewing()) return show_progress({});
     other_file_ = other;
-    other_name_ = title_of(facts_of(other));
+    const RecordingFacts facts = facts_of(other);
+    other_name_ = title_of(facts);
+    same_lesson_ = facts.lesson == facts_of(file_).lesson;
     other_tape_ = std::make_shared<ReviewTape>();
     compare_->setText(Words::tr("&No more beside it"));
     BackgroundJob::Callbacks callbacks;
@@ -331,7 +333,9 @@ void ReviewDock::show_other() {
     const std::shared_ptr<const Frame> frame = other_tape_->at(at_s_);
     if (frame == nullptr || frame == other_frame_) return;
     other_frame_ = frame;
-    ways_.beside(frame, marks_in(*frame, *other_tape_), name_, other_name_);
+    std::vector<MarkView> marks;
+    if (same_lesson_) marks = marks_in(*frame, *other_tape_);
+    ways_.beside(frame, std::move(marks), name_, other_name_);
 }
 
 void ReviewDock::show_progress(const JobProgress& progress) {

@@ -115,6 +115,7 @@ class ReviewDock : public QDockWidget {
     Ways ways_;
     std::filesystem::path file_;
     QString name_, other_name_;  // of both recordings, for the user
+    bool same_lesson_ = false;   // as the one beside it: it has the same marks
     std::shared_ptr<const Recording> recording_;
     std::optional<Lesson> lesson_;
     std::unique_ptr<const PlayMeter> places_;  // of its marks; null: it has none on these vessels

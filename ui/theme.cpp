@@ -4,12 +4,14 @@
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QFocusFrame>
+#include <QIcon>
 #include <QPainter>
 #include <QPalette>
 #include <QPointer>
 #include <QProxyStyle>
 #include <QStyleFactory>
 #include <QStyleOption>
+#include <QTabBar>
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -25,6 +27,7 @@ QToolBar { background: {bar}; border: none; spacing: 4px; padding: 4px; }
 QToolBar QToolButton { padding: 5px 10px; border-radius: 4px; }
 QToolBar QToolButton:hover { background: {button_hover}; }
 QToolBar QToolButton:checked { background: {accent}; color: {accent_text}; }
+QToolBar QToolButton:checked:disabled { background: {bar}; color: {disabled}; }
 QStatusBar { background: {bar}; color: {quiet}; }
 QStatusBar::item { border: none; }
 QDockWidget { font-weight: 600; }
@@ -158,7 +161,9 @@ QPalette palette_of(const Theme& theme) {
     palette.setColor(QPalette::Base, theme.base);
     palette.setColor(QPalette::AlternateBase, theme.bar);
     palette.setColor(QPalette::Text, theme.text);
-    palette.setColor(QPalette::PlaceholderText, theme.disabled);
+    // It says what may be written: as readable as words, but none of them.
+    palette.setColor(QPalette::PlaceholderText,
+                     theme.quiet == theme.text ? theme.disabled : theme.quiet);
     palette.setColor(QPalette::Button, theme.button);
     palette.setColor(QPalette::ButtonText, theme.text);
     palette.setColor(QPalette::Highlight, theme.accent);
@@ -181,6 +186,8 @@ class Style : public QProxyStyle {
                   QStyleHintReturn* data) const override {
         if (hint == SH_Slider_AbsoluteSetButtons) return Qt::LeftButton;
         if (hint == SH_EtchDisabledText) return 0;
+        // Those pictures are drawn for one theme alone: a black cross on a dark button.
+        if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
         if (hint == SH_FocusFrame_AboveWidget) return 1;
         return QProxyStyle::styleHint(hint, option, widget, data);
     }
@@ -191,8 +198,9 @@ class Style : public QProxyStyle {
     }
     void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
-        if (element != CE_FocusFrame)
-            return QProxyStyle::drawControl(element, option, painter, widget);
+        if (element != CE_FocusFrame) QProxyStyle::drawControl(element, option, painter, widget);
+        if (element == CE_TabBarTabShape) mark_chosen_tab(*option, *painter);
+        if (element != CE_FocusFrame) return;
         painter->setPen(QPen(theme_.link, ring_px, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
         painter->setBrush(Qt::NoBrush);
         painter->drawRect(option->rect.adjusted(1, 1, -1, -1));
@@ -206,8 +214,34 @@ class Style : public QProxyStyle {
         draw_check_box(*option, *painter);
     }
 
+    // Of panels: Fusion's own cross is dark under every theme.
+    QIcon standardIcon(StandardPixmap which, const QStyleOption* option,
+                       const QWidget* widget) const override {
+        if (which != SP_TitleBarCloseButton && which != SP_DockWidgetCloseButton)
+            return QProxyStyle::standardIcon(which, option, widget);
+        constexpr int side = 32;  // for screens of two pixels a point
+        QPixmap cross(side, side);
+        cross.fill(Qt::transparent);
+        QPainter painter(&cross);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(QPen(theme_.text, side / 8.0, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(side / 4, side / 4, 3 * side / 4, 3 * side / 4);
+        painter.drawLine(side / 4, 3 * side / 4, 3 * side / 4, side / 4);
+        return QIcon(cross);
+    }
+
   private:
     static constexpr int ring_px = 2;
+
+    // By more than a shade, which a theme may not have.
+    void mark_chosen_tab(const QStyleOption& option, QPainter& painter) const {
+        const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(&option);
+        if (tab == nullptr || !(option.state & State_Selected)) return;
+        const bool below = tab->shape == QTabBar::RoundedSouth;
+        const QRect at = option.rect.adjusted(4, 0, -4, 0);
+        painter.fillRect(QRect(at.left(), below ? at.bottom() - 3 : at.top() + 1, at.width(), 3),
+                         theme_.accent_border);
+    }
 
     void draw_check_box(const QStyleOption& option, QPainter& painter) const {
         const bool on = option.state & State_On, partly = option.state & State_NoChange;

@@ -130,11 +130,16 @@ std::string key(const QString& words) {
 Json table_of_bounds(const std::vector<BoundStanding>& bounds,
                      const std::vector<std::string>& marks, FlowUnits units) {
     Json rows = Json::array();
-    for (const BoundStanding& bound : bounds)
+    for (const BoundStanding& bound : bounds) {
+        // Of who did not reach the end no pass mark is looked at.
+        const QString kept = std::isnan(bound.value) ? Words::tr("not judged")
+                             : bound.kept            ? Words::tr("yes")
+                                                     : Words::tr("no");
         rows.push_back(
             {{key(Words::tr("Bound")), key(translated(to_words(bound.predicate, marks, units)))},
              {key(Words::tr("Was")), key(in_words(bound.predicate.quantity, bound.value, units))},
-             {key(Words::tr("Kept")), key(bound.kept ? Words::tr("yes") : Words::tr("no"))}});
+             {key(Words::tr("Kept")), key(kept)}});
+    }
     return rows;
 }
 

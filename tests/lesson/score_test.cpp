@@ -167,6 +167,12 @@ TEST(BuiltInLessons, EachIsPassedByOnePlayAndFailedByAnother) {
             EXPECT_EQ(followed.standing.outcome, LessonOutcome::passed)
                 << to_json(followed.standing, lesson).dump(1);
         }
+        // With one tool alone where the steps ask for another.
+        if (const fs::path wrong = plays / (id + "_wrong_tool.json"); fs::exists(wrong)) {
+            const Played pressed = play(lesson, read_script(wrong), patient, steps);
+            EXPECT_NE(pressed.standing.outcome, LessonOutcome::passed) << id;
+            EXPECT_TRUE(pressed.standing.steps.front().reached_s) << id;
+        }
         const Played bad = play(lesson, read_script(plays / (id + "_fails.json")), patient, steps);
         ASSERT_EQ(bad.standing.outcome, LessonOutcome::failed) << id;
         EXPECT_THAT(bad.standing.reasons.front(), HasSubstr("limit broken"))

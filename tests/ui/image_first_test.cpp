@@ -45,6 +45,8 @@ TEST_F(ImageFirst, is_seen_until_the_patient_is_there) {
     ASSERT_TRUE(wait_for([&] { return shows_slices(); }));
     EXPECT_TRUE(window_.busy());
     EXPECT_FALSE(window_.has_patient());
+    const QWidget* welcome = window_.findChild<QWidget*>("welcome");
+    EXPECT_FALSE(welcome->isVisible()) << "its quarter of the window is too small for it";
     EXPECT_GE(layout().slices().ct().voxels.size(), 96u * 60u * 12u);
     found_ = true;
     wait();
@@ -68,6 +70,7 @@ TEST_F(ImageFirst, goes_where_it_comes_to_nothing) {
     ASSERT_TRUE(wait_for([&] { return !window_.busy(); }));
     EXPECT_TRUE(layout().slices().empty());
     EXPECT_FALSE(layout().slices_visible());
+    EXPECT_TRUE(window_.findChild<QWidget*>("welcome")->isVisible());
 }
 
 // What is done in slices is done to who is shown, whoever is on his way.

@@ -14,6 +14,7 @@
 #include "tests/ui/window_test.h"
 #include "ui/lesson_dock.h"
 #include "ui/lesson_editor/lesson_editor.h"
+#include "ui/message_bar.h"
 #include "ui/paths.h"
 
 namespace hepatica {
@@ -73,6 +74,32 @@ TEST_F(LessonEditorWindowTest, a_click_on_a_vessel_sets_the_place) {
     EXPECT_TRUE(window_.view().mouse().mode() == MouseMode::place);
     click("mark0remove");
     EXPECT_TRUE(window_.view().mouse().mode() == MouseMode::pull) << "nobody waits for it";
+}
+
+TEST_F(LessonEditorWindowTest, it_does_not_cover_the_vessels_that_are_to_be_clicked_on) {
+    editor().show_editor();
+    editor().move(window_.view().mapToGlobal(QPoint()));
+    editor().findChild<QTabWidget*>("lessonPages")->setCurrentIndex(1);
+    click("mark0click");
+    EXPECT_FALSE(editor().isVisible());
+    EXPECT_EQ(window_.messages().text(), "Click on a vessel: the place is there");
+    ASSERT_EQ(editor().places().size(), 1u) << "they are still to be seen";
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(editor().places().at(0)));
+    EXPECT_TRUE(editor().isVisible());
+    EXPECT_TRUE(editor().document().lesson().marks[0].place.point_mm);
+    EXPECT_EQ(window_.messages().text(), "");
+    // Escape, a tool, or the button in the message: it comes back, and nobody waits.
+    for (const ActionId other : {ActionId::put_tool_away, ActionId::sphere_tool}) {
+        click("mark0click");
+        ASSERT_FALSE(editor().isVisible());
+        window_.actions()[other].trigger();
+        EXPECT_TRUE(editor().isVisible());
+        EXPECT_FALSE(window_.view().mouse().mode() == MouseMode::place);
+    }
+    click("mark0click");
+    window_.messages().findChild<QPushButton*>("offer")->click();
+    EXPECT_TRUE(editor().isVisible());
+    EXPECT_TRUE(window_.view().mouse().mode() == MouseMode::pull);
 }
 
 TEST_F(LessonEditorWindowTest, a_lesson_is_tried_and_leaves_no_attempt) {

@@ -4,12 +4,14 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QStatusBar>
 
 #include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_writer.h"
 #include "tests/ui/lesson_window_test.h"
+#include "ui/message_bar.h"
 #include "ui/mouse_tool.h"
 #include "ui/review_dock.h"
 
@@ -81,8 +83,9 @@ TEST_F(LessonToolsTest, a_scene_in_which_nothing_moves_is_told_of_no_tool) {
 TEST_F(LessonToolsTest, what_it_does_not_allow_cannot_be_chosen) {
     begin(new_lesson());
     EXPECT_TRUE(action(ActionId::pull_mode).isEnabled());
-    for (const ActionId id : {ActionId::sphere_tool, ActionId::forceps_tool, ActionId::cut_mode,
-                              ActionId::inject_mode, ActionId::reset}) {
+    for (const ActionId id :
+         {ActionId::sphere_tool, ActionId::forceps_tool, ActionId::cut_mode, ActionId::inject_mode,
+          ActionId::reset, ActionId::edit_mode, ActionId::choose_threshold}) {
         EXPECT_FALSE(action(id).isEnabled());
         EXPECT_TRUE(action(id).toolTip().startsWith("The lesson does not allow this"));
     }
@@ -97,6 +100,44 @@ TEST_F(LessonToolsTest, what_it_does_not_allow_cannot_be_chosen) {
     }
     for (const char* control : {"vesselsTear", "speed", "gravity"})
         EXPECT_TRUE(enabled(control)) << control;
+}
+
+// Other vessels would be another play, and the attempt would be gone without a verdict.
+TEST_F(LessonToolsTest, nothing_is_corrected_while_it_is_played) {
+    begin(new_lesson());
+    window_.view().mouse().set_mode(MouseMode::edit);
+    const Vec3 mark = window_.lessons().marks_in(window_.frame()).at(0).place_mm;
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(mark));
+    EXPECT_EQ(window_.messages().text(), "Nothing is corrected during a lesson: leave it first");
+    EXPECT_FALSE(window_.busy());
+    EXPECT_TRUE(window_.workspace().edits().empty());
+    EXPECT_EQ(standing().outcome, LessonOutcome::running);
+}
+
+TEST_F(LessonToolsTest, where_nothing_may_be_pulled_nobody_is_told_to_pull) {
+    Lesson lesson = new_lesson();
+    lesson.tools = {LessonTool::sphere};
+    begin(lesson);
+    EXPECT_EQ(window_.statusBar()->currentMessage(), "Choose a tool; a drag turns the view");
+}
+
+// It would bleed and swing on under the verdict, and cost for nothing.
+TEST_F(LessonToolsTest, its_clock_stands_from_the_verdict_on_until_something_is_done) {
+    Lesson lesson = new_lesson();
+    lesson.limits = {{Quantity::time_s, -1, false, 2.0}};
+    begin(lesson);
+    ASSERT_TRUE(wait_for([&] { return !window_.frame().statistics.paused; }));
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
+    ASSERT_TRUE(wait_for([&] { return window_.frame().statistics.paused; }));
+    EXPECT_EQ(window_.messages().text(), "") << "no drug flows in it, and none is told to stop";
+    auto* clock = window_.lessons().findChild<QLabel*>("lessonClock");
+    EXPECT_TRUE(wait_for([&] { return clock->text().startsWith("The play stands as it was"); }));
+    EXPECT_FALSE(clock->isHidden());
+    const Vec3 mark = window_.lessons().marks_in(window_.frame()).at(0).place_mm;
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_widget(mark));
+    EXPECT_TRUE(wait_for([&] { return !window_.frame().statistics.paused; }));
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, on_widget(mark));
+    EXPECT_TRUE(wait_for([&] { return clock->isHidden(); }));
 }
 
 TEST_F(LessonToolsTest, a_slip_is_told_of_and_does_not_end_it) {

@@ -75,6 +75,13 @@ TEST_F(Messages, a_long_one_takes_one_line_until_it_is_opened) {
     QCoreApplication::processEvents();
     EXPECT_TRUE(bar.open());
     EXPECT_GT(bar.height(), 2 * low);
+    // Whoever acts on the vessels sees them again.
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {},
+                      QPoint(20, window_.view().height() - 20));
+    EXPECT_FALSE(bar.open());
+    EXPECT_LE(bar.height(), 44);
+    QTest::mouseClick(more, Qt::LeftButton);
+    EXPECT_TRUE(bar.open());
     QTest::mouseClick(more, Qt::LeftButton);
     QCoreApplication::processEvents();
     EXPECT_LE(bar.height(), 44);
@@ -108,11 +115,17 @@ TEST_F(Messages, lead_to_the_branch_that_they_name) {
     ASSERT_TRUE(testing::wait_for([table] { return table->currentRow() >= 0; }));
     EXPECT_TRUE(table->isVisible());
     EXPECT_EQ(table->item(table->currentRow(), 0)->text(), "2");
+    // A short one would hardly be seen by its light alone.
+    ASSERT_EQ(window_.view().scene().marks().size(), 1u);
+    EXPECT_FALSE(window_.view().scene().marks()[0].of_lesson);
     window_.log().add_warning("A", "Branch 1 is an end");
     auto* list = window_.log().findChild<QTreeWidget*>();
     emit list->itemActivated(list->topLevelItem(0), 0);
     EXPECT_EQ(table->item(table->currentRow(), 0)->text(), "1");
     emit label->linkActivated("branch:999");  // of a patient before
+    window_.actions()[ActionId::toggle_branches].trigger();
+    EXPECT_FALSE(table->isVisible());
+    EXPECT_TRUE(window_.view().scene().marks().empty());
 }
 
 TEST(BranchLinks, LeaveACutNumberAlone) {

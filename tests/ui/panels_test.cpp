@@ -69,6 +69,18 @@ TEST_F(PanelsTest, curves_of_a_tear_stay_away_while_a_lesson_is_played) {
     EXPECT_FALSE(curves().isVisible());
 }
 
+TEST_F(PanelsTest, curves_that_came_by_themselves_go_when_nothing_is_left_to_show) {
+    open_built_in();
+    curves().follow_tear(torn(0));
+    curves().follow_tear(torn(1));
+    ASSERT_TRUE(curves().isVisible());
+    curves().clear();
+    EXPECT_FALSE(curves().isVisible());
+    window_.actions()[ActionId::toggle_plots].trigger();
+    curves().clear();
+    EXPECT_TRUE(curves().isVisible()) << "they were asked for";
+}
+
 TEST_F(PanelsTest, curves_that_were_closed_come_when_they_are_asked_for) {
     open_built_in();
     curves().follow_tear(torn(0));

@@ -131,6 +131,18 @@ TEST_F(ChosenTheme, ShowsEveryStopOfTheTabKey) {
     QApplication::setCursorFlashTime(1000);
 }
 
+// What may be written can be read, and is not taken for what was.
+TEST_F(ChosenTheme, SaysWhatMayBeWritten) {
+    for (const ActionId theme :
+         {ActionId::theme_dark, ActionId::theme_light, ActionId::theme_high_contrast}) {
+        window_.actions()[theme].trigger();
+        const QPalette palette = QApplication::palette();
+        const QColor hint = palette.color(QPalette::PlaceholderText);
+        EXPECT_GE(contrast(hint, palette.color(QPalette::Base)), 4.5) << hint.name().toStdString();
+        EXPECT_NE(hint, palette.color(QPalette::Text));
+    }
+}
+
 TEST_F(ChosenTheme, TicksWhatIsChecked) {
     for (const Theme& theme : themes()) {
         apply_theme(*qApp, theme);

@@ -159,6 +159,7 @@ void LessonEditor::redo() {
 void LessonEditor::show_editor() {
     // Over the panels at the right: the vessels stay to be seen and clicked on.
     const QWidget* window = isVisible() ? nullptr : parentWidget();
+    aside_ = false;
     show();
     changed(true);  // what it says decides how large it is at least
     if (window != nullptr) {
@@ -327,12 +328,26 @@ void LessonEditor::back_from_trying() {
 
 void LessonEditor::place_clicked(const Vec3& place_mm) {
     places_->place_clicked(place_mm);
+    come_back();
+}
+
+void LessonEditor::step_aside() {
+    aside_ = true;
+    hide();
+}
+
+void LessonEditor::come_back() {
+    if (!std::exchange(aside_, false)) return;
+    places_->wait_no_more();
+    show();
+    raise();
+    activateWindow();
 }
 
 std::vector<Vec3> LessonEditor::places() const {
     std::vector<Vec3> places;
     const std::shared_ptr<const PatientCase> patient = ways_.patient();
-    if (!isVisible() || patient == nullptr) return places;
+    if ((!isVisible() && !aside_) || patient == nullptr) return places;
     const auto add = [&](const ScriptPlace& place) {
         places.push_back(
             place.point_mm
@@ -346,6 +361,7 @@ std::vector<Vec3> LessonEditor::places() const {
 
 void LessonEditor::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
+    if (aside_) return;
     places_->wait_no_more();
     keep_now();
     ways_.places_changed();

@@ -58,6 +58,9 @@ class LessonEditor : public QWidget {
     void edit(const std::filesystem::path& file);
     // On the centreline, undeformed.
     void place_clicked(const Vec3& place_mm);
+    // Off the vessels that it covers, until come_back(): a place is waited for.
+    void step_aside();
+    void come_back();
     // Of the marks and the target on the patient that is shown, undeformed; none while hidden.
     std::vector<Vec3> places() const;
     void back_from_trying();
@@ -104,6 +107,7 @@ class LessonEditor : public QWidget {
     QPushButton *undo_ = nullptr, *redo_ = nullptr;
     QTimer* keep_;
     bool trying_ = false;
+    bool aside_ = false;
 };
 
 }  // namespace hepatica
