@@ -4314,7 +4314,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>way moved by</source>
-        <translation>Weg von</translation>
+        <translation>Verschiebung von</translation>
     </message>
     <message>
         <source>distance of the touch to</source>
@@ -4326,7 +4326,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>way moved by %1</source>
-        <translation>Weg von: %1</translation>
+        <translation>Verschiebung von: %1</translation>
     </message>
     <message>
         <source>distance of the touch to %1</source>
@@ -8497,6 +8497,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>not judged</source>
         <translation>nicht gewertet</translation>
+    </message>
+    <message>
+        <source>Drawing pictures and curves</source>
+        <translation>Bilder und Kurven zeichnen</translation>
     </message>
 </context>
 </TS>

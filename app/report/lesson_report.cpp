@@ -297,7 +297,7 @@ WrittenReport write_report(const ReportRequest& request, Job& job) {
     const Score scored = score(
         recording, lesson, patient, job, cpu_back_end(),
         [&](const Frame& frame, const LessonStanding& standing) { moments.see(frame, standing); });
-    job.begin_stage(Words::id("Writing the report"));
+    job.begin_stage(Words::id("Drawing pictures and curves"));
     fs::create_directories(request.out);
     WrittenReport written{scored.standing.outcome == LessonOutcome::passed, {}};
     write_files_atomically(request.out, [&](const fs::path& folder) {

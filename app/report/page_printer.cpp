@@ -2,10 +2,12 @@
 #include "app/report/page_printer.h"
 
 #include <QAbstractTextDocumentLayout>
+#include <QGuiApplication>
 #include <QImage>
 #include <QPageSize>
 #include <QPdfWriter>
 #include <QRegularExpression>
+#include <QScreen>
 #include <QTextBlock>
 #include <QTextCursor>
 #include <QTextDocument>
@@ -79,11 +81,13 @@ QTextBlock what_follows(const QTextBlock& heading) {
 
 // The first heading that ends its page, laid out as QTextDocument::print() does it; -1: none.
 int lonely_heading(const QTextDocument& document, QPdfWriter& writer) {
+    // Its margins are 2 cm in dots of the screen, which the layout then scales to the paper.
     constexpr double margin_inch = 2.0 / 2.54;
+    const double screen_dots = QGuiApplication::primaryScreen()->logicalDotsPerInchY();
     const std::unique_ptr<QTextDocument> laid_out(document.clone());
     laid_out->documentLayout()->setPaintDevice(&writer);
     QTextFrameFormat format = laid_out->rootFrame()->frameFormat();
-    format.setMargin(margin_inch * writer.logicalDpiY());
+    format.setMargin(static_cast<int>(margin_inch * screen_dots));
     laid_out->rootFrame()->setFrameFormat(format);
     const double page = writer.height();
     laid_out->setPageSize(QSizeF(writer.width(), page));
