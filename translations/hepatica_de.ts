@@ -8502,5 +8502,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Drawing pictures and curves</source>
         <translation>Bilder und Kurven zeichnen</translation>
     </message>
+    <message>
+        <source>No lesson begins while the vessels are corrected: wait for that</source>
+        <translation>Solange die Gefäße korrigiert werden, beginnt keine Lektion: warten Sie das ab</translation>
+    </message>
 </context>
 </TS>

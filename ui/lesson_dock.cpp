@@ -311,7 +311,7 @@ fs::path LessonDock::next_recording() const {
 
 void LessonDock::begin() {
     const std::shared_ptr<const PatientCase> patient = ways_.patient();
-    if (!lesson_ || patient == nullptr) return;
+    if (!lesson_ || patient == nullptr || !ways_.may_begin()) return;
     // Whoever tries it makes it fit.
     const bool tries = fs::path(name_).parent_path() == tried();
     if (const auto wrong = misfits(*lesson_, patient->tree); !wrong.empty() && !tries) {

@@ -63,6 +63,12 @@ void MainWindow::build_lessons() {
     fits_ = std::make_unique<FitKeeper>(std::move(fits));
     LessonDock::Ways ways;
     ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
+    ways.may_begin = [this] {
+        if (keeper_->makes_vessels())
+            messages_->show_notice(
+                Words::tr("No lesson begins while the vessels are corrected: wait for that"));
+        return !keeper_->makes_vessels();
+    };
     ways.open_built_in = [this] { open_for_lesson(OpenRequest{true, {}}); };
     ways.open_case = [this](const QString& folder) {
         OpenRequest request;

@@ -91,6 +91,10 @@ class PatientKeeper {
 
     const Workspace& workspace() const { return workspace_; }
     const JobQueue& jobs() const { return jobs_; }
+    // Other vessels of the patient are computed.
+    bool makes_vessels() const {
+        return jobs_.holds(JobKind::correct) || jobs_.holds(JobKind::remake);
+    }
 
     // Each returns at once. An opening that is under way is given up for a newer one.
     void open(const OpenRequest& request);

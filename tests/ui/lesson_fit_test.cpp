@@ -56,10 +56,13 @@ class LessonFit : public testing::WindowTest {
         write_lesson(file, lesson);
         return file;
     }
-    void delete_loose_piece() {
+    void choose_to_delete_trees() {
         window_.actions()[ActionId::edit_mode].trigger();
         auto* tools = window_.findChild<QComboBox*>("EditTool");
         tools->setCurrentIndex(tools->findText("Delete a whole tree"));
+    }
+    void delete_loose_piece() {
+        choose_to_delete_trees();
         QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(on_loose_piece));
         wait();
         ASSERT_EQ(roots(window_.workspace().patient()->tree).size(), 1u);
@@ -82,6 +85,21 @@ TEST_F(LessonFit, who_corrects_is_told_which_lesson_fits_no_more_and_of_undo_tha
     window_.actions()[ActionId::undo_edit].trigger();
     wait();
     EXPECT_TRUE(wait_for([&] { return window_.messages().text().isEmpty(); }));
+}
+
+// The vessels would arrive in the middle of the play, and end it without a verdict.
+TEST_F(LessonFit, none_begins_while_the_vessels_are_corrected) {
+    const fs::path file = to_path(folder_.filePath("any.json"));
+    write_lesson(file, new_lesson());
+    choose_to_delete_trees();
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(on_loose_piece));
+    ASSERT_TRUE(window_.busy());
+    window_.lessons().start(file.string());
+    EXPECT_FALSE(window_.lessons().playing());
+    EXPECT_TRUE(told("No lesson begins while the vessels are corrected"));
+    wait();
+    window_.lessons().start(file.string());
+    EXPECT_TRUE(wait_for([&] { return window_.lessons().playing(); }));
 }
 
 // As one that was written by hand, or saved while another patient was shown.
