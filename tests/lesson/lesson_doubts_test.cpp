@@ -46,7 +46,7 @@ TEST(LessonDoubts, NamesThePartThatIsMissing) {
         std::size_t doubts;  // tools and bounds of the lesson that need it
     };
     const Missing parts[] = {
-        {"bleeding_vessel", [](SceneSpec& scene) { scene.contact.reset(); }, "tools that touch", 4},
+        {"bleeding_vessel", [](SceneSpec& scene) { scene.contact.reset(); }, "tools that touch", 5},
         {"probe_free", [](SceneSpec& scene) { scene.contact->tools = false; }, "tools that touch",
          5},
         {"cut_line", [](SceneSpec& scene) { scene.tear.reset(); }, "vessels that tear", 4},
