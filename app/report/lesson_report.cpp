@@ -128,13 +128,12 @@ std::string key(const QString& words) {
 }
 
 Json table_of_bounds(const std::vector<BoundStanding>& bounds,
-                     const std::vector<std::string>& marks, FlowUnits units) {
+                     const std::vector<std::string>& marks, FlowUnits units, bool judged) {
     Json rows = Json::array();
     for (const BoundStanding& bound : bounds) {
-        // Of who did not reach the end no pass mark is looked at.
-        const QString kept = std::isnan(bound.value) ? Words::tr("not judged")
-                             : bound.kept            ? Words::tr("yes")
-                                                     : Words::tr("no");
+        const QString kept = !judged      ? Words::tr("not judged")
+                             : bound.kept ? Words::tr("yes")
+                                          : Words::tr("no");
         rows.push_back(
             {{key(Words::tr("Bound")), key(translated(to_words(bound.predicate, marks, units)))},
              {key(Words::tr("Was")), key(in_words(bound.predicate.quantity, bound.value, units))},
@@ -256,9 +255,13 @@ void add_verdict(HtmlReport& page, const Parts& parts) {
     page.add_heading(key(Words::tr("Steps")));
     page.add_table(table_of_steps(standing, parts.lesson));
     if (!standing.limits.empty()) page.add_heading(key(Words::tr("Limits")));
-    if (!standing.limits.empty()) page.add_table(table_of_bounds(standing.limits, marks, units));
+    if (!standing.limits.empty())
+        page.add_table(table_of_bounds(standing.limits, marks, units, true));
+    // Of who did not reach the end no pass mark is looked at.
+    const bool reached = standing.step == parts.lesson.steps.size();
     if (!standing.pass.empty()) page.add_heading(key(Words::tr("Pass marks")));
-    if (!standing.pass.empty()) page.add_table(table_of_bounds(standing.pass, marks, units));
+    if (!standing.pass.empty())
+        page.add_table(table_of_bounds(standing.pass, marks, units, reached));
 }
 
 HtmlReport page_of(const Parts& parts) {
