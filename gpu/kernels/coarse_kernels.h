@@ -10,11 +10,12 @@
 
 namespace hepatica::gpu {
 
-// Row of P: both nodes of a vertex and its weights in their vectors.
+// Row of P: both nodes of a vertex and its weights in their vectors, which a device fetches four at
+// once where a kernel takes the whole row.
 template <class Real>
-struct VertexModes {
-    int node[2];
+struct alignas(16) VertexModes {
     Real weight[2][coarse_vectors];
+    int node[2];
 
     HEPATICA_HOST_DEVICE Real in(int other, int vector) const {
         Real sum = Real(0);
@@ -218,8 +219,9 @@ struct RestrictResidual {
     std::size_t bytes() const { return bytes_of(modes, vertex, node, r); }
     HEPATICA_HOST_DEVICE void operator()(int k, double* sum) const {
         const int i = vertex[k];
+        const VertexModes<Real> own = modes[i];
         for (int m = 0; m < coarse_vectors; ++m) {
-            const double weight = double(modes[i].in(node[k], m));
+            const double weight = double(own.in(node[k], m));
             for (int c = 0; c < 3; ++c) sum[3 * m + c] += weight * double(r[i][c]);
         }
     }
@@ -230,20 +232,19 @@ template <class Real>
 struct AddMotion {
     static constexpr int width = 2;
     View<const VertexModes<Real>> modes;
-    View<const double> motion;  // of every vector of every node
+    View<const NodeMotion<Real>> motion;
     View<const Vector3<Real>> r;
     View<Vector3<Real>> z;
 
     std::size_t bytes() const { return bytes_of(modes, motion, r, z, z); }
     HEPATICA_HOST_DEVICE void operator()(int i, double* sum) const {
-        const VertexModes<Real>& own = modes[i];
+        const VertexModes<Real> own = modes[i];
         Vector3<double> moved{{double(z[i][0]), double(z[i][1]), double(z[i][2])}};
-        for (int side = 0; side < 2; ++side)
-            for (int m = 0; m < coarse_vectors; ++m) {
-                const int first = 3 * (coarse_vectors * own.node[side] + m);
-                for (int c = 0; c < 3; ++c)
-                    moved[c] += double(own.weight[side][m]) * motion[first + c];
-            }
+        for (int side = 0; side < 2; ++side) {
+            const NodeMotion<Real> of_node = motion[own.node[side]];
+            for (int k = 0; k < node_rows; ++k)
+                moved[k % 3] += double(own.weight[side][k / 3]) * double(of_node.number[k]);
+        }
         for (int c = 0; c < 3; ++c) {
             z[i][c] = Real(moved[c]);
             sum[0] += double(r[i][c]) * double(z[i][c]);

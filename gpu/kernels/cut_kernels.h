@@ -9,13 +9,20 @@
 namespace hepatica::gpu {
 
 constexpr int coarse_vectors = 4;  // per node, as vectors_per_node
-constexpr int cut_rows = 2 * 3 * coarse_vectors;
+constexpr int node_rows = 3 * coarse_vectors;
+constexpr int cut_rows = 2 * node_rows;
 constexpr int cut_entries = cut_rows * cut_rows;
 
 // By columns, so that threads of neighbouring rows read neighbouring entries.
 HEPATICA_HOST_DEVICE int entry_of_cut(int row, int column) {
     return column * cut_rows + row;
 }
+
+// What moves a node, which a device fetches four numbers at once.
+template <class Real>
+struct alignas(16) NodeMotion {
+    Real number[node_rows];
+};
 
 // The lists of CoarsePlan: the blocks of N, column by column, and what elimination takes from each.
 struct CutListsView {
@@ -276,7 +283,7 @@ struct SumAbove : CutThreads {
     InverseListsView lists;
     View<const Real> inverse;
     View<const double> divided;
-    View<double> motion;
+    View<NodeMotion<Real>> motion;  // of both nodes of each cut
 
     int blocks() const { return lists.above_begin.size - 1; }
     HEPATICA_HOST_DEVICE int phases() const { return 2; }
@@ -297,7 +304,8 @@ struct SumAbove : CutThreads {
             sums[cut_rows * (thread % parts) + column] = sum;
         } else if (thread < cut_rows) {
             const int entry = cut_rows * cut + thread;
-            motion[entry] = divided[entry] + add_up(sums + thread);
+            motion[entry / node_rows].number[entry % node_rows] =
+                Real(divided[entry] + add_up(sums + thread));
         }
     }
 };

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "gpu/kernels/element_kernels.h"
+#include "gpu/kernels/quads.h"
 
 namespace hepatica::gpu {
 
@@ -79,8 +80,8 @@ struct GrabsView {
         return sum;
     }
     // Row i of their stiffness times p.
-    template <class Real>
-    HEPATICA_HOST_DEVICE Vector3<double> product(int i, const View<const Vector3<Real>>& p) const {
+    template <class Field>
+    HEPATICA_HOST_DEVICE Vector3<double> product(int i, const Field& p) const {
         Vector3<double> sum{{0.0, 0.0, 0.0}};
         for_each(i, [&](int g, int a) {
             const GrabSpring& spring = grab[g];
@@ -88,7 +89,7 @@ struct GrabsView {
                 if (spring.node[b] < 0) continue;
                 const bool stored = (spring.stored >> (4 * a + b) & 1u) != 0;
                 const double both = spring.weight[a] * spring.weight[b];
-                const Vector3<Real>& moved = p[stored ? spring.node[b] : i];
+                const auto moved = vector_of(p[stored ? spring.node[b] : i]);
                 const Vector3<double> d{{double(moved[0]), double(moved[1]), double(moved[2])}};
                 sum =
                     sum + (stored ? both : small::detail::absolute(both)) * (pull[g].stiffness * d);

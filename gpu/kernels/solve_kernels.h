@@ -4,8 +4,7 @@
 // only through its record, some time later.
 #pragma once
 
-#include "gpu/kernels/sums.h"
-#include "gpu/kernels/system_kernels.h"
+#include "gpu/kernels/product_kernels.h"
 
 namespace hepatica::gpu {
 
@@ -83,13 +82,13 @@ template <class Real>
 struct TurnDirection {
     View<const SolveScalars> scalars;
     View<const Vector3<Real>> z;
-    View<Vector3<Real>> p;
+    View<Quad<Real>> p;
 
     HEPATICA_HOST_DEVICE int count() const { return p.size; }
     std::size_t bytes() const { return bytes_of(z, p, p); }
     HEPATICA_HOST_DEVICE void operator()(int i) const {
         const Real ratio = Real(scalars[0].ratio);
-        p[i] = ratio == Real(0) ? z[i] : z[i] + ratio * p[i];
+        p[i] = quad_of(ratio == Real(0) ? z[i] : z[i] + ratio * vector_of(p[i]));
     }
 };
 
@@ -110,14 +109,15 @@ template <class Real>
 struct TakeStep {
     static constexpr int width = 2;
     View<const SolveScalars> scalars;
-    View<const Vector3<Real>> p, product;
+    View<const Quad<Real>> p;
+    View<const Vector3<Real>> product;
     MatrixPlanes<Real> inverse;
     View<Vector3<Real>> x, r, z;
 
     std::size_t bytes() const { return bytes_of(p, product, x, x, r, r, z) + bytes_of(inverse); }
     HEPATICA_HOST_DEVICE void operator()(int i, double* sum) const {
         const Real step = Real(scalars[0].step);
-        x[i] = x[i] + step * p[i];
+        x[i] = x[i] + step * vector_of(p[i]);
         const Vector3<Real> residual = r[i] - step * product[i], image = inverse[i] * residual;
         r[i] = residual;
         z[i] = image;

@@ -8,7 +8,7 @@
 
 namespace hepatica::gpu {
 
-constexpr int sum_threads = 128;  // a power of two
+constexpr int sum_threads = 128;
 constexpr int nodes_per_chunk = sum_threads;
 
 // Term: static constexpr int width; std::size_t bytes() const;
@@ -16,26 +16,34 @@ constexpr int nodes_per_chunk = sum_threads;
 // Then: static constexpr int width; void operator()(int segment, const double* sum) const
 namespace detail {
 
-constexpr int halvings = 7;
-static_assert(1 << halvings == sum_threads);
-constexpr int sum_phases = 2 + halvings;
+// What the threads of a block have is added up by so many of them for each number, then by one.
+constexpr int sum_lanes = 8;
+constexpr int sum_phases = 4;
+// Numbers that the threads of a block share for it.
+template <int Width>
+constexpr int sum_shared = Width*(sum_threads + sum_lanes + 1);
 
 // A phase of adding up what the threads of a block have: put(sum) adds what this one has, and at
 // last take(sum) has it all.
 template <int Width, class Put, class Take>
 HEPATICA_HOST_DEVICE void sum_over_threads(int phase, int thread, double* shared, const Put& put,
                                            const Take& take) {
+    static_assert(Width * sum_lanes <= sum_threads);
+    double* const of_lane = shared + Width * sum_threads;
+    double* const whole = of_lane + Width * sum_lanes;
     double sum[Width] = {};
     if (phase == 0) {
         put(sum);
         for (int k = 0; k < Width; ++k) shared[k * sum_threads + thread] = sum[k];
-    } else if (phase <= halvings) {
-        const int half = sum_threads >> phase;
-        for (int k = 0; k < Width && thread < half; ++k)
-            shared[k * sum_threads + thread] += shared[k * sum_threads + thread + half];
-    } else if (thread == 0) {
-        for (int k = 0; k < Width; ++k) sum[k] = shared[k * sum_threads];
-        take(sum);
+    } else if (phase == 1 && thread < Width * sum_lanes) {
+        const double* const first = shared + thread / sum_lanes * sum_threads + thread % sum_lanes;
+        for (int i = 0; i < sum_threads; i += sum_lanes) sum[0] += first[i];
+        of_lane[thread] = sum[0];
+    } else if (phase == 2 && thread < Width) {
+        for (int lane = 0; lane < sum_lanes; ++lane) sum[0] += of_lane[thread * sum_lanes + lane];
+        whole[thread] = sum[0];
+    } else if (phase == 3 && thread == 0) {
+        take(whole);
     }
 }
 
@@ -73,7 +81,8 @@ struct Unsummed {
 // Over all nodes.
 template <class Term, class Then>
 struct SumWhole {
-    static constexpr int width = Term::width, threads = sum_threads, shared = width * sum_threads;
+    static constexpr int width = Term::width, threads = sum_threads,
+                         shared = detail::sum_shared<width>;
     static_assert(width == Then::width);
     Term term;
     Then then;
@@ -127,7 +136,7 @@ struct PartitionView {
 // The chunks of segments.
 template <class Term>
 struct SumChunks {
-    static constexpr int threads = sum_threads, shared = Term::width * sum_threads;
+    static constexpr int threads = sum_threads, shared = detail::sum_shared<Term::width>;
     Term term;
     PartitionView partition;
     View<double> partial;  // of each chunk, `width` numbers
@@ -150,7 +159,7 @@ struct SumChunks {
 // And the segments of chunks.
 template <class Then>
 struct FinishSum {
-    static constexpr int threads = sum_threads, shared = Then::width * sum_threads;
+    static constexpr int threads = sum_threads, shared = detail::sum_shared<Then::width>;
     Then then;
     PartitionView partition;
     View<const double> partial;
@@ -169,7 +178,7 @@ struct FinishSum {
 // Both at once where no segment is long: one block of threads a segment.
 template <class Term, class Then>
 struct SumSegments {
-    static constexpr int threads = sum_threads, shared = Term::width * sum_threads;
+    static constexpr int threads = sum_threads, shared = detail::sum_shared<Term::width>;
     static_assert(Term::width == Then::width);
     Term term;
     Then then;

@@ -175,16 +175,17 @@ struct TouchesView {
         });
     }
     // Row i of their stiffness times p.
-    template <class Real>
-    HEPATICA_HOST_DEVICE Vector3<double> product(int i, const View<const Vector3<Real>>& p) const {
+    template <class Field>
+    HEPATICA_HOST_DEVICE Vector3<double> product(int i, const Field& p) const {
         Vector3<double> sum{{0.0, 0.0, 0.0}};
         for_each(i, [&](int t, int a) {
             const TouchPull& is = pull[t];
             Vector3<double> moved{{0.0, 0.0, 0.0}};
             for (int b = 0; b < 4; ++b) {
                 const int other = node[4 * t + b];
-                for (int c = 0; c < 3 && other >= 0; ++c)
-                    moved[c] += is.weight[b] * double(p[other][c]);
+                if (other < 0) continue;
+                const auto of_node = vector_of(p[other]);
+                for (int c = 0; c < 3; ++c) moved[c] += is.weight[b] * double(of_node[c]);
             }
             sum = sum + is.weight[a] * (is.stiffness * moved);
         });

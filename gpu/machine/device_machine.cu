@@ -80,8 +80,14 @@ class DeviceMachine final : public MachineBy<DeviceMachine> {
     DeviceMachine() : overlap_(launches_overlap()) {
         require(cudaMalloc(&ended_, sizeof *ended_), "no memory on the device");
         require(cudaMemset(ended_, 0, sizeof *ended_), "the device failed");
+        require(cudaStreamCreateWithFlags(&copies_, cudaStreamNonBlocking), "the device failed");
+        require(cudaEventCreateWithFlags(&written_, cudaEventDisableTiming), "the device failed");
     }
-    ~DeviceMachine() override { cudaFree(ended_); }
+    ~DeviceMachine() override {
+        cudaEventDestroy(written_);
+        cudaStreamDestroy(copies_);
+        cudaFree(ended_);
+    }
     DeviceMachine(const DeviceMachine&) = delete;
     DeviceMachine& operator=(const DeviceMachine&) = delete;
 
@@ -124,9 +130,20 @@ class DeviceMachine final : public MachineBy<DeviceMachine> {
         require(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToHost),
                 "a copy from the device failed");
     }
+    void begin_copy_out(void* to, const void* from, std::size_t bytes) override {
+        require(cudaEventRecord(written_), "the device failed");
+        require(cudaStreamWaitEvent(copies_, written_), "the device failed");
+        require(cudaMemcpyAsync(to, from, bytes, cudaMemcpyDeviceToHost, copies_),
+                "a copy from the device failed");
+    }
+    void finish_copies() override {
+        require(cudaStreamSynchronize(copies_), "a copy from the device failed");
+    }
 
     bool overlap_;
     unsigned* ended_ = nullptr;  // blocks of the kernel that runs
+    cudaStream_t copies_ = nullptr;
+    cudaEvent_t written_ = nullptr;  // all that was launched before a copy
 };
 
 std::string version_text(int version) {

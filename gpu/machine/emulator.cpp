@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <new>
+#include <stdexcept>
+#include <vector>
 
 namespace hepatica::gpu {
 namespace {
@@ -86,6 +88,23 @@ class Emulator final : public MachineBy<Emulator> {
         std::memcpy(to, from, bytes);
     }
 
+    void begin_copy_out(void* to, const void* from, std::size_t bytes) override {
+        std::memcpy(to, from, bytes);
+        under_way_.push_back({to, from, bytes});
+    }
+    // A device may copy at any time between the two.
+    void finish_copies() override {
+        for (const Copy& copy : under_way_)
+            if (std::memcmp(copy.to, copy.from, copy.bytes) != 0)
+                throw std::logic_error("a kernel wrote to what was being copied");
+        under_way_.clear();
+    }
+
+    struct Copy {
+        const void *to, *from;
+        std::size_t bytes;
+    };
+    std::vector<Copy> under_way_;
     Loops loops_;
 };
 

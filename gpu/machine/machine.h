@@ -63,6 +63,13 @@ class Machine : public RunsAll<AllKernels> {
         count_copy(bytes);
         copy_out(to, from, bytes);
     }
+    // Copies what was launched before has left, beside what is launched from now on, which must not
+    // write to it. What is copied is there once finish_downloads() has returned.
+    void begin_download(void* to, const void* from, std::size_t bytes) {
+        count_copy(bytes);
+        begin_copy_out(to, from, bytes);
+    }
+    void finish_downloads() { finish_copies(); }
 
     // Kernels without a block do nothing.
     template <class Kernel>
@@ -87,6 +94,8 @@ class Machine : public RunsAll<AllKernels> {
     virtual void give_back(void* memory) noexcept = 0;
     virtual void copy_in(void* to, const void* from, std::size_t bytes) = 0;
     virtual void copy_out(void* to, const void* from, std::size_t bytes) = 0;
+    virtual void begin_copy_out(void* to, const void* from, std::size_t bytes) = 0;
+    virtual void finish_copies() = 0;
 
     void count_copy(std::size_t bytes) {
         ++traffic_.copies;

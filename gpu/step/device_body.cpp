@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "gpu/step/row_chunks.h"
+
 namespace hepatica::gpu {
 namespace {
 
@@ -35,6 +37,8 @@ DeviceBody<Real>::DeviceBody(Machine& machine, const Body& body, const AssemblyP
       column_(machine),
       place_(machine),
       mirror_(machine),
+      chunk_begin_(machine),
+      row_in_chunk_(machine),
       block_(machine) {
     if (!plan.factors.place.empty())
         turned_ = Array<Aligned3<Real>>(machine, static_cast<std::size_t>(plan.force_slots));
@@ -93,6 +97,9 @@ void DeviceBody<Real>::set_pattern(const AssemblyPlan& plan) {
     set_upper(plan.blocks, blocks_);
     set_upper(plan.transposed, transposed_);
     block_.resize(9 * column.size());
+    RowChunks chunks = chunks_of(row_begin);
+    chunk_begin_.set(std::move(chunks.begin));
+    row_in_chunk_.set(std::move(chunks.row_of));
     row_begin_.set(std::move(row_begin));
     column_.set(std::move(column));
     place_.set(std::move(place));

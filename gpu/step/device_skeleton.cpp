@@ -35,8 +35,9 @@ DeviceSkeleton<Real>::DeviceSkeleton(Machine& machine, const CoarseSkeleton& ske
     for (auto* blocks : {&matrix_, &reduced_, &multiplier_}) *blocks = {machine, entries};
     factor_ = {machine, entries};
     pivot_ = {machine, static_cast<std::size_t>(cut_entries * plan_.cuts())};
-    for (auto* vector : {&load_, &divided_, &motion_})
+    for (auto* vector : {&load_, &divided_})
         *vector = {machine, static_cast<std::size_t>(cut_rows * plan_.cuts())};
+    motions_ = {machine, static_cast<std::size_t>(plan_.slots())};
 }
 
 // What does not change with the shape: shares and radii, and the vertices of each slot.
@@ -75,7 +76,6 @@ void DeviceSkeleton<Real>::set_vertices(const AffineCoarseSpace& space,
 template <class Real>
 void DeviceSkeleton<Real>::set_pairs(const AffineCoarseSpace& space, const AssemblyPlan& plan) {
     const BlockMatrix coarse = space.coarse_pattern();
-    constexpr int node_rows = 3 * coarse_vectors;
     std::vector<NodePair> pairs;
     for (std::size_t n = 0; n < plan_.slot_of_node.size(); ++n) {
         const int own = plan_.slot_of_node[n], first = coarse_vectors * static_cast<int>(n);
@@ -162,7 +162,7 @@ void DeviceSkeleton<Real>::solve() const {
     machine_.launch(DivideByPivots<Real>{
         {}, inverse_lists(), pivot_.read(), load_.read(), partial_.read(), divided_.view()});
     machine_.launch(
-        SumAbove<Real>{{}, inverse_lists(), inverse_.read(), divided_.read(), motion_.view()});
+        SumAbove<Real>{{}, inverse_lists(), inverse_.read(), divided_.read(), motions_.view()});
 }
 
 template class DeviceSkeleton<float>;

@@ -33,7 +33,7 @@ class DeviceSkeleton {
         by_node_.sum(RestrictResidual<Real>{modes_.read(), vertex_.read(), node_.read(), r},
                      KeepSums<3 * coarse_vectors>{load_.view()});
         solve();
-        nodes.sum(AddMotion<Real>{modes_.read(), motion_.read(), r, z}, then);
+        nodes.sum(AddMotion<Real>{modes_.read(), motions_.read(), r, z}, then);
     }
 
   private:
@@ -63,8 +63,9 @@ class DeviceSkeleton {
     Array<InverseListsView::Product> product_;
     Array<InverseListsView::Above> above_;
     Array<double> matrix_, reduced_, multiplier_;
-    Array<Real> pivot_, factor_, inverse_;             // D^-1, N, N^-1
-    Array<double> load_, partial_, divided_, motion_;  // of a solve
+    Array<Real> pivot_, factor_, inverse_;    // D^-1, N, N^-1
+    Array<double> load_, partial_, divided_;  // of a solve
+    Array<NodeMotion<Real>> motions_;
 };
 
 extern template class DeviceSkeleton<float>;

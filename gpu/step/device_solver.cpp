@@ -48,15 +48,16 @@ DeviceSolver<Real>::DeviceSolver(Machine& machine, const WholeSum& nodes)
       x_(machine),
       r_(machine),
       z_(machine),
-      p_(machine),
       product_(machine),
+      p_(machine),
       inverse_(machine),
       scalars_(machine, 1),
       record_(machine, batch) {}
 
 template <class Real>
 void DeviceSolver<Real>::resize(std::size_t nodes) {
-    for (auto* vector : {&x_, &r_, &z_, &p_, &product_}) vector->resize(nodes);
+    for (auto* vector : {&x_, &r_, &z_, &product_}) vector->resize(nodes);
+    p_.resize(nodes);
     for (auto* vector : {&solution_, &residual_}) vector->resize(nodes);
     inverse_.resize(9 * nodes);
 }
@@ -82,7 +83,7 @@ template <class Real>
 void DeviceSolver<Real>::iterate(const SystemView<Real>& system,
                                  const DeviceSkeleton<Real>* skeleton) {
     machine_.for_each(TurnDirection<Real>{scalars_.read(), z_.read(), p_.view()});
-    nodes_.product(system, p_.read(), product_.view(), ChooseStep{scalars_.view()});
+    nodes_.rows(system, p_.read(), KeepProduct<Real>{product_.view()}, ChooseStep{scalars_.view()});
     precondition(
         TakeStep<Real>{scalars_.read(), p_.read(), product_.read(),
                        MatrixPlanes<Real>(inverse_.read()), x_.view(), r_.view(), z_.view()},
@@ -162,7 +163,7 @@ SolveReport DeviceSolver<Real>::solve(const SystemView<Real>& system, View<const
                         stop);
         machine_.for_each(AddCorrection<Real>{x_.read(), solution_.view()});
         before = left;
-        left = nodes_.read(FindResidual<Real>{system, b, solution_.read(), residual_.view()})[0];
+        left = nodes_.read_rows(system, solution_.read(), KeepResidual{b, residual_.view()})[0];
         if (end != End::residual || left <= wanted || !(left < squared(worth_a_round) * before))
             break;
     }

@@ -68,8 +68,9 @@ class DeviceSolver {
     Machine& machine_;
     const WholeSum& nodes_;
     GrowingArray<Vector3<double>> solution_, residual_;
-    GrowingArray<Vector3<Real>> x_, r_, z_, p_, product_;  // of a round
-    GrowingArray<Real> inverse_;                           // of the diagonal blocks, in planes
+    GrowingArray<Vector3<Real>> x_, r_, z_, product_;  // of a round
+    GrowingArray<Quad<Real>> p_;                       // its direction
+    GrowingArray<Real> inverse_;                       // of the diagonal blocks, in planes
     Array<SolveScalars> scalars_;
     Array<IterationRecord> record_;
     SolveCost cost_;

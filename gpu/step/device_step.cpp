@@ -53,6 +53,11 @@ void copy_out(Machine& machine, const GrowingArray<Vector3<double>>& from, std::
     machine.download(to.data(), from.read().data, to.size() * sizeof(Vec3));
 }
 
+void begin_copy_out(Machine& machine, const GrowingArray<Vector3<double>>& from,
+                    std::vector<Vec3>& to) {
+    machine.begin_download(to.data(), from.read().data, to.size() * sizeof(Vec3));
+}
+
 template <class Real>
 class Step final : public DeviceStep {
   public:
@@ -127,7 +132,8 @@ class Step final : public DeviceStep {
     }
     double product(const SystemView<Real>& system, const GrowingArray<Vector3<double>>& w,
                    GrowingArray<Vector3<double>>& y);
-    void place(double dt, double share, View<const Vector3<double>> change, bool with_stiffness);
+    void place(double dt, double share, View<const Vector3<double>> change);
+    void evaluate(bool with_stiffness);
     Descent descent(double dt, bool damped, GrowingArray<Vector3<double>>& result) const;
     double value_of(const Balance& now, double dt, double damping_form) const;
     Balance balance() { return {pieces_.read(Energies{nodes_at(position_, velocity_)})}; }
@@ -192,7 +198,7 @@ void Step<Real>::set_nodes() {
     limiter_.emplace(body_, plan_);
     grabs_.follow_tear(potentials_.grabs(), plan_);
     touches_.set_nodes(nodes_);
-    all_.resize(nodes_);
+    all_.resize(nodes_, elements_.row_chunks().chunks());
     pieces_.set(limiter_->piece_of_node());
     solver_.resize(nodes_);
     mass_.set(body_.mass_g);
@@ -229,24 +235,30 @@ NodeViews Step<Real>::nodes_at(const GrowingArray<Vector3<double>>& x,
 
 template <class Real>
 SystemView<Real> Step<Real>::system(const SystemFactors& factors) const {
-    return {elements_.row_begin(), elements_.column(), elements_.block(),
-            mass_.read(),          tether_.read(),     device_held_.read(),
-            grabs_.view(),         touches_.view(),    factors};
+    return {elements_.row_begin(),  elements_.column(),
+            elements_.row_chunks(), elements_.block(),
+            mass_.read(),           tether_.read(),
+            device_held_.read(),    grabs_.view(),
+            touches_.view(),        factors};
 }
 
 // y = A w; returns w . y.
 template <class Real>
 double Step<Real>::product(const SystemView<Real>& system, const GrowingArray<Vector3<double>>& w,
                            GrowingArray<Vector3<double>>& y) {
-    return all_.read_product(system, w.read(), y.view());
+    return all_.read_rows(system, w.read(), KeepProduct<double>{y.view()})[0];
 }
 
-// Goes to w = share v_n + change and evaluates there.
+// Goes to w = share v_n + change.
 template <class Real>
-void Step<Real>::place(double dt, double share, View<const Vector3<double>> change,
-                       bool with_stiffness) {
+void Step<Real>::place(double dt, double share, View<const Vector3<double>> change) {
     machine_.for_each(PlaceNodes{start_.read(), before_.read(), change, share, dt, position_.view(),
                                  velocity_.view()});
+}
+
+// Forces and energies there.
+template <class Real>
+void Step<Real>::evaluate(bool with_stiffness) {
     grabs_.pull(position_.read());
     touches_.press(position_.read());
     elements_.evaluate(position_.read(), with_stiffness);
@@ -291,7 +303,8 @@ bool Step<Real>::predict(Underway& step) {
     if (!(step.before.sum(Energies::kinetic) > 0.0)) return false;
     const double dt = step.dt_s;
     if (guard_.any() && potentials_.free_share(step.from_mm, step.to_mm) < 1.0) return false;
-    place(dt, 1.0, {}, true);
+    place(dt, 1.0, {});
+    evaluate(true);
     const Balance there = balance();
     if (!(value_of(there, dt, 0.0) <= step.standing)) return false;
     elements_.assemble();
@@ -310,7 +323,8 @@ bool Step<Real>::predict(Underway& step) {
 template <class Real>
 void Step<Real>::stand(Underway& step) {
     const double dt = step.dt_s;
-    place(dt, 0.0, {}, true);
+    place(dt, 0.0, {});
+    evaluate(true);
     elements_.assemble();
     touches_.foresee(nodes_at(position_, velocity_));
     step.value = step.standing;
@@ -339,8 +353,9 @@ bool Step<Real>::solve(Underway& step, const SolveLimits& limits, StepReport& re
                                  before_.read(), step.predicted ? 0.0 : 1.0});
     step.slope = -along[0];
     step.residual_work = -along[1];
-    machine_.for_each(PlaceNodes{start_.read(), before_.read(), solver_.solution(), 1.0, dt,
-                                 position_.view(), velocity_.view()});
+    place(dt, 1.0, solver_.solution());
+    begin_copy_out(machine_, position_, end_.positions_mm);
+    begin_copy_out(machine_, velocity_, end_.velocities_mm_per_s);
     // The stiffness is still that of where the iterate began.
     if (!step.predicted)
         step.curvature =
@@ -357,7 +372,7 @@ template <class Real>
 bool Step<Real>::accepted(Underway& step) {
     const double dt = step.dt_s;
     if (guard_.any() && !passes_nothing(step)) return false;
-    place(dt, 1.0, solver_.solution(), false);
+    evaluate(false);
     step.after = balance();
     const double value = value_of(step.after, dt, step.damping_form);
     const double noise = energy_rounding * (std::abs(value) + std::abs(step.value)) + energy_floor_;
@@ -393,8 +408,6 @@ void Step<Real>::book(Underway& step, StepReport& report) {
 // The step's end becomes the state; the limiter has the last word on its velocities.
 template <class Real>
 bool Step<Real>::accept(const Underway& step, StepReport& report) {
-    copy_out(machine_, position_, end_.positions_mm);
-    copy_out(machine_, velocity_, end_.velocities_mm_per_s);
     if (guard_.any() && guard_.overdrawn(*limiter_, step, end_.velocities_mm_per_s, held_))
         return leave("a piece would pay for energy or momentum of others");
     const auto pieces_before = step.before.by_piece(), pieces_after = step.after.by_piece();
@@ -428,7 +441,9 @@ bool Step<Real>::make(double dt_s, const SolveLimits& limits, StepReport& report
         stand(step);
     }
     evaluated_ = false;
-    if (!solve(step, limits, report, stop) || !accepted(step)) return false;
+    const bool made = solve(step, limits, report, stop) && accepted(step);
+    machine_.finish_downloads();
+    if (!made) return false;
     report.predicted = step.predicted;
     book(step, report);
     if (!accept(step, report)) return false;

@@ -2,10 +2,11 @@
 // Sums over all nodes of a body on a machine, each in one launch.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
+#include "gpu/kernels/product_kernels.h"
 #include "gpu/kernels/sums.h"
-#include "gpu/kernels/system_kernels.h"
 #include "gpu/step/growing_array.h"
 
 namespace hepatica::gpu {
@@ -15,9 +16,11 @@ class WholeSum {
     explicit WholeSum(Machine& machine)
         : machine_(machine), partial_(machine), result_(machine, most_width) {}
 
-    void resize(std::size_t nodes) {
+    // Of so many nodes, whose rows are multiplied in so many chunks.
+    void resize(std::size_t nodes, int row_chunks = 0) {
         nodes_ = static_cast<int>(nodes);
-        partial_.resize(most_width * ((nodes + nodes_per_chunk - 1) / nodes_per_chunk));
+        partial_.resize(most_width * std::max((nodes + nodes_per_chunk - 1) / nodes_per_chunk,
+                                              static_cast<std::size_t>(row_chunks)));
     }
 
     // Calls the term for every node; its sums are lost.
@@ -31,11 +34,12 @@ class WholeSum {
         static_assert(Term::width <= most_width);
         machine_.launch(SumWhole<Term, Then>{term, then, nodes_, partial_.view()});
     }
-    // y = A p, and p . y to `then`.
-    template <class Real, class V, class Then>
-    void product(const SystemView<Real>& system, View<const Vector3<V>> p, View<Vector3<V>> y,
-                 const Then& then) const {
-        machine_.launch(SumProduct<Real, V, Then>{system, p, y, then, partial_.view()});
+    // Multiplies the rows of the system by p, and hands the sums of what `row` makes of them to
+    // `then`.
+    template <class Real, class Field, class Row, class Then>
+    void rows(const SystemView<Real>& system, const Field& p, const Row& row,
+              const Then& then) const {
+        machine_.launch(SumRows<Real, Field, Row, Then>{system, p, row, then, partial_.view()});
     }
     // The same, read back. Both wait for the machine.
     template <class Term>
@@ -43,11 +47,11 @@ class WholeSum {
         sum(term, KeepSums<Term::width>{result_.view()});
         return result<Term::width>();
     }
-    template <class Real>
-    double read_product(const SystemView<Real>& system, View<const Vector3<double>> p,
-                        View<Vector3<double>> y) const {
-        product(system, p, y, KeepSums<1>{result_.view()});
-        return result<1>()[0];
+    template <class Real, class Field, class Row>
+    std::array<double, Row::width> read_rows(const SystemView<Real>& system, const Field& p,
+                                             const Row& row) const {
+        rows(system, p, row, KeepSums<Row::width>{result_.view()});
+        return result<Row::width>();
     }
 
   private:

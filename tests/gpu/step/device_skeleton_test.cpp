@@ -85,6 +85,7 @@ class Skeletal {
         nodes.resize(r.size());
         gpu::SystemView<Real> system{row_begin_.read(),
                                      column_.read(),
+                                     {},
                                      gpu::MatrixPlanes<Real>(block_.read()),
                                      mass_.read(),
                                      tether_.read(),

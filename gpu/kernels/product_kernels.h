@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Products of the matrix with a vector. A block of threads takes a chunk of rows: at first its
+// threads are the blocks of the matrix in the order in which they lie, so that neighbours read
+// neighbouring numbers, then the rows, each of which adds up its own.
+#pragma once
+
+#include <cstring>
+
+#include "gpu/kernels/sums.h"
+#include "gpu/kernels/system_kernels.h"
+
+namespace hepatica::gpu {
+
+// Row: static constexpr int width; std::size_t bytes() const;
+//   void operator()(int i, const Vector3<V>& row, const Vector3<V>& own, double* sum) const
+// is given (A p)_i and p_i, and adds `width` numbers that are summed over all rows, as SumWhole.
+template <class Real, class Field, class Row, class Then>
+struct SumRows {
+    using V = NumberOf<Field>;
+    static constexpr int rows = RowChunksView::most_rows, entries = RowChunksView::most_entries;
+    static constexpr int width = Row::width, threads = 256, least_blocks = 6;
+    static_assert(width == Then::width && 3 * rows <= threads && sum_threads <= threads);
+    // Numbers (V) of what the entries, and then the rows, have in common.
+    static constexpr int of_entries = 3 * entries, of_rows = 3 * rows;
+    static constexpr int common = (of_entries + of_rows) * int(sizeof(V)) / int(sizeof(double));
+    static constexpr int shared = common + detail::sum_shared<width>;
+    SystemView<Real> system;
+    Field p;
+    Row row;
+    Then then;
+    View<double> partial;  // of each chunk, `width` numbers
+
+    int blocks() const { return system.chunks.chunks(); }
+    HEPATICA_HOST_DEVICE int phases() const { return 2 + detail::sum_phases; }
+    HEPATICA_HOST_DEVICE int end_phases() const { return detail::sum_phases; }
+    std::size_t bytes() const {
+        return system.bytes() + bytes_of(p) + row.bytes() +
+               2 * static_cast<std::size_t>(blocks()) * width * sizeof(double);
+    }
+    HEPATICA_HOST_DEVICE void operator()(int phase, int chunk, int thread, double* memory) const {
+        const int first = system.chunks.begin[chunk], past = system.chunks.begin[chunk + 1];
+        if (phase == 0)
+            multiply(first, past, thread, memory);
+        else if (phase == 1)
+            add_up(first, past, thread, memory);
+        else if (thread < sum_threads)
+            detail::sum_over_threads<width>(
+                phase - 2, thread, memory + common,
+                [&](double* sum) {
+                    if (first + thread < past) finish(first + thread, thread, memory, sum);
+                },
+                [&](const double* sum) {
+                    for (int k = 0; k < width; ++k) partial[chunk * width + k] = sum[k];
+                });
+    }
+    HEPATICA_HOST_DEVICE void end(int phase, int chunks, int thread, double* memory) const {
+        if (thread < sum_threads)
+            detail::sum_chunks(phase, thread, memory, partial, 0, chunks, 0, then);
+    }
+
+  private:
+    static HEPATICA_HOST_DEVICE void keep(double* memory, int place, V value) {
+        memcpy(reinterpret_cast<char*>(memory) + place * sizeof(V), &value, sizeof(V));
+    }
+    static HEPATICA_HOST_DEVICE V kept(const double* memory, int place) {
+        V value;
+        memcpy(&value, reinterpret_cast<const char*>(memory) + place * sizeof(V), sizeof(V));
+        return value;
+    }
+    HEPATICA_HOST_DEVICE void multiply(int first, int past, int thread, double* memory) const {
+        const int begin = system.row_begin[first], count = system.row_begin[past] - begin;
+        for (int e = thread; e < count && count <= entries; e += threads) {
+            const int i = first + system.chunks.row_of[begin + e];
+            const Vector3<V> product = system.difference(begin + e, i, p);
+            for (int c = 0; c < 3; ++c) keep(memory, c * entries + e, product[c]);
+        }
+    }
+    // A thread is a row and one of its three numbers.
+    HEPATICA_HOST_DEVICE void add_up(int first, int past, int thread, double* memory) const {
+        const int c = thread / rows, i = first + thread % rows;
+        if (c >= 3 || i >= past) return;
+        const int begin = system.row_begin[first];
+        const bool together = system.row_begin[past] - begin <= entries;
+        V sum = V(0);
+        for (int k = system.row_begin[i]; k < system.row_begin[i + 1]; ++k)
+            sum += together ? kept(memory, c * entries + k - begin) : system.difference(k, i, p)[c];
+        keep(memory, of_entries + thread, sum);
+    }
+    HEPATICA_HOST_DEVICE void finish(int i, int thread, const double* memory, double* sum) const {
+        Vector3<V> differences;
+        for (int c = 0; c < 3; ++c) differences[c] = kept(memory, of_entries + c * rows + thread);
+        row(i, system.row(i, p, differences), vector_of(p[i]), sum);
+    }
+};
+
+// y = A p; sums p . y.
+template <class V>
+struct KeepProduct {
+    static constexpr int width = 1;
+    View<Vector3<V>> y;
+
+    std::size_t bytes() const { return bytes_of(y); }
+    HEPATICA_HOST_DEVICE void operator()(int i, const Vector3<V>& row, const Vector3<V>& own,
+                                         double* sum) const {
+        y[i] = row;
+        for (int c = 0; c < 3; ++c) sum[0] += double(own[c]) * double(row[c]);
+    }
+};
+
+// r = b - A x; sums r . r.
+struct KeepResidual {
+    static constexpr int width = 1;
+    View<const Vector3<double>> b;
+    View<Vector3<double>> r;
+
+    std::size_t bytes() const { return bytes_of(b, r); }
+    HEPATICA_HOST_DEVICE void operator()(int i, const Vector3<double>& row, const Vector3<double>&,
+                                         double* sum) const {
+        r[i] = b[i] - row;
+        sum[0] += small::dot(r[i], r[i]);
+    }
+};
+
+}  // namespace hepatica::gpu
