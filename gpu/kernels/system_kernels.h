@@ -21,11 +21,11 @@ struct SystemFactors {
 // matrix unless a single row has more.
 struct RowChunksView {
     static constexpr int most_rows = 64, most_entries = 1024;
-    View<const int> begin;             // rows, and the end of the last chunk
+    View<const int> begin, entry;      // its first row and entry, and the ends of the last chunk
     View<const unsigned char> row_of;  // of each block of the matrix, in its chunk
 
     HEPATICA_HOST_DEVICE int chunks() const { return begin.size - 1; }
-    std::size_t bytes() const { return bytes_of(begin, row_of); }
+    std::size_t bytes() const { return bytes_of(begin, entry, row_of); }
 };
 
 template <class Real>

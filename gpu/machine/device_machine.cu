@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cuda_runtime.h>
 
+#include <cuda/atomic>
+
 #include "core/base/error.h"
 #include "gpu/machine/device_error.h"
 #include "gpu/machine/device_machine.h"
@@ -33,18 +35,22 @@ __device__ void wait_for_the_kernel_before() {
 #endif
 }
 
-// Whether all other blocks of the kernel have ended. `ended` is zero before the first one ends and
-// after the last.
+// Whether all other blocks of the kernel have ended; the last one sees what they wrote. `ended` is
+// zero before the first one ends and after the last. One thread releases what its block wrote, and
+// only the last block acquires: a fence of every thread would empty the multiprocessor's cache as
+// often as there are warps.
 __device__ bool is_last_block(unsigned* ended) {
     __shared__ bool last;
-    __threadfence();
     __syncthreads();
     if (threadIdx.x == 0) {
-        last = atomicAdd(ended, 1u) + 1 == gridDim.x;
-        if (last) *ended = 0;
+        cuda::atomic_ref<unsigned, cuda::thread_scope_device> blocks(*ended);
+        last = blocks.fetch_add(1u, cuda::memory_order_release) + 1 == gridDim.x;
+        if (last) {
+            cuda::atomic_thread_fence(cuda::memory_order_acquire, cuda::thread_scope_device);
+            *ended = 0;
+        }
     }
     __syncthreads();
-    __threadfence();
     return last;
 }
 

@@ -38,6 +38,7 @@ DeviceBody<Real>::DeviceBody(Machine& machine, const Body& body, const AssemblyP
       place_(machine),
       mirror_(machine),
       chunk_begin_(machine),
+      chunk_entry_(machine),
       row_in_chunk_(machine),
       block_(machine) {
     if (!plan.factors.place.empty())
@@ -99,6 +100,7 @@ void DeviceBody<Real>::set_pattern(const AssemblyPlan& plan) {
     block_.resize(9 * column.size());
     RowChunks chunks = chunks_of(row_begin);
     chunk_begin_.set(std::move(chunks.begin));
+    chunk_entry_.set(std::move(chunks.entry));
     row_in_chunk_.set(std::move(chunks.row_of));
     row_begin_.set(std::move(row_begin));
     column_.set(std::move(column));

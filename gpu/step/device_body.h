@@ -34,7 +34,9 @@ class DeviceBody {
     View<const double> elastic_energy() const { return energy_.read(); }
     View<const int> row_begin() const { return row_begin_.read(); }
     View<const int> column() const { return column_.read(); }
-    RowChunksView row_chunks() const { return {chunk_begin_.read(), row_in_chunk_.read()}; }
+    RowChunksView row_chunks() const {
+        return {chunk_begin_.read(), chunk_entry_.read(), row_in_chunk_.read()};
+    }
     MatrixPlanes<Real> block() const { return MatrixPlanes<Real>(block_.read()); }
 
   private:
@@ -67,7 +69,7 @@ class DeviceBody {
     Lists force_lists_, factors_, blocks_, transposed_;
     GrowingArray<Vector3<double>> force_;
     GrowingArray<double> energy_;
-    GrowingArray<int> row_begin_, column_, place_, mirror_, chunk_begin_;
+    GrowingArray<int> row_begin_, column_, place_, mirror_, chunk_begin_, chunk_entry_;
     GrowingArray<unsigned char> row_in_chunk_;
     GrowingArray<Real> block_;  // in planes
 };

@@ -8,7 +8,7 @@ namespace hepatica::gpu {
 RowChunks chunks_of(std::span<const int> row_begin) {
     using Limits = RowChunksView;
     const int rows = static_cast<int>(row_begin.size()) - 1;
-    RowChunks chunks{.begin = {0}, .row_of = {}};
+    RowChunks chunks{.begin = {0}, .entry = {}, .row_of = {}};
     chunks.row_of.reserve(static_cast<std::size_t>(row_begin.back()));
     for (int i = 0; i < rows; ++i) {
         const int first = chunks.begin.back();
@@ -19,6 +19,7 @@ RowChunks chunks_of(std::span<const int> row_begin) {
                              static_cast<unsigned char>(i - chunks.begin.back()));
     }
     if (rows > 0) chunks.begin.push_back(rows);
+    for (const int row : chunks.begin) chunks.entry.push_back(row_begin[row]);
     return chunks;
 }
 

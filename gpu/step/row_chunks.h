@@ -8,7 +8,7 @@
 namespace hepatica::gpu {
 
 struct RowChunks {
-    std::vector<int> begin;             // rows, and the end of the last chunk
+    std::vector<int> begin, entry;      // its first row and entry, and the ends of the last chunk
     std::vector<unsigned char> row_of;  // of each entry, counted from its chunk's first
 };
 

@@ -48,6 +48,7 @@ class RandomSystem {
         row_begin_ = {machine, row_begin};
         column_ = {machine, column};
         chunk_begin_ = {machine, chunks.begin};
+        chunk_entry_ = {machine, chunks.entry};
         row_of_ = {machine, chunks.row_of};
         block_ = {machine, gpu::in_planes<double>(block)};
         mass_ = {machine, mass};
@@ -124,7 +125,7 @@ class RandomSystem {
     gpu::SystemView<double> view() const {
         return {row_begin_.read(),
                 column_.read(),
-                {chunk_begin_.read(), row_of_.read()},
+                {chunk_begin_.read(), chunk_entry_.read(), row_of_.read()},
                 gpu::MatrixPlanes<double>(block_.read()),
                 mass_.read(),
                 tether_.read(),
@@ -139,7 +140,7 @@ class RandomSystem {
     std::vector<Vector3<double>> p_, b_;
     Eigen::MatrixXd dense_;
     gpu::WholeSum sums_;
-    gpu::Array<int> row_begin_, column_, chunk_begin_;
+    gpu::Array<int> row_begin_, column_, chunk_begin_, chunk_entry_;
     gpu::Array<unsigned char> row_of_, held_;
     gpu::Array<double> block_, mass_, tether_;
     gpu::Array<Vector3<double>> device_p_, device_b_, y_;

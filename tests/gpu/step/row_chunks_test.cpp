@@ -32,6 +32,8 @@ void expect_chunks(const std::vector<int>& row_begin) {
         const int first = chunks.begin[c], past = chunks.begin[c + 1];
         const int entries = row_begin[past] - row_begin[first];
         EXPECT_GT(past, first);
+        EXPECT_EQ(chunks.entry[c], row_begin[first]);
+        EXPECT_EQ(chunks.entry[c + 1], row_begin[past]);
         EXPECT_LE(past - first, Limits::most_rows);
         if (past - first > 1) {
             EXPECT_LE(entries, Limits::most_entries);
