@@ -69,13 +69,14 @@ struct EliminateCuts {
     int first, cuts;
     View<const double> matrix;
     View<double> reduced, multiplier;  // C, N
-    View<Real> pivot, factor;          // D_p^-1 of each cut; N, rounded
+    View<double> pivot;                // D_p^-1 of each cut
+    View<Real> factor;                 // N, rounded
 
     int blocks() const { return cuts; }
     HEPATICA_HOST_DEVICE int phases() const { return 2 + cut_rows; }
     std::size_t bytes() const {
         const auto columns = static_cast<std::size_t>(cuts) * cut_entries;
-        return columns * (4 * sizeof(double) + 2 * sizeof(Real));
+        return columns * (5 * sizeof(double) + sizeof(Real));
     }
     HEPATICA_HOST_DEVICE void operator()(int phase, int block, int thread, double* own) const {
         const int cut = lists.by_level[first + block];
@@ -134,8 +135,7 @@ struct EliminateCuts {
     }
     HEPATICA_HOST_DEVICE void finish(int cut, int entry, const double* own) const {
         const int row = entry % cut_rows, column = entry / cut_rows;
-        pivot[cut_entries * cut + entry] =
-            Real(0.5 * (own[entry] + own[entry_of_cut(column, row)]));
+        pivot[cut_entries * cut + entry] = 0.5 * (own[entry] + own[entry_of_cut(column, row)]);
         for (int block = lists.column_begin[cut] + 1; block < lists.column_begin[cut + 1];
              ++block) {
             const double* const left = reduced.data + cut_entries * block;
@@ -245,7 +245,7 @@ template <class Real>
 struct DivideByPivots : CutThreads {
     static constexpr int shared = threads + cut_rows;
     InverseListsView lists;
-    View<const Real> pivot;  // D^-1
+    View<const double> pivot;  // D^-1: rounded to float it would not always be positive definite
     View<const double> load, partial;
     View<double> divided;
 
@@ -262,10 +262,10 @@ struct DivideByPivots : CutThreads {
                 sum += partial[cut_rows * chunk + row];
             sums[thread] = sum;
         } else if (phase == 2) {
-            const Real* const entries = pivot.data + cut_entries * cut;
+            const double* const entries = pivot.data + cut_entries * cut;
             HEPATICA_UNROLL
             for (int c = each * part; c < each * (part + 1); ++c)
-                sum += double(entries[entry_of_cut(row, c)]) * whole[c];
+                sum += entries[entry_of_cut(row, c)] * whole[c];
             sums[thread] = sum;
         } else if (thread < cut_rows) {
             sum = add_up(sums + row);

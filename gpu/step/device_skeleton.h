@@ -62,9 +62,9 @@ class DeviceSkeleton {
     Array<int> inverse_by_level_, column_, product_begin_, chunk_begin_, first_chunk_, above_begin_;
     Array<InverseListsView::Product> product_;
     Array<InverseListsView::Above> above_;
-    Array<double> matrix_, reduced_, multiplier_;
-    Array<Real> pivot_, factor_, inverse_;    // D^-1, N, N^-1
-    Array<double> load_, partial_, divided_;  // of a solve
+    Array<double> matrix_, reduced_, multiplier_, pivot_;  // the last: D^-1
+    Array<Real> factor_, inverse_;                         // N, N^-1
+    Array<double> load_, partial_, divided_;               // of a solve
     Array<NodeMotion<Real>> motions_;
 };
 
