@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
 
@@ -252,6 +253,46 @@ TEST_F(Tour, TheDialOfAPatientStaysInTheCaseAndIsMeasuredOnce) {
     }
     EXPECT_TRUE(answer({"dial", path("p.hep")})["measured"].empty());
     fs::remove(path("p.hep/dial.json"));
+}
+
+// The device is emulated. What it costs says nothing; who made which steps does.
+TEST_F(Tour, TheDialHoldsSettingsOfADeviceBesideTheProcessors) {
+    answer({"dial", path("p.hep"), "--budget", "1"});
+    const Json both =
+        answer({"dial", path("p.hep"), "--backend", "cuda-emulated", "--budget", "1"});
+    EXPECT_FALSE(both["complete"]);
+    for (const Json& point : both["measured"]) {
+        EXPECT_EQ(point["back_end"], "cuda-emulated");
+        EXPECT_EQ(point["device"], "emulated on the processor");
+    }
+    EXPECT_FALSE(both["front"].empty());
+    const auto play_on = [&](const char* back_end) {
+        return answer({"simulate", path("p.hep"), "--script", HEPATICA_ASSETS "/scripts/drag.json",
+                       "--steps", "5", "--backend", back_end});
+    };
+    const Json device = play_on("cuda-emulated");
+    EXPECT_EQ(device["error_reference"], both["reference"]) << "measured there";
+    EXPECT_GT(device["gpu"]["steps_on_device"], 0);
+    EXPECT_TRUE(play_on("cpu")["gpu"].is_null());
+    const Outcome run = run_cli({"simulate", path("p.hep"), "--script",
+                                 HEPATICA_ASSETS "/scripts/drag.json", "--steps", "1"});
+    EXPECT_NE(run.errors.find("measured on emulated on the processor (cuda-emulated) are left out"),
+              std::string::npos)
+        << run.errors;
+    fs::remove(path("p.hep/dial.json"));
+}
+
+TEST_F(Tour, TradeoffListsADeviceBesideTheProcessor) {
+    const Json measured = answer({"tradeoff", path("p.hep"), "--out", path("both"), "--budget",
+                                  "10", "--backend", "cuda-emulated"});
+    std::map<std::string, int> points;
+    for (const char* list : {"points", "not_measured"})
+        for (const Json& point : measured[list]) ++points[point["back_end"].get<std::string>()];
+    EXPECT_EQ(points.size(), 2u);
+    EXPECT_EQ(points["cpu"], points["cuda-emulated"]);
+    const Outcome beam = run_cli({"tradeoff", "--out", path("beam"), "--backend", "cuda-emulated"});
+    EXPECT_EQ(beam.exit_code, 1);
+    EXPECT_NE(beam.errors.find("Give a CASE"), std::string::npos) << beam.errors;
 }
 
 TEST_F(Tour, BenchDragSaysWhatAHandsMotionCostsAndMisses) {
