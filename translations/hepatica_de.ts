@@ -8523,16 +8523,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>CUDA-Gerät</translation>
     </message>
     <message>
-        <source>CUDA device where there is one</source>
-        <translation>CUDA-Gerät, wo es eines gibt</translation>
-    </message>
-    <message>
         <source>CUDA device, emulated</source>
         <translation>CUDA-Gerät, emuliert</translation>
-    </message>
-    <message>
-        <source>What makes the steps; a change begins the play anew. Where there is a device, the dial offers the settings that were measured on it, and with &quot;where there is one&quot; those of the processor beside them</source>
-        <translation>Was die Schritte macht; eine Änderung beginnt das Spiel von vorn. Wo es ein Gerät gibt, bietet der Schieber die Einstellungen, die darauf gemessen wurden, und mit „wo es eines gibt“ daneben die des Prozessors</translation>
     </message>
     <message>
         <source>Now</source>
@@ -8669,6 +8661,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Let the processor make the steps</source>
         <translation>Lassen Sie den Prozessor die Schritte machen</translation>
+    </message>
+    <message>
+        <source>CUDA, else processor</source>
+        <translation>CUDA, sonst Prozessor</translation>
+    </message>
+    <message>
+        <source>What makes the steps; a change begins the play anew. On a device the dial offers the settings that were measured on it, and with &quot;else processor&quot; those of the processor beside them</source>
+        <translation>Was die Schritte macht; eine Änderung beginnt das Spiel von vorn. Auf einem Gerät bietet der Schieber die Einstellungen, die darauf gemessen wurden, und mit „sonst Prozessor“ daneben die des Prozessors</translation>
     </message>
 </context>
 </TS>

@@ -33,7 +33,7 @@ const double tissue_pa_per_mm2 = DeformSpec{}.tether_pa_per_mm2;
 constexpr std::array<std::pair<const char*, const char*>, 4> back_ends{{
     {"cpu", Words::id("Processor")},
     {"cuda", Words::id("CUDA device")},
-    {"auto", Words::id("CUDA device where there is one")},
+    {"auto", Words::id("CUDA, else processor")},
     {"cuda-emulated", Words::id("CUDA device, emulated")},
 }};
 
@@ -100,10 +100,10 @@ QWidget* QualityPanel::make_back_ends(QWidget* parent) {
     back_ends_ = new QComboBox(rows);
     back_ends_->setObjectName("back_end");
     back_ends_->setAccessibleName(Words::tr("Computed by"));
-    back_ends_->setToolTip(Words::tr(
-        "What makes the steps; a change begins the play anew. Where there is a device, "
-        "the dial offers the settings that were measured on it, and with \"where there is "
-        "one\" those of the processor beside them"));
+    back_ends_->setToolTip(
+        Words::tr("What makes the steps; a change begins the play anew. On a device the dial "
+                  "offers the settings that were measured on it, and with \"else processor\" "
+                  "those of the processor beside them"));
     back_ends_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     show_back_end("cpu");
     connect(back_ends_, &QComboBox::activated, this,

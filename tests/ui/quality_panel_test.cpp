@@ -151,7 +151,7 @@ TEST(QualityPanel, SaysWhatMakesTheStepsAndLetsTheUserChoose) {
     EXPECT_EQ(box.count(), 4);
     EXPECT_EQ(box.currentText(), "CUDA device, emulated");
     p.panel.show_back_end("auto");
-    EXPECT_EQ(box.currentText(), "CUDA device where there is one");
+    EXPECT_EQ(box.currentText(), "CUDA, else processor");
     EXPECT_TRUE(chosen.empty());
 
     FrameStatistics statistics;
