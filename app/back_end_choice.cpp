@@ -13,40 +13,59 @@
 namespace hepatica {
 namespace {
 
-// Warns once in the same words: each change of the setting makes a new back end, which warns again.
-std::function<void(const std::string&)> warn_once() {
-    return [said = std::make_shared<std::set<std::string>>()](const std::string& what) {
-        if (said->insert(what).second) spdlog::warn("{}", what);
+// Once in the same words: each change of the setting makes a new back end, which says them again.
+SayOfBackEnd once(const SayOfBackEnd& say) {
+    return [say, said = std::make_shared<std::set<std::string>>()](const std::string& what) {
+        if (said->insert(what).second) say(what);
     };
 }
 
-BackEndChoice on_machine(std::string name, std::unique_ptr<gpu::Machine> machine) {
+BackEndChoice on_machine(std::string name, std::unique_ptr<gpu::Machine> machine,
+                         const SayOfBackEnd& say) {
     BackEndChoice choice;
     choice.machine = std::move(machine);
     gpu::CudaOptions cuda;
     cuda.share = choice.share;
-    cuda.say = warn_once();
-    choice.back_end = governed_back_end(
-        std::move(name), [machine = choice.machine, cuda](const BodyDescription& body,
-                                                          const StepperOptions& options) {
-            return gpu::make_cuda_back_end(body, options, machine, cuda);
-        });
+    cuda.say = once(say);
+    choice.back_end =
+        device_back_end(std::move(name), choice.machine->name(),
+                        [machine = choice.machine, cuda](const BodyDescription& body,
+                                                         const StepperOptions& options) {
+                            return gpu::make_cuda_back_end(body, options, machine, cuda);
+                        });
     return choice;
 }
 
 }  // namespace
 
-BackEndChoice choose_back_end(const std::string& name) {
+const std::vector<std::string>& back_end_names() {
+    static const std::vector<std::string> names{"cpu", "cuda", "cuda-emulated", "auto"};
+    return names;
+}
+
+void warn_of_back_end(const std::string& what) {
+    spdlog::warn("{}", what);
+}
+
+BackEndChoice choose_back_end(const std::string& name, const SayOfBackEnd& say) {
     if (name == "cpu") return {};
-    if (name == "cuda") return on_machine(name, gpu::make_device_machine());
-    if (name == "cuda-emulated") return on_machine(name, gpu::make_emulator());
+    if (name == "cuda") return on_machine(name, gpu::make_device_machine(), say);
+    if (name == "cuda-emulated") return on_machine(name, gpu::make_emulator(), say);
     if (name != "auto")
         throw InputError("there is no back end \"" + name + "\"", "--backend",
                          "Choose cpu, cuda, cuda-emulated or auto");
     const std::string reason = gpu::device_info().reason;
-    if (reason.empty()) return on_machine("cuda", gpu::make_device_machine());
-    spdlog::warn("The processor makes the steps: {}", reason);
-    return {};
+    if (!reason.empty()) {
+        say("The processor makes the steps: " + reason);
+        return {};
+    }
+    BackEndChoice device = on_machine("cuda", gpu::make_device_machine(), say);
+    device.back_end.beside_processor = true;
+    return device;
+}
+
+DeformBackEnd back_end_named(const std::string& name, const SayOfBackEnd& say) {
+    return choose_back_end(name, say).back_end;
 }
 
 nlohmann::ordered_json facts_of(const BackEndChoice& choice) {

@@ -6,12 +6,17 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMessageBox>
+#include <algorithm>
 #include <clocale>
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
+#include "app/back_end_names.h"
 #include "app/diagnosis.h"
 #include "app/process_clock.h"
 #include "app/readable.h"
@@ -54,6 +59,7 @@ struct Options {
     bool quit_after_start = false;
     bool diagnose = false;
     bool json = false;
+    QString back_end;  // empty: as it was chosen last
 };
 
 Options parse(const QCoreApplication& application) {
@@ -69,7 +75,11 @@ Options parse(const QCoreApplication& application) {
     const QCommandLineOption quit("quit-after-start", "Leave after the first picture.");
     const QCommandLineOption diagnose("diagnose", "Print what this computer offers, and exit.");
     const QCommandLineOption json("json", "Print the report as JSON.");
-    parser.addOptions({built_in, safe, report, quit, diagnose, json});
+    const QCommandLineOption back_end(
+        "backend",
+        "Computed by cpu, cuda, auto (the CUDA device where there is one) or cuda-emulated.",
+        "NAME");
+    parser.addOptions({built_in, safe, report, quit, diagnose, json, back_end});
     parser.addOptions(report_options());
     parser.process(application);
     for (const QString& more : parser.positionalArguments().mid(1))
@@ -80,7 +90,8 @@ Options parse(const QCoreApplication& application) {
             parser.isSet(report),
             parser.isSet(quit),
             parser.isSet(diagnose),
-            parser.isSet(json)};
+            parser.isSet(json),
+            parser.value(back_end)};
 }
 
 void print_report(double window_ready_s, const std::string& renderer, bool json) {
@@ -166,6 +177,10 @@ int main(int argc, char** argv) {
     std::setlocale(LC_NUMERIC, "C");
     const Options options = parse(application);
     if (options.diagnose) return print_diagnosis({}, options.json);
+    if (const auto& names = back_end_names();
+        !options.back_end.isEmpty() &&
+        std::ranges::find(names, options.back_end.toStdString()) == names.end())
+        return refuse("--backend takes cpu, cuda, cuda-emulated or auto, not " + options.back_end);
     Settings settings(options.safe_mode ? Settings::Mode::safe : Settings::Mode::remember);
     use_language(settings.language());
     apply_theme(application, theme_named(settings.theme()));
@@ -174,11 +189,18 @@ int main(int argc, char** argv) {
         return refuse(problem);
     }
     const BuiltInCache cache = options.safe_mode ? BuiltInCache{} : users_cache();
-    const auto load = [&cache](OpenRequest request, Job& job) {
+    const auto back_ends = std::make_shared<BackEnds>(back_end_named);
+    back_ends->choose(
+        (options.back_end.isEmpty() ? settings.back_end() : options.back_end).toStdString());
+    const auto load = [&cache, back_ends](OpenRequest request, Job& job) {
         request.cache = cache;
-        return load_patient(request, job);
+        return load_patient(request, job, back_ends->for_play());
     };
     MainWindow::Patients patients{load, write_case};
+    patients.back_ends = back_ends;
+    patients.play_on = [back_ends](std::shared_ptr<const PatientCase> patient, Job& job) {
+        return play_with(back_ends->for_play(), std::move(patient), job);
+    };
     patients.keep = write_case;
     patients.archive = [](const PatientCase& patient, const std::filesystem::path& ct,
                           const std::filesystem::path& file, Job& job) {

@@ -37,6 +37,7 @@ class CudaBackEnd final : public StepBackEnd {
     }
 
     const Body& body() const override { return cpu_->body(); }
+    bool on_device() const override { return device_ != nullptr; }
     void set_grabs(std::span<const Grab> grabs) override {
         cpu_->set_grabs(grabs);
         on_device([&] { device_->set_grabs(grabs); });

@@ -8506,5 +8506,169 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>No lesson begins while the vessels are corrected: wait for that</source>
         <translation>Solange die Gefäße korrigiert werden, beginnt keine Lektion: warten Sie das ab</translation>
     </message>
+    <message>
+        <source>What is shown now goes on as it began: the next play is computed by it</source>
+        <translation>Was jetzt gezeigt wird, geht weiter, wie es begann: erst das nächste Spiel wird davon gerechnet</translation>
+    </message>
+    <message>
+        <source>Computed by</source>
+        <translation>Gerechnet von</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>Prozessor</translation>
+    </message>
+    <message>
+        <source>CUDA device</source>
+        <translation>CUDA-Gerät</translation>
+    </message>
+    <message>
+        <source>CUDA device, emulated</source>
+        <translation>CUDA-Gerät, emuliert</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>the processor</source>
+        <translation>der Prozessor</translation>
+    </message>
+    <message>
+        <source>The chosen back end is not to be had, so that the processor makes the steps: %1. %2</source>
+        <translation>Was gewählt wurde, ist nicht zu haben, sodass der Prozessor die Schritte macht: %1. %2</translation>
+    </message>
+    <message>
+        <source>The processor makes the steps: %1</source>
+        <translation>Der Prozessor macht die Schritte: %1</translation>
+    </message>
+    <message>
+        <source>The processor makes single steps: %1</source>
+        <translation>Der Prozessor macht einzelne Schritte: %1</translation>
+    </message>
+    <message>
+        <source>Settings of the dial that were measured on %1 (%2) are left out: it does not make the steps here</source>
+        <translation>Einstellungen des Schiebers, die auf %1 (%2) gemessen wurden, fehlen: Es macht die Schritte hier nicht</translation>
+    </message>
+    <message>
+        <source>emulated on the processor</source>
+        <translation>auf dem Prozessor emuliert</translation>
+    </message>
+    <message>
+        <source>this build has no CUDA</source>
+        <translation>dieses Programm wurde ohne CUDA gebaut</translation>
+    </message>
+    <message>
+        <source>this computer has no NVIDIA driver</source>
+        <translation>dieser Rechner hat keinen Treiber von NVIDIA</translation>
+    </message>
+    <message>
+        <source>the driver knows CUDA %1, which is older than the %2 of this build</source>
+        <translation>der Treiber kennt CUDA %1, was älter ist als %2 dieses Programms</translation>
+    </message>
+    <message>
+        <source>this computer has no CUDA device that can be used</source>
+        <translation>dieser Rechner hat kein brauchbares CUDA-Gerät</translation>
+    </message>
+    <message>
+        <source>the CUDA back end</source>
+        <translation>das Rechnen mit CUDA</translation>
+    </message>
+    <message>
+        <source>Use the processor, or build with HEPATICA_CUDA=ON where nvcc is</source>
+        <translation>Nehmen Sie den Prozessor, oder bauen Sie das Programm mit HEPATICA_CUDA=ON, wo es nvcc gibt</translation>
+    </message>
+    <message>
+        <source>Use the processor, or a computer with an NVIDIA device</source>
+        <translation>Nehmen Sie den Prozessor oder einen Rechner mit einem Gerät von NVIDIA</translation>
+    </message>
+    <message>
+        <source>the device failed (%1)</source>
+        <translation>das Gerät ist ausgefallen (%1)</translation>
+    </message>
+    <message>
+        <source>no memory on the device: %1</source>
+        <translation>kein Speicher auf dem Gerät: %1</translation>
+    </message>
+    <message>
+        <source>the device does not answer: %1</source>
+        <translation>das Gerät antwortet nicht: %1</translation>
+    </message>
+    <message>
+        <source>the device failed: %1</source>
+        <translation>das Gerät ist ausgefallen: %1</translation>
+    </message>
+    <message>
+        <source>a kernel could not be launched: %1</source>
+        <translation>ein Kernel ließ sich nicht starten: %1</translation>
+    </message>
+    <message>
+        <source>a copy to the device failed: %1</source>
+        <translation>eine Kopie auf das Gerät misslang: %1</translation>
+    </message>
+    <message>
+        <source>a copy from the device failed: %1</source>
+        <translation>eine Kopie vom Gerät misslang: %1</translation>
+    </message>
+    <message>
+        <source>its elements have no kernels yet</source>
+        <translation>für seine Elemente gibt es noch keine Kernel</translation>
+    </message>
+    <message>
+        <source>Newton&apos;s method has no kernels yet</source>
+        <translation>für das Newton-Verfahren gibt es noch keine Kernel</translation>
+    </message>
+    <message>
+        <source>the solver cholesky has no kernels</source>
+        <translation>für den Löser cholesky gibt es keine Kernel</translation>
+    </message>
+    <message>
+        <source>the published step, E of eq. (11) and audits have no kernels</source>
+        <translation>für den veröffentlichten Schritt, E aus Gl. (11) und Prüfungen gibt es keine Kernel</translation>
+    </message>
+    <message>
+        <source>a piece would pay for energy or momentum of others</source>
+        <translation>ein Stück würde für Energie oder Impuls anderer bezahlen</translation>
+    </message>
+    <message>
+        <source>what its surfaces exchanged would be lost</source>
+        <translation>was seine Flächen getauscht haben, ginge verloren</translation>
+    </message>
+    <message>
+        <source>a free body is about to meet itself</source>
+        <translation>ein freier Körper trifft gleich auf sich selbst</translation>
+    </message>
+    <message>
+        <source>a step has to be shortened, lest something pass through</source>
+        <translation>ein Schritt muss verkürzt werden, damit nichts hindurchgeht</translation>
+    </message>
+    <message>
+        <source>%1, on the processor</source>
+        <translation>%1, auf dem Prozessor</translation>
+    </message>
+    <message>
+        <source>has left steps to the processor</source>
+        <translation>hat Schritte dem Prozessor überlassen</translation>
+    </message>
+    <message>
+        <source>Measure again, or with --backend cpu</source>
+        <translation>Messen Sie noch einmal, oder mit --backend cpu</translation>
+    </message>
+    <message>
+        <source>is not to be had here</source>
+        <translation>ist hier nicht zu haben</translation>
+    </message>
+    <message>
+        <source>Let the processor make the steps</source>
+        <translation>Lassen Sie den Prozessor die Schritte machen</translation>
+    </message>
+    <message>
+        <source>CUDA, else processor</source>
+        <translation>CUDA, sonst Prozessor</translation>
+    </message>
+    <message>
+        <source>What makes the steps; a change begins the play anew. On a device the dial offers the settings that were measured on it, and with &quot;else processor&quot; those of the processor beside them</source>
+        <translation>Was die Schritte macht; eine Änderung beginnt das Spiel von vorn. Auf einem Gerät bietet der Schieber die Einstellungen, die darauf gemessen wurden, und mit „sonst Prozessor“ daneben die des Prozessors</translation>
+    </message>
 </context>
 </TS>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What core says to a user of the window, sentence by sentence: its English is the id by which it
-// is translated. %1, %2 stand for what core puts in. tests/ui/core_words_test.cpp reads core's
-// sources and fails on a sentence that is missing here.
+// What core and the devices' back end say to a user of the window, sentence by sentence: its
+// English is the id by which it is translated. %1, %2 stand for what core puts in.
+// tests/ui/core_words_test.cpp reads the sources and fails on a sentence that is missing here.
 #pragma once
 
 #include <span>
@@ -20,5 +20,6 @@ std::span<const char* const> sentences_of_tree();
 std::span<const char* const> sentences_of_play();
 std::span<const char* const> sentences_of_lesson();
 std::span<const char* const> sentences_of_built_in_lessons();
+std::span<const char* const> sentences_of_back_ends();
 
 }  // namespace hepatica

@@ -25,9 +25,10 @@ DialKeeper::DialKeeper(Found found) : found_(std::move(found)) {
 
 DialKeeper::~DialKeeper() = default;
 
-void DialKeeper::show(std::shared_ptr<const PatientCase> patient) {
+void DialKeeper::show(std::shared_ptr<const PatientCase> patient, const DeformBackEnd& back_end) {
     worker_.reset();
     patient_ = std::move(patient);
+    back_end_ = back_end;
     folder_.clear();
     points_.clear();
     busy_ = true;
@@ -37,9 +38,10 @@ void DialKeeper::show(std::shared_ptr<const PatientCase> patient) {
     } catch (const InputError&) {
         return;  // whoever opened the case has been told
     }
-    if (!next_dial_setting(points_)) return;
+    if (!next_dial_setting(points_, back_end_)) return;
     worker_ = std::make_unique<DialWorker>(
-        patient_, points_, [this, body = patient_](const std::vector<QualityPoint>& points) {
+        patient_, points_,
+        [this, body = patient_](const std::vector<QualityPoint>& points) {
             // On the worker's thread. Of a patient who is gone by then nothing is taken.
             QMetaObject::invokeMethod(
                 &quiet_,
@@ -47,14 +49,17 @@ void DialKeeper::show(std::shared_ptr<const PatientCase> patient) {
                     if (body == patient_) take(points);
                 },
                 Qt::QueuedConnection);
-        });
+        },
+        back_end_);
 }
 
 void DialKeeper::take(std::vector<QualityPoint> points) {
     points_ = std::move(points);
     write();
-    found_(dial_of_points(points_));
-    if (!next_dial_setting(points_)) worker_.reset();
+    // Where a device has failed the points may be the processor's alone.
+    if (auto own = points_for(back_end_, points_); !own.empty())
+        found_(dial_of_points(std::move(own)));
+    if (!next_dial_setting(points_, back_end_)) worker_.reset();
 }
 
 void DialKeeper::keep_in(const std::filesystem::path& folder, const PatientCase* body) {

@@ -11,6 +11,7 @@
 
 #include "core/deform/stepper/quality_dial.h"
 #include "core/patient/patient_case.h"
+#include "core/scene/deform_back_end.h"
 
 namespace hepatica {
 
@@ -27,8 +28,9 @@ class DialKeeper {
     ~DialKeeper();
 
     // Forgets the patient before. Nothing is measured where his case holds a whole dial of this
-    // body, or one that is damaged.
-    void show(std::shared_ptr<const PatientCase> patient);
+    // body, or one that is damaged. What is measured, and found, is what this back end plays.
+    void show(std::shared_ptr<const PatientCase> patient,
+              const DeformBackEnd& back_end = cpu_back_end());
     // The case that holds this body; empty: none does. Where it is the body that is measured, what
     // was measured is kept there.
     void keep_in(const std::filesystem::path& folder, const PatientCase* body);
@@ -44,6 +46,7 @@ class DialKeeper {
 
     Found found_;
     std::shared_ptr<const PatientCase> patient_;
+    DeformBackEnd back_end_ = cpu_back_end();  // to be compared with: the worker has its own
     std::filesystem::path folder_;
     std::vector<QualityPoint> points_;  // measured since the patient is shown, and before
     bool busy_ = true;

@@ -322,7 +322,8 @@ void LessonDock::begin() {
     drop_what_is_empty();
     try {
         Job job;
-        LessonPlay play = LessonPlay::begin(*lesson_, patient, next_recording(), job);
+        LessonPlay play =
+            LessonPlay::begin(*lesson_, patient, next_recording(), job, ways_.back_end());
         watch_ = std::move(play.watch);
         guard_ = std::make_unique<RecordingGuard>(watch_->recording());
         watched_name_ = name_;

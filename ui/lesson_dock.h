@@ -33,6 +33,8 @@ class LessonDock : public QDockWidget {
         std::function<std::shared_ptr<const PatientCase>()> patient;
         // Else says why not: as where other vessels of his are still to come, which would end it.
         std::function<bool()> may_begin = [] { return true; };
+        // What makes an attempt's steps.
+        std::function<DeformBackEnd()> back_end = [] { return cpu_back_end(); };
         std::function<void()> open_built_in;  // shows it some time later, see patient_shown()
         std::function<void(const QString& case_folder)> open_case;  // likewise
         // In place of the one that runs; null: that of free play.

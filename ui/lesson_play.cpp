@@ -39,10 +39,11 @@ void LessonWatch::keep(RecordedStep step) {
 }
 
 LessonPlay LessonPlay::begin(const Lesson& lesson, std::shared_ptr<const PatientCase> patient,
-                             const std::filesystem::path& recording, Job& job) {
+                             const std::filesystem::path& recording, Job& job,
+                             const DeformBackEnd& back_end) {
     LessonPlay play;
     play.watch = std::make_shared<LessonWatch>(lesson, patient, recording);
-    auto session = std::make_unique<Session>(std::move(patient), lesson.scene, job);
+    auto session = std::make_unique<Session>(std::move(patient), lesson.scene, job, back_end);
     play.watch->writer_ = std::make_unique<RecordingWriter>(recording, session->recording_start());
     session->record([watch = play.watch](RecordedStep step) { watch->keep(std::move(step)); });
     session->watch([watch = play.watch](const std::vector<Command>& commands, const Frame& frame) {

@@ -11,6 +11,7 @@
 
 #include "core/base/job.h"
 #include "core/lesson/lesson_run.h"
+#include "core/scene/deform_back_end.h"
 #include "core/session/recording_file.h"
 #include "ui/simulation.h"
 
@@ -53,7 +54,8 @@ struct LessonPlay {
     // file as the play goes, and is whole up to the last step once the simulation is gone. Throws
     // InputError, Cancelled.
     static LessonPlay begin(const Lesson& lesson, std::shared_ptr<const PatientCase> patient,
-                            const std::filesystem::path& recording, Job& job);
+                            const std::filesystem::path& recording, Job& job,
+                            const DeformBackEnd& back_end = cpu_back_end());
 };
 
 }  // namespace hepatica

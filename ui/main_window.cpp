@@ -113,7 +113,7 @@ void bring_into_sight(QWidget* focused, const QWidget& window) {
 
 MainWindow::MainWindow(Settings& settings, Patients patients,
                        std::optional<PatientKeeper::Questions> questions)
-    : settings_(settings) {
+    : settings_(settings), back_ends_(patients.back_ends) {
     new WheelGuard(this);  // the window owns it
     show_title({});
     setAcceptDrops(true);
@@ -131,6 +131,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     });
     connect_files();
     connect_play();
+    connect_back_ends();
     connect_recording();
     connect_tools();
     connect_views();
@@ -158,6 +159,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
 // What it has beside the first view is asked of this window.
 MainWindow::~MainWindow() {
     review_->end();
+    back_ends_->on_words({});
 }
 
 void MainWindow::build_view() {

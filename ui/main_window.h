@@ -193,6 +193,12 @@ class MainWindow : public QMainWindow {
     // Runs what may fail and shows the failure.
     void attempt(const QString& doing, const std::function<void()>& task);
 
+    // main_window_back_end.cpp: what makes the steps.
+    void connect_back_ends();
+    void say_of_back_end(const std::string& words);
+    void choose_back_end(const std::string& name);
+    void measure_dial();
+
     // main_window_play.cpp: what is shown and played with.
     void show_patient(LoadedPatient patient, bool corrected);
     void show_warnings();
@@ -205,6 +211,7 @@ class MainWindow : public QMainWindow {
     // The yellow balls of the lesson that is played or edited. True where they moved.
     bool show_marks();
     std::optional<Vec3> middle_of_chosen_branch() const;
+    void keep_dial();  // in the case
     // The dial is measured while nobody plays and no job runs.
     void tell_dial_keeper();
     void follow(const Frame& frame);  // by the controls of the play
@@ -246,6 +253,7 @@ class MainWindow : public QMainWindow {
     void show_recording();
 
     Settings& settings_;
+    std::shared_ptr<BackEnds> back_ends_;
     std::unique_ptr<Actions> actions_;
     VtkWidget* view_ = nullptr;
     ViewLayout* view_layout_ = nullptr;  // holds view_ and the slices of the CT

@@ -63,6 +63,7 @@ void MainWindow::build_lessons() {
     fits_ = std::make_unique<FitKeeper>(std::move(fits));
     LessonDock::Ways ways;
     ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
+    ways.back_end = [this] { return back_ends_->for_play(); };
     ways.may_begin = [this] {
         if (keeper_->makes_vessels())
             messages_->show_notice(
@@ -306,6 +307,9 @@ void MainWindow::build_review() {
     ReviewDock::Ways ways;
     ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
     ways.open = [this](const OpenRequest& request) { open(request); };
+    ways.back_end = [back_ends = back_ends_](const std::string& name) {
+        return back_ends->named(name);
+    };
     ways.use = [this](std::unique_ptr<Simulation> simulation) {
         // A vessel that is still being drawn would change the patient under the review.
         VesselPen& pen = view_layout_->slices().pen();

@@ -45,7 +45,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     if (!corrected) scene.show(Frame{});  // forgets the one before: the camera finds the new one
     curves_->clear();
     patient_ = std::move(patient);
-    dial_->show(patient_->patient);
+    dial_->show(patient_->patient, back_ends_->for_play());
     hovered_vertex_ = -1;
     chosen_branch_ = -1;
     welcome_->hide();
@@ -103,7 +103,7 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     (*actions_)[ActionId::record_play].setEnabled(free);
     if (free) {
         Job job;
-        simulation = play(patient_->patient, job).simulation;
+        simulation = play_with(back_ends_->for_play(), patient_->patient, job).simulation;
     }
     patient_->simulation = std::move(simulation);
     patient_->simulation->update_frame();
@@ -162,6 +162,11 @@ void MainWindow::show_workspace() {
     editing_->update_panel();
     view_layout_->show_tumours(workspace.edits());
     view_layout_->show_strokes(workspace.strokes());
+    keep_dial();
+}
+
+void MainWindow::keep_dial() {
+    const Workspace& workspace = keeper_->workspace();
     dial_->keep_in(workspace.dirty() ? std::filesystem::path() : workspace.folder(),
                    workspace.patient().get());
 }

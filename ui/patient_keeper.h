@@ -12,6 +12,7 @@
 
 #include "core/patient/corrections.h"
 #include "core/reconstruction/remade_case.h"
+#include "ui/back_ends.h"
 #include "ui/job_queue.h"
 #include "ui/patient_loader.h"
 #include "ui/recovery.h"
@@ -50,6 +51,8 @@ class PatientKeeper {
             archive{};
         // Copies of what is not saved, see Recovery; none: there are none.
         Recovery::Write keep{};
+        // What makes the steps of all that is played; load and play_on are to use it, too.
+        std::shared_ptr<BackEnds> back_ends = std::make_shared<BackEnds>();
     };
     // Answered by a person, at once; a test answers them itself.
     struct Questions {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/flow/flow_shares.h"
+#include "core/scene/measured_dial.h"
 #include "core/session/session.h"
 #include "ui/simulation_thread.h"
 #include "ui/window_words.h"
@@ -12,23 +13,31 @@
 namespace hepatica {
 
 LoadedPatient play(std::shared_ptr<const PatientCase> patient, Job& job) {
+    return play_with(cpu_back_end(), std::move(patient), job);
+}
+
+LoadedPatient play_with(const DeformBackEnd& back_end, std::shared_ptr<const PatientCase> patient,
+                        Job& job) {
     LoadedPatient loaded;
     job.begin_stage(Words::id("Preparing the play"));
     loaded.anatomy = SurfaceAnatomy(patient->tree, patient->mesh.vertices_mm, job);
     loaded.flow_shares = flow_shares(patient->tree);
-    auto session = std::make_unique<Session>(patient, default_scene(), job);
+    auto session = std::make_unique<Session>(patient, default_scene(), job, back_end);
     session->post(SetAutomaticQuality{true});
     loaded.simulation = std::make_unique<SimulationThread>(std::move(session));
     loaded.patient = std::move(patient);
     return loaded;
 }
 
-LoadedPatient load_patient(const OpenRequest& request, Job& job) {
+LoadedPatient load_patient(const OpenRequest& request, Job& job, const DeformBackEnd& back_end) {
     constexpr int preparing = 1, building_the_scene = 1;
     job.expect_stages(opening_stage_count(request) + preparing + building_the_scene);
     OpenedPatient opened = open_patient(request, job);
     for (std::string& warning : opened.warnings) warning = in_window_words(std::move(warning));
-    LoadedPatient loaded = play(opened.patient, job);
+    LoadedPatient loaded = play_with(back_end, opened.patient, job);
+    if (std::string words = words_on_left_out(back_end, measured_points(*opened.patient));
+        !words.empty())
+        opened.warnings.push_back(std::move(words));
     // First: of many, the window shows the first two at once.
     const auto of_ends = warnings_of_ends(opened.patient->tree, loaded.flow_shares);
     opened.warnings.insert(opened.warnings.begin(), of_ends.begin(), of_ends.end());

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/opening/open_patient.h"
+#include "core/scene/deform_back_end.h"
 #include "core/scene/surface_anatomy.h"
 #include "ui/simulation.h"
 
@@ -21,8 +22,12 @@ struct LoadedPatient : OpenedPatient {
 
 // A patient that is in memory, with its simulation running. Throws InputError, Cancelled.
 LoadedPatient play(std::shared_ptr<const PatientCase> patient, Job& job);
+LoadedPatient play_with(const DeformBackEnd& back_end, std::shared_ptr<const PatientCase> patient,
+                        Job& job);
 
-// Throws InputError for whatever cannot be opened (with file, value and remedy), Cancelled.
-LoadedPatient load_patient(const OpenRequest& request, Job& job);
+// Throws InputError for whatever cannot be opened (with file, value and remedy), Cancelled. Among
+// the warnings is what of his dial the back end cannot play.
+LoadedPatient load_patient(const OpenRequest& request, Job& job,
+                           const DeformBackEnd& back_end = cpu_back_end());
 
 }  // namespace hepatica

@@ -2,6 +2,7 @@
 #include "ui/quality_panel.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
@@ -9,6 +10,7 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QVBoxLayout>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -25,6 +27,15 @@ namespace {
 
 // What scenes begin with: see DeformSpec.
 const double tissue_pa_per_mm2 = DeformSpec{}.tether_pa_per_mm2;
+
+// By the names that the command line takes. The last one is offered to those alone who asked for it
+// there.
+constexpr std::array<std::pair<const char*, const char*>, 4> back_ends{{
+    {"cpu", Words::id("Processor")},
+    {"cuda", Words::id("CUDA device")},
+    {"auto", Words::id("CUDA, else processor")},
+    {"cuda-emulated", Words::id("CUDA device, emulated")},
+}};
 
 }  // namespace
 
@@ -78,7 +89,39 @@ QWidget* QualityPanel::make_dial() {
     solver_->setObjectName("quiet");
     solver_->setWordWrap(true);
     column->addWidget(solver_);
+    column->addWidget(make_back_ends(box));
     return box;
+}
+
+QWidget* QualityPanel::make_back_ends(QWidget* parent) {
+    auto* rows = new QWidget(parent);
+    auto* form = new QFormLayout(rows);
+    form->setContentsMargins(0, 0, 0, 0);
+    back_ends_ = new QComboBox(rows);
+    back_ends_->setObjectName("back_end");
+    back_ends_->setAccessibleName(Words::tr("Computed by"));
+    back_ends_->setToolTip(
+        Words::tr("What makes the steps; a change begins the play anew. On a device the dial "
+                  "offers the settings that were measured on it, and with \"else processor\" "
+                  "those of the processor beside them"));
+    back_ends_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    show_back_end("cpu");
+    connect(back_ends_, &QComboBox::activated, this,
+            [this] { on_back_end(back_ends_->currentData().toString().toStdString()); });
+    form->addRow(Words::tr("Computed by"), back_ends_);
+    device_ = new QLabel(rows);
+    device_->setObjectName("device");
+    device_->setWordWrap(true);
+    form->addRow(Words::tr("Now"), device_);
+    return rows;
+}
+
+void QualityPanel::show_back_end(const std::string& name) {
+    back_ends_->clear();
+    for (const auto& [known, words] : back_ends)
+        if (name == known || &known != &back_ends.back().first)
+            back_ends_->addItem(Words::tr(words), QString(known));
+    back_ends_->setCurrentIndex(back_ends_->findData(QString::fromStdString(name)));
 }
 
 QWidget* QualityPanel::make_body() {
@@ -137,6 +180,9 @@ void QualityPanel::show_statistics(const FrameStatistics& statistics) {
                                 : Words::tr("%n pass(es) of the solver a step", nullptr,
                                             statistics.linear_iterations)) +
                                (statistics.degraded ? Words::tr(", degraded") : QString()));
+    device_->setText(statistics.setting.empty()  ? QString()
+                     : statistics.device.empty() ? Words::tr("the processor")
+                                                 : translated(statistics.device));
     solver_->setToolTip(Words::tr("Setting of the solver: %1").arg(translated(statistics.setting)));
 }
 

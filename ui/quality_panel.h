@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The dial between speed and accuracy with the error that it costs, and what acts on the body.
+// The dial between speed and accuracy with the error that it costs, what makes the steps, and what
+// acts on the body.
 #pragma once
 
 #include <QWidget>
@@ -10,6 +11,7 @@
 #include "core/session/command.h"
 
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QSlider;
 
@@ -29,11 +31,17 @@ class QualityPanel : public QWidget {
     // is played on as the former one was.
     void post_choices();
 
+    // What makes the steps, by a name that BackEnds knows: shown as chosen, and told when the user
+    // chooses another.
+    void show_back_end(const std::string& name);
+    std::function<void(const std::string& name)> on_back_end = [](const std::string&) {};
+
     // Whether what acts on the vessels may be changed.
     void allow_settings(bool allowed);
 
   private:
     QWidget* make_dial();
+    QWidget* make_back_ends(QWidget* parent);
     QWidget* make_body();
     void show_error(const FrameStatistics& statistics);
 
@@ -43,6 +51,8 @@ class QualityPanel : public QWidget {
     QSlider* dial_ = nullptr;
     QLabel* error_ = nullptr;
     QLabel* solver_ = nullptr;
+    QComboBox* back_ends_ = nullptr;
+    QLabel* device_ = nullptr;
     QCheckBox* gravity_ = nullptr;
     QCheckBox* tether_ = nullptr;
     DecimalSpinBox* wall_ = nullptr;

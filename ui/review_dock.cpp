@@ -265,9 +265,9 @@ void ReviewDock::begin() {
         show_progress({});
     };
     job_ = std::make_unique<BackgroundJob>(
-        [recording = recording_, lesson = lesson_, patient,
-         tape = tape_](Job& job) -> std::function<void()> {
-            review(*recording, lesson, patient, *tape, job);
+        [recording = recording_, lesson = lesson_, patient, tape = tape_,
+         back_end = ways_.back_end](Job& job) -> std::function<void()> {
+            review(*recording, lesson, patient, *tape, job, back_end(recording->back_end));
             return [] {};
         },
         std::move(callbacks));
@@ -298,14 +298,15 @@ void ReviewDock::compare(const fs::path& other) {
         show_progress({});
     };
     other_job_ = std::make_unique<BackgroundJob>(
-        [file = other, lesson = lesson_, patient = ways_.patient(),
-         tape = other_tape_](Job& job) -> std::function<void()> {
+        [file = other, lesson = lesson_, patient = ways_.patient(), tape = other_tape_,
+         back_end = ways_.back_end](Job& job) -> std::function<void()> {
             const Recording recording = read_recording(file);
             if (hash_of(*patient) != recording.patient_hash)
                 throw InputError(Words::id("was played on another patient"), file.string(),
                                  Words::id("Choose a recording of the patient who is shown"));
             const bool same = lesson && is_same_scene(recording.scene, lesson->scene);
-            review(recording, same ? lesson : built_in_lesson_of(recording), patient, *tape, job);
+            review(recording, same ? lesson : built_in_lesson_of(recording), patient, *tape, job,
+                   back_end(recording.back_end));
             return [] {};
         },
         std::move(callbacks));

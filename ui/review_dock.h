@@ -40,6 +40,10 @@ class ReviewDock : public QDockWidget {
         // The patient that is shown; null: none.
         std::function<std::shared_ptr<const PatientCase>()> patient;
         std::function<void(const OpenRequest&)> open;  // shows it some time later: patient_shown()
+        // That a recording names. On any thread; throws InputError where it is not to be had.
+        std::function<DeformBackEnd(const std::string& name)> back_end = [](const std::string&) {
+            return cpu_back_end();
+        };
         // In place of the simulation that runs; null: that of free play.
         std::function<void(std::unique_ptr<Simulation>)> use;
         // Another recording, to be shown beside; none: not after all.

@@ -23,6 +23,7 @@ const char* const folder_key = "last_folder";
 const char* const theme_key = "theme";
 const char* const mouse_scheme_key = "mouse_scheme";
 const char* const language_key = "language";
+const char* const back_end_key = "back_end";
 const char* const curves_come_key = "curves_come";
 const char* const flow_units_key = "flow_units";
 const char* const trainee_key = "trainee";
@@ -149,6 +150,14 @@ QString Settings::language() const {
 
 void Settings::set_language(const QString& code) {
     if (store_) store_->setValue(language_key, code);
+}
+
+QString Settings::back_end() const {
+    return store_ ? store_->value(back_end_key, "cpu").toString() : QString("cpu");
+}
+
+void Settings::set_back_end(const QString& name) {
+    if (store_) store_->setValue(back_end_key, name);
 }
 
 bool Settings::curves_come() const {

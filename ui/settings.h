@@ -68,6 +68,10 @@ class Settings {
     QString language() const;
     void set_language(const QString& code);
 
+    // What makes the steps of plays, see BackEnds; at first the processor.
+    QString back_end() const;
+    void set_back_end(const QString& name);
+
     // The curves come by themselves: the user has not closed them since they asked for them last.
     bool curves_come() const;
     void set_curves_come(bool come);

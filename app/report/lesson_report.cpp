@@ -12,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/back_end_names.h"
 #include "app/html_report.h"
 #include "app/output_place.h"
 #include "app/recorded_patient.h"
@@ -298,7 +299,7 @@ WrittenReport write_report(const ReportRequest& request, Job& job) {
     std::optional<LessonRun> places;
     places.emplace(lesson, patient);
     const Score scored = score(
-        recording, lesson, patient, job, cpu_back_end(),
+        recording, lesson, patient, job, back_end_named(recording.back_end),
         [&](const Frame& frame, const LessonStanding& standing) { moments.see(frame, standing); });
     job.begin_stage(Words::id("Drawing pictures and curves"));
     fs::create_directories(request.out);

@@ -148,7 +148,7 @@ void add_play(CommandLine& line) {
                     "Folder for pictures and report.html, which appear together at the end")
         ->capture_default_str();
     verb.add_option("--backend", options->backend, "Where the solver runs")
-        ->check(CLI::IsMember({"cpu", "cuda", "cuda-emulated", "auto"}))
+        ->check(CLI::IsMember(back_end_names()))
         ->capture_default_str();
 }
 

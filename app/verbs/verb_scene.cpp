@@ -100,7 +100,7 @@ void add_scene(CommandLine& line) {
         [options](Job& job) { return run_scene(*options, job); });
     verb.add_option("file", options->file, "Scene file (JSON) or case")->required();
     verb.add_option("--backend", options->backend, "Where the solver runs")
-        ->check(CLI::IsMember({"cpu", "cuda", "cuda-emulated", "auto"}))
+        ->check(CLI::IsMember(back_end_names()))
         ->capture_default_str();
 }
 

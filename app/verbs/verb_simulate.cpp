@@ -74,12 +74,14 @@ std::vector<std::vector<Command>> commands_of(const SimulateChoices& options, co
 
 // The dial has as many settings as were measured: the one that is used seldom has the very quality
 // that was asked for.
-void explain_quality(double wanted, const SceneSpec& spec, const PatientCase& patient) {
+void explain_quality(double wanted, const SceneSpec& spec, const PatientCase& patient,
+                     const DeformBackEnd& back_end) {
     if (spec.deform->setting) {
         spdlog::warn("--quality {} changes nothing: the scene names its setting", wanted);
         return;
     }
-    const QualityDial dial = spec.tear ? dial_that_tears(dial_of(patient)) : dial_of(patient);
+    const QualityDial whole = dial_of(patient, back_end);
+    const QualityDial dial = spec.tear ? dial_that_tears(whole) : whole;
     const std::size_t used = dial.index_at(wanted);
     if (dial.quality_of(used) == wanted) return;
     spdlog::info(
@@ -106,7 +108,11 @@ Json run_simulate(const SimulateChoices& options, Job& job) {
             spdlog::warn("{}", misfit);
     const SceneSpec spec = scene_of(options, script, lesson);
     if (options.quality >= 0.0 && spec.deform && !options.automatic)
-        explain_quality(options.quality, spec, *patient);
+        explain_quality(options.quality, spec, *patient, back_end.back_end);
+    if (spec.deform && !spec.deform->setting)
+        if (const auto words = words_on_left_out(back_end.back_end, measured_points(*patient));
+            !words.empty())
+            spdlog::warn("{}", words);
     Session session(patient, spec, job, back_end.back_end);
     say_where_obstacles_are_none(session.world());
     std::optional<RecordingWriter> recording;
@@ -158,7 +164,7 @@ void add_simulate(CommandLine& line) {
                   "\"velocity_error\": [alpha_per_s, beta_s]");
     verb.add_option("--backend", options->backend,
                     "Where the solver runs; cuda-emulated: the GPU's kernels on the processor")
-        ->check(CLI::IsMember({"cpu", "cuda", "cuda-emulated", "auto"}))
+        ->check(CLI::IsMember(back_end_names()))
         ->capture_default_str();
     verb.add_option("--threads", options->threads, "At most so many threads")
         ->check(CLI::Range(1, 1024));

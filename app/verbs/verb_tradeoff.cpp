@@ -2,7 +2,10 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <utility>
 
+#include "app/back_end_choice.h"
 #include "app/output_place.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
@@ -20,6 +23,7 @@ struct TradeoffChoices {
     std::filesystem::path patient;
     std::filesystem::path out;
     bool contact = false;
+    std::string backend = "cpu";
     TradeoffOptions measure;
 };
 
@@ -31,6 +35,8 @@ Json json_row(const TradeoffPoint& point) {
     Json json{{"element", point.element},
               {"elements", point.elements},
               {"region", point.region},
+              {"back_end", point.back_end},
+              {"device", point.device.empty() ? Json(nullptr) : Json(point.device)},
               {"solver", std::string(name_of(point.options.solver))},
               {"energy_tolerance", point.options.linear.energy_tolerance},
               {"max_iterations", point.options.linear.max_iterations},
@@ -68,6 +74,9 @@ Tradeoff measure(const TradeoffChoices& options, Job& job) {
     const PatientCase patient = read_case_without_voxels(options.patient);
     TradeoffOptions how = options.measure;
     how.region = DeformPart::region;
+    if (DeformBackEnd back_end = choose_back_end(options.backend).back_end;
+        !back_end.device.empty())
+        how.device = std::move(back_end);
     return measure_body_tradeoff(bodies_of(patient, job), how, job);
 }
 
@@ -92,6 +101,9 @@ Json run_contact_tradeoff(const TradeoffChoices& options, Job& job) {
 
 Json run_tradeoff(const TradeoffChoices& options, Job& job) {
     require_writable_folder(options.out);
+    if (options.backend != "cpu" && options.patient.empty())
+        throw InputError("measures on a patient's body alone", "--backend",
+                         "Give a CASE, or leave --backend out");
     if (options.contact) return run_contact_tradeoff(options, job);
     const Tradeoff tradeoff = measure(options, job);
     write_tradeoff(tradeoff, options.out);
@@ -133,6 +145,10 @@ void add_tradeoff(CommandLine& line) {
         ->capture_default_str();
     verb.add_flag("--contact", options->contact,
                   "Of what contact adds: pad, solve, step and friction of a block on a slab");
+    verb.add_option("--backend", options->backend,
+                    "On whose device a patient's settings are measured beside the processor")
+        ->check(CLI::IsMember(back_end_names()))
+        ->capture_default_str();
     verb.add_flag("--quick", options->measure.quick, "Of the beam: leave out the large meshes");
 }
 

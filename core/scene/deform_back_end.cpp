@@ -17,6 +17,19 @@ DeformBackEnd governed_back_end(std::string name, GovernedStepper::MakeBackEnd m
             }};
 }
 
+DeformBackEnd device_back_end(std::string name, std::string device,
+                              GovernedStepper::MakeBackEnd make) {
+    DeformBackEnd back_end = governed_back_end(
+        std::move(name),
+        [make = std::move(make)](const BodyDescription& body,
+                                 const StepperOptions& options) -> std::unique_ptr<StepBackEnd> {
+            if (options.on_processor) return make_cpu_back_end(body, options);
+            return make(body, options);
+        });
+    back_end.device = std::move(device);
+    return back_end;
+}
+
 DeformBackEnd cpu_back_end() {
     return governed_back_end("cpu", make_cpu_back_end);
 }

@@ -82,7 +82,8 @@ DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
     if (patient.mesh.tetrahedra.empty())
         throw InputError("has no mesh, so its vessels cannot be moved", "the case",
                          "Reconstruct the patient again");
-    const QualityDial dial = tear ? dial_that_tears(dial_of(patient)) : dial_of(patient);
+    const QualityDial dial =
+        tear ? dial_that_tears(dial_of(patient, back_end_)) : dial_of(patient, back_end_);
     setting_ = spec.setting ? *spec.setting : dial.at(spec.quality).options;
     setting_.velocity_error = spec.velocity_error;
     body_.mesh = patient.mesh;
@@ -370,7 +371,7 @@ void DeformPart::set_contact(const std::optional<double>& self_friction,
 void DeformPart::use(const StepperOptions& setting) {
     StepperOptions now = setting;
     now.velocity_error = setting_.velocity_error;
-    if (stepper_->set_options(now))
+    if (now.on_processor == setting_.on_processor && stepper_->set_options(now))
         setting_ = now;
     else
         rebuild(body_, now);

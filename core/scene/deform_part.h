@@ -142,6 +142,8 @@ class DeformPart {
                      std::shared_ptr<const Obstacles> obstacles);
     void use(const StepperOptions& setting);
     const StepperOptions& setting() const { return setting_; }
+    // The device that makes the steps now; empty: the processor does.
+    std::string device() const { return stepper_->on_device() ? back_end_.device : ""; }
     DeformSettings settings() const;
     // Settings that are already in force cost nothing and do not change the bits of later steps.
     // `obstacles`: those that are meant where the settings want some; null: the present ones.

@@ -99,6 +99,7 @@ struct FrameStatistics {
     double quality = 0.0;         // of the present setting: 0 fastest, 1 most accurate
     bool automatic = false;       // the session picks the setting
     std::string setting;          // in words
+    std::string device;           // that makes the steps; empty: the processor does
     bool degraded = false;
     bool paused = false;    // the world stands still, the drug's clock included
     bool resting = false;   // nothing changes, and no other frame comes, until the next command

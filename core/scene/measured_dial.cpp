@@ -16,8 +16,10 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// 1 was measured with a pull by three radii, and costs were medians; 2 without tension.
-constexpr int dial_version = 3;
+// 1 was measured with a pull by three radii, and costs were medians; 2 without tension. 4 holds
+// points of a device, which programs that know 3 would take for the processor's.
+constexpr int oldest_version = 3, device_version = 4;
+const std::string processor = "cpu";
 constexpr double most_error = 0.5;
 constexpr const char* synthetic_reference =
     "a small synthetic patient, corotated in 8 substeps a frame, solved exactly, pulled by 30 mm "
@@ -34,7 +36,8 @@ std::vector<QualityPoint> points_from(const Json& json) {
     for (const Json& point : json.at("points"))
         points.push_back({setting_from_json(point.at("setting")),
                           point.at("frame_ms").get<double>(),
-                          point.at("error_relative").get<double>(), reference});
+                          point.at("error_relative").get<double>(), reference,
+                          point.value("back_end", processor), point.value("device", "")});
     return points;
 }
 
@@ -70,14 +73,41 @@ std::vector<QualityPoint> measured_points(const PatientCase& patient) {
     const Json json = Json::parse(patient.dial_json, nullptr, false);
     if (json.is_discarded() || !json.is_object()) refuse("is damaged");
     try {
-        if (json.at("format") != "hepatica-dial" || json.at("version") > dial_version)
+        if (json.at("format") != "hepatica-dial" || json.at("version") > device_version)
             refuse("has another format or version");
-        if (json.at("version") < dial_version) return {};
+        if (json.at("version") < oldest_version) return {};
         if (json.at("patient_hash") != to_hex(hash_of(patient))) return {};
         return points_from(json);
     } catch (const Json::exception& error) {
         refuse(json_problem(error));
     }
+}
+
+bool is_measured_with(const DeformBackEnd& back_end, const QualityPoint& point) {
+    return point.back_end == back_end.name && point.device == back_end.device;
+}
+
+std::vector<QualityPoint> points_for(const DeformBackEnd& back_end,
+                                     const std::vector<QualityPoint>& measured) {
+    std::vector<QualityPoint> points;
+    bool own = false;
+    for (const QualityPoint& point : measured) {
+        const bool here = is_measured_with(back_end, point);
+        if (!here && !(back_end.beside_processor && point.back_end == processor)) continue;
+        points.push_back(point);
+        points.back().options.on_processor = !here;
+        own = own || here;
+    }
+    return own ? points : std::vector<QualityPoint>();
+}
+
+std::string words_on_left_out(const DeformBackEnd& back_end,
+                              const std::vector<QualityPoint>& measured) {
+    for (const QualityPoint& point : measured)
+        if (point.back_end != processor && !is_measured_with(back_end, point))
+            return "Settings of the dial that were measured on " + point.device + " (" +
+                   point.back_end + ") are left out: it does not make the steps here";
+    return {};
 }
 
 QualityDial dial_of_points(std::vector<QualityPoint> points) {
@@ -87,21 +117,27 @@ QualityDial dial_of_points(std::vector<QualityPoint> points) {
     return QualityDial(std::move(points));
 }
 
-QualityDial dial_of(const PatientCase& patient) {
-    std::vector<QualityPoint> points = measured_points(patient);
+QualityDial dial_of(const PatientCase& patient, const DeformBackEnd& back_end) {
+    std::vector<QualityPoint> points = points_for(back_end, measured_points(patient));
     return points.empty() ? built_in_dial(patient.mesh.tetrahedra.size())
                           : dial_of_points(std::move(points));
 }
 
 std::string dial_json(const std::vector<QualityPoint>& points, const PatientCase& patient) {
+    const bool devices = std::ranges::any_of(
+        points, [](const QualityPoint& point) { return point.back_end != processor; });
     Json json{{"format", "hepatica-dial"},
-              {"version", dial_version},
+              {"version", devices ? device_version : oldest_version},
               {"patient_hash", to_hex(hash_of(patient))},
               {"reference", points.empty() ? "" : points.front().reference}};
-    for (const QualityPoint& point : points)
-        json["points"].push_back({{"setting", to_json(point.options)},
-                                  {"frame_ms", point.frame_ms},
-                                  {"error_relative", point.error_relative}});
+    for (const QualityPoint& point : points) {
+        Json one{{"setting", to_json(point.options)},
+                 {"back_end", point.back_end},
+                 {"frame_ms", point.frame_ms},
+                 {"error_relative", point.error_relative}};
+        if (!point.device.empty()) one["device"] = point.device;
+        json["points"].push_back(std::move(one));
+    }
     return json.dump(2) + "\n";
 }
 

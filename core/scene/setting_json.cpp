@@ -47,6 +47,8 @@ void read_into(StepperOptions& options, const std::string& key, const Json& valu
         options.substeps = whole_number<int>(value);
     } else if (key == "tension") {
         options.tension = value.get<bool>();
+    } else if (key == "on_processor") {
+        options.on_processor = value.get<bool>();
     } else if (key == "published") {
         options.published = value.get<bool>();
     } else {
@@ -64,6 +66,7 @@ Json to_json(const StepperOptions& options) {
               {"newton_iterations", options.newton_iterations},
               {"substeps", options.substeps}};
     if (!options.tension) json["tension"] = false;
+    if (options.on_processor) json["on_processor"] = true;
     if (options.published) json["published"] = true;
     return json;
 }
@@ -97,6 +100,7 @@ std::string words_of(const StepperOptions& options) {
     if (options.substeps > 1) words << ", " << options.substeps << " substeps";
     if (options.newton_iterations > 1)
         words << ", " << options.newton_iterations << " Newton iterates";
+    if (options.on_processor) words << ", on the processor";
     return words.str();
 }
 

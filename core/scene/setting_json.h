@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One setting of the dial in a file or a recording: {"element": "corotated", "solver": "automatic",
 // "energy_tolerance": 0.01, "max_iterations": 10000, "newton_iterations": 1, "substeps": 1}, and
-// "published": true where the step is taken exactly as published.
+// "published": true where the step is taken exactly as published, "on_processor": true where a
+// play on a device has its steps made by the processor.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -61,7 +61,7 @@ QualityGovernor governor_of(const QualityDial& dial) {
 
 Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job,
                  const DeformBackEnd& back_end)
-    : dial_(spec.tear ? dial_that_tears(dial_of(*patient)) : dial_of(*patient)),
+    : dial_(spec.tear ? dial_that_tears(dial_of(*patient, back_end)) : dial_of(*patient, back_end)),
       governor_(governor_of(dial_)),
       world_(std::make_unique<World>(patient, spec, job, back_end)) {
     message_.reserve(longest_message);
@@ -446,6 +446,7 @@ void Session::publish(SessionStep& step, Clock::time_point start) {
     statistics.linear_iterations = step.deform.linear_iterations;
     if (const DeformPart* deform = world_->deform(); deform != nullptr) {
         statistics.setting = words_of(deform->setting());
+        statistics.device = deform->device();
         statistics.automatic = automatic_;
         statistics.expected_error = point_ ? dial_.front()[*point_].error_relative : 0.0;
         statistics.error_reference = point_ ? dial_.front()[*point_].reference : "";

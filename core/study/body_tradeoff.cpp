@@ -39,6 +39,7 @@ struct Setting {
     std::size_t mesh = 0;
     bool live = false;
     StepperOptions options;
+    bool on_device = false;
 };
 
 StepperOptions options_of(ElementModel model, ElementOrder order, int substeps, int newton = 1) {
@@ -59,13 +60,14 @@ StepperOptions solved_by(LinearSolverKind kind, double tolerance, int most) {
 }
 
 // Cheap ones first, so that a budget that runs out runs out at the costly end.
-std::vector<Setting> settings_of(std::size_t meshes) {
+std::vector<Setting> settings_of(std::size_t meshes, bool device) {
     using Kind = LinearSolverKind;
     using Model = ElementModel;
     constexpr auto linear = ElementOrder::linear, quadratic = ElementOrder::quadratic;
     std::vector<Setting> settings;
     const auto add = [&](const StepperOptions& options, std::size_t mesh = 0, bool live = false) {
         settings.push_back({mesh, live, options});
+        if (device) settings.push_back({mesh, live, options, true});
     };
     for (const int most : {5, 20}) add(solved_by(Kind::block_jacobi, 0.0, most));
     add(solved_by(Kind::automatic, 1e-1, 1000));
@@ -194,10 +196,20 @@ Reference measure_reference(const Scene& scene, const Clock& clock, double budge
     return reference;
 }
 
+std::unique_ptr<Stepper> new_stepper(const BodyDescription& body, const Setting& setting,
+                                     const StepperOptions& options, const TradeoffOptions& how) {
+    if (!setting.on_device)
+        return setting.live ? make_live_stepper(body, options, how.region)
+                            : make_cpu_stepper(body, options);
+    LiveRegionOptions region = how.region;
+    if (!setting.live) region.still_radii_per_s = 0.0;  // nothing freezes
+    return how.device->make(body, options, region);
+}
+
 std::unique_ptr<Stepper> stepper_for(const BodyDescription& body, const Setting& setting,
-                                     const LiveRegionOptions& region, const Job& job) {
+                                     const TradeoffOptions& how, const Job& job) {
     if (setting.live) {
-        auto stepper = make_live_stepper(body, setting.options, region);
+        auto stepper = new_stepper(body, setting, setting.options, how);
         for (int f = 0; f < frames_to_fall_asleep; ++f) {
             job.throw_if_cancelled();
             if (stepper->step(frame_s, job.stop_token()).asleep) break;
@@ -206,7 +218,7 @@ std::unique_ptr<Stepper> stepper_for(const BodyDescription& body, const Setting&
     }
     StepperOptions options = setting.options;
     options.substeps = 1;  // the meter takes them one by one
-    return make_cpu_stepper(body, options);
+    return new_stepper(body, setting, options, how);
 }
 
 // Empty where the whole motion was measured, else why not.
@@ -216,7 +228,9 @@ std::string measure_motion(const Scene& scene, const Setting& setting,
                            CentrelineMotion& motion) {
     const BodyDescription& body = scene.meshes[setting.mesh];
     if (clock.left_s() <= 0.0) return "no time was left";
-    const auto stepper = stepper_for(body, setting, options.region, job);
+    const auto stepper = stepper_for(body, setting, options, job);
+    const char* const left = "the device leaves such steps to the processor";
+    if (setting.on_device && !stepper->on_device()) return left;
     for (int f = 0; f < Pull::frames; ++f) {
         progress(f / static_cast<double>(Pull::frames));
         stepper->set_grabs(scene.pull.grabs(body, f));
@@ -227,6 +241,7 @@ std::string measure_motion(const Scene& scene, const Setting& setting,
             return "needs " + seconds_text(needed_s) + " more, " +
                    seconds_text(std::max(0.0, clock.left_s())) + " were left";
     }
+    if (setting.on_device && !stepper->on_device()) return left;
     return {};
 }
 
@@ -246,6 +261,10 @@ TradeoffPoint measure_setting(const Scene& scene, const Setting& setting,
     point.element = element_name(setting.options.model, setting.options.order);
     point.elements = static_cast<int>(scene.meshes[setting.mesh].mesh.tetrahedra.size());
     point.region = setting.live ? "live" : "whole";
+    if (setting.on_device) {
+        point.back_end = options.device->name;
+        point.device = options.device->device;
+    }
     point.own_mesh = setting.mesh == 0;
     point.options = setting.options;
     point.dt_s = frame_s / setting.options.substeps;
@@ -275,7 +294,7 @@ Tradeoff measure_body_tradeoff(const std::vector<BodyDescription>& meshes,
     job.begin_stage("Measuring the settings");
     Tradeoff tradeoff;
     tradeoff.reference = reference.words;
-    const std::vector<Setting> settings = settings_of(meshes.size());
+    const std::vector<Setting> settings = settings_of(meshes.size(), options.device.has_value());
     for (const Setting& setting : settings) {
         const auto done = static_cast<double>(tradeoff.points.size());
         const auto progress = [&](double share) {

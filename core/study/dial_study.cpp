@@ -2,9 +2,12 @@
 #include "core/study/dial_study.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
+#include "core/base/error.h"
+#include "core/scene/measured_dial.h"
 #include "core/scene/setting_json.h"
 #include "core/study/drag_study.h"
 
@@ -67,20 +70,49 @@ std::optional<StepperOptions> next_dial_setting(std::span<const QualityPoint> me
     return setting_in_a_gap(measured);
 }
 
-DialStudy::DialStudy(std::shared_ptr<const PatientCase> patient, std::vector<QualityPoint> measured)
-    : patient_(std::move(patient)), points_(std::move(measured)) {}
+std::optional<StepperOptions> next_dial_setting(std::span<const QualityPoint> measured,
+                                                const DeformBackEnd& back_end) {
+    const auto next_of = [&](const DeformBackEnd& one) {
+        std::vector<QualityPoint> points;
+        std::ranges::copy_if(measured, std::back_inserter(points), [&](const QualityPoint& point) {
+            return is_measured_with(one, point);
+        });
+        return next_dial_setting(points);
+    };
+    std::optional<StepperOptions> setting = next_of(back_end);
+    if (setting || !back_end.beside_processor) return setting;
+    setting = next_of(cpu_back_end());
+    if (setting) setting->on_processor = true;
+    return setting;
+}
+
+DialStudy::DialStudy(std::shared_ptr<const PatientCase> patient, std::vector<QualityPoint> measured,
+                     DeformBackEnd back_end)
+    : patient_(std::move(patient)), points_(std::move(measured)), back_end_(std::move(back_end)) {}
 
 bool DialStudy::measure_next(Job& job) {
-    const std::optional<StepperOptions> setting = next_dial_setting(points_);
+    const std::optional<StepperOptions> setting = next_dial_setting(points_, back_end_);
     if (!setting) return false;
     const HandMotion motion = dial_motion();
     if (!trial_)
         trial_ = std::make_unique<HandTrial>(patient_, scene_as_played(),
-                                             PlayedRegion::as_in_scenes, job);
+                                             PlayedRegion::as_in_scenes, job, back_end_);
     if (reference_.empty()) reference_ = trial_->reference(motion, reference_substeps, job);
     const HandPlay played = trial_->play(motion, *setting, job);
-    points_.push_back({*setting, summary_of(played).frame_ms.p95,
-                       motion_error(played.motion, reference_), words_of_reference(*patient_)});
+    const DragSummary cost = summary_of(played);
+    QualityPoint point{*setting, cost.frame_ms.p95, motion_error(played.motion, reference_),
+                       words_of_reference(*patient_)};
+    if (!setting->on_processor) {
+        if (played.device != back_end_.device)
+            throw InputError("has left steps to the processor", back_end_.device,
+                             "Measure again, or with --backend cpu");
+        point.back_end = back_end_.name;
+        point.device = back_end_.device;
+        // While a device works the processor does not, or little.
+        if (!point.device.empty()) point.frame_ms = cost.wall_ms.p95;
+    }
+    point.options.on_processor = false;  // its back end says that
+    points_.push_back(std::move(point));
     return true;
 }
 

@@ -24,20 +24,27 @@ constexpr double widest_cost_ratio = 2.5;
 // three, eight; then numbers of substeps between those of neighbours on the front that are further
 // apart than widest_cost_ratio. None where the front is filled.
 std::optional<StepperOptions> next_dial_setting(std::span<const QualityPoint> measured);
+// Of the points measured with a back end, and then, where it stands beside the processor, of the
+// processor's. The options are as the back end is to be given them.
+std::optional<StepperOptions> next_dial_setting(std::span<const QualityPoint> measured,
+                                                const DeformBackEnd& back_end);
 
 // Not thread-safe.
 class DialStudy {
   public:
-    // Goes on behind what was measured before on this body. The patient has a mesh.
+    // Goes on behind what was measured before on this body, with any back end. The patient has a
+    // mesh.
     explicit DialStudy(std::shared_ptr<const PatientCase> patient,
-                       std::vector<QualityPoint> measured = {});
+                       std::vector<QualityPoint> measured = {},
+                       DeformBackEnd back_end = cpu_back_end());
 
     // Measures the next setting; the first call builds the body and measures the reference as well.
     // False, without any work, where none is left. A setting's cost is what 95 of 100 of its frames
     // take at most; its error is the root mean square over the pull and the centreline, relative
     // to the motion of the same elements on the same mesh, all computed, in eight substeps a frame,
     // solved exactly. What the mesh itself misses is not in it. Looks at the job after every step;
-    // throws Cancelled, after which the setting under way is measured anew by the next call.
+    // throws Cancelled, after which the setting under way is measured anew by the next call, and
+    // InputError where a device left the motion to the processor: that is no measure of it.
     bool measure_next(Job& job);
 
     const std::vector<QualityPoint>& points() const { return points_; }
@@ -45,6 +52,7 @@ class DialStudy {
   private:
     std::shared_ptr<const PatientCase> patient_;
     std::vector<QualityPoint> points_;
+    DeformBackEnd back_end_;
     std::unique_ptr<HandTrial> trial_;
     CentrelineMotion reference_;
 };

@@ -9,16 +9,16 @@
 namespace hepatica {
 
 DialWorker::DialWorker(std::shared_ptr<const PatientCase> patient,
-                       std::vector<QualityPoint> measured, Tell tell)
+                       std::vector<QualityPoint> measured, Tell tell, DeformBackEnd back_end)
     : tell_(std::move(tell)) {
     // The study looks at its job between two steps: that is where it waits.
     job_.observe([this](JobEvent) { wait_until_allowed(); });
-    thread_ =
-        std::jthread([this, body = std::move(patient), known = std::move(measured)]() mutable {
-            measure(std::move(body), std::move(known));
-            const std::scoped_lock lock(mutex_);
-            ended_ = true;
-        });
+    thread_ = std::jthread([this, body = std::move(patient), known = std::move(measured),
+                            by = std::move(back_end)]() mutable {
+        measure(std::move(body), std::move(known), std::move(by));
+        const std::scoped_lock lock(mutex_);
+        ended_ = true;
+    });
 }
 
 DialWorker::~DialWorker() {
@@ -47,10 +47,10 @@ DialWorker::State DialWorker::state() const {
 }
 
 void DialWorker::measure(std::shared_ptr<const PatientCase> patient,
-                         std::vector<QualityPoint> measured) {
+                         std::vector<QualityPoint> measured, DeformBackEnd back_end) {
     try {
         job_.throw_if_cancelled();
-        DialStudy study(std::move(patient), std::move(measured));
+        DialStudy study(std::move(patient), std::move(measured), std::move(back_end));
         while (study.measure_next(job_)) {
             job_.throw_if_cancelled();
             tell_(study.points());

@@ -20,9 +20,10 @@ class DialWorker {
     using Tell = std::function<void(const std::vector<QualityPoint>&)>;
 
     // Goes on behind what was measured before. Waits until it is allowed to run. A body that cannot
-    // be measured is given up without a word: it has the dial it had.
+    // be measured is given up without a word: it has the dial it had. The back end is used by the
+    // worker's thread alone.
     DialWorker(std::shared_ptr<const PatientCase> patient, std::vector<QualityPoint> measured,
-               Tell tell);
+               Tell tell, DeformBackEnd back_end = cpu_back_end());
     // Ends within the step under way; `tell` is not called any more.
     ~DialWorker();
     DialWorker(const DialWorker&) = delete;
@@ -41,7 +42,8 @@ class DialWorker {
 
   private:
     void wait_until_allowed();
-    void measure(std::shared_ptr<const PatientCase> patient, std::vector<QualityPoint> measured);
+    void measure(std::shared_ptr<const PatientCase> patient, std::vector<QualityPoint> measured,
+                 DeformBackEnd back_end);
 
     Tell tell_;
     Job job_;

@@ -13,7 +13,8 @@ void FrameMeter::step(Stepper& stepper, int parts, const Job& job) {
     }
     const FrameTime time = timer.passed();
     last_wall_ms_ = time.wall_ms;
-    frame_ms_.push_back(time.cost_ms());
+    // While a device works the processor does not, or little.
+    frame_ms_.push_back(stepper.on_device() ? time.wall_ms : time.cost_ms());
 }
 
 void FrameMeter::book(TradeoffPoint& point) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steps a body a frame of 1/60 s at a time and keeps what that costs: wall time, or the processor's
-// where that is less, which it is only where other programs made the frame wait.
+// where that is less, which it is only where other programs made the frame wait; on a device the
+// wall time.
 #pragma once
 
 #include <vector>

@@ -52,20 +52,22 @@ HandFrame frame_of(const SessionStep& step, const FrameStatistics& statistics) {
 // Makes the steppers of a session, and knows how much of the body the present one computes.
 class HandTrial::WatchedBackEnd {
   public:
-    explicit WatchedBackEnd(PlayedRegion region)
-        : maker_(region == PlayedRegion::whole_body ? whole_body_back_end() : cpu_back_end()) {}
+    WatchedBackEnd(PlayedRegion region, const DeformBackEnd& back_end)
+        : maker_(region == PlayedRegion::whole_body ? whole_body_back_end() : back_end) {}
     WatchedBackEnd(const WatchedBackEnd&) = delete;
     WatchedBackEnd& operator=(const WatchedBackEnd&) = delete;
 
     // Must not be used longer than this object lives.
     DeformBackEnd back_end() {
-        return {maker_.name, [this](const BodyDescription& body, const StepperOptions& options,
-                                    const LiveRegionOptions& region) {
-                    std::unique_ptr<Stepper> made = maker_.make(body, options, region);
-                    elements_ = static_cast<int>(body.mesh.tetrahedra.size());
-                    live_ = dynamic_cast<const LiveStepper*>(made.get());
-                    return made;
-                }};
+        DeformBackEnd watched = maker_;
+        watched.make = [this](const BodyDescription& body, const StepperOptions& options,
+                              const LiveRegionOptions& region) {
+            std::unique_ptr<Stepper> made = maker_.make(body, options, region);
+            elements_ = static_cast<int>(body.mesh.tetrahedra.size());
+            live_ = dynamic_cast<const LiveStepper*>(made.get());
+            return made;
+        };
+        return watched;
     }
 
     int elements() const { return elements_; }
@@ -80,10 +82,10 @@ class HandTrial::WatchedBackEnd {
 };
 
 HandTrial::HandTrial(std::shared_ptr<const PatientCase> patient, const SceneSpec& scene,
-                     PlayedRegion region, Job& job)
+                     PlayedRegion region, Job& job, const DeformBackEnd& back_end)
     : patient_(std::move(patient)),
       scene_(validated(scene)),
-      watched_(std::make_unique<WatchedBackEnd>(region)),
+      watched_(std::make_unique<WatchedBackEnd>(region, back_end)),
       probes_({}, {}) {
     Job building;  // its stages are none of the caller's
     session_ = std::make_unique<Session>(patient_, scene_, building, watched_->back_end());
@@ -131,6 +133,7 @@ HandPlay HandTrial::play(const HandMotion& motion, const StepperOptions& setting
         job.advance(static_cast<double>(played.frames.size()) /
                     static_cast<double>(commands.size()));
     }
+    played.device = session_->world().deform()->device();
     return played;
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/base/job.h"
 #include "core/patient/patient_case.h"
+#include "core/scene/deform_back_end.h"
 #include "core/scene/scene_spec.h"
 #include "core/session/recording.h"
 #include "core/study/hand_motion.h"
@@ -38,10 +39,11 @@ struct HandPlay {
     std::vector<HandFrame> frames;
     CentrelineMotion motion;  // in them
     int elements = 0;         // of the whole body
+    std::string device;       // that made its last step; empty: the processor did
 };
 
 enum class PlayedRegion {
-    as_in_scenes,  // what cpu_back_end computes
+    as_in_scenes,  // what the back end computes
     whole_body     // nothing is frozen
 };
 
@@ -49,9 +51,10 @@ enum class PlayedRegion {
 class HandTrial {
   public:
     // Builds a session of the scene (at 1/60 s a step) and lets it fall asleep. Throws InputError
-    // where case or scene cannot be played with; Cancelled.
+    // where case or scene cannot be played with; Cancelled. A whole body and the reference are the
+    // processor's.
     HandTrial(std::shared_ptr<const PatientCase> patient, const SceneSpec& scene,
-              PlayedRegion region, Job& job);
+              PlayedRegion region, Job& job, const DeformBackEnd& back_end = cpu_back_end());
     ~HandTrial();
     HandTrial(const HandTrial&) = delete;
     HandTrial& operator=(const HandTrial&) = delete;

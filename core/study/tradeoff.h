@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "core/deform/body/body.h"
 #include "core/deform/stepper/live_region.h"
 #include "core/deform/stepper/stepper_options.h"
+#include "core/scene/deform_back_end.h"
 
 namespace hepatica {
 
@@ -19,6 +21,8 @@ struct TradeoffPoint {
     std::string element;           // as in discretisation_of
     int elements = 0;              // of the mesh
     std::string region = "whole";  // or "live": only what moves or is held is computed
+    std::string back_end = "cpu";  // that made the steps, and the device that this is
+    std::string device;            // by its own name; empty: the processor
     StepperOptions options;
     double dt_s = 0.0;            // of one substep
     double step_ms = 0.0;         // of one substep, as below
@@ -45,6 +49,8 @@ struct TradeoffOptions {
     double budget_s = 300.0;   // wall time; what does not fit is listed as not measured. > 0
     bool quick = false;        // of the beam: leave out the large meshes
     LiveRegionOptions region;  // of the live settings of a body of one's own
+    // On whose device those are measured, too, beside the processor.
+    std::optional<DeformBackEnd> device;
 };
 
 // The beam of BeamSpec over some fifty settings. Throws Cancelled, after a frame at most.
@@ -53,8 +59,9 @@ Tradeoff measure_beam_tradeoff(const TradeoffOptions& options, Job& job);
 // A body of one's own, fixed somewhere and with a skeleton, over some thirty settings: a Pull on
 // meshes[0], the one that is played with; the others are of the same shape, in other sizes. The
 // reference is the motion of quadratic elements on meshes[0] in eight substeps a frame where two
-// fifths of the budget allow it, or else of linear ones in up to 32. Throws InputError, Cancelled
-// (after a substep).
+// fifths of the budget allow it, or else of linear ones in up to 32; it is the processor's. Each
+// setting is measured on the device, too, where one is given; those that the device leaves to the
+// processor are not measured there. Throws InputError, Cancelled (after a substep).
 Tradeoff measure_body_tradeoff(const std::vector<BodyDescription>& meshes,
                                const TradeoffOptions& options, Job& job);
 

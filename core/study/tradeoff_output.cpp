@@ -15,16 +15,17 @@ namespace {
 // Words may hold commas; they hold no quotation marks.
 std::string csv_of(const Tradeoff& tradeoff) {
     std::ostringstream out;
-    out << "element,elements,region,solver,energy_tolerance,max_iterations,newton_iterations,dt_s,"
+    out << "element,elements,region,back_end,device,solver,energy_tolerance,max_iterations,newton_"
+           "iterations,dt_s,"
            "step_ms,frame_ms,linear_iterations,error_relative,rest_error_relative,on_front,quality,"
            "not_measured\n";
     for (const TradeoffPoint& p : tradeoff.points)
-        out << p.element << ',' << p.elements << ',' << p.region << ',' << name_of(p.options.solver)
-            << ',' << p.options.linear.energy_tolerance << ',' << p.options.linear.max_iterations
-            << ',' << p.options.newton_iterations << ',' << p.dt_s << ',' << p.step_ms << ','
-            << p.frame_ms << ',' << p.iterations << ',' << p.error_relative << ','
-            << p.rest_error_relative << ',' << p.on_front << ',' << p.quality << ",\""
-            << p.not_measured << "\"\n";
+        out << p.element << ',' << p.elements << ',' << p.region << ',' << p.back_end << ",\""
+            << p.device << "\"," << name_of(p.options.solver) << ','
+            << p.options.linear.energy_tolerance << ',' << p.options.linear.max_iterations << ','
+            << p.options.newton_iterations << ',' << p.dt_s << ',' << p.step_ms << ',' << p.frame_ms
+            << ',' << p.iterations << ',' << p.error_relative << ',' << p.rest_error_relative << ','
+            << p.on_front << ',' << p.quality << ",\"" << p.not_measured << "\"\n";
     return out.str();
 }
 
@@ -89,6 +90,7 @@ std::string words_of(const TradeoffPoint& point) {
         words << ' ' << name_of(point.options.solver);
     if (point.options.linear.energy_tolerance == 0.0)
         words << ' ' << point.options.linear.max_iterations;
+    if (!point.device.empty()) words << ", " << point.back_end;
     return words.str();
 }
 

@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
@@ -252,6 +254,46 @@ TEST_F(Tour, TheDialOfAPatientStaysInTheCaseAndIsMeasuredOnce) {
     }
     EXPECT_TRUE(answer({"dial", path("p.hep")})["measured"].empty());
     fs::remove(path("p.hep/dial.json"));
+}
+
+// Settings of the emulated device, as a case may hold them: to measure them takes minutes.
+TEST_F(Tour, TheDialOfACaseIsPlayedWhereItWasMeasured) {
+    const Json begun = answer({"dial", path("p.hep"), "--budget", "1"});
+    for (const Json& point : begun["front"]) EXPECT_EQ(point["back_end"], "cpu");
+    Json dial = Json::parse(std::ifstream(path("p.hep/dial.json")));
+    dial["version"] = 4;
+    for (Json& point : dial["points"]) {
+        point["back_end"] = "cuda-emulated";
+        point["device"] = "emulated on the processor";
+    }
+    std::ofstream(path("p.hep/dial.json")) << dial;
+    const std::vector<std::string> script{"simulate", path("p.hep"),
+                                          "--script", HEPATICA_ASSETS "/scripts/drag.json",
+                                          "--steps",  "2"};
+    std::vector<std::string> on_device = script;
+    on_device.insert(on_device.end(), {"--backend", "cuda-emulated"});
+    const Json device = answer(on_device);
+    EXPECT_EQ(device["error_reference"], begun["reference"]);
+    EXPECT_GT(device["gpu"]["steps_on_device"], 0);
+    const Json processor = answer(script);
+    EXPECT_NE(processor["error_reference"], begun["reference"]);
+    EXPECT_TRUE(processor["gpu"].is_null());
+    const Outcome run = run_cli(script);
+    EXPECT_NE(run.errors.find("(cuda-emulated) are left out"), std::string::npos) << run.errors;
+    fs::remove(path("p.hep/dial.json"));
+}
+
+TEST_F(Tour, TradeoffListsADeviceBesideTheProcessor) {
+    const Json measured = answer({"tradeoff", path("p.hep"), "--out", path("both"), "--budget",
+                                  "10", "--backend", "cuda-emulated"});
+    std::map<std::string, int> points;
+    for (const char* list : {"points", "not_measured"})
+        for (const Json& point : measured[list]) ++points[point["back_end"].get<std::string>()];
+    EXPECT_EQ(points.size(), 2u);
+    EXPECT_EQ(points["cpu"], points["cuda-emulated"]);
+    const Outcome beam = run_cli({"tradeoff", "--out", path("beam"), "--backend", "cuda-emulated"});
+    EXPECT_EQ(beam.exit_code, 1);
+    EXPECT_NE(beam.errors.find("Give a CASE"), std::string::npos) << beam.errors;
 }
 
 TEST_F(Tour, BenchDragSaysWhatAHandsMotionCostsAndMisses) {

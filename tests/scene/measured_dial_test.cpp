@@ -82,10 +82,87 @@ TEST(MeasuredDial, OffersNothingThatMissesMoreThanHalfTheMotion) {
     EXPECT_EQ(dial_of(patient).front().size(), 1u);
 }
 
+// A device that this program knows by name alone.
+DeformBackEnd device(const std::string& name, bool beside_processor = false) {
+    DeformBackEnd back_end = cpu_back_end();
+    back_end.name = "cuda";
+    back_end.device = name;
+    back_end.beside_processor = beside_processor;
+    return back_end;
+}
+
+// Two settings of the processor and two of a device between them.
+PatientCase patient_with_both() {
+    PatientCase patient = *small_patient();
+    patient.dial_json = dial_json({{substeps(1), 3.0, 0.4, "this body"},
+                                   {substeps(4), 12.0, 0.2, "this body"},
+                                   {substeps(2), 4.0, 0.3, "this body", "cuda", "H200"},
+                                   {substeps(8), 9.0, 0.1, "this body", "cuda", "H200"}},
+                                  patient);
+    return patient;
+}
+
+TEST(MeasuredDial, NamesTheBackEndOfEachSettingAndKeepsIt) {
+    const PatientCase patient = patient_with_both();
+    const auto json = nlohmann::json::parse(patient.dial_json);
+    EXPECT_EQ(json["version"], 4) << "a program that knows 3 takes all for the processor's";
+    EXPECT_EQ(json["points"][0]["back_end"], "cpu");
+    EXPECT_FALSE(json["points"][0].contains("device"));
+    EXPECT_EQ(json["points"][3]["back_end"], "cuda");
+    EXPECT_EQ(json["points"][3]["device"], "H200");
+    const std::vector<QualityPoint> read = measured_points(patient);
+    ASSERT_EQ(read.size(), 4u);
+    EXPECT_EQ(read[1].back_end, "cpu");
+    EXPECT_EQ(read[1].device, "");
+    EXPECT_EQ(read[2].back_end, "cuda");
+    EXPECT_EQ(read[2].device, "H200");
+}
+
+TEST(MeasuredDial, OffersOnADeviceWhatWasMeasuredThereAndBesideItTheProcessors) {
+    const PatientCase patient = patient_with_both();
+    const auto substeps_on = [&](const DeformBackEnd& back_end) {
+        std::vector<int> counts;  // below zero: on the processor of a play on a device
+        const QualityDial dial = dial_of(patient, back_end);
+        for (const QualityPoint& point : dial.front())
+            counts.push_back(point.options.on_processor ? -point.options.substeps
+                                                        : point.options.substeps);
+        return counts;
+    };
+    EXPECT_EQ(substeps_on(cpu_back_end()), (std::vector{1, 4}));
+    EXPECT_EQ(substeps_on(device("H200")), (std::vector{2, 8}));
+    // The processor's four substeps cost more than the device's eight, and miss more.
+    EXPECT_EQ(substeps_on(device("H200", true)), (std::vector{-1, 2, 8}));
+}
+
+TEST(MeasuredDial, LeavesOutADeviceThatIsNotThereAndSaysSo) {
+    const PatientCase patient = patient_with_both();
+    const std::vector<QualityPoint> points = measured_points(patient);
+    EXPECT_EQ(words_on_left_out(device("H200"), points), "");
+    for (const DeformBackEnd& other : {cpu_back_end(), device("H100"), device("H100", true)})
+        EXPECT_NE(words_on_left_out(other, points).find("measured on H200 (cuda) are left out"),
+                  std::string::npos);
+    EXPECT_TRUE(points_for(device("H100", true), points).empty());
+    EXPECT_FALSE(is_of_own_body(dial_of(patient, device("H100", true)).front()[0].reference));
+}
+
+TEST(MeasuredDial, OfOlderProgramsIsTheProcessors) {
+    PatientCase patient = *small_patient();
+    patient.dial_json = dial_json({{substeps(3), 3.0, 0.4, "this body"}}, patient);
+    auto json = nlohmann::json::parse(patient.dial_json);
+    EXPECT_EQ(json["version"], 3) << "without a device older programs read it";
+    json["points"][0].erase("back_end");
+    patient.dial_json = json.dump();
+    ASSERT_EQ(dial_of(patient).front().size(), 1u);
+    EXPECT_EQ(dial_of(patient).front()[0].options.substeps, 3);
+    EXPECT_EQ(measured_points(patient)[0].back_end, "cpu");
+    EXPECT_EQ(words_on_left_out(cpu_back_end(), measured_points(patient)), "");
+    EXPECT_FALSE(is_of_own_body(dial_of(patient, device("H200")).front()[0].reference));
+}
+
 TEST(MeasuredDial, RefusesADamagedOneByName) {
     PatientCase patient = *small_patient();
     for (const char* damaged : {"[]", "{", "{\"format\": \"hepatica-dial\", \"version\": 3}",
-                                "{\"format\": \"hepatica-dial\", \"version\": 4}",
+                                "{\"format\": \"hepatica-dial\", \"version\": 5}",
                                 "{\"format\": \"hepatica-dial\", \"version\": \"two\"}",
                                 "{\"format\": \"other\", \"version\": 3}"}) {
         patient.dial_json = damaged;
@@ -112,6 +189,10 @@ TEST(SettingJson, ComesBackAsItWasAndRefusesTheRest) {
     options.substeps = 5;
     EXPECT_TRUE(same_setting(setting_from_json(to_json(options)), options));
     EXPECT_FALSE(same_setting(options, StepperOptions{}));
+    options.on_processor = true;
+    EXPECT_TRUE(same_setting(setting_from_json(to_json(options)), options));
+    EXPECT_FALSE(setting_from_json(to_json(StepperOptions{})).on_processor);
+    EXPECT_NE(words_of(options).find("on the processor"), std::string::npos);
     options.published = true;
     EXPECT_TRUE(setting_from_json(to_json(options)).published);
     EXPECT_FALSE(setting_from_json(to_json(StepperOptions{})).published);

@@ -42,6 +42,7 @@ class FailingStepper final : public Stepper {
         meet("step");  // with the state changed already
         return report;
     }
+    bool on_device() const override { return stepper_->on_device(); }
     std::span<const Vec3> positions_mm() const override {
         meet("positions");
         return stepper_->positions_mm();

@@ -6,9 +6,11 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/scene/setting_json.h"
 #include "core/study/pull_trial.h"
 #include "core/study/tradeoff.h"
 #include "core/study/vessel_body.h"
+#include "tests/support/emulated_back_end.h"
 
 namespace hepatica {
 namespace {
@@ -110,6 +112,47 @@ TEST(BodyTradeoff, EndsWhenItIsCancelled) {
     Job job;
     job.cancel();
     EXPECT_THROW(measure_body_tradeoff({bar()}, {}, job), Cancelled);
+}
+
+// The same settings on a device: there they miss as much, and what it leaves to the processor is no
+// setting of it.
+TEST(BodyTradeoff, ListsTheSettingsOfADeviceBesideTheProcessors) {
+    const test::EmulatedBackEnd device = test::emulated_back_end();
+    Job job;
+    TradeoffOptions options;
+    options.budget_s = 20.0;
+    options.device = device.back_end;
+    const Tradeoff found = measure_body_tradeoff({bar()}, options, job);
+    int measured = 0, left = 0;
+    for (std::size_t i = 0; i + 1 < found.points.size(); i += 2) {
+        const TradeoffPoint &here = found.points[i], &there = found.points[i + 1];
+        EXPECT_EQ(here.back_end, "cpu");
+        EXPECT_EQ(here.device, "");
+        EXPECT_EQ(there.back_end, "cuda-emulated");
+        EXPECT_EQ(there.device, device.back_end.device);
+        EXPECT_EQ(there.element, here.element);
+        EXPECT_EQ(there.region, here.region);
+        EXPECT_TRUE(same_setting(there.options, here.options));
+        const bool no_kernels = here.options.newton_iterations > 1 ||
+                                here.options.solver == LinearSolverKind::cholesky ||
+                                here.element == "neohookean-10";
+        if (no_kernels && there.not_measured != "no time was left") {
+            ++left;
+            EXPECT_EQ(there.not_measured, "the device leaves such steps to the processor");
+        }
+        if (!here.not_measured.empty() || !there.not_measured.empty()) continue;
+        ++measured;
+        EXPECT_FALSE(no_kernels);
+        // Five iterations from another preconditioner are another answer.
+        if (here.options.linear.energy_tolerance > 0.0 &&
+            here.options.linear.energy_tolerance < 0.1) {
+            EXPECT_NEAR(there.error_relative, here.error_relative, 0.02 + 0.2 * here.error_relative)
+                << words_of(here.options);
+        }
+    }
+    EXPECT_GE(measured, 5);
+    EXPECT_GE(left, 1);
+    EXPECT_GT(device.device_steps(), 100);
 }
 
 }  // namespace

@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "core/base/error.h"
@@ -19,6 +22,8 @@
 #include "core/mesh/brick_mesh.h"
 #include "core/study/frame_meter.h"
 #include "core/study/tradeoff.h"
+#include "tests/session/failing_stepper.h"
+#include "tests/support/emulated_back_end.h"
 
 namespace hepatica {
 namespace {
@@ -49,6 +54,8 @@ Tradeoff four_points() {
     tradeoff.points[2].options.linear.energy_tolerance = 0.0;
     tradeoff.points[2].options.linear.max_iterations = 20;
     tradeoff.points[3].own_mesh = false;
+    tradeoff.points[3].back_end = "cuda";
+    tradeoff.points[3].device = "NVIDIA X, 80 GB";
     mark_front(tradeoff);
     return tradeoff;
 }
@@ -108,8 +115,10 @@ TEST_F(TradeoffFiles, ListEveryPointWithItsReason) {
     std::vector<std::string> rows;
     while (std::getline(lines, line)) rows.push_back(line);
     ASSERT_EQ(rows.size(), 5u);
-    for (int i = 0; i < 4; ++i) EXPECT_EQ(std::ranges::count(rows[i], ','), columns);
-    EXPECT_EQ(rows[0].rfind("spring,77,whole,", 0), 0u) << rows[0];
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(std::ranges::count(rows[i], ','), columns);
+    EXPECT_EQ(rows[0].rfind("spring,77,whole,cpu,\"\",", 0), 0u) << rows[0];
+    EXPECT_EQ(rows[3].rfind("hexahedron,77,whole,cuda,\"NVIDIA X, 80 GB\",", 0), 0u) << rows[3];
+    EXPECT_NE(text_of("tradeoff.svg").find("hexahedron, cuda"), std::string::npos);
     EXPECT_NE(rows[2].find(",0.5,\"\""), std::string::npos) << rows[2];
     EXPECT_NE(rows[4].find("\"no time, none, was left\""), std::string::npos);
 }
@@ -198,12 +207,17 @@ TEST(TradeoffOutput, RefusesAFolderThatCannotBe) {
     fs::remove(file);
 }
 
-// A body that is stepped in parts: costs and iterations are for a frame, and for one of its parts.
-TEST(FrameMeter, BooksAFrameAndItsParts) {
+BodyDescription brick() {
     BodyDescription body;
     body.mesh = kuhn_brick(Vec3(10, 10, 10), {1, 1, 1});
     body.fixed.assign(body.mesh.vertices_mm.size(), 0);
     for (int v = 0; v < 4; ++v) body.fixed[v] = 1;
+    return body;
+}
+
+// A body that is stepped in parts: costs and iterations are for a frame, and for one of its parts.
+TEST(FrameMeter, BooksAFrameAndItsParts) {
+    const BodyDescription body = brick();
     const auto make = [&] {
         auto stepper =
             make_cpu_stepper(body, {.solver = LinearSolverKind::block_jacobi, .sleeping = false});
@@ -233,6 +247,27 @@ TEST(FrameMeter, BooksAFrameAndItsParts) {
     EXPECT_NEAR(booked.step_ms, booked.frame_ms / 3.0, 1e-12);
     job.cancel();
     EXPECT_THROW(meter.step(*metered, 3, job), Cancelled);
+}
+
+// While a device works the processor waits: what it computes meanwhile is not the frame's cost.
+TEST(FrameMeter, BooksTheTimeThatPassesOnADevice) {
+    static constexpr int waited_ms = 60;
+    const BodyDescription body = brick();
+    const auto cost_of = [&](const DeformBackEnd& back_end) {
+        const auto wait = std::make_shared<test::Fault>([](const std::string& call) {
+            if (call == "begin step")
+                std::this_thread::sleep_for(std::chrono::milliseconds(waited_ms));
+        });
+        test::FailingStepper stepper(back_end.make(body, {}, {}), wait);
+        FrameMeter meter;
+        Job job;
+        for (int i = 0; i < 3; ++i) meter.step(stepper, 1, job);
+        TradeoffPoint booked;
+        meter.book(booked);
+        return booked.frame_ms;
+    };
+    EXPECT_GE(cost_of(test::emulated_back_end().back_end), waited_ms);
+    EXPECT_LT(cost_of(cpu_back_end()), waited_ms);
 }
 
 }  // namespace

@@ -191,6 +191,15 @@ TEST(CoreWords, AreSaidInGermanWithWhatIsPutIn) {
         {"the vessel would join two systems: portal vein and hepatic veins",
          "das Gefäß würde zwei Systeme verbinden: Pfortader und Lebervenen"},
         {"1.5, -2.0, 30.0 mm", "1,5; -2,0; 30,0 mm"},
+        {"The processor makes the steps: the device failed (no memory on the device: out of "
+         "memory)",
+         "Der Prozessor macht die Schritte: das Gerät ist ausgefallen (kein Speicher auf dem "
+         "Gerät: out of memory)"},
+        {"Settings of the dial that were measured on NVIDIA X (cuda) are left out: it does not "
+         "make the steps here",
+         "Einstellungen des Schiebers, die auf NVIDIA X (cuda) gemessen wurden, fehlen: Es macht "
+         "die Schritte hier nicht"},
+        {"corotated, 2 substeps, on the processor", "korotiert, 2 Teilschritte, auf dem Prozessor"},
         // As the window says it in English.
         {"On the command line --series", "On the command line --series"},
         {"Leave the series out, or give a DICOM folder",

@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSlider>
+#include <QTest>
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "core/scene/measured_dial.h"
@@ -134,6 +137,36 @@ TEST(QualityPanel, TellsANewSimulationWhatTheUserHadChosen) {
     EXPECT_EQ(std::get<SetQuality>(p.posted[0]).quality, 0.3);
     EXPECT_GT(std::get<SetGravity>(p.posted[1]).gravity_mm_per_s2.norm(), 9000.0);
     EXPECT_EQ(std::get<SetTether>(p.posted[2]).pa_per_mm2, 0.0);
+}
+
+TEST(QualityPanel, SaysWhatMakesTheStepsAndLetsTheUserChoose) {
+    Panel p;
+    std::vector<std::string> chosen;
+    p.panel.on_back_end = [&](const std::string& name) { chosen.push_back(name); };
+    auto& box = *p.panel.findChild<QComboBox*>("back_end");
+    const QLabel& device = *p.panel.findChild<QLabel*>("device");
+    EXPECT_EQ(box.currentData().toString(), "cpu");
+    EXPECT_EQ(box.count(), 3) << "nobody asked for the emulated device";
+    p.panel.show_back_end("cuda-emulated");
+    EXPECT_EQ(box.count(), 4);
+    EXPECT_EQ(box.currentText(), "CUDA device, emulated");
+    p.panel.show_back_end("auto");
+    EXPECT_EQ(box.currentText(), "CUDA, else processor");
+    EXPECT_TRUE(chosen.empty());
+
+    FrameStatistics statistics;
+    p.panel.show_statistics(statistics);
+    EXPECT_EQ(device.text(), "") << "nothing moves in this scene";
+    statistics.setting = "corotated";
+    p.panel.show_statistics(statistics);
+    EXPECT_EQ(device.text(), "the processor");
+    statistics.device = "NVIDIA H200";
+    p.panel.show_statistics(statistics);
+    EXPECT_EQ(device.text(), "NVIDIA H200");
+    EXPECT_EQ(box.currentData().toString(), "auto") << "a frame changes figures, never a choice";
+
+    QTest::keyClick(&box, Qt::Key_Up);
+    EXPECT_EQ(chosen, std::vector<std::string>{"cuda"});
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ class GovernedStepper final : public LiveStepper {
     const ToolLoad& tool_load() const override { return tool_load_; }
     bool set_options(const StepperOptions& options) override;
     StepReport step(double dt_s, const std::stop_token& stop = {}) override;
+    bool on_device() const override { return back_end_->on_device(); }
     std::span<const Vec3> positions_mm() const override;
     std::span<const Vec3> velocities_mm_per_s() const override;
     EnergyLedger energies() const override;

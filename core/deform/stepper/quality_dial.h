@@ -14,9 +14,11 @@ namespace hepatica {
 // One setting with its measured cost and error.
 struct QualityPoint {
     StepperOptions options;
-    double frame_ms = 0.0;        // 95th percentile of the time of a frame of 1/60 s, > 0
-    double error_relative = 0.0;  // relative error of the motion, >= 0
-    std::string reference;        // the solution against which the error was measured
+    double frame_ms = 0.0;         // 95th percentile of the time of a frame of 1/60 s, > 0
+    double error_relative = 0.0;   // relative error of the motion, >= 0
+    std::string reference;         // the solution against which the error was measured
+    std::string back_end = "cpu";  // that it was measured with, and the device that this is
+    std::string device{};          // by its own name; empty: the processor
 };
 
 // Thread safety: const access only.

@@ -29,6 +29,8 @@ class StepBackEnd {
 
     // The nodes, masses and elements that were built from the description.
     virtual const Body& body() const = 0;
+    // Whether a device makes the steps, apart from single ones that it leaves to the processor.
+    virtual bool on_device() const { return false; }
 
     // Take effect in the next step. The caller has checked the values.
     virtual void set_grabs(std::span<const Grab> grabs) = 0;

@@ -57,6 +57,10 @@ class Stepper {
     // only restore() may be called before another step.
     virtual StepReport step(double dt_s, const std::stop_token& stop = {}) = 0;
 
+    // Whether a device makes the steps, apart from single ones that it leaves to the processor.
+    // That may end with any step: devices fail.
+    virtual bool on_device() const { return false; }
+
     // One per vertex of the mesh the stepper was built on.
     virtual std::span<const Vec3> positions_mm() const = 0;
     virtual std::span<const Vec3> velocities_mm_per_s() const = 0;

@@ -30,6 +30,8 @@ struct StepperOptions {
     // Takes the step of the publication unchanged, even where it creates energy. Otherwise such a
     // step is shortened, which the report says.
     bool published = false;
+    // Where the scene is played on a device, the processor makes these steps all the same.
+    bool on_processor = false;
     // Makes no steps of a body whose nodes have moved slower than 1e-5 mean edge lengths per second
     // for half a second of simulated time, until a force or option changes.
     bool sleeping = true;
