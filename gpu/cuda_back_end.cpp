@@ -7,18 +7,23 @@
 #include "core/deform/stepper/cpu_back_end.h"
 #include "gpu/machine/device_error.h"
 #include "gpu/step/device_body.h"
+#include "gpu/step/thinned_skeleton.h"
 
 namespace hepatica::gpu {
 namespace {
 
 // A diameter between nodes takes no more iterations than half of one (docs/gpu.md).
 constexpr double spacing_diameters = 1.0;
+// Of a node's twelve vectors and its vertices' three numbers each, the former must be fewer by far.
+constexpr int least_vertices = 16;
 
 // Empty for block-jacobi. A body with kernels has tetrahedra alone.
 CoarseSkeleton skeleton_for(const BodyDescription& description, const StepperOptions& options) {
     if (options.solver == LinearSolverKind::block_jacobi) return {};
-    return description.skeleton.size() > 0 ? description.skeleton
-                                           : skeleton_of_mesh(description.mesh, spacing_diameters);
+    return thinned(description.skeleton.size() > 0
+                       ? description.skeleton
+                       : skeleton_of_mesh(description.mesh, spacing_diameters),
+                   description.mesh.vertices_mm, least_vertices);
 }
 
 class CudaBackEnd final : public StepBackEnd {

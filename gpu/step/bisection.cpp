@@ -2,89 +2,126 @@
 #include "gpu/step/bisection.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <utility>
 
 namespace hepatica::gpu {
 namespace {
 
-std::vector<std::vector<int>> neighbours_of(const CoarseSkeleton& skeleton) {
-    std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(skeleton.size()));
-    for (int i = 0; i < skeleton.size(); ++i)
-        if (const int parent = skeleton.parent[i]; parent >= 0) {
-            neighbours[i].push_back(parent);
-            neighbours[parent].push_back(i);
-        }
-    return neighbours;
-}
-
 class Bisection {
   public:
-    explicit Bisection(const CoarseSkeleton& skeleton)
-        : neighbours_(neighbours_of(skeleton)),
-          gone_(neighbours_.size(), 0),
-          above_(neighbours_.size(), -1),
-          size_(neighbours_.size(), 0) {}
+    Bisection(const CoarseSkeleton& skeleton, const Couplings& coupled)
+        : parent_(skeleton.parent),
+          coupled_(coupled),
+          part_(parent_.size(), 0),
+          side_(parent_.size(), 0),
+          size_(parent_.size(), 0) {}
 
     std::vector<std::array<int, 2>> cuts() {
-        std::vector<int> waiting;
-        std::vector<std::array<int, 2>> cuts;
-        for (int i = static_cast<int>(gone_.size()); i-- > 0;) waiting.push_back(i);
-        while (!waiting.empty()) {
-            const int start = waiting.back();
-            waiting.pop_back();
-            if (gone_[start] != 0) continue;
-            cuts.push_back(cut_of(start));
-            for (const int node : cuts.back()) {
-                if (node < 0) continue;
-                gone_[node] = 1;
-                waiting.insert(waiting.end(), neighbours_[node].begin(), neighbours_[node].end());
-            }
+        std::vector<int> all(parent_.size());
+        for (std::size_t n = 0; n < all.size(); ++n) all[n] = static_cast<int>(n);
+        release(all);
+        while (!waiting_.empty()) {
+            const std::vector<int> part = std::move(waiting_.back());
+            waiting_.pop_back();
+            divide(part);
         }
-        std::ranges::reverse(cuts);
-        return cuts;
+        std::ranges::reverse(cuts_);
+        return std::move(cuts_);
     }
 
   private:
-    // The centroid of what is left around `start`, and its neighbour in the largest part.
-    std::array<int, 2> cut_of(int start) {
-        std::vector<int> reached{start};
-        above_[start] = -1;
-        for (std::size_t k = 0; k < reached.size(); ++k)
-            for (const int j : neighbours_[reached[k]])
-                if (gone_[j] == 0 && j != above_[reached[k]]) {
-                    above_[j] = reached[k];
-                    reached.push_back(j);
-                }
-        const int whole = static_cast<int>(reached.size());
-        for (const int i : reached) size_[i] = 1;
-        for (std::size_t k = reached.size(); k-- > 1;)
-            size_[above_[reached[k]]] += size_[reached[k]];
-        for (int at = start;;) {
-            const int below = largest_below(at);
-            if (below >= 0 && 2 * size_[below] > whole) {
-                at = below;
-                continue;
+    static constexpr int gone = -1;
+
+    // Takes out of a part what separates its halves; what is left waits.
+    void divide(const std::vector<int>& part) {
+        std::vector<int> separator = part.size() > 2 ? separator_of(part) : part;
+        for (const int n : separator) part_[n] = gone;
+        if (separator.size() % 2 != 0)
+            if (const int more = neighbour_of(separator); more >= 0) {
+                separator.push_back(more);
+                part_[more] = gone;
             }
-            const bool upward = above_[at] >= 0 && (below < 0 || whole - size_[at] > size_[below]);
-            return {at, upward ? above_[at] : below};
-        }
+        for (std::size_t k = 0; k < separator.size(); k += 2)
+            cuts_.push_back({separator[k], k + 1 < separator.size() ? separator[k + 1] : -1});
+        release(part);
     }
-    int largest_below(int i) const {
-        int largest = -1;
-        for (const int j : neighbours_[i])
-            if (gone_[j] == 0 && j != above_[i] && (largest < 0 || size_[j] > size_[largest]))
-                largest = j;
-        return largest;
+    // Nodes of one half that are coupled with the other: of the half that has fewer of them.
+    std::vector<int> separator_of(const std::vector<int>& part) {
+        const int top = halving_node(part);
+        for (const int n : part) {
+            const int above = parent_[n];
+            side_[n] = n == top || (in_part(above, n) && side_[above] != 0) ? 1 : 0;
+        }
+        std::array<std::vector<int>, 2> border;
+        for (const int n : part)
+            if (std::ranges::any_of(coupled_[n], [&](int other) {
+                    return in_part(other, n) && side_[other] != side_[n];
+                }))
+                border[side_[n]].push_back(n);
+        return border[0].size() < border[1].size() ? border[0] : border[1];
+    }
+    // The node that has nearest to half of the part below it, itself counted in, but not all of it.
+    int halving_node(const std::vector<int>& part) {
+        const int whole = static_cast<int>(part.size());
+        for (const int n : part) size_[n] = 1;
+        int best = part.back();
+        for (std::size_t k = part.size(); k-- > 0;) {
+            const int n = part[k];
+            if (in_part(parent_[n], n)) size_[parent_[n]] += size_[n];
+            if (size_[n] < whole &&
+                std::abs(2 * size_[n] - whole) < std::abs(2 * size_[best] - whole))
+                best = n;
+        }
+        return best;
+    }
+    // The first node that is left and coupled with one of these; -1: none.
+    int neighbour_of(const std::vector<int>& nodes) const {
+        for (const int n : nodes)
+            for (const int other : coupled_[n])
+                if (part_[other] != gone) return other;
+        return -1;
+    }
+    bool in_part(int node, int of) const { return node >= 0 && part_[node] == part_[of]; }
+
+    // What is left of these nodes, in pieces that are coupled, each ascending.
+    void release(const std::vector<int>& nodes) {
+        const std::size_t first = waiting_.size();
+        for (const int n : nodes)
+            if (part_[n] != gone) part_[n] = unreached;
+        for (const int start : nodes) {
+            if (part_[start] != unreached) continue;
+            ++parts_;
+            std::vector<int> reached{start};
+            part_[start] = parts_;
+            for (std::size_t k = 0; k < reached.size(); ++k)
+                for (const int other : coupled_[reached[k]])
+                    if (part_[other] == unreached) {
+                        part_[other] = parts_;
+                        reached.push_back(other);
+                    }
+            std::ranges::sort(reached);
+            waiting_.push_back(std::move(reached));
+        }
+        std::reverse(waiting_.begin() + static_cast<std::ptrdiff_t>(first), waiting_.end());
     }
 
-    std::vector<std::vector<int>> neighbours_;
-    std::vector<char> gone_;
-    std::vector<int> above_, size_;
+    static constexpr int unreached = 0;
+
+    const std::vector<int>& parent_;
+    const Couplings& coupled_;
+    std::vector<int> part_;  // that a node is in: 1, 2, ..., unreached or gone
+    std::vector<int> side_, size_;
+    int parts_ = 0;
+    std::vector<std::vector<int>> waiting_;
+    std::vector<std::array<int, 2>> cuts_;
 };
 
 }  // namespace
 
-std::vector<std::array<int, 2>> bisecting_cuts(const CoarseSkeleton& skeleton) {
-    return Bisection(skeleton).cuts();
+std::vector<std::array<int, 2>> bisecting_cuts(const CoarseSkeleton& skeleton,
+                                               const Couplings& coupled) {
+    return Bisection(skeleton, coupled).cuts();
 }
 
 }  // namespace hepatica::gpu

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nested dissection of a forest: it is cut in halves, again and again. Nodes of two branches that
-// meet at a cut share elements, so that a cut takes two neighbouring nodes.
+// Nested dissection of a vessel tree's nodes (George 1973): they are parted in halves, again and
+// again, by those that are coupled with the other half. The tree says where to part; what is
+// coupled is the matrix's affair: nodes that are no neighbours in the tree share elements where
+// branches meet, touch or are thin.
 #pragma once
 
 #include <array>
@@ -10,8 +12,12 @@
 
 namespace hepatica::gpu {
 
-// Every node once, in the order of elimination: the cuts that divide most come last. The second
-// node of a cut is -1 where its neighbour is gone already.
-std::vector<std::array<int, 2>> bisecting_cuts(const CoarseSkeleton& skeleton);
+// Of each node the others that it is coupled with; both hear of it. A node may name itself.
+using Couplings = std::vector<std::vector<int>>;
+
+// Every node once, in cuts of two and in the order of elimination: those that divide most come
+// last. The second node of a cut is -1 where there is no other to take.
+std::vector<std::array<int, 2>> bisecting_cuts(const CoarseSkeleton& skeleton,
+                                               const Couplings& coupled);
 
 }  // namespace hepatica::gpu

@@ -39,18 +39,24 @@ std::vector<int> levels_of(const Lists& above) {
     return level;
 }
 
+// Nodes coupled with each other by the matrix, of which each has four rows.
+Couplings couplings_of(const BlockMatrix& coarse) {
+    Couplings coupled(coarse.row_begin.size() / coarse_vectors);
+    for (std::size_t n = 0; n < coupled.size(); ++n)
+        for (int k = coarse.row_begin[coarse_vectors * n];
+             k < coarse.row_begin[coarse_vectors * n + 1]; k += coarse_vectors)
+            coupled[n].push_back(coarse.column[k] / coarse_vectors);
+    return coupled;
+}
+
 // Cuts coupled with each other by the matrix.
 Lists coupled_cuts(const std::vector<std::array<int, 2>>& cuts, const std::vector<int>& cut_of_node,
-                   const BlockMatrix& coarse) {
+                   const Couplings& nodes) {
     Lists coupled(cuts.size());
     for (std::size_t p = 0; p < cuts.size(); ++p)
-        for (const int node : cuts[p]) {
-            if (node < 0) continue;
-            const int first = coarse_vectors * node;
-            for (int k = coarse.row_begin[first]; k < coarse.row_begin[first + 1];
-                 k += coarse_vectors)
-                coupled[p].push_back(cut_of_node[coarse.column[k] / coarse_vectors]);
-        }
+        for (const int node : cuts[p])
+            for (std::size_t k = 0; node >= 0 && k < nodes[node].size(); ++k)
+                coupled[p].push_back(cut_of_node[nodes[node][k]]);
     return coupled;
 }
 
@@ -68,12 +74,13 @@ void sort_by_level(const std::vector<int>& level, int levels, std::vector<int>& 
 class Planner {
   public:
     Planner(const CoarseSkeleton& skeleton, const BlockMatrix& coarse) {
-        const auto cuts = bisecting_cuts(skeleton);
+        const Couplings coupled = couplings_of(coarse);
+        const auto cuts = bisecting_cuts(skeleton, coupled);
         std::vector<int> cut_of_node(static_cast<std::size_t>(skeleton.size()));
         for (std::size_t p = 0; p < cuts.size(); ++p)
             for (const int node : cuts[p])
                 if (node >= 0) cut_of_node[node] = static_cast<int>(p);
-        above_ = coupled_above(coupled_cuts(cuts, cut_of_node, coarse));
+        above_ = coupled_above(coupled_cuts(cuts, cut_of_node, coupled));
         level_ = levels_of(above_);
         plan_.slot_of_node.resize(cut_of_node.size());
         for (std::size_t p = 0; p < cuts.size(); ++p)

@@ -38,11 +38,80 @@ BlockMatrix coupled_chain(int nodes) {
     return coarse;
 }
 
+// Nodes that share elements with their parents and children alone.
+gpu::Couplings coupled_in_tree(const CoarseSkeleton& skeleton) {
+    gpu::Couplings coupled(static_cast<std::size_t>(skeleton.size()));
+    for (int n = 0; n < skeleton.size(); ++n)
+        if (const int parent = skeleton.parent[n]; parent >= 0) {
+            coupled[n].push_back(parent);
+            coupled[parent].push_back(n);
+        }
+    return coupled;
+}
+
+// A random tree whose nodes are coupled with those up to `reach` steps away, and so many others.
+struct RandomTree {
+    CoarseSkeleton skeleton;
+    gpu::Couplings coupled;
+
+    RandomTree(int nodes, int reach, int touching, std::mt19937& random)
+        : coupled(static_cast<std::size_t>(nodes)) {
+        for (int n = 0; n < nodes; ++n) {
+            const int back = 1 + static_cast<int>(random() % 8u == 0 ? random() % 20u : 0u);
+            skeleton.positions_mm.emplace_back(n, 0.0, 0.0);
+            skeleton.radii_mm.push_back(1.0);
+            skeleton.parent.push_back(std::max(n - back, n == 0 ? -1 : 0));
+            for (int above = skeleton.parent[n], k = 0; above >= 0 && k < reach;
+                 above = skeleton.parent[above], ++k)
+                couple(n, above);
+        }
+        for (int k = 0; k < touching; ++k)
+            couple(static_cast<int>(random() % static_cast<unsigned>(nodes)),
+                   static_cast<int>(random() % static_cast<unsigned>(nodes)));
+    }
+    void couple(int a, int b) {
+        coupled[a].push_back(b);
+        coupled[b].push_back(a);
+    }
+    // As plan_coarse wants it: four rows a node.
+    BlockMatrix pattern() const {
+        BlockMatrix coarse;
+        coarse.row_begin = {0};
+        for (std::size_t n = 0; n < coupled.size(); ++n) {
+            std::vector<int> others = coupled[n];
+            others.push_back(static_cast<int>(n));
+            std::ranges::sort(others);
+            others.erase(std::ranges::unique(others).begin(), others.end());
+            for (int vector = 0; vector < 4; ++vector) {
+                for (const int other : others)
+                    for (int c = 0; c < 4; ++c) coarse.column.push_back(4 * other + c);
+                coarse.row_begin.push_back(static_cast<int>(coarse.column.size()));
+            }
+        }
+        return coarse;
+    }
+};
+
+// Branches that touch and nodes that reach over their neighbours, as on a patient: the plan stays
+// shallow, where cuts that only follow the tree made hundreds of levels.
+TEST(CoarsePlan, OfAPatientsTreeIsShallow) {
+    std::mt19937 random(20261127);
+    for (int trial = 0; trial < 10; ++trial) {
+        const RandomTree tree(600, 3, 20, random);
+        const gpu::CoarsePlan plan = gpu::plan_coarse(tree.skeleton, tree.pattern());
+        EXPECT_LE(plan.levels(), 60) << "trial " << trial;
+        EXPECT_LE(plan.blocks(), 10 * plan.cuts()) << "trial " << trial;
+        std::vector<int> slots = plan.slot_of_node;
+        std::ranges::sort(slots);
+        EXPECT_TRUE(std::ranges::adjacent_find(slots) == slots.end());
+    }
+}
+
 TEST(BisectingCuts, NameEveryNodeOnce) {
     for (const CoarseSkeleton& skeleton :
          {chain(1), chain(2), chain(57), test::make_brick_tree(4, 4.0, 2.0).skeleton}) {
         std::vector<int> nodes, all(static_cast<std::size_t>(skeleton.size()));
-        for (const auto& cut : gpu::bisecting_cuts(skeleton)) {
+        for (const auto& cut : gpu::bisecting_cuts(skeleton, coupled_in_tree(skeleton))) {
             EXPECT_GE(cut[0], 0);
             for (const int node : cut)
                 if (node >= 0) nodes.push_back(node);
