@@ -105,7 +105,10 @@ inline int take_pictures(int& argc, char** argv, const char* language,
         apply_theme(application);
         const QTemporaryDir folder;
         Settings settings(folder.filePath("settings.ini"));
-        MainWindow window(settings, {load_patient, write_case});
+        const auto load = [](const OpenRequest& request, Job& job) {
+            return load_patient(request, job);
+        };
+        MainWindow window(settings, {load, write_case});
         window.resize(1280, 800);
         window.show();
         if (!QTest::qWaitForWindowExposed(&window)) return 1;

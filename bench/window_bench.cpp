@@ -401,7 +401,10 @@ int main(int argc, char** argv) {
     apply_theme(application);
     const QTemporaryDir folder;
     Settings settings(folder.filePath("settings.ini"));
-    MainWindow window(settings, {load_patient, write_case});
+    const auto load = [](const OpenRequest& request, Job& job) {
+        return load_patient(request, job);
+    };
+    MainWindow window(settings, {load, write_case});
     window.resize(1280, 800);
     window.show();
     const QString path = application.arguments().at(1);

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 class AnyClicks : public testing::WindowTest, public ::testing::WithParamInterface<int> {
   protected:
-    AnyClicks() : WindowTest({load_patient, write_case}) {
+    AnyClicks() : WindowTest({testing::load_for_processor, write_case}) {
         const PatientCase patient = test::patient_with_bridges();
         for (const char* name : {"a.hep", "b.hep"}) write_case(path(name), patient);
         window_.open(folder_.filePath("a.hep"));

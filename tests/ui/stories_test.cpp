@@ -42,7 +42,7 @@ using testing::wait_for;
 
 class Story : public testing::WindowTest {
   protected:
-    Story() : WindowTest({load_patient, write_case}) {
+    Story() : WindowTest({testing::load_for_processor, write_case}) {
         window_.set_report_program(HEPATICA_PROGRAM);
         QObject::connect(&answering_, &QTimer::timeout, [this] { answer_file_dialog(); });
         answering_.start(20);

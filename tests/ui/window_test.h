@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "ui/main_window.h"
+#include "ui/patient_loader.h"
 #include "ui/pixel_mapping.h"
 #include "ui/vtk_widget.h"
 
@@ -25,6 +26,11 @@ inline constexpr int patience_ms = 60000;
 // False where the condition has not come true in time.
 inline bool wait_for(const std::function<bool()>& condition) {
     return QTest::qWaitFor(condition, patience_ms);
+}
+
+// A patient whose play the processor computes.
+inline LoadedPatient load_for_processor(const OpenRequest& request, Job& job) {
+    return load_patient(request, job);
 }
 
 class WindowTest : public ::testing::Test {
