@@ -5,6 +5,7 @@
 #include <cstring>
 #include <new>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace hepatica::gpu {
@@ -94,10 +95,10 @@ class Emulator final : public MachineBy<Emulator> {
     }
     // A device may copy at any time between the two.
     void finish_copies() override {
-        for (const Copy& copy : under_way_)
+        const std::vector<Copy> copies = std::exchange(under_way_, {});
+        for (const Copy& copy : copies)
             if (std::memcmp(copy.to, copy.from, copy.bytes) != 0)
                 throw std::logic_error("a kernel wrote to what was being copied");
-        under_way_.clear();
     }
 
     struct Copy {

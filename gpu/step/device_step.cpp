@@ -12,6 +12,7 @@
 #include "core/deform/potentials/self_contact.h"
 #include "core/deform/step/energy_limiter.h"
 #include "core/deform/step/step_books.h"
+#include "gpu/machine/downloads_under_way.h"
 #include "gpu/machine/pinned_vectors.h"
 #include "gpu/step/contact_guard.h"
 #include "gpu/step/device_body.h"
@@ -441,8 +442,9 @@ bool Step<Real>::make(double dt_s, const SolveLimits& limits, StepReport& report
         stand(step);
     }
     evaluated_ = false;
+    DownloadsUnderWay downloads(machine_);
     const bool made = solve(step, limits, report, stop) && accepted(step);
-    machine_.finish_downloads();
+    downloads.finish();
     if (!made) return false;
     report.predicted = step.predicted;
     book(step, report);

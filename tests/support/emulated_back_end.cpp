@@ -42,6 +42,14 @@ class LosableMachine final : public gpu::MachineBy<LosableMachine> {
         require_there();
         emulator_->download(to, from, bytes);
     }
+    void begin_copy_out(void* to, const void* from, std::size_t bytes) override {
+        require_there();
+        emulator_->begin_download(to, from, bytes);
+    }
+    void finish_copies() override {
+        emulator_->finish_downloads();
+        require_there();
+    }
 
     std::shared_ptr<std::atomic<bool>> lost_;
     std::unique_ptr<gpu::Machine> emulator_ = gpu::make_emulator();
