@@ -188,17 +188,18 @@ TEST(DeviceSkeleton, CorrectsAsADenseFactorDoes) {
     }
 }
 
-// A skeleton with more vectors than the mesh has numbers, as a patient's has: many of them all but
-// depend on others. Conjugate gradients break down unless the correction stays positive definite.
+// A skeleton with more vectors than the mesh has numbers, as a patient's has, half of whose nodes
+// have a thousandth of a vertex: many vectors all but depend on others. Conjugate gradients break
+// down unless the correction stays positive definite.
 test::SampleBody bar_of_too_many_nodes() {
     test::SampleBody body = test::make_bar(60.0, 4.0, 30, 1);
     CoarseSkeleton& dense = body.skeleton;
     dense = {};
     std::mt19937 random(11);
     std::uniform_real_distribution<double> any(-0.3, 0.3);
-    for (int n = 0; n <= 150; ++n) {
-        dense.positions_mm.emplace_back(0.4 * n, 2.0 + any(random), 2.0 + any(random));
-        dense.radii_mm.push_back(2.0 + any(random));
+    for (int n = 0; n <= 60; ++n) {
+        dense.positions_mm.emplace_back(n + 1e-3, 2.0 + any(random), 2.0 + any(random));
+        dense.radii_mm.push_back(2.0);
         dense.parent.push_back(n - 1);
     }
     return body;
@@ -207,7 +208,7 @@ test::SampleBody bar_of_too_many_nodes() {
 TEST(DeviceSkeleton, AnswersNoResidualWithItsOpposite) {
     Skeletal<float> skeletal(bar_of_too_many_nodes(), gpu::make_emulator());
     const std::vector<Vec3> shape = bent(skeletal.body());
-    for (unsigned seed = 1; seed <= 20; ++seed)
+    for (unsigned seed = 1; seed <= 12; ++seed)
         EXPECT_GT(skeletal.work(shape, random_residual(shape.size(), seed)), 0.0) << seed;
 }
 
