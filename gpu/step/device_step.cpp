@@ -19,6 +19,7 @@
 #include "gpu/step/device_grabs.h"
 #include "gpu/step/device_touches.h"
 #include "gpu/step/partition.h"
+#include "gpu/step/state_copies.h"
 #include "gpu/step/step_balance.h"
 
 namespace hepatica::gpu {
@@ -30,35 +31,6 @@ constexpr double armijo = 1e-4;      // of the predicted decrease must come true
 
 // A change of energy below this share of the energies at hand is rounding.
 constexpr double energy_rounding = 1e-13;
-// And so is a strain below this: at rest all energies are.
-constexpr double strain_rounding = 1e-12;
-
-// Below it energies mean nothing [nJ]: that of the body at such a strain, about.
-double energy_of_rounding(const Body& body) {
-    double sum = 0.0;
-    for (const ElementGroup& group : body.groups) {
-        for (const auto& rest : group.tetrahedra) sum += rest.mu * rest.volume;
-        for (const auto& rest : group.springs)
-            for (int e = 0; e < 6; ++e)
-                sum += 0.5 * rest.stiffness[e] * rest.length[e] * rest.length[e];
-    }
-    return strain_rounding * strain_rounding * sum;
-}
-
-void copy_in(Machine& machine, const std::vector<Vec3>& from, GrowingArray<Vector3<double>>& to) {
-    static_assert(sizeof(Vec3) == sizeof(Vector3<double>));
-    machine.upload(to.view().data, from.data(), from.size() * sizeof(Vec3));
-}
-
-void copy_out(Machine& machine, const GrowingArray<Vector3<double>>& from, std::vector<Vec3>& to) {
-    machine.download(to.data(), from.read().data, to.size() * sizeof(Vec3));
-}
-
-void begin_copy_out(Machine& machine, const GrowingArray<Vector3<double>>& from,
-                    std::vector<Vec3>& to) {
-    machine.begin_download(to.data(), from.read().data, to.size() * sizeof(Vec3));
-}
-
 template <class Real>
 class Step final : public DeviceStep {
   public:

@@ -53,6 +53,21 @@ struct Balance {
     }
 };
 
+// A strain below this is rounding: at rest all energies are.
+constexpr double strain_rounding = 1e-12;
+
+// Below it energies mean nothing [nJ]: that of the body at such a strain, about.
+inline double energy_of_rounding(const Body& body) {
+    double sum = 0.0;
+    for (const ElementGroup& group : body.groups) {
+        for (const auto& rest : group.tetrahedra) sum += rest.mu * rest.volume;
+        for (const auto& rest : group.springs)
+            for (int e = 0; e < 6; ++e)
+                sum += 0.5 * rest.stiffness[e] * rest.length[e] * rest.length[e];
+    }
+    return strain_rounding * strain_rounding * sum;
+}
+
 // One step while it is made; energies in nJ.
 struct Underway {
     double dt_s = 0.0;

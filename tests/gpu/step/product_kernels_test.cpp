@@ -64,7 +64,7 @@ class RandomSystem {
     double multiply() {
         return sums_.read_rows(view(), device_p_.read(), gpu::KeepProduct<double>{y_.view()})[0];
     }
-    // The same from vectors of four numbers; returns (b, p) / (p . y).
+    // The same from vectors of four numbers; returns work / (p . y).
     double step_from_quads(gpu::Machine& machine, double work) {
         std::vector<gpu::Quad<double>> quads;
         for (const Vector3<double>& p : p_) quads.push_back(gpu::quad_of(p));
