@@ -5,15 +5,19 @@
 #include <vtkBillboardTextActor3D.h>
 #include <vtkCamera.h>
 #include <vtkCoordinate.h>
+#include <vtkFollower.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRegularPolygonSource.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
 #include <vtkTextProperty.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "render/before_vessels.h"
 #include "render/text_style.h"
 
 namespace hepatica {
@@ -23,7 +27,9 @@ namespace {
 constexpr double radius_points = 13.0;
 constexpr double opacity = 0.35;
 constexpr int text_size = 19;
-constexpr double before_radii = 4.0;  // of its ball, to the eye
+constexpr double before_radii = 4.0;   // of its ball, to the eye
+constexpr double ring_points = 2.0;    // its width
+constexpr double nearest_share = 0.2;  // of the way to the eye that a number keeps from it
 
 vtkSmartPointer<vtkActor> new_ball() {
     vtkNew<vtkSphereSource> sphere;
@@ -40,12 +46,33 @@ vtkSmartPointer<vtkActor> new_ball() {
     return ball;
 }
 
+vtkSmartPointer<vtkFollower> new_ring(vtkRenderer& renderer) {
+    vtkNew<vtkRegularPolygonSource> circle;
+    circle->SetRadius(1.0);
+    circle->SetNumberOfSides(40);
+    circle->GeneratePolygonOff();
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(circle->GetOutputPort());
+    auto ring = vtkSmartPointer<vtkFollower>::New();
+    ring->SetMapper(mapper);
+    ring->SetCamera(renderer.GetActiveCamera());
+    ring->GetProperty()->SetLighting(false);
+    ring->SetPickable(false);
+    draw_before_vessels(*ring);
+    return ring;
+}
+
+void give_colour(vtkActor& actor, const Colour& colour) {
+    actor.GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+}
+
 }  // namespace
 
 MarkActors::Drawn MarkActors::add_one() {
-    Drawn drawn{new_ball(), vtkSmartPointer<vtkBillboardTextActor3D>::New()};
+    Drawn drawn{new_ball(), new_ring(renderer_), vtkSmartPointer<vtkBillboardTextActor3D>::New()};
     drawn.number->SetPickable(false);
     renderer_.AddActor(drawn.ball);
+    renderer_.AddActor(drawn.ring);
     renderer_.AddActor(drawn.number);
     return drawn;
 }
@@ -55,13 +82,16 @@ bool MarkActors::update(std::vector<MarkView> marks) {
     shown_ = std::move(marks);
     for (; drawn_.size() > shown_.size(); drawn_.pop_back()) {
         renderer_.RemoveActor(drawn_.back().ball);
+        renderer_.RemoveActor(drawn_.back().ring);
         renderer_.RemoveActor(drawn_.back().number);
     }
     while (drawn_.size() < shown_.size()) drawn_.push_back(add_one());
     for (std::size_t i = 0; i < drawn_.size(); ++i) {
         const MarkView& mark = shown_[i];
         const Colour& colour = mark.reached ? palette::reached : palette::torn_circle;
-        drawn_[i].ball->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+        give_colour(*drawn_[i].ball, colour);
+        give_colour(*drawn_[i].ring, colour);
+        drawn_[i].ring->SetVisibility(mark.of_lesson);
         const std::string text = mark.number + (mark.reached ? "✓" : "");
         drawn_[i].number->SetInput(text.c_str());
         drawn_[i].number->SetVisibility(!text.empty());
@@ -83,23 +113,37 @@ int MarkActors::beside(const Vec3& at, const MarkView& mark, double pixel_ratio)
     return static_cast<int>(std::lround(fits ? away : -away - width));
 }
 
-void MarkActors::set_scale(double mm_per_point, double pixel_ratio) {
-    // Numbers stand before what would cover them.
+// On the line from the eye through the place, before all that may cover it.
+Vec3 MarkActors::before_all(const Vec3& place_mm, double reach_mm) const {
+    vtkCamera& camera = *renderer_.GetActiveCamera();
+    const Vec3 eye(camera.GetPosition()), forward(camera.GetDirectionOfProjection());
+    const double depth = (place_mm - eye).dot(forward);
+    const double nearest = camera.GetDistance() - reach_mm;
+    if (depth <= 0.0 || depth <= nearest) return place_mm;
+    const double share = std::max(nearest, nearest_share * depth) / depth;
+    return eye + share * (place_mm - eye);
+}
+
+void MarkActors::set_scale(double mm_per_point, double pixel_ratio, double reach_mm) {
     const Vec3 to_eye = -Vec3(renderer_.GetActiveCamera()->GetDirectionOfProjection());
     const int away = static_cast<int>(std::lround(0.8 * radius_points * pixel_ratio));
     for (std::size_t i = 0; i < drawn_.size(); ++i) {
         const Drawn& drawn = drawn_[i];
-        const Vec3 at = shown_[i].place_mm + before_radii * radius_points * mm_per_point * to_eye;
-        drawn.number->SetPosition(at.x(), at.y(), at.z());
-        const Vec3& ball = shown_[i].of_lesson ? shown_[i].place_mm : at;
+        const MarkView& mark = shown_[i];
+        const Vec3 before = mark.place_mm + before_radii * radius_points * mm_per_point * to_eye;
+        const Vec3 number = mark.of_lesson ? before_all(mark.place_mm, reach_mm) : before;
+        drawn.number->SetPosition(number.x(), number.y(), number.z());
+        const Vec3& ball = mark.of_lesson ? mark.place_mm : before;
         drawn.ball->SetPosition(ball.x(), ball.y(), ball.z());
         drawn.ball->SetScale(radius_points * mm_per_point);
-        if (!shown_[i].of_lesson)
-            drawn.ball->GetProperty()->SetColor(text_colour_[0], text_colour_[1], text_colour_[2]);
+        drawn.ring->SetPosition(ball.x(), ball.y(), ball.z());
+        drawn.ring->SetScale(radius_points * mm_per_point);
+        drawn.ring->GetProperty()->SetLineWidth(static_cast<float>(ring_points * pixel_ratio));
+        if (!mark.of_lesson) give_colour(*drawn.ball, text_colour_);
         style_text(*drawn.number->GetTextProperty(),
                    static_cast<int>(std::lround(text_size * pixel_ratio)), text_colour_);
         drawn.number->GetTextProperty()->SetBold(true);
-        drawn.number->SetDisplayOffset(beside(at, shown_[i], pixel_ratio), away);
+        drawn.number->SetDisplayOffset(beside(number, mark, pixel_ratio), away);
     }
 }
 

@@ -122,7 +122,8 @@ void SceneView::render(double pixel_ratio) {
                        : 1.0 / pixel_ratio;
         parts_->grab.set_scale(per_pixel * pixel_ratio);
         parts_->stroke.set_scale(per_pixel * pixel_ratio);
-        parts_->marks.set_scale(per_pixel * pixel_ratio, pixel_ratio);
+        // The body lies about the focal point, or one has moved along it by no more than its size.
+        parts_->marks.set_scale(per_pixel * pixel_ratio, pixel_ratio, 2.0 * reach);
         parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
         parts_->stem.place(pixel_ratio);
         parts_->pull_force.place(pixel_ratio);

@@ -12,13 +12,13 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkShaderProperty.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <sstream>
 
+#include "render/before_vessels.h"
 #include "render/palette.h"
 
 namespace hepatica {
@@ -29,11 +29,6 @@ constexpr int bands = 8;  // of each end, from its pole
 constexpr double least_un = 50.0;
 constexpr double points_a_decade = 34.0;
 constexpr double seen_through = 0.3;  // opacity of what vessels hide of the tool
-
-// In front of all vessels, its own parts in their order.
-const char* const before_vessels = R"(//VTK::PositionVC::Impl
-  gl_Position.z = mix(-gl_Position.w, gl_Position.z, 0.01);
-)";
 
 vtkSmartPointer<vtkPolyData> capsule(const ToolView::Part& part) {
     const Vec3 along = part.to_mm - part.from_mm;
@@ -127,8 +122,7 @@ void ToolActor::add_part() {
     part.ghost->GetProperty()->SetLighting(false);
     part.ghost->GetProperty()->BackfaceCullingOn();  // or it would be blended twice
     part.ghost->SetPickable(false);
-    part.ghost->GetShaderProperty()->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true,
-                                                                before_vessels, false);
+    draw_before_vessels(*part.ghost);
     parts_.push_back(part);
     // Ghosts come last: they lie in front of all that is drawn after them.
     for (const Part& each : parts_) renderer_.RemoveActor(each.ghost);

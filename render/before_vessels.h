@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is seen through everything that is drawn: the tool and the marks of a lesson where vessels
+// or blood hide them.
+#pragma once
+
+class vtkActor;
+
+namespace hepatica {
+
+// From now on the actor lies in front of all that is drawn after it, its own parts in their order.
+void draw_before_vessels(vtkActor& actor);
+
+}  // namespace hepatica
