@@ -13,7 +13,7 @@ namespace {
 
 constexpr int most_evaluations = 257;
 
-// A stretch of the way with the force along it at five places, evenly spaced.
+// A section of the path with the force along it at five equidistant places.
 struct Stretch {
     double begin, length;
     std::array<double, 5> value;
@@ -30,7 +30,7 @@ struct Stretch {
 
 }  // namespace
 
-// Force times motion at this place of the way.
+// Force times motion at this place of the path.
 double PathWork::power(double place, std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
                        const PotentialList& potentials) {
     const std::size_t nodes = from_mm.size();
