@@ -49,8 +49,8 @@ class IncrementalPotential {
     double value(const StepUnderway& step) const;
     // -dt times the gradient: M (v_n - w) + dt f(x) - dt B w, with the step's damping_force.
     void descent(const StepUnderway& step, std::vector<Vec3>& residual);
-    // Elastic and of the potentials [uN]: what descent() and assemble() are made from. Found by
-    // either of the first two.
+    // The sum of elastic forces and those of the potentials [uN], which descent() and assemble()
+    // use. Both find_force() and descent() compute it.
     void find_force(const StepUnderway& step);
     const std::vector<Vec3>& force() const { return force_; }
 

@@ -218,8 +218,8 @@ void NewtonStep::damp(StepUnderway& step, double step_length) {
 bool NewtonStep::try_step_length(StepUnderway& step, double step_length, double slope) {
     copy_nodes(step.velocity, velocity_before_);
     const double form_before = step.damping_form;
-    // Another iterate will follow this length, even where no pad is met: its stiffness, found along
-    // with the forces, costs less than evaluating all elements once more.
+    // Where another iterate will follow, the stiffness is evaluated together with the forces, which
+    // is cheaper than evaluating all elements again later.
     const int iterates_on = !step.predicted ? rescue_iterates : taut(step) ? 1 : 0;
     const bool goes_on =
         step_length < 1.0 && settings_.iterations == 1 && step.iterate < iterates_on;
