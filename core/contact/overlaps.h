@@ -37,8 +37,8 @@ class Overlaps {
               const Overlaps* at_rest = nullptr);
 
     // Lets separated pairs count again; true where anything changed. A patch that came out of a
-    // piece is still left out with nearby patches of it, and one that slipped into an obstacle with
-    // all of it.
+    // piece is still left out with patches near it, one that slipped into an obstacle with all of
+    // it.
     bool let_go(std::span<const Vec3> positions_mm, double reach_mm);
 
     // The overlaps after a tear, from those before it. `node_before` is the former node of each

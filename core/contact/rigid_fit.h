@@ -17,9 +17,8 @@ struct RigidFit {
     double beside_mm = 0.0;  // largest distance of a point from its rotated place
 };
 
-// `shape_mm` must have mean zero; `positions_mm[nodes[i]]` is the present position of its point i.
-// beside_mm is exact for the returned rotation, whatever the guess; a good guess is cheap.
-// O(points).
+// `shape_mm` must have mean zero; its point i is now at `positions_mm[nodes[i]]`. beside_mm holds
+// for any guess; a good one is cheap. O(points).
 RigidFit fit_rigid(std::span<const Vec3> shape_mm, std::span<const int> nodes,
                    std::span<const Vec3> positions_mm, const Eigen::Quaterniond& guess);
 

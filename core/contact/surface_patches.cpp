@@ -51,9 +51,8 @@ SurfacePatches::SurfacePatches(std::vector<std::array<int, 3>> triangles, int tr
     }
 }
 
-// Loads four numbers at a time; the fourth belongs to the next vertex and is ignored. This takes
-// half the time of loading single numbers. The last vertex is treated apart, because nothing
-// follows it.
+// Loads four numbers at a time, which takes half as long as single ones; the fourth belongs to the
+// next vertex and is ignored. The last vertex has no next one and is treated apart.
 Box SurfacePatches::box(std::size_t patch, std::span<const Vec3> positions_mm) const {
     static_assert(sizeof(Vec3) == 3 * sizeof(double));
     Eigen::Array4d low = Eigen::Array4d::Constant(INFINITY), high = -low;

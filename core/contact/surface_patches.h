@@ -31,7 +31,6 @@ struct Box {
     }
 };
 
-// The corners of a triangle.
 inline Triangle corners_of(const std::array<int, 3>& triangle, std::span<const Vec3> positions_mm) {
     return {positions_mm[triangle[0]], positions_mm[triangle[1]], positions_mm[triangle[2]]};
 }

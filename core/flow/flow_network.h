@@ -34,10 +34,9 @@ struct FlowNetwork {
     std::vector<int> torn_nodes;    // stumps that bleed into the surroundings
 };
 
-// one_cone: the best straight line through the segment's radii (least squares over arclength),
-// limited
-//           to the smallest and the largest of them. Drops go with R^-4, so the voxel noise of
-//           single radii would otherwise act as narrowing.
+// one_cone:   the best straight line through the segment's radii (least squares over arclength),
+//             limited to the smallest and the largest of them. Drops go with R^-4, so the voxel
+//             noise of single radii would otherwise act as narrowing.
 // centreline: a cone between neighbouring centreline points, with the radii as they are.
 enum class SegmentShape { one_cone, centreline };
 

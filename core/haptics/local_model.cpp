@@ -26,10 +26,10 @@ void LocalForce::take(const LocalModel& model) {
     energy_nj_ = 0.0;
 }
 
-// Linear complementarity: f >= 0, C (f - f0) >= wanted, and equality in at least one of the two for
-// each contact. Principal pivoting from the contacts of the last solution: all wrong ones are
-// exchanged at once as long as their number falls, then only the last one, which terminates for
-// every positive definite matrix (Judice and Pires 1994).
+// Linear complementarity: f >= 0, C (f - f0) >= wanted, one of the two with equality per contact.
+// Principal pivoting from the last solution: all wrong contacts are exchanged at once while they
+// become fewer, then the last one alone, which terminates for every positive definite matrix
+// (Judice and Pires 1994).
 void LocalForce::solve(const Eigen::VectorXd& wanted) {
     const auto count = f0_.size();
     right_ = wanted + compliance_ * f0_;

@@ -55,8 +55,7 @@ class LocalForce {
     void solve(const Eigen::VectorXd& wanted);
 
     Vec6 give_;                            // of the coupling: 1/stiffness
-    Eigen::Matrix<double, -1, 6> motion_;  // per contact: motion into the body per motion of the
-                                           // tool
+    Eigen::Matrix<double, -1, 6> motion_;  // per contact: motion into the body
     Eigen::MatrixXd compliance_;
     Eigen::VectorXd f0_, f_, apart_, wanted_, right_;
     Eigen::MatrixXd pressed_matrix_;

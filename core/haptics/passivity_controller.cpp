@@ -9,8 +9,7 @@ namespace hepatica {
 namespace {
 
 constexpr double for_coupling = 0.3, for_braking = 0.6;  // of the device's damping
-constexpr double arm_mm = 10.0;       // lever arm that converts torques to forces and rotations to
-                                      // displacements
+constexpr double arm_mm = 10.0;                          // lever arm between forces and torques
 constexpr double smoothing_s = 4e-3;  // of the velocity, because encoder steps are coarse
 constexpr double least_mm_per_s = 1e-3;
 

@@ -24,10 +24,9 @@ class PatchCompliance {
 
     const Body& body() const { return body_; }
 
-    // Factors A again at these positions, one per vertex, if a loaded vertex has moved relative to
-    // the others by more than a tenth of the patch since the last factor (a rotation of a few
-    // degrees or a stretch of a few per cent is tolerated), or dt_s has changed. Returns whether it
-    // did.
+    // Factors A again at these positions, one per vertex, if dt_s changed or a loaded vertex has
+    // moved relative to the others by more than a tenth of the patch, which is a rotation of a few
+    // degrees or a stretch of some per cent. Returns whether it did.
     bool follow(std::span<const Vec3> positions_mm, double dt_s, std::span<const SparseLoad> loads);
     // The displacement of each load's place along the load, under each of the loads [mm/uN]. Forces
     // on fixed vertices have no effect.

@@ -22,8 +22,7 @@ namespace hepatica {
 
 namespace {
 
-// Share of the force limit that counts as the limit, because a tool moves in increments and stops
-// before the one that would exceed it.
+// Counts as the limit, because a tool moves in increments and stops before exceeding it.
 constexpr double at_limit_share = 0.9;
 
 const MaterialPreset& material_named(const std::string& name) {

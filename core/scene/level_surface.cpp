@@ -9,8 +9,7 @@ namespace {
 
 constexpr float level = 0.5f;
 
-// Surface nets. A cell is numbered by the voxel at its lowest corner; its vertex is -1 where the
-// surface does not pass it.
+// A cell is numbered by its lowest voxel; its vertex is -1 where the surface does not pass it.
 class Net {
   public:
     explicit Net(const FloatVolume& share) : share_(share), vertex_of_(share.grid, -1) {}

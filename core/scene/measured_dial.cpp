@@ -16,9 +16,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// Version 1 was measured with a pull by three radii, and costs were medians; version 2 without
-// tension. Version 4 contains points of a device, which programs that know only version 3 would
-// take for the processor's.
+// Version 1 was measured with a pull by three radii, and costs were medians; 2 without tension.
+// Version 4 has points of a device, which programs that know 3 would take for the processor's.
 constexpr int oldest_version = 3, device_version = 4;
 const std::string processor = "cpu";
 constexpr double most_error = 0.5;

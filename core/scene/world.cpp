@@ -126,8 +126,7 @@ PartCost* World::part(const std::string& name) {
     return found != parts_.end() ? &*found : nullptr;
 }
 
-// Splits the cost of contact off the deforming body's. `before`: what the part already cost before
-// the body was built.
+// Takes the cost of contact out of the deforming body's; `before`: the part's cost without it.
 void World::part_out(const std::string& name, const PartCost& before, const SelfCost& cost) {
     PartCost* const own = part(name);
     if (own == nullptr) return;
@@ -188,7 +187,7 @@ void World::follow_tear() {
         leaking_.clear();
         if (torn != nullptr) tear_view_.origins = origins_of(*torn);
     }
-    // Split vertices come apart later, so the rims may change without a split.
+    // Split vertices come apart later: the rims may change without a split.
     const auto rims_before = tear_view_.rims;
     if (torn != nullptr) deform_->show_tear(tear_view_);
     if (tear_view_.rims != rims_before && bleeding_)

@@ -32,8 +32,7 @@ struct ScriptAction {
     Vec3 by_mm = Vec3::Zero();    // of move and move_tool: displacement from the present target
     std::optional<Vec3> to_mm{};  // of move_tool, instead of by_mm
     double over_s = 0.0;          // of moves, forceps and blade: duration, at constant speed
-    std::optional<Command> command{};  // plain command, or command with settings (inject, tool,
-                                       // ...)
+    std::optional<Command> command{};  // plain command, or the action's, with its settings
 };
 
 struct Script {

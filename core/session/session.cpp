@@ -27,8 +27,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t steps_between_snapshots = 60;   // a second of play
 constexpr std::uint64_t steps_between_keyframes = 600;  // every tenth snapshot is one
 constexpr std::size_t longest_message = 512;
-constexpr double most_for_drawing = 0.6;  // of a frame: the most that drawing may take of its
-                                          // budget
+constexpr double most_for_drawing = 0.6;  // of a frame: limit on the time for drawing
 
 double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();

@@ -197,8 +197,7 @@ class Session {
     LedPoint hand_, led_tool_;  // timed moves under way
     bool diverged_ = false;     // set by a divergence, cleared by resuming, restoring or resetting
     bool failed_ = false;       // the world may be half changed; cleared by recover()
-    bool stopped_ = false;      // the last step was stopped midway; recorded_ still has its
-                                // commands
+    bool stopped_ = false;      // the last step was stopped midway; see recorded_
     std::string message_;
     RecordedStep recorded_;           // the present step
     std::uint64_t played_steps_ = 0;  // steps during which it was not paused

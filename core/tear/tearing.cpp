@@ -248,8 +248,7 @@ void Tearing::measure(const TearLoads& loads) {
     }
     entropy_ = entropy_nats(elastic > 0.0 ? std::span<const double>(weights_) : loads.mass_g);
     elastic_ = elastic;
-    // A body that was cut at rest had no strain entropy to compare with; the first strained state
-    // counts instead.
+    // For a body that was cut at rest, the first strained state is the reference.
     if (begun_ && entropy_before_ == not_yet && elastic > 0.0) entropy_before_ = entropy_;
     report_entropy();
     if (!begun_) return;

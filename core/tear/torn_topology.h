@@ -57,8 +57,8 @@ class TornTopology {
     void split(int vertex, std::span<const double> volume_mm3);
 
     std::shared_ptr<const std::vector<Joint>> joints_;
-    std::shared_ptr<const std::vector<std::array<int, 4>>> joint_opposite_;  // to each corner; -1:
-                                                                             // none
+    // The joint opposite each corner of each tetrahedron; -1: none.
+    std::shared_ptr<const std::vector<std::array<int, 4>>> joint_opposite_;
     std::uint64_t version_ = 1;
     int whole_vertices_;
     std::vector<std::array<int, 4>> tetrahedra_;

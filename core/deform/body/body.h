@@ -26,8 +26,7 @@ namespace hepatica {
 // own size and stiffness; see SurfacePairs.
 struct SelfPad {
     double thickness_edges = 0.1;  // in mean edge lengths at rest, > 0
-    double pressure_moduli = 2.0;  // pressure where the pad is pressed to half, in Young's moduli,
-                                   // > 0
+    double pressure_moduli = 2.0;  // pressure at half thickness, in Young's moduli, > 0
     double friction = 0.0;         // Coulomb's coefficient between the body's surfaces, >= 0
 };
 
@@ -69,8 +68,7 @@ struct ElementGroup {
     Kind kind = Kind::linear_tetrahedron;
     int nodes_per_element = 4;
     std::vector<int> connectivity;
-    std::vector<small::TetrahedronRest<double>> tetrahedra;  // only the vector of this kind is
-                                                             // filled
+    std::vector<small::TetrahedronRest<double>> tetrahedra;  // one of these three is filled
     std::vector<small::SpringRest<double>> springs;
     std::vector<small::HexahedronRest<double>> hexahedra;
 

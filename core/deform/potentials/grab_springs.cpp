@@ -6,7 +6,6 @@
 namespace hepatica {
 namespace {
 
-// What energy, force and stiffness have in common.
 struct Pull {
     Vec3 stretch_mm;  // from the held point to the target
     double length_mm;

@@ -15,8 +15,8 @@ namespace hepatica {
 // Gravity must be finite.
 void validate_gravity(const Vec3& gravity_mm_per_s2);
 
-// Vertices must exist (negative ones are unused, but not the first of a grab); weights must be
-// finite with sum 1, the target finite, stiffness and force limit finite and greater than 0.
+// Existing vertices (negative ones are unused, except the first), finite weights of sum 1, a finite
+// target, stiffness and force limit finite and greater than 0.
 void validate_grabs(std::span<const Grab> grabs, std::size_t nodes);
 
 // The tool must be finite, have at least one part, radius, pad, pressure and force limit greater

@@ -80,9 +80,8 @@ class ObstacleContact final : public Potential {
 
     const Body& body_;
     std::vector<Vec3> rest_mm_;                  // of all nodes
-    mutable std::vector<Vec3> from_mm_, to_mm_;  // likewise
-    std::optional<SurfacePairs> pairs_;          // always set; built late, in the constructor's
-                                                 // body
+    mutable std::vector<Vec3> from_mm_, to_mm_;  // scratch copies for from and to
+    std::optional<SurfacePairs> pairs_;          // set once constructed
     std::span<const std::uint8_t> held_;
 };
 

@@ -8,7 +8,6 @@
 
 namespace hepatica {
 
-// A part of a tool.
 struct PadCapsule {
     small::Vector3<double> begin, end;
     double radius_mm;

@@ -73,7 +73,7 @@ class PotentialList {
     // InputError where that is of another body, but may have set the body's own overlaps by then.
     SurfacesKept kept_overlaps() const;
     void set_overlaps(const SurfacesKept& kept);
-    // let_go() lets pairs that have separated touch again; find_overlaps() searches from scratch.
+    // let_go(): separated pairs may touch again. find_overlaps(): searches from scratch.
     void let_go(std::span<const Vec3> positions_mm) const;
     void find_overlaps(std::span<const Vec3> positions_mm) const;
     // What the surfaces of a body hand over to those of the body that it is torn into.

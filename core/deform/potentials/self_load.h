@@ -21,8 +21,7 @@ struct SelfLoad {
 struct ObstacleLoad {
     SelfLoad touch;
     Vec3 force_un = Vec3::Zero();      // on the obstacles, friction included
-    Vec3 impulse_un_s = Vec3::Zero();  // over the step: sum of force times dt at the ends of its
-                                       // parts
+    Vec3 impulse_un_s = Vec3::Zero();  // sum of force times dt over the step's parts
 };
 
 // Cost of finding contacts: searches, nearest points and times of contact.

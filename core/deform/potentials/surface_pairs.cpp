@@ -15,8 +15,8 @@ namespace hepatica {
 namespace {
 
 constexpr double least_part = 0.1;         // share of a gap that a motion must leave
-constexpr double touched = 0.5;            // of the pad: where share_until_touch() stops
-constexpr double touching_at_rest = 0.05;  // of the pad: nearer pairs overlap at rest
+constexpr double touched = 0.5;            // of the pad, for share_until_touch()
+constexpr double touching_at_rest = 0.05;  // of the pad: nearer is overlap
 constexpr double slack_edges = 0.25;       // slack of the search in mean edges; see PairCover
 constexpr double band = 1e-3;              // relative tolerance of times of contact
 constexpr double beyond_rounding = 1.0 + 1e-9;

@@ -34,8 +34,7 @@ struct SurfaceContact {
     double stiffness_un_per_mm = 0.0;
     double energy_nj = 0.0;
     std::array<Vec3, 4> turning_un{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
-                                   Vec3::Zero()};  // of nearly parallel edges; its sum is 0 on each
-                                                   // edge
+                                   Vec3::Zero()};  // of nearly parallel edges: sum 0 on each
 };
 
 SelfLoad load_of(const std::vector<SurfaceContact>& contacts);
@@ -75,8 +74,8 @@ class SurfacePairs {
 
     const SurfaceFeatures& features() const { return features_; }
     const Overlaps& overlaps() const { return overlaps_; }
-    // let_go(): pairs that have separated may touch again. find_overlaps(): searches from scratch.
-    // set_overlaps(): takes what a checkpoint kept; false where it is not of these surfaces.
+    // let_go(): separated pairs may touch again. find_overlaps(): searches from scratch.
+    // set_overlaps(): takes a checkpoint's; false where they are not of these surfaces.
     void let_go(std::span<const Vec3> positions_mm);
     void find_overlaps(std::span<const Vec3> positions_mm);
     // follow_split() continues from the surface of the body that this one was torn from; see

@@ -12,7 +12,7 @@ namespace hepatica {
 namespace {
 
 constexpr double least_share = 0.1;  // of a gap, that a motion must leave
-constexpr double led_until = 0.5;    // of the pad, that leading the tool leaves
+constexpr double led_until = 0.5;    // of the pad, that a led tool leaves
 
 }  // namespace
 

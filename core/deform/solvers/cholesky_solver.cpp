@@ -102,8 +102,8 @@ SolveReport CholeskySolver::polish(SolveReport direct,
     return report;
 }
 
-// Error of x in the energy norm, relative; `energy` is x . A x, and the residual is known. The
-// cheap bound is enough where it meets the limit; the estimate costs another substitution.
+// Relative error of x in the energy norm; `energy` is x . A x. The residual must be known. Uses a
+// bound where that is good enough, because the estimate costs another substitution.
 template <class T>
 double CholeskySolver::energy_error(TreeFactor<T>& factor, double energy,
                                     const SolveLimits& limits) {

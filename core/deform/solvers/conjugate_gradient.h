@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Preconditioned conjugate gradients with a stopping criterion on the energy norm of the error. The
-// error is estimated from the coefficients of the iteration by the Gauss-Radau upper bound of
-// Meurant and Tichy; the unknown smallest eigenvalue is replaced by the smallest Ritz value of this
-// and earlier solves.
+// Preconditioned conjugate gradients that stop on the energy norm of the error, estimated from the
+// iteration's own coefficients: the Gauss-Radau upper bound of Meurant and Tichy, with the smallest
+// Ritz value of this and earlier solves in place of the unknown smallest eigenvalue.
 #pragma once
 
 #include <functional>

@@ -95,9 +95,8 @@ void CoupledFactor::plan(const BlockMatrix& pattern) {
     analyse_pattern();
 }
 
-// Splits the coupling into feature pairs that have all their blocks in the pattern and all others.
-// The blocks of one pair stay together, because without some of them the matrix might not be
-// positive definite.
+// Splits the coupling into feature pairs with all their blocks in the pattern and others. Pairs
+// stay together: without some of their blocks the matrix might not be positive definite.
 void CoupledFactor::part(const CouplingBlocks& coupling) {
     inside_.clear();
     outside_.clear();

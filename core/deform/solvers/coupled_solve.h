@@ -28,9 +28,8 @@ SolveReport solve_coupled(LinearSolver& solver, const BlockMatrix& matrix, const
                           std::span<Vec3> x, const SolveLimits& limits,
                           const std::stop_token& stop = {});
 
-// Makes the sum of the residual of an approximate solution x of (A + C) x = rhs vanish by a common
-// translation, unless a row is held. An empty coupling counts as C = 0. Costs four products with A
-// + C.
+// Shifts an approximate solution x of (A + C) x = rhs by a common translation so that the sum of
+// the residual vanishes, unless a row is held. An empty coupling means C = 0. Costs four products.
 void keep_sum_of_residual(const BlockMatrix& matrix, const Coupling& coupling,
                           std::span<const std::uint8_t> held, std::span<const Vec3> rhs,
                           std::span<Vec3> x);

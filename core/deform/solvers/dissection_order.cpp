@@ -74,8 +74,7 @@ class Dissection {
         return levels;
     }
 
-    // Levels from a pseudo-peripheral node: repeatedly starts from the farthest node while that
-    // adds levels.
+    // Levels from a pseudo-peripheral node: restarts from the farthest one while that adds levels.
     Levels levels_of(int start) {
         Levels levels = levels_from(start);
         for (int tried = 0; tried < most_ends_tried; ++tried) {

@@ -40,10 +40,8 @@ struct AssemblyPlan {
     std::vector<int> diagonal;
     std::vector<int> mirror;  // index of block (j, i) for every block (i, j)
 
-    // What is summed.
     GatherLists forces;      // per node: force slots
-    GatherLists factors;     // per upper block: pairs of turned gradients, of its row and its
-                             // column
+    GatherLists factors;     // per upper block: pairs of turned gradients (row, column)
     GatherLists blocks;      // per upper block: block slots to be added
     GatherLists transposed;  // per upper block: block slots to be added transposed
 

@@ -45,7 +45,7 @@ class ElementSlots {
     const std::vector<double>& pulls(std::size_t group) const { return pull_[group]; }
     // First Piola-Kirchhoff stress [Pa] of the live linear tetrahedra at the last evaluation and
     // the energy [nJ] of all. Frozen elements keep their entries; an empty `stress_pa` is filled
-    // for all. The body must not have other kinds of elements.
+    // for all. Other kinds of elements are not supported.
     void find_stress(std::vector<Mat3>& stress_pa, std::vector<double>& energy_nj) const;
     // d^T K d from the slots and differences of d, independent of any matrix; d must be 0 at nodes
     // that are not live.

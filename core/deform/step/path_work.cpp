@@ -23,7 +23,7 @@ struct Stretch {
         return length / 12.0 *
                (value[0] + 4.0 * value[1] + 2.0 * value[2] + 4.0 * value[3] + value[4]);
     }
-    // Of the extrapolated integral; 1/15 of the refinement where the integrand is smooth.
+    // Error of the extrapolated integral; 1/15 of the refinement where the integrand is smooth.
     double error() const { return 2.0 * std::abs(refined() - simpson()) / 15.0; }
     double integral() const { return refined() + (refined() - simpson()) / 15.0; }
 };

@@ -67,9 +67,8 @@ class GovernedStepper final : public LiveStepper {
     void look_for_inversion(double dt_s, StepReport& report);
     TearLoads tear_loads();
     void tear(StepReport& report);
-    // Parts of restore(): require_same_kind() throws InputError where the checkpoint is of another
-    // kind of stepper; restore_solver() restores solver and tear, or changes nothing where it
-    // throws; restore_motion() restores the rest.
+    // Parts of restore(): throws InputError for another kind of stepper; restores solver and tear,
+    // or changes nothing where it throws; restores the rest.
     void require_same_kind(const StepperCheckpoint& checkpoint) const;
     void restore_solver(const StepperCheckpoint& checkpoint, std::optional<Tearing> tearing);
     void restore_motion(const StepperCheckpoint& checkpoint);

@@ -6,7 +6,6 @@
 
 namespace hepatica {
 
-// Stress, energy, positions and masses of the present state.
 TearLoads GovernedStepper::tear_loads() {
     tearing_->take_openings(back_end_->ties());
     back_end_->find_stress(stress_pa_, energy_nj_);

@@ -15,8 +15,8 @@ struct ToolChoice {
     double radius_mm = 3.0;       // 0.1 to 100
     double length_mm = 0.0;       // except for spheres; between the centres of its ends, 0 to 1000
     Vec3 direction = Vec3::UnitZ();  // of its approach and of its length
-    // The side towards which jaws open and a foot points; its component along the direction is
-    // ignored, and it must not be parallel to it. None: any.
+    // The side towards which jaws open and a foot points, without its component along the
+    // direction; not parallel to it. None: any.
     std::optional<Vec3> side{};
 };
 

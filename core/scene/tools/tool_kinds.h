@@ -15,8 +15,7 @@ void make_forceps(Tool& tool, const ToolChoice& choice, const Vec3& direction,
 // A shaft that bends at the point into a foot of 0.4 of its length to its side.
 void make_hook(Tool& tool, const ToolChoice& choice, const Vec3& direction, const Vec3& point_mm);
 
-// The component of the choice's side that is perpendicular to `direction`, normalised; any such
-// vector where there is no side.
+// The choice's side, made perpendicular to `direction` and of length 1; any where it has none.
 Vec3 side_of(const ToolChoice& choice, const Vec3& direction);
 constexpr double jaws_open_to_radii = 6.0;  // of the jaws' own radius, at most
 
