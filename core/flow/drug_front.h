@@ -15,7 +15,7 @@
 namespace hepatica {
 
 struct FrontOptions {
-    // Then the drug's inlet is closed; other inlets stay open and wash the drug out.
+    // End of the injection: the drug's inlet closes, other inlets stay open and wash the drug out.
     double injection_end_s = std::numeric_limits<double>::infinity();
     // Two different fluids only: the largest change of any segment's flow within one step, as a
     // share of the total inflow. Smaller is more accurate and slower; the error falls with its

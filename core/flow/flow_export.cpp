@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// From Pa to dyn/cm2; from Pa s/mm3 to dyn s/cm5; from mm3/s to cm3/s.
+// Factors from Pa to dyn/cm2, from Pa s/mm3 to dyn s/cm5 and from mm3/s to cm3/s.
 constexpr double cgs_pressure = 10.0;
 constexpr double cgs_resistance = 1e4;
 constexpr double cgs_flow = 1e-3;

@@ -40,7 +40,7 @@ Vec3 ForceLoop::place_of(const HapticPose& handle) const {
     return grip_->tool_mm + (handle.at_mm - grip_->handle.at_mm);
 }
 
-// From the tool's pose in the model. The model's remaining rotation is that of earlier commands.
+// Measured from the tool's pose in the model, whose remaining rotation is due to earlier commands.
 Vec6 ForceLoop::way_to(const HapticPose& handle) const {
     Vec6 way = way_between(led_, handle);
     way.head<3>() = place_of(handle) - centre_mm_;

@@ -31,7 +31,7 @@ struct LocalModel {
     Vec3 centre_mm = Vec3::Zero();  // position of the tool
     Vec3 left_rad = Vec3::Zero();   // its remaining rotation
     std::vector<LocalContact> contacts;
-    // Of pads and body [mm/uN], symmetric positive definite; one row per contact.
+    // Compliance of pads and body [mm/uN], symmetric positive definite; one row per contact.
     Eigen::MatrixXd compliance;
 };
 

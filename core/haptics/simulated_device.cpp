@@ -7,7 +7,7 @@
 namespace hepatica {
 namespace {
 
-// By its series, for a matrix that is small compared to 1.
+// Sums the power series; meant for matrices whose norm is small compared to 1.
 Mat3 exponential(const Mat3& matrix) {
     constexpr int terms = 20;
     Mat3 sum = Mat3::Identity(), term = Mat3::Identity();

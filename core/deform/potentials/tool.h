@@ -37,7 +37,7 @@ struct Tool {
     double pad_mm = 0.0;
     double pressure_pa = 0.0;
     double friction = 0.0;  // Coulomb's coefficient, >= 0
-    // It does not move on, nor close, against a greater force; > 0.
+    // Against a greater force the tool neither advances nor closes; > 0.
     double force_limit_un = std::numeric_limits<double>::max();
 
     // The mean of its parts' centres.

@@ -32,8 +32,8 @@ struct StepReport {
     TearReport tear;  // at the end of the step, where the body may tear
     // Where surfaces may touch: see MomentumBalance.
     double momentum_error_g_mm_per_s = 0.0, momentum_exchanged_g_mm_per_s = 0.0;
-    // Of an audited step: energy lost minus work of the forces along the path, which is part of the
-    // ledger's imbalance; and the estimated error of that work.
+    // In an audited step, the energy lost minus the work of the forces along the path, which is
+    // part of the ledger's imbalance, and the estimated error of that work.
     double audit_gap_nj = 0.0;
     double audit_error_nj = 0.0;
 };
