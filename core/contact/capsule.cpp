@@ -9,7 +9,7 @@
 namespace hepatica {
 namespace {
 
-constexpr double tolerance = 1e-3;  // of the gap to be kept, and of that at the beginning
+constexpr double tolerance = 1e-3;  // relative to the gap to be kept, or to the gap at the start
 constexpr int most_slides = 5;
 
 Box box_around(const Segment& axis, double margin_mm) {
@@ -33,14 +33,15 @@ NearTriangle nearest_point(const Segment& axis, double radius_mm, const Triangle
     return near;
 }
 
-// Where a motion ends, and the normal of what ends it, away from that.
+// The share of a motion until it is stopped, and the normal of what stops it, pointing away from
+// it.
 struct Stop {
     double share = 1.0;
     Vec3 normal = Vec3::Zero();
 };
 
-// Of one capsule whose axis has its ends go by `steps`. What is nearer than keep_mm from the
-// beginning comes no nearer. Only what comes before `stop` is taken for one.
+// Stops one capsule, the ends of whose axis move by `steps`. Triangles that are nearer than keep_mm
+// at the start may not come nearer. `stop` changes only where something stops the capsule earlier.
 void stop_one(const Segment& axis, const Segment& steps, double radius_mm,
               const StandingSurface& surface, double keep_mm, Stop& stop) {
     constexpr double band = tolerance * tolerance;
@@ -62,7 +63,7 @@ void stop_one(const Segment& axis, const Segment& steps, double radius_mm,
     }
 }
 
-// Of all, moved by `begin_mm` and on their way by `motion_mm`.
+// Stops all capsules, displaced by `begin_mm` and then moving by `motion_mm`.
 Stop straight(std::span<const Capsule> capsules, const Vec3& begin_mm,
               const StandingSurfaces& surfaces, const Vec3& motion_mm, double keep_mm) {
     Stop stop;
@@ -73,8 +74,8 @@ Stop straight(std::span<const Capsule> capsules, const Vec3& begin_mm,
     return stop;
 }
 
-// What is left of a motion that must not go against any of these normals. None where it has no way
-// out: a motion into a corner.
+// The part of a motion that goes against none of these normals; zero where there is none, as in a
+// corner.
 Vec3 along_all(Vec3 motion, const std::vector<Vec3>& normals) {
     for (int round = 0; round < 2; ++round)
         for (const Vec3& n : normals) motion -= std::min(0.0, motion.dot(n)) * n;
@@ -119,7 +120,7 @@ double free_share(const Capsule& capsule, const SurfacePatches& surface,
         const Box end = surface.box(p, to_mm);
         swept.add(end.low);
         swept.add(end.high);
-        // Room for the largest gap that is asked for.
+        // Grows the box by the largest gap that may have to be kept.
         swept.grow(std::max(0.0, kept(INFINITY)));
         if (!swept.meets(box)) continue;
         for (const int t : surface.triangles_of(p)) look_at(t);
@@ -135,7 +136,7 @@ Vec3 approach(std::span<const Capsule> capsules, const StandingSurfaces& surface
 Vec3 slide(std::span<const Capsule> capsules, const StandingSurfaces& surfaces,
            const Vec3& motion_mm, double keep_mm) {
     Vec3 gone = Vec3::Zero(), left = motion_mm;
-    std::vector<Vec3> normals;  // from what stopped them
+    std::vector<Vec3> normals;  // of what stopped the capsules
     for (int round = 0; round < most_slides && !left.isZero(0.0); ++round) {
         const Stop stop = straight(capsules, gone, surfaces, left, keep_mm);
         gone += stop.share * left;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Closest points of points, segments and triangles for code that runs on the host and on a CUDA
-// device alike: what closest_points.h says of them, in plain vectors.
+// Closest points of points, segments and triangles for host and CUDA device: the functions of
+// closest_points.h in plain vectors.
 #pragma once
 
 #include "core/base/small_matrix.h"
@@ -8,7 +8,7 @@
 namespace hepatica::small {
 
 struct OnSegment {
-    double along = 0.0;  // 0 at the segment's beginning, 1 at its end
+    double along = 0.0;  // 0 at the segment's start, 1 at its end
     double squared = 0.0;
 };
 struct OnTriangle {

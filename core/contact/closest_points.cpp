@@ -12,7 +12,7 @@ namespace {
 
 using small::from_eigen;
 
-// Where the line through the segment meets the triangle, if both contain that point.
+// The point where the segment crosses the triangle, if it does.
 std::optional<SegmentTriangle> crossing(const Segment& segment, const Triangle& triangle) {
     const Vec3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
     const double begin = normal.dot(segment[0] - triangle[0]);
@@ -20,7 +20,7 @@ std::optional<SegmentTriangle> crossing(const Segment& segment, const Triangle& 
     if (begin * end > 0.0 || begin == end) return std::nullopt;
     const double along = begin / (begin - end);
     const PointTriangle on = closest(point_at(segment, along), triangle);
-    // Inside the triangle's borders the point lies in it but for rounding.
+    // Within the triangle's borders, the point is in its plane up to rounding.
     if (std::ranges::any_of(on.weights, [](double w) { return w <= 0.0; })) return std::nullopt;
     return SegmentTriangle{along, on.weights, 0.0};
 }
@@ -68,7 +68,7 @@ SegmentTriangle closest(const Segment& segment, const Triangle& triangle) {
     return best;
 }
 
-// The closest points of two triangles lie on an edge of one of them.
+// The closest points of two triangles lie on an edge of at least one of them.
 double squared_distance_mm2(const Triangle& first, const Triangle& second) {
     double least = (first[0] - second[0]).squaredNorm();
     for (int a = 0; a < 3; ++a) {

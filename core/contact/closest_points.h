@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Closest points of points, segments and triangles, in double. Squared distance is a convex
-// quadratic function of the weights, so that its least value lies where the gradient vanishes or on
-// the border, which is a problem of one dimension less: every function compares the few candidates
-// that this leaves, and none divides by what may be zero. (Ericson, Real-Time Collision Detection,
-// 2005, ch. 5, has the same cases by regions.) Flat triangles and segments of no length are
+// quadratic function of the weights, so that its minimum lies where the gradient vanishes or on the
+// border, which is a problem of one dimension less: every function compares the few candidates that
+// remain, and none divides by a number that may be zero. (Ericson, Real-Time Collision Detection,
+// 2005, ch. 5, has the same cases by regions.) Flat triangles and segments of zero length are
 // allowed. All lengths in mm. Pure functions.
 #pragma once
 
@@ -17,9 +17,9 @@ namespace hepatica {
 using Segment = std::array<Vec3, 2>;
 using Triangle = std::array<Vec3, 3>;
 
-// Weights are those of the corners: none is negative, their sum is 1.
+// Weights are barycentric: not negative, with sum 1.
 struct PointSegment {
-    double along = 0.0;  // 0 at the segment's beginning, 1 at its end
+    double along = 0.0;  // 0 at the segment's start, 1 at its end
     double squared_mm2 = 0.0;
 };
 struct PointTriangle {
@@ -40,9 +40,9 @@ struct SegmentTriangle {
 PointSegment closest(const Vec3& point, const Segment& segment);
 PointTriangle closest(const Vec3& point, const Triangle& triangle);
 SegmentSegment closest(const Segment& first, const Segment& second);
-// 0 where they cross.
+// Distance 0 where they cross.
 SegmentTriangle closest(const Segment& segment, const Triangle& triangle);
-// Squared; 0 where they cross.
+// Squared distance; 0 where they cross.
 double squared_distance_mm2(const Triangle& first, const Triangle& second);
 
 inline Vec3 point_at(const Segment& segment, double along) {

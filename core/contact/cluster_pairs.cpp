@@ -35,7 +35,7 @@ std::size_t ClusterPairs::bytes() const {
            shape_mm_.capacity() * sizeof(Vec3) + pairs_.capacity() * sizeof(Known);
 }
 
-// How far apart a pair of the shape may be that comes within the reach.
+// The largest distance in the stored shape of a pair that may come within the reach.
 double ClusterPairs::needed_mm(const Sweep& sweep, std::optional<double> goes_on_mm) {
     const auto fit = [&](std::span<const Vec3> positions_mm, const RigidFit& guess) {
         return fit_rigid(shape_mm_, nodes_, positions_mm, guess.turn);
@@ -58,7 +58,7 @@ void ClusterPairs::take_shape(std::span<const Vec3> positions_mm) {
     known_to_mm_ = -1.0;
 }
 
-// Where the shape was taken.
+// Searches at the positions where the shape was taken.
 void ClusterPairs::search_here(const Sweep& sweep, double slack_mm, PatchPairSearch& search) {
     ++searches_;
     known_to_mm_ = sweep.reach_mm + 2.0 * slack_mm;

@@ -10,7 +10,7 @@
 namespace hepatica {
 namespace {
 
-constexpr double margin_slacks = 4.0;  // of boxes in the tree
+constexpr double margin_slacks = 4.0;  // margin of boxes in the tree
 constexpr std::size_t pairs_per_block = 16;
 constexpr std::size_t patches_per_block = 64;
 
@@ -87,7 +87,7 @@ void NearPairs::find_strangers(const Sweep& sweep) {
     keep_strangers(tree_->meeting_pairs());
 }
 
-// What is known of those that met before goes on. Both lists ascend.
+// Keeps what is known of pairs that met before. Both lists are ascending.
 void NearPairs::keep_strangers(const std::vector<std::array<int, 2>>& meeting) {
     std::vector<Strangers> now;
     auto before = strangers_.begin();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which features of patches that share no node may come near each other while all vertices move in
-// straight lines. Patches are looked at first, by an observer who flies along with one of the two:
-// what flies together meets little, and what flies past meets only what lies ahead. Of two that
-// meet, the pairs are kept for as long as they move as one: what lies on another is searched once.
+// Which features of patches without a common node may come near each other while all vertices move
+// in straight lines. Patches are tested first, in the frame of one of the two: patches that fly
+// together meet few others, and a passing patch meets only what is ahead of it. The pairs of two
+// patches that meet are kept while they move as one rigid body, so that resting contacts are
+// searched once.
 #pragma once
 
 #include <memory>
@@ -13,29 +14,28 @@
 
 namespace hepatica {
 
-// A search over one surface. Not thread-safe; runs in parallel. What is found besides the nearest
-// depends on the questions before.
+// A search over one surface. Not thread-safe; runs in parallel. Pairs beyond the reach may be found
+// too; which ones depends on earlier queries.
 class NearPairs {
   public:
-    // Keeps a reference. Two patches are searched anew where they have moved against each other by
-    // more than slack_mm >= 0; boxes in the tree are some times wider than what moves in them, so
-    // that small motions leave the tree as it is.
+    // Keeps a reference. Two patches are searched again when they have moved relative to each other
+    // by more than slack_mm >= 0; boxes in the tree have a margin of several slacks, so that small
+    // motions leave the tree unchanged.
     NearPairs(const SurfaceFeatures& features, double slack_mm);
     ~NearPairs();
 
-    // Adds all pairs that may come nearer than the reach, but for those left out; some that do not,
-    // too. `goes_on_mm` as in ClusterPairs. Costs the boxes of all patches, and a pass over the
+    // Appends all pairs that may come nearer than the reach, except those left out, and some
+    // others. `goes_on_mm` as in ClusterPairs. Costs the boxes of all patches and a pass over the
     // vertices of those that meet.
     void add_between_strangers(const Sweep& sweep, const LeftOut& left_out,
                                std::optional<double> goes_on_mm, std::vector<FeaturePair>& found);
 
-    // Of two patches, so far.
+    // Number of searches of two patches so far.
     int searches() const;
     std::size_t bytes() const;
 
   private:
-    // The vertices of a patch in their box at the beginning, all moved by `motion_mm` but for
-    // `spread_mm`.
+    // The vertices of a patch: their box at the start; all move by `motion_mm` up to `spread_mm`.
     struct Moving {
         Box box;
         Vec3 motion_mm = Vec3::Zero();
@@ -46,8 +46,8 @@ class NearPairs {
     // Two patches whose boxes in the tree meet.
     struct Strangers {
         std::array<int, 2> patches{};
-        int asked = -1;                       // the question in which they met last
-        std::unique_ptr<ClusterPairs> pairs;  // null: they have not met
+        int asked = -1;                       // the last query in which they met
+        std::unique_ptr<ClusterPairs> pairs;  // null: they have not met yet
     };
     Moving moving(int patch, const Sweep& sweep) const;
     void find_strangers(const Sweep& sweep);

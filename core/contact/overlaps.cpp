@@ -101,8 +101,8 @@ void Overlaps::find(std::span<const Vec3> positions_mm, double touch_mm, const O
     each_once(buried_);
 }
 
-// A pair that has come apart on the wrong side of an obstacle: the patch is left out with all of it
-// from then on.
+// A pair that separated on the wrong side of an obstacle: the patch is left out with the whole
+// obstacle from then on.
 bool Overlaps::slipped_in(const std::array<int, 2>& touching, std::span<const Box> boxes,
                           std::span<const Vec3> positions_mm, Pairs& buried) const {
     for (const auto& [patch, other] : {touching, std::array<int, 2>{touching[1], touching[0]}}) {
@@ -131,7 +131,7 @@ bool Overlaps::let_go(std::span<const Vec3> positions_mm, double reach_mm) {
             still.push_back({patch, piece});
             continue;
         }
-        // It has come out somewhere, and is near there.
+        // It has come out; nearby patches of the piece are left out individually.
         for (int q = 0; q < static_cast<int>(boxes.size()); ++q)
             if (features_.piece_of_patch(q) == piece && near(patch, q))
                 come_near.push_back(ordered(patch, q));

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces of a body that were meshed apart may overlap at rest. What does is left out of contact
-// until it has come apart, gently, since nothing pushes it, and counts from then on:
+// Pieces of a body that were meshed separately may overlap at rest. Overlaps are left out of
+// contact until they have separated, which happens gently since nothing pushes them, and count from
+// then on:
 //   a pair of patches of two pieces whose triangles cross or nearly touch, until all of them are
 //   farther from each other than a reach;
-//   a patch that has a vertex within another piece, with all patches of that piece, until none is.
-// Within is where rays meet the surface more often from behind than from before. One piece does not
-// overlap itself: its surface bounds tetrahedra that share faces. Beside obstacles only what moves
-// may lie in what stands still. In a shell, which is to hold it, it lies where a vertex is outside,
-// and what lies so is left out for good: it goes through the shell's wall, or has no business in
-// it.
+//   a patch with a vertex inside another piece, with all patches of that piece, until none is.
+// A point is inside where rays from it cross the surface outwards more often than inwards. A piece
+// does not overlap itself, because its surface bounds tetrahedra that share faces. Beside obstacles
+// only moving patches may lie in fixed pieces. A shell is meant to contain the body: a patch with a
+// vertex outside is left out with all of the shell for good, because it passes through the shell's
+// wall or does not belong inside.
 #pragma once
 
 #include <array>
@@ -30,21 +31,23 @@ class Overlaps {
     // Keeps a reference.
     explicit Overlaps(const SurfaceFeatures& features) : features_(features) {}
 
-    // All that overlaps at these positions, where triangles nearer than touch_mm do, too; and what
+    // Finds all overlaps at these positions, counting triangles nearer than touch_mm, and adds what
     // `at_rest` has left out for good.
     void find(std::span<const Vec3> positions_mm, double touch_mm,
               const Overlaps* at_rest = nullptr);
 
-    // Lets go what has come apart; true where something has. Nothing begins to overlap by it.
+    // Lets separated pairs count again; true where anything changed. A patch that came out of a
+    // piece is still left out with patches near it, one that slipped into an obstacle with all of
+    // it.
     bool let_go(std::span<const Vec3> positions_mm, double reach_mm);
 
-    // After a tear, from what overlapped before it on. `node_before` is that of each vertex. What
-    // counted goes on to count, however near it is; left out are, where they are nearer than
-    // reach_mm or one lies in the other,
+    // The overlaps after a tear, from those before it. `node_before` is the former node of each
+    // vertex. Pairs that counted before still count, however near they are. Left out, where they
+    // are nearer than reach_mm or one lies in the other, are
     //   what was left out before;
-    //   faces that the tear has laid bare, and pieces that overlapped before;
-    //   patches of pieces torn from each other that touch at rest, as `at_rest` has it; without
-    //   it, those that have vertices split from one another.
+    //   faces that the tear has exposed, against pieces that were separate before;
+    //   patches of pieces torn from each other that touch at rest according to `at_rest`, or,
+    //   without it, that have vertices split from one another.
     void follow_split(const OverlapsBefore& before, std::span<const int> node_before,
                       std::span<const Vec3> positions_mm, double reach_mm,
                       const Overlaps* at_rest = nullptr);
@@ -53,8 +56,8 @@ class Overlaps {
     bool left_out(int patch, int other) const;
     bool any() const { return !touching_.empty() || !buried_.empty(); }
 
-    // What a checkpoint keeps: pairs of patches, and of a patch and the piece that it lies in.
-    // set() takes what they gave; false where it cannot be of this surface.
+    // For checkpoints: pairs of patches, and pairs of a patch and the piece that it lies in. set()
+    // takes such pairs; false where they do not fit this surface.
     const Pairs& touching() const { return touching_; }
     const Pairs& buried() const { return buried_; }
     bool set(const Pairs& touching, const Pairs& buried);
@@ -72,8 +75,8 @@ class Overlaps {
 
     const SurfaceFeatures& features_;
     Pairs touching_, buried_;
-    // The witness that last showed a pair of patches to overlap (two near triangles, or a vertex
-    // inside); it is tried first the next time.
+    // The witness that last showed a pair to overlap (two near triangles, or a vertex inside); it
+    // is tried first the next time.
     mutable std::map<std::array<int, 2>, std::array<int, 2>> near_;
     mutable std::map<std::array<int, 2>, int> within_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// hepatica::Overlaps: what a tear leaves of what overlapped, and what it adds.
+// hepatica::Overlaps: which overlaps a tear keeps and which it adds.
 #include <algorithm>
 #include <map>
 
@@ -25,11 +25,11 @@ bool in_common(const std::vector<int>& a, const std::vector<int>& b) {
     return std::ranges::any_of(a, [&](int v) { return std::ranges::binary_search(b, v); });
 }
 
-// Of a patch of a torn surface.
+// Where a patch of a torn surface comes from.
 struct Origin {
-    std::vector<int> patches;   // old ones that have triangles in common with it, ascending
-    std::vector<int> split_at;  // old vertices of it that were split, ascending
-    std::vector<int> bare;      // its triangles that were inside
+    std::vector<int> patches;   // former patches with triangles in common, ascending
+    std::vector<int> split_at;  // former numbers of its vertices that were split, ascending
+    std::vector<int> bare;      // its triangles that were inside before
 };
 
 std::vector<Origin> origins_of(const SurfaceFeatures& now, const SurfaceFeatures& before,
@@ -59,8 +59,8 @@ std::vector<Origin> origins_of(const SurfaceFeatures& now, const SurfaceFeatures
     return origins;
 }
 
-// The old piece of each piece: a tear parts and never joins. What was wholly inside belongs to
-// where its vertices were.
+// The former piece of each piece; a tear divides pieces and never joins them. A piece whose surface
+// was all inside belongs to the piece of its vertices.
 std::vector<int> pieces_before(const SurfaceFeatures& now, const SurfaceFeatures& before,
                                const std::vector<Origin>& origins,
                                std::span<const int> node_before) {

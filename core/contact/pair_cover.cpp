@@ -10,7 +10,7 @@
 namespace hepatica {
 namespace {
 
-constexpr double same_slacks = 0.01;  // places no farther apart are the same one
+constexpr double same_slacks = 0.01;  // positions no farther apart are taken as the same
 constexpr std::size_t nodes_per_block = 4096;
 
 bool same_places(std::span<const Vec3> a, std::span<const Vec3> b) {
@@ -37,7 +37,7 @@ bool PairCover::is_of(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm
     return known_ && same_places(from_mm, from_mm_) && same_places(to_mm, to_mm_);
 }
 
-// Whether all vertices are this far along the last motion.
+// Whether all vertices are at this share of the last motion.
 bool PairCover::near_all(std::span<const Vec3> positions_mm, double share) const {
     const std::vector<int>& nodes = features_.nodes();
     const double apart = parallel_sum(nodes.size(), nodes_per_block, [&](auto begin, auto end) {
@@ -51,7 +51,7 @@ bool PairCover::near_all(std::span<const Vec3> positions_mm, double share) const
     return apart == 0.0;
 }
 
-// Whether all vertices are equally far along the last motion, by least squares.
+// Whether all vertices are at the same share of the last motion, found by least squares.
 bool PairCover::on_the_way(std::span<const Vec3> positions_mm) const {
     const std::vector<int>& nodes = features_.nodes();
     const auto sum = [&](const auto& of_node) {
@@ -72,7 +72,7 @@ bool PairCover::at_its_end(std::span<const Vec3> positions_mm) const {
     return near_all(positions_mm, 1.0);
 }
 
-// By the first feature in one pass, then what few it has each.
+// Counting sort by the first feature, then a sort of the few pairs of each.
 void PairCover::sort_by_feature(std::size_t nodes) {
     const auto place = [&](const FeaturePair& pair) {
         return (pair.of_edges ? nodes : 0) + static_cast<std::size_t>(pair.first);

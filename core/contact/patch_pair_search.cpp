@@ -30,7 +30,7 @@ PatchPairSearch::Swept PatchPairSearch::swept(const Nodes& nodes) const {
     return box;
 }
 
-// A feature lies in the box of the triangle that owns it.
+// A feature is inside the box of the triangle that owns it.
 void PatchPairSearch::list(int patch, const Swept& near, double margin_mm, Part& part) const {
     part.nodes.clear();
     part.edges.clear();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which features of two patches, or of one, may come near each other while all vertices move in
-// straight lines: vertices and triangles, edges and edges, that share no vertex. Decided by the
-// boxes that they sweep, seen by an observer who flies along with one of the two.
+// straight lines: vertices and triangles, or two edges, without a common vertex. Decided by the
+// boxes that they sweep in the frame of one of the two patches.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace hepatica {
 
-// All vertices move straight from one place to another, and what comes nearer than the reach is
-// asked for.
+// All vertices move straight from one position to another; wanted are the pairs that come nearer
+// than the reach.
 struct Sweep {
     std::span<const Vec3> from_mm, to_mm;
     double reach_mm = 0.0;
@@ -19,16 +19,16 @@ struct Sweep {
     bool stands() const { return from_mm.data() == to_mm.data(); }
 };
 
-// Keeps a reference, and its scratch from one pair to the next: one for each thread.
+// Keeps a reference and scratch memory: use one per thread.
 class PatchPairSearch {
   public:
     explicit PatchPairSearch(const SurfaceFeatures& features) : features_(features) {}
 
-    // Adds all pairs that may come nearer than the reach, each once; some that do not, too.
+    // Appends all pairs that may come nearer than the reach, each once, and some others.
     void add_pairs_of(int patch, int other, const Sweep& sweep, std::vector<FeaturePair>& found);
 
   private:
-    // Four numbers are compared at once; the last is 0.
+    // Four numbers are compared at once; the fourth is 0.
     struct Swept {
         Eigen::Array4d low, high;
 
@@ -48,7 +48,7 @@ class PatchPairSearch {
         int number = 0;
         Swept box;
     };
-    // What of a patch comes near a box.
+    // The features of a patch that come near a box.
     struct Part {
         std::vector<Feature> nodes, edges, triangles;
     };
@@ -63,7 +63,7 @@ class PatchPairSearch {
     const SurfaceFeatures& features_;
     Sweep sweep_;
     Eigen::Array4d observer_mm_;
-    Part first_, second_;  // the features of the first are wider by the reach
+    Part first_, second_;  // boxes of the first are grown by the reach
 };
 
 }  // namespace hepatica

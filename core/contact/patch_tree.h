@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which boxes meet: Bullet's dynamic tree of boxes (btDbvt), in single precision, with every box
-// rounded outwards, so that it finds at least the pairs that meet in double. What it finds is then
-// checked in double: answers do not depend on the tree's history.
+// Which boxes meet, by Bullet's dynamic bounding volume tree (btDbvt). It is in single precision
+// with every box rounded outwards, so that it finds at least the pairs that meet in double. These
+// are then tested in double, so that answers do not depend on the tree's history.
 #pragma once
 
 #include <array>
@@ -15,13 +15,13 @@ namespace hepatica {
 // Not thread-safe.
 class PatchTree {
   public:
-    // One box for each patch; later ones of as many. Boxes are not empty and finite.
+    // One box per patch; refit() needs as many. Boxes must be finite and not empty.
     explicit PatchTree(std::span<const Box> boxes);
     ~PatchTree();
     PatchTree(const PatchTree&) = delete;
     PatchTree& operator=(const PatchTree&) = delete;
 
-    // O(moved log n): boxes that are as they were cost nothing.
+    // O(moved log n): unchanged boxes cost nothing.
     void refit(std::span<const Box> boxes);
 
     // Patches whose boxes meet this one, ascending.

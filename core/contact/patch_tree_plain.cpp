@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same answers where Bullet is not there: of all boxes in the order in which they begin along
-// x, each is compared with those that begin before it ends.
+// PatchTree without Bullet, with the same answers: sweep and prune along x.
 #include <algorithm>
 #include <numeric>
 

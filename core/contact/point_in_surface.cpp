@@ -7,7 +7,7 @@
 namespace hepatica {
 namespace {
 
-// Along no edge that a mesh is likely to have; the majority of them decides.
+// Unlikely to be parallel to a mesh edge; the majority of the rays decides.
 const std::array<Vec3, 3> rays{Vec3(0.5377, 0.8339, 0.1247), Vec3(-0.2259, 0.8622, -0.4534),
                                Vec3(0.3188, -0.4077, 0.8558)};
 
@@ -23,7 +23,7 @@ bool meets(const Box& box, const Vec3& from, const Vec3& ray) {
     return first <= last;
 }
 
-// +1 where the ray leaves by the triangle, -1 where it enters, 0 where it misses it.
+// +1 where the ray leaves through the triangle, -1 where it enters, 0 where it misses it.
 int crossing(const Triangle& x, const Vec3& from, const Vec3& ray) {
     const Vec3 a = x[0] - from, b = x[1] - from, c = x[2] - from;
     const double u = ray.dot(b.cross(c)), v = ray.dot(c.cross(a)), w = ray.dot(a.cross(b));

@@ -15,7 +15,7 @@ constexpr double small_turn_rad = 1e-4;
 RigidFit fit_rigid(std::span<const Vec3> shape_mm, std::span<const int> nodes,
                    std::span<const Vec3> positions_mm, const Eigen::Quaterniond& guess) {
     Vec3 centre = Vec3::Zero();
-    Mat3 moments = Mat3::Zero();  // the shape has the mean zero: no need to take the centre off
+    Mat3 moments = Mat3::Zero();  // the centre drops out, because the shape has mean zero
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         const Vec3& x = positions_mm[nodes[i]];
         centre += x;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rotation that turns a set of points best into another, by least squares, and how far the
-// points are beside it. After Mueller et al., A robust method to extract the rotational part of
-// deformations, 2016: from a first guess, by turns about the torque of the points on each other,
-// which needs no eigenvectors and allows flat sets. Pure functions.
+// The rotation that best fits a set of points to another, by least squares, and the largest
+// deviation. After Mueller et al., A robust method to extract the rotational part of deformations,
+// 2016: an iteration from an initial guess by rotations about the torque between the sets, which
+// needs no eigenvectors and allows flat sets. Pure functions.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,11 +14,11 @@ namespace hepatica {
 
 struct RigidFit {
     Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
-    double beside_mm = 0.0;  // of the point that is farthest from where the rotation has it
+    double beside_mm = 0.0;  // largest distance of a point from its rotated place
 };
 
-// `shape_mm` is about its mean; `positions_mm[nodes[i]]` is where its point i is now. The bound
-// holds for every guess; a near one is cheap. O(points).
+// `shape_mm` must have mean zero; its point i is now at `positions_mm[nodes[i]]`. beside_mm holds
+// for any guess; a good one is cheap. O(points).
 RigidFit fit_rigid(std::span<const Vec3> shape_mm, std::span<const int> nodes,
                    std::span<const Vec3> positions_mm, const Eigen::Quaterniond& guess);
 

@@ -60,8 +60,7 @@ void SurfaceFeatures::find_kinds(std::span<const SurfaceKind> kind_of_node) {
     }
 }
 
-// By the normals of the two triangles at an edge; of those that meet in a hollow nothing sticks
-// out.
+// From the normals of the two triangles at an edge; concave edges have sharpness 0.
 void SurfaceFeatures::find_sharpness(std::span<const SurfaceKind> kind_of_node,
                                      std::span<const Vec3> positions_mm) {
     edge_sharpness_.assign(edges_.size(), 0.0);
@@ -131,7 +130,7 @@ bool SurfaceFeatures::counts(const FeaturePair& pair, const LeftOut& left_out) c
     });
 }
 
-// Lists of lists have a head for each triangle.
+// Counts one header per triangle for nested vectors.
 std::size_t SurfaceFeatures::bytes() const {
     const std::size_t triangles = surface_.triangles().size();
     return triangles * (3 * sizeof(int) + 2 * sizeof(std::vector<int>) + 4 * sizeof(int)) +

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a surface can meet what: its vertices and triangles, and its edges. Each vertex and each
-// edge belongs to the first triangle that has it, so that pairs of triangles give every pair of
-// features once. Each has a share of the surface at rest, a third of the triangles around it.
-// Beside a body's surface there may be those of obstacles, which stand still: then only what moves
-// and what stands still meet.
+// The features of a surface that can meet: its vertices and triangles, and its edges. Each vertex
+// and each edge belongs to the first triangle that has it, so that pairs of triangles enumerate
+// every pair of features once. Each has a share of the surface area at rest, a third of the
+// triangles around it. The surfaces of fixed obstacles may be included; then only moving and fixed
+// surfaces can meet.
 #pragma once
 
 #include <cstdint>
@@ -15,23 +15,23 @@
 namespace hepatica {
 
 struct FeaturePair {
-    bool of_edges = false;       // else a vertex and a triangle
+    bool of_edges = false;       // otherwise a vertex and a triangle
     int first = 0, second = 0;   // the vertex and the triangle, or the edges, first < second
     std::array<int, 4> nodes{};  // of the first, then of the second
 };
 
-// Whether a pair of patches does not count. A pair of features counts where some pair of triangles
-// that have them is of patches that count.
+// Whether a pair of patches does not count. A pair of features counts if some pair of triangles
+// that contain them is of patches that count.
 using LeftOut = std::function<bool(int patch, int other)>;
 
-// What a surface is of: a body that moves; an obstacle that nothing may enter; or one, closed like
-// the others, that nothing may leave.
+// What a surface belongs to: a moving body; a solid obstacle that nothing may enter; or a shell, a
+// closed obstacle that nothing may leave.
 enum class SurfaceKind : std::uint8_t { moving, solid, shell };
 
 // Thread safety: const access only.
 class SurfaceFeatures {
   public:
-    // kind_of_node: one per node, the same for all nodes of a piece; empty: all move.
+    // kind_of_node: one per node, the same for all nodes of a piece; empty: all are moving.
     SurfaceFeatures(SurfacePatches surface, std::span<const Vec3> rest_positions_mm,
                     std::span<const SurfaceKind> kind_of_node = {});
 
@@ -47,10 +47,11 @@ class SurfaceFeatures {
     double area_of_edge_mm2(int edge) const { return edge_area_mm2_[edge]; }
 
     int patch_of(int triangle) const { return patch_of_[triangle]; }
-    // The patches of all triangles that have it, ascending: a feature on a border has several.
+    // The patches of all triangles that contain the feature, ascending: on a border there are
+    // several.
     std::span<const int> patches_of_node(int node) const { return patches_of_node_[node]; }
     std::span<const int> patches_of_edge(int edge) const { return patches_of_edge_[edge]; }
-    // The patches of a higher number that share a node with this one, ascending.
+    // The patches with a higher number that share a node with this one, ascending.
     std::span<const int> neighbours_above(int patch) const { return neighbours_above_[patch]; }
     bool neighbours(int patch, int other) const;
 
@@ -58,20 +59,20 @@ class SurfaceFeatures {
 
     std::size_t bytes() const;
 
-    // Triangles that share a node are of one piece; pieces are counted from 0.
+    // Connected components of triangles that share nodes, numbered from 0.
     int pieces() const { return pieces_; }
     int piece_of_patch(int patch) const { return piece_of_patch_[patch]; }
     std::span<const int> patches_of_piece(int piece) const { return patches_of_piece_[piece]; }
 
-    // Whether there are obstacles, and what a piece or a patch is of.
+    // Whether there are obstacles, and the kind of a piece or a patch.
     bool beside_obstacles() const { return beside_obstacles_; }
     SurfaceKind kind_of_piece(int piece) const { return kind_of_piece_[piece]; }
     SurfaceKind kind_of_patch(int patch) const { return kind_of_piece_[piece_of_patch_[patch]]; }
-    // How far an edge or a vertex of an obstacle sticks out to where the body is, from 0, in a flat
-    // face or a hollow, to 1, where its triangles turn by 60 degrees or more.
+    // How far an edge or a vertex of an obstacle sticks out towards the body: from 0 in a flat or
+    // concave place to 1 where the normals of its triangles differ by 60 degrees or more.
     double sharpness_of_edge(int edge) const { return edge_sharpness_[edge]; }
     double sharpness_of_node(int node) const { return node_sharpness_[node]; }
-    // False of two patches that stand still, and beside obstacles of two that move, too.
+    // False for two fixed patches, and beside obstacles also for two moving ones.
     bool may_meet(int patch, int other) const {
         return !beside_obstacles_ || (kind_of_patch(patch) == SurfaceKind::moving) !=
                                          (kind_of_patch(other) == SurfaceKind::moving);

@@ -8,7 +8,7 @@
 namespace hepatica {
 namespace {
 
-// Of each triangle, those that share an edge with it.
+// For each triangle, those that share an edge with it.
 std::vector<std::vector<int>> neighbours_of(const std::vector<std::array<int, 3>>& triangles) {
     std::map<std::pair<int, int>, std::vector<int>> at_edge;
     for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -51,8 +51,8 @@ SurfacePatches::SurfacePatches(std::vector<std::array<int, 3>> triangles, int tr
     }
 }
 
-// Four numbers at a time, the last of which is the next vertex's and is not looked at: half as long
-// as one after another. The last vertex of all has none behind it.
+// Loads four numbers at a time, which takes half as long as single ones; the fourth belongs to the
+// next vertex and is ignored. The last vertex has no next one and is treated apart.
 Box SurfacePatches::box(std::size_t patch, std::span<const Vec3> positions_mm) const {
     static_assert(sizeof(Vec3) == 3 * sizeof(double));
     Eigen::Array4d low = Eigen::Array4d::Constant(INFINITY), high = -low;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A surface cut into patches of neighbouring triangles, each in a box that follows the vertices:
-// what searches for contacts looks at boxes first.
+// A surface divided into patches of neighbouring triangles, each with a box that follows the
+// vertices: a contact search tests the boxes first.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace hepatica {
 
-// Parallel to the axes; empty where low > high.
+// Axis-aligned; empty where low > high.
 struct Box {
     Vec3 low = Vec3::Constant(INFINITY);
     Vec3 high = Vec3::Constant(-INFINITY);
@@ -24,14 +24,13 @@ struct Box {
         low.array() -= margin;
         high.array() += margin;
     }
-    // Touching counts.
+    // Boxes that touch count as meeting.
     bool meets(const Box& other) const {
         return (low.array() <= other.high.array()).all() &&
                (other.low.array() <= high.array()).all();
     }
 };
 
-// The corners of a triangle.
 inline Triangle corners_of(const std::array<int, 3>& triangle, std::span<const Vec3> positions_mm) {
     return {positions_mm[triangle[0]], positions_mm[triangle[1]], positions_mm[triangle[2]]};
 }
@@ -45,8 +44,8 @@ inline Box box_around(const Triangle& triangle) {
 // Thread safety: const access only.
 class SurfacePatches {
   public:
-    // Grows each patch over edges from the first triangle that is left, ring by ring, so that it
-    // stays compact. The same surface, the same patches. `triangles_in_patch` >= 1 at most.
+    // Grows each patch across edges from the first triangle that is left, ring by ring, so that it
+    // stays compact; deterministic. A patch has at most `triangles_in_patch` >= 1 triangles.
     explicit SurfacePatches(std::vector<std::array<int, 3>> triangles, int triangles_in_patch = 24);
 
     const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
@@ -57,8 +56,8 @@ class SurfacePatches {
     std::span<const int> vertices_of(std::size_t patch) const { return vertices_of_[patch]; }
 
     Box box(std::size_t patch, std::span<const Vec3> positions_mm) const;
-    // Triangles whose boxes meet this one, ascending. Of several boxes those of each, in one pass
-    // over all patches, whose own boxes are most of what it costs.
+    // Triangles whose boxes meet this one, ascending. Several boxes are tested in one pass over all
+    // patches, whose own boxes are most of the cost.
     std::vector<int> triangles_in(const Box& box, std::span<const Vec3> positions_mm) const;
     std::vector<std::vector<int>> triangles_in(std::span<const Box> boxes,
                                                std::span<const Vec3> positions_mm) const;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int most_steps = 100;
 
-// Corners as a range, be there one, two or three of them.
+// The corners of a point, a segment or a triangle as a range.
 std::span<const Vec3> corners(const Vec3& point) {
     return {&point, 1};
 }
@@ -30,7 +30,7 @@ std::array<Vec3, N> at(const Motion<std::array<Vec3, N>>& motion, double time) {
     return now;
 }
 
-// From the second feature to the first.
+// Vector from the second feature to the first.
 Vec3 separation(const Vec3& point, const Triangle& triangle) {
     return point - point_at(triangle, closest(point, triangle).weights);
 }
@@ -61,7 +61,7 @@ std::optional<double> advance(const Motion<First>& first, const Motion<Second>& 
     for (int step = 0; step < most_steps; ++step) {
         const Vec3 apart = separation(at(first, time), at(second, time));
         const double distance = apart.norm();
-        // What begins within the tolerance is let go on where it does not close.
+        // A pair that starts within the tolerance may go on if it is not approaching.
         if (!(distance > gap_mm) || (time > 0.0 && distance <= gap_mm + tolerance_mm)) return time;
         const Vec3 n = apart / distance;
         const double closing = fastest_along(first, -n) + fastest_along(second, n);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-// `slack` forgives the rounding of volumes at the ends of a segment.
+// `slack` absorbs the rounding of volumes at the ends of a segment.
 double interpolate(const std::vector<ArrivalTimes::Knot>& knots, double volume_mm3, double slack) {
     if (knots.empty() || volume_mm3 < knots.front().volume_mm3 - slack ||
         volume_mm3 > knots.back().volume_mm3 + slack)
@@ -63,7 +63,8 @@ double ArrivalTimes::first_s(int segment) const {
 }
 
 double ArrivalTimes::last_s(int segment) const {
-    // Filled from one end, the other end is the last; from both, the place where the fronts meet.
+    // Filled from one end, the other end is reached last; filled from both, the place where the
+    // fronts meet.
     const double volume = volume_mm3(network_, segment);
     const auto& up = from_proximal_[segment];
     const auto& down = from_distal_[segment];

@@ -11,9 +11,9 @@ namespace hepatica {
 
 namespace {
 
-constexpr double same_share = 1e-12;    // shares that differ by rounding only
-constexpr double empty_volume = 1e-13;  // of a segment's volume: a piece that has passed
-constexpr double resting_flow = 1e-14;  // of all that enters: rounding of the solution
+constexpr double same_share = 1e-12;    // smaller differences of shares are rounding
+constexpr double empty_volume = 1e-13;  // of a segment's volume: such a piece has left
+constexpr double resting_flow = 1e-14;  // of the total inflow: rounding of the solution
 constexpr int most_rejections = 20;
 
 }  // namespace
@@ -54,8 +54,9 @@ double DrugFront::share_at(int segment, bool distal_end) const {
     return distal_end ? slugs.back().share : slugs.front().share;
 }
 
-// How long until a boundary reaches the end of its segment, be it inside or about to enter; shares
-// that differ by less than `tolerance` make no boundary. Expects mix_at_nodes() of these flows.
+// Time until a boundary reaches the end of its segment; the boundary may be inside or about to
+// enter. Shares that differ by less than `tolerance` make no boundary. Requires mix_at_nodes() of
+// these flows.
 double DrugFront::time_to_event(const std::vector<double>& flow, double tolerance) const {
     double soonest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < flow.size(); ++i) {
@@ -98,8 +99,8 @@ void DrugFront::mix_at_nodes(const Flows& flows) {
         drug_inflow[to] += std::abs(q) * share_at(static_cast<int>(i), q > 0.0);
     }
     for (int n = 0; n < network_.node_count; ++n) {
-        // More flows out of this node into segments than arrives from segments: the rest enters
-        // through an outlet.
+        // Where more flows out into segments than arrives from segments, the rest enters through an
+        // outlet.
         const double through = outflow[n] > inflow[n] * (1.0 + 1e-9) ? outflow[n] : inflow[n];
         node_share_[n] = through > 0.0 ? drug_inflow[n] / through : 0.0;
         node_surplus_[n] = inflow[n] - outflow[n];
@@ -159,8 +160,8 @@ void DrugFront::refill(const std::vector<int>& segments) {
     }
 }
 
-// The mean of the flows now and after `duration_s` at these flows (Heun). Shortens the duration
-// until the two differ by no more than the tolerance.
+// Heun's rule: the mean of the flows now and after `duration_s` at these flows. Shortens the
+// duration until the two differ by no more than the tolerance.
 DrugFront::Flows DrugFront::predict(double& duration_s) {
     const Flows now{flow().volume_flow_mm3_s, flow().inlet_flow_mm3_s};
     double entering = 0.0;
@@ -181,7 +182,7 @@ DrugFront::Flows DrugFront::predict(double& duration_s) {
             mean.inlet_mm3_s[i] = 0.5 * (mean.inlet_mm3_s[i] + then.inlet_flow_mm3_s[i]);
         const double error = entering > 0.0 ? change / entering : 0.0;
         if (error <= options_.step_tolerance || attempt == most_rejections) {
-            // A step that was shortened by an event is no reason to keep later ones short.
+            // A step that an event shortened is no reason to keep later ones short.
             suggested_s_ = attempt == 0 ? std::max(suggested_s_, 2.0 * duration_s) : duration_s;
             return mean;
         }
@@ -215,7 +216,7 @@ void DrugFront::note_arrivals(const Flows& flows, double begin_s) {
         const bool forwards = flows.segment_mm3_s[id] > 0.0;
         auto& knots = forwards ? reached_from_proximal_[id] : reached_from_distal_[id];
         const Slugs& slugs = slugs_[id];
-        // How far the drug has advanced: all but the untouched blood at the far end.
+        // The drug has advanced up to the blood without drug at the far end.
         double untouched = 0.0;
         for (std::size_t i = 0; i < slugs.size(); ++i) {
             const Slug& slug = forwards ? slugs[slugs.size() - 1 - i] : slugs[i];
@@ -254,7 +255,8 @@ FrontStep DrugFront::step(double longest_s) {
     double stretch = 1.0;
     if (two_fluids() && !at_rest()) {
         const double event_s = time_to_event(flows.segment_mm3_s, same_share);
-        // The flows' change may delay the event a little: go there rather than stop just before.
+        // The change of flows may delay the event a little: go there instead of stopping just
+        // before.
         if (event_s <= std::min(done.duration_s, suggested_s_)) stretch = 1.1;
         done.duration_s = std::min({done.duration_s, suggested_s_, event_s});
         flows = predict(done.duration_s);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The drug on its way: an injected fluid displaces the one that fills the vessels, without mixing
-// along a vessel and with full mixing where flows meet. The paper's "partial length of each segment
-// that is filled at each time step", stepped so that a step ends exactly when a front reaches a
-// node.
+// Transport of the drug: an injected fluid displaces the fluid in the vessels, without mixing along
+// a vessel and with full mixing where flows meet. This is the paper's "partial length of each
+// segment that is filled at each time step"; a step ends exactly when a front reaches a node.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +15,14 @@
 namespace hepatica {
 
 struct FrontOptions {
-    // After this the inlet of the drug is closed; other inlets go on and wash it out.
+    // End of the injection: the drug's inlet closes, other inlets stay open and wash the drug out.
     double injection_end_s = std::numeric_limits<double>::infinity();
-    // Two fluids only: how much any segment's flow may change within one step, as a share of all
-    // that enters. Smaller is more accurate and slower: the error falls with its square.
+    // Two different fluids only: the largest change of any segment's flow within one step, as a
+    // share of the total inflow. Smaller is more accurate and slower; the error falls with its
+    // square.
     double step_tolerance = 1e-2;
-    // Loops only: neighbouring pieces whose drug share differs by less are joined, mass kept.
+    // Loops only: neighbouring slugs whose drug shares differ by less are merged; mass is
+    // conserved.
     double concentration_tolerance = 1e-4;
 };
 
@@ -33,7 +34,7 @@ struct FrontStep {
 };
 
 // Where all of the drug is, in mm3 of injected fluid. injected = inside + left through outlets +
-// bled from torn vessels, to rounding.
+// bled from torn vessels, up to rounding.
 struct DrugBalance {
     double injected_mm3 = 0.0;
     double inside_mm3 = 0.0;
@@ -45,26 +46,27 @@ struct DrugBalance {
     }
 };
 
-// Fluids keep their volume, so flows are volumes here; pressure follows the fluid that fills each
-// place (equations 2 and 9 by share). Where drug and blood are alike, flows never change and the
-// step size does not matter; else splits are solved anew twice a step (Heun's rule).
+// Fluids are incompressible, so flows here are volumes; the pressure drop follows the fluid that
+// fills each place (equations 2 and 9 by share). If drug and blood have the same properties, flows
+// never change and the step size does not matter; otherwise the flow is solved twice per step
+// (Heun's rule).
 class DrugFront {
   public:
-    // The drug enters at conditions.inlets[drug_inlet] with that inlet's fluid; all other inlets
-    // and outlets bring conditions.resident. Throws what solve_flow throws.
+    // The drug enters at conditions.inlets[drug_inlet] with that inlet's fluid; through all other
+    // inlets and outlets conditions.resident enters. Throws what solve_flow throws.
     DrugFront(FlowNetwork network, FlowConditions conditions, int drug_inlet,
               const FrontOptions& options = {});
     DrugFront(const DrugFront&) = delete;
     DrugFront& operator=(const DrugFront&) = delete;
 
-    // One step of at most `longest_s`, shorter where an event comes first or the tolerance asks.
+    // One step of at most `longest_s`; an event or the tolerance may shorten it.
     FrontStep step(double longest_s);
-    // One step on the way to a time, which it meets exactly when it gets there.
+    // One step towards a time, which the last such step meets exactly.
     FrontStep step_towards(double time_s);
     void advance_to(double time_s);
-    // The drug's inlet is still open.
+    // Whether the drug's inlet is still open.
     bool injecting() const { return drug_inlet_ >= 0; }
-    // No boundary between drug and blood will move any more while things stand as they do.
+    // No boundary between drug and blood will move any more under the present conditions.
     bool at_rest() const { return at_rest_; }
 
     double time_s() const { return time_s_; }
@@ -81,7 +83,7 @@ class DrugFront {
     const std::vector<double>& outlet_mass_g() const { return outlet_mass_g_; }
     std::uint64_t steps() const { return steps_; }
 
-    // When the drug came where it has been so far.
+    // When the drug reached each place that it has reached so far.
     ArrivalTimes arrival_times() const;
 
   private:

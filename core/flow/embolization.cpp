@@ -16,7 +16,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// std:: distributions differ between libraries; these do not.
+// Distributions of std:: differ between libraries; these do not.
 class Dice {
   public:
     explicit Dice(std::uint64_t seed) : engine_(seed) {}
@@ -49,14 +49,14 @@ void validate_options(const EmbolizationOptions& options) {
     check("capillary radius in micrometres", options.capillary_radius_um, 0.0, 1e3);
 }
 
-// The microvascular bed beyond one outlet, by how much of it is still open. Beads that stop in a
-// generation take an equal share of what the generations above have left open.
+// The microvascular bed beyond one outlet, by the share of it that is still open. Beads that stop
+// in a generation take an equal part of what the generations above have left open.
 struct Bed {
     double radius_mm = 0.0;
     double resistance = 0.0;  // when all of it is open
     double open_share = 1.0;
 
-    // One vessel in (r/b)^3 is shut.
+    // Closes one of (r/b)^3 vessels.
     void shut(double bead_radius_mm) {
         const double vessels = std::pow(radius_mm / bead_radius_mm, 3);
         open_share = std::max(0.0, open_share - 1.0 / std::max(vessels, 1.0));
@@ -142,7 +142,7 @@ class BeadTransport {
         ++result_.injected;
         result_.injected_mass_g += mass;
         int node = conditions_.inlets[inlet_].node;
-        // Flow never runs in circles, so a bead meets each node at most once.
+        // Steady flow has no cycles, so a bead meets each node at most once.
         for (int steps = 0; steps <= result_.network.node_count; ++steps) {
             if (torn_at_[node]) break;
             const int choice = choose(node);
@@ -166,8 +166,8 @@ class BeadTransport {
 
     static constexpr int leaves = -2;
 
-    // The way out of a node: a segment, `leaves` through the outlet, or -1 where nothing flows out.
-    // A segment that this batch has plugged takes no more.
+    // The way out of a node: a segment, `leaves` for the outlet, or -1 where nothing flows out. A
+    // segment that this batch has plugged takes no more beads.
     int choose(int node) {
         double total = 0.0;
         const auto outflow = [&](int segment) {
@@ -194,7 +194,7 @@ class BeadTransport {
         return through_bed > 0.0 ? leaves : chosen;
     }
 
-    // Every segment out of this node was plugged by this batch: the bead stays behind the plug.
+    // This batch has plugged every segment out of this node: the bead stays behind a plug.
     int last_resort(int node) const {
         for (int i = at_.first[node]; i < at_.first[node + 1]; ++i) {
             const int segment = at_.segments[i];

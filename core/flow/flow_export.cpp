@@ -14,12 +14,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Pascal to dyn/cm2; Pa s/mm3 to dyn s/cm5; mm3/s to cm3/s.
+// Factors from Pa to dyn/cm2, from Pa s/mm3 to dyn s/cm5 and from mm3/s to cm3/s.
 constexpr double cgs_pressure = 10.0;
 constexpr double cgs_resistance = 1e4;
 constexpr double cgs_flow = 1e-3;
 
-// std::to_chars knows no locale: a comma never becomes a decimal point.
+// std::to_chars ignores the locale, so that the decimal point is never a comma.
 void append(std::string& text, double value) {
     char digits[40];
     const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
@@ -47,8 +47,8 @@ class CsvRow {
     bool first_ = true;
 };
 
-// The stretches through which fluid may flow: those connected to an inlet, a tear or a given
-// pressure.
+// The segments through which fluid may flow: those connected to an inlet, a tear or a prescribed
+// outlet pressure.
 std::vector<char> connected_segments(const FlowNetwork& network, const FlowConditions& conditions) {
     const NodeSegments at = segments_at_nodes(network);
     std::vector<char> seen(network.segments.size(), 0);
@@ -118,7 +118,7 @@ class SvZeroDModel {
   private:
     struct End {
         int vessel;
-        bool inlet;  // the vessel's inlet lies at the node
+        bool inlet;  // the vessel's inlet is at the node
         bool bounded = false;
     };
 
@@ -163,8 +163,8 @@ class SvZeroDModel {
         return {{name, {value, value}}, {"t", {0.0, 1.0}}};
     }
 
-    // A boundary belongs to a vessel's end: a node with other ends gets a feeder without
-    // resistance.
+    // A boundary condition belongs to one vessel end; a node with several ends gets a feeder vessel
+    // without resistance.
     End& lone_end(int node, bool inlet) {
         if (ends_[node].size() == 1 && !ends_[node][0].bounded && ends_[node][0].inlet == inlet)
             return ends_[node][0];

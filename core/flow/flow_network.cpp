@@ -21,7 +21,7 @@ double volume_within(const Cone& c, double x_mm) {
     return volume_mm3({c.proximal_radius_mm, r, x_mm});
 }
 
-// x = 3V / (pi (R^2 + R R1 + R1^2)), R the radius there: no difference of radii.
+// x = 3V / (pi (R^2 + R R1 + R1^2)) with the radius R at x; avoids a difference of radii.
 double length_holding(const Cone& c, double volume) {
     const double r1 = c.proximal_radius_mm;
     if (!(c.length_mm > 0.0)) return 0.0;
@@ -31,7 +31,7 @@ double length_holding(const Cone& c, double volume) {
     return std::min(3.0 * volume / (pi * (r * r + r * r1 + r1 * r1)), c.length_mm);
 }
 
-// Least squares line through radii that vary linearly between the points, over arclength.
+// Least squares line over arclength through radii that vary linearly between the points.
 Cone fitted_cone(const VesselSegment& segment) {
     double length = 0.0;
     double moment0 = 0.0;
@@ -206,8 +206,8 @@ double distal_radius_mm(const FlowNetwork& network, int segment) {
 }
 
 NetworkPoint locate(const FlowNetwork& network, const TreePoint& point) {
-    // Divided stretches are few and stand at the end; the first stretch of a tree segment keeps
-    // its index.
+    // Pieces that divide() appended are at the end of the list and few; the first piece of a tree
+    // segment keeps its index.
     const int count = static_cast<int>(network.segments.size());
     if (point.segment < 0 || point.segment >= count ||
         network.segments[point.segment].tree_segment != point.segment ||
@@ -238,7 +238,7 @@ int divide(FlowNetwork& network, const TreePoint& point) {
     distal.offset_mm += arclength;
     distal.proximal_node = node;
     proximal.distal_node = node;
-    // Both halves get cones of their own at the end of the list.
+    // Both halves get new cones at the end of the list.
     const int first = proximal.first_cone;
     const int count = proximal.cone_count;
     const auto begin_half = [&](FlowSegment& half) {

@@ -30,7 +30,7 @@ std::vector<double> flow_shares(const VesselTree& tree) {
         const FlowSolution solution = solve_flow(network, conditions);
         std::vector<double> shares(tree.segments.size(), 0.0);
         std::vector<double> inflow(tree.segments.size(), 0.0);
-        // A parent stands before its children.
+        // A parent precedes its children.
         for (std::size_t s = 0; s < shares.size(); ++s) {
             const int parent = tree.segments[s].parent;
             const double flow = std::abs(solution.volume_flow_mm3_s[s]);

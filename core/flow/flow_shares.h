@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each branch's share of the blood of its tree, at rest.
+// The share of each branch in the blood flow of its tree, at rest.
 #pragma once
 
 #include <string>
@@ -9,15 +9,14 @@
 
 namespace hepatica {
 
-// Share of each segment in the flow of its own root, at a portal vein's resting flow and one
-// pressure at all ends. A system in several trees has several roots, and shares of two trees cannot
-// be compared: nothing tells what each of them gets. Empty where the tree carries no flow that
-// could be solved.
+// Share of each segment in the flow of its own root, at a portal vein's resting flow and the same
+// pressure at all ends. A system in several trees has several roots; shares of different trees
+// cannot be compared, because their flows are unknown. Empty where no flow could be solved.
 std::vector<double> flow_shares(const VesselTree& tree);
 
-// What to make of ends that take more than half of the flow of their tree, where it has at least
-// four: a vessel that is cut off there, or one by which blood comes in. One warning each, in the
-// order of the segments. `shares` as flow_shares() has them.
+// One warning, in the order of the segments, for each end that takes more than half of the flow of
+// a tree with at least four ends: the vessel may be cut off there, or it may be an inlet. `shares`
+// as from flow_shares().
 std::vector<std::string> warnings_of_ends(const VesselTree& tree,
                                           const std::vector<double>& shares);
 

@@ -12,8 +12,8 @@ namespace hepatica {
 
 namespace {
 
-// A segment shorter than this share of its radius counts as that long: two nodes in one place
-// would otherwise be joined by an infinite conductance.
+// A shorter segment counts as this share of its radius; two nodes in one place would otherwise be
+// joined by an infinite conductance.
 constexpr double shortest_length_per_radius = 1e-9;
 
 Cone not_shorter(Cone cone) {
@@ -75,7 +75,7 @@ void validate_conditions(const FlowNetwork& network, const FlowConditions& condi
     }
 }
 
-// Straight into the surroundings, or through openings.
+// Tears open straight into the surroundings, or through orifices.
 void add_tears(const FlowNetwork& network, const FlowConditions& conditions,
                HydraulicCircuit& circuit) {
     for (std::size_t i = 0; i < network.torn_nodes.size(); ++i) {
@@ -89,14 +89,14 @@ void add_tears(const FlowNetwork& network, const FlowConditions& conditions,
         opening.from = node;
         opening.to = circuit.node_count++;
         opening.quadratic = 0.5 * conditions.resident.density_g_mm3 / (throat * throat);
-        opening.linear = 1e-6 * opening.quadratic;  // as of a flow of 1e-6 mm3/s: none is 0
+        opening.linear = 1e-6 * opening.quadratic;  // the slope at 1e-6 mm3/s, so that none is 0
         circuit.source_mm3_s.push_back(0.0);
         circuit.fixed_pressure_pa.push_back(conditions.ambient_pressure_pa);
         circuit.elements.push_back(opening);
     }
 }
 
-// As a share of the dynamic pressure at its proximal end: where it branches off, and of a jet.
+// Lost head as a share of the dynamic pressure at the proximal end: bifurcation loss and jet loss.
 double head_lost(const FlowSegment& segment, const std::vector<int>& degree,
                  const FlowConditions& conditions) {
     const bool branches = degree[segment.proximal_node] > 2;
@@ -204,7 +204,7 @@ void NetworkFlow::fill(int segment, const std::vector<Filling>& fillings) {
         part_capacity_[segment] = needed + 1;
         circuit_.parts.resize(circuit_.parts.size() + needed + 1);
     }
-    // Walk along the cones and cut them where one filling ends.
+    // Walks along the cones and cuts them where one filling ends.
     element.part_count = 0;
     const auto add = [&](const Cone& cone, const Fluid& fluid) {
         circuit_.parts[element.first_part + element.part_count++] = {cone, fluid};
@@ -248,7 +248,7 @@ void NetworkFlow::read_back(const HydraulicState& state) {
     solution_.volume_flow_mm3_s.assign(state.flow_mm3_s.begin(),
                                        state.flow_mm3_s.begin() + static_cast<long>(segments));
     solution_.mass_flow_g_s.resize(segments);
-    std::vector<double> surplus(network_.node_count, 0.0);  // in minus out of the node
+    std::vector<double> surplus(network_.node_count, 0.0);  // inflow minus outflow of each node
     for (std::size_t i = 0; i < segments; ++i) {
         const double q = state.flow_mm3_s[i];
         solution_.mass_flow_g_s[i] =

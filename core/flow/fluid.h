@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What runs through the vessels: the homogeneous mixture of a liquid and a second phase, equations
-// (2) and (9) of the paper, and presets for both with their sources.
+// The fluid in the vessels: the homogeneous mixture of a liquid and a second phase, equations (2)
+// and (9) of the paper, and presets for both with their sources.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace hepatica {
 
-// One substance. `source` says where the two numbers come from, for display beside them.
+// One substance. `source` says where the two numbers come from and is displayed beside them.
 struct Phase {
     std::string name;
     double density_g_mm3 = 0.0;
@@ -25,15 +25,14 @@ Phase lipiodol();
 // A water-soluble carrier of the drug.
 Phase carrier();
 
-// "gas", "lipiodol" or "carrier", as the command line and the window name them; throws InputError
-// that lists these for any other name.
+// "gas", "lipiodol" or "carrier", as on the command line and in the window; throws InputError that
+// lists these for any other name.
 Phase second_phase(const std::string& name);
 std::vector<Phase> second_phases();
 // Their names, for messages: "gas, lipiodol, carrier".
 std::string names_of_second_phases();
 
-// The share of the volume that the second phase takes where nobody chose one: within the 0.386 to
-// 0.433 that the paper quotes.
+// Default volume fraction of the second phase: within the 0.386 to 0.433 that the paper quotes.
 inline constexpr double published_void_fraction = 0.40;
 
 // A homogeneous fluid as the pressure laws see it.
@@ -49,15 +48,14 @@ struct Fluid {
 // InputError that names the value where a property is not positive and finite.
 Fluid mixture(const Phase& liquid, const Phase& second, double void_fraction);
 
-// The phase alone, filling all of the lumen.
+// The phase alone.
 Fluid pure(const Phase& phase);
 
-// Two fluids that meet, `share` of the volume being the second, share in [0, 1]: the same two
-// rules.
+// A blend by the same two rules, where `share` in [0, 1] is the volume fraction of the second
+// fluid.
 Fluid blend(const Fluid& first, const Fluid& second, double share);
 
-// Throws InputError that names the offending property; the laws below rely on it having been
-// called.
+// Throws InputError that names the offending property. The pressure laws rely on this check.
 void validate(const Fluid& fluid);
 
 }  // namespace hepatica

@@ -78,7 +78,7 @@ struct HydraulicSolver::Subtrees {
     std::vector<double> drive;
 };
 
-// The law of every element linearised about its present flow: drop = intercept + slope * q.
+// Every element's law linearised about its present flow: drop = intercept + slope * q.
 struct HydraulicSolver::Linear {
     std::vector<double> slope;
     std::vector<double> intercept;
@@ -86,7 +86,7 @@ struct HydraulicSolver::Linear {
 
 namespace {
 
-// The flow out of each node. Inflow and outflow of a node must agree exactly, so the largest
+// Sums the flow out of each node. Inflow and outflow of a node must agree exactly, so the largest
 // outflow takes the rounding error.
 struct Outflows {
     explicit Outflows(const HydraulicCircuit& circuit)
@@ -107,8 +107,8 @@ struct Outflows {
     std::vector<double> largest_flow;
 };
 
-// Solves (entries below the diagonal, diagonal) x = rhs. Scaling to a unit diagonal keeps
-// conductances of 1e-30 and 1e30 in one matrix.
+// Solves a symmetric system (entries below the diagonal, diagonal) x = rhs. Scaling to a unit
+// diagonal keeps conductances of 1e-30 and 1e30 in one matrix.
 Eigen::VectorXd solve_scaled(std::vector<Eigen::Triplet<double>>& entries,
                              const std::vector<double>& diagonal, const Eigen::VectorXd& rhs) {
     const int count = static_cast<int>(diagonal.size());
@@ -132,8 +132,8 @@ Eigen::VectorXd solve_scaled(std::vector<Eigen::Triplet<double>>& entries,
 }
 
 struct Incidence {
-    std::vector<int> first;     // per node + 1
-    std::vector<int> elements;  // open ones that touch the node, in order
+    std::vector<int> first;     // per node, and the end
+    std::vector<int> elements;  // open ones at the node, in order
 };
 
 Incidence incidence_of(const HydraulicCircuit& circuit) {
@@ -205,8 +205,8 @@ HydraulicSolver::HydraulicSolver(const HydraulicCircuit& circuit) {
     }
 }
 
-// From the leaves to the roots: each subtree as its parent sees it, an outflow of
-// conductance * pressure - drive.
+// From the leaves to the roots: reduces each subtree to an outflow of conductance * pressure -
+// drive, as its parent sees it.
 void HydraulicSolver::eliminate_tree(const HydraulicCircuit& circuit, const Linear& linear,
                                      const HydraulicState& next, Subtrees& subtrees) const {
     const std::vector<HydraulicElement>& elements = circuit.elements;
@@ -282,7 +282,7 @@ void HydraulicSolver::solve_tree(const HydraulicCircuit& circuit, const Linear& 
     }
 }
 
-// A component that touches no fixed pressure floats: its root is tied to the pressure of rest, 0.
+// A component without a fixed pressure floats: its root is tied to the rest pressure, 0.
 void HydraulicSolver::tie_floating(const HydraulicCircuit& circuit,
                                    std::vector<double>& diagonal) const {
     const int count = static_cast<int>(order_.size());
@@ -390,7 +390,7 @@ void HydraulicSolver::evaluate(const HydraulicCircuit& circuit, const std::vecto
 }
 
 // The dissipation is convex along the step from `flow` to `full` and falls at its start. Shortens
-// the step until at its end it no longer rises by more than half of that.
+// the step until the slope at its end is at most half of that at its start, in absolute value.
 void HydraulicSolver::line_search(const HydraulicCircuit& circuit, const Linear& linear,
                                   const std::vector<double>& full, std::vector<double>& flow,
                                   std::vector<Drop>& drops) const {
@@ -430,7 +430,7 @@ HydraulicState HydraulicSolver::solve(const HydraulicCircuit& circuit, double re
     std::vector<Drop> drops(count);
     evaluate(circuit, flow, drops);
     Linear linear{std::vector<double>(count), std::vector<double>(count)};
-    // Pressures relative to the pressure at rest, so that a part at rest stays exactly at rest.
+    // Pressures are relative to the rest pressure, so that a part at rest stays exactly at rest.
     HydraulicState next{std::vector<double>(count, 0.0),
                         std::vector<double>(circuit.node_count, 0.0), 0};
     for (int n = 0; n < circuit.node_count; ++n)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steady flow in a circuit of nonlinear resistances: Newton on the node pressures with the flows as
 // the primary unknowns (the global gradient algorithm of Todini and Pilati, 1988), a line search on
-// the convex dissipation, O(elements) elimination where the circuit is a tree, sparse LDL^T else.
+// the convex dissipation, O(elements) elimination where the circuit is a tree, otherwise sparse
+// LDL^T.
 #pragma once
 
 #include <limits>
@@ -18,8 +19,8 @@ struct HydraulicPart {
     Fluid fluid;
 };
 
-// drop(q) = q (linear + power |q|^0.75 + quadratic |q|), q the volume flow in mm3/s from `from` to
-// `to`. Where |q| > laminar_limit the parts are asked instead of `linear` and `power`.
+// drop(q) = q (linear + power |q|^0.75 + quadratic |q|), where q is the volume flow in mm3/s from
+// `from` to `to`. Where |q| > laminar_limit, the laws of the parts replace `linear` and `power`.
 struct HydraulicElement {
     int from = -1;
     int to = -1;
@@ -32,11 +33,11 @@ struct HydraulicElement {
     bool open = true;
 };
 
-// The element's drop and its slope with respect to the volume flow.
+// The element's pressure drop and its slope with respect to the volume flow.
 Drop drop_of(const HydraulicElement& element, const std::vector<HydraulicPart>& parts, double q);
 
 // Sums the laws of parts [first_part, first_part + part_count) into the element's coefficients.
-// loss_coefficient is charged on the dynamic pressure at the proximal end of the first part.
+// loss_coefficient multiplies the dynamic pressure at the proximal end of the first part.
 void summarise(HydraulicElement& element, const std::vector<HydraulicPart>& parts, PressureLaw law,
                double loss_coefficient);
 
@@ -44,7 +45,7 @@ struct HydraulicCircuit {
     int node_count = 0;
     std::vector<HydraulicElement> elements;
     std::vector<HydraulicPart> parts;
-    std::vector<double> source_mm3_s;       // per node: what is injected there
+    std::vector<double> source_mm3_s;       // per node: volume flow injected there
     std::vector<double> fixed_pressure_pa;  // per node; NaN: the node is free
 
     explicit HydraulicCircuit(int nodes)
@@ -59,17 +60,17 @@ struct HydraulicState {
     int newton_steps = 0;
 };
 
-// Solves one circuit, and again after its elements' laws, sources or fixed pressures have changed:
-// the order of elimination is found once. Which elements are open, and which nodes are fixed, must
-// not change; make another solver then. Not thread-safe; several solvers may run side by side.
+// Solves a circuit, and again after its elements' laws, sources or fixed pressures have changed;
+// the order of elimination is found once. The open elements and the fixed nodes must not change;
+// make another solver then. Not thread-safe; several solvers may run side by side.
 class HydraulicSolver {
   public:
     explicit HydraulicSolver(const HydraulicCircuit& circuit);
 
-    // Starts from `guess` where given (flows of a like circuit), else from the laminar solution.
-    // A part that hangs on no fixed pressure and has no source is at rest at `rest_pressure_pa`,
-    // to which all others are computed relative.
-    // Throws InputError where a source has no way out, or where Newton does not converge.
+    // Starts from `guess` (flows of a similar circuit) where given, otherwise from the laminar
+    // solution. A component without a fixed pressure and without a source is at rest at
+    // `rest_pressure_pa`; all pressures are computed relative to it. Throws InputError where a
+    // source has no way out or Newton does not converge.
     HydraulicState solve(const HydraulicCircuit& circuit, double rest_pressure_pa,
                          const std::vector<double>* guess = nullptr) const;
 
@@ -96,7 +97,7 @@ class HydraulicSolver {
 
     std::vector<int> order_;           // free nodes, a parent before its children
     std::vector<int> parent_element_;  // per node; -1 at the root of a component
-    std::vector<int> terminal_first_;  // per node + 1: into terminals_
+    std::vector<int> terminal_first_;  // per node, and the end: into terminals_
     std::vector<int> terminals_;       // elements that end in a fixed node
     std::vector<int> loop_elements_;   // between free nodes, not in the spanning forest
     std::vector<int> between_fixed_;   // both ends fixed

@@ -39,7 +39,7 @@ void validate_options(const InjectionOptions& options) {
     check("terminal resistance in Pa s/mm3", options.terminal_resistance_pa_s_mm3, 0.0, 1e12);
 }
 
-// Puts the catheter in place and states what drives the flow. The drug is inlet 0.
+// Places the catheter and sets what drives the flow. The drug is inlet 0.
 void prepare(const VesselTree& tree, const InjectionOptions& options, InjectionResult& injection) {
     const TreePoint tip = options.tip ? *options.tip : main_root(tree);
     injection.network = network_of(tree, options.shape);
@@ -125,7 +125,8 @@ Fluid drug_of(const InjectionOptions& options) {
 
 namespace {
 
-// Blood, and what is injected into it, reaches the liver through arteries and the portal vein.
+// Order of preference: blood and injected fluids reach the liver through arteries and the portal
+// vein.
 int entry_rank(VascularSystem system) {
     switch (system) {
         case VascularSystem::artery:

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One injection from beginning to end: where the catheter is, what is injected and how, and what
-// follows from it as arrival times, flows, and series over time. The paper's section II.B as one
-// call.
+// One injection from start to end: where the catheter is, what is injected and how, and the
+// resulting arrival times, flows and series over time. The paper's section II.B in one call.
 #pragma once
 
 #include <filesystem>
@@ -14,47 +13,49 @@
 
 namespace hepatica {
 
-// The longest run without an end time, in multiples of the time that it takes to inject the volume
-// of the tree. In loops and between ends of equal pressure the blood hardly moves, and filling
-// would never end.
+// The longest run without a given end, in multiples of the time to inject the volume of the tree.
+// In loops and between ends of equal pressure the blood hardly moves, and filling would never end.
 inline constexpr double longest_run_in_fillings = 10.0;
 
 struct InjectionOptions {
-    // The catheter's tip; none: the root of the system that holds the most blood.
+    // The catheter's tip; none: the root of the system with the largest volume (see main_root).
     std::optional<TreePoint> tip;
-    // A wedged tip fills the lumen: only what is downstream of it is perfused. Past a free one the
-    // blood that enters at the root (blood_flow_g_s) carries the drug along, or is overcome by it.
+    // A wedged tip fills the lumen: only vessels downstream of it are perfused. Blood that enters
+    // at the root (blood_flow_g_s) passes a free tip and carries the drug along, or is pushed back
+    // by it.
     bool wedged = true;
     double blood_flow_g_s = 0.0;
 
     double mass_flow_g_s = 2.0;  // of the injected fluid; above 0
-    // Total pressure at the tip, instead of the mass flow; above outlet_pressure_pa.
+    // Total pressure at the tip instead of the mass flow; above outlet_pressure_pa.
     std::optional<double> inlet_pressure_pa;
     PressureLaw law = PressureLaw::regime;
-    // Fills the vessels before.
+    // The fluid in the vessels before the injection.
     Phase liquid = blood();
-    // The injected fluid: that liquid with this share of a second phase; 0 is the liquid itself.
+    // The injected fluid: that liquid with this volume fraction of a second phase; 0: the liquid
+    // alone.
     Phase second_phase = lipiodol();
     double void_fraction = 0.0;
     std::optional<double> drug_viscosity_pa_s;  // instead of (9)
 
     SegmentShape shape = SegmentShape::one_cone;
     double outlet_pressure_pa = 0.0;
-    // Of the vessels too small to see, all in parallel, shared out by Murray's law; 0: none.
+    // Resistance of the vessels too small to see, all in parallel, distributed by Murray's law; 0:
+    // none.
     double terminal_resistance_pa_s_mm3 = 0.0;
     double bifurcation_loss_coefficient = 0.0;
 
     std::vector<int> closed_segments;  // of the tree: clamped, plugged
-    std::vector<TreePoint> tears;      // through which both stumps bleed
+    std::vector<TreePoint> tears;      // both stumps bleed
 
     double injection_s = std::numeric_limits<double>::infinity();  // then the catheter is closed
-    // When the run ends; none: when nothing changes any more, at the latest after
+    // When the run ends; none: when nothing changes any more, and at most after
     // longest_run_in_fillings.
     std::optional<double> until_s;
-    // Between the samples of the series, which has no influence on the solution; none: a hundredth
-    // of the time it takes to inject the volume of the tree.
+    // Time between the samples of the series, which does not affect the solution; none: a hundredth
+    // of the time to inject the volume of the tree.
     std::optional<double> step_s;
-    FrontOptions front;                  // its injection_end_s is not looked at
+    FrontOptions front;                  // its injection_end_s is ignored
     std::vector<TreePoint> territories;  // whose drug is to be followed
     bool record_filled_lengths = false;  // per segment and sample
 };
@@ -87,24 +88,24 @@ struct InjectionResult {
     std::uint64_t steps = 0;
 };
 
-// Two fluids differ in splits that change as the vessels fill; the arrival times are those of the
-// stepped front, and equal the closed form where the drug has the blood's properties. Begins one
-// stage of the job. Throws InputError where an option is out of range or nothing can flow,
-// Cancelled.
+// With two different fluids the splits at branchings change while the vessels fill. The arrival
+// times are those of the stepped front, and equal the closed form where the drug has the blood's
+// properties. Begins one stage of the job. Throws InputError where an option is out of range or
+// nothing can flow, and Cancelled.
 InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, Job& job);
 
 // The injected fluid of these options.
 Fluid drug_of(const InjectionOptions& options);
 
-// Where the injection goes if nobody chose a place: the beginning of an artery where there is one,
-// else of the portal vein, of vessels of an unknown system, of hepatic veins, in this order; of
-// several pieces that which holds the most blood. Throws InputError if the tree is empty.
+// The default place of injection: the root of an artery if there is one, else of the portal vein,
+// of vessels of an unknown system, of hepatic veins, in this order; of several trees the one with
+// the largest volume. Throws InputError if the tree is empty.
 TreePoint main_root(const VesselTree& tree);
 
-// Mass flow of a tree's segment at the end, g/s from proximal to distal: of the stretch that
-// carries most, where the catheter or a tear divides the segment.
+// Mass flow of a tree segment at the end, g/s from proximal to distal; where the catheter or a tear
+// divides the segment, that of the part with the largest flow.
 double end_flow_g_s(const InjectionResult& injection, int tree_segment);
-// When any of a tree's segment is first reached; infinity: never.
+// When any part of a tree segment is first reached; infinity: never.
 double first_arrival_s(const InjectionResult& injection, int tree_segment);
 
 }  // namespace hepatica

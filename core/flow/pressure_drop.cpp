@@ -18,13 +18,13 @@ constexpr double laminar_reynolds = 2000.0;
 constexpr double turbulent_reynolds = 4000.0;
 constexpr double blasius = 0.079;
 
-// |m|^0.75 and |m|^1.75 by square roots: three times as fast as std::pow, and exact at 0.
+// |m|^0.75 by square roots: three times as fast as std::pow, and exact at 0.
 double power_three_quarters(double m) {
     return std::sqrt(m) * std::sqrt(std::sqrt(m));
 }
 
-// Mean of R^-n over a cone for the exponents that occur, in forms without a difference of radii.
-// a and b are the reciprocal end radii.
+// Mean of R^-n over a cone for the exponents that occur, in forms without a difference of radii. a
+// and b are the reciprocals of the end radii.
 double mean_r4(double a, double b) {
     return a * b * (a * a + a * b + b * b) / 3.0;
 }
@@ -59,7 +59,7 @@ RegimeLine transition_line() {
     return {laminar_end - laminar_reynolds * k, k};
 }
 
-// The part of the cone's length whose radius lies in [low, high], with its end radii.
+// The part of the cone's length whose radius is in [low, high], with its end radii.
 struct Stretch {
     double narrow;
     double wide;
@@ -76,7 +76,7 @@ Stretch stretch_between(const Cone& cone, double low, double high) {
     return {from, to, cone.length_mm * share};
 }
 
-// Friction where part of the cone is no longer laminar. m > 0.
+// Friction where part of the cone is no longer laminar. Requires m > 0.
 Drop regime_friction(const Cone& cone, const Fluid& fluid, double m) {
     const double mu = fluid.viscosity_pa_s;
     const double rho = fluid.density_g_mm3;
@@ -184,7 +184,7 @@ double dynamic_pressure_pa(double radius_mm, const Fluid& fluid, double mass_flo
 double bernoulli_drop_pa(const Cone& cone, const Fluid& fluid, double mass_flow_g_s) {
     const double a = 1.0 / cone.distal_radius_mm;
     const double b = 1.0 / cone.proximal_radius_mm;
-    // (a^4 - b^4) through the difference of the radii, which is exact where they are close.
+    // (a^4 - b^4) from the difference of the radii, which is exact where they are close.
     const double difference = (cone.proximal_radius_mm - cone.distal_radius_mm) * a * b;
     const double fourth_powers = difference * (a + b) * (a * a + b * b);
     const double m = mass_flow_g_s / pi;

@@ -9,7 +9,7 @@
 namespace hepatica {
 namespace {
 
-// Nodes by falling total pressure: flow falls in it, so that every inflow of a node comes before
+// Nodes by falling total pressure. Flow falls with it, so that every inflow of a node comes before
 // its outflows.
 std::vector<int> downstream_order(const FlowNetwork& network, const FlowSolution& solution) {
     std::vector<int> falling(network.node_count);
@@ -26,8 +26,8 @@ double entering_flow(const FlowSolution& solution) {
     return entering;
 }
 
-// Carries the share that has passed the point from `passed_share` of its segment downstream to all
-// others, and returns the share at each node.
+// Propagates the share that has passed the point downstream, from the segment of the point in
+// `passed_share` to all others; returns the share at each node.
 std::vector<double> carry_downstream(const FlowNetwork& network, const FlowSolution& solution,
                                      int start, std::vector<double>& passed_share) {
     const std::vector<double>& flow = solution.volume_flow_mm3_s;

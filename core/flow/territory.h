@@ -11,8 +11,8 @@ namespace hepatica {
 
 struct Territory {
     // Share of each segment's flow that has passed the point, per segment of the network: 1
-    // downstream of it on a tree, between 0 and 1 where loops bring other blood, else 0. A
-    // segment that the point divides counts as downstream; `begins_mm` says from where.
+    // downstream of it on a tree, between 0 and 1 where loops add other blood, otherwise 0. The
+    // segment of the point counts as downstream; it belongs to the territory from `begins_mm` on.
     std::vector<double> passed_share;
     int segment = -1;          // of the point
     double begins_mm = 0.0;    // distance of the point from that segment's proximal node
@@ -24,8 +24,8 @@ struct Territory {
     double volume_mm3 = 0.0;            // of the lumen downstream, weighted by passed_share
 };
 
-// Downstream is where the solved flow goes, not where the tree was rooted. `point` counts as in the
-// vessel tree. Costs O(segments); throws InputError where there is no such segment.
+// Downstream follows the solved flow, not the root of the tree. `point` is a point of the vessel
+// tree. Costs O(segments); throws InputError where there is no such segment.
 Territory territory_of(const FlowNetwork& network, const FlowSolution& solution,
                        const TreePoint& point);
 

@@ -11,8 +11,7 @@ double open_share(double excess_pa, const TubeWall& wall) {
     const double bending_pa = wall.young_modulus_pa * slenderness * slenderness * slenderness /
                               (12.0 * (1.0 - wall.poisson_ratio * wall.poisson_ratio));
     const double pressed = excess_pa / bending_pa;
-    // What presses is what the law says at a share between that without the term of the open tube
-    // and the open tube itself; the law falls all the way.
+    // The law falls monotonically; its solution lies between that without the term a^10 and 1.
     double low = std::pow(1.0 + pressed, -2.0 / 3.0), high = 1.0;
     constexpr int halvings = 60;
     for (int i = 0; i < halvings; ++i) {

@@ -40,7 +40,7 @@ Vec3 ForceLoop::place_of(const HapticPose& handle) const {
     return grip_->tool_mm + (handle.at_mm - grip_->handle.at_mm);
 }
 
-// From where the model has the tool. What it is still to turn counts from the commands before it.
+// Measured from the tool's pose in the model, whose remaining rotation is due to earlier commands.
 Vec6 ForceLoop::way_to(const HapticPose& handle) const {
     Vec6 way = way_between(led_, handle);
     way.head<3>() = place_of(handle) - centre_mm_;
@@ -48,8 +48,8 @@ Vec6 ForceLoop::way_to(const HapticPose& handle) const {
     return way;
 }
 
-// A new model goes on with the force of the one before it, which fades over a step. Where the tool
-// has come free nothing is left of it.
+// The force continues from that of the previous model; the difference fades over a step. Where the
+// tool has no contact, there is no difference.
 void ForceLoop::take(const LocalModel& model, const HapticPose& handle) {
     Vec6 before = Vec6::Zero();
     if (grip_) before = faded().both() + local_.at(way_to(handle)).both();
@@ -68,7 +68,7 @@ void ForceLoop::take(const LocalModel& model, const HapticPose& handle) {
     since_model_ = 0;
 }
 
-// What is no number must not reach a motor.
+// A value that is not finite must not reach a motor.
 HapticForce ForceLoop::within_limits(const Vec6& both) const {
     if (!both.allFinite()) return {};
     return {at_most(both.head<3>(), device_.traits().force_limit_un),

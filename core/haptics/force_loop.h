@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The haptic loop: from one sample of the device to the force that answers it, a thousand times a
-// second, and from its pose to commands, once a step of the simulation. A tick reads the device and
-// the newest local model, and is otherwise a pure function of its own state: no clock, no lock but
-// that of posting a command, no memory asked for but when a new model has more contacts than any.
+// The haptic loop: from one sample of the device to the force in response, a thousand times a
+// second, and from its pose to commands, once per step of the simulation. A tick reads the device
+// and the newest local model and otherwise depends only on its own state: no clock, no lock except
+// for posting a command, and no allocation unless a new model has more contacts than any before.
 //
 //   device pose ─► local model in series with the coupling ─► limits ─► passivity ─► device force
 #pragma once
@@ -20,27 +20,27 @@ namespace hepatica {
 
 struct ForceLoopOptions {
     double step_s = 1.0 / 60.0;  // of the simulation
-    // For measurements of what each of them does. By default the coupling is the stiffest that the
-    // device's traits allow.
+    // For measurements of their effects. By default the coupling is the stiffest that the device's
+    // traits allow.
     std::optional<double> coupling_un_per_mm{}, turn_coupling_un_mm{};
     bool controlled = true;  // by the passivity controller
 };
 
 // What one tick did.
 struct Tick {
-    bool lost = false;                 // the device is; nothing is written to it any more
-    bool tool = false;                 // one is in hand
+    bool lost = false;                 // the device is lost; nothing is written to it any more
+    bool tool = false;                 // a tool is in hand
     int contacts = 0;                  // of the local model
     HapticForce force{};               // as written
-    double damping_un_s_per_mm = 0.0;  // that passivity took
+    double damping_un_s_per_mm = 0.0;  // added by the passivity controller
 };
 
-// All of it on one thread. Device and models must outlive it.
+// Use it on one thread. Device and models must outlive it.
 class ForceLoop {
   public:
-    // `post` takes the commands that lead the tool, for example Session::post. A tool that is in
-    // hand is led from where it is by as much as the handle goes from where that is then: taking
-    // another tool is how a hand comes back into the middle of its space.
+    // `post` takes the commands that lead the tool, for example Session::post. A tool that comes
+    // into hand is led from its position by the displacement of the handle since then, so that
+    // taking another tool brings the hand back to the middle of its workspace.
     ForceLoop(HapticDevice& device, TripleBuffer<LocalModel>& models,
               std::function<void(Command)> post, const ForceLoopOptions& options = {});
 
@@ -69,8 +69,8 @@ class ForceLoop {
     };
     std::optional<Grip> grip_;
     Vec3 centre_mm_ = Vec3::Zero(), left_rad_ = Vec3::Zero();  // as in the model
-    HapticPose led_;              // that of the last commands; the turn of the model counts from it
-    Vec6 fading_ = Vec6::Zero();  // of the last model's force beyond that of this one
+    HapticPose led_;              // pose of the last commands; the model's rotation counts from it
+    Vec6 fading_ = Vec6::Zero();  // force of the last model minus that of this one
     int ticks_in_step_ = 1, since_model_ = 0, since_lead_ = 0;  // ticks
     std::uint64_t number_ = 0;
     int silent_ = 0;  // ticks without a new sample

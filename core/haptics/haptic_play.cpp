@@ -37,7 +37,8 @@ void HapticPlay::attach(std::shared_ptr<HapticDevice> device, const ForceLoopOpt
     device_ = std::move(device);
     tool_ = false;
     attached_ = true;
-    // A session that rests makes no frame by itself, from which the loop would learn of the tool.
+    // A resting session makes no frame, from which the loop would learn of the tool, without a
+    // command.
     if (session_.world().deform() != nullptr) session_.post(ShiftTool{});
     thread_ = std::jthread(
         [this, options](const std::stop_token& stop) { run(stop, *device_, options); });
@@ -45,7 +46,7 @@ void HapticPlay::attach(std::shared_ptr<HapticDevice> device, const ForceLoopOpt
 
 void HapticPlay::detach() {
     attached_ = false;
-    thread_ = {};  // asks it to stop and waits for that
+    thread_ = {};  // requests a stop and waits for it
     device_.reset();
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Joins a device to a session: hands the local model from the thread that steps to the force loop,
-// and runs the loop on a thread of its own, once a period, while a device is attached and a tool is
-// in hand. Otherwise that thread waits for one. What the hand does goes into the session's queue as
+// Connects a device to a session: passes the local model from the thread that steps to the force
+// loop, and runs the loop once a period on a thread of its own while a device is attached and a
+// tool is in hand; otherwise that thread waits. The hand's motions enter the session's queue as
 // commands like those of a mouse, so that recordings replay without a device.
 //
 //     HapticPlay haptics(session);
@@ -24,24 +24,24 @@ namespace hepatica {
 
 class HapticPlay {
   public:
-    // The session must outlive it, and no longer call after_step() when it ends.
+    // The session must outlive it and must no longer call after_step() when it ends.
     explicit HapticPlay(Session& session) : session_(session) {}
     ~HapticPlay() { detach(); }
 
     // --- any one thread ------------------------------------------------------------------------
-    // Takes the place of a device that is attached. Throws InputError for traits out of range.
+    // Replaces the attached device. Throws InputError for traits out of range.
     void attach(std::shared_ptr<HapticDevice> device, const ForceLoopOptions& options = {});
-    // Lets the force go and ends the thread: within a period.
+    // Switches the force off and ends the thread, within a period.
     void detach();
     // Empty, or what has happened to the device and what can be done.
     std::string message() const;
 
     // --- the thread that steps -----------------------------------------------------------------
-    // After each frame. Without a device it costs nothing. Neither waits nor throws: what cannot be
-    // felt is felt as nothing, and the message says why.
+    // To be called after each frame. Costs nothing without a device. Neither waits nor throws: on
+    // an error no force is felt, and the message says why.
     void after_step() noexcept;
 
-    // Called after each tick on the loop's thread, for measurements; before attach().
+    // Called after each tick on the loop's thread, for measurements; set it before attach().
     void on_tick(std::function<void(const Tick&)> see) { see_ = std::move(see); }
 
   private:
@@ -55,7 +55,7 @@ class HapticPlay {
     std::atomic<bool> attached_ = false;
     mutable std::mutex mutex_;
     std::condition_variable_any tool_comes_;
-    bool tool_ = false;  // one is in hand; under mutex_
+    bool tool_ = false;  // a tool is in hand; under mutex_
     std::string message_;
     std::shared_ptr<HapticDevice> device_;
     std::jthread thread_;

@@ -26,10 +26,10 @@ void LocalForce::take(const LocalModel& model) {
     energy_nj_ = 0.0;
 }
 
-// f >= 0, C (f - f0) >= wanted, and of each contact one of the two with equality: by principal
-// pivoting from the contacts that were pressed last. All that are wrong change at once, as long as
-// they become fewer; then the last one alone, which ends for every positive definite matrix (Judice
-// and Pires 1994).
+// Linear complementarity: f >= 0, C (f - f0) >= wanted, one of the two with equality per contact.
+// Principal pivoting from the last solution: all wrong contacts are exchanged at once while they
+// become fewer, then the last one alone, which terminates for every positive definite matrix
+// (Judice and Pires 1994).
 void LocalForce::solve(const Eigen::VectorXd& wanted) {
     const auto count = f0_.size();
     right_ = wanted + compliance_ * f0_;

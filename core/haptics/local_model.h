@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the force loop knows of the touched patch between two steps of the simulation: contacts, and
-// how they give way together. With the motion a of the tool into the body at each contact, from the
-// tool's last pose, the contact forces f >= 0 are those of
+// What the force loop knows of the touched patch between two steps of the simulation: contacts and
+// their common compliance. Let a be the displacement of the tool into the body at each contact,
+// since the tool's last pose. The contact forces f >= 0 are those of
 //   E(a) = max over f >= 0 of  a.f - (f - f0)^T C (f - f0) / 2,
-// f0 of the last step and C the compliance of pads and body. E is convex and the force on the tool
-// is its negative gradient: what is pressed in is given back and not more. A tool that is where it
-// was feels what the simulation says.
+// with the forces f0 of the last step and the compliance C of pads and body. E is convex and the
+// force on the tool is its negative gradient, so that no more work is given back than was put in.
+// At the last pose the forces are those of the simulation.
 #pragma once
 
 #include <vector>
@@ -15,8 +15,8 @@
 
 namespace hepatica {
 
-// And one more for each part of a tool beyond its first, whose contacts are not joined to the
-// others.
+// One more is possible for each further part of a tool, because contacts of different parts are not
+// joined.
 inline constexpr int most_local_contacts = 64;
 
 struct LocalContact {
@@ -25,26 +25,26 @@ struct LocalContact {
     double force_un = 0.0;       // f0, >= 0
 };
 
-// Of one step. What is handed to the loop; vectors keep their memory from step to step.
+// The model of one step, passed to the loop. Vectors keep their memory from step to step.
 struct LocalModel {
-    bool tool = false;              // one is in hand; otherwise the rest is empty
-    Vec3 centre_mm = Vec3::Zero();  // where the tool is
-    Vec3 left_rad = Vec3::Zero();   // how far it is still to turn
+    bool tool = false;              // a tool is in hand; otherwise the rest is empty
+    Vec3 centre_mm = Vec3::Zero();  // position of the tool
+    Vec3 left_rad = Vec3::Zero();   // its remaining rotation
     std::vector<LocalContact> contacts;
-    // Of pads and body [mm/uN], symmetric positive definite; a row for each contact.
+    // Compliance of pads and body [mm/uN], symmetric positive definite; one row per contact.
     Eigen::MatrixXd compliance;
 };
 
-// A model in series with the coupling of a device: a spring and a torsion spring, without which the
-// patch may be stiffer than the device can show. By it no force grows faster with the pose than by
-// the coupling's stiffness. Not thread-safe; allocates in take() alone.
+// A model in series with the coupling of a device: a spring and a torsion spring, because the patch
+// may be stiffer than the device can display. The stiffness that is felt is at most that of the
+// coupling. Not thread-safe; allocates only in take().
 class LocalForce {
   public:
-    // Stiffness > 0 [uN/mm], and of turns [uN mm/rad].
+    // Stiffness > 0 [uN/mm], and for rotations [uN mm/rad].
     LocalForce(double coupling_un_per_mm, double turn_coupling_un_mm);
 
     void take(const LocalModel& model);
-    // On a tool that is that far from the model's pose: mm, then rad about its centre.
+    // Force on a tool displaced from the model's pose: mm, then a rotation vector about its centre.
     HapticForce at(const Vec6& way);
     double energy_nj() const {
         return energy_nj_;
@@ -55,11 +55,11 @@ class LocalForce {
     void solve(const Eigen::VectorXd& wanted);
 
     Vec6 give_;                            // of the coupling: 1/stiffness
-    Eigen::Matrix<double, -1, 6> motion_;  // of each contact, into the body, by the way
+    Eigen::Matrix<double, -1, 6> motion_;  // per contact: motion into the body
     Eigen::MatrixXd compliance_;
     Eigen::VectorXd f0_, f_, apart_, wanted_, right_;
     Eigen::MatrixXd pressed_matrix_;
-    std::vector<char> pressed_;  // contacts with f > 0, of the last solution
+    std::vector<char> pressed_;  // contacts with f > 0 in the last solution
     std::vector<int> index_;
     double energy_nj_ = 0.0;
 };

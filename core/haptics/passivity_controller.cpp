@@ -9,8 +9,8 @@ namespace hepatica {
 namespace {
 
 constexpr double for_coupling = 0.3, for_braking = 0.6;  // of the device's damping
-constexpr double arm_mm = 10.0;       // by which forces and torques, ways and turns are compared
-constexpr double smoothing_s = 4e-3;  // of the velocity: an encoder's steps are coarse
+constexpr double arm_mm = 10.0;                          // lever arm between forces and torques
+constexpr double smoothing_s = 4e-3;  // of the velocity, because encoder steps are coarse
 constexpr double least_mm_per_s = 1e-3;
 
 Vec6 scaled(const HapticForce& force) {
@@ -37,7 +37,8 @@ PassivityController::PassivityController(const HapticTraits& traits)
       under_way_(static_cast<std::size_t>(std::ceil(traits.latency_s / traits.period_s - 1e-9)),
                  Vec6::Zero()) {}
 
-// As long as the handle goes on as it does: what `force` and those before it may still give.
+// If the handle keeps its velocity: the work that `force` and earlier forces without feedback may
+// still do.
 double PassivityController::under_way_nj(const Vec6& force) const {
     double power = force.dot(velocity_);
     for (const Vec6& earlier : under_way_) power += std::max(0.0, earlier.dot(velocity_));
@@ -52,7 +53,7 @@ HapticForce PassivityController::limited(const HapticForce& wanted, const Haptic
         credit_nj_ -= sample.work_nj - last_->work_nj;
     }
     last_ = sample;
-    // What the encoder's steps may hide of the work: half a step wherever the force changes.
+    // The work that encoder steps may hide: half a step wherever the force changes.
     credit_nj_ -= 0.5 * resolution_mm_ * (written_ - before_).norm();
     Vec6 force = scaled(wanted);
     damping_ = 0.0;

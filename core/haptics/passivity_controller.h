@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps the loop from making energy. A spring that is sampled, held and answered late gives back
-// more than was put in, by stiffness (T/2 + latency) v^2 in time; what is left of that after the
-// coupling's limit, and what new models of the patch bring, is caught here (time-domain passivity
-// control, Hannaford and Ryu 2002): the observer keeps the credit, which is the work that the hand
-// has put in; the controller adds the least damping that keeps it from being overdrawn until the
-// account of the forces now under way has come in.
+// Keeps the loop from creating energy. A spring that is sampled, held and delayed gives back more
+// than was put in, at the rate stiffness (T/2 + latency) v^2. The part of that beyond the
+// coupling's limit, and what new models of the patch add, is removed here (time-domain passivity
+// control, Hannaford and Ryu 2002). The observer keeps a credit, the work that the hand has put in;
+// the controller adds the least damping that keeps the credit from being overdrawn until the work
+// of the forces under way has been reported.
 //
-// The coupling's limit is that of Colgate and Schenkel (1997): a device of damping b shows a spring
-// K and a damper B stably if b > K T/2 + |B|; with the latency L, K (T/2 + L) stands for K T/2.
+// The coupling's limit is that of Colgate and Schenkel (1997): a device of damping b displays a
+// spring K and a damper B stably if b > K T/2 + |B|; with the latency L, K (T/2 + L) replaces K
+// T/2.
 #pragma once
 
 #include <vector>
@@ -16,8 +17,8 @@
 
 namespace hepatica {
 
-// The stiffest coupling of a device, with 3/10 of its damping; 6/10 are the controller's to brake
-// with. [uN/mm], and [uN mm/rad].
+// The stiffest coupling of a device, which uses 3/10 of its damping; 6/10 are left to the
+// controller. [uN/mm], and for rotations [uN mm/rad].
 double coupling_limit(double damping, const HapticTraits& traits);
 
 // Not thread-safe.
@@ -25,9 +26,9 @@ class PassivityController {
   public:
     explicit PassivityController(const HapticTraits& traits);
 
-    // What may be written now instead of what is wanted, which is 0 where nothing is touched: then
-    // it stays 0, and the touch begins anew. The credit is at most what the force can have stored
-    // on the way since the touch began: what was rubbed away does not pay for energy made later.
+    // The force to write instead of the wanted one. A wanted force of 0 (no contact) stays 0 and
+    // ends the touch. The credit is limited to what the force can have stored since the touch
+    // began, so that energy lost to friction does not pay for energy created later.
     HapticForce limited(const HapticForce& wanted, const HapticSample& sample);
 
     double credit_nj() const { return credit_nj_; }
@@ -38,7 +39,7 @@ class PassivityController {
 
     double period_s_, resolution_mm_;
     double most_damping_;
-    std::vector<Vec6> under_way_;  // a ring: forces of which no work has been heard yet
+    std::vector<Vec6> under_way_;  // a ring: forces whose work is not reported yet
     std::size_t next_ = 0;
     Vec6 written_ = Vec6::Zero(), before_ = Vec6::Zero();
     std::optional<HapticSample> last_;

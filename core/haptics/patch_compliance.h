@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a touched patch of a body gives way within one step: the block dt^2 J A^-1 J^T of the step's
-// matrix A = (1 + dt alpha) M + dt beta K + dt^2 K of eq. (12), with tether and without any tool.
-// It has a factor of its own, not the step's: that one holds the pad of the tool as well, at
-// whatever iterate it was made, and belongs to the solver. So the play's bits cannot depend on who
-// feels it.
+// The compliance of a touched patch of a body within one step: the block dt^2 J A^-1 J^T of the
+// step's matrix A = (1 + dt alpha) M + dt beta K + dt^2 K of eq. (12), with tether and without any
+// tool. It has its own factor, because the step's factor contains the tool's pad at some iterate
+// and belongs to the solver. So the bits of the play cannot depend on a device.
 #pragma once
 
 #include <optional>
@@ -19,21 +18,21 @@ namespace hepatica {
 // Not thread-safe.
 class PatchCompliance {
   public:
-    // Throws InputError where no body can be built. Edges are straight: of a quadratic body it is
-    // that of its vertices.
+    // Throws InputError where the body cannot be built. Uses linear elements, for a quadratic body
+    // on its vertices.
     explicit PatchCompliance(const BodyDescription& body, ElementModel model);
 
     const Body& body() const { return body_; }
 
-    // Factors A anew at these positions, one per vertex, where a vertex that is loaded has moved
-    // against the others by more than a tenth of the patch since the last factor: less is a turn or
-    // a stretch of a few degrees or per cent. Returns whether it did.
+    // Factors A again at these positions, one per vertex, if dt_s changed or a loaded vertex has
+    // moved relative to the others by more than a tenth of the patch, which is a rotation of a few
+    // degrees or a stretch of some per cent. Returns whether it did.
     bool follow(std::span<const Vec3> positions_mm, double dt_s, std::span<const SparseLoad> loads);
-    // The displacement of each load's place along it, under each other load [mm/uN]. Forces on held
-    // vertices do nothing.
+    // The displacement of each load's place along the load, under each of the loads [mm/uN]. Forces
+    // on fixed vertices have no effect.
     Eigen::MatrixXd block(std::span<const SparseLoad> loads, double dt_s) const;
 
-    // A at these positions.
+    // Assembles A at these positions.
     void assemble(std::span<const Vec3> positions_mm, double dt_s);
     const BlockMatrix& matrix() const { return matrix_; }
 
@@ -42,7 +41,7 @@ class PatchCompliance {
     Assembly assembly_;
     BlockMatrix matrix_;
     std::optional<TreeCholesky> factor_;
-    std::vector<Vec3> factored_mm_;  // where the factor was made
+    std::vector<Vec3> factored_mm_;  // positions at the last factor
     double factored_dt_s_ = 0.0;
 };
 

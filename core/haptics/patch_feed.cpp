@@ -7,7 +7,8 @@
 namespace hepatica {
 namespace {
 
-// Of so many contacts in a row those from here on that become one: of equal shares.
+// End of the group of contacts, starting at `begin`, that are joined into one; groups have equal
+// sizes.
 std::size_t end_of_share(std::size_t begin, std::size_t contacts) {
     const std::size_t shares = std::min<std::size_t>(contacts, most_local_contacts);
     const std::size_t share = begin * shares / contacts;
@@ -38,9 +39,9 @@ Eigen::MatrixXd PatchFeed::give(std::span<const Vec3> positions_mm, double dt_s)
     return compliance_->block(loads_, dt_s);
 }
 
-// Contacts come part by part, by the number of the triangle: neighbours in the list are neighbours
-// on the tool. A joined contact has their whole force, at its centre, and their stiffness side by
-// side. What friction adds to each newton of pressure tilts it, as the simulation left it.
+// Contacts are ordered by part and triangle, so that neighbours in the list are neighbours on the
+// tool. A joined contact has the sum of their forces, at their force-weighted mean, and the sum of
+// their stiffnesses.
 void PatchFeed::join(std::span<const PadContact> points, LocalModel& model) {
     for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
         LocalContact& contact = model.contacts.emplace_back();

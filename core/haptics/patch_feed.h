@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes the local model of a step from the deforming part: the points of the body that lie in the
-// tool's pad, joined to 64 contacts at most, and their compliance. Belongs to the thread that
-// steps.
+// Makes the local model of a step from the deforming part: the points of the body in the tool's
+// pad, joined to at most 64 contacts (see most_local_contacts), and their compliance. Belongs to
+// the thread that steps.
 #pragma once
 
 #include <optional>
@@ -15,10 +15,10 @@ namespace hepatica {
 
 class PatchFeed {
   public:
-    // As the part is after a step of dt_s. Costs nothing without a tool, a search for contacts with
-    // one, and where something touches some solves with a factor, which is made anew where the
-    // patch has turned or stretched. A body that is torn counts as stiff: its contacts give way by
-    // their pads alone.
+    // Fills the model from the part after a step of dt_s. Costs nothing without a tool, a search
+    // for contacts with one, and for contacts some solves with a factor, which is computed again
+    // where the patch has rotated or stretched. A torn body counts as rigid: only its pads are
+    // compliant.
     void fill(const DeformPart& part, double dt_s, LocalModel& model);
 
   private:
@@ -26,14 +26,14 @@ class PatchFeed {
     void join(std::span<const PadContact> points, LocalModel& model);
     Eigen::MatrixXd give(std::span<const Vec3> positions_mm, double dt_s);
 
-    // Of the body that it was made of.
+    // Belong to the body with the settings below.
     std::optional<PatchCompliance> compliance_;
     std::optional<ToolContact> contact_;
     double wall_mm_ = 0.0, tether_pa_per_mm2_ = 0.0;
     ElementModel model_ = ElementModel::corotated;
 
-    std::vector<SparseLoad> loads_;  // of each joined contact a unit force, and
-    std::vector<double> stiffness_;  // that of its pads [uN/mm]
+    std::vector<SparseLoad> loads_;  // a unit force for each joined contact
+    std::vector<double> stiffness_;  // stiffness of its pads [uN/mm]
 };
 
 }  // namespace hepatica

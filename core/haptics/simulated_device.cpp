@@ -7,7 +7,7 @@
 namespace hepatica {
 namespace {
 
-// By its series; the matrix is small against 1.
+// Sums the power series; meant for matrices whose norm is small compared to 1.
 Mat3 exponential(const Mat3& matrix) {
     constexpr int terms = 20;
     Mat3 sum = Mat3::Identity(), term = Mat3::Identity();
@@ -45,7 +45,7 @@ HapticPose SimulatedDevice::seen() const {
     return pose;
 }
 
-// The wrist turns as it will; the force moves the handle's place alone.
+// The wrist's rotation is prescribed; the force moves only the handle's position.
 void SimulatedDevice::move() {
     const HapticPose before = pose_, wanted = hand_.path(time_s());
     const Mat3& e = over_period_;

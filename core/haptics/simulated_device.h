@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A haptic device with the hand that holds it, in simulated time: each read() is a period later.
+// A haptic device with the hand that holds it, in simulated time: each read() is one period later.
 // The handle is a mass that the hand's spring pulls along a path and that joints and hand damp,
 //   m v' = F + k (path - x) - b v,
-// integrated exactly over each period, in which force and path are held. Poses are seen through an
-// encoder; they and the forces come late by a latency and a jitter of whole periods, drawn by a
-// seed.
+// integrated exactly over each period, during which force and path are constant. Poses pass through
+// an encoder; poses and forces are delayed by a latency and a random jitter of whole periods.
 #pragma once
 
 #include <deque>
@@ -21,31 +20,31 @@ struct SimulatedHand {
     double damping_un_s_per_mm = 5e3;   // of joints and hand, >= 0
     double encoder_mm = 0.0;            // its step; 0: exact
     std::uint64_t latency_periods = 0;  // of a pose, and again of a force
-    std::uint64_t jitter_periods = 0;   // drawn anew for each message, on top
+    std::uint64_t jitter_periods = 0;   // drawn for each message, added to the latency
     unsigned seed = 1;
-    std::function<HapticPose(double)> path =  // where the hand wants to be, by time [s]
+    std::function<HapticPose(double)> path =  // position that the hand wants, by time [s]
         [](double) { return HapticPose{}; };
 };
 
 class SimulatedDevice final : public HapticDevice {
   public:
-    // Its traits are those given, but for resolution and latency, which are the hand's.
+    // Its traits are the given ones, except for resolution and latency, which are the hand's.
     SimulatedDevice(const SimulatedHand& hand, HapticTraits traits);
 
     const HapticTraits& traits() const override { return traits_; }
     std::optional<HapticSample> read() noexcept override;
     void write(const HapticForce& force) noexcept override;
 
-    // From now on it is as if it had been pulled out.
+    // From now on the device behaves as if it were unplugged.
     void lose() { lost_ = true; }
 
-    // The truth, which a driver would not know.
+    // The true state, which a driver would not know.
     double time_s() const { return static_cast<double>(period_) * traits_.period_s; }
     const Vec3& at_mm() const { return pose_.at_mm; }
     const Vec3& velocity_mm_per_s() const { return velocity_; }
     const HapticForce& acting() const { return acting_; }
-    double work_nj() const { return work_nj_; }            // that its force has done on the hand
-    double most_work_nj() const { return most_work_nj_; }  // the greatest at any time
+    double work_nj() const { return work_nj_; }            // of its force on the hand
+    double most_work_nj() const { return most_work_nj_; }  // the largest at any time
 
   private:
     template <class T>
@@ -59,7 +58,7 @@ class SimulatedDevice final : public HapticDevice {
 
     SimulatedHand hand_;
     HapticTraits traits_;
-    Mat3 over_period_;  // of (x - path, v, F): exp of the motion's matrix times the period
+    Mat3 over_period_;  // transition of (x - path, v, F) over a period
     std::mt19937 draw_;
     std::uint64_t period_ = 0;
     HapticPose pose_;
@@ -70,7 +69,7 @@ class SimulatedDevice final : public HapticDevice {
     std::deque<Message<HapticSample>> samples_;
     std::deque<Message<HapticForce>> forces_;
     HapticSample newest_;
-    std::uint64_t last_sample_ = 0, last_force_ = 0;  // when they arrive
+    std::uint64_t last_sample_ = 0, last_force_ = 0;  // arrival of the last ones
     bool lost_ = false;
 };
 

@@ -17,7 +17,7 @@ VascularSystem system_of_node(const VesselTree& tree, int node) {
     return VascularSystem::unknown;
 }
 
-// The part of the resting flow that enters at each root of a system: by its calibre.
+// The share of the resting flow that enters at one root of a system: by the cube of its radius.
 double share_of_root(const FlowNetwork& network, const std::vector<int>& roots, int root) {
     const auto cube = [&](int node) {
         double widest = 0.0;
@@ -31,7 +31,7 @@ double share_of_root(const FlowNetwork& network, const std::vector<int>& roots, 
     return sum > 0.0 ? cube(root) / sum : 0.0;
 }
 
-// Resistances behind the outlets of one system that its resting flow takes at its pressure.
+// Resistances behind the outlets of one system that let its resting flow pass at its pressure.
 void add_beds(const VesselTree& tree, const FlowNetwork& network, VascularSystem system,
               double flow_mm3_s, double pressure_pa, std::vector<double>& resistance) {
     double sum = 0.0;
@@ -50,7 +50,7 @@ void add_beds(const VesselTree& tree, const FlowNetwork& network, VascularSystem
             resistance[o] = pressure_pa / flow_mm3_s * sum / weight(network.outlet_nodes[o]);
 }
 
-// Roots at rest, each supplied by its calibre; beds behind the ends.
+// Resting inflow at the roots, distributed by their calibre; beds behind the ends.
 FlowConditions conditions_of(const VesselTree& tree, const RestingFlow& rest,
                              const FlowNetwork& network) {
     FlowConditions conditions;
@@ -106,7 +106,7 @@ double Bleeding::pressure_in(int segment) const {
     }
 }
 
-// In steps, so that a tool that is held does not have the network solved at every step.
+// Shares are rounded to steps, so that a held tool does not cause a new solution at every step.
 void Bleeding::set_pressed(const std::vector<PressedStretch>& stretches, const TubeWall& wall) {
     std::vector<Squeeze> squeezes;
     for (const PressedStretch& pressed : stretches) {
@@ -127,9 +127,10 @@ double Bleeding::least_open_share() const {
     return least;
 }
 
-// What a pump of fixed flow would press through a vessel that is all but closed, the arteries
-// cannot: what enters a system falls in proportion to what its pressure leaves of theirs. The share
-// of the resting inflow for which both agree lies where they cross.
+// A pump of fixed flow would press blood through a vessel that is almost closed; arteries cannot.
+// The inflow of a system falls linearly from its resting value to 0 while the pressure at its inlet
+// rises from the resting one to that of the aorta. Finds the share of the resting inflow at which
+// both agree, by bisection.
 void Bleeding::limit_inflow(NetworkFlow& flow, const FlowConditions& conditions,
                             VascularSystem system) const {
     const double rest_pa = system == VascularSystem::portal ? rest_.portal_pa : rest_.artery_pa;

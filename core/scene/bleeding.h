@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What torn vessels lose: the tree at its resting inflow, with an opening into the surroundings at
-// each stump, and narrow where a tool presses on it harder than its blood does (tube_law.h). Solved
-// anew whenever it is torn further or pressed otherwise.
+// The blood loss of torn vessels: the tree at its resting inflow, with an opening into the
+// surroundings at each stump, narrowed where a tool presses on it harder than its blood does
+// (tube_law.h). Solved again when tears or pressures change.
 #pragma once
 
 #include <vector>
@@ -15,17 +15,17 @@
 
 namespace hepatica {
 
-// An adult of 70 kg at rest: hepatic artery 3.5, portal vein 13.5 ml/min/kg (Carlisle 1992). What
-// lies behind the ends of the vessels takes that at these pressures; a torn hepatic vein bleeds
-// back from the cava.
+// An adult of 70 kg at rest: hepatic artery 3.5, portal vein 13.5 ml/min/kg (Carlisle 1992). The
+// beds behind the vessels' ends take these flows at these pressures; a torn hepatic vein bleeds
+// back from the vena cava.
 struct RestingFlow {
     double portal_g_s = 16.7;
     double artery_g_s = 4.3;
-    double portal_pa = 1070.0;  // 8 mmHg over the tissue's, beyond which the liver's bed begins
+    double portal_pa = 1070.0;  // 8 mmHg above tissue pressure, at the liver's bed
     double artery_pa = 10700.0;
     double cava_pa = 670.0;
     double ambient_pa = 0.0;
-    // Of the arteries that drive both: what enters falls with what is left of it.
+    // Pressure of the aorta, which drives both; inflow falls as inlet pressure approaches it.
     double aorta_pa = 12700.0;
 };
 
@@ -34,17 +34,17 @@ class Bleeding {
   public:
     explicit Bleeding(const VesselTree& tree, const RestingFlow& rest = {});
 
-    // Costs a solution of the network where they are others than before.
+    // Costs a solution of the network where the tears are not those of the last call.
     void set_tears(const std::vector<ThroughTear>& tears);
-    // Likewise, where what they leave open is another by more than two fifths, or they are
-    // elsewhere by more than a millimetre. Costs nothing while nothing is torn.
+    // Costs a solution of the network where an open share changes by more than two fifths, or a
+    // place by more than a millimetre. Costs nothing while nothing is torn.
     void set_pressed(const std::vector<PressedStretch>& stretches, const TubeWall& wall);
-    // The least share of a lumen that is left open by what presses; 1 where nothing does.
+    // The least open share of a lumen under pressure; 1 where nothing presses.
     double least_open_share() const;
     void step(double dt_s) { leaked_g_ += leak_g_s_ * dt_s; }
 
     double leak_g_s() const { return leak_g_s_; }
-    // What bleeds at each of the tears that were set; together leak_g_s().
+    // Blood loss at each of the tears that were set; the sum is leak_g_s().
     const std::vector<ThroughTear>& tears() const { return tears_; }
     const std::vector<double>& leaks_g_s() const { return leaks_g_s_; }
     double leaked_g() const { return leaked_g_; }

@@ -30,7 +30,7 @@ std::vector<BranchRow> branch_rows(const VesselTree& tree, std::span<const Branc
         row.branch = static_cast<int>(s);
         row.system = segment.system;
         row.system_confidence = segment.system_confidence;
-        // A parent stands before its children.
+        // A parent precedes its children.
         if (segment.parent >= 0)
             row.generation = rows[static_cast<std::size_t>(segment.parent)].generation + 1;
         row.strahler_order = segment.strahler_order;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The branches of a patient's vessels as a table: what a planner reads off a tree.
+// The branches of a patient's vessels as a table, for planning.
 #pragma once
 
 #include <optional>
@@ -23,16 +23,16 @@ struct BranchRow {
     int couinaud = 0;  // segment of the liver that it supplies, 1 to 8; 0: several, or unknown
     double couinaud_confidence = 0.0;
     std::optional<double> flow_share;  // of the blood of its tree
-    Vec3 middle_mm = Vec3::Zero();     // half way along it
+    Vec3 middle_mm = Vec3::Zero();     // halfway along it
 };
 
-// One row a segment, in the tree's order. `labels` and `flow_shares` (flow_shares.h) are either
-// empty or one a segment.
+// One row per segment, in the tree's order. `labels` and `flow_shares` (flow_shares.h) are empty or
+// have one entry per segment.
 std::vector<BranchRow> branch_rows(const VesselTree& tree, std::span<const BranchLabel> labels,
                                    std::span<const double> flow_shares);
 
-// With a head line, a dot as decimal point and fields parted by commas; what is not known is an
-// empty field. Branches are numbered from 1.
+// With a header line, decimal points and comma-separated fields; unknown values are empty. Branches
+// are numbered from 1.
 std::string branch_table_csv(std::span<const BranchRow> rows);
 
 }  // namespace hepatica

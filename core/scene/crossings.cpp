@@ -12,7 +12,7 @@ namespace {
 
 using Corners = std::array<int, 3>;
 
-// Whether a vertex of one and a vertex of the other were one and have not come apart.
+// Whether a vertex of one and a vertex of the other were the same vertex and have not separated.
 bool lie_on_each_other(const DeformPart& deform, const Corners& one, const Corners& other) {
     const TornTopology* torn = deform.torn();
     if (torn == nullptr) return false;
@@ -29,8 +29,8 @@ bool lie_on_each_other(const DeformPart& deform, const Corners& one, const Corne
     });
 }
 
-// Pairs of triangles that cross now, but those of overlaps that are left out and those that do not
-// count: `counts(one, other)` is asked for the triangles of each.
+// Number of pairs of triangles that cross now, without overlaps that are left out and without those
+// for which `counts(one, other)` is false.
 template <class Counts>
 int count_crossings(const std::vector<Corners>& triangles, const SurfaceFeatures& features,
                     std::span<const Vec3> now_mm, const OverlapsKept& kept, const Counts& counts) {

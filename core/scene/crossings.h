@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How often a scene's vessels pass through each other or through obstacles, by exact predicates:
-// what contact promises never to happen.
+// How often a scene's vessels pass through each other or through obstacles, by exact predicates;
+// contact must keep this at zero.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@
 
 namespace hepatica {
 
-// Pairs of surface triangles that cross as the body lies now, of those surfaces that touch each
-// other in the scene, outside of what overlapped at rest and has not come apart yet, and of the
-// sides of a tear that still lie on each other: nearer than the critical opening, at a vertex that
-// was split. Costs a search over the whole surface.
+// Number of pairs of surface triangles that cross now, for surfaces that touch each other in the
+// scene. Not counted are pairs that overlapped at rest and have not separated yet, and the sides of
+// a tear that still lie on each other, that is, whose split vertices are nearer than the critical
+// opening. Costs a search over the whole surface.
 int crossing_pairs(const DeformPart& deform);
 
-// Likewise of a body that is whole, with its surface's triangles, at rest and as it lies now;
-// `kept` says what overlapped at rest and has not come apart.
+// The same for a whole body, given its surface triangles and its positions at rest and now; `kept`
+// are the overlaps that have not separated.
 int crossing_pairs(const std::vector<std::array<int, 3>>& triangles, std::span<const Vec3> rest_mm,
                    std::span<const Vec3> now_mm, const OverlapsKept& kept);
 

@@ -20,7 +20,7 @@ std::vector<int> ancestry(const VesselTree& tree, int segment) {
     return chain;
 }
 
-// The stretches of the way, by segment.
+// The parts of the way along the tree, by segment.
 std::map<int, Stretch> way_between(const VesselTree& tree, const TreePoint& from,
                                    const TreePoint& to) {
     std::map<int, Stretch> way;
@@ -41,7 +41,8 @@ std::map<int, Stretch> way_between(const VesselTree& tree, const TreePoint& from
     };
     climb(from, up);
     climb(to, down);
-    // One of the two may lie on the segment where the ways meet: the rest of it is on the way.
+    // If one of the two is on the segment where the ways meet, the rest of that segment is on the
+    // way.
     for (const TreePoint& end : {from, to})
         if (end.segment == *meet) way[*meet] = {end.arclength_mm, length_mm(tree.segments[*meet])};
     return way;

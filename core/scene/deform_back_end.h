@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which program computes the body that deforms: a name for recordings and measurements, and a way
-// to make its stepper.
+// Which back end computes the deforming body: its name in recordings and measurements, and a
+// function that makes its stepper.
 #pragma once
 
 #include <functional>
@@ -19,16 +19,16 @@ struct DeformBackEnd {
     std::function<std::unique_ptr<Stepper>(const BodyDescription&, const StepperOptions&,
                                            const LiveRegionOptions&)>
         make;
-    std::string device{};  // that makes the steps, by its own name; empty: the processor makes them
-    // On a device: the dial offers settings of the processor beside the device's.
+    std::string device{};  // name of the device that makes the steps; empty: the processor
+    // With a device: the dial also offers the processor's settings.
     bool beside_processor = false;
 };
 
-// Steps by `make`, governed alike for all. Where tissue holds the vessels only the stretches near
-// the hand and those that move are computed.
+// A GovernedStepper over `make`. Where tissue holds the vessels, only the parts near the hand and
+// those that move are computed.
 DeformBackEnd governed_back_end(std::string name, GovernedStepper::MakeBackEnd make);
 
-// The same on a device of that name; steps whose options want the processor are made there.
+// The same on the named device; steps with options.on_processor are made on the processor.
 DeformBackEnd device_back_end(std::string name, std::string device,
                               GovernedStepper::MakeBackEnd make);
 

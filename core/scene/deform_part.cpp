@@ -22,7 +22,7 @@ namespace hepatica {
 
 namespace {
 
-// Of its limit: a tool is led in pieces, and stops before the one that would be too much.
+// Counts as the limit, because a tool moves in increments and stops before exceeding it.
 constexpr double at_limit_share = 0.9;
 
 const MaterialPreset& material_named(const std::string& name) {
@@ -59,7 +59,7 @@ CoarseSkeleton skeleton_of(const VesselTree& tree) {
     return resample(polylines);
 }
 
-// What a tool cannot come through: see ToolObstacle.
+// The obstacles that a tool cannot pass: see ToolObstacle.
 std::vector<const Obstacle*> solids_of(const BodyDescription& body) {
     std::vector<const Obstacle*> solids;
     if (!body.obstacles) return solids;
@@ -146,7 +146,7 @@ void DeformPart::rebuild(BodyDescription body, const StepperOptions& setting) {
     give_state(*stepper, state());
     stepper->set_grabs(springs_of(hold_));
     if (body.touchable) stepper->set_tool(stepper_->tool());
-    // Nothing throws from here on.
+    // Nothing below throws, except for lack of memory.
     body_ = std::move(body);
     setting_ = setting;
     stepper_ = std::move(stepper);
@@ -190,16 +190,16 @@ void DeformPart::close_hand(int vertex, const Vec3& point_mm) {
     const Vec3 centre_at_rest = rest_mm_[vertex];
     Hold hold;
     for (std::size_t v = 0; v < positions.size(); ++v) {
-        // The vertices must be near at rest, too: a vessel that has merely moved beside this one is
-        // not held.
+        // The vertices must be near at rest, too, so that another vessel that lies beside this one
+        // is not held.
         const bool near = (positions[v] - centre_now).norm() <= radius_mm &&
                           (rest_mm_[v] - centre_at_rest).norm() <= 2.0 * radius_mm;
         if (near && fixed_[v] == 0) hold.vertices.push_back(static_cast<int>(v));
     }
     if (hold.vertices.empty()) hold.vertices.push_back(vertex);
     for (const int v : hold.vertices) hold.offsets_mm.push_back(positions[v] - point_mm);
-    // The springs together are as stiff as a piece of the vessel one radius long. Their force is
-    // limited: a weaker hand could not move a vessel that the tissue around it holds.
+    // All springs together are as stiff as a piece of the vessel one radius long. Their force limit
+    // is high, because a weaker hand could not move a vessel that its tissue holds.
     const double modulus_pa = body_.material.young_modulus_pa;
     const auto springs = static_cast<double>(hold.vertices.size());
     hold.target_mm = point_mm;
@@ -242,7 +242,7 @@ void DeformPart::set_hold(std::optional<Hold> hold) {
 void DeformPart::add_tool(const ToolChoice& choice, const Vec3& towards_mm) {
     Tool tool = tool_of(choice, towards_mm, body_.material.young_modulus_pa, hand_pressure_pa());
     const Vec3 direction = choice.direction.normalized();
-    // From outside: nothing of a plausible body is that far away.
+    // Starts outside: farther away than anything of a plausible body.
     Box box;
     for (const Vec3& x : positions_mm()) box.add(x);
     for (const Obstacle* solid : solids_of(body_))
@@ -360,7 +360,7 @@ void DeformPart::set_contact(const std::optional<double>& self_friction,
     body.obstacles = std::move(obstacles);
     std::unique_ptr<Stepper> stepper = back_end_.make(body, setting_, region_);
     stepper->set_gravity(gravity_mm_per_s2_);
-    // Nothing throws from here on.
+    // Nothing below throws, except for lack of memory.
     hold_.reset();
     obstacles_hash_ = body.obstacles ? hash_of(*body.obstacles) : 0;
     body_ = std::move(body);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// hepatica::DeformPart: how its body tears, and what is kept per vertex while it does.
+// hepatica::DeformPart: how its body tears, and how data per vertex follow.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,8 +21,9 @@ namespace {
 
 constexpr double blade_radii = 1.3;  // reach of a blade to both sides of a vessel's axis
 
-// 1 for each vertex that has come apart from one that it was, and nothing binds the two any more;
-// none before a joint has come apart wholly, which is when a body counts as torn.
+// 1 for each vertex that has come apart from another one that it was split from or with, and is no
+// longer tied to it. All 0 until a joint has come apart completely, because only then the body
+// counts as torn.
 std::shared_ptr<const std::vector<std::uint8_t>> rims_of(const Tearing& tearing) {
     auto rims = std::make_shared<std::vector<std::uint8_t>>(tearing.topology().vertex_count(), 0);
     if (tearing.report().joints_broken == 0) return rims;
@@ -203,7 +204,7 @@ void DeformPart::cut_line(const VesselTree& tree, const Vec3& from_mm, const Vec
     stepper_->weaken(joints, strength);
 }
 
-// The middle of the vessel as it lies now, about a radius along it.
+// The centre of the present positions of the vessel within a radius along it.
 Vec3 DeformPart::axis_near(const VertexPlace& place) const {
     const std::span<const Vec3> positions = positions_mm();
     Vec3 sum = Vec3::Zero();
@@ -225,8 +226,8 @@ void DeformPart::cut(const VesselTree& tree, const Vec3& from_mm, const Vec3& to
     const VertexPlace place = places_[vertex_near(middle)];
     BladeSweep sweep = blade_sweep(from_mm, to_mm, vessel_direction(tree, place.on_tree),
                                    blade_radii * place.radius_mm);
-    // The way may be drawn on the vessel's wall: the blade stands about its axis all the same, so
-    // that what lies behind the vessel is not cut.
+    // The way may be drawn on the vessel's wall, but the blade is centred on the vessel's axis, so
+    // that nothing behind the vessel is cut.
     const Vec3 edge = sweep.edge_mm.normalized();
     sweep.corner_mm += (axis_near(place) - middle).dot(edge) * edge;
     stepper_->cut(sweep.corner_mm, sweep.way_mm, sweep.edge_mm);

@@ -21,7 +21,7 @@ struct Arrivals {
     double mass_error_relative = 0.0;
 };
 
-// A drug like the blood that it displaces leaves the flow as it is, and the times are exact.
+// A drug like the blood that it displaces leaves the flow unchanged, and the times are exact.
 Arrivals steady_arrivals(const VesselTree& tree, const InjectionOptions& options) {
     FlowNetwork network = network_of(tree, options.shape);
     const int tip = place_catheter(network, *options.tip, options.wedged);
@@ -33,7 +33,7 @@ Arrivals steady_arrivals(const VesselTree& tree, const InjectionOptions& options
     return {arrival_times(network, solution, {tip}), solution.mass_error_relative};
 }
 
-// Another drug changes the splits of the bifurcations as it advances.
+// Any other drug changes the splits at bifurcations as it advances.
 Arrivals stepped_arrivals(const VesselTree& tree, const InjectionOptions& options, Job& job) {
     const InjectionResult result = inject(tree, options, job);
     return {result.arrival,
@@ -41,9 +41,8 @@ Arrivals stepped_arrivals(const VesselTree& tree, const InjectionOptions& option
                       result.balance.error_relative()})};
 }
 
-// The time at which the drug's clock ends: five times the median arrival time of the vertices that
-// are reached at all. Links with almost no flow would otherwise stretch clock and colours over
-// days.
+// When the drug's clock ends: five times the median arrival time of the reached vertices. Segments
+// with almost no flow would otherwise stretch clock and colours over days.
 double useful_end_s(const std::vector<float>& arrival_s) {
     std::vector<float> reached;
     for (const float time_s : arrival_s)
@@ -58,8 +57,8 @@ double filling_s(const VesselTree& tree, const InjectionOptions& options) {
            options.mass_flow_g_s;
 }
 
-// A tip within a radius of the place where a system is supplied means that place: nothing would be
-// left behind it but a stump.
+// A tip within a radius of the place where a system is supplied means that place; otherwise only a
+// stump would remain behind it.
 TreePoint at_supply_where_near(TreePoint tip, const VesselTree& tree) {
     const VesselSegment& segment = tree.segments[tip.segment];
     const bool begins_system = segment.parent < 0 && !segment.closes_loop;

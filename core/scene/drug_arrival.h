@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The result of an injection: when the drug reaches each vertex of what is shown. A drug that flows
-// like the blood it displaces has the times of the closed form, in O(segments + vertices); another
-// changes the splits of the bifurcations as it advances and has those of the stepped front, which
-// take seconds for a large tree.
+// The result of an injection: when the drug reaches each vertex that is shown. A drug that flows
+// like the blood that it displaces has the times of the closed form, in O(segments + vertices); any
+// other drug changes the splits at bifurcations as it advances and has those of the stepped front,
+// which take seconds for a large tree.
 #pragma once
 
 #include <memory>
@@ -24,25 +24,25 @@ struct Injection {
     std::string second_phase = default_injection::second_phase;      // gas, lipiodol or carrier
     std::string pressure_model = default_injection::pressure_model;  // published, consistent or
                                                                      // regime
-    double drug_viscosity_pa_s = 0.0;  // > 0; 0: what the mixture gives
+    double drug_viscosity_pa_s = 0.0;                                // > 0; 0: that of the mixture
 };
 
-// The same as core/flow/injection.h takes it: through a free tip, at the place where a system is
-// supplied if the injection is within a radius of it. Throws InputError for a value out of range.
+// The options for core/flow/injection.h: a free tip, placed where the system is supplied if the
+// injection is within a radius of that. Throws InputError for a value out of range.
 InjectionOptions injection_options(const Injection& injection, const VesselTree& tree);
 
-// The drug has the density and viscosity of blood, so that its times are the closed form's.
+// Whether the drug has the density and viscosity of blood, so that the closed form applies.
 bool flows_like_blood(const InjectionOptions& options);
 
 struct DrugArrival {
     std::shared_ptr<const std::vector<float>> arrival_s;  // per vertex; infinity: never reached
     double end_s = 0.0;  // when most vertices have been reached; some may be later
-    // Largest imbalance of a node of the flow, over what is injected.
+    // Largest imbalance of a node of the flow, relative to the injected flow.
     double mass_error_relative = 0.0;
 };
 
-// `places` are those of the vertices on the tree. The same bits on any thread. Throws InputError
-// where nothing can flow, Cancelled.
+// `places` are the vertices' places on the tree. The same bits on any thread. Throws InputError
+// where nothing can flow, and Cancelled.
 DrugArrival drug_arrival(const VesselTree& tree, std::span<const TreePoint> places,
                          const InjectionOptions& options, Job& job);
 

@@ -27,7 +27,7 @@ FlowPart::FlowPart(const VesselTree& tree, const std::vector<VertexPlace>& place
 }
 
 FlowPart::~FlowPart() {
-    // All are told before any is waited for.
+    // All are cancelled before any is waited for.
     for (const auto& run : ended_) run->cancel();
     if (run_) run_->cancel();
 }
@@ -53,7 +53,7 @@ void FlowPart::finish_injection(const std::stop_token& stop) {
     drug_.computing = false;
     const std::stop_callback told(stop, [&run] { run->cancel(); });
     DrugArrival arrival = run->take();
-    // Whether the run or the stop was faster, the outcome is the same.
+    // The outcome does not depend on whether the run or the stop was faster.
     if (stop.stop_requested()) throw Cancelled();
     start(run->injection(), std::move(arrival));
 }
@@ -70,7 +70,7 @@ void FlowPart::start(const Injection& injection, DrugArrival arrival) {
     follow_topology();
 }
 
-// A run that was told to stop may still be in a step of its front: nobody waits for it here.
+// A cancelled run may still be within a step of its front; it is not waited for here.
 void FlowPart::end_run() {
     drop_ended_runs();
     drug_.computing = false;
@@ -127,7 +127,7 @@ void FlowPart::step(double dt_s) {
     if (!drug_.playing) return;
     const double next_s = drug_.time_s + drug_.speed * dt_s;
     drug_.playing = next_s < drug_.end_s;
-    // A time beyond the end that somebody has set stays as it was set.
+    // A time beyond the end that was set by hand is kept.
     drug_.time_s = drug_.playing ? next_s : std::max(drug_.time_s, drug_.end_s);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of a world through which a drug runs: the injection, its clock, and the time at which
-// the front reaches each vertex.
+// The part of a world through which a drug flows: the injection, its clock, and the arrival times
+// of the front at the vertices.
 #pragma once
 
 #include <cstdint>
@@ -20,61 +20,62 @@
 
 namespace hepatica {
 
-// All that determines the part's steps to come, apart from the case and the scene's spec.
+// Everything that determines the part's next steps, apart from the case and the scene's spec.
 struct FlowCheckpoint {
     std::optional<Injection> injected;
     std::optional<Injection> computing;
     double time_s = 0.0;
     bool playing = false;
     double speed = 1.0;
-    // What came of `injected`, so that going back costs nothing; computed anew where it is empty,
-    // as it is in a file.
+    // The result of `injected`, so that going back costs nothing; computed again where it is empty,
+    // as after reading from a file.
     DrugArrival arrival{};
 };
 
 class FlowPart {
   public:
-    // `places` are those of the vertices of `topology`, which must outlive the part; what is kept
-    // per vertex follows it. Throws InputError for an empty tree.
+    // `places` are those of the vertices of `topology`, which must outlive the part; data per
+    // vertex follow it. Throws InputError for an empty tree.
     FlowPart(const VesselTree& tree, const std::vector<VertexPlace>& places, const FlowSpec& spec,
              const BodyTopology& topology);
     ~FlowPart();  // cancels what is being computed
 
-    // The vessels are full of blood, at rest but for the injection, and every outlet is at the same
-    // pressure. A drug that flows like blood is there at once, in O(segments + vertices); another
-    // is computed on a thread of its own, and what was injected before stays until
-    // finish_injection(). Ends what was being computed. Throws InputError for values out of range;
-    // everything then stays as it was.
+    // The vessels are full of blood, which rests except for the injection; every outlet has the
+    // same pressure. A drug that flows like blood is there at once, in O(segments + vertices); any
+    // other is computed on a thread of its own, and the last injection stays until
+    // finish_injection(). Cancels what is being computed. Throws InputError for values out of range
+    // and then changes nothing.
     void inject(const Injection& injection);
-    // An injection is being computed; and it is done, so that finish_injection() need not wait.
+    // Whether an injection is being computed; whether it is done, so that finish_injection() does
+    // not wait.
     bool computing() const { return run_ != nullptr; }
     bool injection_ready() const { return run_ != nullptr && run_->ready(); }
-    // Puts the injection that is being computed in the place of the last one and starts the drug's
-    // clock; waits for it where it is not done. Does nothing where none is being computed. Throws
-    // what computing it threw (InputError where nothing can flow; Cancelled soon after a stop was
-    // asked for); the last one then stays.
+    // Replaces the last injection by the computed one, for which it waits, and starts the drug's
+    // clock. Does nothing where none is being computed. Throws what the computation threw
+    // (InputError where nothing can flow; Cancelled soon after a stop is requested); the last
+    // injection then stays.
     void finish_injection(const std::stop_token& stop = {});
-    // Takes the drug away and ends what is being computed.
+    // Removes the drug and cancels what is being computed.
     void remove_drug();
     // The clock runs until the drug's end_s and stops there.
     void play(bool playing) { drug_.playing = playing && drug_.arrival_s != nullptr; }
-    void set_time(double time_s);   // >= 0, else InputError
-    void set_speed(double factor);  // > 0, else InputError
+    void set_time(double time_s);   // >= 0, otherwise InputError
+    void set_speed(double factor);  // > 0, otherwise InputError
     void step(double dt_s);
 
     FlowCheckpoint checkpoint() const;
-    // Goes on as the part that the checkpoint was taken from, on the same case; what was being
-    // computed is begun anew. Throws InputError where the checkpoint is not of this tree, and
-    // changes nothing then.
+    // Continues as the part that the checkpoint was taken from, on the same case; an injection that
+    // was being computed is started again. Throws InputError and changes nothing where the
+    // checkpoint is not of this tree.
     void restore(const FlowCheckpoint& checkpoint);
-    // Of all that a checkpoint holds but `arrival`, which follows from it.
+    // Hash of everything in a checkpoint except `arrival`, which follows from the rest.
     std::uint64_t state_hash() const;
 
     const DrugView& drug() const { return drug_; }
     // The place on the tree that a vertex belongs to.
     const TreePoint& place_of(int vertex) const { return (*places_)[vertex]; }
     double speed() const { return drug_.speed; }
-    // Largest imbalance of a node in the flow last injected, over what is injected.
+    // Largest imbalance of a node in the last injection's flow, relative to the injected flow.
     double mass_error_relative() const { return mass_error_relative_; }
 
   private:
@@ -86,13 +87,13 @@ class FlowPart {
 
     VesselTree tree_;
     const BodyTopology& topology_;
-    // Replaced and never changed, because a run may be reading it.
+    // Replaced but never changed, because a run may be reading it.
     std::shared_ptr<const std::vector<TreePoint>> places_;
     double mass_error_relative_ = 0.0;
     DrugView drug_;
     std::optional<Injection> injected_;               // what drug_ shows
-    std::unique_ptr<InjectionRun> run_;               // what is to take its place
-    std::list<std::unique_ptr<InjectionRun>> ended_;  // cancelled, on their way out
+    std::unique_ptr<InjectionRun> run_;               // what will replace it
+    std::list<std::unique_ptr<InjectionRun>> ended_;  // cancelled, not yet finished
 };
 
 }  // namespace hepatica

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One moment of the play, as everything that shows it sees it: a value that is never changed after
-// the simulation thread has published it.
+// One moment of the play, as shown: immutable once the simulation thread has published it.
 #pragma once
 
 #include <array>
@@ -22,10 +21,10 @@ struct GrabView {
     Vec3 point_mm = Vec3::Zero();
     Vec3 target_mm = Vec3::Zero();
     double force_un = 0.0;
-    bool at_limit = false;  // half of it or more pulls no harder, however far it is led
+    bool at_limit = false;  // at least half of the springs are at their force limit
 };
 
-// A tool beside the vessels, and what it feels.
+// A tool beside the vessels, and the load on it.
 struct ToolView {
     struct Part {  // a capsule
         Vec3 from_mm = Vec3::Zero();
@@ -35,34 +34,34 @@ struct ToolView {
     };
     std::vector<Part> parts;
     Vec3 centre_mm = Vec3::Zero();  // about which it turns
-    Vec3 tip_mm = Vec3::Zero();     // the middle of its parts' far ends
-    double opening_mm = 0.0;        // of jaws
+    Vec3 tip_mm = Vec3::Zero();     // the mean of its parts' far ends
+    double opening_mm = 0.0;        // of the jaws
     Vec3 force_un = Vec3::Zero();   // of vessels and obstacles on the tool
-    Vec3 at_mm = Vec3::Zero();      // the middle of where they touch it
-    double grip_un = 0.0;           // with which jaws hold
-    bool at_limit = false;          // it is not led further against such a force, nor closes
-    std::vector<int> touched;       // vertices of the triangles that it touches, ascending
+    Vec3 at_mm = Vec3::Zero();      // force-weighted mean of its contacts
+    double grip_un = 0.0;           // pressing the jaws apart
+    bool at_limit = false;          // near its force limit, where it neither moves on nor closes
+    std::vector<int> touched;       // vertices of the touched triangles, ascending
     bool operator==(const ToolView&) const = default;
 };
 
-// The drug front. Arrival times live on the vertices, so a frame costs only `time_s`.
+// The drug front. Arrival times belong to the vertices, so a frame costs only `time_s`.
 struct DrugView {
     std::shared_ptr<const std::vector<float>> arrival_s;  // per vertex; infinity: never reached.
                                                           // Null: nothing was injected
-    // What was injected and where, as core/flow takes it: run until end_s on the tree at rest, it
-    // gives the curves over time that belong to these arrival times. Null with arrival_s.
+    // The injection in the terms of core/flow: run until end_s on the tree at rest, it gives the
+    // curves over time that belong to these arrival times. Null where arrival_s is.
     std::shared_ptr<const InjectionOptions> injection;
     std::uint64_t version = 0;  // changes whenever arrival_s does
     double time_s = 0.0;        // since the injection began
-    double end_s = 0.0;  // when most vertices have been reached, some may be later: there the clock
-                         // stops by itself
-    bool playing = false;    // the drug's clock runs whenever the world is not paused; false where
-                             // nothing was injected, and from end_s on
-    double speed = 1.0;      // of its clock: seconds of the drug per second of the simulation
-    bool computing = false;  // another injection is being computed and will take this one's place
+    double end_s = 0.0;      // when most vertices have been reached (some may be later); the clock
+                             // stops there
+    bool playing = false;    // the clock runs unless the world is paused; false without an
+                             // injection, and from end_s on
+    double speed = 1.0;      // drug seconds per second of the simulation
+    bool computing = false;  // another injection is being computed and will replace this one
 };
 
-// Where a torn vessel bleeds, and its share of all that is lost.
+// Where a torn vessel bleeds, and its share of the total loss.
 struct LeakView {
     Vec3 at_mm = Vec3::Zero();
     double share = 0.0;
@@ -76,17 +75,17 @@ struct TearView {
     double entropy_produced_nats = 0.0;
     double leak_g_s = 0.0;  // out of stumps
     double leaked_g = 0.0;
-    double open_share = 1.0;  // of the lumen that a tool presses on most, while something bleeds
+    double open_share = 1.0;  // least open share of a lumen under a tool, while something bleeds
     std::vector<LeakView> leaks;
-    std::string stopped_by;  // "entropy" or "vertices"; empty: it goes on
-    // Of each vertex the one of the whole body that it comes from.
+    std::string stopped_by;  // "entropy" or "vertices"; empty: not stopped
+    // For each vertex, the vertex of the whole body that it comes from.
     std::shared_ptr<const std::vector<int>> origins;
-    std::shared_ptr<const std::vector<std::uint8_t>> rims;  // of each: 1 where it lies on a tear
-    // Of each: the most that a joint at it is loaded with, over its limit (1 tears), or 0 where
-    // that is less than half. Null where nothing is near its limit.
+    std::shared_ptr<const std::vector<std::uint8_t>> rims;  // per vertex: 1 on a tear
+    // Per vertex: the largest load over limit of its joints (joints tear at 1), or 0 where that is
+    // below a half. Null where all are 0.
     std::shared_ptr<const std::vector<float>> loads;
-    // Edges of the surface at which a weakened joint still holds: a cut line that has not torn yet.
-    // Null where there is none.
+    // Surface edges of weakened joints that still hold: a cut line that has not torn yet. Null
+    // where there are none.
     std::shared_ptr<const std::vector<std::array<int, 2>>> weak_edges;
 };
 
@@ -94,17 +93,17 @@ struct FrameStatistics {
     double step_ms = 0.0;           // wall time of the whole step: commands, world and this frame
     double real_time_factor = 1.0;  // simulated over wall time, at most 1
     int linear_iterations = 0;
-    double expected_error = 0.0;  // relative, of the present setting of the dial; 0: not known
-    std::string error_reference;  // what that error was measured against
+    double expected_error = 0.0;  // relative, of the present setting of the dial; 0: unknown
+    std::string error_reference;  // the reference of that error
     double quality = 0.0;         // of the present setting: 0 fastest, 1 most accurate
     bool automatic = false;       // the session picks the setting
     std::string setting;          // in words
-    std::string device;           // that makes the steps; empty: the processor does
+    std::string device;           // makes the steps; empty: the processor
     bool degraded = false;
-    bool paused = false;    // the world stands still, the drug's clock included
-    bool resting = false;   // nothing changes, and no other frame comes, until the next command
-    bool diverged = false;  // it was stopped by itself and taken back to its last good state;
-                            // RestoreSnapshot and SetPaused{false} go on from there
+    bool paused = false;    // the world stands still, and the drug's clock too
+    bool resting = false;   // nothing changes and no frame follows until the next command
+    bool diverged = false;  // it stopped and was taken back to its last good state; RestoreSnapshot
+                            // and SetPaused{false} go on from there
     std::string message;    // for the user; usually empty
 };
 
@@ -116,9 +115,9 @@ struct Frame {
     std::vector<float> positions_mm;                                 // x, y, z per vertex
     std::optional<GrabView> grab;
     std::optional<ToolView> tool;
-    // What stands in the way of vessels and tools; null where the scene has none. It never moves.
+    // The obstacles of vessels and tools, which never move; null where the scene has none.
     std::shared_ptr<const Obstacles> obstacles;
-    // Coulomb's coefficient of vessels that touch each other; none: they pass through each other.
+    // Coulomb's coefficient of vessels that touch each other; none: they do not touch.
     std::optional<double> self_friction;
     std::optional<TearView> tear;  // none where nothing can tear
     DrugView drug;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One injection that is computed beside the play, on a thread of its own, because no step has the
-// time for it. What it gives does not depend on when it is taken.
+// One injection that is computed on a thread of its own during play, because it takes longer than a
+// step. Its result does not depend on when it is taken.
 #pragma once
 
 #include <future>
@@ -14,21 +14,21 @@ namespace hepatica {
 
 class InjectionRun {
   public:
-    // Begins at once. The tree must outlive it. Throws std::system_error where no thread is to be
-    // had.
+    // Starts at once. The tree must outlive it. Throws std::system_error where no thread can be
+    // created.
     InjectionRun(const VesselTree& tree, std::shared_ptr<const std::vector<TreePoint>> places,
                  Injection injection);
-    // Cancels and joins: at most one step of the front, some milliseconds.
+    // Cancels and joins, which waits for at most one step of the front, some milliseconds.
     ~InjectionRun();
     InjectionRun(const InjectionRun&) = delete;
     InjectionRun& operator=(const InjectionRun&) = delete;
 
     const Injection& injection() const { return injection_; }
-    // It has ended, with a result or an error.
+    // Whether it has ended, with a result or an error.
     bool ready() const;
-    // Waits for the end; once only. Throws what computing it threw.
+    // Waits for the end; may be called once. Throws what the computation threw.
     DrugArrival take() { return result_.get(); }
-    // Ends it soon; ready() says when. Does not wait.
+    // Asks it to end soon and does not wait; see ready().
     void cancel() { job_.cancel(); }
 
   private:

@@ -10,10 +10,10 @@
 namespace hepatica {
 namespace {
 
-// Within this many radii of a tear its rims are looked for.
+// The rims of a tear are searched for within this many radii.
 constexpr double near_radii = 2.5;
 
-// Of the vessel, away from the root.
+// Direction of the vessel, away from the root.
 Vec3 direction_at(const VesselSegment& vessel, double arclength_mm) {
     constexpr double around_mm = 0.5;
     return station_at(vessel, arclength_mm + around_mm).position_mm -

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float level = 0.5f;
 
-// The cell at a voxel has it as its lowest corner; -1 where the surface does not pass it.
+// A cell is numbered by its lowest voxel; its vertex is -1 where the surface does not pass it.
 class Net {
   public:
     explicit Net(const FloatVolume& share) : share_(share), vertex_of_(share.grid, -1) {}
@@ -30,7 +30,7 @@ class Net {
     float at(const Index3& i) const { return share_.at(i[0], i[1], i[2]); }
     bool inside(const Index3& i) const { return at(i) >= level; }
 
-    // In the middle of where the surface cuts the cell's edges.
+    // Places the vertex at the mean of the points where the surface cuts the cell's edges.
     void add_vertex(const Index3& cell) {
         Vec3 sum = Vec3::Zero();
         int cuts = 0;
@@ -53,7 +53,7 @@ class Net {
         mesh_.vertices_mm.push_back(share_.grid.to_mm(Vec3(sum / cuts)));
     }
 
-    // Of the four cells around the edge from a voxel to the next one.
+    // Adds the quadrangle of the four cells around the edge from a voxel to the next one.
     void add_quadrangle(const Index3& from, std::size_t axis) {
         Index3 to = from;
         ++to[axis];

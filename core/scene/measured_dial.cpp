@@ -16,8 +16,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// 1 was measured with a pull by three radii, and costs were medians; 2 without tension. 4 holds
-// points of a device, which programs that know 3 would take for the processor's.
+// Version 1 was measured with a pull by three radii, and costs were medians; 2 without tension.
+// Version 4 has points of a device, which programs that know 3 would take for the processor's.
 constexpr int oldest_version = 3, device_version = 4;
 const std::string processor = "cpu";
 constexpr double most_error = 0.5;
@@ -50,7 +50,7 @@ StepperOptions in_substeps(int substeps) {
 }  // namespace
 
 QualityDial built_in_dial(std::size_t tetrahedra) {
-    // The front of the dial.json that these commands leave in CASE:
+    // The front of the dial.json that these commands write to CASE:
     //     hepatica-cli phantom P --seed 2 --dims 128,128,96 --spacing 1.6,1.6,1.7 --generations 4
     //     hepatica-cli reconstruct P/ct --vessel-mask P/truth_mask.nii.gz --out CASE
     //         --tetrahedra 3000

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double cells_in_diameter = 10.0, finest_mm = 1.0, coarsest_mm = 4.0;
 constexpr double smoothing = 0.5;  // of a cell
-constexpr double reach = 4.0;      // of the smoothing: nothing of the surface is cut off
+constexpr double reach = 4.0;      // in units of the smoothing: nothing of the surface is cut off
 
 constexpr double closed_mm = 6.0, closed_spacing_mm = 2.0;
 
@@ -25,7 +25,7 @@ Mask part_of(const Mask& organ, const IndexBox& box, double margin_mm) {
     return crop(organ, grow_box(box, organ.grid, margin_mm));
 }
 
-// Masks of livers may have the vessels carved out: tunnels as wide as a portal vein are closed.
+// The vessels may be cut out of a liver mask: tunnels as wide as a portal vein are closed.
 Mask closed_liver(const Mask& liver) {
     Job job;
     const Mask part = part_of(liver, bounding_box(liver), 2.0 * closed_mm);
@@ -34,7 +34,7 @@ Mask closed_liver(const Mask& liver) {
                  closed_mm, job);
 }
 
-// The surface of what is not 0, its holes filled; empty where nothing is left of it.
+// The surface of the nonzero voxels with holes filled; empty where nothing remains.
 TriangleMesh smooth_surface(const Mask& organ) {
     const IndexBox box = bounding_box(organ);
     if (box.empty()) return {};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a patient's organs stands in the way of his vessels: his tumours, which they do not
-// enter, and the liver, which what is in it does not leave. Rigid, and made of voxels: smooth
-// surfaces as coarse as contact needs.
+// The organs that act as obstacles: tumours, which vessels do not enter, and the liver, which the
+// vessels inside do not leave. They are rigid, with smooth surfaces made from voxels, as coarse as
+// contact needs.
 #pragma once
 
 #include <memory>
@@ -12,13 +12,13 @@
 
 namespace hepatica {
 
-// The liver, tumours included and tunnels of vessels closed, then each tumour by its number; those
-// that there are. A cell of a surface is a tenth of a ball's diameter that has the organ's volume,
-// from 1 to 4 mm.
+// The liver, including tumours and with tunnels of vessels closed, then each tumour by its number,
+// as far as there are any. The cells of a surface are a tenth of the diameter of a ball with the
+// organ's volume, limited to 1 to 4 mm.
 std::vector<Obstacle> obstacles_in(const Mask& organs);
 
-// Those that a scene asks for; null where it does not, or asks for what is known and nothing is.
-// Throws InputError where it demands some and the case knows none, or cannot be read.
+// The obstacles that a scene asks for; null where it asks for none, or for the known ones and there
+// are none. Throws InputError where it requires some and the case has none, or cannot be read.
 std::shared_ptr<const Obstacles> obstacles_for(const PatientCase& patient,
                                                const std::optional<ContactSpec>& contact);
 

@@ -33,7 +33,7 @@ std::vector<PressedStretch> pressed_stretches(const ToolLoad& load,
         stretch.to_mm = std::max(stretch.to_mm, along);
         radius_mm[on_tree.segment] = std::max(radius_mm[on_tree.segment], radius);
     }
-    // Each of two jaws presses with the grip on its half.
+    // Each of two jaws presses on its half with the grip.
     const double force_un = std::max(load.force_un.norm(), 2.0 * load.grip_un);
     std::vector<PressedStretch> stretches;
     if (!(area_mm2 > 0.0) || !(force_un > 0.0)) return stretches;

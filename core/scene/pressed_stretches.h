@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where on the vessel tree a tool presses, and how hard: its force over the surface that it
-// touches, jaws from both sides.
+// Where on the vessel tree a tool presses, and with what pressure: its force over the surface that
+// it touches; jaws press from both sides.
 #pragma once
 
 #include <array>
@@ -19,12 +19,12 @@ struct PressedStretch {
     bool operator==(const PressedStretch&) const = default;
 };
 
-// A third of the area of each triangle to each of its vertices.
+// Distributes the area of each triangle equally to its vertices.
 std::vector<double> vertex_areas_mm2(std::span<const std::array<int, 3>> triangles,
                                      std::span<const Vec3> vertices_mm);
 
-// One stretch for each segment that is touched, by ascending segment, at least a radius long.
-// `places` and `areas_mm2` are per vertex.
+// One entry for each touched segment, in ascending order, at least a radius long. `places` and
+// `areas_mm2` are per vertex.
 std::vector<PressedStretch> pressed_stretches(const ToolLoad& load,
                                               std::span<const VertexPlace> places,
                                               std::span<const double> areas_mm2);

@@ -19,8 +19,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// Reads the known keys of one JSON object and refuses the rest, so that a misspelt key is not
-// silently ignored.
+// Reads the known keys of a JSON object and refuses others, so that a misspelt key is not silently
+// ignored.
 class Fields {
   public:
     Fields(const Json& json, std::string where) : json_(json), where_(std::move(where)) {
@@ -110,7 +110,7 @@ FlowSpec flow_from(const Json& json) {
     return spec;
 }
 
-// All that the case knows, or what is named. Friction alone names nothing.
+// Everything that the case knows, or only what is named. A friction alone does not count as naming.
 ContactSpec contact_from(const Json& json) {
     const bool all = json.is_object() && json.size() == json.count("friction");
     ContactSpec spec{.tools = all,

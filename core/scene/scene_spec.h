@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which parts a scene requires, and their settings. What is not named is not built: a flow lesson
-// makes no tetrahedra's matrices and no solver, a drag lesson no flow network.
+// Which parts a scene requires, and their settings. Parts that are not named are not built: a flow
+// lesson has no matrices of tetrahedra and no solver, a drag lesson no flow network.
 #pragma once
 
 #include <filesystem>
@@ -15,23 +15,24 @@
 
 namespace hepatica {
 
-// Which ends of the tree are fixed: roots are those where a system begins. With all of them fixed a
-// hard pull stretches thin side branches to several times their length; the default leaves them to
-// the tether, as tissue does.
+// Which ends of the tree are fixed; roots are those where a system begins. With all ends fixed, a
+// hard pull stretches thin side branches to several times their length; by default the tether holds
+// these, as tissue does.
 enum class FixedEnds { none, roots, all };
 
 struct DeformSpec {
     std::string material = "portal vein";  // name of a preset, see core/deform/body/material.h
     FixedEnds fixed = FixedEnds::roots;
     Vec3 gravity_mm_per_s2 = Vec3::Zero();
-    // Pull of the tissue around to the place at rest, per volume; 0: none. An order of magnitude:
-    // the vessel still follows most of the hand's way, and steps do not fail.
+    // Stiffness of the surrounding tissue per volume, see BodyDescription; 0: none. The default is
+    // an order of magnitude: the vessel still follows most of the hand's way, and steps do not
+    // fail.
     double tether_pa_per_mm2 = 20.0;
-    // Thickness of the vessels' wall, see validate_wall; 0: solid. See make_hollow in
+    // Wall thickness of the vessels, see validate_wall; 0: solid. See make_hollow in
     // core/deform/body/body.h.
     double wall_mm = 0.0;
-    double quality = 0.5;  // the dial, 0 to 1
-    // One setting exactly, instead of the dial's: what a recording begins with.
+    double quality = 0.5;  // on the dial, 0 to 1
+    // A fixed setting instead of the dial's: what a recording begins with.
     std::optional<StepperOptions> setting{};
     RayleighDamping velocity_error{};  // E of eq. (11), for every setting; see StepperOptions
 };
@@ -40,16 +41,16 @@ struct FlowSpec {
     double drug_speed = 1.0;  // drug seconds per simulated second
 };
 
-// The liver's surface and tumours: none, those that the case knows, be it none, or some at any
-// rate.
+// The liver's surface and tumours as obstacles: none; those that the case knows, if any; or at
+// least one required.
 enum class WantedObstacles { none, known, required };
 
 // What may touch what. Needs "deform".
 struct ContactSpec {
     bool tools = true;  // a tool and the vessels
-    bool self = false;  // the vessels among each other, and each with itself
+    bool self = false;  // the vessels and each other or themselves
     WantedObstacles obstacles = WantedObstacles::none;
-    double friction = 0.0;  // Coulomb's of vessels among each other, see below; needs `self`
+    double friction = 0.0;  // Coulomb's, between vessels, 0 to greatest_friction; needs `self`
 
     bool all() const { return tools && self && obstacles == WantedObstacles::known; }
     bool nothing() const { return !tools && !self && obstacles == WantedObstacles::none; }
@@ -57,15 +58,15 @@ struct ContactSpec {
 
 // What tears, and when it stops. Needs "deform".
 struct TearSpec {
-    double tear_factor = 1.0;  // of the tissue's strength, see MaterialPreset
+    double tear_factor = 1.0;  // multiplies the tissue's strength, see MaterialPreset
     TearStop stop = TearStop::none;
-    double entropy_budget = 0.5;  // nats, where the entropy stops it
-    int vertex_budget = 200;      // vertices split off, where their number stops it
-    bool bare_limit = false;      // a bare force limit, as published: see TearLaw
+    double entropy_budget = 0.5;  // nats; for TearStop::entropy
+    int vertex_budget = 200;      // vertices split off; for TearStop::vertices
+    bool bare_limit = false;      // a plain force limit, as published: see TearLaw
     bool operator==(const TearSpec&) const = default;
 };
 
-// Throws InputError unless 0 to greatest_friction.
+// Throws InputError unless the coefficient is from 0 to greatest_friction.
 constexpr double greatest_friction = 10.0;
 void validate_friction(double friction);
 
@@ -74,7 +75,7 @@ struct SceneSpec {
     std::optional<DeformSpec> deform = DeformSpec{};
     std::optional<FlowSpec> flow = FlowSpec{};
     std::optional<ContactSpec> contact{};  // none: nothing is built for it
-    std::optional<TearSpec> tear{};        // likewise
+    std::optional<TearSpec> tear{};        // none: nothing is built for it
     double dt_s = frame_s;                 // 1e-4 to 1
 };
 
@@ -83,7 +84,7 @@ constexpr double thinnest_wall_mm = 0.01;
 constexpr double thickest_wall_mm = 100.0;
 void validate_wall(double wall_mm);
 
-// Body and flow, with their defaults: what the window opens a case with.
+// Body and flow with their defaults: the scene with which the window opens a case.
 SceneSpec default_scene();
 
 nlohmann::ordered_json to_json(const SceneSpec& spec);

@@ -18,8 +18,7 @@ namespace {
     throw InputError(problem, "setting: " + key, "Correct the scene or recording");
 }
 
-// More of either would keep a step busy for longer than anybody waits: no step looks up before it
-// is done.
+// Larger counts would keep a step busy for longer than anybody waits.
 constexpr int most_linear_iterations = 20000;
 constexpr int most_newton_iterations = 100;
 constexpr int most_substeps = 64;

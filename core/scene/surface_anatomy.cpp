@@ -39,7 +39,7 @@ SurfaceAnatomy::SurfaceAnatomy(const VesselTree& tree, std::span<const Vec3> res
             parent_[s] < 0 ? static_cast<int>(s) : root_[static_cast<std::size_t>(parent_[s])];
         if (parent_[s] >= 0) has_child[static_cast<std::size_t>(parent_[s])] = true;
     }
-    // A parent stands before its children.
+    // A parent precedes its children.
     for (std::size_t s = segments; s-- > 0;) {
         if (!has_child[s]) ends_[s] = 1;
         if (parent_[s] >= 0) ends_[static_cast<std::size_t>(parent_[s])] += ends_[s];

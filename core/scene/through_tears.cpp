@@ -30,7 +30,7 @@ std::vector<ThroughTear> through_tears(const VesselTree& tree, const Tearing& te
     std::vector<ThroughTear> found;
     if (tearing.report().vertices_split == 0) return found;
     const std::vector<int> piece = tearing.topology().piece_of_vertices(tearing.bound_pairs());
-    // Pieces in each stretch of each segment; stretches without tetrahedra are not there.
+    // Pieces in each section of each segment; sections without tetrahedra are missing.
     std::vector<std::map<int, std::map<int, int>>> along(tree.segments.size());
     for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
         const TreePoint& at = tetrahedra[t].on_tree;
@@ -41,7 +41,7 @@ std::vector<ThroughTear> through_tears(const VesselTree& tree, const Tearing& te
         const double radius = radius_at(tree.segments[s], arclength_mm);
         found.push_back({{s, arclength_mm, 0.0}, std::numbers::pi * radius * radius});
     };
-    // Meshes of several systems are pieces from the beginning, but no segment is of two.
+    // Meshes of several systems are separate pieces from the start, but no segment is in two.
     for (std::size_t s = 0; s < tree.segments.size(); ++s) {
         int before = -1;
         const int parent = tree.segments[s].parent;

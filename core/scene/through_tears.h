@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a body is torn through: vessels of which one part no longer hangs together with the next.
+// Where a body is torn through: vessels of which one part is no longer connected to the next.
 #pragma once
 
 #include <span>
@@ -19,8 +19,8 @@ struct ThroughTear {
     }
 };
 
-// Segment after segment along its length, in stretches of `stretch_mm`, by the piece that most
-// tetrahedra of each stretch are of. `tetrahedra` has the place of each.
+// Compares consecutive sections of `stretch_mm` along each segment by the piece that most
+// tetrahedra of a section belong to. `tetrahedra` has the place of each tetrahedron.
 std::vector<ThroughTear> through_tears(const VesselTree& tree, const Tearing& tearing,
                                        std::span<const VertexPlace> tetrahedra, double stretch_mm);
 

@@ -12,7 +12,7 @@ namespace hepatica {
 
 namespace {
 
-// How far along its segment the centreline point nearest to a position lies.
+// The point on a segment's centreline nearest to a position.
 TreePoint on_segment(const VesselSegment& segment, int id, const Vec3& position_mm) {
     TreePoint best{id, 0.0, std::numeric_limits<double>::infinity()};
     double start_mm = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which place of the vessel tree each vertex of a body or surface belongs to.
+// The place on the vessel tree that each vertex of a body or surface belongs to.
 #pragma once
 
 #include <vector>

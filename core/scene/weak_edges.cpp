@@ -22,7 +22,7 @@ void sort_once(std::vector<Edge>& edges) {
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 }
 
-// Of a joint that holds, both sides have the same corners.
+// Both sides of a joint that holds have the same corners.
 std::vector<Edge> edges_of(const TornTopology& topology, const std::vector<int>& joints) {
     std::vector<Edge> edges;
     for (const int j : joints) {
@@ -35,7 +35,7 @@ std::vector<Edge> edges_of(const TornTopology& topology, const std::vector<int>&
     return edges;
 }
 
-// Those of the joints' edges that lie on the surface.
+// The edges of the joints that are on the surface.
 std::vector<Edge> edges_at(const TornTopology& topology, const std::vector<int>& joints) {
     const std::vector<Edge> all = edges_of(topology, joints);
     std::vector<std::uint8_t> has_edges(topology.vertex_count(), 0);

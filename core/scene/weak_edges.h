@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a cut line shows on the vessels: the edges of the surface at which a weakened joint still
-// holds. Found anew only where another joint is weak or something has torn.
+// How a cut line is shown on the vessels: the surface edges of weakened joints that still hold.
+// Computed again only where the weakened joints or the topology change.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace hepatica {
 
 class Tearing;
 
-// Not thread-safe; what it returned stays as it is.
+// Not thread-safe; returned edges are never changed.
 class WeakEdges {
   public:
     using Edges = std::shared_ptr<const std::vector<std::array<int, 2>>>;
@@ -21,9 +21,9 @@ class WeakEdges {
     Edges of(const Tearing& tearing);
 
   private:
-    std::vector<int> joints_;    // that were weak
+    std::vector<int> joints_;    // that were weakened
     std::uint64_t version_ = 0;  // of the topology
-    int vertices_ = 0;           // likewise
+    int vertices_ = 0;           // of the topology
     Edges edges_;
 };
 

@@ -82,7 +82,7 @@ World::World(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, 
 
 World::~World() = default;
 
-// Built with the body; what they cost is known from the first step on.
+// These parts are built with the body; their costs are known from the first step on.
 void World::list_contact() {
     std::erase_if(parts_, [](const PartCost& part) {
         return part.name == "self-contact" || part.name == "obstacles";
@@ -126,7 +126,7 @@ PartCost* World::part(const std::string& name) {
     return found != parts_.end() ? &*found : nullptr;
 }
 
-// From the deforming body's cost, beside what the part cost `before` there was a body.
+// Takes the cost of contact out of the deforming body's; `before`: the part's cost without it.
 void World::part_out(const std::string& name, const PartCost& before, const SelfCost& cost) {
     PartCost* const own = part(name);
     if (own == nullptr) return;
@@ -156,7 +156,7 @@ StepReport World::step(const std::stop_token& stop) {
     return report;
 }
 
-// Vessels are torn through only when pieces come off.
+// Vessels are torn through only when pieces separate.
 void World::bleed() {
     if (!deform_ || !deform_->tears()) {
         bleeding_.reset();
@@ -170,7 +170,7 @@ void World::bleed() {
     bleeding_->set_tears(deform_->torn_through(patient_->tree));
 }
 
-// What is held bleeds less.
+// Pressed vessels bleed less.
 void World::press() {
     if (!bleeding_ || bleeding_->tears().empty()) return;
     bleeding_->set_pressed(deform_->pressed(),
@@ -187,7 +187,7 @@ void World::follow_tear() {
         leaking_.clear();
         if (torn != nullptr) tear_view_.origins = origins_of(*torn);
     }
-    // What was split comes apart later.
+    // Split vertices come apart later: the rims may change without a split.
     const auto rims_before = tear_view_.rims;
     if (torn != nullptr) deform_->show_tear(tear_view_);
     if (tear_view_.rims != rims_before && bleeding_)
@@ -219,7 +219,7 @@ void World::reset() {
 TreePoint World::place_near(const Vec3& point_mm) const {
     if (!point_mm.allFinite())
         throw InputError("the point is not finite", "place on the tree", "Give finite numbers");
-    // The vertices carry their places on the tree along as they move.
+    // The vertices keep their places on the tree as they move.
     if (!flow_) return nearest_point(patient_->tree, point_mm);
     int nearest = 0;
     double least = std::numeric_limits<double>::infinity();

@@ -26,7 +26,7 @@ class DeformPart;
 class FlowPart;
 struct WorldCheckpoint;
 
-// What a part costs: its name, the heap that it holds, the time that building it took.
+// The cost of a part: its name, the heap memory that it holds, the time to build it.
 struct PartCost {
     std::string name;
     std::size_t bytes = 0;
@@ -53,46 +53,46 @@ class World {
     const DeformPart* deform() const { return deform_.get(); }
     const FlowPart* flow() const { return flow_.get(); }
 
-    // The vertices shown: those of the mesh where it deforms, else those of the surface.
+    // The vertices shown: those of the mesh where it deforms, otherwise those of the surface.
     std::size_t vertex_count() const;
     Vec3 vertex_mm(int vertex) const;  // where it is now
-    // Of those vertices: the surface's triangles, and where each vertex comes from.
+    // The surface triangles over these vertices, and the parent of each vertex.
     const BodyTopology& topology() const { return *topology_; }
-    // The place on the tree that is nearest to a point of the present, deformed shape.
+    // The place on the tree nearest to a point of the present, deformed shape.
     TreePoint place_near(const Vec3& point_mm) const;
-    // Vertices at rest.
+    // Rest positions of the vertices.
     const std::vector<Vec3>& rest_positions_mm() const;
 
-    // Advances all parts by the scene's time step; the report is the deforming body's. Throws
-    // Cancelled soon after a stop was asked for, and is then to be restored before another step.
+    // Advances all parts by the scene's time step; the report is that of the deforming body. Throws
+    // Cancelled soon after a stop is requested; restore() must then be called before another step.
     StepReport step(const std::stop_token& stop = {});
     double time_s() const { return time_s_; }
 
-    // Shape at rest, no grab, no drug; time goes on.
+    // Rest shape, no grab, no tool, no drug, no tear; time goes on.
     void reset();
 
-    // What the vessels touch beside tools, as DeformPart::set_contact has it: each other, and what
-    // of their case stands in the way, which is made when it is wanted first (seconds). False where
-    // obstacles are wanted and the case knows none. Needs a body that deforms.
+    // What the vessels touch besides tools, see DeformPart::set_contact: each other, and the
+    // obstacles of their case, which are made when first needed (seconds). False where obstacles
+    // are wanted and the case has none. Requires a body that deforms.
     bool use_contact(bool self, bool obstacles, double friction);
 
-    // Takes over the vertices and triangles of a body that has torn or was made whole; step() and
-    // restore() do so themselves. Costs nothing where nothing has changed.
+    // Updates vertices and triangles after the body was torn or made whole; step() and restore() do
+    // so themselves. Costs nothing where nothing has changed.
     void follow_tear();
     // Null where nothing can tear.
     const Bleeding* bleeding() const { return bleeding_.get(); }
 
-    // Fills in positions, surface, grab, drug and time; statistics stay as they are.
+    // Fills in everything but the statistics and the step's number.
     void fill(Frame& frame) const;
 
-    // Everything that determines the steps to come, apart from case and spec: a world of the same
-    // two goes on from it with the same bits. Taking it costs a copy of a few arrays, going back a
+    // Everything that determines the next steps, apart from case and spec: a world with the same
+    // two continues from it with the same bits. Taking it costs a copy of a few arrays, restoring a
     // factorisation. restore() throws InputError where the checkpoint is of another case or scene;
-    // the world is then to be restored to another checkpoint or reset.
+    // the world must then be restored to another checkpoint or reset.
     WorldCheckpoint checkpoint() const;
     void restore(const WorldCheckpoint& checkpoint);
-    // Of all that determines the steps to come, and of nothing else: not of the time that has
-    // passed.
+    // Hash of everything that determines the next steps and of nothing else; the time that has
+    // passed is not included.
     std::uint64_t state_hash() const;
 
   private:
@@ -111,12 +111,12 @@ class World {
     std::uint64_t torn_version_ = 1;  // of the body's topology, as topology_ has it
     std::unique_ptr<DeformPart> deform_;
     std::unique_ptr<FlowPart> flow_;
-    std::unique_ptr<Bleeding> bleeding_;  // where it can tear
+    std::unique_ptr<Bleeding> bleeding_;  // where the body can tear
     std::vector<int> leaking_;            // a vertex at each of its tears, or -1
-    int pieces_ = 0;                      // as it was when torn vessels were last looked for
+    int pieces_ = 0;                      // when torn vessels were last searched for
     std::vector<PartCost> parts_;
-    std::shared_ptr<const Obstacles> obstacles_;  // once wanted; null where none is known
-    PartCost surfaces_of_obstacles_;              // beside what finding contacts with them costs
+    std::shared_ptr<const Obstacles> obstacles_;  // once needed; null where none is known
+    PartCost surfaces_of_obstacles_;              // without the cost of finding contacts
     double time_s_ = 0.0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A moment of a world to which it can go back, to the bit: what snapshots and the keyframes of
+// A moment of a world that can be restored to the bit: what snapshots and the keyframes of
 // recordings keep.
 #pragma once
 
@@ -18,9 +18,9 @@ struct WorldCheckpoint {
     std::optional<FlowCheckpoint> flow;
 };
 
-// Every number to the last bit; the drug's arrival times are left out, they follow from the
-// injection. Reading throws InputError that names the key that is missing or wrong; whether the
-// values fit the patient is found by World::restore.
+// Numbers are exact to the last bit; the drug's arrival times are left out, because they follow
+// from the injection. Reading throws InputError that names the key that is missing or wrong;
+// whether the values fit the patient is checked by World::restore.
 nlohmann::ordered_json to_json(const WorldCheckpoint& checkpoint);
 WorldCheckpoint world_checkpoint_from_json(const nlohmann::ordered_json& json);
 

@@ -72,7 +72,7 @@ struct Session::Apply {
     void operator()(const UseTools& c) const { deform().set_touchable(c.on); }
     void operator()(const UseContact& c) const;
 
-    // What tears it.
+    // Tearing.
     void operator()(const CutLine& c) const {
         deform().cut_line(world.patient().tree, c.from_mm, c.to_mm, c.strength);
     }
@@ -94,7 +94,7 @@ struct Session::Apply {
     void operator()(const SetDrugTime& c) const { flow().set_time(c.time_s); }
     void operator()(const SetDrugSpeed& c) const { flow().set_speed(c.factor); }
 
-    // What the body is and what acts on it.
+    // The body and what acts on it.
     void operator()(const SetGravity& c) const { deform().set_gravity(c.gravity_mm_per_s2); }
     void operator()(const SetTether& c) const { deform().set_tether(c.pa_per_mm2); }
     void operator()(const SetWall& c) const { deform().set_wall(c.wall_mm); }
@@ -133,8 +133,8 @@ void Session::Apply::operator()(const ShiftTool& c) const {
     if (deform().tool()) deform().lead_tool(deform().tool()->target_mm + c.by_mm);
 }
 
-// An injection that cannot flow is found only while it is computed. By then the world has changed:
-// it no longer waits for the computation. So the command counts as applied, not as refused.
+// Whether an injection can flow is known only after it was computed. By then the world has changed,
+// because it no longer waits for the computation; so the command counts as applied, not as refused.
 void Session::Apply::operator()(const FinishInjection&) const {
     try {
         flow().finish_injection(stop);
@@ -143,7 +143,7 @@ void Session::Apply::operator()(const FinishInjection&) const {
     }
 }
 
-// What was before is of another scene: there is no way back to it.
+// The former last good state is of another scene and cannot be restored.
 void Session::Apply::operator()(const UseContact& c) const {
     deform();
     if (!world.use_contact(c.self, c.obstacles, c.friction))
@@ -151,7 +151,7 @@ void Session::Apply::operator()(const UseContact& c) const {
     session.last_good_ = std::make_shared<const Keyframe>(session.keyframe());
 }
 
-// The dial keeps the settings that can follow a tear.
+// The dial keeps only the settings that can tear.
 void Session::Apply::operator()(const UseTear& c) const {
     DeformPart& part = deform();
     if (!c.on) return part.set_tear(std::nullopt);

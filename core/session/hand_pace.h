@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How evenly a hand is heard while it leads something: pictures that take long to draw come between
-// two reports of the mouse. What is led takes the longest of the recent gaps, and one and a half
-// steps more, for its way to each place: so it is still on its way when the next report comes, and
-// moves about as evenly as the hand does. It lags behind by that much; where a report comes in
-// every step, by nothing.
+// Over what time a led point moves from one report of the mouse to the next. Pictures that take
+// long to draw delay these reports. The time is the longest of the recent gaps between reports plus
+// one and a half steps, so that the point is still moving when the next report comes and moves
+// about as evenly as the hand. It lags behind by that time; not at all where a report comes in
+// every step.
 #pragma once
 
 #include <algorithm>
@@ -18,11 +18,11 @@ class HandPace {
   public:
     using Clock = std::chrono::steady_clock;
 
-    // The hand begins to lead something.
+    // The hand starts to lead something.
     explicit HandPace(Clock::time_point now = {}) : heard_(now) {}
 
-    // A report of where the hand is. How long what is led takes for the way there [s], at most
-    // longest_s; none: it is there at once.
+    // To be called with each report of the hand's position. Returns the time for the way there [s],
+    // at most longest_s; none: move at once.
     std::optional<double> heard(Clock::time_point now) {
         const double gap_s = std::chrono::duration<double>(now - heard_).count();
         heard_ = now;
@@ -35,8 +35,8 @@ class HandPace {
     static constexpr double longest_s = 0.1;
 
   private:
-    static constexpr double rest_s = 0.15;  // in such a gap the hand has rested
-    static constexpr double kept = 0.95;    // of a gap, from one report to the next
+    static constexpr double rest_s = 0.15;  // after a longer gap the hand had stopped
+    static constexpr double kept = 0.95;    // decay of the longest gap per report
 
     Clock::time_point heard_;
     double longest_gap_s_ = 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A point that goes to where it is led over some time instead of at once. A mouse is heard only
-// between two pictures: the vessel would be jerked at every report and held still in between, which
-// costs the solver two or three times as much as the even motion of the hand that leads the mouse.
+// A point that moves to its target over some time instead of at once. Mouse positions arrive only
+// once per picture: the vessel would jerk at every report and rest in between, which costs the
+// solver two or three times as much as the hand's even motion.
 #pragma once
 
 #include <algorithm>
@@ -13,15 +13,15 @@ namespace hepatica {
 
 class LedPoint {
   public:
-    // From where it is then, it goes to the target in `over_s`, evenly.
+    // From its position at the next step, the point moves evenly to the target in `over_s`.
     void lead_to(const Vec3& target_mm, double over_s) { way_ = Way{target_mm, over_s}; }
     void stay() { way_.reset(); }
     bool underway() const { return way_.has_value(); }
 
-    // Where it is `dt_s` after it was at `at_mm`. Only while it is under way.
+    // The position `dt_s` after it was at `at_mm`. Requires underway().
     Vec3 next(const Vec3& at_mm, double dt_s) {
         const Way way = *way_;
-        constexpr double rounding = 1e-9;  // of what is left, after many steps
+        constexpr double rounding = 1e-9;  // of the remaining time, after many steps
         if (dt_s >= (1.0 - rounding) * way.left_s) {
             way_.reset();
             return way.target_mm;

@@ -10,14 +10,14 @@
 namespace hepatica {
 namespace {
 
-constexpr std::size_t window = 9;         // frames whose median counts
-constexpr double share_after_down = 0.8;  // the forecast must keep within this share of the budget
+constexpr std::size_t window = 9;         // number of frames in the median
+constexpr double share_after_down = 0.8;  // of the budget, for the forecast when going down
 constexpr double share_before_up = 0.7;
 constexpr int frames_before_up = 60;
 constexpr int first_penalty = 120, longest_penalty = 7200;
 constexpr int settling_frames = 2;
-// A setting that misses less than the one before it by no more than this share is no better: a
-// measurement on another pull would have it the other way round.
+// An error smaller than that of the cheaper setting by at most this share is no improvement: a
+// measurement on another pull could reverse the order.
 constexpr double same_error = 0.05;
 
 std::vector<std::size_t> noticeably_better(const std::vector<double>& errors) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A session that can be replayed to the last bit: a hash of the patient, the scene, the commands of
 // every step, a hash of the state after each step, and a full state (keyframe) every ten seconds of
-// play, where a replay can begin. It begins with a new scene, or with a full state amid a play. The
-// patient is identified by the hash of tree and mesh alone.
+// play, where a replay can start. It begins with a new scene or with a full state during a play.
+// The patient is identified only by the hash of tree and mesh.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace hepatica {
 
-// The state of a session after a step. It is taken only while the session is not paused.
+// The state of a session after a step. Taken only while the session is not paused.
 struct Keyframe {
     std::uint64_t step = 0;          // number of the step
     std::uint64_t played_steps = 0;  // steps up to this one during which it was not paused
@@ -35,13 +35,13 @@ struct Recording {
     std::string back_end;            // name of the DeformBackEnd that computed the body
     std::uint64_t patient_hash = 0;  // of tree and mesh, see hash_of(PatientCase)
     SceneSpec scene;
-    // Where it begins, its own step being 0; null: at rest, with a new scene.
+    // The state at the start, with step number 0; null: at rest, with a new scene.
     std::shared_ptr<const Keyframe> begin;
     std::vector<RecordedStep> steps;
     std::vector<std::string> warnings;  // from reading the file
 };
 
-// The version of this program, as recordings name it.
+// The version of this program as it appears in recordings.
 std::string program_version();
 
 }  // namespace hepatica

@@ -81,7 +81,7 @@ void read_step(const Json& json, Recording& recording) {
     recording.steps.push_back(std::move(step));
 }
 
-// A keyframe is the line after that of its step, or after the header.
+// A keyframe is on the line after its step, or after the header.
 void read_keyframe(const Json& json, Recording& recording) {
     auto keyframe = std::make_shared<Keyframe>();
     keyframe->step = whole_number<std::uint64_t>(json.at("keyframe"));
@@ -117,7 +117,7 @@ std::string program_version() {
 
 RecordingWriter::RecordingWriter(std::filesystem::path file, const Recording& start)
     : file_(std::move(file)) {
-    std::error_code ignored;  // a folder that cannot be made is noticed when the file is opened
+    std::error_code ignored;  // a failure shows when the file is opened
     std::filesystem::create_directories(std::filesystem::absolute(file_).parent_path(), ignored);
     out_.open(file_, std::ios::binary | std::ios::trunc);
     out_ << header_of(start);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A recording on disk as JSON lines: a header, then one line for each step and each keyframe. Lines
-// are only appended, so that a program that dies leaves everything that was played. Its last line
-// may be incomplete and is then dropped by the reader.
+// are only appended, so that a crash leaves everything that was played; the last line may then be
+// incomplete, and the reader drops it.
 //   {"format": "hepatica-recording", "version": 2, "program": "0.1.0", "back_end": "cpu",
 //    "patient_hash": "...", "scene": {...}}
 //   {"keyframe": 0, ...}                                 where it began amid a play
@@ -31,7 +31,7 @@ class RecordingWriter {
     RecordingWriter(const RecordingWriter&) = delete;
     RecordingWriter& operator=(const RecordingWriter&) = delete;
 
-    // Any thread. Never waits for the disk.
+    // Thread-safe. Never waits for the disk.
     void append(RecordedStep step);
     // Writes all steps appended so far and closes the file. Throws InputError where any step could
     // not be written.
@@ -54,9 +54,10 @@ class RecordingWriter {
 // Writes a whole recording. Throws InputError where it cannot be written.
 void write_recording(const std::filesystem::path& file, const Recording& recording);
 
-// Drops an incomplete last line with a warning. Throws InputError, naming file and line, where any
-// other line is damaged, and where the format, the version of the program or the back end is
-// another one, because replayed steps would then differ in their last bits.
+// Drops an incomplete last line with a warning. Throws InputError that names file and line where
+// any other line is damaged, and where the format or the version of the program is another one,
+// because replayed steps would then differ in their last bits. For the back end see
+// require_back_end.
 Recording read_recording(const std::filesystem::path& file);
 
 }  // namespace hepatica

@@ -15,7 +15,7 @@
 namespace hepatica {
 
 struct ReplayResult {
-    std::uint64_t began_at = 0;  // step of the keyframe where it began; 0: the recording's
+    std::uint64_t began_at = 0;  // step of the keyframe where it began; 0: the recording's start
     std::uint64_t steps = 0;     // number of the last step that was replayed
     std::optional<std::uint64_t> diverged_at;  // first step (from 1) whose hash differs
     std::uint64_t state_hash = 0;              // of the state after the last step
@@ -24,10 +24,10 @@ struct ReplayResult {
 // Throws InputError where the recording is of another back end, whose steps have other bits.
 void require_back_end(const Recording& recording, const DeformBackEnd& back_end);
 
-// Begins at the last keyframe that is not after `from_step`, or where the recording does. Throws
+// Starts at the last keyframe that is not after `from_step`, or at the recording's start. Throws
 // InputError if the patient or the back end is another one, if there is no such step, or if the
-// keyframe is damaged; throws Cancelled. Reports progress to the job. `watch` sees every step that
-// is replayed, see Session::watch.
+// keyframe is damaged; throws Cancelled. Reports progress to the job. `watch` sees every replayed
+// step, see Session::watch.
 ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCase> patient,
                     Job& job, std::uint64_t from_step = 0,
                     const DeformBackEnd& back_end = cpu_back_end(),

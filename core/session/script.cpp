@@ -20,12 +20,12 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// Where a script that works can be read.
+// Appends the path of a script that works.
 std::string with_example(const std::string& advice) {
     std::string example = "assets/scripts/drag.json";
     try {
         example = asset("scripts/drag.json").string();
-    } catch (const InputError&) {  // the program stands alone; what is wrong is another thing
+    } catch (const InputError&) {  // not installed with assets; the caller's problem is another one
     }
     return advice + " such as " + example;
 }
@@ -51,7 +51,7 @@ Vec3 vector_of(const Json& json, const char* key) {
 
 using Keys = std::vector<std::string>;
 
-// Refuses every other key, so that a misspelt one is not silently ignored.
+// Refuses all other keys, so that a misspelt one is not silently ignored.
 void know(const Json& json, const Keys& keys) {
     for (const auto& [key, value] : json.items())
         if (std::ranges::find(keys, key) == keys.end())
@@ -59,7 +59,7 @@ void know(const Json& json, const Keys& keys) {
                              "docs/scenes.md lists the keys of a script");
 }
 
-// The keys of the command but for those that the action says in its own way, and the action's.
+// The keys of the command, without those that the action replaces, and the action's own keys.
 Keys keys_of(const Command& command, const Keys& said_otherwise, const Keys& own) {
     Keys keys = own;
     for (const std::string& name : field_names(command))
@@ -84,7 +84,7 @@ ScriptPlace place_of(const Json& action, const char* key = "where") {
     return place;
 }
 
-// The action's other keys are fields of the command. Fields that a script may leave out get their
+// The action's remaining keys are fields of the command; fields that are left out get their
 // defaults.
 Command command_of(const std::string& name, Json action, const Command& defaults) {
     Json json = to_json(defaults);
@@ -94,7 +94,7 @@ Command command_of(const std::string& name, Json action, const Command& defaults
     return command_from_json(json);
 }
 
-// {"do": "tool", "tool": "sphere", ...}: the rest are the command's own keys.
+// {"do": "tool", "tool": "sphere", ...}: the remaining keys are those of the command.
 Command tool_of(Json action) {
     const auto kind = action.find("tool");
     const auto is = [&](const char* name) { return kind != action.end() && *kind == name; };
@@ -178,7 +178,7 @@ ScriptAction action_from(const Json& json) {
     return action;
 }
 
-// The path as one line of points, without radii.
+// The points of the path, without radii.
 std::vector<Vec3> longest_path(const VesselTree& tree) {
     std::vector<double> from_root(tree.segments.size());
     int widest = -1;
@@ -212,7 +212,7 @@ Vec3 resolve(const ScriptPlace& place, const VesselTree& tree) {
                           : point_on_longest_path(tree, *place.share_of_longest_path);
 }
 
-// Puts a script's actions into the steps in which they happen, in the order of their time.
+// Assigns a script's actions to the steps in which they happen, in order of time.
 class Timetable {
   public:
     Timetable(const VesselTree& tree, double dt_s, int steps)
@@ -223,7 +223,7 @@ class Timetable {
 
   private:
     long step_at(double time_s) const { return std::lround(time_s / dt_s_); }
-    // How many steps an action takes, at least one.
+    // Number of steps of an action, at least one.
     long length_of(const ScriptAction& action) const {
         return std::max(1L, step_at(action.over_s));
     }

@@ -17,8 +17,8 @@ namespace hepatica {
 // A place on a tree. Exactly one of the two is set.
 struct ScriptPlace {
     std::optional<Vec3> point_mm{};
-    // On the path from the root of the widest component to its farthest end, as a share of its
-    // length: 0 is the root, 1 the end.
+    // On the path from the root of the widest tree to its farthest end, as a share of its length: 0
+    // is the root, 1 the end.
     std::optional<double> share_of_longest_path{};
 };
 
@@ -27,18 +27,18 @@ struct ScriptAction {
     // grab, move, release, inject, tool, move_tool, close_forceps, open_forceps, or the name of a
     // plain command
     std::string what;
-    ScriptPlace place{};          // of grab, inject and tool; where a cut line begins
-    ScriptPlace to_place{};       // where it ends
+    ScriptPlace place{};          // of grab, inject and tool; start of a cut line
+    ScriptPlace to_place{};       // end of a cut line
     Vec3 by_mm = Vec3::Zero();    // of move and move_tool: displacement from the present target
     std::optional<Vec3> to_mm{};  // of move_tool, instead of by_mm
-    double over_s = 0.0;          // of these and of forceps: duration, at constant speed
-    std::optional<Command> command{};  // of a plain command, or of inject and tool with settings
+    double over_s = 0.0;          // of moves, forceps and blade: duration, at constant speed
+    std::optional<Command> command{};  // plain command, or the action's, with its settings
 };
 
 struct Script {
     std::string name;
     std::optional<SceneSpec> scene;
-    std::vector<ScriptAction> actions;  // in the order of time
+    std::vector<ScriptAction> actions;  // in order of time
 };
 
 // {"name": ..., "scene": {...}, "actions": [
@@ -59,15 +59,15 @@ struct Script {
 //    {"at_s": 3,   "do": "set_gravity", "gravity_mm_per_s2": [0, 9806.65, 0]}]}
 // Throws InputError that names the file, the action and what is wrong with it.
 Script read_script(const std::filesystem::path& file);
-// The same of a text, called `place` in errors; its stem is the name of a script without one.
+// The same for a text, called `place` in errors; the stem of `place` names a script without a name.
 Script script_of(const std::string& text, const std::filesystem::path& place);
 
-// The commands of each of `steps` steps. The step of an injection waits until that is computed, so
+// The commands of each of `steps` steps. The step of an injection waits for its computation, so
 // that later steps do not depend on the machine's speed. Throws InputError for an empty tree.
 std::vector<std::vector<Command>> schedule(const Script& script, const VesselTree& tree,
                                            double dt_s, int steps);
 
-// The point at this share of the path from the root of the widest component to its farthest end.
+// The point at this share of the path from the root of the widest tree to its farthest end.
 Vec3 point_on_longest_path(const VesselTree& tree, double share);
 
 }  // namespace hepatica

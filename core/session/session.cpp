@@ -27,13 +27,13 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t steps_between_snapshots = 60;   // a second of play
 constexpr std::uint64_t steps_between_keyframes = 600;  // every tenth snapshot is one
 constexpr std::size_t longest_message = 512;
-constexpr double most_for_drawing = 0.6;  // of a frame: drawing is budgeted at most this share
+constexpr double most_for_drawing = 0.6;  // of a frame: limit on the time for drawing
 
 double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// Whether what the earlier one does is nothing beside the later one.
+// Whether the earlier command has no effect if the later one follows it.
 bool supersedes(const Command& later, const Command& earlier) {
     const auto* from = std::get_if<MoveTool>(&earlier);
     const auto* to = std::get_if<MoveTool>(&later);
@@ -104,7 +104,7 @@ void Session::record_from_now(std::function<Keep(const Recording&)> begin) {
     command_waits_.notify_one();
 }
 
-// What is restored within the recording is then what a replay of it has.
+// The last good state is set to the start of the recording, so that a replay can restore it, too.
 void Session::begin_waiting_recording() {
     std::optional<std::function<Keep(const Recording&)>> begin;
     {
@@ -152,7 +152,7 @@ bool Session::apply_and_record(const Command& command, const std::stop_token& st
     return true;
 }
 
-// Each piece of a way is a move at once, which would end the way.
+// Each piece of a timed move is applied as an immediate move, which would end the timed one.
 void Session::lead_on(const std::stop_token& stop) {
     const DeformPart* deform = world_->deform();
     const double dt_s = paused_ ? longest_move_s : world_->spec().dt_s;
@@ -393,7 +393,7 @@ bool Session::waits_for_command() const {
     return waiting_ && !something_waits();
 }
 
-// Hears a stop, which a thread that sleeps does not.
+// Unlike a sleeping thread, this wakes at a stop request.
 void Session::sleep_until(Clock::time_point due, const std::stop_token& stop) {
     std::unique_lock lock(queue_mutex_);
     command_waits_.wait_until(lock, stop, due, [] { return false; });
@@ -402,7 +402,7 @@ void Session::sleep_until(Clock::time_point due, const std::stop_token& stop) {
 void Session::finish_ready_injection() {
     if (world_->flow() == nullptr || !world_->flow()->injection_ready()) return;
     const std::scoped_lock lock(queue_mutex_);
-    // Before the queued commands, which may start another injection.
+    // Put before the queued commands, which may start another injection.
     queue_.insert(queue_.begin(), FinishInjection{});
 }
 
@@ -422,7 +422,7 @@ void Session::run(const std::stop_token& stop) {
         if (resting_) {
             wait_for_command(stop);
             due = Clock::now();
-            last = due - period;  // time spent waiting for a command is no delay
+            last = due - period;  // waiting for a command is no delay
             continue;
         }
         due = std::max(due + period, Clock::now());  // lost time is not caught up

@@ -46,7 +46,7 @@ struct SessionStep {
     double step_ms = 0.0;          // wall time of commands, physics, recording and frame
     std::uint64_t state_hash = 0;  // of the world after the step; 0 unless recording
     bool paused = false;           // whether simulated time stood still
-    bool stopped = false;          // it was ended within and does not count, see Session::step
+    bool stopped = false;          // it was stopped midway and does not count, see Session::step
     StepReport deform;             // of the deforming body; empty where the scene has none
 };
 
@@ -64,8 +64,8 @@ class Session {
     // --- any thread -----------------------------------------------------------------------------
     // Queues a command, which is applied before the next step. Never waits for a step. A command
     // with a value out of range is then refused: the frame's message names it and the world is
-    // unchanged. Of several MoveGrab before one step only the newest is applied, and of several
-    // MoveTool of the whole way.
+    // unchanged. Of several consecutive MoveGrab only the newest is applied, and likewise of
+    // consecutive MoveTool with share 1.
     void post(Command command);
 
     // `tell` is called after every published frame, on the thread that steps; it must neither wait
@@ -77,8 +77,8 @@ class Session {
     // budget. May be called at any time from any thread.
     void set_drawing_ms(double ms) { drawing_ms_ = ms; }
 
-    // Whether run() waits for a command: nothing happens until one is posted or a dial is given.
-    // May be called at any time from any thread.
+    // Whether run() waits for a command: nothing happens until one is posted or a dial or a
+    // recording is given. May be called at any time from any thread.
     bool waits_for_command() const;
 
     // Uses another dial of the same body from the next step on. Where the setting in use came from
@@ -87,10 +87,10 @@ class Session {
     // thread.
     void use_dial(QualityDial dial);
 
-    // Records from before the next step on, in place of what is recorded: `begin` is handed the
-    // recording's start, which is the state then, and what it returns is passed every step; both on
-    // the thread that steps. An empty function ends recording. The last good state is then that one
-    // too. May be called at any time from any thread.
+    // Starts a recording before the next step, in place of the present one. `begin` gets the
+    // recording's start, which is the state at that time; the function that it returns gets every
+    // step. Both run on the thread that steps. An empty function ends recording. The last good
+    // state is set to the same state. May be called at any time from any thread.
     using Keep = std::function<void(RecordedStep)>;
     void record_from_now(std::function<Keep(const Recording& start)> begin);
 
@@ -104,16 +104,15 @@ class Session {
     // Applies the queued commands, advances by one time step and publishes a frame. Refused
     // commands change nothing and are named in the frame's message. Any other error (no memory, a
     // defect) pauses the session, drops the rest of the step and of its commands, and returns the
-    // world to its last good state; the frame then has `diverged` and the reason.
-    // After a stop was asked for it ends within a few iterations of what it is at, which then is no
-    // step: nothing is published, recorded or shown to a watch, and the number of steps is as
-    // before. The world is half changed until the next step(), which begins by going back to the
-    // last good state as after an error; its recording begins with the commands of the step that
-    // was stopped, and a replay makes the same bits.
+    // world to its last good state; the frame then has `diverged` and the reason. A requested stop
+    // ends the step within a few iterations. The step then does not count: nothing is published,
+    // recorded or shown to a watch. The world is half changed until the next step(), which first
+    // returns to the last good state as after an error; its recording begins with the commands of
+    // the stopped step, and a replay makes the same bits.
     SessionStep step(const std::stop_token& stop = {});
-    // The same, ended by a cancel of the job: throws Cancelled then.
+    // The same, stopped by a cancel of the job: then throws Cancelled.
     SessionStep step(const Job& job);
-    // Steps at the scene's rate until asked to stop, which ends the step under way: see step().
+    // Steps at the scene's rate until a stop is requested, which ends the present step: see step().
     // Where a step takes longer than its period, simulated time falls behind wall time and is not
     // caught up; real_time_factor of the frames says by how much it is slower. Where further steps
     // would change nothing (the last frame is `resting`), it waits for a command instead.
@@ -123,13 +122,13 @@ class Session {
     // `keep` throws, the recording ends there and the session pauses as after any other error.
     void record(Keep keep) { keep_ = std::move(keep); }
     // Shows every step to `see`, on the thread that steps: the commands applied before it, as they
-    // are recorded, and its frame before anybody else has it. Call it before the first step. A
-    // session that is watched does not rest but where it is paused, because for whoever watches,
-    // time passes. Where `see` returns false it has seen enough and is not asked again. Where it
-    // throws, likewise, and the session pauses as after any other error.
+    // are recorded, and its frame before it is published. Call it before the first step. A watched
+    // session rests only while it is paused, because time passes for the watch. Where `see` returns
+    // false or throws, it is not called again; where it throws, the session also pauses as after
+    // any other error.
     using Watch = std::function<bool(const std::vector<Command>&, const Frame&)>;
     void watch(Watch see) { watch_ = std::move(see); }
-    // The beginning of a recording of this session, without steps.
+    // The start of a recording of this session, without steps.
     const Recording& recording_start() const { return recording_start_; }
     // Continues from a keyframe of a session of the same patient and scene; all later steps have
     // the same bits as there. Throws InputError where patient or scene is another one.
@@ -144,9 +143,9 @@ class Session {
     Keyframe keyframe() const;
     void begin_waiting_recording();
     void apply_waiting_commands(const std::stop_token& stop);
-    // False where it is refused.
+    // False where the command is refused.
     bool apply_and_record(const Command& command, const std::stop_token& stop);
-    // The pieces of moves over some time that belong to this step.
+    // Applies this step's pieces of timed moves.
     void lead_on(const std::stop_token& stop);
     struct Apply;  // one operator per command
     void apply(const Command& command, const std::stop_token& stop);
@@ -156,8 +155,8 @@ class Session {
     template <class Work>
     void shielded(const Work& work) noexcept;
     void stop_after(const char* what, const char* remedy) noexcept;
-    // Returns to the last good state but keeps the present settings. A grab of that state is taken
-    // again unless open_hand; a tool comes back unless without_tool.
+    // Returns to the last good state but keeps the present settings. A grab of that state is
+    // restored unless open_hand, a tool unless without_tool.
     void take_back(bool open_hand, bool without_tool);
     // After an error: returns to the last good state and records that.
     void recover();
@@ -165,25 +164,25 @@ class Session {
     void show_to_watch(const Frame& frame);
     // Shows an injection whose computation has ended.
     void finish_ready_injection();
-    // Index of the setting among those of the dial; none where it is not one of them.
+    // Index of the setting on the dial; none where it is not on it.
     std::optional<std::size_t> point_of(const StepperOptions& setting) const;
     void use_point(std::size_t index);
     void take_dial(QualityDial dial);
-    // Time that a step may take: the frame's period less that of drawing.
+    // Time that a step may take: the frame's period minus the time for drawing.
     double budget_ms() const;
     // Chooses the setting of the next step by the cost of this one.
     void govern(const SessionStep& done);
     void guard_state();
     void forget_divergence();
-    // Whether no later step would change anything before the next command.
+    // Whether no step would change anything before the next command.
     bool rests_after(const SessionStep& done) const;
-    // A command, a dial or a recording does; under queue_mutex_.
+    // Whether a command, a dial or a recording is waiting; call it under queue_mutex_.
     bool something_waits() const {
         return !queue_.empty() || waiting_dial_.has_value() || waiting_recording_.has_value();
     }
     void wait_for_command(const std::stop_token& stop);
     void sleep_until(std::chrono::steady_clock::time_point due, const std::stop_token& stop);
-    // Fills a frame in, hands it to the reader, and sets step.step_ms to the time since `start`.
+    // Fills a frame, passes it to the reader, and sets step.step_ms to the time since `start`.
     void publish(SessionStep& step, std::chrono::steady_clock::time_point start);
 
     QualityDial dial_;
@@ -195,12 +194,12 @@ class Session {
     std::unique_ptr<World> world_;
     std::uint64_t step_ = 0;
     bool paused_ = false;
-    LedPoint hand_, led_tool_;  // under way in moves over some time
+    LedPoint hand_, led_tool_;  // timed moves under way
     bool diverged_ = false;     // set by a divergence, cleared by resuming, restoring or resetting
     bool failed_ = false;       // the world may be half changed; cleared by recover()
-    bool stopped_ = false;      // the last step was ended within; recorded_ still has its commands
+    bool stopped_ = false;      // the last step was stopped midway; see recorded_
     std::string message_;
-    RecordedStep recorded_;           // of the present step
+    RecordedStep recorded_;           // the present step
     std::uint64_t played_steps_ = 0;  // steps during which it was not paused
     std::shared_ptr<const Keyframe> last_good_;
     double real_time_factor_ = 1.0;
@@ -208,7 +207,7 @@ class Session {
 
     mutable std::mutex queue_mutex_;
     std::condition_variable_any command_waits_;
-    bool waiting_ = false;  // run() does
+    bool waiting_ = false;  // run() waits for a command
     std::vector<Command> queue_;
     std::mutex listener_mutex_;
     std::function<void()> tell_of_frame_;
@@ -219,7 +218,7 @@ class Session {
     Keep keep_;                        // empty: nothing is recorded
     std::uint64_t recorded_from_ = 0;  // number of the step before the recording's first
     Watch watch_;                      // empty: nobody watches
-    std::vector<Command> watched_;     // of the present step
+    std::vector<Command> watched_;     // commands of the present step
     Recording recording_start_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One writer hands values to one reader; neither ever waits for the other, and the reader always
-// finds the newest. Three slots: one being written, one being read, one in between.
+// One writer passes values to one reader; neither ever waits for the other, and the reader always
+// gets the newest value. Three slots: one being written, one being read, one in between.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace hepatica {
 template <class T>
 class TripleBuffer {
   public:
-    // Writer: the slot to fill. It holds the value of some turns ago, whose memory can be reused.
+    // Writer: the slot to fill. It holds an earlier value, whose memory can be reused.
     T& back() { return slots_[back_]; }
     // Writer: makes the filled slot the newest.
     void publish() {
@@ -21,13 +21,13 @@ class TripleBuffer {
         back_ = old & slot_bits;
     }
 
-    // Reader: takes the newest value if there is one that it has not seen.
+    // Reader: takes the newest value; false if it was taken before.
     bool update() {
         if ((middle_.load(std::memory_order_relaxed) & fresh) == 0) return false;
         front_ = middle_.exchange(front_, std::memory_order_acq_rel) & slot_bits;
         return true;
     }
-    // Reader: what the last update() took; stays untouched until the next one.
+    // Reader: what the last update() took; unchanged until the next one.
     const T& front() const { return slots_[front_]; }
 
   private:
@@ -35,9 +35,9 @@ class TripleBuffer {
     static constexpr std::uint8_t fresh = 4;
 
     std::array<T, 3> slots_{};
-    std::uint8_t back_ = 0;  // writer's own
+    std::uint8_t back_ = 0;  // the writer's own
     std::atomic<std::uint8_t> middle_{1};
-    std::uint8_t front_ = 2;  // reader's own
+    std::uint8_t front_ = 2;  // the reader's own
 };
 
 }  // namespace hepatica

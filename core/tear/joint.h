@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A joint is the face that two tetrahedra share: where a body may tear (the paper's section
-// II.C.2). Its load is the traction of the stress in both, as a share of what the tissue bears.
+// A joint is the face that two tetrahedra share: where a body may tear (section II.C.2 of the
+// paper). Its load is the traction of the mean stress of both, relative to the strength of the
+// tissue.
 #pragma once
 
 #include <array>
@@ -12,35 +13,34 @@
 
 namespace hepatica {
 
-// Corners of the face opposite to each corner of a tetrahedron, counter-clockwise seen from
-// outside.
+// Corners of the face opposite each corner of a tetrahedron, counter-clockwise seen from outside.
 inline constexpr std::array<std::array<int, 3>, 4> face_corners{
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 struct Joint {
     std::array<int, 2> tetrahedra{};
-    // Which corners of each tetrahedron lie on it: corner k of both was one vertex before anything
-    // tore. Counter-clockwise seen from the second tetrahedron.
+    // The corners of each tetrahedron on the joint; corner k of both was the same vertex before
+    // anything tore. Counter-clockwise seen from the second tetrahedron.
     std::array<std::array<int, 3>, 2> corners{};
     double area_mm2 = 0.0;       // at rest
     Vec3 normal = Vec3::Zero();  // at rest, of length 1, from the first tetrahedron to the second
     Vec3 centre_mm = Vec3::Zero();  // at rest
 };
 
-// All joints of a mesh in the order of their faces' vertices. Costs a sort of all faces.
+// All joints of a mesh, ordered by the vertices of their faces. Costs a sort of all faces.
 std::vector<Joint> joints_of(const TetMesh& mesh);
 
-// The first Piola-Kirchhoff stress [Pa] of a linear tetrahedron, from its elastic forces [uN] on
-// its corners, their places at rest [mm] and its volume at rest [mm3]: -sum f_a X_a^T / V. Holds
-// for every law whose forces follow from a constant deformation gradient, and averages all others.
+// The first Piola-Kirchhoff stress [Pa] of a linear tetrahedron, from the elastic forces [uN] on
+// its corners, their rest positions [mm] and its rest volume [mm3]: -sum f_a X_a^T / V. Exact for
+// every law whose forces follow from a constant deformation gradient, otherwise an average.
 Mat3 stress_of(const std::array<Vec3, 4>& force_un, const std::array<Vec3, 4>& rest_mm,
                double volume_mm3);
 
-// The traction on the joint per area at rest [Pa]: of the mean stress of its two tetrahedra.
+// Traction on the joint per rest area [Pa], from the mean stress of its two tetrahedra.
 Vec3 traction_on(const Joint& joint, const Mat3& first_stress_pa, const Mat3& second_stress_pa);
 
-// sqrt(<t_n>^2 + |t_s|^2), with the part t_n of the traction along the present normal, which counts
-// only where it pulls, and the part t_s across it. A pressed joint fails by shear alone.
+// sqrt(<t_n>^2 + |t_s|^2), where t_n is the traction along the present normal, which counts only in
+// tension, and t_s the shear traction. A compressed joint fails by shear alone.
 double effective_traction_pa(const Vec3& traction_pa, const Vec3& present_normal);
 
 }  // namespace hepatica

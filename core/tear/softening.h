@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What holds the two sides of a parted joint together until it has come apart: a traction that
-// rises to the strength over a short way, then falls in a line to 0 at the critical opening
-// (Geubelle and Baylor 1998). The area under it is the fracture energy. It never heals: where it
-// was opened further before, it goes back to 0 in a line.
+// The cohesive law of parted joints: a traction that rises to the strength over a short opening,
+// then falls linearly to 0 at the critical opening (Geubelle and Baylor 1998). The area under it is
+// the fracture energy. Damage does not heal: after a wider opening, the traction returns linearly
+// to 0.
 #pragma once
 
 #include <array>
@@ -17,22 +17,22 @@ struct SofteningTie {
     std::array<int, 2> vertices{};  // of the joint's first and second tetrahedron
     std::array<int, 3> triangle{};  // the first tetrahedron's face: gives the present normal
     double area_mm2 = 0.0;          // times the joint's tear factor
-    double most_mm = 0.0;           // the widest opening so far, >= law.peak_mm()
+    double most_mm = 0.0;           // the largest opening so far, >= law.peak_mm()
     Vec3 normal = Vec3::Zero();     // present, towards the second
 };
 
-// Of the law's own terms.
+// The tie in the terms of softening_law.h.
 TieCorner corner_of(const SofteningTie& tie);
 
-// Energy [nJ] of a tie at an opening, from its first vertex to its second. Pressed together it
-// keeps its stiffness however far it was opened, so that the sides do not pass through each other;
-// what has come apart is no tie.
+// Energy [nJ] of a tie at an opening from its first vertex to its second. In compression it keeps
+// its initial stiffness whatever its damage, so that the sides do not pass through each other; a
+// tie that has come apart stores nothing.
 double energy_of(const SofteningLaw& law, const SofteningTie& tie, const Vec3& opening_mm);
-// Force [uN] on the first vertex; the second feels its opposite.
+// Force [uN] on the first vertex; the second feels the opposite.
 Vec3 force_of(const SofteningLaw& law, const SofteningTie& tie, const Vec3& opening_mm);
-// Its stiffness by the secant [uN/mm], positive semidefinite.
+// Secant stiffness [uN/mm], positive semidefinite.
 Mat3 stiffness_of(const SofteningLaw& law, const SofteningTie& tie, const Vec3& opening_mm);
-// How far it is open, in tension and across; what it is pressed together does not count.
+// Opening in tension and shear; compression does not count.
 double effective_opening_mm(const SofteningTie& tie, const Vec3& opening_mm);
 
 }  // namespace hepatica

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The law of softening.h, for host and device: the traction of a parted joint, and what one corner
-// of it does.
+// The law of softening.h for host and device: the traction of a parted joint, and the force of one
+// of its corners.
 #pragma once
 
 #include <algorithm>
@@ -10,24 +10,24 @@
 
 namespace hepatica {
 
-// Of a joint of tear factor 1. Per area at rest.
+// For a joint with tear factor 1, per rest area.
 struct SofteningLaw {
     double strength_pa = 0.0;  // > 0
-    double opening_mm = 0.0;   // the critical one, > 0: 2 * fracture energy / strength
+    double opening_mm = 0.0;   // critical opening, > 0: 2 * fracture energy / strength
     // The share of the critical opening over which the traction rises. Its slope is the stiffness
-    // with which parted joints that still hold are bound: small enough to bend nothing, large
-    // enough for single precision.
+    // of undamaged ties: stiff enough not to affect bending, soft enough for single precision.
     static constexpr double rise = 0.02;
 
     HEPATICA_HOST_DEVICE double peak_mm() const { return rise * opening_mm; }
     HEPATICA_HOST_DEVICE double fracture_energy_j_m2() const {
         return 0.5e-3 * strength_pa * opening_mm;
     }
-    // Traction [Pa] at an opening >= 0 of a joint that was opened up to `most_mm` before.
+    // Traction [Pa] at an opening >= 0 of a joint whose largest opening so far is `most_mm`.
     HEPATICA_HOST_DEVICE double traction_pa(double opening, double most_mm) const {
         return secant_pa_mm(opening, most_mm) * opening;
     }
-    // Energy per area [uN/mm] that is stored then, and what was given up since `most_mm`.
+    // Energy per area [uN/mm] at an opening: the stored part, plus what is given up beyond
+    // `most_mm`.
     HEPATICA_HOST_DEVICE double energy_un_mm(double opening, double most_mm) const {
         const double most = std::clamp(most_mm, peak_mm(), opening_mm);
         const double inside = std::min(opening, most);
@@ -40,7 +40,7 @@ struct SofteningLaw {
         }
         return energy;
     }
-    // Traction over opening [Pa/mm]; its limit at 0.
+    // Traction over opening [Pa/mm], continued to opening 0.
     HEPATICA_HOST_DEVICE double secant_pa_mm(double opening, double most_mm) const {
         return unloading_pa_mm(std::max(opening, most_mm));
     }
@@ -58,12 +58,12 @@ struct TieCorner {
     small::Vector3<double> normal;
 };
 
-// How far it is pressed together: along the normal, <= 0.
+// Compression along the normal, <= 0.
 HEPATICA_HOST_DEVICE double pressed_mm(const TieCorner& tie,
                                        const small::Vector3<double>& opening_mm) {
     return std::min(0.0, small::dot(opening_mm, tie.normal));
 }
-// How far it is open, in tension and across; what it is pressed together does not count.
+// Opening in tension and shear; compression does not count.
 HEPATICA_HOST_DEVICE double effective_opening_mm(const TieCorner& tie,
                                                  const small::Vector3<double>& opening_mm) {
     const auto open = opening_mm - pressed_mm(tie, opening_mm) * tie.normal;
@@ -73,11 +73,11 @@ HEPATICA_HOST_DEVICE double effective_opening_mm(const TieCorner& tie,
 struct TiePull {
     double energy_nj = 0.0;
     small::Vector3<double> force_un{};             // on the first vertex
-    small::Matrix3<double> stiffness_un_per_mm{};  // by the secant
+    small::Matrix3<double> stiffness_un_per_mm{};  // secant
 };
 
-// Pressed together it keeps its stiffness however far it was opened, so that the sides do not pass
-// through each other. What has come apart does not feel itself.
+// In compression the tie keeps its initial stiffness whatever its damage, so that the sides do not
+// pass through each other. A tie that has come apart exerts no force.
 HEPATICA_HOST_DEVICE TiePull pull_of(const SofteningLaw& law, const TieCorner& tie,
                                      const small::Vector3<double>& opening_mm) {
     TiePull pull;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene says about tearing: how much a joint bears, what it takes to open it, and when the
-// tear stops (the paper's section II.C.2).
+// The scene's law of tearing: the strength of a joint, the energy to open it, and when the tear
+// stops (section II.C.2 of the paper).
 #pragma once
 
 #include "core/tear/softening.h"
@@ -8,16 +8,16 @@
 namespace hepatica {
 
 // When no more joints part:
-// - none: as long as something pulls
+// - none: never
 // - entropy: when the entropy produced since the first split exceeds a budget, eq. (13)
-// - vertices: when so many vertices were split off: the conventional way
+// - vertices: when a number of vertices has been split off: the conventional way
 enum class TearStop { none, entropy, vertices };
 
 struct TearLaw {
-    double strength_pa = 1e6;             // > 0: nominal, per area at rest
-    double fracture_energy_j_m2 = 164.0;  // > 0; of the area torn
-    double tear_factor = 1.0;             // > 0: of the strength, everywhere
-    // A bare force limit, as published: a joint whose load reaches its limit has come apart.
+    double strength_pa = 1e6;             // > 0: nominal, per rest area
+    double fracture_energy_j_m2 = 164.0;  // > 0, per torn area
+    double tear_factor = 1.0;             // > 0: multiplies the strength everywhere
+    // A plain force limit, as published: a joint whose load reaches its limit comes apart at once.
     bool bare_limit = false;
     TearStop stop = TearStop::none;
     double entropy_budget_nats = 0.5;  // >= 0
@@ -28,7 +28,7 @@ struct TearLaw {
     }
 };
 
-// Throws InputError that names the value and its range.
+// Throws InputError that names the value and its valid range.
 void validate(const TearLaw& law);
 
 }  // namespace hepatica

@@ -16,9 +16,9 @@ namespace hepatica {
 namespace {
 
 constexpr std::size_t joint_block = 1024;
-constexpr double not_yet = -1.0;  // no entropy is below 0
-// What shares a vertex with an overloaded joint parts at this share of its own limit. Its ties bear
-// all of it, so that this weakens nothing.
+constexpr double not_yet = -1.0;  // entropy is never below 0
+// Joints that share a vertex with an overloaded one part at this share of their own limit. Their
+// ties bear the full strength, so that this weakens nothing.
 constexpr double share_of_neighbour = Tearing::warning_load;
 
 [[noreturn]] void refuse(const std::string& problem) {
@@ -26,7 +26,7 @@ constexpr double share_of_neighbour = Tearing::warning_load;
                      "Make the stepper of the body that it was taken of");
 }
 
-// Of a triangle's corners; the old one where it has no area.
+// Normal of a triangle, or `otherwise` where it has no area.
 Vec3 normal_of(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& otherwise) {
     const Vec3 doubled = (b - a).cross(c - a);
     const double length = doubled.norm();
@@ -116,8 +116,7 @@ double Tearing::load_of(const Joint& joint, double limit_pa, const TearLoads& lo
     return pull > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
 }
 
-// No traction is larger than the mean of the two stresses' norms, which few joints need to go
-// beyond.
+// No traction exceeds the mean of the two stresses' norms, so most joints are skipped cheaply.
 void Tearing::find_loads(const TearLoads& loads, double least, std::vector<double>& load) {
     stress_pa_.resize(loads.stress_pa.size());
     parallel_blocks(stress_pa_.size(), joint_block, [&](std::size_t begin, std::size_t end) {
@@ -145,7 +144,8 @@ bool Tearing::part_overloaded(const TearLoads& loads) {
     std::vector<int> parting;
     for (std::size_t j = 0; j < load_.size(); ++j)
         if (load_[j] >= 1.0) parting.push_back(static_cast<int>(j));
-    // The most loaded first, equal ones by their place: no numbering decides what tears.
+    // The most loaded first, equal ones by position, so that the numbering does not decide what
+    // tears.
     const auto rank = [&](int j) {
         const Vec3& at = topology_.joints()[j].centre_mm;
         return std::tuple(-load_[j], at.x(), at.y(), at.z());
@@ -159,8 +159,8 @@ bool Tearing::part_overloaded(const TearLoads& loads) {
     return true;
 }
 
-// Joints next to those that part, or that have begun to soften: no vertex opens before all joints
-// across the crack's way there have parted, and a crack would go on by leaps.
+// Adds joints next to those that part or have begun to soften. A vertex opens only when all joints
+// in the crack's way there have parted; without their neighbours a crack would advance in jumps.
 void Tearing::add_neighbours(std::vector<int>& parting) const {
     std::vector<int> all = parting, sources = parting;
     for (std::size_t i = 0; i < ties_.size(); ++i)
@@ -248,7 +248,7 @@ void Tearing::measure(const TearLoads& loads) {
     }
     entropy_ = entropy_nats(elastic > 0.0 ? std::span<const double>(weights_) : loads.mass_g);
     elastic_ = elastic;
-    // What was cut at rest has no entropy of its strain to compare with.
+    // For a body that was cut at rest, the first strained state is the reference.
     if (begun_ && entropy_before_ == not_yet && elastic > 0.0) entropy_before_ = entropy_;
     report_entropy();
     if (!begun_) return;
@@ -272,7 +272,7 @@ void Tearing::report_entropy() {
     report_.entropy_produced_nats = known ? std::max(0.0, entropy_ - entropy_before_) : 0.0;
 }
 
-// All that only a change of topology or ties changes.
+// Everything that only a change of topology or ties changes.
 void Tearing::count() {
     TearReport& report = report_;
     report.joints_parted = static_cast<int>(parted_.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a body tears, step after step: joints whose load reaches their limit part, are bound by a
-// softening traction until they have come apart, and no more of them part once the entropy that the
-// tear has produced, or the number of its vertices, reaches its budget.
+// How a body tears, step by step: joints whose load reaches their limit part and are bound by a
+// softening traction until they have come apart; no more joints part once the entropy that the tear
+// has produced, or the number of its vertices, reaches its budget.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@
 
 namespace hepatica {
 
-// A body after a step. All spans have one entry per tetrahedron but the last two, which have one
-// per vertex.
+// A body after a step. The first two spans have one entry per tetrahedron, the last two one per
+// vertex.
 struct TearLoads {
     std::span<const Mat3> stress_pa;  // first Piola-Kirchhoff
     std::span<const double> energy_nj;
@@ -37,48 +37,48 @@ class Tearing {
     // InputError for another factor or a joint that does not exist.
     void weaken(std::span<const int> joints, double factor);
 
-    // Those that were weakened and hold all the same, ascending.
+    // The joints that were weakened but have not parted, ascending.
     std::vector<int> weakened() const;
 
-    // The joints between tetrahedra on different sides of the parallelogram with a corner and two
-    // edges, where the way between their centres crosses it.
+    // The joints whose two tetrahedra lie on different sides of a parallelogram, given by a corner
+    // and two edges, that the line between their centres crosses.
     std::vector<int> crossing(const Vec3& corner_mm, const Vec3& first_edge_mm,
                               const Vec3& second_edge_mm, std::span<const Vec3> positions_mm) const;
-    // Parts them at once; nothing binds what is cut.
+    // Parts these joints at once, without ties.
     void cut(std::span<const int> joints);
 
-    // Parts what is overloaded, at most `most_joints` a step, the most loaded first. True where
-    // topology or ties changed.
+    // Parts overloaded joints, the most loaded first, at most `most_joints` per step not counting
+    // their neighbours. True where topology or ties changed.
     bool part_overloaded(const TearLoads& loads);
     static constexpr int most_joints = 256;
 
-    // Entropy, and with it the stop, after a step of a body.
+    // Measures the entropy after a step and applies the stop criterion.
     void measure(const TearLoads& loads);
 
-    // Load over limit of each joint, 0 where it has parted: 1 tears. Those that are below `least`
+    // Load over limit of each joint, 0 where it has parted; joints tear at 1. Loads below `least`
     // may be given as 0, which costs a fraction.
     void find_loads(const TearLoads& loads, double least, std::vector<double>& load);
 
-    // Load over limit of each joint as after the last step, 0 where it has parted: exact from
-    // `warning_load` on, below that it may be given as 0. Empty where none was found: before the
-    // first step, and once a stop has ended the tear.
+    // Load over limit of each joint after the last step, 0 where it has parted; exact from
+    // `warning_load` on, smaller loads may be given as 0. Empty where none was computed: before the
+    // first step, and once the tear has stopped.
     std::span<const double> loads() const { return load_; }
     static constexpr double warning_load = 0.5;
 
-    // What binds the parted joints. The caller keeps them while it makes steps, and gives back how
-    // far they were opened, in their order, before anything else is asked.
+    // The ties of the parted joints. The caller keeps them while it makes steps, and returns their
+    // largest openings in the same order before any other call.
     const std::vector<SofteningTie>& ties() const { return ties_; }
     void take_openings(std::span<const SofteningTie> ties);
-    // Pairs of vertices that stood for one before a joint between them parted, whether it is still
-    // bound or not, ascending.
+    // Pairs of vertices that were one before a joint between them parted, whether still bound or
+    // not, ascending.
     std::vector<std::array<int, 2>> parted_pairs() const;
 
-    // The vertices that ties still hold together.
+    // The pairs of vertices that ties still hold together.
     std::vector<std::array<int, 2>> bound_pairs() const;
 
     const TearReport& report() const { return report_; }
     TearState state() const;
-    // Throws InputError, and changes nothing, where the state is not of this mesh.
+    // Throws InputError and changes nothing where the state is not of this mesh.
     void restore(const TearState& state);
 
   private:
@@ -101,19 +101,19 @@ class Tearing {
     std::vector<std::array<int, 4>> whole_;  // tetrahedra before anything tore
     std::vector<double> volume_mm3_;         // of each, at rest
     std::vector<std::array<int, 2>> sides_;  // tetrahedra of each joint
-    std::vector<double> factor_;             // of each joint: times the strength, weakness apart
+    std::vector<double> factor_;             // of each joint: times the strength, without weakness
     std::vector<double> weakness_;           // of each joint
     std::vector<std::array<double, 3>> most_mm_;  // of each joint
     std::vector<int> parted_;                     // joints, ascending
     std::vector<SofteningTie> ties_;
-    std::vector<Tied> tied_;  // what each tie binds
+    std::vector<Tied> tied_;  // joint and corner of each tie
     bool begun_ = false, stopped_ = false;
     double entropy_before_ = 0.0, entropy_ = 0.0;
     double elastic_ = 0.0;  // energy at the last measure [nJ]
     TearReport report_;
     std::vector<double> load_;       // of joints
     std::vector<double> weights_;    // of vertices; scratch
-    std::vector<double> stress_pa_;  // sizes of the tetrahedra's stress; scratch
+    std::vector<double> stress_pa_;  // norms of the tetrahedra's stresses; scratch
 };
 
 }  // namespace hepatica

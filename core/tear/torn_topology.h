@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which tetrahedra hang together at which vertices, while joints part. A vertex around which the
-// tetrahedra fall into several groups that no joint holds together is split, one vertex for each:
-// so nothing ever hangs by a point or an edge alone. Shapes and masses are nothing of its business.
+// Which tetrahedra are connected at which vertices while joints part. A vertex whose tetrahedra
+// fall into several groups that no joint connects is split, one vertex per group, so that nothing
+// is ever connected by a point or an edge alone. Shapes and masses are not its concern.
 #pragma once
 
 #include <array>
@@ -17,18 +17,18 @@ namespace hepatica {
 // Not thread-safe.
 class TornTopology {
   public:
-    // Whole. Every vertex of the mesh belongs to a tetrahedron.
+    // Starts whole. Every vertex of the mesh must belong to a tetrahedron.
     explicit TornTopology(const TetMesh& mesh);
 
     std::span<const Joint> joints() const { return *joints_; }
     std::span<const std::array<int, 4>> tetrahedra() const { return tetrahedra_; }
-    // The vertex from which each was split: itself for those of the mesh, a smaller number for all
-    // others.
+    // The vertex that each vertex was split from: itself for those of the mesh, otherwise a smaller
+    // number.
     std::span<const int> parents() const { return parents_; }
     int vertex_count() const { return static_cast<int>(parents_.size()); }
-    // Another after every change.
+    // Differs after every change.
     std::uint64_t version() const { return version_; }
-    // Its boundary, as boundary_triangles() has it, without a sort.
+    // The boundary, as boundary_triangles() gives it, but without a sort.
     std::vector<std::array<int, 3>> surface() const;
     bool parted(int joint) const { return parted_[joint] != 0; }
     // The vertices at corner k of a joint, on its first and on its second side.
@@ -37,19 +37,19 @@ class TornTopology {
     // The joints at a vertex that have not parted, ascending.
     std::vector<int> joints_at(int vertex) const;
 
-    // Parts these joints, and splits the vertices that this sets free, in one transaction. The
-    // group with the largest volume keeps the number; the others get the next ones. `volume_mm3` is
-    // that of each tetrahedron at rest. Costs what lies around the joints.
+    // Parts these joints and splits the vertices that this frees. The group with the largest volume
+    // keeps the number; the others get new ones. `volume_mm3`: rest volume of each tetrahedron.
+    // Costs only the surroundings of the joints.
     void part(std::span<const int> joints, std::span<const double> volume_mm3);
 
-    // Takes what was torn before, as read from this class: joints, vertices and corners. Throws
-    // InputError where that is not of this mesh.
+    // Restores the joints, vertices and corners that this class gave before. Throws InputError and
+    // changes nothing where they are not of this mesh.
     void restore(std::span<const int> parted, std::span<const int> parents,
                  std::span<const std::array<int, 4>> tetrahedra);
 
-    // Pieces of tetrahedra that share a vertex, and of vertices that `ties` hold together.
+    // Number of pieces: tetrahedra that share a vertex, and vertices that `ties` hold together.
     int pieces(std::span<const std::array<int, 2>> ties) const;
-    // The piece of each vertex, named by its first vertex.
+    // The piece of each vertex, identified by its first vertex.
     std::vector<int> piece_of_vertices(std::span<const std::array<int, 2>> ties) const;
 
   private:
@@ -57,11 +57,12 @@ class TornTopology {
     void split(int vertex, std::span<const double> volume_mm3);
 
     std::shared_ptr<const std::vector<Joint>> joints_;
-    std::shared_ptr<const std::vector<std::array<int, 4>>> joint_opposite_;  // to each corner; -1
+    // The joint opposite each corner of each tetrahedron; -1: none.
+    std::shared_ptr<const std::vector<std::array<int, 4>>> joint_opposite_;
     std::uint64_t version_ = 1;
     int whole_vertices_;
     std::vector<std::array<int, 4>> tetrahedra_;
-    std::vector<std::vector<int>> tetrahedra_of_;  // each vertex, ascending
+    std::vector<std::vector<int>> tetrahedra_of_;  // of each vertex, ascending
     std::vector<int> parents_;
     std::vector<std::uint8_t> parted_;
 };

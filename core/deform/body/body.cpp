@@ -101,7 +101,8 @@ void validate(const BodyDescription& d, ElementModel model, ElementOrder order) 
 
 namespace {
 
-// Middle nodes in the order of their edges' corners: the same for any order of the elements.
+// Middle nodes are sorted by the corners of their edges, so that their numbers do not depend on the
+// order of the elements.
 void add_middle_nodes(const TetMesh& mesh, Body& body) {
     auto& edges = body.edge_of_middle_node;
     edges.reserve(6 * mesh.tetrahedra.size());
@@ -138,7 +139,7 @@ ElementValues values_of(const BodyDescription& d, std::size_t element) {
     return {stiffness * lame.lambda_pa, stiffness * lame.mu_pa, density * d.material.density_g_mm3};
 }
 
-// Shares an element's volume among its nodes, as mass and as tether.
+// Adds each node's share of an element's volume to its mass and to its tether stiffness.
 void add_lumps(const BodyDescription& d, Body& body, const int* nodes, int count, double volume,
                double density, const double* share) {
     for (int a = 0; a < count; ++a) {
@@ -160,8 +161,8 @@ void add_tetrahedra(const BodyDescription& d, ElementOrder order, Body& body) {
         group.springs.reserve(d.mesh.tetrahedra.size());
     else
         group.tetrahedra.reserve(d.mesh.tetrahedra.size());
-    // Quadratic: shares of the consistent mass's diagonal (Hinton, Rock and Zienkiewicz 1976), all
-    // positive, which plain row sums are not.
+    // Quadratic: shares of the consistent mass's diagonal (Hinton, Rock and Zienkiewicz 1976). They
+    // are all positive; row sums would be negative at the corners.
     double share[max_nodes];
     for (int a = 0; a < max_nodes; ++a)
         share[a] = quadratic ? (a < 4 ? 1.0 / 36.0 : 4.0 / 27.0) : 0.25;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the nodes of a body are and how fast they move.
+// Positions and velocities of the nodes of a body.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace hepatica {
 
-// One entry per node of a Body each, or one per vertex where that is all there is.
+// One entry per node of a Body, or one per vertex of the mesh where only vertices are known.
 struct BodyState {
     std::vector<Vec3> positions_mm;
     std::vector<Vec3> velocities_mm_per_s;

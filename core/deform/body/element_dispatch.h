@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Calls the element function that fits an element group, model and stiffness. Host only.
+// Calls the element function for an element group, a model and a tangent. Host only.
 #pragma once
 
 #include "core/base/small_matrix_eigen.h"
@@ -7,7 +7,8 @@
 
 namespace hepatica {
 
-// Positions of an element's nodes, relative to its first: no digits are lost far from the origin.
+// Positions of an element's nodes relative to its first node, so that no digits are lost far from
+// the origin.
 inline void load_positions(const int* nodes, int count, std::span<const Vec3> positions_mm,
                            small::Vector3<double>* x) {
     const Vec3& origin = positions_mm[nodes[0]];
@@ -27,7 +28,7 @@ double evaluate_elastic(ElementModel model, const small::TetrahedronRest<double>
     return small::evaluate_tetrahedron<Nodes, tangent, small::CorotatedLaw>(rest, x, force, blocks);
 }
 
-// Energy of element e of the group; force and blocks as in evaluate_tetrahedron (may be null).
+// Energy [nJ] of element e of the group; force and blocks as in evaluate_tetrahedron (may be null).
 template <small::Tangent tangent>
 double evaluate_element(const ElementGroup& group, ElementModel model, int e,
                         std::span<const Vec3> positions_mm, small::Vector3<double>* force,

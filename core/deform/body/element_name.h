@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The elements of tetrahedra by the names that files and commands use.
+// Names of the tetrahedral elements in files and commands.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace hepatica {
 
-// "spring", "corotated", "neohookean"; with "-10" behind it for quadratic order.
+// "spring", "corotated" or "neohookean", followed by "-10" for quadratic order.
 std::string element_name(ElementModel model, ElementOrder order);
 
-// Throws UsageError for a name that is none of these. There is no "spring-10".
+// Throws UsageError for any other name. There is no "spring-10".
 std::pair<ElementModel, ElementOrder> element_of(const std::string& name);
 
 }  // namespace hepatica

@@ -45,7 +45,7 @@ void validate(const Material& material) {
 }
 
 std::span<const MaterialPreset> material_presets() {
-    // Of these vessels no test to failure was found.
+    // No tests to failure were found for these vessels.
     constexpr const char* guess_of_strength =
         "guesses: a strength of one to two times the modulus, as of soft tissue that fails at "
         "stretches "

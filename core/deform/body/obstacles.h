@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rigid surfaces that stand where they are and that a body touches: see ObstacleContact.
+// Rigid, fixed surfaces that a body touches; see ObstacleContact.
 #pragma once
 
 #include <array>
@@ -13,15 +13,15 @@ namespace hepatica {
 
 struct Obstacle {
     TriangleMesh surface;                   // closed, counter-clockwise from outside
-    SurfaceKind kind = SurfaceKind::solid;  // or a shell: nothing that is in it gets out
+    SurfaceKind kind = SurfaceKind::solid;  // or a shell, which keeps in whatever is inside it
 };
 
 struct Obstacles {
-    std::vector<Obstacle> all;  // one or more
+    std::vector<Obstacle> all;  // at least one
     double friction = 0.2;      // Coulomb's coefficient, >= 0
 };
 
-// Surfaces of obstacles behind that of a body: all nodes, those of the body first, and triangles.
+// The surfaces of the obstacles appended to that of a body: nodes and triangles of the body first.
 struct WithObstacles {
     std::vector<Vec3> positions_mm;
     std::vector<std::array<int, 3>> triangles;
@@ -30,8 +30,8 @@ struct WithObstacles {
 WithObstacles with_obstacles(const Obstacles& obstacles, std::span<const Vec3> positions_mm,
                              std::span<const std::array<int, 3>> triangles);
 
-// Throws InputError where there are none, a surface is not closed or not finite, or the friction is
-// out of range.
+// Throws InputError where there is no obstacle, a surface is not closed or not finite, or the
+// friction is out of range.
 void validate(const Obstacles& obstacles);
 
 }  // namespace hepatica

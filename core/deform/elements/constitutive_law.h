@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Strain energy, stress and stiffness at one point of an elastic body, for host and device. Every
-// law is W(F) + U(theta): theta measures dilatation, and U takes its mean over the element, which
-// is the cure for volumetric locking (mean dilatation; Nagtegaal, Parks and Rice 1974). Lame's
-// lambda is split between the two: W has the part that causes no locking at a point, U the rest.
+// law is W(F) + U(theta): theta measures dilatation, and U depends on its mean over the element,
+// which prevents volumetric locking (mean dilatation; Nagtegaal, Parks and Rice 1974). Lame's
+// lambda is split between the two: W takes the part that causes no locking at a point, U the rest.
 // - Corotated: theta = trace(R^T F) - 3, W = mu |F - R|^2 + local_lambda/2 theta^2
 // - NeoHookean: the stable form of Smith, de Goes and Kim 2018, theta = J - 1; mu' = 4/3 mu and
 //   lambda' = lambda + 5/6 mu make it agree with Hooke's law for small strains
@@ -59,8 +59,8 @@ HEPATICA_HOST_DEVICE Matrix3<T> clamp_negative_eigenvalues(const Matrix3<T>& a) 
     return clamped;
 }
 
-// Sets shear and swap of the pair k from the stiffness against the symmetric (flip) and the
-// antisymmetric (twist) change, neither less than zero.
+// Sets shear and swap of pair k from the stiffness for the symmetric (flip) and the antisymmetric
+// (twist) change, each clamped to at least zero.
 template <class T>
 HEPATICA_HOST_DEVICE void set_pair(PrincipalTangent<T>& tangent, int k, T flip, T twist) {
     flip = larger(flip, T(0));
@@ -74,8 +74,8 @@ HEPATICA_HOST_DEVICE void set_pair(PrincipalTangent<T>& tangent, int k, T flip, 
 template <class T>
 struct CorotatedLaw {
     T mu;
-    T local_lambda;  // at every point
-    T mean_lambda;   // on the mean dilatation; Lame's lambda is the sum of both
+    T local_lambda;  // acts at every point
+    T mean_lambda;   // acts on the mean dilatation; Lame's lambda is the sum of both
 
     struct Point {
         Matrix3<T> f;
@@ -120,7 +120,7 @@ struct CorotatedLaw {
 
 template <class T>
 struct NeoHookeanLaw {
-    T mu;  // Lame's
+    T mu;  // Lame's, not mu' = 4/3 mu
     T local_lambda;
     T mean_lambda;
 
@@ -132,7 +132,7 @@ struct NeoHookeanLaw {
         T second;  // (I - 3) / 2 - (J - 1): of second order near rest
     };
 
-    // From the gradient of displacement g = f - 1, so that nothing cancels near rest.
+    // Computed from the displacement gradient g = f - 1, so that nothing cancels near rest.
     HEPATICA_HOST_DEVICE static Point at(const Matrix3<T>& f) {
         Matrix3<T> g = f;
         for (int i = 0; i < 3; ++i) g(i, i) -= T(1);
@@ -143,8 +143,8 @@ struct NeoHookeanLaw {
     HEPATICA_HOST_DEVICE static Matrix3<T> theta_gradient(const Point& point) {
         return point.cofactors;
     }
-    // mu'/2 (I - 3) - mu'/2 log((I + 1)/4) - 3/4 mu' (J - 1) + 5/12 mu (J - 1)^2: together with
-    // lambda/2 (J - 1)^2 the published energy, split so that either part is stable by itself.
+    // mu'/2 (I - 3) - mu'/2 log((I + 1)/4) - 3/4 mu' (J - 1) + 5/12 mu (J - 1)^2. With lambda/2 (J
+    // - 1)^2 this is the published energy, split so that each part is stable by itself.
     HEPATICA_HOST_DEVICE T isochoric_energy(const Point& point) const {
         const T quarter = T(0.25) * point.first, d = point.theta;
         return mu * (point.second + T(2) / T(3) * (quarter - std::log1p(quarter))) +
@@ -186,8 +186,8 @@ struct NeoHookeanLaw {
     HEPATICA_HOST_DEVICE T local_bulk() const { return T(5) / T(6) * mu + local_lambda; }
 };
 
-// The 3x3 block of  sum dP/dF : (a (x) b)  for two shape gradients taken into the frame v, that is
-// a' = v^T grad N_a: the derivative of the force P grad N_a by the position of node b.
+// The 3x3 block of  sum dP/dF : (a (x) b)  for two shape gradients in the principal frame, a' = v^T
+// grad N_a: the derivative of the force P grad N_a with respect to the position of node b.
 template <class T>
 HEPATICA_HOST_DEVICE Matrix3<T> tangent_block(const PrincipalTangent<T>& tangent,
                                               const Vector3<T>& a, const Vector3<T>& b) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The 8-node hexahedron (the paper's future work) in the frame of its rotation, for host and
-// device. Three incompatible modes, condensed once at rest, cure it of locking in bending and near
-// nu = 1/2 (Wilson et al. 1973; Taylor, Beresford and Wilson 1976, whose correction of the modes'
-// gradients makes distorted elements pass the patch test).
+// The corotated 8-node hexahedron (future work in the paper), for host and device. Three
+// incompatible modes, condensed once at rest, prevent locking in bending and near nu = 1/2 (Wilson
+// et al. 1973); with the corrected mode gradients of Taylor, Beresford and Wilson 1976 distorted
+// elements pass the patch test.
 #pragma once
 
 #include "core/deform/elements/polar_decomposition.h"
@@ -12,12 +12,12 @@ namespace hepatica::small {
 
 template <class T>
 struct HexahedronRest {
-    Vector3<T> position[8];  // mm, relative to the first; VTK's order of corners
+    Vector3<T> position[8];  // mm, relative to corner 0; VTK's order of corners
     Vector3<T> gradient[8];  // of the shape functions, averaged over the element
-    T stiffness[24][24];     // uN/mm, at rest, condensed
+    T stiffness[24][24];     // uN/mm, at rest, with the modes condensed
     T volume;                // mm3
-    T guard;                 // Pa, against being crushed
-    T mass_share[8];         // of the element's mass; sum 1
+    T guard;                 // Pa, stiffness of the guard against crushing
+    T mass_share[8];         // of the element's mass; they add up to 1
 };
 
 namespace detail {
@@ -30,13 +30,13 @@ HEPATICA_HOST_DEVICE void hexahedron_corner(int a, int* sign) {
     sign[2] = a < 4 ? -1 : 1;
 }
 
-// 1/sqrt(3): the integration points of the parent cube are at this share of its corners.
+// 1/sqrt(3): the integration points of the parent cube are its corners scaled by this.
 template <class T>
 HEPATICA_HOST_DEVICE T gauss_coordinate() {
     return T(0.57735026918962576451);
 }
 
-// Derivatives by the parent coordinates of the eight shape functions at xi.
+// Derivatives of the eight shape functions with respect to the parent coordinates, at xi.
 template <class T>
 HEPATICA_HOST_DEVICE void parent_gradients(const T* xi, Vector3<T>* d) {
     for (int a = 0; a < 8; ++a) {
@@ -48,7 +48,7 @@ HEPATICA_HOST_DEVICE void parent_gradients(const T* xi, Vector3<T>* d) {
     }
 }
 
-// dx/dxi, row = component of x.
+// dx/dxi; rows are components of x.
 template <class T>
 HEPATICA_HOST_DEVICE Matrix3<T> jacobian(const Vector3<T>* x, const Vector3<T>* d) {
     Matrix3<T> j = zero_matrix<T>();
@@ -63,8 +63,8 @@ HEPATICA_HOST_DEVICE Matrix3<T> hooke_block(const Vector3<T>& a, const Vector3<T
     return lambda * outer(a, b) + mu * outer(b, a) + (mu * dot(a, b)) * identity_matrix<T>();
 }
 
-// Adds what one of the eight integration points has of the volume, of the sums of gradients and of
-// shares of the mass, and of the stiffness of the nodes and, behind them, the modes.
+// Adds one of the eight integration points: its part of the volume, of the integrals of gradients
+// and shape functions, and of the stiffness (rows of the nodes first, then of the modes).
 template <class T>
 HEPATICA_HOST_DEVICE void add_integration_point(int q, const Matrix3<T>& centre_cofactors, T lambda,
                                                 T mu, T (*k)[33], HexahedronRest<T>& rest) {
@@ -79,8 +79,7 @@ HEPATICA_HOST_DEVICE void add_integration_point(int q, const Matrix3<T>& centre_
     const Matrix3<T> cofactors = cofactor(j);
     Vector3<T> g[11];
     for (int a = 0; a < 8; ++a) g[a] = (T(1) / det) * (cofactors * d[a]);
-    // Modes 1 - xi_i^2, with the centre's Jacobian so that constant stress does no work on
-    // them.
+    // Modes 1 - xi_i^2. With the centre's Jacobian, constant stress does no work on them.
     for (int i = 0; i < 3; ++i) g[8 + i] = (T(-2) * xi[i] / det) * column(centre_cofactors, i);
     for (int a = 0; a < 11; ++a)
         for (int b = 0; b < 11; ++b) {
@@ -99,7 +98,7 @@ HEPATICA_HOST_DEVICE void add_integration_point(int q, const Matrix3<T>& centre_
     }
 }
 
-// Removes the last nine unknowns (the modes) from the 33 x 33 stiffness by elimination.
+// Eliminates the last nine unknowns (the modes) from the 33 x 33 stiffness: static condensation.
 template <class T>
 HEPATICA_HOST_DEVICE void condense_modes(T (*k)[33]) {
     for (int p = 32; p >= 24; --p) {
@@ -113,8 +112,8 @@ HEPATICA_HOST_DEVICE void condense_modes(T (*k)[33]) {
 
 }  // namespace detail
 
-// Least Jacobian determinant over the corners and the integration points, in mm3 of the parent
-// cube: not positive where the element is folded and must be refused.
+// Least Jacobian determinant at the corners and the integration points, in mm3 per unit of the
+// parent cube. Elements where it is not positive are folded and must be refused.
 template <class T>
 HEPATICA_HOST_DEVICE T least_jacobian(const Vector3<T>* x) {
     T least = T(0);
@@ -131,7 +130,7 @@ HEPATICA_HOST_DEVICE T least_jacobian(const Vector3<T>* x) {
     return least;
 }
 
-// Done once per element; needs about 10 kB of stack.
+// Called once per element; needs about 10 kB of stack.
 template <class T>
 HEPATICA_HOST_DEVICE void hexahedron_rest(const Vector3<T>* x, T lambda, T mu,
                                           HexahedronRest<T>& rest) {
@@ -158,7 +157,8 @@ HEPATICA_HOST_DEVICE void hexahedron_rest(const Vector3<T>* x, T lambda, T mu,
     }
     rest.guard = local_lambda + T(2) * mu;
     condense_modes(k);
-    // What exceeds 4 mu resists the mean dilatation, in which the modes have no share.
+    // The part of lambda above 4 mu resists the mean dilatation, to which the modes do not
+    // contribute.
     const T bulk = (lambda - local_lambda) * rest.volume;
     for (int i = 0; i < 24; ++i)
         for (int j = 0; j < 24; ++j)
@@ -166,11 +166,10 @@ HEPATICA_HOST_DEVICE void hexahedron_rest(const Vector3<T>* x, T lambda, T mu,
                                    bulk * rest.gradient[i / 3][i % 3] * rest.gradient[j / 3][j % 3];
 }
 
-// As evaluate_tetrahedron, with the `rotated` stiffness. The energy is 1/2 d^T K d, d = R^T x - X,
-// and below three tenths of the volume guard/2 V (det F - 0.3)^2 beside it; the force is the exact
-// gradient of both, including the turn of R with x. The rotation is not unique, and the energy not
-// smooth, where the two smaller singular values of F (the smallest negative where F is inverted)
-// add up to zero.
+// As evaluate_tetrahedron, with the `rotated` stiffness. The energy is 1/2 d^T K d with d = R^T x -
+// X, plus guard/2 V (det F - 0.3)^2 where det F < 0.3. The force is the exact gradient of both,
+// including the dependence of R on x. R is not unique, and the energy not smooth, where the two
+// smaller singular values of F (the smallest counted negative where F is inverted) add up to zero.
 template <class T>
 HEPATICA_HOST_DEVICE T evaluate_hexahedron(const HexahedronRest<T>& rest, const Vector3<T>* x,
                                            Vector3<T>* force, Matrix3<T>* blocks) {
@@ -194,7 +193,8 @@ HEPATICA_HOST_DEVICE T evaluate_hexahedron(const HexahedronRest<T>& rest, const 
         energy += T(0.5) * dot(d[a], pull[a]);
         torque = torque + cross(y[a], pull[a]);
     }
-    // The guard: the rotated frame alone cannot tell a face turned over from one in place.
+    // The guard is needed because the rotated frame cannot tell an inverted face from an intact
+    // one.
     const Matrix3<T> cofactors = cofactor(f);  // the derivative of det F by F
     const T crushed = detail::smaller(determinant(f) - T(0.3), T(0));
     energy += T(0.5) * rest.guard * rest.volume * crushed * crushed;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A scalar that is several: N values side by side in one vector register, so that the element
-// functions, written once for a scalar, evaluate N elements in one pass. Only sums, products and
-// quotients, never fused: every lane gets the bits that the scalar would get. Host only.
+// A scalar type that holds N values in one vector register (SIMD), so that element functions that
+// are written once for a scalar evaluate N elements in one pass. Operations are never fused: every
+// lane gets the same bits as the scalar would. Host only.
 #pragma once
 
 #include "core/deform/elements/polar_decomposition.h"
@@ -13,7 +13,7 @@ struct Lanes {
     typedef T Vector __attribute__((vector_size(N * sizeof(T))));  // NOLINT: dependent size
     static constexpr int count = N;
 
-    // Which lanes a comparison holds for.
+    // The lanes for which a comparison holds.
     struct Mask {
         decltype(Vector{} < Vector{}) bits;
         friend Mask operator&(const Mask& a, const Mask& b) { return {a.bits & b.bits}; }
@@ -60,7 +60,7 @@ struct ScalarOf<Lanes<T, N>> {
     using type = T;
 };
 
-// Lane by lane: few elements of a body are flat or inverted.
+// One lane at a time, because few elements of a body are flat or inverted.
 template <class T, int N>
 Matrix3<Lanes<T, N>> rotation_by_svd(const Matrix3<Lanes<T, N>>& f,
                                      const typename Lanes<T, N>::Mask& found,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rotation nearest to a deformation gradient, with determinant +1 for every input: stretched,
-// flat, inverted or zero. Newton's iteration (Higham 1986) where the matrix is safely regular,
+// The rotation nearest to a deformation gradient. Its determinant is +1 for every input: stretched,
+// flat, inverted or zero. Newton's iteration (Higham 1986) where the matrix is well-conditioned,
 // otherwise a one-sided Jacobi singular value decomposition (Hestenes 1958).
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace hepatica::small {
 
-// f = u diag(sigma) v^T with u, v rotations (determinant +1); |sigma| descending, and only
-// sigma[2] may be negative, which it is where f is inverted.
+// f = u diag(sigma) v^T with rotations u and v (determinant +1). |sigma| is descending; sigma[2]
+// alone may be negative, and is exactly where f is inverted.
 template <class T>
 struct SignedSvd {
     Matrix3<T> u;
@@ -17,7 +17,7 @@ struct SignedSvd {
     Matrix3<T> v;
 };
 
-// What a scalar is made of: itself, but for the lanes of lanes.h.
+// The type of one value: T itself, or of one lane for the Lanes of lanes.h.
 template <class T>
 struct ScalarOf {
     using type = T;
@@ -25,7 +25,7 @@ struct ScalarOf {
 template <class T>
 inline constexpr bool is_double = sizeof(typename ScalarOf<T>::type) == sizeof(double);
 
-// Choices as functions, so that lanes can choose each for itself.
+// Conditions as functions, so that each lane of a Lanes can choose for itself.
 template <class T>
 HEPATICA_HOST_DEVICE T select(bool condition, const T& a, const T& b) {
     return condition ? a : b;
@@ -57,7 +57,7 @@ HEPATICA_HOST_DEVICE T root(T a) {
     return std::sqrt(a);
 }
 
-// Largest absolute entry, by which everything is scaled so that no square overflows.
+// Largest absolute entry. Dividing by it keeps squares from overflowing.
 template <class T>
 HEPATICA_HOST_DEVICE T largest_entry(const Matrix3<T>& a) {
     T largest = T(0);
@@ -79,11 +79,11 @@ HEPATICA_HOST_DEVICE void swap_columns(Matrix3<T>& a, int p, int q) {
     for (int i = 0; i < 3; ++i) {
         const T kept = a(i, p);
         a(i, p) = a(i, q);
-        a(i, q) = -kept;  // one sign turns, so that the determinant stays
+        a(i, q) = -kept;  // one sign changes, so that the determinant is kept
     }
 }
 
-// Some unit vector orthogonal to the unit vector x.
+// A unit vector orthogonal to the unit vector x.
 template <class T>
 HEPATICA_HOST_DEVICE Vector3<T> orthogonal_unit(const Vector3<T>& x) {
     int axis = 0;
@@ -95,7 +95,8 @@ HEPATICA_HOST_DEVICE Vector3<T> orthogonal_unit(const Vector3<T>& x) {
     return (T(1) / root(dot(y, y))) * y;
 }
 
-// Rotates columns p and q of b (and of v) until they are orthogonal. False if they already were.
+// Jacobi rotation of columns p and q of b (and of v) that makes them orthogonal in b. False if they
+// already were.
 template <class T>
 HEPATICA_HOST_DEVICE bool orthogonalise_columns(Matrix3<T>& b, Matrix3<T>& v, int p, int q) {
     const Vector3<T> x = column(b, p), y = column(b, q);
@@ -152,7 +153,7 @@ HEPATICA_HOST_DEVICE SignedSvd<T> signed_svd(const Matrix3<T>& f) {
     return svd;
 }
 
-// r where the rotation nearest to f was found, otherwise by decomposition.
+// Returns r where `found`, otherwise the rotation nearest to f by singular value decomposition.
 template <class T>
 HEPATICA_HOST_DEVICE Matrix3<T> rotation_by_svd(const Matrix3<T>& f, bool found,
                                                 const Matrix3<T>& r) {
@@ -165,11 +166,11 @@ HEPATICA_HOST_DEVICE Matrix3<T> rotation_by_svd(const Matrix3<T>& f, bool found,
 template <class T>
 HEPATICA_HOST_DEVICE Matrix3<T> nearest_rotation(const Matrix3<T>& f) {
     using namespace detail;
-    // Convergence is quadratic: after a change of sqrt(epsilon) the next one is rounding.
+    // Convergence is quadratic: after a change of sqrt(epsilon) the next one is below rounding.
     const T enough = is_double<T> ? T(1e-8) : T(2e-4);
     Matrix3<T> x = f, c = cofactor(x);
     T det = x(0, 0) * c(0, 0) + x(0, 1) * c(0, 1) + x(0, 2) * c(0, 2);
-    // Far from a rotation the iteration is slow, near a singular matrix it is inexact.
+    // Newton's iteration is slow far from a rotation and inexact near a singular matrix.
     const auto regular = (det > T(0.01)) & (inner(x, x) < T(100));
     auto turning = regular;
     for (int iteration = 0; iteration < 12 && any(turning); ++iteration) {

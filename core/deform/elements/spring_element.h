@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cheapest tetrahedron: six springs along its edges and one that resists a change of volume,
-// for host and device. Spring constants follow from averaging over directions: springs of density
-// kappa/2 sum (n . strain n)^2 make a solid with lambda = mu = 2/5 kappa; the volume spring adds
-// the rest of lambda. A solid with Poisson's ratio below 1/4 would need a negative one and gets
-// none.
+// for host and device. Averaged over all directions, springs with the energy density kappa/2 sum (n
+// . strain n)^2 make a solid with lambda = mu = 2/5 kappa; the volume spring adds the rest of
+// lambda. Where Poisson's ratio is below 1/4 this rest would be negative, and there is no volume
+// spring.
 #pragma once
 
 #include "core/deform/elements/tetrahedron_element.h"
@@ -39,8 +39,8 @@ HEPATICA_HOST_DEVICE SpringRest<T> spring_rest(const Vector3<T>* x, T lambda, T 
     return rest;
 }
 
-// As evaluate_tetrahedron. The stiffness leaves out what would be negative: the sideways part of a
-// compressed spring and the second derivative of the volume.
+// As evaluate_tetrahedron. The stiffness leaves out the terms that may be negative: the transverse
+// part of a compressed spring and the second derivative of the volume.
 template <class T>
 HEPATICA_HOST_DEVICE T evaluate_springs(const SpringRest<T>& rest, const Vector3<T>* x,
                                         Vector3<T>* force, Matrix3<T>* blocks) {
@@ -54,7 +54,7 @@ HEPATICA_HOST_DEVICE T evaluate_springs(const SpringRest<T>& rest, const Vector3
         const T length = detail::root(dot(d, d)), stretch = length - rest.length[e];
         const T k = rest.stiffness[e];
         energy += T(0.5) * k * stretch * stretch;
-        // A spring of no length pushes along no direction.
+        // A spring of zero length has no direction and exerts no force.
         const bool collapsed = !(length > T(1e-6) * rest.length[e]);
         const Vector3<T> n = collapsed ? Vector3<T>{{T(0), T(0), T(0)}} : (T(1) / length) * d;
         if (force) {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tetrahedra of 4 and 10 nodes for any constitutive law: energy, force and stiffness, for host and
-// device. The linear element has one integration point, the quadratic one four, with straight edges
-// at rest. Resistance to dilatation beyond that of nu = 0.4 acts on the element's mean, so that the
-// quadratic element does not lock near nu = 1/2 and is the usual one below.
+// device. The linear element has one integration point, the quadratic one four and straight edges
+// at rest. In the quadratic element the part of lambda above 4 mu (nu = 0.4) acts on the mean
+// dilatation, so that it does not lock near nu = 1/2; for smaller lambda it is the usual element.
 #pragma once
 
 #include "core/deform/elements/constitutive_law.h"
 
 namespace hepatica::small {
 
-// What an element keeps of its shape and material at rest.
+// An element's shape and material at rest.
 template <class T>
 struct TetrahedronRest {
     Vector3<T> gradient[3];  // of the barycentric coordinates of corners 1, 2, 3; 1/mm
@@ -18,12 +18,12 @@ struct TetrahedronRest {
     T mu;
 };
 
-// Which stiffness: `rotated` is the linear one in the frame of the rotation (corotated law only;
-// positive semidefinite by construction; the published step), `projected` the exact Hessian with
-// its negative eigenvalues removed (Newton's method).
+// `rotated`: the linear stiffness in the rotated frame (corotated law only; positive semidefinite
+// by construction; the published step). `projected`: the exact Hessian without its negative
+// eigenvalues (Newton's method).
 enum class Tangent { none, rotated, projected };
 
-// Number of pairs of nodes a < b; block(a, b) of an element lies at pair_index(a, b).
+// Number of pairs of nodes a < b; the block of pair (a, b) is at pair_index(a, b).
 template <int Nodes>
 inline constexpr int pair_count = Nodes*(Nodes - 1) / 2;
 template <int Nodes>
@@ -74,7 +74,7 @@ HEPATICA_HOST_DEVICE void shape_gradients(const TetrahedronRest<T>& rest, int q,
     }
 }
 
-// F from differences of positions: a translation of the body changes no bit.
+// Uses differences of positions, so that a translation of the body changes no bit.
 template <int Nodes, class T>
 HEPATICA_HOST_DEVICE Matrix3<T> deformation_gradient(const Vector3<T>* x, const Vector3<T>* g) {
     Matrix3<T> f = zero_matrix<T>();
@@ -86,14 +86,15 @@ HEPATICA_HOST_DEVICE Matrix3<T> deformation_gradient(const Vector3<T>* x, const 
     return f;
 }
 
-// The law of an element: one point takes all of lambda, several share what exceeds 4 mu.
+// The law of an element. With one point W takes all of lambda; with several, at most 4 mu.
 template <int Nodes, template <class> class Law, class T>
 HEPATICA_HOST_DEVICE Law<T> law_of(const TetrahedronRest<T>& rest) {
     const T local = Nodes == 4 ? rest.lambda : smaller(rest.lambda, T(4) * rest.mu);
     return {rest.mu, local, rest.lambda - local};
 }
 
-// One point's share of the forces: put there by the first point, added by others. They sum to zero.
+// One integration point's part of the nodal forces. `first` overwrites, otherwise it is added. The
+// parts sum to zero over the nodes.
 template <int Nodes, class Law, class T>
 HEPATICA_HOST_DEVICE void add_point_force(const Law& law, const typename Law::Point& point,
                                           T pressure, T weight, const Vector3<T>* g, bool first,
@@ -108,7 +109,7 @@ HEPATICA_HOST_DEVICE void add_point_force(const Law& law, const typename Law::Po
     force[0] = first ? T(-1) * sum : force[0] - sum;
 }
 
-// One point's share of the stiffness: put into the blocks by the first point, added by others.
+// One integration point's part of the stiffness blocks. `first` overwrites, otherwise it is added.
 template <int Nodes, Tangent tangent, class Law, class T>
 HEPATICA_HOST_DEVICE void add_point_stiffness(const Law& law, const typename Law::Point& point,
                                               T pressure, T weight, const Vector3<T>* g, bool first,
@@ -143,10 +144,10 @@ HEPATICA_HOST_DEVICE void add_point_stiffness(const Law& law, const typename Law
 
 }  // namespace detail
 
-// Energy [nJ] of the element at the positions x [mm]; adds nothing else.
-// force (may be null) receives the elastic force on each node [uN]; blocks (null with
-// Tangent::none) receives the stiffness blocks of all pairs a < b, K = -dforce_a/dx_b [uN/mm]; the
-// diagonal blocks are minus the sum of their row, since a translation costs nothing.
+// Energy [nJ] of the element at the positions x [mm]. force (may be null) receives the elastic
+// force on each node [uN]. blocks (null with Tangent::none) receives the stiffness blocks of all
+// pairs a < b, K = -dforce_a/dx_b [uN/mm]. Diagonal blocks are minus the sum of the others in their
+// row, since a translation changes no force.
 template <int Nodes, Tangent tangent, template <class> class LawOf, class T>
 HEPATICA_HOST_DEVICE T evaluate_tetrahedron(const TetrahedronRest<T>& rest, const Vector3<T>* x,
                                             Vector3<T>* force, Matrix3<T>* blocks) {
@@ -166,7 +167,7 @@ HEPATICA_HOST_DEVICE T evaluate_tetrahedron(const TetrahedronRest<T>& rest, cons
     if (!force && !blocks) return energy;
 
     const T pressure = law.mean_lambda * theta, weight = rest.volume / T(points);
-    Vector3<T> h[Nodes];  // gradient of the mean dilatation, where it differs from the point's
+    Vector3<T> h[Nodes];  // gradient of the mean dilatation; used where there are several points
     for (int a = 0; a < Nodes; ++a) h[a] = {{T(0), T(0), T(0)}};
     for (int q = 0; q < points; ++q) {
         if (force)
@@ -192,10 +193,11 @@ HEPATICA_HOST_DEVICE T evaluate_tetrahedron(const TetrahedronRest<T>& rest, cons
     return energy;
 }
 
-// The linear corotated element with its `rotated` stiffness in factors: turned[a] is the gradient
-// of node a's shape function in the frame of the rotation, times sqrt(mu volume), and
+// The linear corotated element with its `rotated` stiffness in factored form: turned[a] is the
+// gradient of node a's shape function in the rotated frame, times sqrt(mu volume), and
 //   K_ab = S + (lambda / mu) S^T + trace(S) I  with  S = turned[b] turned[a]^T:
-// twelve numbers instead of fifty-four, and elements of one ratio lambda / mu can add up S first.
+// twelve numbers instead of fifty-four, and elements with the same ratio lambda / mu can add up S
+// first.
 template <class T>
 HEPATICA_HOST_DEVICE T evaluate_turned_gradients(const TetrahedronRest<T>& rest,
                                                  const Vector3<T>* x, Vector3<T>* force,
@@ -211,7 +213,7 @@ HEPATICA_HOST_DEVICE T evaluate_turned_gradients(const TetrahedronRest<T>& rest,
     return rest.volume * law.isochoric_energy(point);
 }
 
-// d^T K d of that stiffness, u being d relative to node 0.
+// d^T K d for that stiffness; u[a] is d of node a relative to node 0.
 template <class T>
 HEPATICA_HOST_DEVICE T quadratic_form(const Vector3<T>* turned, T lambda_over_mu,
                                       const Vector3<T>* u) {

@@ -68,8 +68,8 @@ void CoulombFriction::list_rubs(int kind, std::vector<RubPoint>& rubs) const {
     });
 }
 
-// What slips is about to stick where the other forces that act on it fall short of friction by
-// `slowing_share` of that. Both are shared out to the nodes.
+// A slipping point is about to stick where the other forces fall short of friction by the share
+// `slowing_share` of it. Limits are distributed to the nodes by the weights.
 void CoulombFriction::foresee(std::span<const Vec3> positions_mm, std::span<const Vec3> forces_un) {
     std::unordered_map<int, double> limit_un;
     for (const Grip& grip : grips_)

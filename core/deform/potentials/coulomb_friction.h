@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coulomb's friction on points of a body's surface, as the potential of one step: SlipLaw, with the
-// normals, weights and forces of the step's beginning. Slip is the motion of the touching point
-// along the surface less that of what it touches. What sticks creeps slower than 1e-5 mean edges a
-// second, which is sleep. Its term of the ledger is `friction_loss`.
+// Coulomb friction on points of a body's surface, as the potential of one step: SlipLaw with the
+// normals, weights and normal forces of the step's beginning. Slip is the motion of the touching
+// point along the surface relative to what it touches. Sticking points creep slower than 1e-5 mean
+// edges per second, slow enough for the body to fall asleep. Its term of the ledger is
+// `friction_loss`.
 #pragma once
 
 #include <vector>
@@ -14,26 +15,26 @@
 
 namespace hepatica {
 
-// A point of the body's surface that touches something, as it was when the step began.
+// A point of the body's surface that touched something when the step began.
 struct Grip {
-    // Where it is an edge or a vertex, a node stands in it again, with the weight 0.
+    // Three corners of a triangle; for an edge or a vertex a node is repeated with weight 0.
     std::array<int, 3> nodes;
     std::array<double, 3> weights;
     Vec3 normal;
-    double limit_un;     // mu N
-    Vec3 anchor_mm;      // where what it touches takes the point
-    bool slows = false;  // it slips, but is about to stick
+    double limit_un;     // mu N: friction of full slip
+    Vec3 anchor_mm;      // where the touched thing would carry the point
+    bool slows = false;  // slips, but is about to stick
 
     Vec3 point(std::span<const Vec3> positions_mm) const;
 };
 
-// That a thread takes at once.
+// Points per task of a parallel loop.
 constexpr std::size_t grips_per_block = 256;
 
-// How far a step of dt_s > 0 lets creep what sticks.
+// How far a sticking point may creep in a step of dt_s > 0.
 double creep_mm(const Body& body, double dt_s);
 
-// Keeps a reference to the body. What touches is for those to say that have the contacts.
+// Keeps a reference to the body. Derived classes say what touches (grips_of).
 class CoulombFriction : public Potential {
   public:
     explicit CoulombFriction(const Body& body) : body_(body) {}
@@ -45,10 +46,10 @@ class CoulombFriction : public Potential {
         held_ = {};
     }
 
-    // What it acts on in this step, as `kind`.
+    // Appends the contacts of this step, marked as friction of this `kind`.
     void list_rubs(int kind, std::vector<RubPoint>& rubs) const;
 
-    // The friction on a point of the body.
+    // The friction force on a point of the body.
     struct PointForce {
         Vec3 at_mm;
         Vec3 force_un;
@@ -71,7 +72,7 @@ class CoulombFriction : public Potential {
     }
 
   private:
-    // The contacts of the step's beginning.
+    // The contacts at the beginning of the step.
     virtual std::vector<Grip> grips_of(std::span<const Vec3> start_mm, double dt_s) const = 0;
     static Vec3 slip_of(const Grip& grip, std::span<const Vec3> positions_mm);
     SlipLaw law_of(const Grip& grip) const { return {grip.limit_un, creep_mm_}; }
@@ -81,7 +82,7 @@ class CoulombFriction : public Potential {
 
     const Body& body_;
     std::vector<Grip> grips_;
-    double creep_mm_ = 0.0;  // e
+    double creep_mm_ = 0.0;  // e of SlipLaw
     std::span<const std::uint8_t> held_;
 };
 

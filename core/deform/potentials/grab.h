@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A compliant pull: a spring of limited force between a point of the body and a target. Never a
-// prescribed position, so that no speed of the mouse can make the body explode.
+// A compliant pull: a spring of limited force between a point of the body and a target. It never
+// prescribes a position, so that no speed of the mouse makes the simulation unstable.
 #pragma once
 
 #include <array>

@@ -6,7 +6,6 @@
 namespace hepatica {
 namespace {
 
-// Used by the energy, the force and the stiffness alike.
 struct Pull {
     Vec3 stretch_mm;  // from the held point to the target
     double length_mm;
@@ -14,7 +13,7 @@ struct Pull {
 };
 
 Pull pull_of(const Grab& grab, std::span<const Vec3> positions) {
-    Vec3 stretch = Vec3::Zero();  // by differences: exact for a body far from the origin
+    Vec3 stretch = Vec3::Zero();  // from differences: exact for a body far from the origin
     for (int a = 0; a < 4; ++a)
         if (grab.vertices[a] >= 0)
             stretch += grab.weights[a] * (grab.target_mm - positions[grab.vertices[a]]);

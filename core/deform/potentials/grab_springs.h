@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tools' grabs as potentials. A grab stretched by s beyond s_limit = limit / k stores
-// limit s - limit^2 / (2 k), whose force is the limit; within it k s^2 / 2. Their term of the
+// The tools' grabs as potentials. A grab stretched by s stores k s^2 / 2 up to s_limit = limit / k,
+// and limit s - limit^2 / (2 k) beyond, where its force is the constant limit. Their term of the
 // ledger is `grab`.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace hepatica {
 
 class GrabSprings final : public Potential {
   public:
-    // As validate_grabs demands.
+    // The grabs must satisfy validate_grabs.
     void set(std::span<const Grab> grabs) { grabs_.assign(grabs.begin(), grabs.end()); }
     const std::vector<Grab>& all() const { return grabs_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Weight: a constant force m g. Its term of the ledger is the work it does, gravity_work.
+// Weight: a constant force m g. Its term of the ledger is its work, `gravity_work`.
 #pragma once
 
 #include "core/deform/body/body.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks of what acts on a body from outside. They are called before anything is changed, so that
-// bad input has no effect. Each throws InputError unless its argument is as described.
+// Checks of external loads on a body. They are called before anything is changed, so that bad input
+// has no effect. Each throws InputError unless its argument is as described.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +12,15 @@
 
 namespace hepatica {
 
-// Finite.
+// Gravity must be finite.
 void validate_gravity(const Vec3& gravity_mm_per_s2);
 
-// Nodes that exist (the first vertex of each grab at least), finite weights of sum 1, a finite
+// Existing vertices (negative ones are unused, except the first), finite weights of sum 1, a finite
 // target, stiffness and force limit finite and greater than 0.
 void validate_grabs(std::span<const Grab> grabs, std::size_t nodes);
 
-// A finite tool of one part or more with a radius, pad, pressure and force limit greater than 0 and
-// a friction of 0 or more, beside a body that may be touched.
+// The tool must be finite, have at least one part, radius, pad, pressure and force limit greater
+// than 0 and a friction of 0 or more; the body must be touchable.
 void validate_tool(const Tool& tool, bool touchable);
 
 }  // namespace hepatica

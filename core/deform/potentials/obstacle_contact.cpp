@@ -23,7 +23,7 @@ std::span<const Vec3> ObstacleContact::all_from(std::span<const Vec3> positions_
     return from_mm_;
 }
 
-// The same span where nothing moves: who searches does less then.
+// Returns the same span as all_from() where nothing moves, because the search is cheaper then.
 std::span<const Vec3> ObstacleContact::all_to(std::span<const Vec3> from_mm,
                                               std::span<const Vec3> to_mm) const {
     if (from_mm.data() == to_mm.data()) return from_mm_;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The body's surface and obstacles, as a potential: the pads of surface_pairs.h between its
-// features and those of rigid surfaces that stand still. All blocks of the stiffness are within one
-// feature of the body, so that the matrix holds it whole. A surface is no wall with two sides but a
-// sheet that nothing passes: what is outside of a tumour stays outside, what is in the liver stays
-// in. Its term of the ledger is `contact`. What overlaps at rest: see Overlaps.
+// Contact between the body's surface and obstacles, as a potential: the pads of surface_pairs.h
+// between its features and those of rigid, fixed surfaces. Every block of the stiffness lies within
+// one feature of the body, so that the matrix has a place for it. An obstacle is a surface that
+// nothing passes, from either side: what is outside a tumour stays outside, what is inside the
+// liver stays inside. Its term of the ledger is `contact`. Overlaps at rest: see Overlaps.
 #pragma once
 
 #include <vector>
@@ -15,30 +15,31 @@
 
 namespace hepatica {
 
-// A point of the body in an obstacle's pad: a vertex, a point of an edge or of a triangle.
+// A point of the body in the pad of an obstacle: a vertex or a point of an edge or a triangle.
 struct ObstacleContactPoint {
     std::array<int, 3> nodes{};  // as in Grip
     std::array<double, 3> weights{};
     Vec3 normal = Vec3::Zero();  // from the obstacle to the body, of length 1
 };
 
-// Keeps a reference to the body, which has obstacles. Keeps what it found last: not thread-safe.
+// Keeps a reference to the body, which must have obstacles. Caches the last search: not
+// thread-safe.
 class ObstacleContact final : public Potential {
   public:
     explicit ObstacleContact(const Body& body);
 
-    // Nodes from Body::node_count() on are those of the obstacles, one after the other.
+    // Node numbers from Body::node_count() on belong to the obstacles, one after the other.
     const std::vector<SurfaceContact>& contacts(std::span<const Vec3> positions_mm) const;
-    // As SurfacePairs.
+    // See SurfacePairs.
     void list_touches(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
                       std::vector<PadPair>& list) const;
-    // Where the obstacles' nodes stand, in the order of their numbers.
+    // Positions of the obstacles' nodes, in the order of their numbers.
     std::span<const Vec3> standing_mm() const {
         return std::span(rest_mm_).subspan(static_cast<std::size_t>(body_.node_count()));
     }
     ObstacleContactPoint point_of(const SurfaceContact& contact) const;
     double friction() const { return body_.obstacles->friction; }
-    // What of the two overlaps, what finding it costs; of positions of the body's nodes.
+    // Overlaps and costs of the search. Positions below are those of the body's nodes alone.
     SurfacePairs& pairs() { return *pairs_; }
     const SurfacePairs& pairs() const { return *pairs_; }
     void let_go(std::span<const Vec3> positions_mm) { pairs_->let_go(all_from(positions_mm)); }
@@ -73,18 +74,18 @@ class ObstacleContact final : public Potential {
                              std::span<const Vec3> to_mm) const override;
 
   private:
-    // The places of all nodes, those of the obstacles behind the body's; until the next call.
+    // Positions of all nodes, the body's first; valid until the next call.
     std::span<const Vec3> all_from(std::span<const Vec3> positions_mm) const;
     std::span<const Vec3> all_to(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const;
 
     const Body& body_;
     std::vector<Vec3> rest_mm_;                  // of all nodes
-    mutable std::vector<Vec3> from_mm_, to_mm_;  // likewise
-    std::optional<SurfacePairs> pairs_;          // always there
+    mutable std::vector<Vec3> from_mm_, to_mm_;  // scratch copies for from and to
+    std::optional<SurfacePairs> pairs_;          // set once constructed
     std::span<const std::uint8_t> held_;
 };
 
-// Friction between the body and obstacles. Keeps references to both.
+// Friction between the body and obstacles. Keeps references to the body and the contact.
 class ObstacleFriction final : public CoulombFriction {
   public:
     ObstacleFriction(const Body& body, const ObstacleContact& contact)

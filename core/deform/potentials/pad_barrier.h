@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one law of all contacts: a pad of some thickness that is pressed together, whose force grows
-// without bound as the gap closes. With the pressed part s = 1 - gap / pad,
-//   energy = strength pad (-s - ln(1 - s)),  force = strength s / (1 - s),
-// and no energy, force or jump of either at s = 0. See docs/contact.md. For host and device.
+// The one law of all contacts: a compressible pad whose force grows without bound as the gap
+// closes. With the compression s = 1 - gap / pad,
+//   energy = strength pad (-s - ln(1 - s)),  force = strength s / (1 - s).
+// Both start at zero, without a jump, at s = 0. See docs/contact.md. For host and device.
 #pragma once
 
 #include <limits>
@@ -12,12 +12,12 @@
 namespace hepatica {
 
 struct PadBarrier {
-    double energy_nj = 0.0;  // infinite where the gap has closed
-    double force_un = 0.0;   // apart, finite even there
+    double energy_nj = 0.0;  // infinite where the gap is closed
+    double force_un = 0.0;   // repulsive; finite even where the gap is closed
     double stiffness_un_per_mm = 0.0;
 };
 
-// `gap_mm` below `pad_mm` > 0; `strength_un` is the pad's pressure times the area that it acts on.
+// Requires gap_mm < pad_mm and pad_mm > 0; `strength_un` is the pad's pressure times its area.
 HEPATICA_HOST_DEVICE PadBarrier pad_barrier(double gap_mm, double pad_mm, double strength_un) {
     constexpr double deepest = 1.0 - 1e-12;
     double pressed = 1.0 - gap_mm / pad_mm;

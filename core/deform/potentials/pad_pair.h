@@ -12,12 +12,12 @@ constexpr double nearly_parallel = 0.01;  // sin^2 of the angle between edges
 
 struct PadPair {
     int nodes[4];  // of the first feature, then of the second
-    int in_first;  // the first so many: 1 of a vertex and a triangle, 2 of two edges
+    int in_first;  // nodes of the first feature: 1 (vertex and triangle) or 2 (two edges)
     double pad_mm, strength_un;
-    double parallel_mm4;  // of two edges: nearly_parallel times their squared lengths at rest
+    double parallel_mm4;  // two edges: nearly_parallel times their squared rest lengths
 };
 
-// The nearest points of the two features with these corners.
+// The nearest points of two features, as weights of their corners.
 struct NearestPoints {
     double weights[4];             // > 0 on the first feature, < 0 on the second
     small::Vector3<double> apart;  // from the second point to the first
@@ -27,7 +27,7 @@ struct NearestPoints {
 struct PairPull {
     small::Vector3<double> normal;  // from the second to the first, of length 1
     PadBarrier pad;                 // its force is along the normal on the first
-    // Of edges nearly parallel, as forces on their ends: minus on the beginning, plus on the end.
+    // Nearly parallel edges: forces on their ends, minus this at the first end, plus at the second.
     small::Vector3<double> turning_first_un, turning_second_un;
 };
 
@@ -49,7 +49,7 @@ HEPATICA_HOST_DEVICE NearestPoints nearest_points(int in_first, const small::Vec
     return at;
 }
 
-// Edges that are nearly parallel: the pad fades out.
+// Fades the pad out where two edges are nearly parallel.
 HEPATICA_HOST_DEVICE void fade(const PadPair& pair, const small::Vector3<double>* x,
                                PairPull& pull) {
     const small::Vector3<double> e = x[1] - x[0], f = x[3] - x[2];
@@ -57,7 +57,7 @@ HEPATICA_HOST_DEVICE void fade(const PadPair& pair, const small::Vector3<double>
     const double c = small::squared_length(small::cross(e, f)) / full;
     if (c >= 1.0) return;
     const double share = c * (2.0 - c);
-    // -energy times the gradient of `share` with respect to the edges e and f.
+    // -energy times the gradient of `share` with respect to the edge vectors e and f.
     const double slope = -pull.pad.energy_nj * 2.0 * (1.0 - c) * 2.0 / full;
     const double ee = small::squared_length(e), ff = small::squared_length(f);
     const double ef = small::dot(e, f);
@@ -68,7 +68,7 @@ HEPATICA_HOST_DEVICE void fade(const PadPair& pair, const small::Vector3<double>
     pull.pad.stiffness_un_per_mm *= share;
 }
 
-// The nearest points lie closer than the pad is thick.
+// Requires a gap smaller than the pad.
 HEPATICA_HOST_DEVICE PairPull pull_of(const PadPair& pair, const NearestPoints& at,
                                       const small::Vector3<double>* x) {
     PairPull pull{};

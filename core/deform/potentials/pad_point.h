@@ -8,25 +8,24 @@
 
 namespace hepatica {
 
-// A part of a tool.
 struct PadCapsule {
     small::Vector3<double> begin, end;
     double radius_mm;
 };
 
 struct PadPoint {
-    int nodes[3];       // of its triangle
-    double weights[3];  // of these
+    int nodes[3];       // the corners of its triangle
+    double weights[3];  // barycentric
     int part;           // of the tool
     double strength_un;
-    double dip_mm;  // by which its triangle bulges into the pad; gaps are counted from there
+    double dip_mm;  // how far its triangle bulges into the pad; subtracted from the gap
 };
 
 struct PointPull {
-    bool pressed = false;  // the rest is set only then
+    bool pressed = false;  // the members below are set only where true
     small::Vector3<double> at{}, normal{};
-    double along = 0.0;  // the part's axis, from 0 to 1
-    PadBarrier pad;      // its force is along the normal on the surface
+    double along = 0.0;  // position along the part's axis, from 0 to 1
+    PadBarrier pad;      // its force acts along the normal on the surface
 };
 
 HEPATICA_HOST_DEVICE PointPull pull_of(const PadPoint& point, const PadCapsule& part, double pad_mm,

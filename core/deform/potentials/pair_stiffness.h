@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stiffness of a force between points of two features of a surface, J^T k J, where J takes the
-// weighted mean of the first feature's nodes less that of the second's. What lies within one
-// feature has blocks in every matrix of the body, since a face is of one element. What lies between
-// the two has not: it is the coupling, applied to vectors alone. Held nodes do not move.
+// The stiffness J^T k J of a force between points of two features of a surface, where J is the
+// weighted mean of the first feature's nodes minus that of the second's. Blocks within one feature
+// exist in every matrix of the body, because a face belongs to one element. Blocks between the two
+// features do not: they are the coupling, which is only applied to vectors. Held nodes do not move.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ namespace hepatica {
 struct PointPair {
     std::array<int, 4> nodes{};
     std::array<double, 4> weights{};
-    int in_first = 1;  // the first so many nodes are of the first feature
+    int in_first = 1;  // how many nodes belong to the first feature
 
     bool within_one(int a, int b) const { return (a < in_first) == (b < in_first); }
     // From the second point to the first.
@@ -28,7 +28,7 @@ struct PointPair {
         for (int a = 0; a < 4; ++a) sum += weights[a] * x[nodes[a]];
         return sum;
     }
-    // `force` on the first point, its opposite on the second.
+    // Adds `force` at the first point and its opposite at the second.
     void add_force(const Vec3& force, std::span<Vec3> forces) const {
         for (int a = 0; a < 4; ++a) forces[nodes[a]] += weights[a] * force;
     }
@@ -48,8 +48,8 @@ inline void add_within(const PointPair& pair, const Mat3& stiffness,
         }
 }
 
-// `within`: the part of one feature alone, as above; else the coupling. d is 0 on held nodes, or
-// counts as such.
+// `within`: the blocks within each feature, as add_within(); otherwise the coupling. d of held
+// nodes is taken as 0.
 inline void add_pair_product(const PointPair& pair, const Mat3& stiffness, bool within,
                              std::span<const std::uint8_t> held, std::span<const Vec3> d,
                              std::span<Vec3> product) {
@@ -64,8 +64,8 @@ inline void add_pair_product(const PointPair& pair, const Mat3& stiffness, bool 
             product[pair.nodes[a]] += pair.weights[a] * (a < pair.in_first ? first : second);
 }
 
-// Appends the blocks of the coupling. A node of no weight has them, too, so that they change as
-// seldom as the pairs that touch.
+// Appends the blocks of the coupling, including those of nodes with weight 0, so that their pattern
+// changes only when the touching pairs do.
 inline void append_pair_coupling(const PointPair& pair, const Mat3& stiffness,
                                  std::span<const std::uint8_t> held, CouplingBlocks& blocks) {
     PairCoupling own;

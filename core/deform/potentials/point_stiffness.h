@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stiffness of a force on one point of a triangle, J^T k J with the weights of the corners as
-// J: in a matrix that has the blocks of every pair of corners, and times a vector. In the matrix
-// nodes with held[i] != 0 are left out: their rows are those of nodes that do not move.
+// The stiffness J^T k J of a force on one point of a triangle, where J are the weights of the
+// corners: added to a matrix that has the blocks of every pair of corners, or multiplied by a
+// vector. Rows and columns of nodes with held[i] != 0, which do not move, are left out of the
+// matrix.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What acts on a body from outside, as one of a list of potentials that enter the implicit step:
-// each gives its energy, its force (minus the gradient), its stiffness and its term of the ledger.
-// One virtual call a step and potential; loops over nodes lie inside.
+// One external potential of a body; a list of them enters the implicit step. Each gives its energy,
+// its force (minus the gradient), its stiffness and its term of the ledger. Loops over nodes are
+// inside the virtual calls, so that dispatch costs one call per step and potential.
 #pragma once
 
 #include <cstdint>
@@ -25,13 +25,14 @@ class Potential {
     Potential& operator=(const Potential&) = delete;
     virtual ~Potential() = default;
 
-    // Energy at the positions [nJ]. A potential without a zero of its own, such as weight, counts
-    // from `reference_mm`, and so loses no digits where the two are near each other.
+    // Energy at the positions [nJ]. A potential without a natural zero, such as weight, counts from
+    // `reference_mm`, which keeps digits where the two are near each other.
     virtual double energy(std::span<const Vec3> positions_mm,
                           std::span<const Vec3> reference_mm) const = 0;
 
-    // Adds that energy of every node to the piece of the body it belongs to, piece_of_node[i]. What
-    // spans several nodes counts for the piece of its first: see join_pieces.
+    // Adds the same energy node by node to the piece of the body that the node belongs to,
+    // piece_of_node[i]. An energy of several nodes counts for the piece of the first: see
+    // join_pieces.
     virtual void add_energy_by_piece(std::span<const Vec3> positions_mm,
                                      std::span<const Vec3> reference_mm,
                                      std::span<const int> piece_of_node,
@@ -41,33 +42,34 @@ class Potential {
     virtual void add_forces(std::span<const Vec3> positions_mm,
                             std::span<Vec3> forces_un) const = 0;
 
-    // Told before stiffness is asked for: the sum of all forces on the body there, elastic and of
-    // all potentials, from which a potential with a kink can tell on which side of it the iterate
-    // will end. It holds until the next call or end_step().
+    // Called before stiffness is asked for, with the sum of all forces on the body, elastic ones
+    // and those of all potentials. From it a potential with a kink can tell on which side of the
+    // kink the iterate will end. Valid until the next call or end_step().
     virtual void foresee(std::span<const Vec3> /*positions_mm*/,
                          std::span<const Vec3> /*forces_un*/) {}
 
-    // Adds factor * stiffness [uN/mm], positive semidefinite. Pairs of nodes that have no block in
-    // the matrix are lumped on the diagonal: stiffer in the step, the same at rest.
+    // Adds factor * stiffness [uN/mm], positive semidefinite. Where two nodes have no block in the
+    // matrix, their stiffness is lumped on the diagonal: stiffer during the step, the same at rest.
     virtual void add_stiffness(std::span<const Vec3> positions_mm, double factor,
                                BlockMatrix& matrix) const = 0;
 
-    // Adds factor * (stiffness at the positions) d, lumped as in a matrix of this pattern.
+    // Adds factor * (stiffness at the positions) d, lumped as add_stiffness() lumps for this
+    // pattern.
     virtual void add_product(std::span<const Vec3> positions_mm, double factor,
                              std::span<const Vec3> d, const BlockMatrix& pattern,
                              std::span<Vec3> product) const = 0;
 
-    // Stiffness between nodes that have no block in the matrix and is not lumped, either: the true
-    // product is that of add_product and this one. `coupled` says whether there is any.
+    // Stiffness between nodes that have no block in the matrix, not lumped: the true product is the
+    // sum of add_product and add_coupling. `coupled` says whether there is any.
     virtual bool coupled(std::span<const Vec3> /*positions_mm*/) const { return false; }
     virtual void add_coupling(std::span<const Vec3> /*positions_mm*/, double /*factor*/,
                               std::span<const Vec3> /*d*/, std::span<Vec3> /*product*/) const {}
-    // Appends its blocks.
+    // Appends the blocks of the coupling.
     virtual void append_coupling(std::span<const Vec3> /*positions_mm*/, double /*factor*/,
                                  CouplingBlocks& /*blocks*/) const {}
 
-    // Sets held[i] for the nodes that it ties to points in space: through these the body exchanges
-    // momentum with its surroundings. Weight ties none.
+    // Sets held[i] for the nodes that it ties to points in space: through them the body exchanges
+    // momentum with its surroundings. Weight ties no nodes.
     virtual void mark_held(std::span<const Vec3> /*positions_mm*/, std::span<char> /*held*/) const {
     }
 
@@ -75,15 +77,16 @@ class Potential {
     virtual void join_pieces(std::span<const int> /*piece_of_node*/,
                              DisjointSets& /*pieces*/) const {}
 
-    // A step of dt_s begins at the state `start`, or the part of one that is left; until end_step()
-    // a potential may depend on it. Outside of a step nothing does. Nodes with held[i] != 0 stay
-    // where they are, and their stiffness may be left out; `held` stays there until the end.
+    // A step of dt_s, or the rest of one, begins at the state `start`; a potential may depend on it
+    // until end_step(), but not outside of a step. Nodes with held[i] != 0 do not move, and their
+    // stiffness may be left out; `held` must stay valid until end_step().
     virtual void begin_step(const BodyState& /*start*/, double /*dt_s*/,
                             std::span<const std::uint8_t> /*held*/) {}
     virtual void end_step() {}
 
-    // The share of the straight motion of all nodes on which nothing passes through anything, with
-    // room to spare; and the share of it after which something touches that did not. 1: all of it.
+    // free_share: the share of the straight motion of all nodes that passes through nothing, with a
+    // margin. share_until_touch: the share after which a pair that did not touch before touches. 1:
+    // the whole motion.
     virtual double free_share(std::span<const Vec3> /*from_mm*/,
                               std::span<const Vec3> /*to_mm*/) const {
         return 1.0;
@@ -93,8 +96,8 @@ class Potential {
         return 1.0;
     }
 
-    // Writes `energy_nj` (with the start of the step as reference) into its term of the ledger, or
-    // adds it to one that it shares and that was 0 before.
+    // Writes `energy_nj` (relative to the start of the step) to its term of the ledger, or adds it
+    // where several potentials share a term, which must then be 0 before the first.
     virtual void book(double energy_nj, EnergyLedger& ledger) const = 0;
 };
 

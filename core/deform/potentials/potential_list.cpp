@@ -279,7 +279,7 @@ void PotentialList::append_coupling(std::span<const Vec3> positions_mm, double f
 double PotentialList::book(std::span<const Vec3> positions_mm, std::span<const Vec3> reference_mm,
                            EnergyLedger& ledger) const {
     double sum = 0.0;
-    ledger.contact = ledger.friction_loss = 0.0;  // several potentials add to them
+    ledger.contact = ledger.friction_loss = 0.0;  // shared by several potentials, which add to them
     for (const auto& potential : all_) {
         const double energy = potential->energy(positions_mm, reference_mm);
         potential->book(energy, ledger);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The body's surfaces among each other, as a potential: the pads of surface_pairs.h between all
+// Contact between the body's own surfaces, as a potential: the pads of surface_pairs.h between all
 // features of its surface. The blocks of the stiffness between the two features of a pair are the
 // coupling. Its term of the ledger is `contact`.
 #pragma once
@@ -12,18 +12,19 @@
 
 namespace hepatica {
 
-// Keeps a reference to the body, which has a self_pad. Keeps what it found last: not thread-safe.
+// Keeps a reference to the body, which must have a self_pad. Caches the last search: not
+// thread-safe.
 class SelfContact final : public Potential {
   public:
     explicit SelfContact(const Body& body);
 
-    // In the order of the features: vertices and triangles, then edges.
+    // Vertices and triangles first, then edges, each in the order of the features.
     const std::vector<SurfaceContact>& contacts(std::span<const Vec3> positions_mm) const {
         return pairs_.contacts(positions_mm);
     }
-    // Takes down what touches there, for join_pieces.
+    // Remembers which pairs touch at these positions, for join_pieces.
     void note_meeting(std::span<const Vec3> positions_mm) const;
-    // What of it overlaps, what it costs.
+    // Overlaps and costs of the search.
     SurfacePairs& pairs() { return pairs_; }
     const SurfacePairs& pairs() const { return pairs_; }
 
@@ -44,8 +45,8 @@ class SelfContact final : public Potential {
                       std::span<Vec3> product) const override;
     void append_coupling(std::span<const Vec3> positions_mm, double factor,
                          CouplingBlocks& blocks) const override;
-    // Pieces that touched at the beginning of the step or where one of its matrices was made, or
-    // touch where they were looked at last.
+    // Unites pieces that touched at the beginning of the step, touched where one of its matrices
+    // was assembled, or touch at the positions of the last search.
     void join_pieces(std::span<const int> piece_of_node, DisjointSets& pieces) const override;
     void begin_step(const BodyState& start, double dt_s,
                     std::span<const std::uint8_t> held) override;

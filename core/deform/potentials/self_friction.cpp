@@ -66,8 +66,8 @@ void SelfFriction::add_forces(std::span<const Vec3> positions_mm, std::span<Vec3
     for (const Grip& grip : grips_) grip.at.add_force(grip.force_un(positions_mm), forces_un);
 }
 
-// As CoulombFriction::foresee, of what presses the one point along the slip and the other against
-// it.
+// As CoulombFriction::foresee. Forces count along the slip on the first point and against it on the
+// second.
 void SelfFriction::foresee(std::span<const Vec3> positions_mm, std::span<const Vec3> forces_un) {
     std::unordered_map<int, double> limit_un;
     for (const Grip& grip : grips_)

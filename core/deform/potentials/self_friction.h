@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Friction between surfaces of a body that touch each other: SlipLaw for each pair of features in
-// its pad, with the weights, normals and forces of the step's beginning. Slip is the motion of the
-// one point along the surface less that of the other, and the force on the one is the opposite of
-// that on the other. What lies between the two features is coupling, as in SelfContact.
+// Friction between the body's own surfaces: SlipLaw for each pair of features in its pad, with the
+// weights, normals and normal forces of the step's beginning. Slip is the relative motion of the
+// two points along the surface; they are pulled with opposite forces. Blocks between the two
+// features are coupling, as in SelfContact.
 #pragma once
 
 #include <vector>
@@ -14,12 +14,12 @@
 
 namespace hepatica {
 
-// Keeps references to both; the body's pad has a friction above 0.
+// Keeps references to the body and the contact; the body's pad must have a friction above 0.
 class SelfFriction final : public Potential {
   public:
     SelfFriction(const Body& body, const SelfContact& contact) : body_(body), contact_(contact) {}
 
-    // As CoulombFriction.
+    // See CoulombFriction.
     void list_rubs(int kind, std::vector<RubPoint>& rubs) const;
 
     double energy(std::span<const Vec3> positions_mm,
@@ -53,7 +53,7 @@ class SelfFriction final : public Potential {
     struct Grip {
         PointPair at;
         Vec3 normal;
-        Vec3 apart_mm;  // from the second to the first, then
+        Vec3 apart_mm;  // from the second point to the first, at that time
         SlipLaw law;
         bool slows = false;
 

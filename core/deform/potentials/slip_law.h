@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coulomb's friction at one contact, as the potential of one step: a contact of the normal force N
-// that slips by y takes
-//   mu N (y - e/3) of energy,   and  mu N (y^2/e - y^3/(3 e^2)) where y < e,
-// whose force grows to mu N over the creep e and is mu N beyond (Li et al. 2020, eq. 15). The
-// stiffness is exact of what sticks and of what slips on. What slips but is about to stick would by
-// that go past the point where it sticks, however far, and the energy's kink there would cut the
-// whole body's step to nothing. So its stiffness is mu N / y in all directions of the plane: the
-// least that bounds the energy from above, so that no step goes too far. For host and device.
+// Coulomb friction at one contact, as the potential of one step. A contact with normal force N that
+// slips by y stores
+//   mu N (y - e/3),   and  mu N (y^2/e - y^3/(3 e^2)) where y < e,
+// so its force grows to mu N over the creep e and stays mu N beyond (Li et al. 2020, eq. 15). The
+// stiffness is exact for contacts that stick and for those that keep slipping. For a contact that
+// is about to stick, the exact stiffness along the slip is zero: Newton's step would go far past
+// the sticking point, and the energy's kink there would shorten the whole body's step to almost
+// nothing. Its stiffness is therefore mu N / y in all tangential directions, the least for which
+// the quadratic model bounds the energy from above. For host and device.
 #pragma once
 
 #include "core/base/small_matrix.h"
 
 namespace hepatica {
 
-// What slips is about to stick where the other forces on it fall short of friction by this share.
+// A slipping point is about to stick where the other forces fall short of friction by this share.
 inline constexpr double slowing_share = 0.05;
 
-// Of a motion what lies along a surface with this normal.
+// The tangential part of a motion along a surface with this normal.
 HEPATICA_HOST_DEVICE small::Vector3<double> slip_of(const small::Vector3<double>& moved,
                                                     const small::Vector3<double>& normal) {
     return moved - small::dot(moved, normal) * normal;

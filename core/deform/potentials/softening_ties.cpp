@@ -18,9 +18,9 @@ void turn_one(SofteningTie& tie, std::span<const Vec3> x) {
     if (length > 0.0) tie.normal = doubled / length;
 }
 
-// A turned normal may press together what slid sideways before, and a damaged tie is stiffer
-// pressed than open. What that would add to its energy it pays by more damage: how far it has been
-// opened, so that it stores no more than `allowed_nj`.
+// With the turned normal, an opening that was sideways may become compression, in which a damaged
+// tie is stiffer. To keep the tie from gaining energy, its damage (the largest opening so far) is
+// increased until it stores no more than `allowed_nj`.
 void pay_for_turn(const SofteningLaw& law, SofteningTie& tie, const Vec3& opening,
                   double allowed_nj) {
     if (energy_of(law, tie, opening) <= allowed_nj) return;
@@ -29,7 +29,7 @@ void pay_for_turn(const SofteningLaw& law, SofteningTie& tie, const Vec3& openin
     const double excess = energy_of(law, tie, opening) - allowed_nj;
     if (!(excess > 0.0) || tie.most_mm >= law.opening_mm) return;
     const double half_square = 0.5 * tie.area_mm2 * open * open;
-    // Of the energy A k(m) o^2 / 2 of an opening o <= m this much stiffness may remain.
+    // The largest stiffness for which A k(m) o^2 / 2 at the opening o <= m is within the allowance.
     const double stiffness =
         law.unloading_pa_mm(tie.most_mm) - excess / std::max(half_square, 1e-300);
     const double span = law.opening_mm - law.peak_mm();
@@ -97,7 +97,7 @@ void SofteningTies::add_forces(std::span<const Vec3> positions_mm,
     }
 }
 
-// The rows of nodes that do not move are not made anew in every step.
+// Rows of held nodes are skipped, because they are not assembled anew in every step.
 void SofteningTies::add_stiffness(std::span<const Vec3> positions_mm, double factor,
                                   BlockMatrix& matrix) const {
     for (const SofteningTie& tie : ties_) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What binds the two sides of joints that have parted, see core/tear/softening.h: pairs of vertices
-// that were one, and that have a block in the matrix of a torn body.
+// The cohesive ties between the two sides of parted joints (core/tear/softening.h): pairs of
+// vertices that were one, each with a block in the matrix of a torn body.
 #pragma once
 
 #include <span>
@@ -14,18 +14,18 @@ namespace hepatica {
 
 class SofteningTies final : public Potential {
   public:
-    // Takes their normals from the positions.
+    // Computes the ties' normals from the positions.
     void set(const SofteningLaw& law, std::vector<SofteningTie> ties,
              std::span<const Vec3> positions_mm);
     const std::vector<SofteningTie>& all() const { return ties_; }
 
     void list_touches(TouchList& list) const;
 
-    // Takes their normals from other positions.
+    // Recomputes the ties' normals from other positions.
     void turn(std::span<const Vec3> positions_mm);
 
-    // After a step, or a part of one: the ties remember how far they have been opened. Returns what
-    // that takes of their energy [nJ]: that of fracture, never less than 0.
+    // To be called after a step or a part of one: the ties remember their largest opening. Returns
+    // the energy that this takes from them [nJ], the energy of fracture, >= 0.
     double settle(std::span<const Vec3> positions_mm);
 
     double energy(std::span<const Vec3> positions_mm,

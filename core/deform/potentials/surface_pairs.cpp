@@ -14,11 +14,11 @@
 namespace hepatica {
 namespace {
 
-constexpr double least_part = 0.1;         // of a gap, that a motion leaves
-constexpr double touched = 0.5;            // of the pad
-constexpr double touching_at_rest = 0.05;  // of the pad
-constexpr double slack_edges = 0.25;       // of the search, see PairCover
-constexpr double band = 1e-3;              // of a gap, for times of contact
+constexpr double least_part = 0.1;         // share of a gap that a motion must leave
+constexpr double touched = 0.5;            // of the pad, for share_until_touch()
+constexpr double touching_at_rest = 0.05;  // of the pad: nearer is overlap
+constexpr double slack_edges = 0.25;       // slack of the search in mean edges; see PairCover
+constexpr double band = 1e-3;              // relative tolerance of times of contact
 constexpr double beyond_rounding = 1.0 + 1e-9;
 constexpr std::size_t pairs_per_block = 128;
 
@@ -101,7 +101,7 @@ std::vector<int> one_by_one(const Overlaps::Pairs& pairs) {
     return all;
 }
 
-// What there is of each pair, in their order; found in parallel.
+// Appends what `find` finds for each pair, in their order; searches in parallel.
 template <class Found, class Find>
 void append_of_each(const std::vector<FeaturePair>& pairs, std::vector<Found>& all,
                     const Find& find) {
@@ -166,7 +166,7 @@ BeforeTear SurfacePairs::before_tear() const {
     return {now, moving_nodes_, std::make_shared<OverlapsBefore>(rest), moving_nodes_};
 }
 
-// Those that stand still stay behind all others.
+// Nodes of obstacles are numbered after all others.
 std::vector<int> SurfacePairs::came_from(std::span<const int> parents, int nodes_before) const {
     std::vector<int> from = hepatica::nodes_before(parents, nodes_before);
     for (std::size_t v = parents.size(); v < rest_mm_.size(); ++v)
@@ -174,7 +174,8 @@ std::vector<int> SurfacePairs::came_from(std::span<const int> parents, int nodes
     return from;
 }
 
-// At rest it goes on from the whole, so that it is the same however it was torn.
+// The overlaps at rest continue from the whole body, so that they do not depend on the order of
+// tears.
 void SurfacePairs::follow_split(const BeforeTear& before, std::span<const int> parents,
                                 std::span<const Vec3> positions_mm) {
     const Stopwatch watch(spent_ms_);
@@ -233,7 +234,8 @@ double SurfacePairs::clearance_of(const FeaturePair& pair) const {
 }
 
 // Half the distance at rest, but the full thickness for pairs that overlapped at rest. Against
-// obstacles that of the body's feature to any of them: the pad is the same wherever it slides.
+// obstacles, half the distance of the body's feature to any of them, so that the pad stays the same
+// wherever it slides.
 double SurfacePairs::pad_of(const FeaturePair& pair) const {
     if (features_.beside_obstacles()) return std::min(pad_.thickness_mm, 0.5 * clearance_of(pair));
     if (!features_.counts(pair, [&](int p, int q) { return at_rest_.left_out(p, q); }))
@@ -247,9 +249,9 @@ const std::vector<FeaturePair>& SurfacePairs::candidates(std::span<const Vec3> f
                         [&](int patch, int other) { return overlaps_.left_out(patch, other); });
 }
 
-// Against an obstacle the vertices of the body bear with all their share, and edges and vertices of
-// the obstacle as far as they stick out. In a flat face they never come nearer than a vertex of the
-// body, and would be ridges to what slides across.
+// Against an obstacle the body's vertices carry their full area, but edges and vertices of the
+// obstacle only in proportion to their sharpness: in a flat face they never come nearer than a
+// vertex of the body, and would act as ridges on what slides across.
 double SurfacePairs::area_of(const FeaturePair& pair) const {
     if (!features_.beside_obstacles())
         return pair.of_edges ? 0.25 * (features_.area_of_edge_mm2(pair.first) +
@@ -353,7 +355,7 @@ double SurfacePairs::least_share(std::span<const Vec3> from_mm, std::span<const 
     return share.empty() ? 1.0 : *std::ranges::min_element(share);
 }
 
-// Most pairs come nothing like as near as they may: they are let go by what is cheap to know.
+// Most pairs stay far apart; cheap bounds discard them before the exact time of contact.
 double SurfacePairs::share_of(const FeaturePair& pair, std::span<const Vec3> from_mm,
                               std::span<const Vec3> to_mm, const Kept& kept) const {
     const double approach = beyond_rounding * approach_mm(pair, from_mm, to_mm);

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pads between surfaces. Between a vertex and a triangle, and between two edges, that share no
-// vertex, lies a soft pad of thickness h like a tool's: at the distance d < h, with g = 1 - d/h, it
-// stores
+// The pads between surfaces. Between a vertex and a triangle, and between two edges, lies a soft
+// pad of thickness h unless they share a vertex. At the distance d < h, with g = 1 - d/h, it stores
 //   A p h (-g - ln(1 - g)),    whose force is A p g/(1 - g):
-// linear at first and without bound where the gap closes. A is a half of the vertex' share of the
+// linear at first and without bound as the gap closes. A is half of the vertex' share of the
 // surface at rest, or the mean of a quarter of each edge's; against an obstacle see area_of. h is
-// at most half the distance at rest, so that the pad is empty there: neighbours count, too. Edges
-// that are parallel have no nearest points: there the pad fades out as c (2 - c), with c =
-// sin^2/0.01 of the angle between them (Li et al. 2020, eq. 24); vertices and triangles hold those
-// apart. Forces are the exact gradient: a pair of them has the sum and the torque zero. The
-// stiffness is that along the normal; what turns the normal is left out. What overlaps at rest: see
-// Overlaps.
+// at most half the distance at rest, so that neighbours do not press on each other at rest.
+// Parallel edges have no unique nearest points; there the pad fades out as c (2 - c), with c =
+// sin^2/0.01 of the angle between them (Li et al. 2020, eq. 24), and the pairs of vertices and
+// triangles keep them apart. Forces are the exact gradient: the sum and the torque of a pair's
+// forces are zero. The stiffness is the part along the normal; the rotation of the normal is left
+// out. Overlaps at rest: see Overlaps.
 #pragma once
 
 #include <memory>
@@ -31,11 +30,11 @@ struct SurfaceContact {
     PointPair at;
     Vec3 normal = Vec3::Zero();  // from the second to the first, of length 1
     double gap_mm = 0.0;
-    double force_un = 0.0;  // along the normal on the first, > 0
+    double force_un = 0.0;  // along the normal on the first, >= 0
     double stiffness_un_per_mm = 0.0;
     double energy_nj = 0.0;
     std::array<Vec3, 4> turning_un{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),
-                                   Vec3::Zero()};  // of edges nearly parallel: sum 0 on each
+                                   Vec3::Zero()};  // of nearly parallel edges: sum 0 on each
 };
 
 SelfLoad load_of(const std::vector<SurfaceContact>& contacts);
@@ -44,58 +43,57 @@ inline Mat3 along_normal(const SurfaceContact& contact) {
     return contact.stiffness_un_per_mm * contact.normal * contact.normal.transpose();
 }
 
-// What surfaces leave to those that they are torn into.
+// What surfaces hand over to those that they are torn into.
 struct BeforeTear {
     OverlapsBefore overlaps;
-    int nodes = 0;                                // that move
-    std::shared_ptr<const OverlapsBefore> whole;  // before the first tear, at rest
+    int nodes = 0;                                // without those of obstacles
+    std::shared_ptr<const OverlapsBefore> whole;  // at rest, before the first tear
     int whole_nodes = 0;
 };
 
-// False, and nothing changed, where they cannot be of the overlaps' surface.
+// Returns false and changes nothing where the pairs do not fit the surface of the overlaps.
 bool set_pairs(const OverlapsKept& kept, Overlaps& overlaps);
 
-// Positions are of every node, those of obstacles behind those that move. Keeps what it found last:
-// not thread-safe; loops inside run in parallel and give the same bits for any number of threads.
+// Positions are those of all nodes, the obstacles' after the body's. Caches the last search: not
+// thread-safe. Loops inside run in parallel and give the same bits for any number of threads.
 class SurfacePairs {
   public:
-    // Keeps a reference to the places at rest.
+    // Keeps a reference to the rest positions.
     SurfacePairs(SurfaceFeatures features, std::span<const Vec3> rest_mm, int moving_nodes,
                  const Body::Pad& pad, double mean_edge_mm);
     SurfacePairs(const SurfacePairs&) = delete;
     SurfacePairs& operator=(const SurfacePairs&) = delete;
 
-    // In the order of the features: vertices and triangles, then edges.
+    // Vertices and triangles first, then edges, each in the order of the features.
     const std::vector<SurfaceContact>& contacts(std::span<const Vec3> positions_mm) const;
-    // All pairs that may be in their pad in one of two places, in the same order: their nodes at
-    // one end of a motion or the other.
+    // All pairs that may be in their pad at either end of a motion, in the same order.
     void list_touches(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
                       std::vector<PadPair>& list) const;
-    // Those where it was looked last.
+    // The contacts of the last search.
     const std::vector<SurfaceContact>& last_contacts() const { return contacts_; }
 
     const SurfaceFeatures& features() const { return features_; }
     const Overlaps& overlaps() const { return overlaps_; }
-    // Lets what has come apart count; looks for what overlaps anew; takes what a checkpoint kept
-    // (false where it is not of these surfaces).
+    // let_go(): separated pairs may touch again. find_overlaps(): searches from scratch.
+    // set_overlaps(): takes a checkpoint's; false where they are not of these surfaces.
     void let_go(std::span<const Vec3> positions_mm);
     void find_overlaps(std::span<const Vec3> positions_mm);
-    // Goes on from the surface of the body that this one was torn from; see Overlaps. `parents` is
-    // that of each vertex, itself where it has none.
+    // follow_split() continues from the surface of the body that this one was torn from; see
+    // Overlaps. `parents` holds each vertex' parent, or the vertex itself.
     BeforeTear before_tear() const;
     void follow_split(const BeforeTear& before, std::span<const int> parents,
                       std::span<const Vec3> positions_mm);
     bool set_overlaps(const OverlapsKept& kept);
     OverlapsKept kept_overlaps() const;
 
-    // See Potential. Every gap keeps a tenth of itself, or of the pad where it is wider.
-    // A motion that is asked for again is not looked at again.
+    // See Potential. Every gap keeps a tenth of itself, or a tenth of the pad where the gap is
+    // wider. The answer for the last motion is cached.
     double free_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const;
-    // Where something would pass: the share of the motion after which what was farther is half into
-    // the pad.
+    // 1 where nothing would be passed; otherwise the share of the motion after which a pair that
+    // began outside its pad is half into it.
     double share_until_touch(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const;
 
-    // Since it was asked last.
+    // Costs since the last call.
     SelfCost take_cost();
 
   private:
@@ -108,21 +106,21 @@ class SurfacePairs {
     PadPair pad_pair(const FeaturePair& pair, double pad_mm, double area_mm2) const;
     const std::vector<FeaturePair>& candidates(std::span<const Vec3> from_mm,
                                                std::span<const Vec3> to_mm) const;
-    // Of its gap, or of the pad where it is wider, a pair keeps this part; those that begin in
-    // their pad may be left out.
+    // The part of its gap, or of the pad where the gap is wider, that a pair must keep; pairs that
+    // begin inside their pad may be exempt.
     struct Kept {
         double part = 1.0;
         bool only_from_outside = false;
     };
-    // The least share of a motion over all pairs, which leaves each what it keeps.
+    // The largest share of a motion for which every pair keeps that part.
     double least_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
                        const Kept& kept) const;
     double share_of(const FeaturePair& pair, std::span<const Vec3> from_mm,
                     std::span<const Vec3> to_mm, const Kept& kept) const;
-    // Beside obstacles: how far each feature of the body is from all of them at rest.
+    // Beside obstacles: the distance of each feature of the body to all of them at rest.
     void find_clearances();
     double clearance_of(const FeaturePair& pair) const;
-    // The node of the surface before from which each came.
+    // The node of the earlier surface that each node came from.
     std::vector<int> came_from(std::span<const int> parents, int nodes_before) const;
     void forget();
 
@@ -131,13 +129,13 @@ class SurfacePairs {
     Body::Pad pad_;
     SurfaceFeatures features_;
     Overlaps overlaps_, at_rest_;
-    std::shared_ptr<const OverlapsBefore> whole_;  // see BeforeTear; null: this one
+    std::shared_ptr<const OverlapsBefore> whole_;  // see BeforeTear; null: not torn yet
     int whole_nodes_ = 0;
     std::vector<double> node_clearance_mm_, edge_clearance_mm_, triangle_clearance_mm_;
     mutable PairCover cover_;
-    mutable int free_in_answer_ = -1;  // of the cover, to which free_share_ belongs; -1: none
+    mutable int free_in_answer_ = -1;  // the answer of cover_ for which free_share_ holds; -1: none
     mutable double free_share_ = 1.0;
-    mutable std::vector<Vec3> looked_at_mm_;  // where contacts_ are
+    mutable std::vector<Vec3> looked_at_mm_;  // the positions that contacts_ belong to
     mutable std::vector<SurfaceContact> contacts_;
     double build_ms_ = 0.0;
     mutable double spent_ms_ = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surrounding tissue: a spring from every node to its place at rest, of the stiffness that the
-// body gives it (see BodyDescription::tether_pa_per_mm2). Its term of the ledger is `tether`.
+// The surrounding tissue: a spring from every node to its rest position, with the stiffness that
+// the body gives it (see BodyDescription::tether_pa_per_mm2). Its term of the ledger is `tether`.
 #pragma once
 
 #include "core/deform/body/body.h"

@@ -11,8 +11,8 @@
 namespace hepatica {
 namespace {
 
-constexpr double least_share = 0.1;  // of a gap, that a motion leaves
-constexpr double led_until = 0.5;    // of the pad
+constexpr double least_share = 0.1;  // of a gap, that a motion must leave
+constexpr double led_until = 0.5;    // of the pad, that a led tool leaves
 
 }  // namespace
 
@@ -48,8 +48,8 @@ bool ToolContact::free(std::span<const Vec3> positions_mm) const {
     return least_gap_mm(positions_mm) > 0.0 && std::isfinite(energy(positions_mm, positions_mm));
 }
 
-// Of the body's pad alone: a rigid obstacle needs no limit. Jaws are pressed apart by the force
-// that works where they open.
+// Counts the body's pad alone: a rigid obstacle needs no limit. The force on the jaws is the
+// generalised force of their opening.
 ToolResistance ToolContact::resistance_at(std::span<const Capsule> shapes,
                                           std::span<const Vec3> positions_mm) const {
     ToolResistance sum;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pad between a tool and the body's surface as a potential: see ToolPad. The stiffness is that
-// along the normal; what turns the normal is left out, since it would make the matrix indefinite.
-// Each triangle is one element's face: no block of the matrix is new. Its term of the ledger is
-// `contact`. Obstacles stop the tool, too, and press on it, but store nothing: they are rigid.
+// The pad between a tool and the body's surface as a potential: see ToolPad. The stiffness is the
+// part along the normal; the rotation of the normal is left out, because it would make the matrix
+// indefinite. Each triangle is the face of one element, so that the matrix needs no new blocks. Its
+// term of the ledger is `contact`. Obstacles also stop the tool and press on it, but store no
+// energy, being rigid.
 #pragma once
 
 #include <optional>
@@ -17,37 +18,37 @@
 
 namespace hepatica {
 
-// Keeps a reference to the body's obstacles; its `surface` is not empty. Costs nothing without a
-// tool.
+// Keeps a reference to the body's obstacles; its `surface` must not be empty. Costs nothing without
+// a tool.
 class ToolContact final : public Potential {
   public:
     explicit ToolContact(const Body& body);
 
-    // As validate_tool demands.
+    // The tool must satisfy validate_tool.
     void set(const std::optional<Tool>& tool) { tool_ = tool; }
     const std::optional<Tool>& tool() const { return tool_; }
 
-    // Part by part, by the number of the triangle, from corner to corner: as the tool stands, and
-    // as it stood before it was led last.
+    // Contacts ordered by part, triangle and point: at the tool's present position, and at the one
+    // before its last displacement.
     std::vector<PadContact> contacts(std::span<const Vec3> positions_mm) const;
     std::vector<PadContact> contacts_before_led(std::span<const Vec3> positions_mm) const;
-    // All that may be in its pad in one of two places of the body, as it stands.
+    // All points that may be in the pad at either of two positions of the body.
     void list_touches(std::span<const Vec3> positions_mm, std::span<const Vec3> other_positions_mm,
                       TouchList& list) const;
-    // The gap between tool and nearest triangle of the body: < 0 inside, the largest number beyond
-    // the pad.
+    // The gap between the tool and the nearest triangle of the body: negative inside, the largest
+    // double beyond the pad.
     double least_gap_mm(std::span<const Vec3> positions_mm) const;
-    // Whether the pad's energy is finite and nothing is in the tool.
+    // Whether the pad's energy is finite and the tool penetrates nothing.
     bool free(std::span<const Vec3> positions_mm) const;
     // The vertices of all patches whose boxes meet the box swept by the tool and its pad.
     std::vector<int> vertices_near_way(std::span<const Vec3> positions_mm) const;
-    // Moves the tool past the body at rest and past obstacles until a gap falls to half of the pad:
+    // Moves the tool past the resting body and obstacles until a gap falls to half the pad; see
     // tool_path.h.
     bool lead(std::span<const Vec3> positions_mm, double share, double dt_s);
-    // Whether it stands in one that it could not enter; there must be a tool.
+    // Whether the tool is inside an obstacle that it could not enter. Requires a tool.
     bool in_obstacle() const;
-    // What of obstacles is in the tool's pad. Where the two would push harder than the tool's limit
-    // of force, against it or its jaws, they push that hard.
+    // Contacts of obstacles in the tool's pad. Where they would exceed the tool's force limit, on
+    // it or on its jaws, `share` scales their forces to that limit.
     struct ObstaclePress {
         std::vector<PadContact> contacts;
         double share = 1.0;  // of their forces
@@ -73,9 +74,9 @@ class ToolContact final : public Potential {
     void book(double energy_nj, EnergyLedger& ledger) const override {
         ledger.contact += energy_nj;
     }
-    // Every gap keeps a tenth of itself, or of the pad where it is wider.
+    // Every gap keeps a tenth of itself, or a tenth of the pad where the gap is wider.
     double free_share(std::span<const Vec3> from_mm, std::span<const Vec3> to_mm) const override;
-    // The share of the motion after which a triangle that was farther away is half into the pad.
+    // The share of the motion after which a triangle that began outside the pad is half into it.
     double share_until_touch(std::span<const Vec3> from_mm,
                              std::span<const Vec3> to_mm) const override;
 

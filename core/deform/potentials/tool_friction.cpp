@@ -10,7 +10,7 @@ std::vector<Grip> ToolFriction::grips_of(std::span<const Vec3> start_mm, double 
     std::vector<Grip> grips;
     if (!contact_.tool() || contact_.tool()->friction == 0.0) return grips;
     std::vector<PadContact> touching = contact_.contacts_before_led(start_mm);
-    // In a later part of a step the body may have moved into the tool's former place.
+    // In a later part of a step the body may have moved to where the tool was before.
     const auto closed = [](const PadContact& contact) { return !std::isfinite(contact.energy_nj); };
     if (std::ranges::any_of(touching, closed)) touching = contact_.contacts(start_mm);
     for (const PadContact& contact : touching) {

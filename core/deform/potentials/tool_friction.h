@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Friction between a tool and what touches it: see CoulombFriction. A touched point is dragged with
+// Friction between a tool and the body: see CoulombFriction. A touched point is dragged along with
 // the nearest point of the tool's axis.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace hepatica {
 
-// Keeps references to both.
+// Keeps references to the body and the contact.
 class ToolFriction final : public CoulombFriction {
   public:
     ToolFriction(const Body& body, const ToolContact& contact)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Adds up what presses on a tool and drags it.
+// Sums the normal and friction forces on a tool.
 #pragma once
 
 #include "core/deform/potentials/tool_pad.h"
@@ -11,18 +11,18 @@ class ToolLoadSum {
   public:
     explicit ToolLoadSum(const Tool& tool) : tool_(tool), centre_mm_(tool.centre_mm()) {}
 
-    // By `share` of its force.
+    // Adds `share` of the contact's normal force.
     void press(const PadContact& contact, double share = 1.0);
-    // By this force on what is touched there.
+    // Adds the reaction to a friction force on the body at this point.
     void drag(const Vec3& at_mm, const Vec3& on_touched_un);
 
-    // Force, torque, grip and their place; the rest is as in ToolLoad by default.
+    // Force, torque, grip and their place; the other members of ToolLoad keep their defaults.
     ToolLoad load() const;
 
   private:
     const Tool& tool_;
     Vec3 centre_mm_;
-    ToolLoad load_;  // `at_mm` times the force so far
+    ToolLoad load_;  // its at_mm is the force-weighted sum so far
     double pressed_un_ = 0.0;
 };
 

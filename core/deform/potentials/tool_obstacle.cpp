@@ -32,7 +32,7 @@ bool ToolObstacle::meets(const ToolPart& part) const {
     return !near_capsule(part.shape, pad_.surface(), obstacle_.surface.vertices_mm, 0.0).empty();
 }
 
-// Of a part that does not meet the surface: it lies in it with all or nothing.
+// For a part that does not meet the surface, which is then wholly inside or wholly outside.
 bool ToolObstacle::holds(const ToolPart& part) const {
     return lies_within(part.shape.centre_mm, pad_.surface(), patches_, boxes_,
                        obstacle_.surface.vertices_mm);

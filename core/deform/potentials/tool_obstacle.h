@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An obstacle beside a tool, which stops it as vessels do and presses on its pad. A solid always
-// does. A shell does where the tool lies in it, all of it: that comes in from outside through the
-// wall, as through a port, and may reach out of it.
+// An obstacle to a tool: it stops the tool as vessels do and presses on its pad. A solid always
+// does. A shell does only while the whole tool is inside: tools come in through the wall, as
+// through a port, and may reach out of it.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ class ToolObstacle {
     explicit ToolObstacle(const Obstacle& obstacle);
 
     bool stops(const Tool& tool) const;
-    // Whether it is a solid and some of the tool is in it.
+    // Whether it is a solid and part of the tool is inside.
     bool entered_by(const Tool& tool) const;
     StandingSurface surface() const { return {pad_.surface(), obstacle_.surface.vertices_mm}; }
     // See ToolPad.
@@ -31,7 +31,7 @@ class ToolObstacle {
     const Obstacle& obstacle_;
     ToolPad pad_;
     std::vector<Box> boxes_;    // of all patches
-    std::vector<int> patches_;  // all
+    std::vector<int> patches_;  // their numbers
 };
 
 }  // namespace hepatica

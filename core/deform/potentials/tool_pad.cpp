@@ -11,8 +11,8 @@ namespace hepatica {
 namespace {
 
 constexpr double dip_of_pad = 0.125;  // how far a triangle may bulge into the pad between points
-constexpr double most_stretch = 1.5;  // of the surface, for which that holds
-constexpr int most_cuts = 32;         // of a triangle's edge
+constexpr double most_stretch = 1.5;  // of the surface, up to which that holds
+constexpr int most_cuts = 32;         // per edge of a triangle
 
 }  // namespace
 
@@ -26,9 +26,9 @@ ToolPad::ToolPad(SurfacePatches surface, std::span<const Vec3> rest_mm)
     }
 }
 
-// The corners of n^2 equal triangles into which it is cut; each of those gives a third of its area
-// to each of its corners. A point of a triangle of edges s is at most s / sqrt(3) from a corner,
-// and the ball bulges there by s^2 / (6 R).
+// Cuts the triangle into n^2 equal ones, each of which gives a third of its area to each corner. In
+// a triangle with edges s no point is farther than s / sqrt(3) from a corner, and a sphere of
+// radius R bulges there by s^2 / (6 R).
 void ToolPad::add_points_of(int triangle, const Tool& tool, double radius_mm, int part,
                             std::vector<PadPoint>& points) const {
     const double pad = tool.pad_mm, edge = longest_edge_mm_[triangle];

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pad between a tool and a surface: its pressure p g/(1 - g), with g = 1 - d/h for the gap d <
-// h, is integrated over the surface at rest by points on the triangles. A point that stands for the
+// The pad between a tool and a surface. Its pressure p g/(1 - g), with g = 1 - d/h at the gap d <
+// h, is integrated over the surface at rest by points on the triangles. A point that represents the
 // area A stores
 //   A p h (-g - ln(1 - g)),    whose force is A p g/(1 - g):
-// linear at first and without bound where the gap closes, so that every balance of forces is one
-// without penetration. Where d <= 0 the energy is infinite. Points lie so close together that
-// between them a triangle comes nearer to the tool by an eighth of the pad at most, even where it
-// is stretched by a half; gaps are counted from there.
+// linear at first and without bound as the gap closes, so that every equilibrium is free of
+// penetration. Where d <= 0 the energy is infinite. The points are so close that between them a
+// triangle comes nearer to the tool by at most an eighth of the pad, even where it is stretched by
+// half (unless the limit of cuts per edge is reached); this eighth is subtracted from the gaps.
 #pragma once
 
 #include <vector>
@@ -19,9 +19,9 @@ namespace hepatica {
 // A point of the surface in the pad.
 struct PadContact {
     int part = 0;        // of the tool
-    double along = 0.0;  // that part's axis, from 0 to 1
+    double along = 0.0;  // position along that part's axis, from 0 to 1
     int triangle = 0;
-    std::array<double, 3> weights{};  // of its corners
+    std::array<double, 3> weights{};  // of the triangle's corners
     Vec3 normal = Vec3::Zero();       // from the tool to the surface, of length 1
     Vec3 at_mm = Vec3::Zero();
     double force_un = 0.0;  // along the normal on the surface, > 0
@@ -31,27 +31,27 @@ struct PadContact {
 
 PadCapsule pad_capsule(const Capsule& shape);
 
-// Thread safety: const access only.
+// Thread-safe: const access only.
 class ToolPad {
   public:
     ToolPad(SurfacePatches surface, std::span<const Vec3> rest_mm);
 
     const SurfacePatches& surface() const { return surface_; }
-    // Of a tool with its parts at these places: part by part, by the number of the triangle, from
-    // corner to corner.
+    // Contacts of a tool whose parts have these shapes, ordered by part, triangle and point.
     std::vector<PadContact> contacts(const Tool& tool, std::span<const Capsule> shapes,
                                      std::span<const Vec3> positions_mm) const;
-    // All points that may be in the pad in one of two places of the surface, in that order.
+    // All points that may be in the pad at either of two positions of the surface, in that order.
     std::vector<PadPoint> points_near(const Tool& tool, std::span<const Capsule> shapes,
                                       std::span<const Vec3> positions_mm,
                                       std::span<const Vec3> other_positions_mm) const;
-    // The gap between tool and nearest triangle: < 0 inside, the largest number beyond the pad.
+    // The gap between the tool and the nearest triangle: negative inside, the largest double beyond
+    // the pad.
     double least_gap_mm(const Tool& tool, std::span<const Vec3> positions_mm) const;
 
   private:
     void add_points_of(int triangle, const Tool& tool, double radius_mm, int part,
                        std::vector<PadPoint>& points) const;
-    // `points` is scratch.
+    // `points` is scratch memory.
     void add_contacts_of(int triangle, const Tool& tool, const Capsule& shape, int part,
                          std::span<const Vec3> positions_mm, std::vector<PadPoint>& points,
                          std::vector<PadContact>& found) const;

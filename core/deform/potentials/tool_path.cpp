@@ -22,8 +22,8 @@ struct Way {
     void turn(const Vec3& by_rad);
     void open(double by_mm);
 
-    // The largest share of the motion, found by halving, at which the pad stays open and the body
-    // does not push back `too_strong`ly; 1 where that is so at its `end`.
+    // The largest share of the motion, found by bisection, at which the pad stays open and the body
+    // does not push back `too_strong`ly; 1 where that holds at its `end`.
     template <class Pose, class TooStrong>
     double share_within(const Pose& pose, const ToolResistance& end,
                         const TooStrong& too_strong) const {
@@ -59,7 +59,7 @@ void Way::go(const Vec3& motion_mm) {
     }
 }
 
-// Turns about the centre in small parts; the first one that is stopped ends the turn.
+// Turns about the centre in small increments; the first one that is stopped ends the turn.
 void Way::turn(const Vec3& by_rad) {
     const double angle = by_rad.norm(), reach = tool.reach_mm();
     if (angle < least_turn_rad) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of a body may touch something where it is looked at: points in the pad of a tool, pairs of
-// features of its surface and of obstacles, the points that friction acts on during a step, and
-// what binds parted joints. The search for these is the host's; what comes of them is computed from
-// the lists alone, on any machine.
+// What may touch at given positions: points of the body in a tool's pad, pairs of features of its
+// surface and of obstacles, the friction contacts of a step, and the ties of parted joints. The
+// host searches for these; energies and forces are computed from the lists alone, on any back end.
 #pragma once
 
 #include <vector>
@@ -14,14 +13,14 @@
 
 namespace hepatica {
 
-// A point, or a pair of points, that touched when the step began, see SlipLaw. Its slip is the
-// weighted sum of its nodes' places less the anchor, along the surface.
+// A point, or a pair of points, that touched when the step began; see SlipLaw. Its slip is the
+// tangential part of the weighted sum of its nodes' positions minus the anchor.
 struct RubPoint {
     int nodes[4];  // -1: none
     double weights[4];
     small::Vector3<double> normal, anchor;
     SlipLaw law;
-    int kind;  // which friction it is of: the limits of one kind share a node's other forces
+    int kind;  // contacts of one kind share the friction limit of a node
 };
 
 // Two vertices that were one.
@@ -34,10 +33,10 @@ struct TouchList {
     double tool_pad_mm = 0.0;
     std::vector<PadCapsule> tool;
     std::vector<PadPoint> points;
-    std::vector<PadPair> pairs;  // nodes behind the body's are those of its obstacles
+    std::vector<PadPair> pairs;  // nodes after the body's are those of its obstacles
     std::vector<RubPoint> rubs;
     SofteningLaw softening;
-    std::vector<TieTouch> ties;  // that have not come apart
+    std::vector<TieTouch> ties;  // those that still hold
 };
 
 }  // namespace hepatica

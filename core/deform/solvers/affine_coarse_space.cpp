@@ -81,7 +81,7 @@ void AffineCoarseSpace::build_coarse_pattern() {
 }
 
 void AffineCoarseSpace::set_shape(std::span<const Vec3> positions_mm, std::span<const char> fixed) {
-    // Any centre spans the same motions; the vertices' own mean keeps the modes well apart.
+    // Any centre spans the same motions; the mean of the vertices keeps the modes well-conditioned.
     centres_mm_.assign(static_cast<std::size_t>(node_count_), Vec3::Zero());
     std::vector<double> weight(static_cast<std::size_t>(node_count_), 0.0);
     for (std::size_t v = 0; v < positions_mm.size(); ++v) {
@@ -141,14 +141,14 @@ void AffineCoarseSpace::add_motion(std::span<const Vec3> coarse, std::span<Vec3>
     });
 }
 
-// product: for both ends, each mode of that end, each column node, each entry of the 3x3 block, the
-// four modes of the column.
+// Layout of `product`, outermost index first: end of the group, mode of that end, column node,
+// entry of the 3x3 block, mode of the column node.
 void AffineCoarseSpace::project_group(const BlockMatrix& matrix, const Group& group,
                                       std::vector<double>& product) const {
     const std::size_t columns = group.columns.size();
     const std::size_t row = columns * block_entries;
     product.assign(2 * vectors_per_node * row * vectors_per_node, 0.0);
-    std::vector<Modes> reached(row);  // (A P) of one vertex
+    std::vector<Modes> reached(row);  // (A P) in the row of one vertex
     for (const int v : group.vertices) {
         std::fill(reached.begin(), reached.end(), Modes::Zero());
         for (int k = matrix.row_begin[v]; k < matrix.row_begin[v + 1]; ++k) {

@@ -5,8 +5,8 @@ namespace hepatica {
 
 namespace {
 
-// Multiplications of a factorisation per block of the matrix up to which it is the quicker way to
-// an energy error of 1 %, by the rows of `bench iterations`.
+// Up to this many multiplications per block of the matrix, a factorisation reaches an energy error
+// of 1 % faster than iterations do; measured by `bench iterations`.
 constexpr double most_multiplications_per_block = 3000.0;
 
 }  // namespace
@@ -33,7 +33,8 @@ void AutomaticSolver::update(const BlockMatrix& matrix, std::span<const Vec3> po
     chosen_->update(matrix, positions_mm, changed_rows);
 }
 
-// The choice depends on the pattern alone. Before the first pattern there is nothing to restore.
+// The choice depends on the pattern alone, so only the chosen solver's state is kept. Empty before
+// the first pattern.
 std::vector<double> AutomaticSolver::memory() const {
     return chosen_ == nullptr ? std::vector<double>{} : chosen_->memory();
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chooses between factorisation and two-level iteration for each body by their number of operations
-// and the measured cost of an operation: thin trees are factored, bulky bodies iterated. It
-// measures no time itself, so that the same commands give the same bits. The choice needs only the
-// symbolic analysis of the pattern; a rejected factor is never allocated.
+// Chooses between factorisation and two-level iteration for each body, by their number of
+// operations and the measured cost of an operation: thin trees are factored, bulky bodies iterated.
+// It measures no time at run time, so that the same commands give the same bits. The choice needs
+// only the symbolic analysis of the pattern; a rejected factor is never allocated.
 #pragma once
 
 #include <optional>
@@ -49,7 +49,7 @@ class AutomaticSolver final : public LinearSolver {
 
     CoarseSkeleton skeleton_;
     std::vector<Vec3> rest_positions_mm_;
-    std::optional<CholeskySolver> cholesky_;  // exactly one of the two is set after the choice
+    std::optional<CholeskySolver> cholesky_;  // once chosen, exactly one of the two is set
     std::optional<SkeletonSolver> two_level_;
     LinearSolver* chosen_ = nullptr;
     std::vector<int> planned_rows_;

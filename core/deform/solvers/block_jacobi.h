@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The preconditioner common in real-time deformation: the inverse 3x3 diagonal block of each
-// vertex. It is the baseline for comparisons, and the choice for bulky bodies with heavy vertices.
+// The usual preconditioner in real-time deformation: the inverse 3x3 diagonal block of each vertex.
+// It is the baseline for comparisons and suits bulky bodies with heavy vertices.
 #pragma once
 
 #include <vector>

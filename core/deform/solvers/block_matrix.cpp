@@ -29,7 +29,7 @@ Wide load(const double* p) {
     return value;
 }
 
-// Columns of a block times x, in the first three lanes; nothing beyond the block is read.
+// block * x in the first three lanes; nothing beyond the block is read.
 Wide times(const Mat3& block, const Vec3& x) {
     const Wide from_fifth = load(block.data() + 5);
     const Wide last = __builtin_shufflevector(from_fifth, from_fifth, 1, 2, 3, 0);

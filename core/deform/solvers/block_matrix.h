@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Symmetric sparse matrix of 3x3 blocks, one block row per vertex: the system matrix of eq. (12),
-// A = M + dt B + dt^2 K, in the form that assembly writes and every linear solver reads.
+// Symmetric sparse matrix of 3x3 blocks, one block row per vertex: the system matrix A = M + dt B +
+// dt^2 K of eq. (12), in the format that assembly writes and every linear solver reads.
 #pragma once
 
 #include <cstddef>
@@ -11,24 +11,24 @@
 
 namespace hepatica {
 
-// Row-major compressed rows with both triangles stored: row i holds blocks
-// [row_begin[i], row_begin[i+1]), columns ascending, the diagonal block among them.
-// block(i,j) == block(j,i).transpose() to the last bit.
+// Block compressed rows with both triangles stored: row i holds the blocks [row_begin[i],
+// row_begin[i+1]), columns ascending, including the diagonal block. block(i,j) ==
+// block(j,i).transpose() to the last bit.
 struct BlockMatrix {
     std::vector<int> row_begin{0};
     std::vector<int> column;
     std::vector<Mat3> block;
-    std::vector<int> diagonal;  // position of the diagonal block of each row
-    // 1: all blocks of this row beside the diagonal are zero, so that products pass over them.
-    // Empty: it is not known of any.
+    std::vector<int> diagonal;  // index of each row's diagonal block
+    // 1: all off-diagonal blocks of this row are zero, so that products skip them. Empty: unknown
+    // for every row.
     std::vector<std::uint8_t> alone;
 
     int rows() const { return static_cast<int>(row_begin.size()) - 1; }
-    // Position of block (i, j), or -1 where it is not in the pattern. O(log blocks in the row).
+    // Index of block (i, j), or -1 where it is not in the pattern. O(log blocks in the row).
     int find(int i, int j) const;
 };
 
-// y = A x, over fixed blocks of rows: the same bits for any number of threads.
+// y = A x. The same bits for any number of threads.
 // Thread safety: const access only.
 void multiply(const BlockMatrix& matrix, const std::vector<Vec3>& x, std::vector<Vec3>& y);
 

@@ -12,7 +12,7 @@
 namespace hepatica {
 namespace {
 
-// Where a single-precision factor needs more iterations to the tolerance, double precision is used.
+// Where the single-precision factor needs more iterations than this, double precision is used.
 constexpr int most_polishing_iterations = 10;
 
 }  // namespace
@@ -27,7 +27,7 @@ void CholeskySolver::plan(const BlockMatrix& pattern, EliminationTree analysis) 
     begin(pattern);
 }
 
-// With the analysis at hand, in single precision.
+// Starts over with the analysis in tree_, in single precision.
 void CholeskySolver::begin(const BlockMatrix& pattern) {
     planned_rows_ = pattern.row_begin;
     planned_columns_ = pattern.column;
@@ -36,7 +36,7 @@ void CholeskySolver::begin(const BlockMatrix& pattern) {
     iteration_.forget();
 }
 
-// A function of the whole body's pattern and of how it is torn, by whatever way it came there.
+// Depends only on the whole body's pattern and on parents_, not on the order in which it tore.
 EliminationTree CholeskySolver::analysis_of_split(const BlockMatrix& pattern) const {
     EliminationTree tree = tree_of_split(whole_, parents_);
     if (tree.multiplications <= most_fill * whole_.multiplications) return tree;
@@ -102,8 +102,8 @@ SolveReport CholeskySolver::polish(SolveReport direct,
     return report;
 }
 
-// Of x, whose residual is known and x . A x = `energy`: by a bound where that is good enough, for
-// the estimate costs another substitution.
+// Relative error of x in the energy norm; `energy` is x . A x. The residual must be known. Uses a
+// bound where that is good enough, because the estimate costs another substitution.
 template <class T>
 double CholeskySolver::energy_error(TreeFactor<T>& factor, double energy,
                                     const SolveLimits& limits) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sparse Cholesky factorisation. Of each new matrix only those branches of the elimination tree are
-// factored again whose rows have changed. The factor is in single precision, which halves the
-// memory read by a solve; conjugate gradients with residuals in double precision remove the
-// rounding error. For a matrix too ill-conditioned for that, factors are in double precision from
-// then on.
+// Sparse Cholesky factorisation. For a new matrix only the branches of the elimination tree whose
+// rows have changed are factored again. The factor is in single precision, which halves the memory
+// that a solve reads; conjugate gradients with residuals in double precision remove the rounding
+// error. Once a matrix is too ill-conditioned for that, factors are in double precision from then
+// on.
 #pragma once
 
 #include <optional>
@@ -28,15 +28,15 @@ class CholeskySolver final : public LinearSolver {
     void precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) override;
     std::string_view name() const override { return name_of(LinearSolverKind::cholesky); }
 
-    // The factor is always that of the latest matrix.
+    // False: the factor is always that of the latest matrix.
     bool made_from_latest() const override { return false; }
     std::vector<double> memory() const override;
     void restore(const BlockMatrix& pattern, bool made_from_it, std::span<const Vec3> positions_mm,
                  std::span<const double> memory) override;
 
-    // The symbolic analysis of a pattern. Allocates no factor.
+    // The symbolic analysis of a pattern; allocates no factor.
     static EliminationTree analyse(const BlockMatrix& pattern);
-    // Uses that analysis; the next update must name all rows as changed.
+    // Uses the given analysis; the next update must name all rows as changed.
     void plan(const BlockMatrix& pattern, EliminationTree analysis);
 
     const EliminationTree& tree() const { return tree_; }
@@ -46,8 +46,8 @@ class CholeskySolver final : public LinearSolver {
     std::size_t bytes() const;
     bool in_single_precision() const { return !in_double_; }
 
-    // Multiplications of a torn body's factor may be so many times the whole body's before its
-    // pattern is analysed anew.
+    // A torn body's pattern is analysed from scratch once its factor takes more than this many
+    // times the multiplications of the whole body's.
     static constexpr double most_fill = 1.25;
 
   private:
@@ -68,12 +68,13 @@ class CholeskySolver final : public LinearSolver {
                        std::span<const Vec3> rhs, std::span<Vec3> x, const SolveLimits& limits);
 
     const BlockMatrix* matrix_ = nullptr;
-    std::vector<int> planned_rows_, planned_columns_;  // of the pattern
-    // Of a body before it was split: the order of elimination and its analysis; and how it was.
+    std::vector<int> planned_rows_, planned_columns_;  // of the analysed pattern
+    // The body before it was split: its order of elimination and its analysis; parents_: how it was
+    // split.
     std::vector<int> order_, parents_;
     EliminationTree whole_;
     EliminationTree tree_;
-    bool factored_ = false;  // by that analysis: from now on what changed is enough
+    bool factored_ = false;  // with tree_: later updates need only the changed rows
     std::optional<TreePreconditioner> single_;
     std::optional<TreeCholesky> double_;
     bool in_double_ = false;

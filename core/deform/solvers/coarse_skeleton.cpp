@@ -26,7 +26,7 @@ void check_point(const Vec3& position_mm, double radius_mm, const std::string& p
     }
 }
 
-// Arc length of a polyline up to each of its points, counted in node spacings.
+// Arc length of a polyline up to each of its points, in units of the node spacing.
 std::vector<double> spacings_along(const SkeletonPolyline& line, double spacing_diameters) {
     std::vector<double> along{0.0};
     for (std::size_t k = 1; k < line.points_mm.size(); ++k) {
@@ -42,7 +42,7 @@ struct Edge {
     int child = -1;
 };
 
-// A run of consecutive edges and a box around it, so that most edges are never looked at.
+// A run of consecutive edges and its bounding box, by which most edges are skipped.
 struct EdgeGroup {
     std::size_t begin = 0;
     std::size_t end = 0;
@@ -70,7 +70,7 @@ std::vector<EdgeGroup> group_edges(const CoarseSkeleton& skeleton, const std::ve
     return groups;
 }
 
-// Distance to an edge in local radii, squared, and where along it the nearest point lies.
+// Squared distance to an edge in local radii, and the position of the nearest point along it.
 struct Nearest {
     double distance_squared = std::numeric_limits<double>::infinity();
     Edge edge;

@@ -20,8 +20,8 @@ SolveReport ConjugateGradient::solve(const BlockMatrix& matrix, const Preconditi
     return solve(apply, precondition, rhs, x, limits, stop);
 }
 
-// Scales x to minimise the error in the energy norm, so that a warm start is never worse than zero;
-// leaves its residual. Returns |x|_A squared.
+// Scales the warm start x to minimise its error in the energy norm, so that it is never worse than
+// zero, and computes its residual. Returns |x|_A squared.
 double ConjugateGradient::begin(const Product& apply, std::span<const Vec3> rhs,
                                 std::span<Vec3> x) {
     direction_.assign(x.begin(), x.end());
@@ -41,7 +41,7 @@ double ConjugateGradient::begin(const Product& apply, std::span<const Vec3> rhs,
     return scale * warm_work;
 }
 
-// Goes along the direction, whose product is known. Returns the residual's norm, squared.
+// One step along the direction, whose product with A is known. Returns |residual| squared.
 double ConjugateGradient::advance(double step, std::span<Vec3> x) {
     return parallel_sum(x.size(), nodes_per_block, [&](std::size_t b, std::size_t e) {
         double sum = 0.0;
@@ -65,7 +65,7 @@ SolveReport ConjugateGradient::solve(const Product& apply, const Preconditioner&
         report.relative_residual = report.energy_error = report.converged ? 0.0 : 1.0;
         return report;
     }
-    double solution_energy = begin(apply, rhs, x);  // |x|_A squared, so far
+    double solution_energy = begin(apply, rhs, x);  // |x|_A squared of the current x
 
     precondition(residual_, preconditioned_);
     direction_ = preconditioned_;

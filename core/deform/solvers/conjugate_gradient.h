@@ -15,7 +15,7 @@ namespace hepatica {
 
 class ConjugateGradient {
   public:
-    // z = M^-1 r for a symmetric positive definite M. Sizes are the matrix's.
+    // z = M^-1 r for a symmetric positive definite M of the matrix's size.
     using Preconditioner = std::function<void(const std::vector<Vec3>& r, std::vector<Vec3>& z)>;
     // y = A x for a symmetric positive definite A.
     using Product = std::function<void(const std::vector<Vec3>& x, std::vector<Vec3>& y)>;
@@ -25,8 +25,8 @@ class ConjugateGradient {
     // Continues with the smallest_ritz() of another solver.
     void remember(double smallest_ritz) { smallest_ritz_ = smallest_ritz; }
 
-    // Throws Cancelled before the iteration after a stop was asked for; what later solves remember
-    // is then as before.
+    // Throws Cancelled before the next iteration after a stop is requested; smallest_ritz() is then
+    // unchanged.
     SolveReport solve(const BlockMatrix& matrix, const Preconditioner& precondition,
                       std::span<const Vec3> rhs, std::span<Vec3> x, const SolveLimits& limits,
                       const std::stop_token& stop = {});
@@ -34,7 +34,7 @@ class ConjugateGradient {
                       std::span<const Vec3> rhs, std::span<Vec3> x, const SolveLimits& limits,
                       const std::stop_token& stop = {});
 
-    // Smallest Ritz value of M^-1 A in the solves so far, raised a little at each solve because the
+    // Smallest Ritz value of M^-1 A in the solves so far, raised slightly at each solve because the
     // matrix changes; 0 before the first solve.
     double smallest_ritz() const { return smallest_ritz_; }
 

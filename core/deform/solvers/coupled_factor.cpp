@@ -14,17 +14,18 @@
 namespace hepatica {
 namespace {
 
-// What follows was measured on the bodies of `bench contacts` and on patients' vessels.
-// Iterations of conjugate gradients that take as long as ordering, analysis and new memory.
+// The constants below were measured on the bodies of `bench contacts` and on patients' vessels.
+// Ordering, analysis and new memory take as long as this many iterations of conjugate gradients.
 constexpr int iterations_of_analysis = 12;
-// Couplings up to which a solver that does not know them takes few iterations.
+// Up to this many couplings, a solver without them needs few iterations.
 constexpr std::size_t few_couplings = 5;
-// An iteration of such a solver takes as long as so many multiplications of a factorisation for
-// each block of the matrix; and of `n` couplings it takes about this number times their root.
+// One iteration of such a solver takes as long as this many multiplications of a factorisation per
+// block of the matrix; `n` couplings take about iterations_of_root * sqrt(n) iterations.
 constexpr double multiplications_of_iteration = 250.0, iterations_of_root = 16.0;
-// Of the factor for each block of the matrix: so its memory is bounded.
+// Blocks of the factor per block of the matrix: bounds its memory.
 constexpr std::size_t most_factor_blocks = 24;
-// Where minimum degree takes more for each block, the body is thick, and dissection is tried, too.
+// Multiplications per block by minimum degree above which the body is thick and nested dissection
+// is tried too.
 constexpr double thick = 8000.0;
 constexpr std::size_t rows_per_block = 256;
 
@@ -34,7 +35,7 @@ NodePair nodes_of(const CouplingBlock& c) {
     return {std::min(c.first, c.second), std::max(c.first, c.second)};
 }
 
-// Those that the pattern has not, one by one, ascending.
+// The coupled pairs of nodes that have no block in the pattern, flattened, ascending.
 std::vector<int> pairs_beside(const BlockMatrix& pattern, const CouplingBlocks& coupling) {
     std::vector<NodePair> pairs;
     for (const PairCoupling& pair : coupling)
@@ -67,7 +68,7 @@ void CoupledFactor::heed(const std::stop_token& stop) {
     factor_.heed(stop);
 }
 
-// The pattern of A and of the pairs.
+// The union of A's pattern and the pairs.
 void CoupledFactor::plan(const BlockMatrix& pattern) {
     const int nodes = pattern.rows();
     std::vector<std::vector<int>> partners(static_cast<std::size_t>(nodes));
@@ -94,8 +95,8 @@ void CoupledFactor::plan(const BlockMatrix& pattern) {
     analyse_pattern();
 }
 
-// The pairs of features of which the pattern has all blocks, and the others: what it has of these
-// stays out of it, too, for the matrix would not be positive definite.
+// Splits the coupling into feature pairs with all their blocks in the pattern and others. Pairs
+// stay together: without some of their blocks the matrix might not be positive definite.
 void CoupledFactor::part(const CouplingBlocks& coupling) {
     inside_.clear();
     outside_.clear();
@@ -158,7 +159,7 @@ void CoupledFactor::find_changed(const BlockMatrix& matrix, std::span<const int>
     changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
 }
 
-// Writes A and what of C is in the pattern.
+// Writes A and the part of C that is in the pattern.
 void CoupledFactor::fill(const BlockMatrix& matrix) {
     parallel_blocks(changed_.size(), rows_per_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t c = begin; c < end; ++c) {

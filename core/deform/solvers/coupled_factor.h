@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Solves (A + C) x = b by a Cholesky factor that knows C: of A and the blocks of C between pairs of
-// nodes that were coupled when the pattern was analysed last. Ordering and analysis are kept while
-// contacts come and go; blocks of pairs that are not in the pattern are left to conjugate
-// gradients, whose iterations grow with their number alone, and not with that of all contacts.
-// Once these iterations have cost as much as an analysis, the next solve makes one.
+// Solves (A + C) x = b by a Cholesky factor of A and of those blocks of C whose pairs of nodes were
+// coupled when the pattern was last analysed. Ordering and analysis are kept while contacts come
+// and go; blocks of new pairs are left to conjugate gradients, whose iterations grow with the
+// number of these blocks only, not with that of all contacts. Once these iterations have cost as
+// much as an analysis, the next solve analyses again.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +17,10 @@
 
 namespace hepatica {
 
-// What it carries from solve to solve. The factor is always of the latest matrix, so that the
-// pattern and these numbers determine all later bits.
+// The state that is carried from solve to solve. The factor is always that of the latest matrix, so
+// that the pattern and these numbers determine all later bits.
 struct CoupledMemory {
-    std::vector<int> pairs{};  // first, second, first, second ... of the pattern; ascending
+    std::vector<int> pairs{};  // flattened pairs of the pattern, ascending
     std::vector<double> numbers{};
     bool operator==(const CoupledMemory&) const = default;
 };
@@ -33,28 +33,28 @@ class CoupledFactor {
         factor_.bound_below(least, share);
     }
 
-    // Whether solve() is worth its while: there are many couplings, and a factorisation with them
-    // costs less than the iterations of a solver that does not know them, by a count of both.
+    // Whether solve() is likely faster than a solver without couplings: there are many couplings,
+    // and a factorisation with them costs less than that solver's iterations, by a count of both.
     bool pays(const BlockMatrix& matrix, const CouplingBlocks& coupling);
 
-    // A + C must be symmetric positive definite; of held rows all blocks beside the diagonal are
-    // zero. `changed_rows` names every row of A in which a block differs from that of the last
-    // solve. On exit x is the solution within the limits; where no row is held, the residual's sum
-    // vanishes to rounding, as of solve_coupled. Throws Cancelled after a stop was asked for; only
-    // restore() may then be called next.
+    // A + C must be symmetric positive definite; the off-diagonal blocks of held rows must be zero.
+    // `changed_rows` must name every row of A with a block that differs from the last solve. On
+    // exit x is the solution within the limits; where no row is held, the sum of the residual
+    // vanishes up to rounding, as in solve_coupled. Throws Cancelled after a stop is requested;
+    // then only restore() may be called next.
     SolveReport solve(const BlockMatrix& matrix, std::span<const int> changed_rows,
                       const CouplingBlocks& coupling, std::span<const std::uint8_t> held,
                       std::span<const Vec3> rhs, std::span<Vec3> x, const SolveLimits& limits);
 
-    // The next solve takes all rows as changed.
+    // Makes the next solve treat all rows as changed.
     void forget_matrix() { stale_ = true; }
 
-    // A pattern without pairs, or these. restore() throws InputError, and changes nothing, where
-    // the memory cannot be of matrices with A's pattern; the next solve must name all rows.
+    // memory() is empty before the first analysis. restore() throws InputError and changes nothing
+    // where the memory cannot be of matrices with this pattern; the next solve must name all rows.
     CoupledMemory memory() const;
     void restore(const BlockMatrix& pattern, const CoupledMemory& memory);
 
-    // Analyses so far, and the size of matrix and factor.
+    // Number of analyses so far; size of matrix and factor.
     int analyses() const { return analyses_; }
     std::size_t bytes() const;
 
@@ -71,17 +71,17 @@ class CoupledFactor {
 
     std::vector<int> rows_, columns_;  // A's pattern
     std::vector<int> pairs_;           // see CoupledMemory
-    std::vector<int> place_;           // of each block of A in united_
-    BlockMatrix united_;               // A and what of C is in the pattern
-    CouplingBlocks inside_, outside_;  // of the last solve: in the pattern, and not
-    std::vector<int> coupled_rows_;    // of inside_
-    std::vector<int> changed_;         // rows, since the last solve
-    bool stale_ = true;                // no row is known
+    std::vector<int> place_;           // index in united_ of each block of A
+    BlockMatrix united_;               // A and the part of C in the pattern
+    CouplingBlocks inside_, outside_;  // C of the last solve: in the pattern or not
+    std::vector<int> coupled_rows_;    // rows of inside_
+    std::vector<int> changed_;         // rows that differ from the last solve
+    bool stale_ = true;                // every row is to be written
     CholeskySolver factor_;
     std::stop_token stop_;
-    int spent_ = 0;  // iterations for what was outside, since the pattern was analysed
+    int spent_ = 0;  // iterations spent on outside_ since the last analysis
     int analyses_ = 0;
-    double multiplications_ = 0.0;  // of a factorisation
+    double multiplications_ = 0.0;  // of one factorisation
     std::size_t factor_blocks_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stiffness between nodes that share no element, as blocks beside the matrix: C of coupled_solve.h
+// Stiffness between nodes that share no element, as blocks outside the matrix: C of coupled_solve.h
 // and coupled_factor.h.
 #pragma once
 
@@ -12,14 +12,14 @@
 
 namespace hepatica {
 
-// Symmetric; it stands at (first, second) and at (second, first).
+// A symmetric block, at (first, second) and (second, first).
 struct CouplingBlock {
     int first = 0, second = 0;  // two nodes, first != second
     Mat3 block = Mat3::Zero();
 };
 
-// The blocks between two features that touch. With what of their stiffness lies within each they
-// are positive semidefinite; some of them alone are not.
+// The blocks between two touching features. Together with the blocks within each feature they are
+// positive semidefinite; some of them alone need not be.
 struct PairCoupling {
     std::array<CouplingBlock, 4> blocks{};
     int count = 0;
@@ -29,10 +29,10 @@ struct PairCoupling {
     }
 };
 
-// Several blocks of two nodes count as their sum.
+// Several blocks for the same two nodes count as their sum.
 using CouplingBlocks = std::vector<PairCoupling>;
 
-// Adds C d.
+// product += C d.
 inline void add_product(const CouplingBlocks& coupling, std::span<const Vec3> d,
                         std::span<Vec3> product) {
     for (const PairCoupling& pair : coupling)

@@ -45,7 +45,7 @@ T sum_of(const Packet<T>& packet) {
 }
 
 // target(0:4R, 0:C) -= a(0:4R, 0:depth) b(0:C, 0:depth)^T; all column-major, a and b with the same
-// leading dimension. Held in registers throughout.
+// leading dimension. Sums stay in registers.
 template <int R, int C, class T>
 void subtract_tile(const T* a, const T* b, std::ptrdiff_t stride, int depth, T* target,
                    std::ptrdiff_t target_stride) {
@@ -67,7 +67,7 @@ void subtract_tile(const T* a, const T* b, std::ptrdiff_t stride, int depth, T* 
     }
 }
 
-// Rows [0, rows) of C columns, rows a multiple of the packet after padding.
+// Rows [0, rows) of C columns; rows is a multiple of the packet because of padding.
 template <int C, class T>
 void subtract_rows(const T* a, const T* b, std::ptrdiff_t stride, int depth, T* target,
                    std::ptrdiff_t target_stride, int rows) {
@@ -96,12 +96,12 @@ void subtract_columns(int columns, const T* a, const T* b, std::ptrdiff_t stride
 }
 
 constexpr int strip = 4;  // columns that are eliminated together
-// Fronts with so many pivots are worth several threads, each of which takes so much of them at
-// once. Every entry is summed up as by one thread.
+// Fronts with at least `deep` pivots are shared by several threads, in pieces of this size. Every
+// entry is summed in the same order as by one thread.
 constexpr int deep = 96;
 constexpr std::size_t shared_rows = 192, shared_strips = 6;
 
-// Unblocked elimination of `columns` columns whose earlier updates are all in.
+// Unblocked elimination of `columns` columns to which all earlier columns have been applied.
 template <class T>
 int eliminate_strip(T* panel, std::ptrdiff_t stride, int first, int columns,
                     const T* entry_diagonal, const PivotRule& rule) {

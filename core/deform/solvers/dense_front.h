@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The dense arithmetic of the sparse factorisation: partial Cholesky of one front, and the
-// triangular solves with its panel. T is double, or float where the factor is a preconditioner.
+// Dense kernels of the sparse factorisation: partial Cholesky of one front, and triangular solves
+// with its panel. T is double, or float where the factor is a preconditioner.
 #pragma once
 
 #include <cstddef>
@@ -19,18 +19,19 @@ constexpr int padded(int rows) {
 
 struct PivotRule {
     double smallest;
-    // Dropped: the column of L becomes zero but for an infinite diagonal, so that solves give zero
-    // there. Otherwise the pivot is raised to its entry value: L L^T stays positive definite.
+    // Dropped: the column of L becomes zero with an infinite diagonal, so that solves give zero
+    // there. Otherwise the pivot is raised to its value on entry, and L L^T stays positive
+    // definite.
     bool drop;
 };
 
-// A front of `pivots` columns to eliminate and `rest` that remain. The panel is column-major,
-// padded(pivots + rest) by pivots; on entry its lower part holds the front's first columns, on exit
-// those of L. The remainder is column-major, padded(rest) by rest, lower part: on exit it has had
-// L21 L21^T taken away; its rows of padding are garbage. Both need front_alignment scalars of slack
-// behind their end, which are read but not used.
-// Pivots not above `smallest` times their value on entry are treated as the rule says. Returns
-// their number. Throws Cancelled, between two strips of columns, after a stop was asked for.
+// A front has `pivots` columns to eliminate and `rest` columns that remain. The panel is
+// column-major, padded(pivots + rest) by pivots; its lower part holds the front's first columns on
+// entry and those of L on exit. The remainder is column-major, padded(rest) by rest, lower part; on
+// exit L21 L21^T is subtracted from it, and its padding rows hold garbage. Both need
+// front_alignment scalars of slack after their end, which are read but not used. Pivots not above
+// `smallest` times their value on entry are treated by the rule; returns their number. Throws
+// Cancelled between two strips of columns after a stop is requested.
 template <class T>
 int factor_front(T* panel, T* remainder, int pivots, int rest, PivotRule rule,
                  const std::stop_token& stop = {});

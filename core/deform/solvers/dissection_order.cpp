@@ -13,7 +13,7 @@ namespace hepatica {
 namespace {
 
 constexpr int small_part = 100;
-constexpr double most_one_sided = 0.7;  // the larger side's share of a part
+constexpr double most_one_sided = 0.7;  // largest acceptable share of the larger side
 constexpr int most_ends_tried = 6;
 
 class Dissection {
@@ -39,12 +39,12 @@ class Dissection {
   private:
     struct Part {
         std::vector<int> nodes;
-        std::size_t end = 0;  // of its places in the order
+        std::size_t end = 0;  // one past the part's places in the order
     };
-    // The nodes of a part that are joined to an end of it, nearer ones first.
+    // Breadth-first levels of the nodes of a part that are connected to a start node.
     struct Levels {
         std::vector<int> nodes;
-        std::vector<std::size_t> begin;  // of each level, and where the last one ends
+        std::vector<std::size_t> begin;  // of each level, then the end of the last one
 
         std::size_t count() const { return begin.size() - 1; }
         std::size_t size(std::size_t level) const { return begin[level + 1] - begin[level]; }
@@ -74,7 +74,7 @@ class Dissection {
         return levels;
     }
 
-    // From an end: as many levels as going on to the farthest node gives.
+    // Levels from a pseudo-peripheral node: restarts from the farthest one while that adds levels.
     Levels levels_of(int start) {
         Levels levels = levels_from(start);
         for (int tried = 0; tried < most_ends_tried; ++tried) {
@@ -86,7 +86,7 @@ class Dissection {
         return levels;
     }
 
-    // The level that parts the nodes best: small, and about in the middle.
+    // The best separator among the levels: small, and near the middle.
     static std::size_t parting_level(const Levels& levels) {
         const auto nodes = static_cast<double>(levels.nodes.size());
         std::size_t best = 1;
@@ -95,7 +95,7 @@ class Dissection {
             const std::size_t larger =
                 std::max(levels.begin[level], levels.nodes.size() - levels.begin[level + 1]);
             const double share = static_cast<double>(larger) / nodes, beside = 4.0 * (share - 0.5);
-            // Any that is not too one-sided is better than any that is.
+            // Any separator that is not too one-sided is better than any that is.
             const double cost = share > most_one_sided ? nodes * (2.0 + share)
                                                        : static_cast<double>(levels.size(level)) *
                                                              (1.0 + beside * beside);
@@ -144,7 +144,7 @@ class Dissection {
         parts_.push_back({joined, middle});
     }
 
-    // By minimum degree, at the places before `end`.
+    // Orders the nodes by minimum degree, at the places just before `end`.
     void place(const std::vector<int>& nodes, std::size_t end) {
         if (nodes.empty()) return;
         for (std::size_t i = 0; i < nodes.size(); ++i) mark_[nodes[i]] = static_cast<int>(i);
@@ -162,8 +162,8 @@ class Dissection {
     }
 
     const BlockMatrix& pattern_;
-    std::vector<int> part_of_;  // of each node: the part it was seen in last; 0: placed
-    std::vector<int> mark_;     // of each node, -1 between uses
+    std::vector<int> part_of_;  // the part that each node was last seen in; 0: placed
+    std::vector<int> mark_;     // per node; -1 between uses
     std::vector<int> order_;
     std::vector<Part> parts_;
     int parts_seen_ = 0;

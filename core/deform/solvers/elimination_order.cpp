@@ -29,12 +29,12 @@ SkeletonTree neighbours_of(const CoarseSkeleton& skeleton) {
     return tree;
 }
 
-// Node of each tree whose removal leaves the smallest largest part, by number of vertices; indexed
-// by the tree's root.
+// For each tree, the node whose removal leaves the smallest largest part, counted in vertices;
+// indexed by the tree's root.
 std::vector<int> centres_of(const CoarseSkeleton& skeleton, const SkeletonBinding& binding,
                             const SkeletonTree& tree) {
     const std::size_t count = skeleton.parent.size();
-    std::vector<double> below(count, 0.0);  // vertices bound to edges under a node
+    std::vector<double> below(count, 0.0);  // vertices bound to edges below a node
     for (std::size_t v = 0; v < binding.nodes.size(); ++v) below[binding.nodes[v][1]] += 1.0;
     std::vector<double> largest_child(count, 0.0);
     for (std::size_t n = count; n-- > 0;) {
@@ -88,7 +88,7 @@ std::vector<int> order_of_split(std::span<const int> order, std::span<const int>
 std::vector<int> order_from_ends(const CoarseSkeleton& skeleton, const SkeletonBinding& binding) {
     const SkeletonTree tree = neighbours_of(skeleton);
     const std::vector<int> centre = centres_of(skeleton, binding, tree);
-    // Nodes from each centre outward, every subtree in one piece: reversed, ends come first.
+    // Ranks nodes from each centre outward, every subtree contiguous; reversed, ends come first.
     std::vector<int> rank(skeleton.parent.size(), 0), inward(skeleton.parent.size(), -1), stack;
     int visited = 0;
     for (const int start : centre) {

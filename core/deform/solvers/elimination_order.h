@@ -10,14 +10,14 @@
 
 namespace hepatica {
 
-// Vertices in an order of little fill for any pattern: approximate minimum degree (Amestoy, Davis
-// and Duff 1996). On vessel trees with loops a factorisation takes a third to a quarter of the
-// multiplications that it takes from the ends inwards.
+// A fill-reducing order for any pattern: approximate minimum degree (Amestoy, Davis and Duff 1996).
+// On vessel trees with loops a factorisation takes a third to a quarter of the multiplications that
+// order_from_ends gives.
 std::vector<int> fill_reducing_order(const BlockMatrix& pattern);
 
-// That order of a body of which nodes were split: node i from parents[i], a smaller number, or from
-// none where that is i. New nodes stand behind the one of `order` that they come from, which keeps
-// the fill below that of the whole body.
+// Extends an order to a body whose nodes were split: node i comes from parents[i], a smaller
+// number, or is an original node where parents[i] == i. New nodes follow the original node that
+// they come from, which keeps the fill below that of the whole body.
 std::vector<int> order_of_split(std::span<const int> order, std::span<const int> parents);
 
 // The vertices of `binding` in the order of their skeleton nodes, from the ends of the tree towards

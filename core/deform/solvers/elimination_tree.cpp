@@ -36,14 +36,14 @@ std::vector<std::vector<int>> children_of(const std::vector<int>& parent) {
     return children;
 }
 
-// Nodes of a forest, children before parents, subtree after subtree.
+// Postorder of a forest: children before parents, subtree after subtree.
 std::vector<int> postorder(const std::vector<int>& parent) {
     const std::vector<std::vector<int>> children = children_of(parent);
     std::vector<int> order, stack;
     for (int root = static_cast<int>(parent.size()) - 1; root >= 0; --root) {
         if (parent[root] < 0) stack.push_back(root);
     }
-    // A parent is written before its children from right to left, then all is reversed.
+    // Builds the reversed order: a parent before its children, from right to left.
     while (!stack.empty()) {
         const int node = stack.back();
         stack.pop_back();
@@ -58,10 +58,11 @@ struct Structure {
     std::vector<int> columns;
     std::vector<int> rows;
     int parent = -1;
-    bool amalgamated = false;  // with its parent
+    bool amalgamated = false;  // merged into its parent
 };
 
-// Time of one front in nanoseconds, as measured on a few sizes: arithmetic, assembly, overhead.
+// Time of one front in nanoseconds, fitted to measurements of a few sizes: arithmetic, assembly,
+// overhead.
 double front_cost(double columns, double rows) {
     const double k = 3.0 * columns, m = 3.0 * rows;
     return 0.07 * k * (k * k / 3.0 + k * m + m * m) + 0.6 * (k + m) * (k + m) + 400.0;
@@ -72,11 +73,11 @@ void free_memory(std::vector<int>& values) {
 }
 
 // Finds the supernodes from the leaves to the root. The rows of a column are those of its block row
-// and of the supernodes below it; a supernode that is amalgamated with its parent gives its rows up
-// at once, so that memory holds the rows of supernodes, never those of every column.
+// and of its child supernodes. A supernode that is merged into its parent frees its rows at once,
+// so that memory holds the rows of supernodes, not those of every column.
 class SupernodeSearch {
   public:
-    // Columns and rows count positions; `parent` is the elimination tree.
+    // Columns and rows are positions in the order; `parent` is the elimination tree.
     SupernodeSearch(const BlockMatrix& pattern, const std::vector<int>& vertex_at,
                     const std::vector<int>& position, const std::vector<int>& parent)
         : pattern_(pattern),
@@ -93,7 +94,7 @@ class SupernodeSearch {
         }
     }
 
-    // Those not amalgamated stand at their last column.
+    // A supernode that was not merged is stored at its last column.
     std::vector<Structure> take() { return std::move(structures_); }
 
   private:
@@ -114,7 +115,7 @@ class SupernodeSearch {
         own.rows.shrink_to_fit();
     }
 
-    // Takes in children wherever one larger front is quicker than two.
+    // Merges children wherever one larger front is faster than two.
     void amalgamate(int j) {
         constexpr std::size_t most_columns = 48;
         Structure& parent = structures_[j];
@@ -149,11 +150,11 @@ class SupernodeSearch {
     const std::vector<int>& vertex_at_;
     const std::vector<int>& position_;
     std::vector<Structure> structures_;
-    std::vector<std::vector<int>> children_;  // supernodes, of each supernode found so far
+    std::vector<std::vector<int>> children_;  // child supernodes of each supernode found so far
     std::vector<int> mark_;
 };
 
-// Writes the supernodes that are left in postorder.
+// Writes the remaining supernodes in postorder.
 void write_supernodes(const std::vector<Structure>& structures, const std::vector<int>& vertex_at,
                       EliminationTree& tree) {
     std::vector<int> kept, index(structures.size(), -1);
@@ -220,11 +221,11 @@ void link_supernodes(EliminationTree& tree) {
     }
 }
 
-// Of each supernode's subtree, itself included.
+// Sums over the subtree of each supernode, itself included.
 struct Subtrees {
     std::vector<double> work;
     std::vector<int> size;
-    double small = 0.0;  // work of one that is not worth parting
+    double small = 0.0;  // work of a subtree that is not worth dividing
 };
 
 Subtrees weigh_subtrees(const EliminationTree& tree) {
@@ -245,8 +246,8 @@ Subtrees weigh_subtrees(const EliminationTree& tree) {
     return subtrees;
 }
 
-// Small subtrees are one chain each, in the first stage; above them a chain runs up to where it is
-// joined by another.
+// Every small subtree is one chain of the first stage; above them a chain runs up to where another
+// one joins.
 class ChainPlan {
   public:
     explicit ChainPlan(const EliminationTree& tree)
@@ -287,7 +288,8 @@ class ChainPlan {
         begin_chain(top, std::move(all), 0);
     }
 
-    // A chain goes on from the only large child if all others are done in earlier stages than its.
+    // Continues the chain of the only large child if all other children are in earlier stages than
+    // it.
     void climb(int s) {
         const Supernode& own = tree_.supernodes[s];
         int large = 0, continued = -1, after_small = 0, after_all = 0;
@@ -309,12 +311,12 @@ class ChainPlan {
 
     const EliminationTree& tree_;
     Subtrees subtrees_;
-    std::vector<int> chain_of_;  // of each supernode that another one may climb from
+    std::vector<int> chain_of_;  // the chain that ends at each supernode
     std::vector<std::vector<int>> chains_;
     std::vector<int> stage_;  // of each chain
 };
 
-// All that follows from vertices, supernodes and rows.
+// Computes what follows from vertices, supernodes and rows.
 void complete(EliminationTree& tree) {
     tree.position_of.resize(tree.vertex_at.size());
     for (std::size_t i = 0; i < tree.vertex_at.size(); ++i)
@@ -353,7 +355,7 @@ EliminationTree analyse(const BlockMatrix& pattern, std::span<const int> order) 
 }
 
 EliminationTree tree_of_split(const EliminationTree& whole, std::span<const int> parents) {
-    // Of each node of the whole body: those that stand for it, itself first.
+    // For each node of the whole body: itself and the nodes that were split from it.
     std::vector<std::vector<int>> members(whole.vertex_at.size());
     std::vector<int> origin;
     for (std::size_t i = 0; i < parents.size(); ++i) {
@@ -362,7 +364,7 @@ EliminationTree tree_of_split(const EliminationTree& whole, std::span<const int>
         members[origin.back()].push_back(static_cast<int>(i));
     }
     EliminationTree tree;
-    std::vector<int> first_position;  // of each position of the whole
+    std::vector<int> first_position;  // of each position of the whole body
     for (std::size_t j = 0; j < whole.vertex_at.size(); ++j) {
         const std::vector<int>& all = members[whole.vertex_at[j]];
         first_position.push_back(static_cast<int>(tree.vertex_at.size()));

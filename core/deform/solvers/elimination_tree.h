@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Symbolic analysis of a sparse Cholesky factor: the supernodes (columns of equal structure,
-// eliminated as one dense front), their tree, and which of them may be eliminated in parallel.
+// Symbolic analysis of a sparse Cholesky factor: the supernodes (columns of equal structure that
+// are eliminated as one dense front), their tree, and which of them may be eliminated in parallel.
 #pragma once
 
 #include <span>
@@ -16,14 +16,14 @@ struct Supernode {
     int count = 0;
     int rows_begin = 0;  // into EliminationTree::rows, ascending
     int rows_end = 0;
-    int parent = -1;         // the supernode of the first row below; after this one in order
+    int parent = -1;         // supernode of the first row below; comes later in the order
     int children_begin = 0;  // into EliminationTree::children, ascending
     int children_end = 0;
 
     int rest() const { return rows_end - rows_begin; }
 };
 
-// Multiplications that the elimination of a supernode takes.
+// Number of scalar multiplications that the elimination of a supernode takes.
 double multiplications(const Supernode& supernode);
 
 // All indices count vertices (3x3 blocks).
@@ -34,11 +34,11 @@ struct EliminationTree {
     std::vector<int> supernode_of;      // of each position
     std::vector<int> rows;
     std::vector<int>
-        place_in_parent;  // of each of `rows`: index among the parent's columns and rows
+        place_in_parent;  // for each of `rows`: index among the parent's columns and rows
     std::vector<int> children;
 
     // Stages of the elimination, one after the other. The chains of a stage may run in parallel;
-    // the supernodes of a chain are eliminated in order.
+    // the supernodes of a chain are eliminated in sequence.
     struct Chain {
         int begin = 0;  // into chain_supernodes
         int end = 0;
@@ -46,19 +46,19 @@ struct EliminationTree {
     std::vector<std::vector<Chain>> stages;
     std::vector<int> chain_supernodes;
 
-    double multiplications = 0.0;   // of one factorisation
-    std::size_t factor_blocks = 0;  // 3x3 blocks in L, padding of supernodes included
+    double multiplications = 0.0;   // scalar ones, of one factorisation
+    std::size_t factor_blocks = 0;  // 3x3 blocks in L, including zeros of merged supernodes
 };
 
-// `order` is the wanted order of elimination, a permutation of the vertices; the result may reorder
-// it where that does not change the fill. Time is proportional to the blocks of the factor, memory
-// to the rows of its supernodes.
+// `order` is the desired order of elimination, a permutation of the vertices; the result may
+// permute it where that does not change the fill. Time is proportional to the blocks of the factor,
+// memory to the rows of its supernodes.
 EliminationTree analyse(const BlockMatrix& pattern, std::span<const int> order);
 
-// That of a body of which nodes were split, from that of the whole: node i from parents[i], a
-// smaller number, or from none where that is i. Each new node stands beside the one that it comes
-// from wherever that stands, among columns and rows: no front lacks a block of the torn body, and
-// some hold blocks that are zero. Time is proportional to the rows of the supernodes.
+// The analysis of a body whose nodes were split, from that of the whole body: node i comes from
+// parents[i], a smaller number, or is an original node where parents[i] == i. Each new node stands
+// next to the one that it comes from, among columns and rows alike: every block of the torn body
+// has a place, and some places hold zeros. Time is proportional to the rows of the supernodes.
 EliminationTree tree_of_split(const EliminationTree& whole, std::span<const int> parents);
 
 }  // namespace hepatica

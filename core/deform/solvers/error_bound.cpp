@@ -8,7 +8,7 @@ namespace hepatica {
 
 namespace {
 
-// Whether the Lanczos matrix of the iteration so far, less `shift`, is positive definite.
+// Whether the Lanczos matrix of the iteration so far, minus `shift` I, is positive definite.
 bool all_above(double shift, std::span<const double> steps, std::span<const double> ratios) {
     double pivot = 1.0 / steps[0] - shift;
     for (std::size_t k = 1; k < steps.size() && pivot > 0.0; ++k) {
@@ -18,7 +18,7 @@ bool all_above(double shift, std::span<const double> steps, std::span<const doub
     return pivot > 0.0;
 }
 
-// Smallest eigenvalue of that matrix to 1 %, from below. It is at most `upper`.
+// Smallest eigenvalue of that matrix, a lower estimate within 1 %. It is at most `upper`.
 double smallest_eigenvalue(double upper, std::span<const double> steps,
                            std::span<const double> ratios) {
     double lower = upper;
@@ -32,14 +32,15 @@ double smallest_eigenvalue(double upper, std::span<const double> steps,
     return lower;
 }
 
-// The bound after one iteration more. Not above 0 where the eigenvalue was taken too large for a
-// bound to exist; it stays so then.
+// The bound after one more iteration. Zero where the assumed eigenvalue is too large for a bound to
+// exist, and then also in all later iterations.
 double next_factor(double factor, double eigenvalue, double step, double ratio) {
     const double excess = std::max(factor - step, 0.0);
     return excess > 0.0 ? excess / (eigenvalue * excess + ratio) : 0.0;
 }
 
-// Upper bound of the squared energy-norm error after steps.size() iterations, in units of (r, z).
+// Upper bound of the squared error in the energy norm after steps.size() iterations, in units of
+// (r, z).
 double radau_factor(double eigenvalue, std::span<const double> steps,
                     std::span<const double> ratios) {
     double factor = 1.0 / eigenvalue;
@@ -48,7 +49,7 @@ double radau_factor(double eigenvalue, std::span<const double> steps,
     return factor;
 }
 
-// How much smaller than the smallest Ritz value the smallest eigenvalue is taken to be.
+// The smallest eigenvalue is assumed to be this times the smallest Ritz value.
 constexpr double eigenvalue_margin = 0.8;
 
 }  // namespace
@@ -64,7 +65,7 @@ double ErrorBound::after(double step, double ratio) {
     factor_ = factor_size_ > 0 ? next_factor(factor_, eigenvalue_, step, ratio)
                                : radau_factor(eigenvalue_, steps_, ratios_);
     if (!(factor_ > 0.0)) {
-        // The smallest Ritz value has fallen since the spectrum was last looked at.
+        // The smallest Ritz value has fallen since it was last computed.
         update_spectrum();
         factor_ = radau_factor(eigenvalue_, steps_, ratios_);
     }
@@ -80,7 +81,8 @@ void ErrorBound::update_spectrum() {
     history_.push_back({steps_.size(), ritz_});
     double eigenvalue = eigenvalue_margin * smallest();
     if (known_ == 0.0 || ritz_ < known_) {
-        // While it falls, assume that it falls again by as much as since half the iterations.
+        // While the Ritz value falls, it is assumed to fall again as much as since half the
+        // iterations.
         const auto half = std::lower_bound(
             history_.begin(), history_.end(), steps_.size() / 2,
             [](const auto& entry, std::size_t size) { return entry.first < size; });

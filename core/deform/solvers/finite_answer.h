@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps results of a solve finite. A matrix or load that is not finite, or an iteration that
+// Keeps the results of a solve finite. A matrix or load that is not finite, or an iteration that
 // overflowed, has no solution; the report then says so.
 #pragma once
 

@@ -14,7 +14,7 @@ namespace {
 constexpr int vertices_per_chunk = 128;
 constexpr std::size_t sweep_rows_per_block = 512;
 
-// Colours of consecutive chunks of the order, such that chunks with a block in common differ.
+// A colour for each chunk of consecutive rows, such that chunks with a block in common differ.
 std::vector<int> colour_chunks(const BlockMatrix& pattern, std::span<const int> order) {
     const int count = static_cast<int>(order.size());
     std::vector<int> chunk_of(order.size());
@@ -155,7 +155,7 @@ void GaussSeidel::forward(std::span<const Vec3> r, std::span<Vec3> z, std::span<
             }
         });
     }
-    // Row p had no residual when it was swept; its residual now comes from later rows only.
+    // The residual of row p was zero when it was swept; now only later rows contribute to it.
     parallel_blocks(vertex_.size(), sweep_rows_per_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
             Wide sum{};

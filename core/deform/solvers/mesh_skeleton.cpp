@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The skeleton of a mesh without centrelines: a Reeb graph of the distance along mesh edges.
+// The skeleton of a mesh without centrelines: the Reeb graph of the distance along mesh edges.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -41,8 +41,8 @@ Graph edges_of(const TetMesh& mesh) {
 
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
-// Shortest distances along edges from `start`, written over `distance` where they are smaller.
-// Returns the vertices reached, nearest first.
+// Dijkstra: shortest distances along edges from `start`, written to `distance` where they are
+// smaller. Returns the vertices reached, nearest first.
 std::vector<int> reach_from(int start, const TetMesh& mesh, const Graph& graph,
                             std::vector<double>& distance) {
     using Entry = std::pair<double, int>;
@@ -67,7 +67,7 @@ std::vector<int> reach_from(int start, const TetMesh& mesh, const Graph& graph,
     return order;
 }
 
-// Radius of a tube of the same volume and surface: 2 V / S.
+// Radius of a tube with the same volume and surface: 2 V / S.
 double tube_radius(const TetMesh& mesh) {
     double surface = 0.0;
     for (const auto& [a, b, c] : boundary_triangles(mesh)) {
@@ -77,14 +77,14 @@ double tube_radius(const TetMesh& mesh) {
     return surface > 0.0 ? 2.0 * std::abs(volume_mm3(mesh)) / surface : 0.0;
 }
 
-// Connected vertices whose distances fall into one slice.
+// Connected vertices whose distances are in the same slice.
 struct Piece {
     std::vector<int> members;
-    int parent = -1;  // node
+    int parent = -1;  // node of the skeleton
     Vec3 centre = Vec3::Zero();
 };
 
-// Grows a piece from `seed` among the vertices of `slice`; marks them with `node`.
+// Grows a piece from `seed` within its slice; marks its vertices with `node`.
 Piece grow(int seed, int node, const TetMesh& mesh, const Graph& graph,
            const std::vector<int>& slice, std::vector<int>& node_of) {
     Piece piece;
@@ -99,7 +99,7 @@ Piece grow(int seed, int node, const TetMesh& mesh, const Graph& graph,
                 node_of[w] = node;
                 piece.members.push_back(w);
             } else if (node_of[w] >= 0 && slice[w] < slice[seed]) {
-                // Where the two arms of a loop meet, the loop is cut: the latest node is the
+                // Where the two arms of a loop meet, the loop is cut: the node added last is the
                 // parent.
                 piece.parent = std::max(piece.parent, node_of[w]);
             }
@@ -115,8 +115,8 @@ bool related(const CoarseSkeleton& skeleton, int a, int b) {
 }
 
 // Adds one tree: the connected slices of `order`, which is sorted by `distance`. Pieces of a slice
-// that touch related nodes and lie within a radius of each other are merged, because a thin slice
-// through a coarse mesh may fall apart where the body does not fork.
+// that touch related nodes and whose centres are within a diameter of each other are merged,
+// because a thin slice through a coarse mesh may fall apart where the body does not branch.
 void add_slices(const TetMesh& mesh, const Graph& graph, const std::vector<int>& order,
                 const std::vector<double>& distance, double spacing, double radius,
                 CoarseSkeleton& skeleton, std::vector<int>& node_of) {
@@ -172,7 +172,7 @@ CoarseSkeleton skeleton_of_mesh(const TetMesh& mesh, double spacing_diameters) {
     std::vector<double> distance(mesh.vertices_mm.size(), unreached);
     for (std::size_t v = 0; v < mesh.vertices_mm.size(); ++v) {
         if (node_of[v] >= 0) continue;
-        // The vertex farthest from any vertex is an end; ranks are distances from there.
+        // The vertex farthest from any vertex is an end; distances are measured from it.
         std::vector<int> order = reach_from(static_cast<int>(v), mesh, graph, distance);
         const int end = order.back();
         for (const int w : order) distance[w] = unreached;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loops over the nodes of a body that several threads share, and the dot product of two fields over
-// them, with the same bits for any number of threads. The blocks are so large that a small body
-// never pays for waking a thread.
+// Parallel loops over the nodes of a body, and the dot product of two nodal fields, with the same
+// bits for any number of threads. The blocks are large enough that a small body runs on one thread.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +13,7 @@ namespace hepatica {
 
 constexpr std::size_t nodes_per_block = 2048;
 
-// visit(i) for i in [0, count).
+// Calls visit(i) for i in [0, count), in parallel.
 template <class Visit>
 void for_each_node(std::size_t count, const Visit& visit) {
     parallel_blocks(count, nodes_per_block, [&](std::size_t begin, std::size_t end) {
@@ -32,7 +31,7 @@ double sum_over_nodes(std::size_t count, const Term& term) {
     });
 }
 
-// Sum of a[i] . b[i]; sizes alike.
+// Sum of a[i] . b[i]; the sizes must be equal.
 inline double dot(std::span<const Vec3> a, std::span<const Vec3> b) {
     return sum_over_nodes(a.size(), [&](std::size_t i) { return a[i].dot(b[i]); });
 }

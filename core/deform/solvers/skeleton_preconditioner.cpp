@@ -14,12 +14,12 @@ namespace hepatica {
 
 namespace {
 
-// Preparing costs about as much as this many iterations. Measured.
+// Preparing costs about as much as this many iterations; measured.
 constexpr int iterations_to_prepare = 3;
-// A solve that needs this many iterations more than with a fresh preconditioner is interrupted.
+// A solve that needs this many more iterations than with a fresh preconditioner is interrupted.
 constexpr int patience = 4;
 
-// Nodes from the ends of the tree inward, the four vectors of each together.
+// Nodes from the ends of the tree inward, the four vectors of a node together.
 std::vector<int> coarse_order(const CoarseSkeleton& skeleton) {
     std::vector<int> order;
     for (const int node :
@@ -132,7 +132,7 @@ SolveReport SkeletonSolver::solve(std::span<const Vec3> rhs, std::span<Vec3> x,
     spent_ += std::max(0, report.iterations - fresh_iterations_);
     worn_ = spent_ >= iterations_to_prepare;
     if (report.converged || lagged.max_iterations == limits.max_iterations) return report;
-    // The old preconditioner fits badly: prepare anew and go on from the x reached so far.
+    // The old preconditioner fits badly: prepare it again and continue from the current x.
     const int iterations = report.iterations;
     prepare_anew();
     SolveLimits rest = limits;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two-level preconditioner whose coarse grid is the vessel tree's own centreline: a Gauss-Seidel
-// sweep, a correction by affine motions along the tree, and the sweep's adjoint. Iterations depend
-// on neither the length of the vessels nor the size of the mesh nor how far they are bent.
+// sweep, a correction by affine motions along the tree, and the adjoint sweep. The number of
+// iterations hardly depends on the length of the vessels, the size of the mesh or how far they are
+// bent.
 #pragma once
 
 #include <optional>
@@ -15,23 +16,23 @@
 
 namespace hepatica {
 
-// Whether the off-diagonal blocks of each row are all zero.
+// Whether all off-diagonal blocks of each row are zero.
 std::vector<char> lone_vertices(const BlockMatrix& matrix);
 
 class SkeletonPreconditioner {
   public:
-    // Throws InputError where the skeleton is empty or broken.
+    // Throws InputError where the skeleton is empty or invalid.
     SkeletonPreconditioner(CoarseSkeleton skeleton, std::span<const Vec3> rest_positions_mm);
 
-    // As LinearSolver::prepare. The first call, and one with another pattern, plans anew. Throws
-    // Cancelled after a stop was asked for; it must then be prepared again.
+    // As LinearSolver::prepare. The first call, and a call with another pattern, plans anew. Throws
+    // Cancelled after a stop is requested; it must then be prepared again.
     void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
                  const std::stop_token& stop = {});
 
-    // Whether it was prepared for a matrix of this pattern, in which the same vertices stand alone.
+    // Whether it was prepared for a matrix of this pattern with the same lone vertices.
     bool fits(const BlockMatrix& matrix) const;
 
-    // z = M^-1 r, M symmetric positive definite.
+    // z = M^-1 r with M symmetric positive definite.
     void apply(const std::vector<Vec3>& r, std::vector<Vec3>& z);
 
     const AffineCoarseSpace& space() const { return *space_; }
@@ -85,8 +86,8 @@ class SkeletonSolver final : public LinearSolver {
     std::vector<Vec3> positions_mm_;
     SkeletonPreconditioner preconditioner_;
     ConjugateGradient iteration_;
-    bool fresh_ = false;          // the preconditioner is of *matrix_
-    bool worn_ = true;            // it is to be prepared anew for the next solve
+    bool fresh_ = false;          // the preconditioner is that of *matrix_
+    bool worn_ = true;            // to be prepared again before the next solve
     SolveLimits fresh_limits_{};  // limits of the first solve with this preconditioner
     int fresh_iterations_ = 0;    // iterations of that solve
     int spent_ = 0;               // additional iterations of all later solves

@@ -18,7 +18,7 @@ template <class T>
 constexpr PivotRule pivot_rule =
     std::is_same_v<T, double> ? PivotRule{1e-14, true} : PivotRule{1e-6, false};
 
-// Calls visit(s) for every supernode, children before parents, chains of a stage in parallel.
+// Calls visit(s) for every supernode, children before parents; chains of a stage run in parallel.
 template <class Visit>
 void climb(const EliminationTree& tree, const Visit& visit) {
     for (const auto& stage : tree.stages) {
@@ -30,7 +30,7 @@ void climb(const EliminationTree& tree, const Visit& visit) {
     }
 }
 
-// The same, parents before children.
+// As climb(), but parents before children.
 template <class Visit>
 void descend(const EliminationTree& tree, const Visit& visit) {
     for (std::size_t level = tree.stages.size(); level-- > 0;) {
@@ -43,8 +43,8 @@ void descend(const EliminationTree& tree, const Visit& visit) {
     }
 }
 
-// With some more room than is needed now, which costs nothing until it is used: a body that tears
-// needs it, and memory that is new costs more than what is written there.
+// Reserves some more than is needed, because a body that tears will need it: reserved memory costs
+// nothing until it is used, while new memory costs more than what is written there.
 template <class T>
 void make_room(std::vector<T>& values, std::size_t size) {
     if (size > values.capacity()) {
@@ -199,7 +199,7 @@ double TreeFactor<T>::refactor_multiplications(std::span<const int> changed_vert
     return sum;
 }
 
-// Adds what a front leaves of a right-hand side to that of its parent.
+// Adds a front's contribution to a right-hand side to that of its parent.
 template <class T>
 void TreeFactor<T>::pass_up(const Supernode& child, const T* passed, T* parent_head,
                             T* parent_tail) const {
@@ -268,8 +268,8 @@ void TreeFactor<T>::solve(std::span<const Vec3> b, std::span<Vec3> x) {
     });
 }
 
-// With A = L L^T the block is Y^T Y, Y = L^-1 J^T: the backward half of a solve is not needed, and
-// Y is zero in all fronts that no loaded vertex passes through on its way to the root.
+// With A = L L^T the block is Y^T Y with Y = L^-1 J^T. The backward substitution is not needed, and
+// Y is zero in all fronts that are not between a loaded vertex and the root.
 template <class T>
 Eigen::MatrixXd TreeFactor<T>::inverse_block(std::span<const SparseLoad> loads) const {
     std::vector<char> on_path(tree_.supernodes.size(), 0);

@@ -14,33 +14,33 @@
 
 namespace hepatica {
 
-// Forces on a few vertices; on all others none.
+// Forces on a few vertices; zero on all others.
 struct SparseLoad {
     std::vector<int> vertices;
-    std::vector<Vec3> forces;  // on each of them
+    std::vector<Vec3> forces;  // one for each of `vertices`
 };
 
-// Gives the same bits for any number of threads. Not thread-safe. With float it is a
+// Gives the same bits for any number of threads. Not thread-safe. With T = float it serves as a
 // preconditioner: it reads half the memory and stays positive definite in spite of rounding.
 template <class T>
 class TreeFactor {
   public:
-    // Fixes pattern and order (a permutation of the vertices, see elimination_order.h).
+    // Fixes the pattern and the order (a permutation of the vertices, see elimination_order.h).
     TreeFactor(const BlockMatrix& pattern, std::span<const int> order)
         : TreeFactor(pattern, analyse(pattern, order)) {}
-    // The same with an analysis of that pattern that was made before.
+    // The same with an existing analysis of that pattern.
     TreeFactor(const BlockMatrix& pattern, EliminationTree tree) { plan(pattern, std::move(tree)); }
-    // Another pattern in the same memory, as far as that reaches; must be factored whole.
+    // Switches to another pattern and reuses the memory; factor() must be called next.
     void plan(const BlockMatrix& pattern, EliminationTree tree);
 
-    // Factors the matrix, whose pattern is that of the constructor. A pivot that is not above
-    // 1e-14 of its diagonal entry is dropped: solves give zero for it. In float one that is not
-    // above 1e-6 of it is raised to that entry.
-    // Throws Cancelled after a stop was asked for, and must then be factored whole.
+    // Factors a matrix with the planned pattern. In double, a pivot not above 1e-14 of its diagonal
+    // entry is dropped: solves give zero for it. In float, a pivot not above 1e-6 of its diagonal
+    // entry is raised to that entry. Throws Cancelled after a stop is requested; factor() must then
+    // be called again.
     void factor(const BlockMatrix& matrix, const std::stop_token& stop = {});
 
     // The same for a matrix that differs from the last one only in blocks between two
-    // `changed_vertices`: the factor is that of factor() to the last bit.
+    // `changed_vertices`; the factor equals that of factor() to the last bit.
     void refactor(const BlockMatrix& matrix, std::span<const int> changed_vertices,
                   const std::stop_token& stop = {});
 
@@ -50,11 +50,12 @@ class TreeFactor {
     // x = A^-1 b. b and x may be the same.
     void solve(std::span<const Vec3> b, std::span<Vec3> x);
 
-    // b . A^-1 b, for half the work of solve: the squared energy norm of an error with residual b.
+    // b . A^-1 b for half the work of a solve: the squared energy norm of an error with residual b.
     double inverse_form(std::span<const Vec3> b);
 
-    // J A^-1 J^T, one row of J for each load: how far each load's nodes go, along its forces, under
-    // each of the others. Only the fronts between the loaded vertices and the root are visited.
+    // J A^-1 J^T with one row of J for each load: entry (i, j) is the displacement of the nodes of
+    // load i along its forces under load j. Only fronts between the loaded vertices and the root
+    // are visited.
     Eigen::MatrixXd inverse_block(std::span<const SparseLoad> loads) const;
 
     // Multiplications that refactor(changed_vertices) would take.
@@ -74,7 +75,7 @@ class TreeFactor {
     EliminationTree tree_;
     std::vector<std::size_t> panel_begin_, remainder_begin_;
     std::vector<T> panels_, remainders_;
-    std::vector<int> block_row_;  // of each block of A: its row in the front; -1 if above
+    std::vector<int> block_row_;  // row of each block of A in its front; -1: above the diagonal
     std::vector<int> dropped_;    // per supernode
     std::vector<std::size_t> head_begin_, tail_begin_;
     std::vector<T> heads_, tails_;  // right-hand sides and contributions of each front

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Assembles the matrix of an earlier step, eq. (12), once more from what determined it, so that a
-// solver that goes on from a checkpoint can make its factor to the same bits.
+// Assembles the matrix of an earlier step, eq. (12), once more from its inputs, so that a solver
+// that continues from a checkpoint can compute its factor to the same bits.
 #pragma once
 
 #include "core/deform/body/body.h"
@@ -9,9 +9,9 @@
 
 namespace hepatica {
 
-// `checkpoint.made_from` must be there. Leaves the potential at that step's positions, with its
-// held nodes frozen and its collapsed elements counted: the caller sets both back. Throws
-// InputError where the checkpoint is not of this body.
+// Requires `checkpoint.made_from`. Leaves the potential at that step's positions, with its held
+// nodes frozen and its setting for collapsed elements; the caller restores both. Throws InputError
+// where the checkpoint is not of this body.
 void assemble_again(const Body& body, IncrementalPotential& potential,
                     const SolverCheckpoint& checkpoint);
 

@@ -34,7 +34,7 @@ void Assembly::gather_forces(std::span<Vec3> forces_un) const {
     });
 }
 
-// Row-major, as the elements have it.
+// Row-major, as the elements write their blocks.
 small::Matrix3<double> Assembly::upper_block(int k) const {
     const Wide* turned = slots_.turned_gradient();
     Wide column[3] = {0.0, 0.0, 0.0};  // of S, see evaluate_turned_gradients

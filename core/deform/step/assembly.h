@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From elements to the system of eq. (12), as the paper has it: every element writes its forces and
-// stiffness blocks into slots of its own, and every node and every nonzero block gathers from the
-// lists of the plan. Nothing is added up in an order that depends on threads.
+// Assembles the system of eq. (12) from the elements, as in the paper: every element writes its
+// forces and stiffness blocks into slots of its own, and every node and every nonzero block gathers
+// from the lists of the plan. The order of summation does not depend on threads.
 #pragma once
 
 #include <memory>
@@ -41,7 +41,7 @@ class Assembly {
         slots_.add_energy_by_piece(piece_of_node, energy_nj);
     }
 
-    // Writes the elastic force [uN] of the last evaluation on each live node; entries of other
+    // Writes the elastic force [uN] of the last evaluation for each live node; entries of other
     // nodes are left unchanged.
     void gather_forces(std::span<Vec3> forces_un) const;
 
@@ -51,12 +51,12 @@ class Assembly {
     void gather_stiffness(double factor, BlockMatrix& matrix) const;
 
     const AssemblyPlan& plan() const { return *plan_; }
-    // The body's nodes were split; it was as `before` when the plan was made. The plan stays where
-    // it is, and what the slots hold, too.
+    // To be called after the body's nodes were split; `before` is the body that the plan was made
+    // for. The plan object and the contents of the slots are kept.
     void follow_split(const Body& before) { *plan_ = plan_after_split(*plan_, before, body_); }
     const ElementSlots& slots() const { return slots_; }
 
-    // Separate slots that share the plan.
+    // A copy with its own slots that shares the plan.
     Assembly with_own_slots() const { return Assembly(*this); }
 
   private:
@@ -64,7 +64,7 @@ class Assembly {
 
     small::Matrix3<double> upper_block(int k) const;
 
-    // visit(row) for every row of a live element.
+    // Calls visit(row) for every row of a live element.
     template <class Visit>
     void for_each_row(const Visit& visit) const;
 

@@ -16,7 +16,7 @@ namespace {
 using Kind = ElementGroup::Kind;
 using small::Tangent;
 
-// Elements of one ratio lambda / mu, whatever their modulus, and of that of the groups before.
+// Whether all elements have the same ratio lambda / mu, which is also that of the groups before.
 bool has_one_ratio(const ElementGroup& group, double& lambda_over_mu) {
     for (const auto& rest : group.tetrahedra) {
         if (lambda_over_mu == 0.0) lambda_over_mu = rest.lambda / rest.mu;
@@ -67,7 +67,8 @@ void list_forces(const Body& body, AssemblyPlan& plan) {
         for (const int node : group.connectivity) plan.forces.place[next[node]++] = slot++;
 }
 
-// One block row of the matrix: its columns, and what is added up in those right of the diagonal.
+// One block row of the matrix: its columns, and the gather lists of the blocks right of the
+// diagonal.
 class RowPlan {
   public:
     RowPlan(const Body& body, const AssemblyPlan& plan)
@@ -83,7 +84,7 @@ class RowPlan {
     }
     const std::vector<int>& columns() const { return columns_; }
 
-    // Appends the lists of the row that was found last.
+    // Appends the lists of the row of the last find().
     void append_lists(int row, AssemblyPlan& plan) {
         for (auto* lists : {&factors_, &blocks_, &transposed_}) lists->clear();
         for_each_neighbour(row, [&](const Neighbour& other) {
@@ -110,8 +111,8 @@ class RowPlan {
         std::size_t group;
         int own_slot;
         int slot;
-        int block_slot;  // of the pair
-        bool turned;     // it was written for (other, row)
+        int block_slot;  // block of the pair (row, node)
+        bool turned;     // the block was written for (node, row)
     };
 
     static std::vector<std::vector<int>> parted_with(const Body& body) {
@@ -148,7 +149,7 @@ class RowPlan {
         }
     }
 
-    // Entries of one place keep their order.
+    // Entries with the same place keep their order.
     void append(const std::vector<std::array<int, 2>>& entries, GatherLists& lists) const {
         const std::size_t first = lists.begin.size() - 1;
         const int before = lists.begin.back();
@@ -164,12 +165,12 @@ class RowPlan {
 
     const Body& body_;
     const AssemblyPlan& plan_;
-    std::vector<std::vector<int>> parted_with_;  // of each node; empty where nothing has parted
+    std::vector<std::vector<int>> parted_with_;  // for each node; empty where nothing has parted
     std::vector<int> columns_;
     std::vector<std::array<int, 2>> factors_, blocks_, transposed_;
 };
 
-// Appends the row that was found last.
+// Appends the row of the last find().
 void append_row(int i, RowPlan& row, AssemblyPlan& plan) {
     const auto& columns = row.columns();
     plan.diagonal.push_back(static_cast<int>(
@@ -179,7 +180,7 @@ void append_row(int i, RowPlan& row, AssemblyPlan& plan) {
     row.append_lists(i, plan);
 }
 
-// Row after row, and each from the elements of its node.
+// Lays out row after row, each from the elements of its node.
 void lay_out_rows(const Body& body, AssemblyPlan& plan) {
     list_forces(body, plan);
     RowPlan row(body, plan);
@@ -196,7 +197,7 @@ void lay_out_rows(const Body& body, AssemblyPlan& plan) {
         }
 }
 
-// Nodes of the body with other elements, or other partners that they parted from, than before.
+// The nodes whose elements, or the nodes they parted from, differ between the two bodies.
 std::vector<std::uint8_t> changed_nodes(const Body& before, const Body& body) {
     std::vector<std::uint8_t> changed(static_cast<std::size_t>(body.node_count()), 0);
     const auto mark = [&](int node) {
@@ -223,7 +224,7 @@ std::vector<std::uint8_t> changed_nodes(const Body& before, const Body& body) {
     return changed;
 }
 
-// Room for as much as there is in another, and a little more.
+// Reserves the size of another vector plus a margin.
 void make_room_as(const std::vector<int>& other, std::vector<int>& values) {
     values.reserve(other.size() + other.size() / 16);
 }
@@ -240,7 +241,7 @@ void make_room_as(const AssemblyPlan& other, AssemblyPlan& plan) {
     make_room_as(other.transposed.place, plan.transposed.place);
 }
 
-// Entries begin[first] to begin[last] of the lists, behind those that there are.
+// Appends the entries begin[first] to begin[last] of the lists.
 void take_lists(const GatherLists& from, int first, int last, GatherLists& lists) {
     const int shift = lists.begin.back() - from.begin[first];
     for (int k = first; k < last; ++k) lists.begin.push_back(from.begin[k + 1] + shift);
@@ -248,7 +249,7 @@ void take_lists(const GatherLists& from, int first, int last, GatherLists& lists
                        from.place.begin() + from.begin[last]);
 }
 
-// Rows first_row ... last_row - 1 as they were, behind those that there are.
+// Appends the rows first_row ... last_row - 1 unchanged.
 void take_rows(const AssemblyPlan& from, int first_row, int last_row, AssemblyPlan& plan) {
     const int first = from.row_begin[first_row], last = from.row_begin[last_row];
     const int shift = static_cast<int>(plan.column.size()) - first;
@@ -262,7 +263,7 @@ void take_rows(const AssemblyPlan& from, int first_row, int last_row, AssemblyPl
     take_lists(from.transposed, first, last, plan.transposed);
 }
 
-// Blocks between rows that were taken over lie where they did within their rows.
+// A block between two rows that were copied keeps its index within its row.
 void take_mirror(const AssemblyPlan& from, const std::vector<std::uint8_t>& changed,
                  AssemblyPlan& plan) {
     plan.mirror.resize(plan.column.size());

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int most_halvings = 4;
 constexpr int most_impacts = 3;
-constexpr double least_part = 0.05;  // of what is left of a step
+constexpr double least_part = 0.05;  // of the rest of a step
 
 }  // namespace
 
@@ -113,10 +113,11 @@ MomentumLost BackwardEuler::limit_energy(const StepUnderway& step, std::vector<V
     return outcome.lost;
 }
 
-// The line search looks at all pieces together: what some of them lost may have paid for energy
-// that another one made, more than it can give back; and where it shortens the step for one of
-// them, a piece that flies free would lose its momentum. Of such pieces the step is not taken: they
-// fly on as they are, or stand still where something holds them; unless they would meet something.
+// The line search treats all pieces together, which has two faults: energy lost by some pieces may
+// pay for energy that another one gained, more than that one can give back; and where the step is
+// shortened for one piece, another one in free flight would lose momentum. The step of such pieces
+// is discarded: in free flight they continue their rigid motion, otherwise they stand still; unless
+// they would then meet something.
 void BackwardEuler::decline(StepUnderway& step, StepReport& report) {
     const auto overdrawn =
         limiter_->overdrawn(step, potential_.assembly(), potential_.live().held());
@@ -140,7 +141,7 @@ void BackwardEuler::decline(StepUnderway& step, StepReport& report) {
         "taken its momentum";
 }
 
-// Makes the step again as two halves. `tried` is the report of the attempt at the whole step.
+// Repeats the step as two halves. `tried` is the report of the attempt at the whole step.
 StepReport BackwardEuler::advance_in_halves(BodyState& state, double dt_s,
                                             const PotentialList& potentials, int halvings_left,
                                             int solves_left, const StepReport& tried) {

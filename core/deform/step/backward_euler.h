@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One step of backward Euler. The published step, eq. (12), is one Newton iterate from the state at
-// hand:  (M + dt B + dt^2 K) dv = dt f - dt B v - dt^2 K v,  v += dv,  x += dt v.  More iterates
+// One step of backward Euler. The published step, eq. (12), is one Newton iterate from the current
+// state:  (M + dt B + dt^2 K) dv = dt f - dt B v - dt^2 K v,  v += dv,  x += dt v.  More iterates
 // minimise the incremental potential (incremental_potential.h) with a line search that never
-// accepts an increase. The work of one step is bounded in linear solves, never by the clock.
+// accepts an increase. The work of one step is bounded in linear solves, not by the clock.
 #pragma once
 
 #include <memory>
@@ -25,51 +25,51 @@ class BackwardEuler {
   public:
     BackwardEuler(const Body& body, const NewtonSettings& settings,
                   std::unique_ptr<LinearSolver> solver);
-    // The body's nodes were split, `parents` says how (see TornBody); it was as `before`. Gives
-    // what would be made anew with the solver, which knows of it, and keeps what splits do not
-    // change.
+    // To be called after the body's nodes were split; `before` is the body until then, `parents` as
+    // in TornBody. The result is that of a new object with the same solver, but what splits do not
+    // change is kept.
     void follow_split(const Body& before, std::span<const int> parents);
 
-    // Advances `state` by dt_s > 0 under `potentials`; fills everything in the report but
-    // tool_work, which only the caller knows. A step that cannot be made without an increase of the
-    // incremental potential (or, where surfaces may touch, of a free piece's energy) is tried again
-    // in halves, and those again, as far as iterations + extra_solves linear solves reach; where
-    // they end, the shortened step stands or the body is stopped. Energy is never made (but as
-    // published) and positions stay finite; the report says what was done. Where the body flies
-    // against a tool, the step is cut where it touches, into four parts at most, which share the
-    // solves. What potentials keep of a step is there until their end_step().
-    // Throws Cancelled soon after a stop was asked for, within a few iterations. The state is then
-    // that of some moment of the step: it is to be set, and the solver restored, before the next.
+    // Advances `state` by dt_s > 0 under `potentials` and fills the report except tool_work, which
+    // only the caller knows. A step that cannot be made without an increase of the incremental
+    // potential (or, where surfaces may touch, of a free piece's energy) is repeated in halves, and
+    // these again, within iterations + extra_solves linear solves. When they are used up, the
+    // shortened step is taken or the body is stopped. Energy is never created (except by the
+    // published step without line search), and positions stay finite; the report says what was
+    // done. Where a contact is about to begin, the step is cut at that moment, into at most four
+    // parts that share the solves. What potentials keep of a step stays until their end_step().
+    // Throws Cancelled within a few iterations after a stop is requested. The state is then one
+    // within the step: set the state and restore the solver before the next step.
     StepReport advance(BodyState& state, double dt_s, const PotentialList& potentials,
                        const std::stop_token& stop = {});
 
-    // Holds from the next step on. The change between one iterate and several needs a new object,
-    // because the tangent differs.
+    // Takes effect with the next step. Switching between one iterate and several needs a new
+    // object, because the tangent differs.
     void set_settings(const NewtonSettings& settings);
 
-    // Energy of elements and potentials at any positions, weight counted from rest [nJ].
+    // Energy of elements and potentials at any positions, with weight counted from rest [nJ].
     double potential_energy(std::span<const Vec3> positions_mm,
                             const PotentialList& potentials) const;
 
-    // That of the elements alone [nJ].
+    // Elastic energy alone [nJ].
     double elastic_energy(std::span<const Vec3> positions_mm) const {
         return potential_.assembly().energy(positions_mm);
     }
 
-    // Stress and energy of each tetrahedron at the state, see ElementSlots::find_stress.
+    // Stress and energy of each tetrahedron at the state; see ElementSlots::find_stress.
     void find_stress(const BodyState& state, std::vector<Mat3>& stress_pa,
                      std::vector<double>& energy_nj);
 
     // To be called after the state was changed from outside.
     void forget() { energies_known_ = forces_known_ = false; }
 
-    // Freezes these nodes and no others, from the next step on; their velocities must be 0.
+    // Freezes exactly these nodes from the next step on; their velocities must be 0.
     void freeze(std::span<const std::uint8_t> frozen);
     const LiveSet& live() const { return potential_.live(); }
 
-    // What the linear solver carries from step to step. restore() makes its factor anew to the bit;
-    // it throws InputError where the checkpoint does not fit the body or the solver, and then
-    // changes nothing.
+    // The state that the linear solver carries from step to step. restore() recomputes its factor
+    // to the same bits; it throws InputError and changes nothing where the checkpoint does not fit
+    // the body or the solver.
     SolverCheckpoint checkpoint() const { return newton_->checkpoint(); }
     void restore(const SolverCheckpoint& checkpoint) {
         forget();
@@ -92,12 +92,12 @@ class BackwardEuler {
     const Body& body_;
     NewtonSettings settings_;
     IncrementalPotential potential_;
-    // Always there; made anew when the body tears.
+    // Always set; made anew when the body tears.
     std::optional<NewtonStep> newton_;
     std::optional<StepBooks> books_;
     std::optional<EnergyLimiter> limiter_;
-    std::stop_token stop_;  // of the step that is being made
-    // The potential was evaluated at the state: the energies of all elements, and the forces on
+    std::stop_token stop_;  // of the current step
+    // Whether the potential was evaluated at the state: the energies of all elements; the forces on
     // live nodes.
     bool energies_known_ = false, forces_known_ = false;
 };

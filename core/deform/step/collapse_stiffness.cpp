@@ -10,10 +10,10 @@
 namespace hepatica {
 namespace {
 
-// s0 > 3 stores more than mu V (s0 - 1)^2.
+// An element with s0 > 3 stores more than mu V (s0 - 1)^2.
 constexpr double least_energy_of_mu = 4.0;
 constexpr std::size_t packs_at_once = 512;
-constexpr double least_z = 1e-6;  // bounds the stiffness at the tip itself
+constexpr double least_z = 1e-6;  // bounds the stiffness at the tip of the cone
 
 Vec3 column(const small::Matrix3<double>& m, int j) {
     return {m(0, j), m(1, j), m(2, j)};
@@ -52,7 +52,8 @@ void CollapseStiffness::find_least_energies() {
                 least_nj_[g].push_back(least_energy_of_mu * rest.mu * rest.volume);
 }
 
-// With F = u diag(s) v^T and G = u^T dF v the two parts of dz are G_11 + G_22 and G_12 - G_21.
+// With F = u diag(s) v^T and G = u^T dF v, the two components of dz are G_11 + G_22 and G_12 -
+// G_21.
 void CollapseStiffness::add_if_collapsed(const ElementGroup& group, int element,
                                          std::span<const Vec3> positions_mm) {
     Collapsed found{group.connectivity.data() + std::ptrdiff_t{4} * element, {}, {}};

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The resistance of elements that are drawn out so far that they have collapsed across. With the
-// principal stretches s0 >= s1 >= |s2| and z = s1 + s2 the corotated law's energy is smooth but for
+// The lateral stiffness of elements that are stretched so far that they have collapsed. With the
+// principal stretches s0 >= s1 >= |s2| and z = s1 + s2 the energy of the corotated law is smooth
+// except for
 //   V c z,   c = lambda (s0 - 3) - 2 mu,
-// where z >= 0 is the length of a vector of two: of how an element widens across, and how it turns
-// about its long axis. Where c > 0 that is a cone, and its tip, z = 0, is the least energy across:
-// drawn out by more than 3 + 2 mu / lambda an element ends there. The stiffness that holds
-// rotations still knows nothing of it; along its direction the element goes through the tip, and
-// the kink there cuts the step of the whole body to nothing. So
+// where z >= 0 is the length of a vector with two components: the lateral widening of the element
+// and its rotation about its long axis. Where c > 0, beyond a stretch of 3 + 2 mu / lambda, this
+// term is a cone with its minimum at the tip z = 0, and the element collapses to it. The rotated
+// stiffness does not contain the cone: its direction overshoots the tip, and the kink there
+// shortens the step of the whole body to almost nothing. Therefore
 //   d^T C d = V c / z |dz|^2,
-// the least parabola that lies nowhere below the cone, is added to the matrix of a step, and, for
-// the part that turns, the V (mu + lambda) of the smooth rest, which that stiffness lacks, too. To
-// the matrix only: energies, forces and damping are without.
+// the smallest quadratic form that bounds the cone from above, is added to the matrix of a step,
+// and for the rotation also V (mu + lambda) of the smooth part, which the rotated stiffness lacks
+// too. Energies, forces and damping do not contain it.
 #pragma once
 
 #include <array>
@@ -25,14 +26,14 @@
 
 namespace hepatica {
 
-// Of the elements whose stiffness is written in factors. Keeps references. Not thread-safe.
+// For the elements whose stiffness is written in factors. Keeps references. Not thread-safe.
 class CollapseStiffness {
   public:
     CollapseStiffness(const Body& body, const AssemblyPlan& plan, const LiveSet& live)
         : body_(body), plan_(plan), live_(live) {}
 
-    // Which live elements have collapsed, at the positions where `slots` found the energies last.
-    // One comparison an element, and a singular value decomposition where that may be.
+    // Finds the collapsed live elements at the positions of the last evaluation of `slots`. Costs
+    // one comparison per element, and a singular value decomposition for candidates.
     void find(const ElementSlots& slots, std::span<const Vec3> positions_mm);
     bool any() const { return !collapsed_.empty(); }
     // To be called after the body's nodes were split.
@@ -43,12 +44,12 @@ class CollapseStiffness {
 
     // Adds factor * C, without the rows and columns of held nodes.
     void add_to(BlockMatrix& matrix, double factor) const;
-    // Adds factor * C d; d is 0 where a node is held, and rows of such nodes mean nothing.
+    // Adds factor * C d. d must be 0 at held nodes; the rows of these nodes are meaningless.
     void add_product(std::span<const Vec3> d, double factor, std::span<Vec3> product) const;
 
   private:
-    // The two parts of dz, times the roots of their stiffnesses: sums of widens[a] . d_a and of
-    // turns[a] . d_a.
+    // The two components of dz, each times the root of its stiffness: the sums of widens[a] . d_a
+    // and of turns[a] . d_a.
     struct Collapsed {
         const int* nodes;
         std::array<Vec3, 4> widens, turns;
@@ -61,7 +62,7 @@ class CollapseStiffness {
     const AssemblyPlan& plan_;
     const LiveSet& live_;
     std::vector<Collapsed> collapsed_;
-    // Of every element of each group in factors: what it stores at least once it has collapsed.
+    // For each element of each group in factors: the least energy that it stores once collapsed.
     std::vector<std::vector<double>> least_nj_;
 };
 

@@ -33,7 +33,8 @@ DampingFit DampingRegression::fit(double threshold) const {
     DampingFit fit;
     fit.steps = steps_;
     const double determinant = mm_ * kk_ - mk_ * mk_;
-    // The two regressors are parallel: use stiffness only, which fits stiff bodies better.
+    // Where the two regressors are parallel, only stiffness is used, which fits stiff bodies
+    // better.
     double e_m = 0.0, e_k = kk_ > 0.0 ? rk_ / kk_ : 0.0;
     if (determinant > 1e-10 * mm_ * kk_) {
         e_m = (rm_ * kk_ - rk_ * mk_) / determinant;
@@ -64,7 +65,7 @@ DampingFit fit_damping(const Body& body, std::span<const BodyState> recorded, do
     };
     for (std::size_t s = 0; s + 1 < recorded.size(); ++s) {
         damped_force(recorded[s + 1], after);
-        damped_force(recorded[s], before);  // and leaves the earlier stiffness in the slots
+        damped_force(recorded[s], before);  // last, so that the slots keep the earlier stiffness
         const auto dx = difference(recorded[s + 1].positions_mm, recorded[s].positions_mm);
         const auto dv =
             difference(recorded[s + 1].velocities_mm_per_s, recorded[s].velocities_mm_per_s);

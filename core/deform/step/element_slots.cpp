@@ -39,7 +39,7 @@ std::size_t packs_of(const ElementGroup& group) {
     return static_cast<std::size_t>((group.size() + lanes - 1) / lanes);
 }
 
-// Of one element per lane, in order.
+// Sum of the first `count` lanes, in order.
 double sum_of(const Wide& values, int count) {
     double sum = 0.0;
     for (int lane = 0; lane < count; ++lane) sum += values[lane];
@@ -111,8 +111,8 @@ const int* ElementSlots::nodes(const Pack& pack, int lane) const {
     return group.connectivity.data() + static_cast<std::ptrdiff_t>(e) * group.nodes_per_element;
 }
 
-// Values at the nodes of each lane's element, relative to its first: no digits are lost far from
-// the origin.
+// Values at the nodes of each lane's element, relative to its first node, so that no digits are
+// lost far from the origin.
 void ElementSlots::load(const Pack& pack, std::span<const Vec3> values,
                         small::Vector3<Wide>* x) const {
     const int *n0 = nodes(pack, 0), *n1 = nodes(pack, 1), *n2 = nodes(pack, 2),

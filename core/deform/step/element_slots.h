@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every element of a body writes: its forces and its stiffness, into slots of its own, as the
-// paper has it. Tetrahedra are evaluated four at a time, in the lanes of a register, where their
-// law is written for that; a linear corotated one writes its stiffness in factors, which is a
-// quarter of the memory traffic (see evaluate_turned_gradients).
+// Evaluates every element of a body into slots of its own: its forces and its stiffness, as in the
+// paper. Tetrahedra with the corotated law are evaluated four at a time in SIMD lanes. A linear one
+// writes its stiffness in factors, which takes a quarter of the memory traffic (see
+// evaluate_turned_gradients).
 #pragma once
 
 #include <cstddef>
@@ -22,8 +22,8 @@ namespace hepatica {
 // bits for any number of threads.
 class ElementSlots {
   public:
-    // `tangent` is the stiffness that is written, that of the plan. Keeps a reference to `live`;
-    // null: everything is.
+    // `tangent` is the stiffness that is written; it must be that of the plan. Keeps a reference to
+    // `live`; null: all elements are live.
     ElementSlots(const Body& body, small::Tangent tangent, std::shared_ptr<const AssemblyPlan> plan,
                  const LiveSet* live);
 
@@ -36,35 +36,35 @@ class ElementSlots {
     double evaluate_all_forces(std::span<const Vec3> positions_mm);
     // Computes the elastic energy only and leaves the slots unchanged.
     double energy(std::span<const Vec3> positions_mm) const;
-    // Adds the energy of every element at the last evaluate to the piece of its first node.
+    // Adds the energy of every element at the last evaluation to the piece of its first node.
     void add_energy_by_piece(std::span<const int> piece_of_node, std::span<double> energy_nj) const;
-    // Of the elements of one group at the last evaluation [nJ].
+    // Energy of each element of one group at the last evaluation [nJ].
     const std::vector<double>& energies(std::size_t group) const { return energy_[group]; }
-    // Of the elements of a group in factors, likewise: half the volume times the trace of the
-    // stress [nJ], by the virial of the element's forces.
+    // The same for a group in factors: half the volume times the trace of the stress [nJ], from the
+    // virial of the element's forces.
     const std::vector<double>& pulls(std::size_t group) const { return pull_[group]; }
-    // First Piola-Kirchhoff stress [Pa] of the live linear tetrahedra at the last evaluation, and
-    // the energy [nJ] of all; others keep their entries, unless there are none. The body has no
-    // other elements.
+    // First Piola-Kirchhoff stress [Pa] of the live linear tetrahedra at the last evaluation and
+    // the energy [nJ] of all. Frozen elements keep their entries; an empty `stress_pa` is filled
+    // for all. Other kinds of elements are not supported.
     void find_stress(std::vector<Mat3>& stress_pa, std::vector<double>& energy_nj) const;
-    // d^T K d over the slots and differences of d, independent of any matrix; d is 0 where nothing
-    // is live.
+    // d^T K d from the slots and differences of d, independent of any matrix; d must be 0 at nodes
+    // that are not live.
     double quadratic_form(std::span<const Vec3> d) const;
 
-    // Three entries, the fourth 0.
+    // Three entries; the fourth lane is 0.
     using Wide = small::Lanes<double, 4>;
 
-    // By the plan's slots: elastic forces [uN], turned gradients beside them (see
+    // Contents of the plan's slots: elastic forces [uN], turned gradients (see
     // evaluate_turned_gradients), and stiffness blocks [uN/mm].
     const Wide* force() const { return force_.data(); }
     const Wide* turned_gradient() const { return turned_gradient_.data(); }
     const small::Matrix3<double>& block(int slot) const { return block_[slot]; }
 
   private:
-    // Up to four elements; lanes without one repeat the last.
+    // Up to four elements; unused lanes repeat the last one.
     struct Pack {
         std::size_t group;
-        int first;  // element
+        int first;  // number of its first element
         int count;
     };
 
@@ -73,7 +73,7 @@ class ElementSlots {
     const int* nodes(const Pack& pack, int lane) const;
     void load(const Pack& pack, std::span<const Vec3> values, small::Vector3<Wide>* x) const;
     void store(const Pack& pack, const small::Vector3<Wide>* values, std::vector<Wide>& slots);
-    // visit(pack) for every pack, or for the live ones; the sum of what it returns.
+    // Calls visit(pack) for every pack, or for the live ones; returns the sum of the results.
     template <class Visit>
     double sum_over_packs(const LiveSet* live, const Visit& visit) const;
     double kept_energy() const;
@@ -95,10 +95,10 @@ class ElementSlots {
     small::Tangent tangent_;
     std::shared_ptr<const AssemblyPlan> plan_;
     const LiveSet* live_;
-    // Rest shapes of four elements each, of every group that is evaluated so.
+    // Rest shapes of four elements each, for every group that is evaluated four at a time.
     std::vector<std::vector<small::TetrahedronRest<Wide>>> rest_of_four_;
     std::vector<std::vector<double>> energy_;  // of every element of every group
-    std::vector<std::vector<double>> pull_;    // likewise, of groups in factors
+    std::vector<std::vector<double>> pull_;    // the same for groups in factors
     std::vector<Wide> force_;
     std::vector<Wide> turned_gradient_;
     std::vector<small::Matrix3<double>> block_;

@@ -9,14 +9,13 @@
 namespace hepatica {
 namespace {
 
-// What moves more slowly than this on average rests: its energies are rounding errors, of either
-// sign.
+// A slower mean speed counts as rest, because the energies are then rounding errors of either sign.
 constexpr double resting_mm_per_s = 1e-6;
 
-// Of a piece that flies free; the tolerance of the solver loses less.
+// For a piece in free flight; the solver's tolerance loses less.
 constexpr double most_momentum_lost = 0.02;
 
-// Stored energy and what friction took: a tool in motion may do that work in this step.
+// Stored energy plus friction loss, because a moving tool may do the work of friction in this step.
 double kept_energy(const EnergyLedger& ledger) {
     return stored_energy(ledger) + ledger.friction_loss;
 }
@@ -123,8 +122,8 @@ Vec3 EnergyLimiter::flight(const StepUnderway& step, const Vec3& before_mm_per_s
     return (before_mm_per_s + fall) / (1.0 + step.dt_s * body_.damping.alpha_per_s);
 }
 
-// Whether a piece that flies free would have to pay with momentum for energy that its step made, or
-// has lost of it.
+// Whether a piece in free flight has lost momentum, or would have to give up momentum to pay for
+// energy that its step created.
 bool EnergyLimiter::brakes(const StepUnderway& step, std::span<const int> nodes,
                            double excess_nj) const {
     const auto motion = [&](const std::vector<Vec3>& x, const std::vector<Vec3>& v) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Removes spurious energy by scaling velocities, one connected piece of the body at a time: a
-// linearised step may make energy where elements turn far. A piece that nothing holds keeps its
-// linear and angular momentum: only its motion relative to the rigid one about its centre of mass
-// is scaled. A piece that is held (fixed vertices, tissue, a grab) has no momentum of its own and
-// is scaled as a whole. Pieces that share no grab do not feel each other, and one that rests is
-// left alone.
+// Removes spurious energy by scaling velocities, one connected piece of the body at a time, because
+// a linearised step may create energy where elements rotate far. A free piece keeps its linear and
+// angular momentum: only the deviation of its velocities from the rigid motion about its centre of
+// mass is scaled. A piece that is held (by fixed vertices, tissue, a grab or contact with what
+// stands) exchanges momentum with its surroundings and is scaled as a whole. Pieces are independent
+// unless a potential couples them, and a piece at rest is left alone.
 #pragma once
 
 #include <span>
@@ -18,48 +18,50 @@
 
 namespace hepatica {
 
-// What was left to give where a piece's deforming motion had less energy than was asked for.
+// Which momentum was also reduced because the deforming motion of a piece had too little energy.
 enum class MomentumLost { none, angular, linear };
 
-// Takes `energy_nj` >= 0 of kinetic energy from the nodes of one piece: of its deforming motion
-// first; if that is not enough, of its spin; at last of its flight, since no energy may be made.
-// Momentum is exact to rounding where the answer is `none`. A held piece is scaled about rest and
-// answers `none`.
+// Takes `energy_nj` >= 0 of kinetic energy from the nodes of one piece: from its deforming motion
+// first, then from its spin, and last from its translation, since no energy may be created.
+// Momentum is conserved up to rounding where the result is `none`. A held piece is scaled towards
+// rest; the result is `none`.
 MomentumLost take_kinetic_energy(std::span<const int> nodes, std::span<const double> mass_g,
                                  std::span<const Vec3> positions_mm, bool held, double energy_nj,
                                  std::vector<Vec3>& velocities_mm_per_s);
 
-// Keeps a reference to the body. Not thread-safe. Energies by piece are summed up only where the
-// body has several.
+// Keeps a reference to the body. Not thread-safe. Energies are summed per piece only where the body
+// has several.
 class EnergyLimiter {
   public:
     EnergyLimiter(const Body& body, const AssemblyPlan& plan);
 
-    // Takes down the energies at the start of a step; the assembly's slots are of that state.
+    // Records the energies at the start of a step; the assembly's slots must be those of that
+    // state.
     void begin(const StepUnderway& step, const Assembly& assembly);
 
-    // Nodes of pieces that share their energy, of which the step made more than their motion may
-    // give back: of one that flies free the deforming motion, else all of it. Also of one that
-    // flies free and lost its momentum.
+    // The nodes of coupled pieces whose step created more energy than their motion may give back:
+    // the deforming motion of a free piece, otherwise all motion. Also of a free piece that lost
+    // momentum.
     struct Overdrawn {
         std::vector<int> nodes;
-        bool flies = false;  // one piece that nothing holds
+        bool flies = false;  // a single piece that nothing holds
     };
-    // The assembly's slots are of the end of the step. Empty where the body is one piece. The
-    // energies that it sums up serve limit(), unless forget_end() says that the step's end changed.
+    // The assembly's slots must be those of the end of the step. Empty where the body is one piece.
+    // The energies per piece are kept for limit(), unless forget_end() says that the step's end
+    // changed.
     std::vector<Overdrawn> overdrawn(const StepUnderway& step, const Assembly& assembly,
                                      std::span<const std::uint8_t> held);
     void forget_end() { after_.clear(); }
-    // The same for a step whose energies by piece were summed up elsewhere, see limit().
+    // The same for a step whose energies per piece were summed elsewhere, see limit().
     struct Balance {
-        double energy = 0.0;   // of all kinds
-        double kinetic = 0.0;  // of it
+        double energy = 0.0;   // all kinds, including the kinetic one
+        double kinetic = 0.0;  // the kinetic part
     };
     std::vector<Overdrawn> overdrawn(const StepUnderway& step, std::span<const Balance> before,
                                      std::span<const Balance> after,
                                      std::span<const std::uint8_t> held) const;
 
-    // The velocity at the end of the step of a piece that nothing but weight and drag acts on.
+    // The velocity at the end of the step of a piece on which only weight and damping act.
     Vec3 flight(const StepUnderway& step, const Vec3& before_mm_per_s) const;
 
     struct Outcome {
@@ -67,15 +69,14 @@ class EnergyLimiter {
         MomentumLost lost = MomentumLost::none;
     };
     // Limits `velocities`, those at the end of the step, so that no piece has more energy than it
-    // began with and weight gave it. `after` are the body's energies at the end; the assembly's
-    // slots are of that state. held[i] != 0: the node is fixed or frozen.
+    // had at the start plus the work of weight. `after` are the body's energies at the end; the
+    // assembly's slots must be those of that state. held[i] != 0: the node is fixed or frozen.
     Outcome limit(const StepUnderway& step, const EnergyLedger& after, const Assembly& assembly,
                   std::span<const std::uint8_t> held, std::vector<Vec3>& velocities_mm_per_s) const;
 
-    // The same for a step whose energies by piece were summed up elsewhere, one entry per piece:
-    // all that is stored at the start, and at the end less the work of weight. An excess below
-    // `rounding` of the energies plus `least_nj` means nothing. Elements and contacts take no part
-    // in it.
+    // The same for a step whose energies were summed elsewhere, one entry per piece: all energy at
+    // the start, and at the end without the work of weight. An excess below `rounding` times the
+    // energies plus `least_nj` is ignored. Elements and contacts are not evaluated.
     struct Pieces {
         std::span<const Balance> before, after;
         double rounding = 1e-9;
@@ -91,7 +92,7 @@ class EnergyLimiter {
 
   private:
     bool brakes(const StepUnderway& step, std::span<const int> nodes, double excess_nj) const;
-    // Pieces that share their energy, ascending; each piece belongs to one group.
+    // Groups of pieces that share their energy, ascending; each piece belongs to one group.
     std::vector<std::vector<int>> coupled_pieces(const PotentialList& potentials,
                                                  bool together) const;
     std::vector<Balance> balance(const StepUnderway& step, std::span<const Vec3> positions_mm,
@@ -101,12 +102,12 @@ class EnergyLimiter {
     const Body& body_;
     std::vector<int> piece_of_node_;
     std::vector<std::vector<int>> nodes_;  // of each piece
-    std::vector<double> mass_g_;           // likewise
+    std::vector<double> mass_g_;           // of each piece
     std::vector<Balance> before_;
-    std::vector<Balance> after_;  // of the step's end; empty: not summed up
+    std::vector<Balance> after_;  // at the step's end; empty: not yet summed
 };
 
-// Says in the report of a step what the limiter took, after which `kinetic_nj` is left.
+// Reports what the limiter took from a step that is left with `kinetic_nj`.
 void book(const EnergyLimiter::Outcome& outcome, double kinetic_nj, StepReport& report);
 
 }  // namespace hepatica

@@ -20,7 +20,7 @@ IncrementalPotential::IncrementalPotential(const Body& body, small::Tangent tang
     lay_out();
 }
 
-// By the plan. The matrix keeps its memory.
+// Sets all sizes by the plan. The matrix keeps its memory.
 void IncrementalPotential::lay_out() {
     const AssemblyPlan& plan = assembly_.plan();
     matrix_.row_begin = plan.row_begin;
@@ -67,8 +67,8 @@ void IncrementalPotential::forget_matrix() {
     find_cut_blocks();
 }
 
-// Includes, until the matrix is written, the rows that were live before the last change of the live
-// part: nobody writes them again.
+// Until the matrix is written, these include rows that were live before the last change of the live
+// part, because nothing else clears them.
 void IncrementalPotential::find_cut_blocks() {
     cut_blocks_.clear();
     for (const int i : live_.changed_rows())
@@ -76,7 +76,7 @@ void IncrementalPotential::find_cut_blocks() {
             const int j = matrix_.column[k];
             if (i == j || (!held(i) && !held(j))) continue;
             cut_blocks_.push_back(k);
-            // Assembling a row writes the mirrored block in its neighbour's row as well.
+            // Assembling a row also writes the mirrored block in its neighbour's row.
             cut_blocks_.push_back(assembly_.plan().mirror[k]);
         }
 }
@@ -190,12 +190,12 @@ void IncrementalPotential::damping_from(const StepUnderway& step, std::span<cons
     });
 }
 
-// Held nodes do not move, so that it does not matter that they were cut out of the matrix.
+// The matrix lacks the blocks of held nodes, which does not matter because these do not move.
 void IncrementalPotential::keep_damping(const StepUnderway& step, std::span<const Vec3> first_mm,
                                         const BlockMatrix* beside) {
     const double dt = step.dt_s, beta = body_.damping.beta_s;
     if (damping_.block.size() != matrix_.block.size()) damping_ = matrix_;
-    damping_.alone.clear();  // rows that are held keep what they had when they were live
+    damping_.alone.clear();  // held rows keep their values from when they were live
     const double inertia = 1.0 + dt * body_.damping.alpha_per_s;
     for_each_live_row([&](int i) {
         for (int k = matrix_.row_begin[i]; k < matrix_.row_begin[i + 1]; ++k) {

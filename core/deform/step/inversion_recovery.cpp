@@ -33,7 +33,7 @@ bool is_inverted(const ElementGroup& group, int e, std::span<const Vec3> x) {
     return false;
 }
 
-// The rigid motion that fits the nodes outside the patch best, from their positions at rest.
+// The rigid motion from rest that best fits the nodes around the patch.
 struct RestFit {
     Mat3 rotation = Mat3::Identity();
     Vec3 from = Vec3::Zero(), to = Vec3::Zero();
@@ -58,10 +58,10 @@ RestFit motion_of(const std::vector<int>& nodes, const std::vector<Vec3>& rest,
     return motion;
 }
 
-// Elements of a body as a body of their own.
+// Some elements of a body as a body of their own.
 struct Part {
     Body body;
-    std::vector<int> node;  // in the whole, of each node of the part
+    std::vector<int> node;  // node of the whole body, for each node of the part
 };
 
 template <class T>
@@ -69,7 +69,7 @@ void take_if_any(const std::vector<T>& from, int e, std::vector<T>& to) {
     if (!from.empty()) to.push_back(from[e]);
 }
 
-// `elements` are counted through the groups, in ascending order. Nodes without `is_free` are fixed.
+// `elements` are numbered through the groups, ascending. Nodes that are not `is_free` are fixed.
 template <class IsFree>
 Part part_of(const Body& whole, const std::vector<int>& elements, const IsFree& is_free) {
     Part part;
@@ -107,7 +107,7 @@ Part part_of(const Body& whole, const std::vector<int>& elements, const IsFree& 
 }
 
 // Displacements of the free nodes of a part, in rest coordinates, at which its linear elastic
-// forces vanish while the other nodes are displaced by `change`. The displaced nodes give the load.
+// forces vanish while the fixed nodes are displaced by `change`.
 std::vector<Vec3> balanced(const Part& part, const std::vector<Vec3>& change) {
     Assembly assembly(part.body);
     assembly.evaluate(part.body.rest_positions_mm);
@@ -187,13 +187,13 @@ std::vector<int> InversionRecovery::elements_around(const Patch& patch) const {
     return elements;
 }
 
-// By the nodes that share an element with it.
+// Adds the nodes that share an element with the patch.
 void InversionRecovery::grow(Patch& patch) const {
     for (const int element : elements_around(patch)) add_nodes_of(element, patch);
 }
 
-// All positions, with the patch where linear elasticity puts it between the nodes around it, which
-// are first taken by the rigid motion that fits them best. None where that is still inverted.
+// All positions, with the patch moved to the solution of linear elasticity between the surrounding
+// nodes, relative to the rigid motion that fits these best. None where the patch is still inverted.
 std::optional<std::vector<Vec3>> InversionRecovery::span_patch(const Patch& patch,
                                                                std::span<const Vec3> positions_mm) {
     const auto is_free = [&](int i) { return patch.index[i] >= 0 && body_.fixed[i] == 0; };
@@ -209,7 +209,7 @@ std::optional<std::vector<Vec3>> InversionRecovery::span_patch(const Patch& patc
     const bool held = !around.empty();
     const RestFit motion = motion_of(held ? around : all, rest, now);
     std::vector<Vec3> change(rest.size(), Vec3::Zero());
-    // Deviation of the surroundings from the rigid motion, in rest coordinates.
+    // Deviation of the surrounding nodes from the rigid motion, in rest coordinates.
     for (const int i : around) change[i] = motion.rotation.transpose() * (now[i] - motion(rest[i]));
     unknowns_ += 3 * static_cast<int>(rest.size() - around.size());
     if (held) change = balanced(part, change);

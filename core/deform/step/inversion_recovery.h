@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A body that was forced through itself may settle in an equilibrium with inverted elements, which
-// the forces do not turn back and which tissue cannot have. This finds positions without inversion:
-// it moves the smallest patch around the inverted elements to the solution of linear elasticity
-// with the nodes around the patch as boundary values, and enlarges the patch until no element is
-// inverted.
+// the forces do not restore and which real tissue cannot have. This class finds positions without
+// inversion: it moves the smallest patch around the inverted elements to the solution of linear
+// elasticity with the surrounding nodes as boundary values, and enlarges the patch until no element
+// is inverted.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace hepatica {
 
-// Elements that are inverted or flat at a corner or an integration point, as indices counted
+// Elements that are inverted or flat at a corner or an integration point, as indices numbered
 // through the groups of the body.
 std::vector<int> inverted_elements(const Body& body, std::span<const Vec3> positions_mm);
 
@@ -25,11 +25,10 @@ class InversionRecovery {
     explicit InversionRecovery(const Body& body) : body_(body) {}
 
     // Returns positions without inverted elements; none where nothing is inverted or no patch
-    // helps. `energy` gives the energy of elements, springs and weight at given positions. It is
-    // lower at the positions returned, so that recoveries cannot repeat without end. The cost is
-    // bounded: one check of every element, one energy for every successful patch, and linear solves
-    // over patches with at most most_unknowns in total, of at most most_iterations each. Larger
-    // inversions stay.
+    // helps. `energy` must give the energy of elements, springs and weight at given positions; it
+    // is lower at the returned positions, so that recoveries cannot cycle. The cost is bounded: one
+    // check of every element, one energy per successful patch, and linear solves over patches with
+    // at most most_unknowns in total and at most most_iterations each. Larger inversions are left.
     using Energy = std::function<double(std::span<const Vec3> positions_mm)>;
     std::optional<std::vector<Vec3>> recover(std::span<const Vec3> positions_mm,
                                              const Energy& energy);
@@ -37,14 +36,14 @@ class InversionRecovery {
     static constexpr int most_unknowns = 12000;
     static constexpr int most_iterations = 300;
 
-    // Number of unknowns of all solves of the last call to recover().
+    // Total number of unknowns solved for in the last call to recover().
     int unknowns() const { return unknowns_; }
 
   private:
     // A set of nodes.
     struct Patch {
         std::vector<int> nodes;
-        std::vector<int> index;  // of each node of the body; -1: not in the patch
+        std::vector<int> index;  // per node of the body: its index in `nodes`; -1: not in the patch
     };
 
     void find_elements_of_nodes();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of a body that a step computes. Frozen nodes do not move, like fixed ones. Elements
 // without a live node, and their rows of the matrix, keep their values. The cost of a step is
-// proportional to the live part; changing the live part costs no more than a step.
+// proportional to the live part; changing the live part costs at most as much as a step.
 #pragma once
 
 #include <cstdint>
@@ -15,32 +15,32 @@ namespace hepatica {
 // Keeps a reference to the body. Not thread-safe.
 class LiveSet {
   public:
-    // Elements are evaluated in packs of so many that follow one another, see ElementSlots.
+    // Consecutive elements are evaluated in packs of this size, see ElementSlots.
     static constexpr int elements_per_pack = 4;
 
-    // All nodes but the fixed ones are live.
+    // All nodes except fixed ones are live.
     explicit LiveSet(const Body& body);
-    // To be called after the body's nodes were split: it begins again.
+    // Resets to that; to be called after the body's nodes were split.
     void begin_again();
 
-    // Freezes the nodes with frozen[i] != 0 and no others. One entry per node.
+    // Freezes exactly the nodes with frozen[i] != 0. One entry per node.
     void freeze(std::span<const std::uint8_t> frozen);
 
-    // For each node 1 where it is fixed or frozen, else 0.
+    // Per node: 1 where it is fixed or frozen, else 0.
     const std::vector<std::uint8_t>& held() const { return held_; }
     // Number of elements with a node that is not frozen (it may be fixed).
     int live_elements() const { return live_elements_; }
 
-    // In ascending order: the nodes of all elements with a live node, and the packs of each group
-    // with such an element.
+    // Ascending: the nodes of all elements with a live node, and the packs of each group that
+    // contain such an element.
     std::span<const int> rows() const { return rows_; }
     std::span<const int> packs(std::size_t group) const { return packs_[group]; }
 
-    // The rows of those nodes and, until written() is called, also those of the live part before,
-    // in ascending order. All other rows of the matrix are unchanged.
+    // Ascending: those rows, and until written() is called also the rows of the former live part.
+    // All other rows of the matrix are unchanged.
     std::span<const int> changed_rows() const { return changed_; }
     void written() { changed_ = rows_; }
-    // From now on every row counts as changed until written() is called.
+    // Makes every row count as changed until written() is called.
     void forget_written();
 
   private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a step made or lost momentum. Of a body that nothing holds but weight that is the change
-// of its momentum less the impulse of its weight. Where it is held, what holds it takes up any
-// momentum, and only what its surfaces do to each other can be judged: the sum of these impulses.
+// Whether a step conserved momentum. For a free body under its weight, the error is the change of
+// momentum minus the impulse of weight. A held body exchanges momentum with its surroundings, so
+// that only the sum of the impulses between its own surfaces can be checked.
 #pragma once
 
 #include "core/deform/body/body.h"
@@ -11,10 +11,10 @@ namespace hepatica {
 
 struct MomentumBalance {
     double error_g_mm_per_s = 0.0;
-    double exchanged_g_mm_per_s = 0.0;  // sum of the sizes of all impulses on nodes that count
+    double exchanged_g_mm_per_s = 0.0;  // sum of the norms of all impulses that count
 };
 
-// Of a step that has ended at `after`, where the elements answer with elastic_force_un.
+// For a step that ended with the velocities `after` and the elastic forces elastic_force_un.
 MomentumBalance momentum_balance(const Body& body, const StepUnderway& step,
                                  std::span<const std::uint8_t> held, std::span<const Vec3> after,
                                  std::span<const Vec3> elastic_force_un);

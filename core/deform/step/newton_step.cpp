@@ -14,24 +14,24 @@
 namespace hepatica {
 namespace {
 
-constexpr double armijo = 1e-4;  // of the predicted decrease must come true
+constexpr double armijo = 1e-4;  // required share of the predicted decrease
 constexpr double shortest_step_length = 1e-3;
-// Where a pad may be met on the way: what rests on it is pressed into it by far less than it would
-// fall in a step, so that a direction from just above it goes much too far.
+// The shortest step length where a pad may be met: a resting contact is compressed by far less than
+// a step's fall, so that the direction from just above the pad overshoots it by far.
 constexpr double shortest_onto_pad = 1e-7;
-// In mean edges: where not even such a move lowers the potential the body rests, by rounding errors
-// or at a kink of the potential; shorter steps would find it there, too.
+// In mean edges: where no step even of this size lowers the potential, the body is at rest up to
+// rounding errors or at a kink of the potential, and shorter steps would not move it either.
 constexpr double at_rest = 1e-4;
 constexpr double no_move = 8.0 * std::numeric_limits<double>::epsilon();  // of the coordinates
-// In mean edges: the tension of a body that goes no further in a step does not cease within it.
+// In mean edges: a body that moves less than this in a step keeps its tension during the step.
 constexpr double calm_move = 0.1;
-constexpr double rounding = 1e-13;  // relative size of a change of energy that means nothing
+constexpr double rounding = 1e-13;  // relative changes of energy below this are noise
 
-// Iterates added to a linearly implicit step from rest that had to be shortened, until one is taken
-// whole: a share of the way from rest would brake the whole body.
+// Iterates added to a linearly implicit step from rest that was shortened, until one is taken
+// whole: taking only a share of the motion from rest would brake the whole body.
 constexpr int rescue_iterates = 2;
 
-// Infinite where any is not finite.
+// Norm of the longest vector; infinite where any is not finite.
 double longest_of(const std::vector<Vec3>& vectors) {
     std::vector<double> squared(vectors.size() / nodes_per_block + 1, 0.0);
     parallel_blocks(vectors.size(), nodes_per_block, [&](std::size_t begin, std::size_t end) {
@@ -74,14 +74,14 @@ void NewtonStep::find_damping(StepUnderway& step) {
     damping_of_first(step, step.velocity, step.damping_force);
 }
 
-// By the matrix of the first iterate, which must not have been assembled anew since.
+// Uses the matrix of the first iterate, which must still be in place.
 void NewtonStep::damping_of_first(const StepUnderway& step, const std::vector<Vec3>& velocity,
                                   std::vector<Vec3>& damping) {
     multiply(potential_.matrix(), velocity, product_);
     damping_by(step, velocity, damping);
 }
 
-// With the product of that matrix and the velocity at hand.
+// Expects that matrix times `velocity` in product_.
 void NewtonStep::damping_by(const StepUnderway& step, const std::vector<Vec3>& velocity,
                             std::vector<Vec3>& damping) {
     if (velocity_error_.any()) {
@@ -91,7 +91,7 @@ void NewtonStep::damping_by(const StepUnderway& step, const std::vector<Vec3>& v
     potential_.damping_from(step, first_mm_, velocity, product_, damping);
 }
 
-// The matrix times the solution of its system.
+// product_ = matrix * change_.
 void NewtonStep::find_product_of_change() {
     if (const std::vector<Vec3>* known = system_.product())
         copy_nodes(*known, product_);
@@ -99,7 +99,8 @@ void NewtonStep::find_product_of_change() {
         multiply(potential_.matrix(), change_, product_);
 }
 
-// Computes beta K_0 w for a first iterate with w != 0, and adds it to the residual.
+// For a first iterate with w != 0: computes beta K_0 w and adds its effect to the residual and the
+// value.
 void NewtonStep::begin_damping(StepUnderway& step) {
     if (body_.damping.beta_s == 0.0) return;
     multiply(potential_.matrix(), step.velocity, product_);
@@ -126,8 +127,8 @@ void NewtonStep::add_coupling(const StepUnderway& step, std::span<const Vec3> d,
 void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
     CouplingBlocks coupling;
     step.potentials.append_coupling(step.positions, step.dt_s * step.dt_s, coupling);
-    // The first system is solved for the change of velocity, whose relative error means something
-    // for a body in flight, too.
+    // The first system is solved for the change of velocity, because its relative error is also
+    // meaningful for a body in flight.
     if (step.iterate == 0 && !step.predicted) {
         add_to_free(-1.0, potential_.matrix(), step.start.velocities_mm_per_s);
         if (!coupling.empty()) {
@@ -148,7 +149,7 @@ void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
     report.linear_residual = solved.relative_residual;
     report.linear_energy_error = solved.energy_error;
     report.dropped_pivots = std::max(report.dropped_pivots, solved.dropped_pivots);
-    // Using up the given iterations is no breakdown: a fixed number may be the setting.
+    // Reaching the limit of iterations is no breakdown: a fixed number may be the setting.
     const bool broke_down =
         !solved.converged && solved.iterations < settings_.linear.max_iterations;
     if (!broke_down && solved.dropped_pivots == 0) return;
@@ -159,7 +160,7 @@ void NewtonStep::solve(const StepUnderway& step, StepReport& report) {
                          : "the system of the step could not be solved";
 }
 
-// What determined the present system, for a checkpoint.
+// The inputs of the current system, for a checkpoint.
 SolverCheckpoint NewtonStep::origin_of(const StepUnderway& step) const {
     SolverCheckpoint origin{
         .made_from =
@@ -198,7 +199,7 @@ void NewtonStep::keep_linearised_work(StepUnderway& step) {
     step.linearised.residual -= dot(direction_, product_);
 }
 
-// The damping of the velocity to which the direction was added.
+// Damping at the present velocity, to which step_length * direction was added.
 void NewtonStep::damp(StepUnderway& step, double step_length) {
     if (body_.damping.beta_s == 0.0) return;
     if (step.iterate == 0 && !step.predicted) {
@@ -217,8 +218,8 @@ void NewtonStep::damp(StepUnderway& step, double step_length) {
 bool NewtonStep::try_step_length(StepUnderway& step, double step_length, double slope) {
     copy_nodes(step.velocity, velocity_before_);
     const double form_before = step.damping_form;
-    // Another iterate will follow this length, even where no pad is met: its stiffness, found along
-    // with the forces, costs less than evaluating all elements once more.
+    // Where another iterate will follow, the stiffness is evaluated together with the forces, which
+    // is cheaper than evaluating all elements again later.
     const int iterates_on = !step.predicted ? rescue_iterates : taut(step) ? 1 : 0;
     const bool goes_on =
         step_length < 1.0 && settings_.iterations == 1 && step.iterate < iterates_on;
@@ -246,12 +247,12 @@ bool NewtonStep::try_step_length(StepUnderway& step, double step_length, double 
     return false;
 }
 
-// Whether something is touched, or the last direction was cut lest anything pass.
+// Whether there is contact, or the last direction was shortened to prevent passing through.
 bool NewtonStep::meets_pads(const StepUnderway& step) const {
     return step.free < 1.0 || step.potentials.touches(step.positions);
 }
 
-// How much of the direction may be taken so that nothing passes through anything.
+// The share of the direction that can be taken without passing through anything.
 double NewtonStep::free_length(const StepUnderway& step) const {
     std::vector<Vec3> whole(step.positions.size());
     for_each_node(whole.size(),
@@ -259,8 +260,8 @@ double NewtonStep::free_length(const StepUnderway& step) const {
     return all_finite(whole) ? step.potentials.free_share(step.positions, whole) : 1.0;
 }
 
-// False where no step length along the direction lowers the potential; the iterate is then as
-// before.
+// False where no step length along the direction lowers the potential; the iterate is then
+// unchanged.
 bool NewtonStep::search_line(StepUnderway& step) {
     const double slope = -dot(steepest_, direction_);  // of the potential, along the direction
     copy_nodes(step.damping_force, damping_before_);
@@ -291,7 +292,7 @@ bool NewtonStep::iterate(StepUnderway& step, StepReport& report) {
     potential_.assemble(step);
     if (step.iterate == 0 && step.predicted) {
         begin_damping(step);
-        // Damping counted, starting from the predicted velocity may cost more than from rest.
+        // With damping counted, the predicted velocity may be worse than rest.
         if (step.value > step.standing) {
             stay_at_start(step);
             return iterate(step, report);
@@ -321,15 +322,15 @@ bool NewtonStep::calm(const StepUnderway& step) const {
     return step.dt_s * longest_of(step.start.velocities_mm_per_s) < calm_move * body_.mean_edge_mm;
 }
 
-// From rest to rest: no position would change, and so no length of the direction need be tried.
+// From rest to rest: no position would change, so no step length need be tried.
 bool NewtonStep::still(const StepUnderway& step) const {
     return settings_.line_search && step.iterate == 0 && !step.predicted &&
            std::isfinite(step.value) &&
            step.dt_s * longest_of(direction_) <= no_move * longest_of(step.start.positions_mm);
 }
 
-// Takes the present velocity as the first guess, unless the incremental potential is higher there
-// than at velocity 0, or the body is at rest.
+// Takes the present velocity as the initial guess, unless the body is at rest or the incremental
+// potential is higher there than at velocity 0.
 void NewtonStep::predict(StepUnderway& step) {
     const std::vector<Vec3>& velocity = step.start.velocities_mm_per_s;
     if (std::ranges::all_of(velocity, [](const Vec3& v) { return v.isZero(0.0); })) return;
@@ -347,7 +348,7 @@ void NewtonStep::predict(StepUnderway& step) {
     stay_at_start(step);
 }
 
-// Returns false where contact blocks that motion, or the potential is higher than at rest.
+// False where contact blocks that motion, or the potential is higher than at rest.
 bool NewtonStep::begin_at(StepUnderway& step, const std::vector<Vec3>& velocity) {
     for_each_node(velocity.size(), [&](std::size_t i) {
         step.velocity[i] = velocity[i];
@@ -409,20 +410,20 @@ bool NewtonStep::replace_velocity(StepUnderway& step, const std::vector<Vec3>& v
     return true;
 }
 
-// How many iterates may follow a single one that had to be shortened.
+// How many iterates may follow a single one that was shortened.
 int NewtonStep::iterates_after_cut(const StepUnderway& step) const {
     if (!step.predicted || meets_pads(step)) return rescue_iterates;
     return taut(step) ? 1 : 0;
 }
 
-// False where the first direction lowers the potential at no step length.
+// False where no step length lowers the potential along the first direction.
 bool NewtonStep::iterate_from_here(StepUnderway& step, int most_solves, StepReport& report) {
     int most = std::min(settings_.iterations, most_solves);
     for (;; ++step.iterate) {
         const bool lower = iterate(step, report);
         const double longest = step.dt_s * longest_of(direction_);
         if (!lower) {
-            // Where the potential overflows, the direction means nothing.
+            // Where the potential overflows, the direction is meaningless.
             if (step.iterate == 0)
                 return std::isfinite(step.value) && longest <= at_rest * body_.mean_edge_mm;
             break;

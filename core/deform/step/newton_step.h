@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Newton's method on the incremental potential of a step: a direction from one linear system, and a
-// line search (Armijo) that never accepts an increase. The first iterate taken whole is the
+// line search (Armijo) that never accepts an increase. The first iterate with step length 1 is the
 // published step, eq. (12).
 #pragma once
 
@@ -22,10 +22,10 @@ struct NewtonSettings {
     int iterations = 1;  // at most; 1 is the linearly implicit step
     // Iterates stop when no node moves further than this share of the mean edge length at rest.
     double tolerance = 1e-6;
-    // Without it a single iterate is taken whole, as published, whatever it does to the energy.
+    // If false, a single iterate is taken whole, as published, whatever it does to the energy.
     bool line_search = true;
-    // Linear solves of one step beside `iterations`, for iterates of a step from rest that had to
-    // be shortened and for the halves of one that had to be cut: its budget is the sum of both.
+    // Linear solves of one step in addition to `iterations`: for iterates after a shortened step
+    // from rest, and for the halves of a divided step. The budget is the sum of both.
     int extra_solves = 24;
     bool tension = false;              // see StepperOptions
     RayleighDamping velocity_error{};  // E of eq. (11), see StepperOptions
@@ -41,10 +41,10 @@ class NewtonStep {
 
     void set_settings(const NewtonSettings& settings);
 
-    // Iterates as the settings say, with `most_solves` >= 1 linear solves at most; the report
-    // counts them. False where not even the first direction lowers the potential at any step
-    // length: the velocity is then 0. Throws Cancelled after the step's stop was asked for; the
-    // solver must then be restored before the next step.
+    // Iterates as set, with at most `most_solves` >= 1 linear solves, which the report counts.
+    // False where no step length lowers the potential along the first direction; the velocity is
+    // then 0. Throws Cancelled after the step's stop is requested; then the solver must be restored
+    // before the next step.
     bool find_velocity(StepUnderway& step, int most_solves, StepReport& report);
 
     std::unique_ptr<LinearSolver> release_solver() { return system_.release_solver(); }
@@ -52,8 +52,8 @@ class NewtonStep {
     // Fills the step's damping_force, which a first iterate from rest leaves out.
     void find_damping(StepUnderway& step);
 
-    // Ends the step at another velocity than was found, and evaluates the potential there. False,
-    // and nothing is changed, where something would pass through something on that way.
+    // Replaces the velocity at the end of the step and evaluates the potential there. Returns false
+    // and changes nothing where that motion would pass through something.
     bool replace_velocity(StepUnderway& step, const std::vector<Vec3>& velocity);
 
     // See StepSystem.
@@ -62,7 +62,7 @@ class NewtonStep {
 
   private:
     SolverCheckpoint origin_of(const StepUnderway& step) const;
-    // Whether the first iterate's matrix has the resistance of taut elements to being turned.
+    // Whether the first iterate's matrix has the rotational stiffness of taut elements.
     bool taut(const StepUnderway& step) const {
         return settings_.tension && potential_.taut() && (step.predicted || calm(step));
     }
@@ -97,12 +97,11 @@ class NewtonStep {
     StepSystem system_;
     NewtonSettings settings_;
     VelocityError velocity_error_;
-    std::vector<Vec3> first_mm_;  // where the first iterate's matrix was made
-    double direction_form_ =
-        0.0;  // of the first direction from rest: direction^T beta K_0 direction
+    std::vector<Vec3> first_mm_;   // positions of the first iterate's matrix
+    double direction_form_ = 0.0;  // first direction from rest: direction^T beta K_0 direction
     std::vector<Vec3> direction_;  // of the velocity
     std::vector<Vec3> velocity_before_;
-    // Of the velocity before the direction is taken, and of the first direction: beta K_0 times it.
+    // beta K_0 times the velocity before the direction is taken, and times the first direction.
     std::vector<Vec3> damping_before_, damping_along_;
     std::vector<Vec3> residual_, steepest_, change_, product_;
 };

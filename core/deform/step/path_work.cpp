@@ -13,7 +13,7 @@ namespace {
 
 constexpr int most_evaluations = 257;
 
-// A stretch of the way with the force along it at five places, evenly spaced.
+// A section of the path with the force along it at five equidistant places.
 struct Stretch {
     double begin, length;
     std::array<double, 5> value;
@@ -23,14 +23,14 @@ struct Stretch {
         return length / 12.0 *
                (value[0] + 4.0 * value[1] + 2.0 * value[2] + 4.0 * value[3] + value[4]);
     }
-    // Of the extrapolated integral; 1/15 of the refinement where the integrand is smooth.
+    // Error of the extrapolated integral; 1/15 of the refinement where the integrand is smooth.
     double error() const { return 2.0 * std::abs(refined() - simpson()) / 15.0; }
     double integral() const { return refined() + (refined() - simpson()) / 15.0; }
 };
 
 }  // namespace
 
-// Force times motion at this place of the way.
+// Force times motion at this place of the path.
 double PathWork::power(double place, std::span<const Vec3> from_mm, std::span<const Vec3> to_mm,
                        const PotentialList& potentials) {
     const std::size_t nodes = from_mm.size();

@@ -8,9 +8,9 @@
 namespace hepatica {
 namespace {
 
-constexpr double most_turn = 1.0;  // radians in a step
+constexpr double most_turn = 1.0;  // radians per step
 
-// I^-1 L; no spin about an axis without inertia.
+// I^-1 L; zero about an axis without inertia.
 Vec3 spin_of(const Mat3& inertia, const Vec3& angular_momentum) {
     const Eigen::SelfAdjointEigenSolver<Mat3> axes(inertia);
     Vec3 spin = Vec3::Zero();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The rigid motion that has the linear and angular momentum of some nodes, and how nodes fly on by
-// it for a step.
+// The rigid motion with the linear and angular momentum of some nodes, and how nodes continue by it
+// for a step.
 #pragma once
 
 #include <cstdint>
@@ -19,21 +19,20 @@ struct RigidMotion {
     Vec3 operator()(const Vec3& x) const { return velocity_mm_per_s + of_spin(x); }
 };
 
-// Of at least one node; masses [g] > 0, positions [mm] and velocities [mm/s] of all nodes of a
-// body. There is no spin about an axis without inertia (nodes in a line).
+// Requires at least one node; masses [g] > 0, positions [mm] and velocities [mm/s] are those of all
+// nodes of a body. The spin about an axis without inertia (nodes in a line) is zero.
 RigidMotion rigid_motion(std::span<const int> nodes, std::span<const double> mass_g,
                          std::span<const Vec3> positions_mm,
                          std::span<const Vec3> velocities_mm_per_s);
 
-// The velocities at which the nodes come straight to where that motion turns and carries them in
-// `dt_s` > 0, one for each node. Their shape stays what it is, their momentum that of the motion,
-// and their kinetic energy is no greater than the motion's. A spin by more than a radian is braked
-// to that.
+// For each node, the constant velocity that brings it in `dt_s` > 0 to where the rigid motion
+// carries it. The shape of the nodes is kept, their momentum is that of the motion, and their
+// kinetic energy is at most that of the motion. A rotation is limited to one radian.
 std::vector<Vec3> straight_ways(const RigidMotion& motion, std::span<const int> nodes,
                                 std::span<const Vec3> positions_mm, double dt_s);
 
-// The velocity of the centre of mass for every node. It keeps the momentum of a body that is about
-// to collide, and lets no surfaces meet. None where a node is held (not 0).
+// The velocity of the centre of mass, for every node. It keeps the momentum of a body that is about
+// to collide with itself, and no surfaces meet. None where a node is held (not 0).
 std::optional<std::vector<Vec3>> common_velocity(std::span<const double> mass_g,
                                                  std::span<const std::uint8_t> held,
                                                  std::span<const Vec3> velocities_mm_per_s);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the step's linear solver carries from one step to the next. A factor or preconditioner is
-// not stored; the inputs of its matrix are, from which it is computed again to the same bits.
+// The state that the step's linear solver carries from one step to the next. A factor or
+// preconditioner is not stored, but the inputs of its matrix are, from which it is recomputed to
+// the same bits.
 #pragma once
 
 #include <cstdint>
@@ -21,10 +22,9 @@ namespace hepatica {
 struct MatrixOrigin {
     double dt_s = 0.0;             // > 0
     std::vector<Vec3> first_mm;    // positions of the first iterate
-    std::vector<Vec3> iterate_mm;  // positions of this iterate; empty where it is the first
-    std::vector<Vec3>
-        taut_mm;            // where the tension of the first is of; empty where nothing was taut
-    bool collapse = false;  // collapsed elements counted
+    std::vector<Vec3> iterate_mm;  // positions of this iterate; empty: it is the first
+    std::vector<Vec3> taut_mm;     // positions at which tension was found; empty: nothing was taut
+    bool collapse = false;         // collapsed elements counted
     std::vector<std::uint8_t> held;  // per node: whether it was fixed or frozen
     std::vector<Grab> grabs;
     RayleighDamping velocity_error;  // E of eq. (11)
@@ -33,18 +33,17 @@ struct MatrixOrigin {
 // The tool whose contacts are part of that matrix.
 struct ToolOrigin {
     Tool tool;
-    std::vector<Vec3> start_mm;  // where the step began
+    std::vector<Vec3> start_mm;  // positions at the start of the step
 };
 
-// What a linear solver carries from one step to the next.
+// The state that a linear solver carries from one step to the next.
 struct SolverCheckpoint {
-    std::optional<MatrixOrigin> made_from{};  // of its factor or preconditioner, where it has one
+    std::optional<MatrixOrigin> made_from{};  // of the factor or preconditioner; none without one
     std::vector<double> memory{};             // see LinearSolver::memory
-    std::optional<ToolOrigin> tool{};         // none where the matrix knew no tool
+    std::optional<ToolOrigin> tool{};         // none where the matrix had no tool
     SurfacesKept overlaps{};                  // of that matrix
-    std::vector<Vec3>
-        began_mm{};           // where its step began, of which friction of surfaces is; else empty
-    CoupledMemory coupled{};  // of the factor that knows couplings; empty where there is none
+    std::vector<Vec3> began_mm{};  // start of its step, needed for friction of surfaces; else empty
+    CoupledMemory coupled{};       // of the coupled factor; empty where there is none
 };
 
 }  // namespace hepatica

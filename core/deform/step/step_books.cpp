@@ -6,7 +6,7 @@
 namespace hepatica {
 namespace {
 
-// An audit's quadrature is refined until its error is this share of the energies at hand.
+// The quadrature of an audit is refined until its error is this share of the energies.
 constexpr double audit_tolerance = 1e-7;
 
 }  // namespace
@@ -53,9 +53,9 @@ void StepBooks::book(StepUnderway& step, NewtonStep& newton, bool audit, StepRep
     });
     ledger.integrator_loss = inertial_loss + 0.5 * (start_work - end_work);
     const double gained = stored_energy(ledger) - stored_energy(step.before);
-    // A tool that moved has given what friction would take of a body that stays where it is.
+    // A moving tool has done the work that friction would take from a body that does not move.
     ledger.tool_work = step.before.friction_loss;
-    // Work of elements and potentials on the way: by their energies, or by their forces.
+    // Work of elements and potentials along the path: from energies, or in an audit from forces.
     double path_work = ledger.gravity_work - (ledger.friction_loss - step.before.friction_loss) -
                        (gained - (ledger.kinetic - step.before.kinetic));
     if (audit) {

@@ -28,8 +28,8 @@ SolveReport StepSystem::solve(const StepUnderway& step, const CouplingBlocks& co
     }
     coupled_.forget_matrix();
     solver_->bound_below(body_.mass_g, share);
-    // Not prepared anew, so that one who goes on from a checkpoint gets the same bits: there, too,
-    // all rows count as changed and nothing else is known of the matrices between.
+    // After the coupled factor was used, all rows count as changed, as they do for a solver that is
+    // restored from a checkpoint: both give the same bits.
     std::vector<int> rows(potential_.assembled_rows().begin(), potential_.assembled_rows().end());
     if (std::exchange(solver_unaware_, false)) {
         rows.resize(static_cast<std::size_t>(matrix.rows()));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Solves the linear system of a Newton iterate, eq. (12): the potential's matrix A and the
-// couplings of what touches. A few couplings are left to iterations around the solver of A; many
-// are worth a factor that knows them.
+// couplings between touching surfaces. Few couplings are left to iterations around the solver of A;
+// for many a factor that includes them is worthwhile.
 #pragma once
 
 #include <memory>
@@ -26,28 +26,29 @@ class StepSystem {
                std::unique_ptr<LinearSolver> solver)
         : body_(body), potential_(potential), solver_(std::move(solver)) {}
 
-    // solve() throws Cancelled soon after a stop was asked for; only restore() may then be called.
+    // Makes solve() throw Cancelled soon after a stop is requested; then only restore() may be
+    // called.
     void heed(const std::stop_token& stop);
 
-    // x = (A + couplings)^-1 rhs within the limits, for the potential's present matrix, of which
-    // share * mass bounds the diagonal from below.
+    // x = (A + couplings)^-1 rhs within the limits, for the potential's present matrix, which must
+    // be at least share * mass (see LinearSolver::bound_below).
     SolveReport solve(const StepUnderway& step, const CouplingBlocks& coupling, double share,
                       std::span<const Vec3> rhs, std::vector<Vec3>& x, const SolveLimits& limits);
 
-    // A x of the last answer of a system without couplings, where solving came by it; else null.
-    // The matrix must still be that one.
+    // A x of the last solution if the system had no couplings and the solve computed it, else null.
+    // The matrix must not have changed since.
     const std::vector<Vec3>* product() const {
         return coupled_last_ ? nullptr : solver_->product();
     }
 
-    // Whether the solver's factor is of the matrix that was solved last. What determined that
-    // matrix must then be told to keep_origin(), for checkpoints to come.
+    // Whether the solver's factor is that of the last matrix. The inputs of that matrix must then
+    // be passed to keep_origin() for later checkpoints.
     bool factor_is_latest() const { return !solver_unaware_ && solver_->made_from_latest(); }
     void keep_origin(SolverCheckpoint origin) { made_ = std::move(origin); }
 
-    // What is carried from step to step. restore() makes the factor anew to the bit and leaves the
-    // potential at other positions; it throws InputError where the checkpoint does not fit the body
-    // or the solver.
+    // The state carried from step to step. restore() recomputes the factor to the same bits and
+    // leaves the potential at other positions; it throws InputError where the checkpoint does not
+    // fit the body or the solver.
     SolverCheckpoint checkpoint() const;
     void restore(const SolverCheckpoint& checkpoint);
 
@@ -57,10 +58,10 @@ class StepSystem {
     const Body& body_;
     IncrementalPotential& potential_;
     std::unique_ptr<LinearSolver> solver_;
-    CoupledFactor coupled_;        // in its place where many surfaces touch
+    CoupledFactor coupled_;        // replaces the solver where many surfaces touch
     bool coupled_last_ = false;    // the last system had couplings
-    bool solver_unaware_ = false;  // matrices were made that solver_ was not given
-    SolverCheckpoint made_;        // but what the solvers remember
+    bool solver_unaware_ = false;  // solver_ has not seen the latest matrices
+    SolverCheckpoint made_;        // without the solvers' memory, which checkpoint() adds
 };
 
 }  // namespace hepatica

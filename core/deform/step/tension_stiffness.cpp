@@ -8,8 +8,8 @@
 namespace hepatica {
 namespace {
 
-// Of twice the shear modulus: below it an element counts as slack. In a pull by a hand that leaves
-// a few hundred elements of forty thousand.
+// In units of twice the shear modulus: below it an element counts as slack. In a pull by hand this
+// leaves a few hundred elements of forty thousand.
 constexpr double least_tautness = 0.01;
 constexpr std::size_t packs_at_once = 256, rows_at_once = 64;
 constexpr int lanes = LiveSet::elements_per_pack;
@@ -45,7 +45,7 @@ TensionStiffness::TensionStiffness(const Body& body, const AssemblyPlan& plan, c
     }
 }
 
-// Held nodes are left out: elements around them need not be live.
+// Held nodes are left out, because elements around them need not be live.
 double TensionStiffness::tautness(std::size_t group, int element) const {
     const int* nodes = body_.groups[group].connectivity.data() + std::ptrdiff_t{4} * element;
     double sum = 0.0;
@@ -74,7 +74,7 @@ void TensionStiffness::find_mean_pulls(const ElementSlots& slots) {
     });
 }
 
-// Of the elements of one group, by blocks of packs; those of one block follow one another.
+// The taut elements of one group, by blocks of packs, in ascending order within a block.
 std::vector<std::vector<TensionStiffness::Taut>> TensionStiffness::taut_of(
     std::size_t group) const {
     const int size = body_.groups[group].size();
@@ -113,7 +113,7 @@ void TensionStiffness::find(const ElementSlots& slots) {
     block_.resize(row_begin_.back());
 }
 
-// With S of evaluate_turned_gradients: the sum of t (trace(S) I - S), t being the tautness.
+// The sum of t (trace(S) I - S), with S of evaluate_turned_gradients and t the tautness.
 Mat3 TensionStiffness::upper_block(const ElementSlots& slots, int k) const {
     Mat3 sum = Mat3::Zero();
     for (int s = plan_.factors.begin[k]; s < plan_.factors.begin[k + 1]; s += 2) {

@@ -12,7 +12,7 @@ namespace hepatica {
 
 class VelocityError {
   public:
-    // Of inertia and of stiffness, that remains whatever E is.
+    // The share of inertia and of stiffness that always remains, whatever E is.
     static constexpr double least_share = 0.1;
 
     void set(const RayleighDamping& error) {

@@ -18,7 +18,7 @@
 namespace hepatica {
 namespace {
 
-// Computed only where the solver may use it, because it costs a search through the mesh.
+// Called only where the solver may use the skeleton, because it costs a search through the mesh.
 CoarseSkeleton skeleton_for(const BodyDescription& description) {
     if (description.skeleton.size() > 0) return description.skeleton;
     TetMesh mesh = description.mesh;
@@ -49,7 +49,7 @@ NewtonSettings newton_of(const StepperOptions& options) {
             .audit = options.audit};
 }
 
-// A large body is copied by all cores: one alone reaches a fraction of what memory gives.
+// Copied in parallel, because one core cannot use the whole memory bandwidth.
 void copy_state(const BodyState& from, BodyState& to) {
     constexpr std::size_t nodes_at_once = 8192;
     const std::size_t nodes = from.positions_mm.size();
@@ -172,7 +172,7 @@ class OwnCpuBackEnd final : public CpuBackEnd {
         }
         potentials_->let_go(state_.positions_mm);
     }
-    // Of the potentials.
+    // The terms of the potentials.
     EnergyLedger outside_energies() const {
         EnergyLedger now;
         potentials_->book(state_.positions_mm, state_.positions_mm, now);
@@ -181,9 +181,9 @@ class OwnCpuBackEnd final : public CpuBackEnd {
 
     StepperOptions options_;
     Body body_;
-    std::optional<PotentialList> potentials_;    // always there
-    std::optional<InversionRecovery> recovery_;  // always there
-    std::optional<BackwardEuler> integrator_;    // always there
+    std::optional<PotentialList> potentials_;    // always set
+    std::optional<InversionRecovery> recovery_;  // always set
+    std::optional<BackwardEuler> integrator_;    // always set
     BodyState state_;
 };
 

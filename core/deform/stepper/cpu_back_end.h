@@ -11,12 +11,12 @@ namespace hepatica {
 
 class PotentialList;
 
-// Beside a StepBackEnd, what another machine leans on that makes steps of the same body.
+// A StepBackEnd on the CPU, with what another back end for the same body needs from it.
 class CpuBackEnd : public StepBackEnd {
   public:
-    // What acts on the body.
+    // The potentials of the body.
     virtual PotentialList& potentials() = 0;
-    // Goes on from the end of a step that the other machine made, and completes its report.
+    // Continues from the end of a step that the other back end made, and completes its report.
     virtual void follow(const BodyState& state, StepReport& report) = 0;
 };
 

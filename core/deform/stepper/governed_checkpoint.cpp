@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checkpoints of a governed stepper: what its next steps depend on, taken and restored whole.
+// Checkpoints of a GovernedStepper: taken and restored as a whole.
 #include <utility>
 
 #include "core/base/error.h"
@@ -80,7 +80,7 @@ void GovernedStepper::restore(const StepperCheckpoint& checkpoint) {
     }
     if (region) region->restore(*checkpoint.region);
     restore_solver(checkpoint, std::move(tearing));
-    // Nothing below throws, so the restored state is complete.
+    // Nothing below throws, so the state is either restored completely or unchanged.
     region_ = std::move(region);
     restore_motion(checkpoint);
 }

@@ -20,11 +20,12 @@ namespace {
 
 constexpr double sleep_speed_edges_per_s = 1e-5;
 constexpr double sleep_after_s = 0.5;
-// A body that stays below this speed for this long has settled; inverted elements are then sought.
+// A body that stays below this speed for this long has settled; inverted elements are then searched
+// for.
 constexpr double settled_speed_edges_per_s = 2e-2;
 constexpr double settled_after_s = 0.25;
 
-// LiveRegion counts skeleton nodes, the back end counts the nodes of the body.
+// Makes the skeleton that LiveRegion needs, where the description has none.
 BodyDescription with_skeleton(BodyDescription body) {
     if (body.skeleton.size() > 0) return body;
     TetMesh mesh = body.mesh;
@@ -69,7 +70,7 @@ bool GovernedStepper::asleep() const {
     return options_.sleeping && still_s_ >= sleep_after_s;
 }
 
-// A vertex is frozen where its skeleton node is; the middle of an edge only where both ends are.
+// A vertex is frozen where its skeleton node is; a mid-edge node only where both ends are.
 std::vector<std::uint8_t> GovernedStepper::frozen_nodes() const {
     const Body& body = back_end_->body();
     std::vector<std::uint8_t> frozen(nodes(), 0);
@@ -139,7 +140,7 @@ void GovernedStepper::set_tool(const std::optional<Tool>& tool) {
     tool_load_ = {};
     tool_led_ = tool.has_value();
     wake();
-    // What leaned on the one before is no longer held.
+    // What leaned on the previous tool has lost its support and must be live.
     if (!region_ || !previous) return;
     region_->wake_all();
     change_region();
@@ -168,7 +169,7 @@ void GovernedStepper::open_tool(double opening_mm) {
     change_tool_goal([&](Tool& tool) { tool.opening_target_mm = opening_mm; });
 }
 
-// Wakes frozen nodes that a moving surface touches: a frozen node could not give way.
+// Wakes frozen nodes that a moving surface touches, because a frozen node cannot give way.
 void GovernedStepper::wake_touched() {
     if (!region_) return;
     std::vector<int> touched;
@@ -183,7 +184,7 @@ void GovernedStepper::wake_near_tool() {
     if (region_ && region_->wake(back_end_->vertices_near_tool())) change_region();
 }
 
-// The body stands still meanwhile; what that takes from the tool is its work.
+// The body stands still meanwhile; the contact energy that this creates is work of the tool.
 void GovernedStepper::lead_tool_for(double dt_s, double share) {
     const double before = back_end_->contact_energy();
     back_end_->lead_tool(share, dt_s);

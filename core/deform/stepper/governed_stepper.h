@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Decides what each step computes, for any back end: the number of substeps, whether the body
 // sleeps, which part is live (near the tools and where something moves, see live_region.h), when
-// inverted elements are repaired, and what tears (core/tear/tearing.h). When the live part changes,
-// no node is moved, so that nothing jumps.
+// inverted elements are repaired, and what tears (core/tear/tearing.h). A change of the live part
+// moves no node, so that nothing jumps.
 #pragma once
 
 #include <functional>
@@ -67,8 +67,8 @@ class GovernedStepper final : public LiveStepper {
     void look_for_inversion(double dt_s, StepReport& report);
     TearLoads tear_loads();
     void tear(StepReport& report);
-    // Of a checkpoint: throws InputError where it is of another kind of stepper; the factors and
-    // the pieces, as they are now where that throws; the rest of the state.
+    // Parts of restore(): throws InputError for another kind of stepper; restores solver and tear,
+    // or changes nothing where it throws; restores the rest.
     void require_same_kind(const StepperCheckpoint& checkpoint) const;
     void restore_solver(const StepperCheckpoint& checkpoint, std::optional<Tearing> tearing);
     void restore_motion(const StepperCheckpoint& checkpoint);
@@ -83,18 +83,18 @@ class GovernedStepper final : public LiveStepper {
     std::optional<LiveRegion> region_;
     std::optional<Tearing> tearing_;
     std::vector<Mat3> stress_pa_;    // of each tetrahedron, after the last step
-    std::vector<double> energy_nj_;  // as well
+    std::vector<double> energy_nj_;  // the same
     std::vector<Grab> grabs_;
     Vec3 gravity_mm_per_s2_ = Vec3::Zero();
-    bool tool_led_ = false;       // the tool is on its way
+    bool tool_led_ = false;       // the tool is moving
     ToolLoad tool_load_;          // of the last step
-    SelfLoad self_load_;          // as well
-    ObstacleLoad obstacle_load_;  // as well
+    SelfLoad self_load_;          // of the last step
+    ObstacleLoad obstacle_load_;  // of the last step
     double tool_work_ = 0.0;      // of grabs and tool since the last step [nJ]
     double lost_ = 0.0;           // kinetic energy of nodes frozen since the last step [nJ]
     double still_s_ = 0.0;    // time for which every node has been slower than the sleep threshold
     double settled_s_ = 0.0;  // the same for the threshold of the search for inverted elements
-    EnergyLedger resting_;    // energies at the end of the last step; a sleeping body reports them
+    EnergyLedger resting_;    // energies at the end of the last step, reported during sleep
 };
 
 }  // namespace hepatica

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// hepatica::GovernedStepper: what tears after a step, and what follows a tear.
+// hepatica::GovernedStepper: what tears after a step, and how the back end follows.
 #include <vector>
 
 #include "core/deform/stepper/governed_stepper.h"
 
 namespace hepatica {
 
-// Of the state at hand.
 TearLoads GovernedStepper::tear_loads() {
     tearing_->take_openings(back_end_->ties());
     back_end_->find_stress(stress_pa_, energy_nj_);
@@ -24,7 +23,7 @@ void GovernedStepper::follow_tear(StepBackEnd& back_end) const {
     back_end.tear(description_, torn_body_of(*tearing_));
 }
 
-// Makes the back end follow the split, and wakes the nodes around it.
+// Makes the back end follow the split and wakes the nodes around it.
 void GovernedStepper::follow_tear() {
     const auto before = nodes();
     follow_tear(*back_end_);

@@ -109,7 +109,7 @@ std::vector<char> LiveRegion::nodes_at_borders() const {
 }
 
 // Stores reference positions for nodes that have just got their first frozen neighbour. Nodes that
-// had one before keep the older reference, so that small changes of strain add up.
+// already had one keep the older reference, so that small changes of strain add up.
 void LiveRegion::refer_to(std::span<const Vec3> positions_mm,
                           const std::vector<char>& bordered_before) {
     for (std::size_t n = 0; n < live_.size(); ++n) {
@@ -150,7 +150,7 @@ bool LiveRegion::watch(std::span<const Vec3> positions_mm,
         for (const int other : neighbours_[n])
             if (strained[n] != 0 && !live_[other]) waking.push_back(other);
     if (wake_around(waking)) {
-        // Each growth costs a rebuild, so past half of the body all of it is made live.
+        // Each growth costs a rebuild, so past half of the body everything is made live.
         if (2 * live_count() > static_cast<int>(live_.size())) wake_all();
         return true;
     }

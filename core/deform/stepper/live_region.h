@@ -14,7 +14,7 @@ namespace hepatica {
 struct LiveRegionOptions {
     // A frozen node wakes when a live neighbour (half a diameter away) has moved by this share of
     // its radius since the border between them arose. This bounds the change of strain at a border,
-    // also for slow motion and where the region changes often.
+    // even for slow motion and frequent changes of the region.
     double wake_radii = 1e-4;
     // A live node may freeze after moving slower than still_radii_per_s radii per second ...
     double still_radii_per_s = 5e-4;
@@ -27,15 +27,17 @@ struct LiveRegionOptions {
 
 class LiveRegion {
   public:
-    // All nodes are live at first. Throws InputError for an empty or broken skeleton.
+    // All nodes are live at first. Throws InputError for an empty or invalid skeleton.
     LiveRegion(const CoarseSkeleton& skeleton, std::span<const Vec3> rest_positions_mm,
                const LiveRegionOptions& options = {});
 
     // Makes neighbours of the skeleton nodes of these vertices, which share an element. Needed for
-    // elements that join nodes without a common skeleton edge; may be called for all elements.
+    // elements that connect nodes without a skeleton edge between them; may be called for all
+    // elements.
     void connect(std::span<const int> vertices);
 
-    // Vertices were split, as BodyTopology counts them: the new ones belong where their parents do.
+    // To be called after vertices were split (see TornTopology): new ones belong to their parents'
+    // nodes.
     void follow_split(std::span<const int> parents);
 
     const LiveRegionOptions& options() const { return options_; }
@@ -43,21 +45,21 @@ class LiveRegion {
     // Wakes the nodes around these vertices and keeps them live until the next call. Returns
     // whether any node woke.
     bool hold(std::span<const int> vertices);
-    // Wakes the surroundings of these vertices, once. Returns whether anything woke.
+    // Wakes the nodes around these vertices once. Returns whether any node woke.
     bool wake(std::span<const int> vertices);
-    // Takes the positions and velocities of all vertices after a step. Returns whether the region
-    // changed: it grows at once, and shrinks when a quarter of its nodes has been still for
-    // still_s.
+    // To be called after a step with the positions and velocities of all vertices. Returns whether
+    // the region changed: it grows at once, and shrinks when a quarter of its nodes has been still
+    // for still_s.
     bool watch(std::span<const Vec3> positions_mm, std::span<const Vec3> velocities_mm_per_s,
                double dt_s);
 
-    // live, still_s, held and reference_mm of a RegionCheckpoint. restore() takes them; it throws
-    // InputError where they are not of a region of this skeleton, and then changes nothing.
+    // The region's state. restore() throws InputError and changes nothing where the checkpoint is
+    // not of a region of this skeleton.
     RegionCheckpoint checkpoint() const;
     void restore(const RegionCheckpoint& checkpoint);
 
     bool live(int vertex) const { return live_[node_of_[vertex]] != 0; }
-    // Whether its node is live and has moved lately.
+    // Whether the vertex' node is live and has moved within the last still_s.
     bool restless(int vertex) const {
         return live(vertex) && still_s_[node_of_[vertex]] < options_.still_s;
     }
@@ -78,8 +80,8 @@ class LiveRegion {
     std::vector<char> live_;
     std::vector<double> still_s_;
     std::vector<int> held_;  // nodes
-    // Positions of the vertices of each node at the time when the first of its frozen neighbours
-    // froze; unused for nodes without frozen neighbours.
+    // Positions of the vertices of each node when the first of its frozen neighbours froze; unused
+    // for nodes without frozen neighbours.
     std::vector<Vec3> reference_mm_;
 };
 

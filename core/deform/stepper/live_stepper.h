@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A stepper that computes only the live part of the tree (see live_region.h); the frozen rest is a
-// fixed boundary of it.
+// A stepper that computes only the live part of the tree (see live_region.h); the frozen rest acts
+// as a fixed boundary.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ namespace hepatica {
 
 class LiveStepper : public Stepper {
   public:
-    // How many elements and vertices are computed at present, and how many there are.
+    // How many elements and vertices are computed now, and how many there are.
     struct Extent {
         int live_elements = 0;
         int elements = 0;
@@ -24,7 +24,7 @@ class LiveStepper : public Stepper {
     virtual Extent extent() const = 0;
 };
 
-// Like make_cpu_stepper. A body without skeleton gets one from its mesh. The report has the
+// Like make_cpu_stepper. A body without a skeleton gets one from its mesh. The report has the
 // energies of the whole body; the kinetic energy of nodes that freeze is booked as integrator_loss.
 // Throws InputError as make_cpu_stepper does.
 std::unique_ptr<LiveStepper> make_live_stepper(const BodyDescription& body,

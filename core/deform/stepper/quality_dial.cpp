@@ -42,7 +42,7 @@ std::size_t QualityDial::index_at(double quality) const {
 }
 
 double QualityDial::quality_of(std::size_t index) const {
-    // The cheapest stands there, whether dearer ones are known already or not.
+    // The cheapest setting has quality 0 even where it is the only one.
     if (index == 0) return 0.0;
     const double low = std::log(front_.front().frame_ms), high = std::log(front_.back().frame_ms);
     return (std::log(front_[index].frame_ms) - low) / (high - low);

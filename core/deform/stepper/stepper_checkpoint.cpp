@@ -15,7 +15,7 @@ static_assert(std::endian::native == std::endian::little, "numbers are written a
 
 constexpr std::string_view heading = "hepatica checkpoint 3\n";
 
-// All fields in order. Writing, reading and hashing share this list.
+// Visits all fields in order; shared by writing, reading and hashing.
 template <class Visit>
 void fields(Visit& visit, auto& value) requires requires {
     value.weights;
@@ -185,7 +185,7 @@ void fields(Visit& visit, auto& value) requires requires {
                      value.obstacles, value.solver.began_mm, value.solver.coupled);
 }
 
-// Gives the bytes of every field to a sink.
+// Passes the bytes of every field to a sink.
 template <class Sink>
 class Writer {
   public:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything but body and options that determines later steps: a stepper of the same body and
-// options that restores a checkpoint makes the same steps, to the last bit, as the one it was taken
-// from. A factor or preconditioner is not stored; the inputs of its matrix are, from which it is
-// computed again. Taking a checkpoint costs a copy of a few arrays.
+// Everything except body and options that determines later steps: a stepper with the same body and
+// options that restores a checkpoint makes the same steps, to the last bit, as the one that it was
+// taken from. A factor or preconditioner is not stored, but recomputed from the inputs of its
+// matrix. Taking a checkpoint costs a copy of a few arrays.
 #pragma once
 
 #include <cstdint>
@@ -34,27 +34,27 @@ struct RegionCheckpoint {
 // A tool beside the body.
 struct ToolCheckpoint {
     Tool tool;
-    bool led = false;           // it is on its way
+    bool led = false;           // it is moving
     ToolLoad last_load;         // of the last step
     double last_contact = 0.0;  // of the last step [nJ]
 };
 
-// Surfaces among each other.
+// Contact between the body's own surfaces.
 struct SelfCheckpoint {
     OverlapsKept overlaps;
     SelfLoad last_load;         // of the last step
     double last_contact = 0.0;  // of the last step [nJ]
 };
 
-// Obstacles beside the body.
+// Contact with obstacles.
 struct ObstacleCheckpoint {
     SelfCheckpoint touch;
-    Vec3 last_force_un = Vec3::Zero();  // of the last step, and
+    Vec3 last_force_un = Vec3::Zero();  // of the last step, as is the next
     Vec3 last_impulse_un_s = Vec3::Zero();
 };
 
 struct StepperCheckpoint {
-    BodyState nodes;  // vertices, then edge middles
+    BodyState nodes;  // vertices, then mid-edge nodes
     std::vector<Grab> grabs;
     Vec3 gravity_mm_per_s2 = Vec3::Zero();
     double unreported_tool_work = 0.0;  // nJ, since the last step
@@ -70,21 +70,20 @@ struct StepperCheckpoint {
     std::optional<ToolCheckpoint> tool{};           // where there is a tool
     std::optional<SelfCheckpoint> self{};           // where surfaces touch each other
     std::optional<TearState> tear{};                // where the body may tear
-    std::optional<ObstacleCheckpoint> obstacles{};  // where there are any
+    std::optional<ObstacleCheckpoint> obstacles{};  // where there are obstacles
 };
 
-// Hash of every field. Without a tool it is the hash of the others alone.
+// Hash of the bytes that to_bytes() writes after its heading.
 std::uint64_t hash_of(const StepperCheckpoint& checkpoint);
 
 // "hepatica checkpoint 3\n", then the fields in the order above, little-endian: numbers as 8 bytes
-// (doubles as IEEE 754, integers signed), bytes of `live` and `held` as one each; arrays after
-// their length; an optional field after a length of 0 or 1. The two optional
-// fields of tools stand behind all others, then those of surfaces, then that of tears, then those
-// of obstacles and of where the last matrix' step began, then those of couplings: not at all where
-// there is none of them or behind them.
+// (doubles as IEEE 754, integers signed), elements of `live` and `held` as one byte each; arrays
+// after their length; an optional field after a length of 0 or 1. Optional groups follow at the end
+// in this order: tools, surfaces, tear, obstacles with the start of the last matrix' step,
+// couplings. The last group in use and those before it are written, later ones are not.
 std::string to_bytes(const StepperCheckpoint& checkpoint);
 
-// Throws InputError where the bytes are no checkpoint, are cut off or too long, or hold a number
+// Throws InputError where the bytes are not a checkpoint, are cut off or too long, or hold a number
 // that is not finite. Whether it fits a body is checked by Stepper::restore.
 StepperCheckpoint checkpoint_from_bytes(std::string_view bytes);
 

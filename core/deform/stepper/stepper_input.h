@@ -9,11 +9,11 @@
 
 namespace hepatica {
 
-// Iterations and substeps of 1 or more, tolerances finite and not negative, a finite velocity
-// error.
+// Iterations and substeps must be at least 1, tolerances finite and not negative (Newton's greater
+// than 0), the velocity error finite.
 void validate(const StepperOptions& options);
 
-// State, grabs, gravity and tools of the checkpoint pass the checks of step_input.h and
+// State, grabs, gravity and tools of the checkpoint must pass the checks of step_input.h and
 // load_input.h.
 void validate_checkpoint(const StepperCheckpoint& checkpoint, std::size_t nodes, bool touchable);
 

@@ -4,7 +4,7 @@
 namespace hepatica {
 namespace {
 
-// Of the jaws' length, from their tips to the place that they take between them.
+// Distance from the jaws' tips to the point between them, as a share of their length.
 constexpr double place_from_tips = 0.25;
 constexpr double friction_of_teeth = 0.6;
 
