@@ -44,6 +44,8 @@ void read_into(StepperOptions& options, const std::string& key, const Json& valu
         options.newton_iterations = whole_number<int>(value);
     } else if (key == "substeps") {
         options.substeps = whole_number<int>(value);
+    } else if (key == "swing_substeps") {
+        options.swing_substeps = whole_number<int>(value);
     } else if (key == "tension") {
         options.tension = value.get<bool>();
     } else if (key == "on_processor") {
@@ -64,6 +66,8 @@ Json to_json(const StepperOptions& options) {
               {"max_iterations", options.linear.max_iterations},
               {"newton_iterations", options.newton_iterations},
               {"substeps", options.substeps}};
+    if (options.swing_substeps != StepperOptions{}.swing_substeps)
+        json["swing_substeps"] = options.swing_substeps;
     if (!options.tension) json["tension"] = false;
     if (options.on_processor) json["on_processor"] = true;
     if (options.published) json["published"] = true;
@@ -86,6 +90,7 @@ StepperOptions setting_from_json(const Json& json) {
     require_count("max_iterations", options.linear.max_iterations, most_linear_iterations);
     require_count("newton_iterations", options.newton_iterations, most_newton_iterations);
     require_count("substeps", options.substeps, most_substeps);
+    require_count("swing_substeps", options.swing_substeps, most_substeps);
     return options;
 }
 

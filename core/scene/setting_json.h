@@ -2,7 +2,8 @@
 // One setting of the dial in a file or a recording: {"element": "corotated", "solver": "automatic",
 // "energy_tolerance": 0.01, "max_iterations": 10000, "newton_iterations": 1, "substeps": 1};
 // "published": true for the published step; "on_processor": true for steps on the processor where a
-// device plays the rest; "tension": false without tension.
+// device plays the rest; "tension": false without tension; "swing_substeps": 1 without more
+// substeps after a release.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

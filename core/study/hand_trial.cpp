@@ -142,6 +142,7 @@ SceneSpec HandTrial::reference_scene(int substeps) const {
     StepperOptions exact;
     exact.model = setting_.model;
     exact.order = setting_.order;
+    exact.swing_substeps = 1;
     exact.linear = {.energy_tolerance = exact_energy_tolerance,
                     .max_iterations = enough_iterations};
     SceneSpec scene = scene_;

@@ -193,12 +193,15 @@ TEST(SettingJson, ComesBackAsItWasAndRefusesTheRest) {
     EXPECT_TRUE(same_setting(setting_from_json(to_json(options)), options));
     EXPECT_FALSE(setting_from_json(to_json(StepperOptions{})).on_processor);
     EXPECT_NE(words_of(options).find("on the processor"), std::string::npos);
+    options.swing_substeps = 1;
+    EXPECT_EQ(setting_from_json(to_json(options)).swing_substeps, 1);
     options.published = true;
     EXPECT_TRUE(setting_from_json(to_json(options)).published);
     EXPECT_FALSE(setting_from_json(to_json(StepperOptions{})).published);
     using Json = nlohmann::ordered_json;
     for (const Json& wrong :
          {Json({{"element", "spring-10"}}), Json({{"solver", "magic"}}), Json({{"substeps", 0}}),
+          Json({{"swing_substeps", 0}}), Json({{"swing_substeps", 65}}),
           Json({{"substeps", 1000000000}}), Json({{"newton_iterations", 2000000000}}),
           Json({{"max_iterations", 2000000000}}), Json({{"substeps", "two"}}),
           Json({{"nonsense", 1}}), Json::array()})

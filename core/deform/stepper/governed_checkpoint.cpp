@@ -36,7 +36,8 @@ StepperCheckpoint GovernedStepper::checkpoint() const {
                            .last_grab = resting_.grab,
                            .last_tether = resting_.tether,
                            .solver = back_end_->checkpoint(),
-                           .region = {}};
+                           .region = {},
+                           .swing_mm_per_s = swing_.change_mm_per_s()};
     if (region_) kept.region = region_->checkpoint();
     const SurfacesKept overlaps = back_end_->overlaps();
     if (overlaps.self) kept.self = SelfCheckpoint{*overlaps.self, self_load_, resting_.contact};
@@ -127,6 +128,7 @@ void GovernedStepper::restore_motion(const StepperCheckpoint& checkpoint) {
     lost_ = checkpoint.unreported_loss;
     still_s_ = checkpoint.still_s;
     settled_s_ = checkpoint.settled_s;
+    swing_.restore(checkpoint.swing_mm_per_s);
     resting_ = {};
     resting_.kinetic = checkpoint.last_kinetic;
     resting_.elastic = checkpoint.last_elastic;

@@ -111,6 +111,8 @@ void GovernedStepper::set_grabs(std::span<const Grab> grabs) {
     const double after = back_end_->grab_energy();
     tool_work_ += after - before;
     resting_.grab = after;
+    if (grabs.empty() && !grabs_.empty())
+        swing_.let_go(back_end_->body(), resting_.elastic + resting_.tether);
     grabs_.assign(grabs.begin(), grabs.end());
     wake();
     if (!region_) return;
@@ -139,6 +141,7 @@ void GovernedStepper::set_tool(const std::optional<Tool>& tool) {
     resting_.contact = after;
     tool_load_ = {};
     tool_led_ = tool.has_value();
+    if (!tool) swing_.let_go(back_end_->body(), resting_.elastic + resting_.tether);
     wake();
     // What leaned on the previous tool has lost its support and must be live.
     if (!region_ || !previous) return;
@@ -236,6 +239,25 @@ EnergyLedger GovernedStepper::energies() const {
     return now;
 }
 
+// All substeps of a step.
+StepReport GovernedStepper::advance(double dt_s, const std::stop_token& stop) {
+    if (!free()) swing_.hold();
+    const int swinging =
+        options_.published ? 1 : swing_.count(back_end_->body(), dt_s, options_.swing_substeps);
+    const int substeps = std::max(options_.substeps, swinging);
+    const std::vector<Vec3> before =
+        swing_.swings() ? back_end_->state().velocities_mm_per_s : std::vector<Vec3>{};
+    const double part_s = dt_s / substeps;
+    StepReport report;
+    for (int s = 0; s < substeps; ++s) {
+        if (tool()) lead_tool_for(part_s, 1.0 / (substeps - s));
+        const StepReport part = back_end_->advance(part_s, stop);
+        report = s == 0 ? part : in_sequence(report, part);
+    }
+    if (swing_.swings()) swing_.watch(back_end_->body(), before, back_end_->state(), swinging);
+    return report;
+}
+
 StepReport GovernedStepper::step(double dt_s, const std::stop_token& stop) {
     validate_time_step(dt_s);
     StepReport report;
@@ -260,12 +282,7 @@ StepReport GovernedStepper::step(double dt_s, const std::stop_token& stop) {
         report.self = self_load_;
         report.obstacles = obstacle_load_;
     } else {
-        const double part_s = dt_s / options_.substeps;
-        for (int s = 0; s < options_.substeps; ++s) {
-            if (tool()) lead_tool_for(part_s, 1.0 / (options_.substeps - s));
-            const StepReport part = back_end_->advance(part_s, stop);
-            report = s == 0 ? part : in_sequence(report, part);
-        }
+        report = advance(dt_s, stop);
     }
     report.energy.tool_work += std::exchange(tool_work_, 0.0);
     const double lost_before = std::exchange(lost_, 0.0);
@@ -345,6 +362,7 @@ void GovernedStepper::set_state(std::span<const Vec3> positions_mm,
     if (!back_end_->free_of_tool(state.positions_mm))
         throw InputError("puts the body into the tool", "the state", "Take the tool away first");
     back_end_->set_state(state);
+    swing_.hold();
     tool_work_ = 0.0;
     lost_ = 0.0;
     wake();

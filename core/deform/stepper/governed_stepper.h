@@ -12,6 +12,7 @@
 #include "core/deform/stepper/live_region.h"
 #include "core/deform/stepper/live_stepper.h"
 #include "core/deform/stepper/step_back_end.h"
+#include "core/deform/stepper/swing_substeps.h"
 #include "core/tear/tearing.h"
 
 namespace hepatica {
@@ -63,6 +64,8 @@ class GovernedStepper final : public LiveStepper {
     void wake_near_tool();
     void wake_touched();
     void lead_tool_for(double dt_s, double share);
+    StepReport advance(double dt_s, const std::stop_token& stop);
+    bool free() const { return grabs_.empty() && !tool_led_; }
     void watch(double dt_s, StepReport& report);
     void look_for_inversion(double dt_s, StepReport& report);
     TearLoads tear_loads();
@@ -82,6 +85,7 @@ class GovernedStepper final : public LiveStepper {
     std::unique_ptr<StepBackEnd> back_end_;
     std::optional<LiveRegion> region_;
     std::optional<Tearing> tearing_;
+    SwingSubsteps swing_;
     std::vector<Mat3> stress_pa_;    // of each tetrahedron, after the last step
     std::vector<double> energy_nj_;  // the same
     std::vector<Grab> grabs_;

@@ -182,7 +182,8 @@ void fields(Visit& visit, auto& value) requires requires {
     visit(value.solver.memory);
     visit(value.region);
     visit.behind_all(value.tool, value.solver.tool, value.self, value.solver.overlaps, value.tear,
-                     value.obstacles, value.solver.began_mm, value.solver.coupled);
+                     value.obstacles, value.solver.began_mm, value.solver.coupled,
+                     value.swing_mm_per_s);
 }
 
 // Passes the bytes of every field to a sink.
@@ -213,8 +214,9 @@ class Writer {
     }
     void behind_all(const auto& tool, const auto& made_with, const auto& self, const auto& overlaps,
                     const auto& tear, const auto& obstacles, const auto& began_mm,
-                    const auto& coupled) {
-        const bool of_couplings = !coupled.numbers.empty();
+                    const auto& coupled, double swing) {
+        const bool of_swing = swing > 0.0;
+        const bool of_couplings = !coupled.numbers.empty() || of_swing;
         const bool of_friction =
             obstacles || overlaps.obstacles || !began_mm.empty() || of_couplings;
         const bool of_surfaces = self || overlaps.self || tear || of_friction;
@@ -233,6 +235,7 @@ class Writer {
         if (!of_couplings) return;
         (*this)(coupled.pairs);
         (*this)(coupled.numbers);
+        if (of_swing) (*this)(swing);
     }
 
   private:
@@ -302,7 +305,7 @@ class Reader {
         if (take_flag()) take_record(value.emplace());
     }
     void behind_all(auto& tool, auto& made_with, auto& self, auto& overlaps, auto& tear,
-                    auto& obstacles, auto& began_mm, auto& coupled) {
+                    auto& obstacles, auto& began_mm, auto& coupled, double& swing) {
         if (rest_.empty()) return;
         (*this)(tool);
         (*this)(made_with);
@@ -326,6 +329,10 @@ class Reader {
             (*this)(coupled.pairs);
             (*this)(coupled.numbers);
             used = !coupled.numbers.empty();
+        }
+        if (!rest_.empty()) {
+            (*this)(swing);
+            used = swing > 0.0;
         }
         if (!used) refuse("goes on after its end");
     }

@@ -71,6 +71,7 @@ struct StepperCheckpoint {
     std::optional<SelfCheckpoint> self{};           // where surfaces touch each other
     std::optional<TearState> tear{};                // where the body may tear
     std::optional<ObstacleCheckpoint> obstacles{};  // where there are obstacles
+    double swing_mm_per_s = 0.0;                    // see SwingSubsteps; >= 0
 };
 
 // Hash of the bytes that to_bytes() writes after its heading.
@@ -80,7 +81,7 @@ std::uint64_t hash_of(const StepperCheckpoint& checkpoint);
 // (doubles as IEEE 754, integers signed), elements of `live` and `held` as one byte each; arrays
 // after their length; an optional field after a length of 0 or 1. Optional groups follow at the end
 // in this order: tools, surfaces, tear, obstacles with the start of the last matrix' step,
-// couplings. The last group in use and those before it are written, later ones are not.
+// couplings, swing. The last group in use and those before it are written, later ones are not.
 std::string to_bytes(const StepperCheckpoint& checkpoint);
 
 // Throws InputError where the bytes are not a checkpoint, are cut off or too long, or hold a number

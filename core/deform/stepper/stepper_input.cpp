@@ -25,6 +25,7 @@ void validate(const StepperOptions& options) {
     check(options.newton_tolerance > 0 && std::isfinite(options.newton_tolerance),
           "the tolerance of Newton's method", options.newton_tolerance);
     check(options.substeps >= 1, "the number of substeps", options.substeps);
+    check(options.swing_substeps >= 1, "the number of substeps of a swing", options.swing_substeps);
     check(options.linear.max_iterations >= 1, "the limit of linear iterations",
           options.linear.max_iterations);
     check_tolerance("the tolerance of the linear solver's energy error",

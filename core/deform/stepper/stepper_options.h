@@ -16,6 +16,9 @@ struct StepperOptions {
     int newton_iterations = 1;       // 1: the linearly implicit step of eq. (12)
     double newton_tolerance = 1e-6;  // stop when no node moves further, in mean edge lengths
     int substeps = 1;                // per step()
+    // The most per step() while a body swings back after it was let go, see SwingSubsteps; 1: as
+    // many as `substeps`. Without effect where `published` is set.
+    int swing_substeps = 6;
     // E of eq. (11), from `DampingFit::error`, added to the damping in the matrix of the first
     // iterate, where it multiplies the change of velocity only. It adds no damping force and does
     // not change the solution to which Newton's method converges. It may be negative; its effect is

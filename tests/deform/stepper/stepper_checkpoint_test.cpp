@@ -239,6 +239,7 @@ TEST(StepperCheckpointBytes, EveryFieldCountsInTheHash) {
         {"tool work", [](auto& c) { c.unreported_tool_work += 1.0; }},
         {"still", [](auto& c) { c.still_s += 1.0; }},
         {"settled", [](auto& c) { c.settled_s += 1.0; }},
+        {"swing", [](auto& c) { c.swing_mm_per_s += 1.0; }},
         {"last kinetic", [](auto& c) { c.last_kinetic += 1.0; }},
         {"last elastic", [](auto& c) { c.last_elastic += 1.0; }},
         {"last grab", [](auto& c) { c.last_grab += 1.0; }},
