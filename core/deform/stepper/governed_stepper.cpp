@@ -24,6 +24,8 @@ constexpr double sleep_after_s = 0.5;
 // for.
 constexpr double settled_speed_edges_per_s = 2e-2;
 constexpr double settled_after_s = 0.25;
+// Of a mean edge: what is frozen that far from its place at rest takes part in a swing.
+constexpr double displaced_edges = 0.05;
 
 // Makes the skeleton that LiveRegion needs, where the description has none.
 BodyDescription with_skeleton(BodyDescription body) {
@@ -239,12 +241,26 @@ EnergyLedger GovernedStepper::energies() const {
     return now;
 }
 
+// What is frozen away from its place at rest swings back, too; the rest need not be computed.
+void GovernedStepper::wake_displaced() {
+    if (!region_) return;
+    const Body& body = back_end_->body();
+    const std::vector<Vec3>& now = back_end_->state().positions_mm;
+    const double displaced_mm = displaced_edges * body.mean_edge_mm;
+    std::vector<int> displaced;
+    for (int v = 0; v < body.vertex_count; ++v)
+        if ((now[v] - body.rest_positions_mm[v]).squaredNorm() > displaced_mm * displaced_mm)
+            displaced.push_back(v);
+    if (!displaced.empty() && region_->wake(displaced)) change_region();
+}
+
 // All substeps of a step.
 StepReport GovernedStepper::advance(double dt_s, const std::stop_token& stop) {
     if (!free()) swing_.hold();
     const int swinging =
         options_.published ? 1 : swing_.count(back_end_->body(), dt_s, options_.swing_substeps);
     const int substeps = std::max(options_.substeps, swinging);
+    if (swinging > 1) wake_displaced();
     const std::vector<Vec3> before =
         swing_.swings() ? back_end_->state().velocities_mm_per_s : std::vector<Vec3>{};
     const double part_s = dt_s / substeps;

@@ -62,6 +62,7 @@ class GovernedStepper final : public LiveStepper {
     template <class Change>
     void change_tool_goal(const Change& change);
     void wake_near_tool();
+    void wake_displaced();
     void wake_touched();
     void lead_tool_for(double dt_s, double share);
     StepReport advance(double dt_s, const std::stop_token& stop);

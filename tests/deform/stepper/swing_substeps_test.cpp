@@ -5,11 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
 
 #include "core/deform/stepper/cpu_stepper.h"
+#include "core/deform/stepper/live_stepper.h"
 #include "tests/deform/support/resumed_play.h"
 #include "tests/deform/support/test_bodies.h"
 
@@ -130,6 +132,39 @@ TEST_F(Swing, GoesOnFromACheckpointToTheSameBits) {
     EXPECT_GT(kept.swing_mm_per_s, 0.0) << "kept while it swings";
     EXPECT_EQ(test::expect_same_bits_from(let_go_at - 2, last_frame, make, step).swing_mm_per_s,
               0.0);
+}
+
+// What has crept aside and frozen while the end was held is live at once when that is let go.
+TEST_F(Swing, WakesWhatFrozeAwayFromItsPlace) {
+    StepperOptions options;
+    options.linear.energy_tolerance = 1e-8;
+    LiveRegionOptions region;
+    region.wake_radii = 3e-3;
+    region.still_radii_per_s = 1.5e-2;
+    region.reach_nodes = 2;
+    const auto part = make_live_stepper(body_, options, region);
+    const auto whole = make_cpu_stepper(body_, options);
+    Grab grab{.vertices = {tip_, -1, -1, -1}};
+    grab.target_mm = body_.mesh.vertices_mm[tip_] + Vec3(0.0, 25.0, 0.0);
+    grab.stiffness_un_per_mm = 2e4;
+    grab.force_limit_un = 1e6;
+    for (Stepper* stepper : {part.get(), whole.get()}) {
+        stepper->set_grabs(std::span(&grab, 1));
+        for (int frame = 0; frame < 240; ++frame) stepper->step(dt_s);
+    }
+    ASSERT_LT(part->extent().live_vertices, part->extent().vertices / 2) << "most of it is still";
+    const std::vector<Vec3> held(part->positions_mm().begin(), part->positions_mm().end());
+    for (Stepper* stepper : {part.get(), whole.get()}) {
+        stepper->set_grabs({});
+        stepper->step(dt_s);
+    }
+    double furthest = 0.0, missed = 0.0;
+    for (std::size_t v = 0; v < held.size(); ++v) {
+        furthest = std::max(furthest, (whole->positions_mm()[v] - held[v]).norm());
+        missed = std::max(missed, (whole->positions_mm()[v] - part->positions_mm()[v]).norm());
+    }
+    EXPECT_GT(furthest, 5.0);
+    EXPECT_LT(missed, 0.1 * furthest);
 }
 
 // A body that moves as one has the energy of its mass and speed.
