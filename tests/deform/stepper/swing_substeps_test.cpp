@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 #include "core/deform/stepper/cpu_stepper.h"
@@ -75,7 +77,14 @@ double distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 TEST_F(Swing, IsNearerToTheMotionInShortSteps) {
     const Play plain = play(*stepper(1)), adapted = play(*stepper(6));
     const std::vector<Vec3> fine = play(*stepper(1, 32)).tip_mm;
-    EXPECT_LT(distance(adapted.tip_mm, fine), 0.5 * distance(plain.tip_mm, fine));
+    const double missed = distance(adapted.tip_mm, fine);
+    EXPECT_LT(missed, 0.7 * distance(plain.tip_mm, fine));
+    const Play everywhere = play(*stepper(1, 6));
+    EXPECT_LT(missed, 1.2 * distance(everywhere.tip_mm, fine)) << "as six in every frame";
+    const auto solves = [](const Play& played) {
+        return std::accumulate(played.solves.begin(), played.solves.end(), 0);
+    };
+    EXPECT_LT(solves(adapted), 0.5 * solves(everywhere));
     for (int frame = 0; frame < let_go_at; ++frame)
         EXPECT_EQ(adapted.tip_mm[frame], plain.tip_mm[frame]) << "held at " << frame;
 }
@@ -83,7 +92,7 @@ TEST_F(Swing, IsNearerToTheMotionInShortSteps) {
 TEST_F(Swing, CostsMoreOnlyWhileItSwings) {
     const Play played = play(*stepper(6));
     EXPECT_GE(played.solves[let_go_at], 4);
-    EXPECT_LE(played.solves[let_go_at], 8) << "a substep needs one solve, few need two";
+    EXPECT_LE(played.solves[let_go_at], 12) << "two a substep";
     EXPECT_EQ(played.solves.back(), 1);
     int long_frames = 0;
     for (const int solves : played.solves) long_frames += solves > 2 ? 1 : 0;
@@ -148,13 +157,13 @@ TEST_F(Swing, WakesWhatFrozeAwayFromItsPlace) {
     grab.target_mm = body_.mesh.vertices_mm[tip_] + Vec3(0.0, 25.0, 0.0);
     grab.stiffness_un_per_mm = 2e4;
     grab.force_limit_un = 1e6;
-    for (Stepper* stepper : {part.get(), whole.get()}) {
+    for (Stepper* stepper : std::initializer_list<Stepper*>{part.get(), whole.get()}) {
         stepper->set_grabs(std::span(&grab, 1));
         for (int frame = 0; frame < 240; ++frame) stepper->step(dt_s);
     }
     ASSERT_LT(part->extent().live_vertices, part->extent().vertices / 2) << "most of it is still";
     const std::vector<Vec3> held(part->positions_mm().begin(), part->positions_mm().end());
-    for (Stepper* stepper : {part.get(), whole.get()}) {
+    for (Stepper* stepper : std::initializer_list<Stepper*>{part.get(), whole.get()}) {
         stepper->set_grabs({});
         stepper->step(dt_s);
     }
