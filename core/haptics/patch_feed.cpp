@@ -7,7 +7,7 @@
 namespace hepatica {
 namespace {
 
-// Of forces that are added up.
+// A sum of forces below this share of them is taken for rounding.
 constexpr double rounding = 1e-9;
 
 // End of the group of contacts, starting at `begin`, that are joined into one; groups have equal
