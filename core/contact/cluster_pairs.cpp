@@ -6,16 +6,6 @@
 #include <utility>
 
 namespace hepatica {
-namespace {
-
-double distance_mm(const FeaturePair& pair, std::span<const Vec3> x) {
-    const auto& n = pair.nodes;
-    return std::sqrt(pair.of_edges
-                         ? closest(Segment{x[n[0]], x[n[1]]}, Segment{x[n[2]], x[n[3]]}).squared_mm2
-                         : closest(x[n[0]], Triangle{x[n[1]], x[n[2]], x[n[3]]}).squared_mm2);
-}
-
-}  // namespace
 
 ClusterPairs::ClusterPairs(const SurfaceFeatures& features, int patch, std::vector<int> others)
     : patch_(patch), others_(std::move(others)) {

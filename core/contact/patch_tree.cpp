@@ -32,11 +32,6 @@ int patch_of(const btDbvtNode* leaf) {
     return static_cast<int>(reinterpret_cast<std::intptr_t>(leaf->data));
 }
 
-struct Meeting final : btDbvt::ICollide {
-    std::vector<int> patches;
-    void Process(const btDbvtNode* leaf) override { patches.push_back(patch_of(leaf)); }
-};
-
 struct MeetingPairs final : btDbvt::ICollide {
     std::vector<std::array<int, 2>> pairs;
     void Process(const btDbvtNode* first, const btDbvtNode* second) override {
@@ -69,14 +64,6 @@ void PatchTree::refit(std::span<const Box> boxes) {
         btDbvtVolume volume = volume_around(boxes[i]);
         tree_->tree.update(tree_->leaves[i], volume);
     }
-}
-
-std::vector<int> PatchTree::meeting(const Box& box) const {
-    Meeting found;
-    tree_->tree.collideTV(tree_->tree.m_root, volume_around(box), found);
-    std::erase_if(found.patches, [&](int patch) { return !boxes_[patch].meets(box); });
-    std::ranges::sort(found.patches);
-    return found.patches;
 }
 
 std::vector<std::array<int, 2>> PatchTree::meeting_pairs() const {

@@ -24,8 +24,6 @@ class PatchTree {
     // O(moved log n): unchanged boxes cost nothing.
     void refit(std::span<const Box> boxes);
 
-    // Patches whose boxes meet this one, ascending.
-    std::vector<int> meeting(const Box& box) const;
     // Pairs (a < b) whose boxes meet, ascending.
     std::vector<std::array<int, 2>> meeting_pairs() const;
 

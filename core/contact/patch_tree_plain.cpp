@@ -17,13 +17,6 @@ void PatchTree::refit(std::span<const Box> boxes) {
     boxes_.assign(boxes.begin(), boxes.end());
 }
 
-std::vector<int> PatchTree::meeting(const Box& box) const {
-    std::vector<int> found;
-    for (std::size_t i = 0; i < boxes_.size(); ++i)
-        if (boxes_[i].meets(box)) found.push_back(static_cast<int>(i));
-    return found;
-}
-
 std::vector<std::array<int, 2>> PatchTree::meeting_pairs() const {
     std::vector<int> order(boxes_.size());
     std::iota(order.begin(), order.end(), 0);

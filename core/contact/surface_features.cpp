@@ -2,9 +2,11 @@
 #include "core/contact/surface_features.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
+
+#include "core/base/disjoint_sets.h"
 
 namespace hepatica {
 namespace {
@@ -17,6 +19,13 @@ void sort_each_once(std::vector<int>& numbers) {
 }
 
 }  // namespace
+
+double distance_mm(const FeaturePair& pair, std::span<const Vec3> positions_mm) {
+    const auto at = [&](int k) { return positions_mm[pair.nodes[k]]; };
+    return std::sqrt(pair.of_edges
+                         ? closest(Segment{at(0), at(1)}, Segment{at(2), at(3)}).squared_mm2
+                         : closest(at(0), Triangle{at(1), at(2), at(3)}).squared_mm2);
+}
 
 SurfaceFeatures::SurfaceFeatures(SurfacePatches surface, std::span<const Vec3> rest_positions_mm,
                                  std::span<const SurfaceKind> kind_of_node)
@@ -140,20 +149,14 @@ std::size_t SurfaceFeatures::bytes() const {
 }
 
 void SurfaceFeatures::find_pieces() {
-    std::vector<int> root(node_area_mm2_.size());
-    std::iota(root.begin(), root.end(), 0);
-    const auto root_of = [&](int node) {
-        while (root[node] != node) node = root[node] = root[root[node]];
-        return node;
-    };
-    for (const auto& triangle : surface_.triangles())
-        for (const int node : triangle) {
-            const int a = root_of(node), b = root_of(triangle[0]);
-            root[std::max(a, b)] = std::min(a, b);
-        }
-    std::map<int, int> number_of;
+    DisjointSets sets(node_area_mm2_.size());
+    for (const auto& [a, b, c] : surface_.triangles()) {
+        sets.unite(a, b);
+        sets.unite(a, c);
+    }
+    std::map<std::uint32_t, int> number_of;
     for (std::size_t p = 0; p < surface_.size(); ++p) {
-        const int first = root_of(surface_.vertices_of(p).front());
+        const std::uint32_t first = sets.root(surface_.vertices_of(p).front());
         const auto made = number_of.try_emplace(first, static_cast<int>(number_of.size())).first;
         piece_of_patch_.push_back(made->second);
     }

@@ -20,6 +20,9 @@ struct FeaturePair {
     std::array<int, 4> nodes{};  // of the first, then of the second
 };
 
+// The distance of its two features.
+double distance_mm(const FeaturePair& pair, std::span<const Vec3> positions_mm);
+
 // Whether a pair of patches does not count. A pair of features counts if some pair of triangles
 // that contain them is of patches that count.
 using LeftOut = std::function<bool(int patch, int other)>;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/flow/drug_front.h"
+#include "core/base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -246,7 +247,7 @@ void DrugFront::note_arrivals(const Flows& flows, double begin_s) {
 
 FrontStep DrugFront::step(double longest_s) {
     if (!(longest_s >= 0.0 && longest_s < std::numeric_limits<double>::infinity()))
-        throw InputError("the step is " + std::to_string(longest_s) + " s", "injection",
+        throw InputError("the step is " + number_text(longest_s) + " s", "injection",
                          "Give a time of 0 s or more");
     FrontStep done;
     done.duration_s = std::min(longest_s, options_.injection_end_s - time_s_);

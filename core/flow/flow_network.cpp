@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/flow/tube_law.h"
 
 namespace hepatica {
@@ -236,6 +237,7 @@ int divide(FlowNetwork& network, const TreePoint& point) {
     FlowSegment proximal = network.segments[segment];
     FlowSegment distal = proximal;
     distal.offset_mm += arclength;
+    distal.jet_loss = 0.0;  // lost once, as a share at the proximal end
     distal.proximal_node = node;
     proximal.distal_node = node;
     // Both halves get new cones at the end of the list.
@@ -304,11 +306,12 @@ void set_open(FlowNetwork& network, int tree_segment, bool open) {
 
 void squeeze(FlowNetwork& network, int tree_segment, double from_mm, double to_mm, double share) {
     if (!(share > 0.0 && share <= 1.0))
-        throw InputError("is " + std::to_string(share), "the share of a lumen that is left open",
+        throw InputError("is " + number_text(share), "the share of a lumen that is left open",
                          "Give more than 0, up to 1");
     if (share == 1.0 || !(to_mm > from_mm)) return;
     divide(network, {.segment = tree_segment, .arclength_mm = from_mm});
     divide(network, {.segment = tree_segment, .arclength_mm = to_mm});
+    FlowSegment* first = nullptr;
     for (std::size_t i = 0; i < network.segments.size(); ++i) {
         FlowSegment& s = network.segments[i];
         const double middle = s.offset_mm + 0.5 * length_mm(network, static_cast<int>(i));
@@ -317,8 +320,11 @@ void squeeze(FlowNetwork& network, int tree_segment, double from_mm, double to_m
             network.cones[c].proximal_radius_mm *= std::sqrt(share);
             network.cones[c].distal_radius_mm *= std::sqrt(share);
         }
-        s.jet_loss = jet_loss(share);
+        // An earlier jet loses the head that it lost before, of a higher dynamic pressure.
+        s.jet_loss *= share * share;
+        if (first == nullptr || s.offset_mm < first->offset_mm) first = &s;
     }
+    if (first != nullptr) first->jet_loss += jet_loss(share);
 }
 
 NodeSegments segments_at_nodes(const FlowNetwork& network) {

@@ -88,7 +88,8 @@ void set_open(FlowNetwork& network, int tree_segment, bool open);
 
 // Narrows the lumen between two places of one segment of the vessel tree to a share of its area,
 // above 0 and up to 1. Friction is that of a narrower pipe, and the jet behind it loses its head
-// (tube_law.h).
+// (tube_law.h), once, however the stretch is divided. Where squeezes overlap, their shares multiply
+// and each has its jet.
 void squeeze(FlowNetwork& network, int tree_segment, double from_mm, double to_mm, double share);
 
 // The segments at each node, ascending; [first[n], first[n+1]) for node n.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/flow/fluid.h"
+#include "core/base/number_text.h"
 
 #include <cmath>
 
@@ -57,7 +58,7 @@ Phase second_phase(const std::string& name) {
 
 Fluid mixture(const Phase& liquid, const Phase& second, double void_fraction) {
     if (!(void_fraction >= 0.0 && void_fraction < 1.0))
-        throw InputError("the void fraction is " + std::to_string(void_fraction), "void fraction",
+        throw InputError("the void fraction is " + number_text(void_fraction), "void fraction",
                          "Give a value from 0 up to, but not including, 1");
     validate(pure(liquid));
     validate(pure(second));
@@ -79,13 +80,13 @@ Fluid blend(const Fluid& first, const Fluid& second, double share) {
 void validate(const Fluid& fluid) {
     const auto check = [](const char* what, double value, double low, double high) {
         if (!(value >= low && value <= high))
-            throw InputError(std::string("the ") + what + " is " + std::to_string(value), "fluid",
+            throw InputError(std::string("the ") + what + " is " + number_text(value), "fluid",
                              "Give a positive value in g/mm3 for density, in Pa s for viscosity");
     };
     check("density", fluid.density_g_mm3, 1e-9, 1.0);
     check("viscosity", fluid.viscosity_pa_s, 1e-9, 1e6);
     if (!(fluid.void_fraction >= 0.0 && fluid.void_fraction < 1.0))
-        throw InputError("the void fraction is " + std::to_string(fluid.void_fraction), "fluid",
+        throw InputError("the void fraction is " + number_text(fluid.void_fraction), "fluid",
                          "Give a value from 0 up to, but not including, 1");
 }
 

@@ -74,8 +74,6 @@ class HydraulicSolver {
     HydraulicState solve(const HydraulicCircuit& circuit, double rest_pressure_pa,
                          const std::vector<double>* guess = nullptr) const;
 
-    bool has_loops() const { return !loop_elements_.empty(); }
-
   private:
     struct Linear;
     struct Subtrees;

@@ -7,6 +7,9 @@
 namespace hepatica {
 namespace {
 
+// A sum of forces below this share of them is taken for rounding.
+constexpr double rounding = 1e-9;
+
 // End of the group of contacts, starting at `begin`, that are joined into one; groups have equal
 // sizes.
 std::size_t end_of_share(std::size_t begin, std::size_t contacts) {
@@ -16,6 +19,39 @@ std::size_t end_of_share(std::size_t begin, std::size_t contacts) {
 }
 
 }  // namespace
+
+void join(std::span<const PadContact> points, const ToolContact& pads, JoinedContacts& joined) {
+    joined.contacts.clear();
+    joined.loads.clear();
+    joined.stiffness_un_per_mm.clear();
+    for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
+        LocalContact contact;
+        SparseLoad load;
+        double pressed_un = 0.0, stiffness_un_per_mm = 0.0;
+        Vec3 force = Vec3::Zero();
+        const std::size_t last = end_of_share(begin, points.size());
+        for (; end < last && points[end].part == points[begin].part; ++end) {
+            const PadContact& point = points[end];
+            const Vec3 own = point.force_un * point.normal;
+            pressed_un += point.force_un;
+            force += own;
+            contact.at_mm += point.force_un * point.at_mm;
+            stiffness_un_per_mm += point.stiffness_un_per_mm;
+            for (int a = 0; a < 3; ++a) {
+                load.vertices.push_back(pads.nodes_of(point)[a]);
+                load.forces.emplace_back(point.weights[a] * own);
+            }
+        }
+        contact.force_un = force.norm();
+        if (!(contact.force_un > rounding * pressed_un)) continue;
+        contact.normal = force / contact.force_un;
+        contact.at_mm /= pressed_un;
+        for (Vec3& own : load.forces) own /= contact.force_un;
+        joined.contacts.push_back(contact);
+        joined.loads.push_back(std::move(load));
+        joined.stiffness_un_per_mm.push_back(stiffness_un_per_mm);
+    }
+}
 
 void PatchFeed::follow(const DeformPart& part) {
     const DeformSettings settings = part.settings();
@@ -32,41 +68,11 @@ void PatchFeed::follow(const DeformPart& part) {
 
 Eigen::MatrixXd PatchFeed::give(std::span<const Vec3> positions_mm, double dt_s) {
     if (positions_mm.size() != compliance_->body().rest_positions_mm.size()) {
-        const auto count = static_cast<Eigen::Index>(loads_.size());
+        const auto count = static_cast<Eigen::Index>(joined_.loads.size());
         return Eigen::MatrixXd::Zero(count, count);
     }
-    compliance_->follow(positions_mm, dt_s, loads_);
-    return compliance_->block(loads_, dt_s);
-}
-
-// Contacts are ordered by part and triangle, so that neighbours in the list are neighbours on the
-// tool. A joined contact has the sum of their forces, at their force-weighted mean, and the sum of
-// their stiffnesses.
-void PatchFeed::join(std::span<const PadContact> points, LocalModel& model) {
-    for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
-        LocalContact& contact = model.contacts.emplace_back();
-        SparseLoad& load = loads_.emplace_back();
-        stiffness_.push_back(0.0);
-        double pressed_un = 0.0;
-        Vec3 force = Vec3::Zero();
-        const std::size_t last = end_of_share(begin, points.size());
-        for (; end < last && points[end].part == points[begin].part; ++end) {
-            const PadContact& point = points[end];
-            const Vec3 own = point.force_un * point.normal;
-            pressed_un += point.force_un;
-            force += own;
-            contact.at_mm += point.force_un * point.at_mm;
-            stiffness_.back() += point.stiffness_un_per_mm;
-            for (int a = 0; a < 3; ++a) {
-                load.vertices.push_back(contact_->nodes_of(point)[a]);
-                load.forces.emplace_back(point.weights[a] * own);
-            }
-        }
-        contact.force_un = force.norm();
-        contact.normal = force / contact.force_un;
-        contact.at_mm /= pressed_un;
-        for (Vec3& own : load.forces) own /= contact.force_un;
-    }
+    compliance_->follow(positions_mm, dt_s, joined_.loads);
+    return compliance_->block(joined_.loads, dt_s);
 }
 
 void PatchFeed::fill(const DeformPart& part, double dt_s, LocalModel& model) {
@@ -79,14 +85,12 @@ void PatchFeed::fill(const DeformPart& part, double dt_s, LocalModel& model) {
     model.centre_mm = tool.centre_mm();
     model.left_rad = tool.turn_rad;
     contact_->set(tool);
-    const std::vector<PadContact> points = contact_->contacts(part.positions_mm());
-    if (points.empty()) return;
-    loads_.clear();
-    stiffness_.clear();
-    join(points, model);
+    join(contact_->contacts(part.positions_mm()), *contact_, joined_);
+    if (joined_.contacts.empty()) return;
+    model.contacts.assign(joined_.contacts.begin(), joined_.contacts.end());
     model.compliance = give(part.positions_mm(), dt_s);
-    for (std::size_t i = 0; i < stiffness_.size(); ++i)
-        model.compliance.diagonal()[static_cast<Eigen::Index>(i)] += 1.0 / stiffness_[i];
+    for (Eigen::Index i = 0; i < model.compliance.rows(); ++i)
+        model.compliance(i, i) += 1.0 / joined_.stiffness_un_per_mm[static_cast<std::size_t>(i)];
 }
 
 }  // namespace hepatica

@@ -13,6 +13,18 @@
 
 namespace hepatica {
 
+struct JoinedContacts {
+    std::vector<LocalContact> contacts;
+    std::vector<SparseLoad> loads;            // a unit force for each
+    std::vector<double> stiffness_un_per_mm;  // of its pads
+};
+
+// Joins contacts, ordered by part and triangle as `pads` gives them, so that neighbours in the list
+// are neighbours on the tool. A joined contact has the sum of their forces, at their force-weighted
+// mean, and the sum of their stiffnesses. Where their forces cancel they are left out, because the
+// joined contact would have no normal.
+void join(std::span<const PadContact> points, const ToolContact& pads, JoinedContacts& joined);
+
 class PatchFeed {
   public:
     // Fills the model from the part after a step of dt_s. Costs nothing without a tool, a search
@@ -23,7 +35,6 @@ class PatchFeed {
 
   private:
     void follow(const DeformPart& part);
-    void join(std::span<const PadContact> points, LocalModel& model);
     Eigen::MatrixXd give(std::span<const Vec3> positions_mm, double dt_s);
 
     // Belong to the body with the settings below.
@@ -32,8 +43,7 @@ class PatchFeed {
     double wall_mm_ = 0.0, tether_pa_per_mm2_ = 0.0;
     ElementModel model_ = ElementModel::corotated;
 
-    std::vector<SparseLoad> loads_;  // a unit force for each joined contact
-    std::vector<double> stiffness_;  // stiffness of its pads [uN/mm]
+    JoinedContacts joined_;
 };
 
 }  // namespace hepatica

@@ -45,14 +45,13 @@ class BodyTopology {
     std::shared_ptr<const Triangles> triangles_;
 };
 
-// Gives every vertex that was split off since `per_vertex` was made its parent's value; those that
-// are gone since lose theirs.
+// Gives every vertex that was split off its parent's value; those that are gone since `per_vertex`
+// was made lose theirs.
 template <class T>
 void inherit(const BodyTopology& topology, std::vector<T>& per_vertex) {
-    if (per_vertex.size() > topology.vertex_count()) per_vertex.resize(topology.vertex_count());
-    per_vertex.reserve(topology.vertex_count());
-    while (per_vertex.size() < topology.vertex_count())
-        per_vertex.push_back(per_vertex[topology.parent(static_cast<int>(per_vertex.size()))]);
+    per_vertex.resize(topology.vertex_count());
+    for (std::size_t v = 0; v < per_vertex.size(); ++v)
+        per_vertex[v] = per_vertex[topology.parent(static_cast<int>(v))];
 }
 
 }  // namespace hepatica

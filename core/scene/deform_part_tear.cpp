@@ -119,11 +119,15 @@ void DeformPart::follow_tear() {
     const TornTopology* topology = torn();
     const std::uint64_t version = topology != nullptr ? topology->version() : 1;
     if (version == followed_) return;
-    followed_ = version;
     areas_mm2_.clear();
-    std::vector<int> parents(body_.mesh.vertices_mm.size());
+    const std::size_t whole = body_.mesh.vertices_mm.size();
+    std::vector<int> parents(whole);
     std::iota(parents.begin(), parents.end(), 0);
     if (topology != nullptr) parents.assign(topology->parents().begin(), topology->parents().end());
+    // Vertices of another tear have other parents.
+    rest_mm_.resize(whole);
+    fixed_.resize(whole);
+    places_.resize(whole);
     inherit(parents, rest_mm_);
     inherit(parents, fixed_);
     inherit(parents, places_);
@@ -134,6 +138,7 @@ void DeformPart::follow_tear() {
     surface_vertices_.clear();
     for (std::size_t v = 0; v < on_surface.size(); ++v)
         if (on_surface[v]) surface_vertices_.push_back(static_cast<int>(v));
+    followed_ = version;  // at the end: where memory lacks, the next call tries again
 }
 
 TetMesh DeformPart::shape() const {

@@ -16,7 +16,7 @@ namespace hepatica {
 
 FlowPart::FlowPart(const VesselTree& tree, const std::vector<VertexPlace>& places,
                    const FlowSpec& spec, const BodyTopology& topology)
-    : tree_(tree), topology_(topology) {
+    : tree_(tree), topology_(topology), followed_(topology.version()) {
     drug_.speed = spec.drug_speed;
     if (tree.segments.empty())
         throw InputError("the vessel tree has no segments", "", "Reconstruct the patient first");
@@ -85,17 +85,20 @@ void FlowPart::drop_ended_runs() {
 
 // Vertices that were split off have the place and the arrival time of their parents.
 void FlowPart::follow_topology() {
-    if (places_->size() != topology_.vertex_count()) {
+    const bool changed =
+        topology_.version() != followed_ || places_->size() != topology_.vertex_count();
+    if (changed) {
         auto places = std::make_shared<std::vector<TreePoint>>(*places_);
         inherit(topology_, *places);
         places_ = std::move(places);
     }
-    if (drug_.arrival_s && drug_.arrival_s->size() != topology_.vertex_count()) {
+    if (drug_.arrival_s && (changed || drug_.arrival_s->size() != topology_.vertex_count())) {
         auto arrival_s = std::make_shared<std::vector<float>>(*drug_.arrival_s);
         inherit(topology_, *arrival_s);
         drug_.arrival_s = std::move(arrival_s);
         ++drug_.version;
     }
+    followed_ = topology_.version();
 }
 
 void FlowPart::remove_drug() {

@@ -87,6 +87,7 @@ class FlowPart {
 
     VesselTree tree_;
     const BodyTopology& topology_;
+    std::uint64_t followed_;  // version of the topology that places_ are of
     // Replaced but never changed, because a run may be reading it.
     std::shared_ptr<const std::vector<TreePoint>> places_;
     double mass_error_relative_ = 0.0;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
 #include "core/scene/measured_dial.h"
@@ -15,13 +16,13 @@ namespace {
 
 double checked_share(double share) {
     if (share >= 0.0 && share <= 1.0) return share;
-    throw InputError("is " + std::to_string(share), "the share of the tool's way",
+    throw InputError("is " + number_text(share), "the share of the tool's way",
                      "Choose a value from 0 to 1");
 }
 
 double checked_time_of_move(double over_s) {
     if (over_s > 0.0 && over_s <= longest_move_s) return over_s;
-    throw InputError("is " + std::to_string(over_s) + " s", "the time of a move",
+    throw InputError("is " + number_text(over_s) + " s", "the time of a move",
                      "Choose a value above 0, up to 1");
 }
 
@@ -165,8 +166,7 @@ void Session::Apply::operator()(const UseTear& c) const {
 
 void Session::Apply::operator()(const SetQuality& c) const {
     if (!(c.quality >= 0.0 && c.quality <= 1.0))
-        throw InputError("is " + std::to_string(c.quality), "quality",
-                         "Choose a value from 0 to 1");
+        throw InputError("is " + number_text(c.quality), "quality", "Choose a value from 0 to 1");
     deform();
     session.automatic_ = false;
     session.use_point(session.dial_.index_at(c.quality));

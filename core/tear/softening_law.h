@@ -22,12 +22,8 @@ struct SofteningLaw {
     HEPATICA_HOST_DEVICE double fracture_energy_j_m2() const {
         return 0.5e-3 * strength_pa * opening_mm;
     }
-    // Traction [Pa] at an opening >= 0 of a joint whose largest opening so far is `most_mm`.
-    HEPATICA_HOST_DEVICE double traction_pa(double opening, double most_mm) const {
-        return secant_pa_mm(opening, most_mm) * opening;
-    }
-    // Energy per area [uN/mm] at an opening: the stored part, plus what is given up beyond
-    // `most_mm`.
+    // Energy per area [uN/mm] at an opening >= 0 of a joint whose largest opening so far is
+    // `most_mm`: the stored part, plus what is given up beyond that opening.
     HEPATICA_HOST_DEVICE double energy_un_mm(double opening, double most_mm) const {
         const double most = std::clamp(most_mm, peak_mm(), opening_mm);
         const double inside = std::min(opening, most);

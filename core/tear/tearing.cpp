@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tear/tearing.h"
+#include "core/base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +61,7 @@ Tearing::Tearing(const TetMesh& mesh, const TearLaw& law, std::span<const double
 
 void Tearing::weaken(std::span<const int> joints, double factor) {
     if (!(factor >= 0.0) || !std::isfinite(factor))
-        throw InputError("is " + std::to_string(factor), "strength along a cut line",
+        throw InputError("is " + number_text(factor), "strength along a cut line",
                          "Give 0 (nothing holds) to 1 (as the tissue around)");
     const int count = static_cast<int>(weakness_.size());
     if (!std::ranges::all_of(joints, [&](int j) { return j >= 0 && j < count; }))

@@ -133,7 +133,6 @@ TEST(SolverFigures, OfOrdersAndFactors) {
     BlockMatrix changed = f.matrix;
     const int rows[] = {30, 31, 32};
     for (const int row : rows) changed.block[changed.diagonal[row]] *= 1.5;
-    figures.add("refactoring", factor.refactor_multiplications(rows));
     factor.refactor(changed, rows);
     factor.solve(f.load, x);
     figures.add("eliminated", factor.eliminated()).add("solved_again", flat(x));

@@ -56,5 +56,19 @@ TEST(Fluid, RefusesImpossibleProperties) {
     EXPECT_NO_THROW(mixture(blood(), gas(), 0.999));
 }
 
+TEST(Fluid, SaysSmallNumbersAsTheyAre) {
+    const auto refusal_of = [](const Fluid& fluid) -> std::string {
+        try {
+            validate(fluid);
+        } catch (const InputError& error) {
+            return error.problem();
+        }
+        return "";
+    };
+    EXPECT_EQ(refusal_of({1e-12, 3.5e-3, 0.0}), "the density is 1e-12");
+    EXPECT_EQ(refusal_of({1e-3, 1e-10, 0.0}), "the viscosity is 1e-10");
+    EXPECT_EQ(refusal_of({1e-3, 3.5e-3, -1e-9}), "the void fraction is -1e-09");
+}
+
 }  // namespace
 }  // namespace hepatica

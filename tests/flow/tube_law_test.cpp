@@ -75,6 +75,52 @@ TEST(SqueezedNetwork, DropsWhatTheNarrowPipeAndItsJetTake) {
     }
 }
 
+double drop_pa(const FlowNetwork& network, double flow_mm3_s) {
+    FlowConditions conditions;
+    conditions.resident = pure(blood());
+    const double mass_flow_g_s = flow_mm3_s * conditions.resident.density_g_mm3;
+    conditions.inlets = {{0, InletKind::mass_flow, mass_flow_g_s, conditions.resident}};
+    return solve_flow(network, conditions).inlet_pressure_pa[0];
+}
+
+// By a catheter, for instance, before or after.
+TEST(SqueezedNetwork, ItsJetCountsOnceHoweverTheVesselIsDivided) {
+    FlowNetwork whole = straight_pipe(4.0, 20.0);
+    squeeze(whole, 0, 5.0, 13.0, 0.25);
+    FlowNetwork before = straight_pipe(4.0, 20.0);
+    for (const double at_mm : {7.0, 9.0}) divide(before, {.segment = 0, .arclength_mm = at_mm});
+    squeeze(before, 0, 5.0, 13.0, 0.25);
+    FlowNetwork after = whole;
+    for (const double at_mm : {9.0, 7.0}) divide(after, {.segment = 0, .arclength_mm = at_mm});
+    for (const double flow_mm3_s : {500.0, -500.0}) {
+        const double drop = drop_pa(whole, flow_mm3_s);
+        EXPECT_NEAR(drop_pa(before, flow_mm3_s), drop, 1e-6 * std::abs(drop)) << flow_mm3_s;
+        EXPECT_NEAR(drop_pa(after, flow_mm3_s), drop, 1e-6 * std::abs(drop)) << flow_mm3_s;
+    }
+}
+
+// A narrower stretch at the begin, in the middle, and at the end of another.
+TEST(SqueezedNetwork, SqueezesThatOverlapHaveAJetEach) {
+    constexpr double flow_mm3_s = 500.0, radius_mm = 4.0;
+    const Fluid fluid = pure(blood());
+    const auto poiseuille = [&](double length, double share) {
+        return 8.0 * fluid.viscosity_pa_s * length * flow_mm3_s /
+               (std::numbers::pi * std::pow(radius_mm, 4.0) * share * share);
+    };
+    const auto head = [&](double share) {
+        const double speed = flow_mm3_s / (share * std::numbers::pi * radius_mm * radius_mm);
+        return 0.5 * fluid.density_g_mm3 * speed * speed;
+    };
+    const double drop = poiseuille(8.0, 1.0) + poiseuille(7.0, 0.5) + poiseuille(5.0, 0.25) +
+                        jet_loss(0.5) * (head(0.5) + head(0.25));
+    for (const double from_mm : {5.0, 8.0, 12.0}) {
+        FlowNetwork network = straight_pipe(radius_mm, 20.0);
+        squeeze(network, 0, 5.0, 17.0, 0.5);
+        squeeze(network, 0, from_mm, from_mm + 5.0, 0.5);
+        EXPECT_NEAR(drop_pa(network, flow_mm3_s), drop, 1e-6 * drop) << from_mm;
+    }
+}
+
 TEST(SqueezedNetwork, OfTheWholeLumenIsTheSame) {
     FlowNetwork network = straight_pipe(4.0, 20.0);
     squeeze(network, 0, 5.0, 13.0, 1.0);
@@ -84,6 +130,12 @@ TEST(SqueezedNetwork, OfTheWholeLumenIsTheSame) {
     EXPECT_NEAR(smallest_radius_mm(network, 0), 4.0 * std::sqrt(0.5), 1e-12);
     EXPECT_THROW(squeeze(network, 0, 1.0, 2.0, 0.0), InputError);
     EXPECT_THROW(squeeze(network, 0, 1.0, 2.0, 1.5), InputError);
+    try {
+        squeeze(network, 0, 1.0, 2.0, -1e-9);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problem(), "is -1e-09");
+    }
 }
 
 }  // namespace

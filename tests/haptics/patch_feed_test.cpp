@@ -10,6 +10,7 @@
 
 #include "core/haptics/force_loop.h"
 #include "core/haptics/simulated_device.h"
+#include "core/mesh/brick_mesh.h"
 #include "core/scene/world.h"
 #include "core/session/replay.h"
 #include "tests/haptics/touchable_patient.h"
@@ -119,6 +120,37 @@ TEST(PatchFeed, JoinsManyContactsToSixtyFourAndKeepsTheirForce) {
     EXPECT_GT(modes.eigenvalues()[0], 0.0);
     EXPECT_LT((model.compliance - model.compliance.transpose()).norm(),
               1e-9 * model.compliance.norm());
+}
+
+// Pairs that push from two sides, as a rod between two walls has them. Only the first pushes more
+// from one side; what is left of the second is rounding.
+TEST(PatchFeed, LeavesOutJoinedContactsWhoseForcesCancel) {
+    BodyDescription brick;
+    brick.mesh = kuhn_brick(Vec3(4, 4, 4), {2, 2, 2});
+    brick.touchable = true;
+    const Body body = build_body(brick, ElementModel::corotated, ElementOrder::linear);
+    const ToolContact pads(body);
+    std::vector<PadContact> points(2 * most_local_contacts);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i].weights = {1.0, 0.0, 0.0};
+        points[i].normal = i % 2 == 0 ? Vec3::UnitZ() : Vec3(-Vec3::UnitZ());
+        points[i].at_mm = Vec3(static_cast<double>(i), 0.0, 0.0);
+        points[i].force_un = 1.0;
+        points[i].stiffness_un_per_mm = 5.0;
+    }
+    points[0].force_un = 3.0;
+    points[2].force_un = 1.0 + 1e-15;
+    JoinedContacts joined;
+    join(points, pads, joined);
+    ASSERT_EQ(joined.contacts.size(), 1u);
+    ASSERT_EQ(joined.loads.size(), 1u);
+    EXPECT_EQ(joined.stiffness_un_per_mm, std::vector<double>{10.0});
+    EXPECT_EQ(joined.contacts[0].force_un, 2.0);
+    EXPECT_EQ(joined.contacts[0].normal, Vec3(0, 0, 1));
+    EXPECT_EQ(joined.contacts[0].at_mm, Vec3(0.25, 0, 0));
+    Vec3 load = Vec3::Zero();
+    for (const Vec3& force : joined.loads[0].forces) load += force;
+    EXPECT_EQ(load, Vec3(0, 0, 1));
 }
 
 TEST(PatchFeed, WithoutAToolThereIsNothing) {

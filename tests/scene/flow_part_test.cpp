@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <thread>
 
 #include "core/base/error.h"
@@ -309,6 +310,25 @@ TEST(FlowPart, VerticesThatWereSplitOffHaveTheirParentsPlaceAndTime) {
     // A later injection reaches them as well.
     part.inject({.at = {1, 0.0, 0.0}});
     EXPECT_EQ(part.drug().arrival_s->size(), before.size() + 3);
+}
+
+// Another tear may have as many vertices.
+TEST(FlowPart, VerticesOfAnotherTearHaveTheirOwnParentsPlaceAndTime) {
+    const VesselTree& tree = test::small_patient()->tree;
+    Shown made(tree);
+    FlowPart& part = made.part;
+    part.inject({.at = {0, 0.0, 0.0}});
+    const std::vector<float> before = *part.drug().arrival_s;
+    const auto count = static_cast<int>(before.size());
+    for (const int parent : {7, 3}) {
+        std::vector<int> parents(before.size());
+        std::iota(parents.begin(), parents.end(), 0);
+        parents.push_back(parent);
+        made.topology.become(parents, {});
+        part.step(0.1);
+        EXPECT_EQ(part.place_of(count).arclength_mm, part.place_of(parent).arclength_mm);
+        EXPECT_EQ(part.drug().arrival_s->back(), before[parent]);
+    }
 }
 
 }  // namespace

@@ -126,6 +126,25 @@ TEST(WorldState, GoesOnFromTheTextOfItsCheckpoint) {
     EXPECT_EQ(a.tool, b.tool);
 }
 
+// Whatever was torn before.
+TEST(WorldState, ARestoredTearHasItsOwnVertices) {
+    Played p;
+    const std::size_t whole = p.body.rest_positions_mm().size();
+    const auto cut_through = [&](int segment) {
+        const Vec3 at = middle_of(p.tree, segment);
+        p.body.cut(p.tree, at - Vec3(15, 1, 0), at + Vec3(15, 1, 0));
+        EXPECT_GT(p.body.rest_positions_mm().size(), whole);
+    };
+    cut_through(1);
+    const DeformCheckpoint checkpoint = p.body.checkpoint();
+    const std::vector<Vec3> rest_mm = p.body.rest_positions_mm();
+    p.body.mend();
+    cut_through(0);
+    EXPECT_NE(p.body.rest_positions_mm(), rest_mm);
+    p.body.restore(checkpoint);
+    EXPECT_EQ(p.body.rest_positions_mm(), rest_mm);
+}
+
 TEST(WorldState, AResetTakesEverythingBackButTheClock) {
     Played p, fresh;
     p.body.add_tool({"sphere", 2.0, 0.0, Vec3::UnitX(), {}}, p.place);

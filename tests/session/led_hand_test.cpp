@@ -139,6 +139,10 @@ TEST(LedHand, RefusesATimeOrAPlaceThatIsNone) {
         session->update_frame();
         EXPECT_THAT(session->frame().statistics.message, HasSubstr("the time of a move"));
     }
+    session->post(MoveGrab{begin + Vec3(1, 0, 0), -1e-9});
+    session->step();
+    session->update_frame();
+    EXPECT_THAT(session->frame().statistics.message, HasSubstr("is -1e-09 s"));
     session->post(MoveGrab{Vec3::Constant(std::numeric_limits<double>::infinity()), 0.1});
     session->step();
     session->update_frame();

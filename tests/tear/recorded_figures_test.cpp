@@ -81,10 +81,10 @@ TEST(TearFigures, OfSoftening) {
     for (int i = 0; i < 200; ++i) {
         const double opening = chance.in(0.0, 1.3) * softening.opening_mm;
         const double most = chance.in(0.0, 1.2) * softening.opening_mm;
-        append_to(
-            numbers,
-            std::array{softening.traction_pa(opening, most), softening.energy_un_mm(opening, most),
-                       softening.secant_pa_mm(opening, most), softening.unloading_pa_mm(most)});
+        append_to(numbers, std::array{softening.secant_pa_mm(opening, most) * opening,
+                                      softening.energy_un_mm(opening, most),
+                                      softening.secant_pa_mm(opening, most),
+                                      softening.unloading_pa_mm(most)});
     }
     Figures figures;
     figures.add("law", numbers);

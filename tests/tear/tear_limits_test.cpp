@@ -41,6 +41,12 @@ TEST(TearLimits, OfTheStrengthAlongACutLine) {
     const int last = static_cast<int>(tearing.topology().joints().size()) - 1;
     for (const double wrong : {-1e-300, std::nan(""), HUGE_VAL})
         EXPECT_THROW(tearing.weaken(std::vector{0}, wrong), InputError) << wrong;
+    try {
+        tearing.weaken(std::vector{0}, -1e-9);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problem(), "is -1e-09");
+    }
     EXPECT_THROW(tearing.weaken(std::vector{-1}, 0.5), InputError);
     EXPECT_THROW(tearing.weaken(std::vector{last + 1}, 0.5), InputError);
     tearing.weaken(std::vector{0, last}, 0.5);

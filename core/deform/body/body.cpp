@@ -28,7 +28,7 @@ void check_factors(const std::vector<double>& factor, std::size_t elements, cons
             name, "Give one value per element or none");
     for (std::size_t e = 0; e < elements; ++e)
         if (!(factor[e] > 0.0) || !std::isfinite(factor[e]))
-            reject("is " + std::to_string(factor[e]),
+            reject("is " + number_text(factor[e]),
                    std::string(name) + " of element " + std::to_string(e),
                    "Give a finite value greater than 0");
 }
@@ -92,7 +92,7 @@ void validate(const BodyDescription& d, ElementModel model, ElementOrder order) 
             std::to_string(d.fixed.size()) + " flags for " + std::to_string(vertices) + " vertices",
             "fixed", "Give one flag per vertex or none");
     if (!(d.tether_pa_per_mm2 >= 0.0) || !std::isfinite(d.tether_pa_per_mm2))
-        reject("is " + std::to_string(d.tether_pa_per_mm2), "tether [Pa/mm2]",
+        reject("is " + number_text(d.tether_pa_per_mm2), "tether [Pa/mm2]",
                "Give a finite value of 0 or more");
     check_factors(d.stiffness_factor, elements, "stiffness factor");
     check_factors(d.density_factor, elements, "density factor");
@@ -265,7 +265,7 @@ Body build_body(const BodyDescription& description, ElementModel model, ElementO
 
 void make_hollow(BodyDescription& body, double wall_thickness_mm) {
     if (!(wall_thickness_mm > 0.0) || !std::isfinite(wall_thickness_mm))
-        reject("is " + std::to_string(wall_thickness_mm), "wall thickness [mm]",
+        reject("is " + number_text(wall_thickness_mm), "wall thickness [mm]",
                "Give a finite value greater than 0");
     const CoarseSkeleton& skeleton = body.skeleton;
     if (skeleton.positions_mm.empty())

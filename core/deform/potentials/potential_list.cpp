@@ -229,12 +229,14 @@ SurfacesKept PotentialList::kept_overlaps() const {
 }
 
 void PotentialList::set_overlaps(const SurfacesKept& kept) {
-    const auto fits = [](const std::optional<OverlapsKept>& some, auto* contact) {
+    const auto take = [](const std::optional<OverlapsKept>& some, auto* contact) {
         return !some || (contact && contact->pairs().set_overlaps(*some));
     };
-    if (!fits(kept.self, self_) || !fits(kept.obstacles, obstacles_))
-        throw InputError("has surfaces that touch otherwise", "the checkpoint of a body",
-                         "Make the stepper of the body that it was taken of");
+    const SurfacesKept before = kept_overlaps();
+    if (take(kept.self, self_) && take(kept.obstacles, obstacles_)) return;
+    take(before.self, self_);
+    throw InputError("has surfaces that touch otherwise", "the checkpoint of a body",
+                     "Make the stepper of the body that it was taken of");
 }
 
 void PotentialList::let_go(std::span<const Vec3> positions_mm) const {

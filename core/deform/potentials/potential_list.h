@@ -70,7 +70,7 @@ class PotentialList {
     // The ties of parted joints; null where the body does not tear.
     SofteningTies* ties() const { return ties_; }
     // What overlaps on the body's surfaces. set_overlaps() takes what a checkpoint kept; it throws
-    // InputError where that is of another body, but may have set the body's own overlaps by then.
+    // InputError and changes nothing where that is of another body.
     SurfacesKept kept_overlaps() const;
     void set_overlaps(const SurfacesKept& kept);
     // let_go(): separated pairs may touch again. find_overlaps(): searches from scratch.

@@ -61,11 +61,6 @@ Corners corners(const FeaturePair& pair, std::span<const Vec3> x) {
     return of;
 }
 
-double distance_mm(const FeaturePair& pair, std::span<const Vec3> x) {
-    return std::sqrt(pair.of_edges ? closest(segment(pair, 0, x), segment(pair, 2, x)).squared_mm2
-                                   : closest(x[pair.nodes[0]], triangle(pair, x)).squared_mm2);
-}
-
 // A lower bound on the distance of the two features, squared: that of their boxes.
 double squared_gap_of_boxes_mm2(const FeaturePair& pair, std::span<const Vec3> x) {
     Box first, second;

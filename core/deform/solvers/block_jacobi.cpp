@@ -53,7 +53,7 @@ std::vector<double> BlockJacobiSolver::memory() const {
 
 void BlockJacobiSolver::restore(const BlockMatrix&, bool made_from_it, std::span<const Vec3>,
                                 std::span<const double> memory) {
-    require_memory(!made_from_it && memory.size() == 1 && memory[0] >= 0.0);
+    require_memory(!made_from_it && memory.size() == 1 && not_negative(memory[0]));
     iteration_.remember(memory[0]);
 }
 

@@ -174,7 +174,8 @@ std::vector<double> CholeskySolver::memory() const {
 
 void CholeskySolver::restore(const BlockMatrix& pattern, bool made_from_it, std::span<const Vec3>,
                              std::span<const double> memory) {
-    require_memory(memory.size() == 2 && !made_from_it && (memory[0] == 0.0 || memory[0] == 1.0));
+    require_memory(memory.size() == 2 && !made_from_it && (memory[0] == 0.0 || memory[0] == 1.0) &&
+                   not_negative(memory[1]));
     if (!planned_for(pattern)) plan_anew(pattern);
     single_.reset();
     double_.reset();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/deform/solvers/coarse_skeleton.h"
+#include "core/base/number_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,7 @@ namespace {
 void check_point(const Vec3& position_mm, double radius_mm, const std::string& place) {
     if (!position_mm.allFinite()) reject("a position is not finite", place);
     if (!(radius_mm > 0.0) || !std::isfinite(radius_mm)) {
-        reject("the radius is " + std::to_string(radius_mm) + " mm", place);
+        reject("the radius is " + number_text(radius_mm) + " mm", place);
     }
 }
 

@@ -58,6 +58,10 @@ void require_memory(bool condition) {
                          "Make the stepper with the options that it was taken with");
 }
 
+bool not_negative(double value) {
+    return value >= 0.0 && std::isfinite(value);
+}
+
 std::unique_ptr<LinearSolver> make_block_jacobi_solver() {
     return std::make_unique<BlockJacobiSolver>();
 }

@@ -124,6 +124,8 @@ std::string_view name_of(LinearSolverKind kind);
 
 // Throws the InputError of LinearSolver::restore where the condition does not hold.
 void require_memory(bool condition);
+// Whether it may be a tolerance or a Ritz value: finite, and 0 or more.
+bool not_negative(double value);
 
 // Conjugate gradients preconditioned by the inverse 3x3 diagonal blocks.
 std::unique_ptr<LinearSolver> make_block_jacobi_solver();

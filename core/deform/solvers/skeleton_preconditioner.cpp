@@ -155,9 +155,10 @@ std::vector<double> SkeletonSolver::memory() const {
 void SkeletonSolver::restore(const BlockMatrix& matrix, bool made_from_it,
                              std::span<const Vec3> positions_mm, std::span<const double> memory) {
     constexpr double most = std::numeric_limits<int>::max();
-    require_memory(memory.size() == 7 && (made_from_it || memory[0] == 1.0));
+    require_memory(memory.size() == 7 && (made_from_it || memory[0] == 1.0) && memory[0] <= 1.0);
     for (int k = 0; k < 4; ++k)
         require_memory(memory[k] >= 0.0 && memory[k] <= most && memory[k] == std::floor(memory[k]));
+    for (int k = 4; k < 7; ++k) require_memory(not_negative(memory[k]));
     if (made_from_it) preconditioner_.prepare(matrix, positions_mm);
     fresh_ = false;
     worn_ = memory[0] != 0.0;

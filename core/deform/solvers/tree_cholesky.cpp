@@ -141,7 +141,7 @@ void TreeFactor<T>::factor_supernode(const BlockMatrix& matrix, int s,
         for (int c = 0; c < count; ++c) {
             const bool eliminated_here = place[c] < own.count;
             T* base = eliminated_here ? panel + 3 * place[c] * stride
-                                      : remainder + 3 * (place[c] - own.count) * (rest_stride + 0);
+                                      : remainder + 3 * (place[c] - own.count) * rest_stride;
             const std::ptrdiff_t base_stride = eliminated_here ? stride : rest_stride;
             const int shift = eliminated_here ? 0 : own.count;
             for (int a = 0; a < 3; ++a) {
@@ -183,20 +183,6 @@ void TreeFactor<T>::refactor(const BlockMatrix& matrix, std::span<const int> cha
 template <class T>
 int TreeFactor<T>::dropped_pivots() const {
     return std::accumulate(dropped_.begin(), dropped_.end(), 0);
-}
-
-template <class T>
-double TreeFactor<T>::refactor_multiplications(std::span<const int> changed_vertices) const {
-    std::vector<char> dirty(tree_.supernodes.size(), 0);
-    for (const int v : changed_vertices) dirty[tree_.supernode_of[tree_.position_of[v]]] = 1;
-    double sum = 0.0;
-    for (std::size_t s = 0; s < dirty.size(); ++s) {
-        if (!dirty[s]) continue;
-        const Supernode& own = tree_.supernodes[s];
-        sum += multiplications(own);
-        if (own.parent >= 0) dirty[own.parent] = 1;
-    }
-    return sum;
 }
 
 // Adds a front's contribution to a right-hand side to that of its parent.

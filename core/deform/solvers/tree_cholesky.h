@@ -58,9 +58,6 @@ class TreeFactor {
     // are visited.
     Eigen::MatrixXd inverse_block(std::span<const SparseLoad> loads) const;
 
-    // Multiplications that refactor(changed_vertices) would take.
-    double refactor_multiplications(std::span<const int> changed_vertices) const;
-
     const EliminationTree& tree() const { return tree_; }
     // Supernodes eliminated by the last factor or refactor.
     int eliminated() const { return eliminated_; }

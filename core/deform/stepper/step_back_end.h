@@ -47,8 +47,8 @@ class StepBackEnd {
     // The load on the tool between two steps, without friction.
     virtual ToolLoad tool_load() const = 0;
     // The overlaps of the body's surfaces with each other and with obstacles, which do not count as
-    // contact; empty where the body does not touch these. set_overlaps() throws InputError where
-    // they are not of this body.
+    // contact; empty where the body does not touch these. set_overlaps() throws InputError and
+    // changes nothing where they are not of this body.
     virtual SurfacesKept overlaps() const = 0;
     virtual void set_overlaps(const SurfacesKept& kept) = 0;
     // Pairs of nodes that touch each other.

@@ -102,6 +102,12 @@ TEST(HollowWall, RefusesAWallOfNothing) {
         EXPECT_THROW(make_hollow(body, wall_mm), InputError);
     }
     BodyDescription body = tube();
+    try {
+        make_hollow(body, -1e-9);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problem(), "is -1e-09");
+    }
     body.skeleton = {};
     EXPECT_THROW(make_hollow(body, 1.0), InputError);
 }

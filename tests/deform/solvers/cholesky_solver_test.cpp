@@ -287,6 +287,34 @@ TEST(AutomaticSolver, KeepsNoFactorThatItRejected) {
     }
 }
 
+// A refused memory leaves the solver as it was.
+TEST(LinearSolver, RefusesAMemoryThatNoSolverHas) {
+    const Motion motion;
+    const auto positions = motion.positions(1.0, 0.0);
+    const BlockMatrix matrix = test::assemble(motion.body, positions, {});
+    const std::vector<Vec3> load = test::make_load(motion.body, {});
+    for (const LinearSolverKind kind :
+         {LinearSolverKind::block_jacobi, LinearSolverKind::skeleton, LinearSolverKind::cholesky}) {
+        const auto solver =
+            make_linear_solver(kind, motion.body.skeleton, motion.body.mesh.vertices_mm);
+        solver->prepare(matrix, positions);
+        std::vector<Vec3> x(load.size(), Vec3::Zero());
+        solver->solve(load, x, {});
+        const std::vector<double> good = solver->memory();
+        const bool kept = solver->made_from_latest();
+        for (std::size_t k = 0; k < good.size(); ++k)
+            for (const double wrong : {-0.5, std::nan(""), HUGE_VAL}) {
+                std::vector<double> memory = good;
+                memory[k] = wrong;
+                EXPECT_THROW(solver->restore(matrix, kept, positions, memory), InputError)
+                    << name_of(kind) << " " << k << " " << wrong;
+                EXPECT_EQ(solver->memory(), good) << name_of(kind) << " " << k << " " << wrong;
+            }
+        EXPECT_NO_THROW(solver->restore(matrix, kept, positions, good)) << name_of(kind);
+        EXPECT_EQ(solver->memory(), good) << name_of(kind);
+    }
+}
+
 TEST(LinearSolver, NamesAndKindsBelongTogether) {
     for (const auto kind : {LinearSolverKind::block_jacobi, LinearSolverKind::skeleton,
                             LinearSolverKind::cholesky, LinearSolverKind::automatic}) {

@@ -44,6 +44,12 @@ TEST(CoarseSkeleton, RejectsWhatIsNoTree) {
     for (const auto& line : {bad_point, bad_radius, bad_parent, bad_size}) {
         EXPECT_THROW(resample(std::span(&line, 1)), InputError);
     }
+    try {
+        validate({{Vec3::Zero()}, {-1}, {-1e-9}});
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problem(), "the radius is -1e-09 mm");
+    }
     EXPECT_THROW(validate({{Vec3::Zero()}, {0}, {1.0}}), InputError);
     EXPECT_THROW(validate({{Vec3::Zero()}, {-1}, {}}), InputError);
 }
