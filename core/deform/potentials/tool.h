@@ -57,7 +57,8 @@ Tool single_tool(const Capsule& shape);
 struct ToolLoad {
     Vec3 force_un = Vec3::Zero();
     Vec3 torque_un_mm = Vec3::Zero();  // about the tool's centre
-    double grip_un = 0.0;              // pressing the jaws apart; 0 without jaws
+    double grip_un = 0.0;              // the lesser of the jaws' normal forces: 0 where one is free
+                                       // or there are none
     Vec3 at_mm = Vec3::Zero();         // mean of its contacts, weighted by force; 0 if none
     Vec3 impulse_un_s = Vec3::Zero();  // of the body alone, over the step: sum of force times dt at
                                        // the ends of its parts

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/deform/potentials/tool_load_sum.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace hepatica {
 
 void ToolLoadSum::press(const PadContact& contact, double share) {
@@ -9,7 +13,7 @@ void ToolLoadSum::press(const PadContact& contact, double share) {
     drag(contact.at_mm, force);
     load_.at_mm += size * contact.at_mm;
     pressed_un_ += size;
-    load_.grip_un -= force.dot(tool_.parts[contact.part].opens);
+    pressed_open_un_[contact.part] -= force.dot(tool_.parts[contact.part].opens);
 }
 
 void ToolLoadSum::drag(const Vec3& at_mm, const Vec3& on_touched_un) {
@@ -17,9 +21,18 @@ void ToolLoadSum::drag(const Vec3& at_mm, const Vec3& on_touched_un) {
     load_.torque_un_mm -= (at_mm - centre_mm_).cross(on_touched_un);
 }
 
+// A jaw moves by half of the opening, so that twice its share is its normal force.
+double ToolLoadSum::grip_un() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t part = 0; part < tool_.parts.size(); ++part)
+        if (!tool_.parts[part].opens.isZero(0.0)) least = std::min(least, pressed_open_un_[part]);
+    return std::isfinite(least) ? std::max(0.0, 2.0 * least) : 0.0;
+}
+
 ToolLoad ToolLoadSum::load() const {
     ToolLoad load = load_;
     if (pressed_un_ > 0.0) load.at_mm /= pressed_un_;
+    load.grip_un = grip_un();
     return load;
 }
 

@@ -2,6 +2,8 @@
 // Sums the normal and friction forces on a tool.
 #pragma once
 
+#include <vector>
+
 #include "core/deform/potentials/tool_pad.h"
 
 namespace hepatica {
@@ -9,7 +11,8 @@ namespace hepatica {
 // Keeps a reference to the tool.
 class ToolLoadSum {
   public:
-    explicit ToolLoadSum(const Tool& tool) : tool_(tool), centre_mm_(tool.centre_mm()) {}
+    explicit ToolLoadSum(const Tool& tool)
+        : tool_(tool), centre_mm_(tool.centre_mm()), pressed_open_un_(tool.parts.size(), 0.0) {}
 
     // Adds `share` of the contact's normal force.
     void press(const PadContact& contact, double share = 1.0);
@@ -20,9 +23,13 @@ class ToolLoadSum {
     ToolLoad load() const;
 
   private:
+    double grip_un() const;
+
     const Tool& tool_;
     Vec3 centre_mm_;
-    ToolLoad load_;  // its at_mm is the force-weighted sum so far
+    std::vector<double> pressed_open_un_;  // of each part: the work of its contacts for each
+                                           // millimetre of opening
+    ToolLoad load_;                        // its at_mm is the force-weighted sum so far
     double pressed_un_ = 0.0;
 };
 

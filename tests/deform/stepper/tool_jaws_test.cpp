@@ -80,8 +80,8 @@ class Pinch {
     std::unique_ptr<Stepper> stepper_;
 };
 
-// Opening by a millimetre moves each jaw by half of one: the grip is the mean of the two normal
-// forces, and friction bears mu times their sum.
+// The grip is the lesser of the two normal forces, which are equal here; friction bears mu times
+// their sum.
 double limit_un(const StepReport& report) {
     return 0.3 * 2.0 * report.tool.grip_un;
 }
