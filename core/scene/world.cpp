@@ -178,6 +178,8 @@ void World::press() {
 }
 
 void World::follow_tear() {
+    const std::vector<ThroughTear> tears_before =
+        bleeding_ ? bleeding_->tears() : std::vector<ThroughTear>{};
     bleed();
     const TornTopology* torn = deform_ ? deform_->torn() : nullptr;
     const std::uint64_t version = torn != nullptr ? torn->version() : 1;
@@ -190,7 +192,9 @@ void World::follow_tear() {
     // Split vertices come apart later: the rims may change without a split.
     const auto rims_before = tear_view_.rims;
     if (torn != nullptr) deform_->show_tear(tear_view_);
-    if (tear_view_.rims != rims_before && bleeding_)
+    // A vessel may be torn through without a new rim: all of them were there before.
+    if (bleeding_ && tear_view_.rims &&
+        (tear_view_.rims != rims_before || bleeding_->tears() != tears_before))
         leaking_ = leaking_vertices(patient_->tree, bleeding_->tears(), tear_view_,
                                     patient_->mesh.vertices_mm, torn->surface());
     if (!split) return;

@@ -156,6 +156,29 @@ TEST(TearSession, ABladeCutsThroughAndItsStumpsBleed) {
     EXPECT_NEAR(session->world().bleeding()->leaked_g() - before, leak, 1e-9 * leak);
 }
 
+// Where a vessel is torn by a pull it may come apart at last without a rim that is new.
+TEST(TearSession, WhereItBleedsIsToldFromTheFirstDrop) {
+    const auto session = of_portal_veins();
+    session->post(line());
+    const auto& points = small_patient()->tree.segments[0].points_mm;
+    const Vec3 along = (points.back() - points.front()).normalized();
+    session->post(GrabPoint{points.back()});
+    int bled = 0;
+    for (int i = 0; i < 240; ++i) {
+        session->post(MoveGrab{points.back() + 0.15 * (i + 1) * along});
+        session->step();
+        session->update_frame();
+        const TearView& tear = *session->frame().tear;
+        if (tear.leak_g_s <= 0.0) continue;
+        ++bled;
+        ASSERT_FALSE(tear.leaks.empty()) << "step " << i;
+        double shares = 0.0;
+        for (const LeakView& leak : tear.leaks) shares += leak.share;
+        EXPECT_NEAR(shares, 1.0, 1e-9);
+    }
+    EXPECT_GT(bled, 0);
+}
+
 // A body that sleeps goes on bleeding: what is lost is told as long as it is.
 TEST(TearSession, WhatBleedsDoesNotRest) {
     const auto session = of_portal_veins();
