@@ -2,6 +2,7 @@
 #include "ui/curves_dock.h"
 
 #include <QCloseEvent>
+#include <QGuiApplication>
 #include <utility>
 
 #include "ui/core_words.h"
@@ -12,13 +13,17 @@
 namespace hepatica {
 
 CurvesDock::CurvesDock(std::function<void(const Failure&)> failed, QWidget* parent)
-    : QDockWidget(Words::tr("Curves"), parent), failed_(std::move(failed)), plots_(new PlotPanel) {
+    : QDockWidget(Words::tr("Curves"), parent),
+      hand_drags([] { return QGuiApplication::mouseButtons() != Qt::NoButton; }),
+      failed_(std::move(failed)),
+      plots_(new PlotPanel) {
     setObjectName("Curves");
     setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
     setWidget(plots_);
 }
 
-void CurvesDock::follow(std::shared_ptr<const PatientCase> patient, const DrugView& drug) {
+void CurvesDock::follow(std::shared_ptr<const PatientCase> patient, const DrugView& drug,
+                        bool may_come) {
     if (!drug.injection || drug.injection == followed_) return;
     followed_ = drug.injection;
     BackgroundJob::Callbacks callbacks;
@@ -27,12 +32,12 @@ void CurvesDock::follow(std::shared_ptr<const PatientCase> patient, const DrugVi
     callbacks.cancelled = [] {};
     callbacks.ended = [this] { job_.reset(); };
     job_ = std::make_unique<BackgroundJob>(
-        [this, injection = drug.injection, end_s = drug.end_s,
+        [this, injection = drug.injection, end_s = drug.end_s, may_come,
          patient = std::move(patient)](Job& job) -> std::function<void()> {
             const auto curves = injection_curves(patient->tree, *injection, end_s, job);
-            return [this, curves] {
+            return [this, curves, may_come] {
                 plots_->set_charts(curves.pressure, curves.delivery);
-                come();
+                if (may_come) come();
             };
         },
         std::move(callbacks));
@@ -52,11 +57,20 @@ void CurvesDock::follow_tear(const Frame& frame, bool may_come) {
 
 void CurvesDock::come() {
     if (!comes_by_itself_ || !isHidden()) return;
+    coming_ = true;
+    come_when_nothing_is_held();
+}
+
+// The view gives it its room: what a hand drags would be thrown to another place.
+void CurvesDock::come_when_nothing_is_held() {
+    if (!coming_ || hand_drags()) return;
+    coming_ = false;
     came_ = true;
     show();
 }
 
 void CurvesDock::set_time(std::optional<double> time_s) {
+    come_when_nothing_is_held();
     plots_->set_time(time_s);
 }
 
@@ -65,6 +79,7 @@ void CurvesDock::clear() {
     followed_.reset();
     tear_.clear();
     plots_->clear();
+    coming_ = false;
     if (std::exchange(came_, false)) hide();
 }
 

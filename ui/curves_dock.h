@@ -24,8 +24,9 @@ class CurvesDock : public QDockWidget {
 
     PlotPanel& plots() { return *plots_; }
     // Follows the newest frame: computes the curves of an injection that it has not seen yet and
-    // then shows them. What was being computed for an older one is given up.
-    void follow(std::shared_ptr<const PatientCase> patient, const DrugView& drug);
+    // then shows them, where they `may_come`. What was being computed for an older one is given up.
+    void follow(std::shared_ptr<const PatientCase> patient, const DrugView& drug,
+                bool may_come = true);
     // Takes over the newest frame's tear, and where it `may_come` shows itself as soon as something
     // is torn.
     void follow_tear(const Frame& frame, bool may_come = true);
@@ -40,12 +41,14 @@ class CurvesDock : public QDockWidget {
     bool comes_by_itself() const { return comes_by_itself_; }
     void set_comes_by_itself(bool comes) { comes_by_itself_ = comes; }
     std::function<void(bool comes)> on_choice = [](bool) {};  // the user closed it
+    std::function<bool()> hand_drags;  // whether a button of the mouse is down; the program's own
 
   protected:
     void closeEvent(QCloseEvent* event) override;
 
   private:
     void come();
+    void come_when_nothing_is_held();
 
     std::function<void(const Failure&)> failed_;
     PlotPanel* plots_;
@@ -53,7 +56,8 @@ class CurvesDock : public QDockWidget {
     std::unique_ptr<BackgroundJob> job_;
     TearHistory tear_;
     bool comes_by_itself_ = true;
-    bool came_ = false;  // by itself, and is there since
+    bool came_ = false;    // by itself, and is there since
+    bool coming_ = false;  // as soon as no button of the mouse is down
 };
 
 }  // namespace hepatica

@@ -214,6 +214,8 @@ class MainWindow : public QMainWindow {
     void keep_dial();  // in the case
     // The dial is measured while nobody plays and no job runs.
     void tell_dial_keeper();
+    // A lesson has enough to look at.
+    bool plays_freely() const;
     void follow(const Frame& frame);  // by the controls of the play
     // Within a quarter of a second, and then not again until something has changed.
     void show_figures_soon();

@@ -232,12 +232,16 @@ void MainWindow::tell_dial_keeper() {
     dial_->set_busy(busy() || !patient_ || !frame().statistics.resting);
 }
 
+bool MainWindow::plays_freely() const {
+    return lessons_->running() == nullptr;
+}
+
 void MainWindow::follow(const Frame& frame) {
     tell_dial_keeper();
     (*actions_)[ActionId::pause_simulation].setChecked(frame.statistics.paused);
     (*actions_)[ActionId::restore].setEnabled(frame.statistics.diverged);
     inject_->show_drug(frame.drug);
-    curves_->follow(patient_->patient, frame.drug);
+    curves_->follow(patient_->patient, frame.drug, plays_freely());
 }
 
 void MainWindow::show_figures_soon() {
@@ -253,7 +257,7 @@ void MainWindow::show_figures() {
     tool_panel_->show_force(frame.tool, frame.grab);
     tool_panel_->show_contact(frame);
     tool_panel_->show_tear(frame.tear);
-    curves_->follow_tear(frame, lessons_->running() == nullptr);  // a task has enough to look at
+    curves_->follow_tear(frame, plays_freely());
     lessons_->show_figures();
     allow_tools();
     const bool injected = frame.drug.arrival_s != nullptr;

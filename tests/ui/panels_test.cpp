@@ -69,6 +69,28 @@ TEST_F(PanelsTest, curves_of_a_tear_stay_away_while_a_lesson_is_played) {
     EXPECT_FALSE(curves().isVisible());
 }
 
+// Their room is the view's: what is dragged would be thrown to another place.
+TEST_F(PanelsTest, curves_come_when_the_hand_has_let_go) {
+    open_built_in();
+    bool drags = true;
+    curves().hand_drags = [&drags] { return drags; };
+    curves().follow_tear(torn(0));
+    curves().follow_tear(torn(1));
+    curves().set_time(std::nullopt);
+    EXPECT_FALSE(curves().isVisible());
+    drags = false;
+    curves().set_time(std::nullopt);
+    EXPECT_TRUE(curves().isVisible());
+    drags = true;
+    curves().clear();
+    curves().follow_tear(torn(0));
+    curves().follow_tear(torn(1));
+    curves().clear();
+    drags = false;
+    curves().set_time(std::nullopt);
+    EXPECT_FALSE(curves().isVisible()) << "nothing is left to show";
+}
+
 TEST_F(PanelsTest, curves_that_came_by_themselves_go_when_nothing_is_left_to_show) {
     open_built_in();
     curves().follow_tear(torn(0));
