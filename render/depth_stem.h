@@ -38,7 +38,11 @@ class DepthStem {
     // `forward`: into the picture, of length 1; the words say whether a mark lies deeper or nearer.
     bool update(const std::optional<ToolView>& tool, const std::vector<float>& positions_mm,
                 const std::vector<MarkView>& marks, const Vec3& forward);
-    void place(double pixel_ratio) { label_.place(pixel_ratio); }
+    // Its number keeps clear of a mark that lies straight behind the tool.
+    void place(double pixel_ratio) {
+        constexpr double beside_mark_points = 18.0;
+        label_.place(pixel_ratio, beside_mark_points);
+    }
 
   private:
     vtkRenderer& renderer_;

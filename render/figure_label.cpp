@@ -39,7 +39,7 @@ bool FigureLabel::show(const std::string& text, const Vec3& at_mm) {
     return true;
 }
 
-void FigureLabel::place(double pixel_ratio) {
+void FigureLabel::place(double pixel_ratio, double below_points) {
     if (shown_.empty()) return;
     style_text(*text_->GetTextProperty(),
                static_cast<int>(std::lround(figure_text_size * pixel_ratio)), colour_);
@@ -47,7 +47,8 @@ void FigureLabel::place(double pixel_ratio) {
     point->SetCoordinateSystemToWorld();
     point->SetValue(at_mm_.x(), at_mm_.y(), at_mm_.z());
     const double* at = point->GetComputedDoubleDisplayValue(&renderer_);
-    stand_inside(*text_, renderer_, at[0], at[1]);
+    const double away = below_points * pixel_ratio;
+    stand_inside(*text_, renderer_, at[0] + away, at[1] - away);
 }
 
 std::optional<PictureBox> FigureLabel::box() const {

@@ -27,8 +27,9 @@ class FigureLabel {
 
     // An empty text shows nothing. Returns true if the picture is another now.
     bool show(const std::string& text, const Vec3& at_mm);
-    // To be called before each picture: the camera may have moved.
-    void place(double pixel_ratio);
+    // To be called before each picture: the camera may have moved. `below` points of the screen
+    // below the point, and as many to its right.
+    void place(double pixel_ratio, double below_points = 0.0);
     // Where it stands in the picture, in its pixels; none: it is not shown.
     std::optional<PictureBox> box() const;
 
