@@ -7245,10 +7245,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>nicht nötig</translation>
     </message>
     <message>
-        <source>Name or &amp;number</source>
-        <translation>&amp;Name oder Nummer</translation>
-    </message>
-    <message>
         <source>The lesson does not allow this</source>
         <translation>Die Lektion erlaubt das nicht</translation>
     </message>

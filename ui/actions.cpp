@@ -287,6 +287,9 @@ Actions::Actions(QWidget& window, QMenuBar& menus) {
         window.addAction(action);
         actions_[spec.id] = action;
     }
+    // Who comes from other programs tries either.
+    QAction& redo = *actions_[ActionId::redo_edit];
+    redo.setShortcuts({redo.shortcut(), QKeySequence("Ctrl+Y")});
     new SpaceOfTheFocusedWidget(window);  // the window owns it
 }
 

@@ -8,10 +8,12 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -41,6 +43,12 @@ QTableWidgetItem* text_item(const QString& text) {
     auto* item = new QTableWidgetItem(text);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
     return item;
+}
+
+// "0.0123", "1.23", "1,230": never with a power of ten.
+QString in_three_figures(double value) {
+    const double order = value == 0.0 ? 0.0 : std::floor(std::log10(std::abs(value)));
+    return QLocale().toString(value, 'f', static_cast<int>(std::clamp(2.0 - order, 0.0, 4.0)));
 }
 
 }  // namespace
@@ -239,7 +247,7 @@ void AttemptsDialog::fill_row(int row, const Attempt& attempt) {
     table_->setItem(row, Column::name, text_item(QString::fromStdString(attempt.name)));
     for (std::size_t k = 0; k < quantities_.size(); ++k) {
         const double value = attempt.value(quantities_[k]);
-        auto* item = text_item(std::isfinite(value) ? QLocale().toString(value, 'g', 3) : "");
+        auto* item = text_item(std::isfinite(value) ? in_three_figures(value) : "");
         item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
         table_->setItem(row, Column::first_quantity + static_cast<int>(k), item);
     }

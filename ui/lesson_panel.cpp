@@ -121,7 +121,7 @@ QLayout* LessonPanel::make_name() {
         "Stands in the results of attempts that end from now on, in that of the one that has "
         "just ended if it names nobody, and in their reports. Leave it empty, and nobody "
         "is named."));
-    auto* label = new QLabel(Words::tr("Name or &number"));
+    auto* label = new QLabel(Words::tr("Name or number"));
     label->setBuddy(name_);
     auto* row = new QHBoxLayout;
     row->addWidget(label);

@@ -132,6 +132,8 @@ TEST_F(Editing, a_click_on_a_dashed_line_bridges_the_gap_and_can_be_undone) {
     QAction& redo = window_.actions()[ActionId::redo_edit];
     EXPECT_TRUE(undo.text().startsWith("&Undo: Gap bridged at")) << undo.text().toStdString();
     EXPECT_EQ(redo.text(), "Red&o");
+    EXPECT_TRUE(redo.shortcuts().contains(QKeySequence("Ctrl+Y")));
+    EXPECT_TRUE(redo.shortcuts().contains(QKeySequence("Ctrl+Shift+Z")));
     EXPECT_FALSE(redo.isEnabled());
     undo.trigger();
     wait();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Keys with Alt: each menu and button in sight has one of its own, in every language.
 #include <QAbstractButton>
+#include <QLabel>
 #include <QMap>
 #include <QMenu>
 #include <QMenuBar>
@@ -44,6 +45,8 @@ TEST_P(Mnemonics, OfMenusAndButtonsInSightAreUnique) {
     // What a dock may show stands for what it shows at its fullest.
     for (const QAbstractButton* button : window_.findChildren<QAbstractButton*>())
         if (button->window() == &window_) texts << button->text();
+    for (const QLabel* label : window_.findChildren<QLabel*>())
+        if (label->buddy() != nullptr && label->window() == &window_) texts << label->text();
     EXPECT_GT(texts.size(), 15);
     expect_no_doubles(texts);
 }

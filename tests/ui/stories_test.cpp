@@ -205,7 +205,7 @@ TEST_F(Story, a_trainee_plays_a_lesson_to_its_report) {
     // The report has its page, its PDF and the recording.
     file_to_name_ = folder_.path();
     click_of_lesson("lessonReport");
-    for (int patience = 0; patience < 4 && window_.busy(); ++patience)
+    for (int patience = 0; patience < 12 && window_.busy(); ++patience)
         wait_for([this] { return !window_.busy(); });
     ASSERT_TRUE(window_.messages().text().startsWith("The report is in"))
         << window_.messages().text().toStdString();
