@@ -34,11 +34,18 @@ std::vector<int> leaking_vertices(const VesselTree& tree, const std::vector<Thro
         const Vec3 there = station_at(vessel, tear.at.arclength_mm).position_mm;
         const Vec3 direction = direction_at(vessel, tear.at.arclength_mm);
         const double reach = near_radii * std::sqrt(tear.area_mm2 / std::numbers::pi);
-        int found = -1;
-        double least = std::numeric_limits<double>::infinity();
+        int found = -1, nearest = -1;
+        double least = std::numeric_limits<double>::infinity(), nearest_mm = least;
         for (const std::array<int, 3>& t : triangles) {
             const Vec3 middle = (rest_of(t[0]) + rest_of(t[1]) + rest_of(t[2])) / 3.0;
-            if ((middle - there).norm() > reach) continue;
+            const double away_mm = (middle - there).norm();
+            for (const int v : t) {
+                if ((*torn.rims)[static_cast<std::size_t>(v)] == 0 || away_mm >= nearest_mm)
+                    continue;
+                nearest_mm = away_mm;
+                nearest = v;
+            }
+            if (away_mm > reach) continue;
             const double towards_root = (middle - there).dot(direction);
             for (const int v : t) {
                 if ((*torn.rims)[static_cast<std::size_t>(v)] == 0 || towards_root >= least)
@@ -47,7 +54,7 @@ std::vector<int> leaking_vertices(const VesselTree& tree, const std::vector<Thro
                 found = v;
             }
         }
-        vertices.push_back(found);
+        vertices.push_back(found >= 0 ? found : nearest);
     }
     return vertices;
 }

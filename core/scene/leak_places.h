@@ -12,7 +12,8 @@
 namespace hepatica {
 
 // For each tear, a vertex on the rim of the stump on the root's side, from which blood is driven;
-// -1 where none is near. `torn` has rims and origins; `rest_mm` is of the whole body.
+// where no rim is near, a vertex of the nearest one; -1 where there is none. `torn` has rims and
+// origins; `rest_mm` is of the whole body.
 std::vector<int> leaking_vertices(const VesselTree& tree, const std::vector<ThroughTear>& tears,
                                   const TearView& torn, const std::vector<Vec3>& rest_mm,
                                   const std::vector<std::array<int, 3>>& triangles);

@@ -156,7 +156,7 @@ TEST(TearSession, ABladeCutsThroughAndItsStumpsBleed) {
     EXPECT_NEAR(session->world().bleeding()->leaked_g() - before, leak, 1e-9 * leak);
 }
 
-// Where a vessel is torn by a pull it may come apart at last without a rim that is new.
+// What bleeds is shown from the first drop on, where a pull tears it as well.
 TEST(TearSession, WhereItBleedsIsToldFromTheFirstDrop) {
     const auto session = of_portal_veins();
     session->post(line());

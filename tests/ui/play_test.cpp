@@ -87,6 +87,7 @@ TEST_F(Play, a_probe_pushes_the_vessel_that_the_mouse_leads_it_into) {
 
 TEST_F(Play, a_double_click_sends_the_drug_downstream) {
     QTest::mouseDClick(&window_.view(), Qt::LeftButton, {}, on_widget(softest_place()));
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, on_widget(softest_place()));
     EXPECT_TRUE(testing::wait_for([&] { return frame().drug.arrival_s != nullptr; }));
     EXPECT_GT(frame().drug.end_s, 0.0);
     const double before = frame().drug.time_s;
@@ -96,7 +97,7 @@ TEST_F(Play, a_double_click_sends_the_drug_downstream) {
     const auto pressure = [&] { return dock.plots().left().curves; };
     ASSERT_TRUE(testing::wait_for([&] { return !pressure().empty(); }));
     EXPECT_DOUBLE_EQ(pressure().at(0).x.back(), frame().drug.end_s);
-    EXPECT_TRUE(dock.isVisible());
+    EXPECT_TRUE(testing::wait_for([&] { return dock.isVisible(); }));
 }
 
 }  // namespace
