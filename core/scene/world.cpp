@@ -157,17 +157,18 @@ StepReport World::step(const std::stop_token& stop) {
 }
 
 // Vessels are torn through only when pieces separate.
-void World::bleed() {
+bool World::bleed() {
     if (!deform_ || !deform_->tears()) {
         bleeding_.reset();
         pieces_ = 0;
-        return;
+        return false;
     }
     if (!bleeding_) bleeding_ = std::make_unique<Bleeding>(patient_->tree);
     const int pieces = deform_->pieces();
-    if (pieces == pieces_) return;
+    if (pieces == pieces_) return false;
     pieces_ = pieces;
     bleeding_->set_tears(deform_->torn_through(patient_->tree));
+    return true;
 }
 
 // Pressed vessels bleed less.
@@ -178,9 +179,7 @@ void World::press() {
 }
 
 void World::follow_tear() {
-    const std::vector<ThroughTear> tears_before =
-        bleeding_ ? bleeding_->tears() : std::vector<ThroughTear>{};
-    bleed();
+    const bool parted = bleed();
     const TornTopology* torn = deform_ ? deform_->torn() : nullptr;
     const std::uint64_t version = torn != nullptr ? torn->version() : 1;
     const bool split = version != std::exchange(torn_version_, version);
@@ -193,8 +192,7 @@ void World::follow_tear() {
     const auto rims_before = tear_view_.rims;
     if (torn != nullptr) deform_->show_tear(tear_view_);
     // A vessel may be torn through without a new rim: all of them were there before.
-    if (bleeding_ && tear_view_.rims &&
-        (tear_view_.rims != rims_before || bleeding_->tears() != tears_before))
+    if (bleeding_ && tear_view_.rims && (tear_view_.rims != rims_before || parted))
         leaking_ = leaking_vertices(patient_->tree, bleeding_->tears(), tear_view_,
                                     patient_->mesh.vertices_mm, torn->surface());
     if (!split) return;

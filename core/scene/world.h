@@ -100,7 +100,7 @@ class World {
     void list_contact();
     std::shared_ptr<const Obstacles> known_obstacles();
     void part_out(const std::string& name, const PartCost& before, const SelfCost& cost);
-    void bleed();
+    bool bleed();  // whether pieces came apart or together
     void press();
     void show_leaks(TearView& tear, const std::vector<float>& positions_mm) const;
 
