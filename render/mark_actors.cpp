@@ -5,10 +5,8 @@
 #include <vtkBillboardTextActor3D.h>
 #include <vtkCamera.h>
 #include <vtkCoordinate.h>
-#include <vtkFollower.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRegularPolygonSource.h>
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
 #include <vtkTextProperty.h>
@@ -17,7 +15,6 @@
 #include <cmath>
 #include <utility>
 
-#include "render/before_vessels.h"
 #include "render/text_style.h"
 
 namespace hepatica {
@@ -28,7 +25,6 @@ constexpr double radius_points = 13.0;
 constexpr double opacity = 0.35;
 constexpr int text_size = 19;
 constexpr double before_radii = 4.0;   // of its ball, to the eye
-constexpr double ring_points = 2.0;    // its width
 constexpr double nearest_share = 0.2;  // of the way to the eye that a number keeps from it
 
 vtkSmartPointer<vtkActor> new_ball() {
@@ -46,22 +42,6 @@ vtkSmartPointer<vtkActor> new_ball() {
     return ball;
 }
 
-vtkSmartPointer<vtkFollower> new_ring(vtkRenderer& renderer) {
-    vtkNew<vtkRegularPolygonSource> circle;
-    circle->SetRadius(1.0);
-    circle->SetNumberOfSides(40);
-    circle->GeneratePolygonOff();
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(circle->GetOutputPort());
-    auto ring = vtkSmartPointer<vtkFollower>::New();
-    ring->SetMapper(mapper);
-    ring->SetCamera(renderer.GetActiveCamera());
-    ring->GetProperty()->SetLighting(false);
-    ring->SetPickable(false);
-    draw_before_vessels(*ring);
-    return ring;
-}
-
 void give_colour(vtkActor& actor, const Colour& colour) {
     actor.GetProperty()->SetColor(colour[0], colour[1], colour[2]);
 }
@@ -69,10 +49,9 @@ void give_colour(vtkActor& actor, const Colour& colour) {
 }  // namespace
 
 MarkActors::Drawn MarkActors::add_one() {
-    Drawn drawn{new_ball(), new_ring(renderer_), vtkSmartPointer<vtkBillboardTextActor3D>::New()};
+    Drawn drawn{new_ball(), vtkSmartPointer<vtkBillboardTextActor3D>::New()};
     drawn.number->SetPickable(false);
     renderer_.AddActor(drawn.ball);
-    renderer_.AddActor(drawn.ring);
     renderer_.AddActor(drawn.number);
     return drawn;
 }
@@ -82,7 +61,6 @@ bool MarkActors::update(std::vector<MarkView> marks) {
     shown_ = std::move(marks);
     for (; drawn_.size() > shown_.size(); drawn_.pop_back()) {
         renderer_.RemoveActor(drawn_.back().ball);
-        renderer_.RemoveActor(drawn_.back().ring);
         renderer_.RemoveActor(drawn_.back().number);
     }
     while (drawn_.size() < shown_.size()) drawn_.push_back(add_one());
@@ -90,8 +68,6 @@ bool MarkActors::update(std::vector<MarkView> marks) {
         const MarkView& mark = shown_[i];
         const Colour& colour = mark.reached ? palette::reached : palette::torn_circle;
         give_colour(*drawn_[i].ball, colour);
-        give_colour(*drawn_[i].ring, colour);
-        drawn_[i].ring->SetVisibility(mark.of_lesson);
         const std::string text = mark.number + (mark.reached ? "✓" : "");
         drawn_[i].number->SetInput(text.c_str());
         drawn_[i].number->SetVisibility(!text.empty());
@@ -136,9 +112,6 @@ void MarkActors::set_scale(double mm_per_point, double pixel_ratio, double reach
         const Vec3& ball = mark.of_lesson ? mark.place_mm : before;
         drawn.ball->SetPosition(ball.x(), ball.y(), ball.z());
         drawn.ball->SetScale(radius_points * mm_per_point);
-        drawn.ring->SetPosition(ball.x(), ball.y(), ball.z());
-        drawn.ring->SetScale(radius_points * mm_per_point);
-        drawn.ring->GetProperty()->SetLineWidth(static_cast<float>(ring_points * pixel_ratio));
         if (!mark.of_lesson) give_colour(*drawn.ball, text_colour_);
         style_text(*drawn.number->GetTextProperty(),
                    static_cast<int>(std::lround(text_size * pixel_ratio)), text_colour_);

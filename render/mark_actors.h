@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Places that a lesson speaks of, as translucent balls of one size on the screen, through which the
-// vessel is seen, each with its number. A ring around the ball and the number are seen even where
-// vessels or blood hide the place. One that is done with is green and ticked. Another place, such
-// as a branch that is too short to be found, has a ball of the colour of words alone, nearer to the
-// eye.
+// vessel is seen, each with its number, which is seen even where vessels or blood hide the place.
+// One that is done with is green and ticked. Another place, such as a branch that is too short to
+// be found, has a ball of the colour of words, nearer to the eye.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -16,7 +15,6 @@
 
 class vtkActor;
 class vtkBillboardTextActor3D;
-class vtkFollower;
 class vtkRenderer;
 
 namespace hepatica {
@@ -46,7 +44,6 @@ class MarkActors {
   private:
     struct Drawn {
         vtkSmartPointer<vtkActor> ball;
-        vtkSmartPointer<vtkFollower> ring;
         vtkSmartPointer<vtkBillboardTextActor3D> number;
     };
     Drawn add_one();
