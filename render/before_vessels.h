@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is seen through everything that is drawn: the tool where vessels or blood hide it.
-// or blood hide them.
 #pragma once
 
 class vtkActor;
