@@ -14,12 +14,12 @@ namespace hepatica {
 
 // Since the lesson began.
 struct LessonMetrics {
-    double time_s = 0.0;   // during which the clock was not held
-    double path_mm = 0.0;  // of the tool's tip, and of the hand while it pulls
-    double peak_force_mn = 0.0;
-    double impulse_mn_s = 0.0;  // integral of the force over time
-    int contacts = 0;           // how often a tool began to touch
-    double contact_s = 0.0;     // for how long one touched
+    double time_s = 0.0;         // during which the clock was not held
+    double path_mm = 0.0;        // of the tool's tip, and of the hand while it pulls
+    double peak_force_mn = 0.0;  // largest mean over PlayMeter::felt_over_s
+    double impulse_mn_s = 0.0;   // integral of the force over time
+    int contacts = 0;            // how often a tool began to touch
+    double contact_s = 0.0;      // for how long one touched
     double largest_stretch = 1.0;
     int joints_broken = 0;
     int pieces_off = 0;
@@ -44,9 +44,10 @@ struct MarkMoment {
 
 // Of one moment.
 struct LessonMoment {
-    double force_mn = 0.0;  // of the hand, and of the tool on the vessels
-    double grip_mn = 0.0;   // of jaws
-    double stretch = 1.0;   // largest principal stretch of the surface
+    // Of the hand, and of the tool on the vessels: mean over the last PlayMeter::felt_over_s.
+    double force_mn = 0.0;
+    double grip_mn = 0.0;  // of jaws
+    double stretch = 1.0;  // largest principal stretch of the surface
     double leak_g_s = 0.0;
     double target_filled = 0.0;     // share of the target's surface that the drug has reached
     double elsewhere_filled = 0.0;  // of the rest of the surface

@@ -65,7 +65,8 @@ PlayMeter::PlayMeter(const Lesson& lesson, std::shared_ptr<const PatientCase> pa
       dt_s_(lesson.scene.dt_s),
       rest_mm_(rest_of(lesson, *patient_)),
       on_surface_(surface_vertices(*patient_, lesson.scene.deform.has_value())),
-      surface_(rest_mm_) {
+      surface_(rest_mm_),
+      felt_force_mn_(felt_over_s, dt_s_) {
     if (on_surface_.empty())
         throw InputError("has no surface", "the patient", "Reconstruct the patient first");
     std::vector<Vec3> places;
@@ -144,10 +145,10 @@ void PlayMeter::see_hand(const Frame& frame) {
     double force_un = 0.0;
     if (frame.grab) force_un += frame.grab->force_un;
     if (frame.tool) force_un += frame.tool->force_un.norm();
-    moment_.force_mn = millinewton_per_un * force_un;
+    moment_.force_mn = felt_force_mn_.take(millinewton_per_un * force_un);
     moment_.grip_mn = frame.tool ? millinewton_per_un * frame.tool->grip_un : 0.0;
     metrics_.peak_force_mn = std::max(metrics_.peak_force_mn, moment_.force_mn);
-    metrics_.impulse_mn_s += moment_.force_mn * dt_s_;
+    metrics_.impulse_mn_s += millinewton_per_un * force_un * dt_s_;
 }
 
 void PlayMeter::see_contact(const Frame& frame) {

@@ -10,6 +10,7 @@
 #include "core/lesson/dose_account.h"
 #include "core/lesson/lesson.h"
 #include "core/lesson/metrics.h"
+#include "core/lesson/moving_mean.h"
 #include "core/lesson/surface_stretch.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/frame.h"
@@ -38,6 +39,9 @@ class PlayMeter {
 
     // A tool that lets go for less than this and touches again has touched once.
     static constexpr double same_contact_s = 0.1;
+    // Forces are means over this time, the integral excepted: a hand is judged by what it would
+    // feel, not by the jump of a single step.
+    static constexpr double felt_over_s = 0.1;
 
   private:
     void place_marks(const Lesson& lesson, const std::vector<VertexPlace>& on_tree);
@@ -59,6 +63,7 @@ class PlayMeter {
     std::optional<DoseAccount> dose_;  // where the lesson asks for one
     LessonMetrics metrics_;
     LessonMoment moment_;
+    MovingMean felt_force_mn_;
     std::optional<Vec3> tip_, hand_;  // of the frame before
     double since_touch_s_ = 1e9;
     TearView before_;  // its counts

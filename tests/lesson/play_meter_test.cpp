@@ -62,6 +62,18 @@ TEST(PlayMeter, ThePeakIsTheLargestAndTheMomentTheLast) {
     EXPECT_DOUBLE_EQ(meter.moment().force_mn, 2.0);
 }
 
+// Where a vessel snaps, the force of one step is many times what a hand would feel.
+TEST(PlayMeter, ForcesAreThoseAHandWouldFeelAndTheirIntegralIsExact) {
+    Lesson lesson = plain_lesson();
+    lesson.scene.dt_s = 0.1 * PlayMeter::felt_over_s;
+    std::vector<Frame> frames(20, with_force(100e3));
+    frames[15] = with_force(900e3);
+    const PlayMeter meter = meter_of(frames, lesson);
+    EXPECT_DOUBLE_EQ(meter.metrics().peak_force_mn, 180.0);
+    EXPECT_DOUBLE_EQ(meter.moment().force_mn, 180.0) << "the jump is four steps old";
+    EXPECT_NEAR(meter.metrics().impulse_mn_s, (19 * 100.0 + 900.0) * lesson.scene.dt_s, 1e-9);
+}
+
 // Half a second between frames is longer than what counts as the same contact.
 TEST(PlayMeter, CountsEachTimeThatAToolBeginsToTouch) {
     const PlayMeter meter = meter_of({touching(true), touching(true), touching(false),
