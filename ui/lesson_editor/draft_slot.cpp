@@ -36,7 +36,9 @@ DraftSlot::~DraftSlot() = default;
 bool DraftSlot::take(const std::filesystem::path& file) {
     auto lock = std::make_unique<QLockFile>(to_text(file) + ".lock");
     lock->setStaleLockTime(
-        0);  // a program may run for weeks; one that is gone is seen by its number
+        // No expiry by age: a program may run for weeks. A dead owner is recognised by its process
+        // id.
+        0);
     if (!lock->tryLock()) return false;
     file_ = file;
     lock_ = std::move(lock);
