@@ -95,6 +95,7 @@ struct ActionSpec {
     bool needs_patient = false;  // disabled while no patient is shown
 };
 
+// All actions, in the order of the menus.
 std::span<const ActionSpec> action_table();
 
 // In the order of MeasurementKind.

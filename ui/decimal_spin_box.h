@@ -10,6 +10,7 @@ namespace hepatica {
 // UI thread only.
 class DecimalSpinBox : public QDoubleSpinBox {
   public:
+    // `unit` is shown after the number. valueChanged() is emitted when editing ends, not per key.
     DecimalSpinBox(double lower, double upper, double value, int decimals, const QString& unit,
                    QWidget* parent = nullptr);
 

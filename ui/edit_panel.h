@@ -37,6 +37,7 @@ class EditPanel : public QWidget {
     QString tool_name() const;
     VascularSystem system() const;  // for reassign_system and seed_system
 
+    // Lists of gaps, best first, and of corrections, oldest first; and a text below them.
     void show_bridges(const QStringList& lines);
     void show_edits(const QStringList& lines, bool can_undo, bool can_redo);
     void show_state(const QString& text);

@@ -11,6 +11,7 @@ namespace hepatica {
 
 class HiddenContext {
   public:
+    // Creates context and surface; whether that succeeded is told by make_current().
     HiddenContext();
 
     QOpenGLContext& context() { return context_; }

@@ -26,6 +26,7 @@ class LiverKeeper {
     // memory.
     void show_patient(std::shared_ptr<const PatientCase> patient,
                       const std::filesystem::path& folder);
+    // Begins to make the surface if that was not tried yet; false makes nothing new.
     void set_wanted(bool wanted);
 
     bool making() const { return job_ != nullptr; }

@@ -62,6 +62,7 @@ class MainWindow : public QMainWindow {
 
     // Each starts its work and returns at once; failures appear above the view.
     void open(const OpenRequest& request);
+    // A case, a CT or a recording (.hrec).
     void open(const QString& path);
     void save_case(const QString& folder);
     void cancel_job();

@@ -65,6 +65,7 @@ class MouseTool {
     // ratio.
     void set_click_radius(double pixels) { click_radius_px_ = pixels; }
 
+    // Mouse events, in pixels of the picture.
     void press(const Pixel& at, MouseButton button, const MouseModifiers& modifiers);
     // Returns whether the camera or the drawn line has changed, so that a new picture is needed.
     // The effect of a pull comes with a later frame.

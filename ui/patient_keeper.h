@@ -97,6 +97,7 @@ class PatientKeeper {
 
     // Each returns at once. A newer opening replaces one under way.
     void open(const OpenRequest& request);
+    // Adds a correction; one of the tree is then computed.
     void add(const TreeEdit& edit);
     // Adds a stroke at the vessel mask, which waits for a rebuild.
     void add_stroke(const BrushStroke& stroke);

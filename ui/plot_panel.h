@@ -74,6 +74,7 @@ class PlotPanel : public QWidget {
   public:
     explicit PlotPanel(QWidget* parent = nullptr);
 
+    // The charts of an injection: pressure (left) and delivery (right).
     void set_charts(const Chart& left, const Chart& right);
     // Chart and events of a tear; nullopt: nothing tears, and the chart is hidden.
     void set_tear(const std::optional<Chart>& chart, std::vector<PlotEvent> events);
@@ -83,6 +84,7 @@ class PlotPanel : public QWidget {
     const PlotView& tear() const { return *tear_; }
     const Chart& left() const { return left_->chart(); }
     const Chart& right() const { return right_->chart(); }
+    // Marks this time on the drug's clock in both charts; nullopt: no mark.
     void set_time(std::optional<double> time_s);
 
     // Both throw InputError if the file cannot be written.

@@ -150,7 +150,7 @@ void Recovery::note(const Wanted& wanted) {
     try {
         make_own_folder();
     } catch (...) {
-        return;  // the copy that follows reports it
+        return;  // reported by write(), if a copy follows
     }
     if (!journal_) journal_ = std::make_unique<EditJournal>(own_ / journal_name);
     journal_->append(noted);

@@ -102,6 +102,7 @@ class Settings {
     QString case_folder() const;
     void set_case_folder(const QString& folder);
 
+    // Folder of the last file opened or saved; the home folder at first.
     QString last_folder() const;
     void set_last_folder(const QString& folder);
 

@@ -21,6 +21,7 @@ class TearHistory {
     // Adds a frame; returns whether the chart has changed. A frame without tearing clears
     // everything; one of an earlier time removes what came after it.
     bool follow(const Frame& frame);
+    // Forgets all points and events.
     void clear();
 
     bool empty() const { return time_s_.empty(); }

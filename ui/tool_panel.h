@@ -34,6 +34,7 @@ class ToolPanel : public QWidget {
     UseTear tear() const;
     // What vessels touch in free play until the user chooses otherwise.
     void set_wanted_contact(const UseContact& contact) { wanted_contact_ = contact; }
+    // Share of the strength that remains along a drawn line, 0 to 1.
     double cut_line_strength() const;
     bool shows_warnings() const;
     void show_tear(const std::optional<TearView>& tear);

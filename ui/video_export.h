@@ -15,6 +15,7 @@ struct Film {
     double pictures_per_s = 25.0;
     std::function<QImage(double at_s)> picture;
 
+    // Number of pictures.
     int count() const;
     double at_s(int number) const { return number / pictures_per_s; }
 };

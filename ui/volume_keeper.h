@@ -30,6 +30,7 @@ class VolumeKeeper {
     // Sets the patient, null for none: see CtKeeper::show().
     void show_patient(std::shared_ptr<const PatientCase> patient,
                       const std::filesystem::path& folder, const std::filesystem::path& image);
+    // Begins to make the volume, or discards it.
     void set_wanted(bool wanted);
     bool wanted() const { return wanted_; }
     // Reads from this place, whatever was tried before. No effect unless wanted.

@@ -54,6 +54,7 @@ class Workspace {
     bool awaits_body() const;
     // Corrections included in the body, and wanted strokes at tumours: what can be saved.
     Edits made_edits() const;
+    // The next step of undo and redo; nullopt: none.
     std::optional<Step> next_undo() const;
     std::optional<Step> next_redo() const;
     bool can_undo() const { return next_undo().has_value(); }
@@ -74,6 +75,7 @@ class Workspace {
                      std::shared_ptr<const PatientCase> patient, std::size_t strokes = 0);
     // The patient from before the rebuild, if that is the next step to undo; else null.
     std::shared_ptr<const PatientCase> before_remaking() const;
+    // Returns to before_remaking(), if that is not null.
     void take_back_remaking();
     // No other body will come: returns to the corrections of the shown one.
     void give_up_edits();

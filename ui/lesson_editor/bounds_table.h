@@ -24,6 +24,7 @@ class BoundsTable : public QWidget {
     // ("goal0quantity"). `first` is the bound of a row that is added.
     BoundsTable(const QString& title, const QString& name, const Predicate& first, Changed changed);
 
+    // Replaces all rows; `marks` are the names to choose from, empty: none.
     void show_bounds(const std::vector<Predicate>& bounds, const std::vector<std::string>& marks);
     const std::vector<Predicate>& bounds() const { return bounds_; }
 

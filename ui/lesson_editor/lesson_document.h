@@ -23,6 +23,7 @@ class LessonDocument {
     const Lesson& lesson() const { return states_[now_]; }
     // Where it was opened from or saved to; empty if nowhere yet.
     const std::filesystem::path& file() const { return file_; }
+    // Whether the lesson differs from its file, or from the lesson it began with.
     bool dirty() const;
     // Whether it is the unsaved lesson of an earlier run.
     bool left_behind() const { return left_behind_; }

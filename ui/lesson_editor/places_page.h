@@ -22,6 +22,7 @@ class PlacesPage : public LessonPage {
     // waited for.
     void place_clicked(const Vec3& place_mm);
     bool waits() const { return waits_for_ != nobody; }
+    // Cancels waiting for a click; calls ask_no_more if it was waiting.
     void wait_no_more();
 
   protected:

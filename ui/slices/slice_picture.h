@@ -17,6 +17,7 @@ namespace hepatica {
 // Colour of what the user puts into the slices: measurements, places, painted voxels.
 inline const QColor colour_of_marks(255, 214, 90);
 
+// Channels from 0 to 1 to a QColor.
 QColor colour_of(const Colour& colour);
 
 struct SlicePicture {

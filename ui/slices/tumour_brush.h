@@ -49,6 +49,8 @@ class TumourBrush {
 
     // Why a brush cannot paint at this place; empty if it can.
     std::string why_not_painted(const Vec3& position_mm) const;
+    // begin() starts a stroke and lead_to() extends it; begin() has no effect in mode `away` or
+    // where why_not_painted() gives a reason.
     void begin(const Vec3& place_mm, double radius_mm);
     void lead_to(const Vec3& place_mm);
     // Ends the stroke and hands it over. Returns why it changed nothing; empty if it did.
