@@ -45,7 +45,8 @@ QTableWidgetItem* text_item(const QString& text) {
     return item;
 }
 
-// Three significant digits without an exponent: "0.0123", "1.23", "1,230".
+// About three significant digits without an exponent: at most four decimals, and all digits before
+// the decimal sign: "0.0123", "1.23", "1234".
 QString in_three_figures(double value) {
     const double order = value == 0.0 ? 0.0 : std::floor(std::log10(std::abs(value)));
     return QLocale().toString(value, 'f', static_cast<int>(std::clamp(2.0 - order, 0.0, 4.0)));

@@ -41,7 +41,7 @@ std::vector<std::string> place_doubts(const Lesson& lesson, const VesselTree& tr
 }
 
 // True if a correction of the patient's vessels would move the lesson's places unnoticed, because
-// they are not tied to the vessels.
+// they are not tied to the vessels, and saving will not tie them.
 bool is_left_untied(const Lesson& lesson, const PatientCase* patient, const QString& shown) {
     const bool tied_by_saving = patient != nullptr && is_for_shown(lesson, shown);
     return can_be_tied(lesson) && !tied_by_saving && !is_tied(lesson);
