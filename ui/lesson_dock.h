@@ -32,7 +32,7 @@ class LessonDock : public QDockWidget {
     struct Ways {
         // The shown patient; null: none.
         std::function<std::shared_ptr<const PatientCase>()> patient;
-        // Otherwise tells why not, for example because a correction under way would end the lesson.
+        // Whether a lesson may begin; if not, tells why, such as a correction that would end it.
         std::function<bool()> may_begin = [] { return true; };
         // Computes the steps of an attempt.
         std::function<DeformBackEnd()> back_end = [] { return cpu_back_end(); };

@@ -147,7 +147,7 @@ class MainWindow : public QMainWindow {
     // patient is shown.
     void show_image(std::shared_ptr<const Volume> ct);
     void end_image();
-    // Otherwise tells why not; during a review in these words.
+    // Whether corrections are allowed; if not, tells why, during a review in these words.
     bool may_correct(const char* why_not_in_review);
     void show_corrections_with_slices();
     void warn_of_stroke_outside(const BrushStroke& stroke);

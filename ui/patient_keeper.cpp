@@ -64,7 +64,7 @@ bool PatientKeeper::strokes_let_go(const std::function<void()>& stay) {
             return true;
         case StrokesAnswer::rebuild:
             if (!jobs_.holds(JobKind::remake)) screen_.remake_painted();
-            // Go_on() continues when that has ended.
+            // When that has ended, go_on() continues.
             if (jobs_.holds(JobKind::remake)) return false;
             break;
         case StrokesAnswer::cancel:
@@ -136,7 +136,7 @@ void PatientKeeper::start_opening(const OpenRequest& request) {
                 const auto series = ways_.list_series(request, progress);
                 if (!series.empty())
                     return [this, request, series] { choose_series(request, series); };
-                // std::function must be copyable, a LoadedPatient is not
+                // std::function must be copyable; a LoadedPatient is not.
                 auto loaded = std::make_shared<LoadedPatient>(ways_.load(request, progress));
                 if (!request.built_in) loaded->asked_for = request.reconstruct.ct;
                 return [this, request, loaded] {
