@@ -177,7 +177,7 @@ constexpr std::array table{
 
 using Rows = std::span<const std::pair<const char*, const char*>>;
 
-// In the three-dimensional view while it has the keyboard; see KeyTool.
+// Valid while the 3D view has the keyboard focus; see KeyTool.
 constexpr std::array<std::pair<const char*, const char*>, 6> keys_in_the_view{{
     {Words::id("Tab"),
      Words::id("to the view, and on to the panels; a frame shows who has the keys")},
@@ -230,8 +230,8 @@ constexpr std::array<std::pair<const char*, const char*>, 19> gestures{{
     {Words::id("Drop a file or folder"), Words::id("open it")},
 }};
 
-// Gives Space to the focused widget where that answers to it, as check boxes and lists do, although
-// the table gives it to an action. Filters the events of the window, which Qt asks last.
+// Gives Space to a focused button, combo box or list, although the table assigns it to an action.
+// Filters the window's events, because Qt sends it the shortcut override last.
 class SpaceOfTheFocusedWidget : public QObject {
   public:
     explicit SpaceOfTheFocusedWidget(QWidget& window) : QObject(&window), window_(window) {
@@ -287,7 +287,7 @@ Actions::Actions(QWidget& window, QMenuBar& menus) {
         window.addAction(action);
         actions_[spec.id] = action;
     }
-    // Who comes from other programs tries either.
+    // Other programs use either shortcut.
     QAction& redo = *actions_[ActionId::redo_edit];
     redo.setShortcuts({redo.shortcut(), QKeySequence("Ctrl+Y")});
     new SpaceOfTheFocusedWidget(window);  // the window owns it

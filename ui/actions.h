@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every action of the window in one table: menus, keys, tips and the cheat sheet are all read from
-// it, so that none of them can forget one.
+// Table of all actions of the window, from which menus, shortcuts, tips and the cheat sheet are
+// made.
 #pragma once
 
 #include <QAction>
@@ -87,7 +87,7 @@ enum class ActionId {
 
 struct ActionSpec {
     ActionId id;
-    const char* menu;  // where it stands; "&" marks the menu's key
+    const char* menu;  // its menu; "&" marks the mnemonic
     const char* text;
     const char* keys;  // portable text of a QKeySequence; may be empty
     const char* tip;
@@ -95,13 +95,14 @@ struct ActionSpec {
     bool needs_patient = false;  // disabled while no patient is shown
 };
 
+// All actions, in the order of the menus.
 std::span<const ActionSpec> action_table();
 
 // In the order of MeasurementKind.
 inline constexpr std::array measuring_actions{ActionId::measure_distance, ActionId::measure_angle,
                                               ActionId::measure_diameter};
 
-// The actions themselves, made once per window.
+// Makes and enables the actions of one window. UI thread only.
 class Actions {
   public:
     // Fills the menus in the order of the table. A focused button, combo box or list keeps Space.
@@ -110,9 +111,9 @@ class Actions {
     QAction& operator[](ActionId id) const { return *actions_.at(id); }
     void on(ActionId id, std::function<void()> run);
     void set_patient_shown(bool shown);
-    // What undo and redo would take back and do again; empty: nothing, and they are disabled.
+    // What undo and redo would change, in words; empty: nothing, and the action is disabled.
     void show_history(const QString& undo, const QString& redo);
-    // Disabled until they are no more among these, with a tip that the lesson does not allow them.
+    // Disables these actions, with a tip that the lesson does not allow them, until the next call.
     void forbid(std::set<ActionId> forbidden);
 
     // All keys and mouse gestures as HTML.

@@ -33,7 +33,7 @@ struct Column {
 
 constexpr int least_axis = 5;
 
-// A result is written in world time and shown in the user's.
+// Results are stored in UTC and shown in local time.
 QString local_time(const std::string& utc) {
     const QDateTime time = QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate);
     return time.isValid() ? date_words(time.toLocalTime()) : QString::fromStdString(utc);
@@ -45,7 +45,8 @@ QTableWidgetItem* text_item(const QString& text) {
     return item;
 }
 
-// "0.0123", "1.23", "1,230": never with a power of ten.
+// About three significant digits without an exponent: at most four decimals, and all digits before
+// the decimal sign: "0.0123", "1.23", "1234".
 QString in_three_figures(double value) {
     const double order = value == 0.0 ? 0.0 : std::floor(std::log10(std::abs(value)));
     return QLocale().toString(value, 'f', static_cast<int>(std::clamp(2.0 - order, 0.0, 4.0)));
@@ -64,7 +65,7 @@ Chart learning_curve(const std::vector<Attempt>& attempts, Quantity quantity) {
         chart.curves[0].x.push_back(static_cast<double>(i + 1));
         chart.curves[0].y.push_back(attempts[i].value(quantity));
     }
-    // The axis counts whole attempts.
+    // At least least_axis wide, so that the axis is labelled in whole attempts.
     if (attempts.size() < static_cast<std::size_t>(least_axis)) {
         chart.curves[0].x.push_back(least_axis);
         chart.curves[0].y.push_back(std::nan(""));
@@ -171,7 +172,7 @@ void AttemptsDialog::offer_names(const std::string& name) {
     whose_->setVisible(named_);
 }
 
-// Those at the lesson, of who is chosen.
+// The attempts at the lesson of the chosen trainee.
 void AttemptsDialog::show_attempts() {
     attempts_ = attempts_at(lesson_, folder_);
     const std::string whose = whose_->currentData().toString().toStdString();
@@ -253,7 +254,7 @@ void AttemptsDialog::fill_row(int row, const Attempt& attempt) {
     }
 }
 
-// It has no number, as it is no point of the curve.
+// An interrupted attempt has no number, because it is no point of the curve.
 void AttemptsDialog::fill_interrupted(int row, const std::filesystem::path& recording) {
     const QDateTime ended = QFileInfo(to_text(recording)).lastModified();
     for (int column = 0; column < table_->columnCount(); ++column)

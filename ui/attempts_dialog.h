@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All attempts at one lesson that lie in this user's folder: a table, the learning curve of one
-// quantity over them, and the band of those attempts that others are measured by.
+// Dialog of all attempts at a lesson in the user's folder: a table, the learning curve of one
+// quantity, and the band of the reference attempts.
 #pragma once
 
 #include <QDialog>
@@ -20,10 +20,11 @@ namespace hepatica {
 
 class PlotView;
 
-// The quantity over the attempts, from 1; with a band, its bounds; those that were not passed are
-// marked.
+// The quantity over the attempts, counted from 1, with the bounds of the reference band if there is
+// one; failed attempts are marked.
 Chart learning_curve(const std::vector<Attempt>& attempts, Quantity quantity);
 
+// UI thread only.
 class AttemptsDialog : public QDialog {
   public:
     struct Ways {
@@ -33,9 +34,9 @@ class AttemptsDialog : public QDialog {
     };
     AttemptsDialog(Ways ways, QWidget* parent);
 
-    // Reads them anew and shows those of who is called so, where any is, else everybody's; the
-    // newest is chosen. Recordings that were interrupted stand behind those that have a result, and
-    // count in no curve.
+    // Reads the attempts again and shows those of `name` if there are any, else all; the newest is
+    // selected. `interrupted` are recordings without a result: they follow the others in the table
+    // and are left out of the curve.
     void show_lesson(const std::string& lesson, const std::filesystem::path& folder,
                      const std::string& name = {},
                      std::vector<std::filesystem::path> interrupted = {});
@@ -57,7 +58,7 @@ class AttemptsDialog : public QDialog {
     std::vector<std::filesystem::path> interrupted_;
     std::string lesson_;
     std::filesystem::path folder_;
-    bool named_ = false;                // any of them
+    bool named_ = false;                // any attempt has a name
     std::vector<Quantity> quantities_;  // that differ from 0 in any attempt
     QLabel* title_;
     QTableWidget* table_;

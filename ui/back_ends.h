@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which back end makes the steps of what is played in the window: what the user chose, and what
-// there is of that. The program brings the ways to make back ends; the window knows no device.
+// The back end that computes the steps of a play: the user's choice, or the processor if that is
+// unavailable. The program provides the factory; the window knows no device.
 #pragma once
 
 #include <functional>
@@ -12,36 +12,36 @@
 
 namespace hepatica {
 
-// Any thread.
+// Thread-safe.
 class BackEnds {
   public:
     using Say = std::function<void(const std::string& words)>;
-    // One of its own for whoever plays, by a name that the command line takes. What a person should
-    // know, such as that a device failed, it says then and later, on the thread that makes steps.
-    // Throws InputError where there is none of that name.
+    // Makes a back end by its command line name, a separate one for each play. It reports messages
+    // for the user, such as the failure of a device, through `say`, also later on the thread that
+    // makes steps. Throws InputError for an unknown or unavailable name.
     using Make = std::function<DeformBackEnd(const std::string& name, const Say& say)>;
 
-    // The processor's alone.
+    // With the processor alone.
     BackEnds();
     explicit BackEnds(Make make) : make_(std::move(make)) {}
 
     void choose(const std::string& name);
     std::string chosen() const;
 
-    // Of the choice. Where that is not to be had, this is said, and the processor plays.
+    // The chosen back end; if it is unavailable, says so and returns the processor's.
     DeformBackEnd for_play();
-    // That a recording was made with. Throws InputError where it is not to be had.
+    // The back end that a recording names. Throws InputError if it is unavailable.
     DeformBackEnd named(const std::string& name);
 
-    // What there is to say goes here, the same words once for each choice. An earlier one is not
-    // called any more after this returns; an empty function removes it.
+    // Sets the receiver of messages; each text is sent once per choice. After this returns, the
+    // former receiver is no longer called; an empty function removes it.
     void on_words(Say say);
 
   private:
     void say(const std::string& words);
 
     Make make_;
-    mutable std::mutex mutex_;  // guards what follows
+    mutable std::mutex mutex_;  // guards the members below
     std::string chosen_ = "cpu";
     std::set<std::string> said_;
     Say say_;

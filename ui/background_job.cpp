@@ -47,7 +47,7 @@ BackgroundJob::~BackgroundJob() {
 }
 
 void BackgroundJob::poll() {
-    if (!result_.valid()) return;  // the timer was faster than the worker's own word
+    if (!result_.valid()) return;  // the timer and the worker's own call may both come
     if (result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
         callbacks_.progress(job_->progress());
         return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One long piece of work beside the window: it runs on a thread of its own under a Job, and what it
-// hands back runs on the UI thread. The window never waits for it, except to end.
+// A long task on a thread of its own under a Job; the function that it returns runs on the UI
+// thread. The window never waits for it, except when closing.
 #pragma once
 
 #include <QTimer>
@@ -15,20 +15,20 @@
 
 namespace hepatica {
 
-// A failure as the window shows it: what, where, remedy.
+// A failure as the window shows it.
 struct Failure {
     std::string problem;
     std::string place;
     std::string remedy;
 };
 
-// What an exception says to the user; a foreign one names itself as an internal error.
+// The message of an exception; one that is no hepatica::Error counts as an internal error.
 Failure failure_of(const std::exception_ptr& error);
 
-// UI thread. Not reusable: one object, one job.
+// UI thread only. One object runs one job.
 class BackgroundJob {
   public:
-    // On the worker; what it returns runs on the UI thread when the work is done.
+    // Runs on the worker; the returned function runs on the UI thread afterwards.
     using Work = std::function<std::function<void()>(Job&)>;
 
     struct Callbacks {
@@ -40,8 +40,8 @@ class BackgroundJob {
     };
 
     BackgroundJob(Work work, Callbacks callbacks);
-    // Cancels and waits for the worker (0.2 s where the work asks its job as it should). No
-    // callback is called.
+    // Cancels and waits for the worker, 0.2 s if the work polls its job as it should. No callback
+    // is called afterwards.
     ~BackgroundJob();
 
     void cancel() { job_->cancel(); }

@@ -29,7 +29,7 @@ QStringList columns() {
             Words::tr("Share of flow (%)")};
 }
 
-// Sorts as a number and shows so many decimals.
+// Sorts numerically and shows this many decimals.
 QTableWidgetItem* number(double value, int decimals) {
     auto* item = new QTableWidgetItem;
     const double scale = std::pow(10.0, decimals);
@@ -38,7 +38,7 @@ QTableWidgetItem* number(double value, int decimals) {
     return item;
 }
 
-// Shows a Roman numeral and sorts by its number.
+// Shows a Roman numeral and sorts by its value.
 class SegmentItem : public QTableWidgetItem {
   public:
     explicit SegmentItem(int couinaud)
@@ -51,10 +51,10 @@ class SegmentItem : public QTableWidgetItem {
     }
 
   private:
-    int couinaud_;  // 0: none
+    int couinaud_;  // 0 if none
 };
 
-// With the colour that it has in the view.
+// With the segment's colour in the 3D view.
 QTableWidgetItem* segment(int couinaud) {
     auto* item = new SegmentItem(couinaud);
     if (couinaud == 0) return item;
@@ -65,7 +65,7 @@ QTableWidgetItem* segment(int couinaud) {
     return item;
 }
 
-// The labels of the portal vein's branches; none where no liver or no portal vein is known.
+// Labels of the portal vein's branches; none if there is no liver or no portal vein.
 std::vector<BranchLabel> labels_of(const PatientCase& patient,
                                    const std::filesystem::path& folder) {
     const Mask liver = liver_of(organ_voxels(patient, folder));
@@ -113,7 +113,7 @@ BranchDock::BranchDock(Callbacks callbacks, QWidget* parent)
     QHeaderView& head = *table_->horizontalHeader();
     head.setSectionResizeMode(QHeaderView::Stretch);
     head.setDefaultAlignment(Qt::AlignCenter | Qt::Alignment(Qt::TextWordWrap));
-    head.setMinimumHeight(2 * head.fontMetrics().height() + 8);  // long ones take two lines
+    head.setMinimumHeight(2 * head.fontMetrics().height() + 8);  // long titles take two lines
     column->addWidget(table_);
     setWidget(content);
     connect(table_, &QTableWidget::itemSelectionChanged, this, [this] {
@@ -221,7 +221,7 @@ void BranchDock::choose_asked_for() {
     const int branch = std::exchange(asked_for_, -1);
     for (int i = 0; branch >= 0 && i < table_->rowCount(); ++i) {
         if (table_->item(i, 0)->data(Qt::DisplayRole).toInt() != branch + 1) continue;
-        table_->clearSelection();  // so that it is told of once more
+        table_->clearSelection();  // so that selecting it again sends the signal
         table_->selectRow(i);
         table_->scrollToItem(table_->item(i, 0));
     }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of the patient's branches in a dock of its own: sorted by a click on a column, lit up
-// in the view by a click on a row, saved as CSV; and the vessels coloured by the segments of the
-// liver that they supply. What only a case on disk knows is read beside the window when the table
-// is shown.
+// Dock with the table of the patient's branches: sortable, a row highlights its branch in the view,
+// CSV export, and the vessels coloured by the liver segments that they supply. The labels are
+// computed in the background when the table is shown.
 #pragma once
 
 #include <QDockWidget>
@@ -22,12 +21,13 @@ class QTableWidget;
 
 namespace hepatica {
 
+// UI thread only.
 class BranchDock : public QDockWidget {
   public:
     struct Callbacks {
-        // Lit up and gone to: this branch of the tree.
+        // A row was chosen: highlights this branch and moves the crosshair to it.
         std::function<void(const BranchRow&)> choose;
-        // Couinaud's segment of each branch of the tree; empty: colours of the systems.
+        // Couinaud segment of each branch; empty: the colours of the vascular systems.
         std::function<void(const std::vector<std::uint8_t>&)> colour;
         std::function<void(const std::string& csv)> save;
         std::function<void(const Failure&)> failed;
@@ -35,18 +35,18 @@ class BranchDock : public QDockWidget {
     BranchDock(Callbacks callbacks, QWidget* parent);
     ~BranchDock() override;
 
-    // Forgets the patient before.
+    // Replaces the former patient; `flow_shares` per branch, `folder` is his case, may be empty.
     void show_patient(std::shared_ptr<const PatientCase> patient, std::vector<double> flow_shares,
                       const std::filesystem::path& folder);
     void clear();
-    // The row of this branch is selected, without `choose`.
+    // Selects the row of this branch without calling `choose`.
     void select(int branch);
-    // Opens the table with it and tells of it as a click on its row does; once its rows are read.
+    // Shows the table and selects the branch as a click on its row does, once the rows are there.
     void show_branch(int branch);
 
     const std::vector<BranchRow>& rows() const { return rows_; }
 
-    // The colours again, as where the vertices have changed.
+    // Sends the colours again, for example after the vertices have changed.
     void colour_vessels();
 
   protected:
@@ -66,8 +66,8 @@ class BranchDock : public QDockWidget {
     std::vector<double> flow_shares_;
     std::filesystem::path folder_;
     std::vector<BranchRow> rows_;
-    int asked_for_ = -1;  // a branch to be chosen once there are rows
-    bool asked_ = false;  // for this patient's labels
+    int asked_for_ = -1;  // branch to choose once there are rows; -1: none
+    bool asked_ = false;  // the labels of this patient were requested
     std::unique_ptr<BackgroundJob> job_;
 };
 

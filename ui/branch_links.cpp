@@ -8,7 +8,7 @@ namespace {
 
 const QString scheme = "branch:";
 
-// A number that an ellipsis has cut is no branch's.
+// A number cut off by an ellipsis does not match.
 const QRegularExpression& name_of_branch() {
     static const QRegularExpression name("\\b((?:Branch|branch|Ast) (\\d+))(?![\\d…])");
     return name;

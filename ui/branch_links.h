@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Branches that a message names, as a way to them: "Branch 162" of the table is a link.
+// Turns branch names in messages, such as "Branch 162" of the table, into links.
 #pragma once
 
 #include <QString>
@@ -7,13 +7,13 @@
 
 namespace hepatica {
 
-// `html` with a link about each branch that it names whole, in the window's language.
+// Returns `html` with a link for each complete branch name in the window's language.
 QString with_branch_links(const QString& html);
 
-// Which branch of the tree, from 0, such a link stands for; none where it is another link.
+// Index of the branch that such a link names; nullopt for any other link.
 std::optional<int> branch_of_link(const QString& link);
 
-// The first that a text names.
+// Index of the first branch that a text names; nullopt if none.
 std::optional<int> branch_named_in(const QString& text);
 
 }  // namespace hepatica

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the three-dimensional view draws on, and how its pictures reach the screen: a surface of
-// OpenGL where there is a graphics card, an image where the processor draws.
+// Drawing surface of the 3D view and its way to the screen: an OpenGL surface with a graphics card,
+// an image where the processor renders.
 #pragma once
 
 #include <QImage>
@@ -10,30 +10,31 @@
 
 namespace hepatica {
 
-// What a canvas asks of whoever draws on it. The context is current in every call but `shown`.
+// Callbacks that draw on a canvas. The context is current in all of them except `shown`.
 struct CanvasPainter {
     std::function<void(QOpenGLContext& context)> begin;  // before the first picture of a context
-    // Draws a picture of `pixels`; returns the framebuffer in which it lies.
+    // Draws a picture of this size; returns the framebuffer that holds it.
     std::function<unsigned(const QSize& pixels)> draw;
-    std::function<void()> shown;  // a picture that was drawn for the screen has reached it
-    std::function<void()> end;    // the context is about to go
+    std::function<void()> shown;  // a picture drawn for the screen has been shown
+    std::function<void()> end;    // the context is about to be destroyed
 };
 
+// UI thread only.
 class Canvas {
   public:
     virtual ~Canvas() = default;
 
     virtual QWidget& widget() = 0;
-    // A picture is drawn as soon as the event loop comes to it.
+    // Schedules a new picture for the event loop.
     virtual void redraw() = 0;
-    // Draws a picture now, not for the screen, and reads it; at the screen's own resolution.
+    // Draws a picture now, not for the screen, and reads it at the screen's resolution.
     virtual QImage drawn() = 0;
-    // Before the painter's own members go.
+    // To be called before the painter's members are destroyed.
     virtual void finish() = 0;
 };
 
-// The canvas becomes a child of `view`, which owns it, fills it and gets its mouse. Where no
-// context can be made the surface is left to say so.
+// Makes the canvas as a child of `view`, which owns and fills it; mouse events go to `view`. If no
+// OpenGL context can be made, the surface canvas reports that.
 Canvas* make_canvas(QWidget& view, CanvasPainter painter);
 
 }  // namespace hepatica

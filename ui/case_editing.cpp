@@ -15,7 +15,7 @@
 namespace hepatica {
 namespace {
 
-constexpr double beside_wall_mm = 2.0;  // that still counts as a click on a vessel
+constexpr double beside_wall_mm = 2.0;  // a click this close to the wall still hits the vessel
 
 QString name_of(const TreeEdit& edit) {
     switch (edit.kind) {
@@ -44,7 +44,7 @@ QString name_of(const TreeEdit& edit) {
     return Words::tr("Given to: %1").arg(translated(title_of(edit.system)));
 }
 
-// Where it was, and which system's vessel lies there.
+// Coordinates of the place, with the vascular system if a vessel lies there.
 QString there(const Vec3& place_mm, const VesselTree& tree) {
     const TreePoint point = nearest_point(tree, place_mm);
     if (point.segment < 0) return patient_place(place_mm);
@@ -76,7 +76,7 @@ QString text_of(const Rebuilding& rebuilding) {
                      static_cast<int>(rebuilding.strokes));
 }
 
-// What was done, in its order.
+// The corrections in chronological order.
 QStringList lines_of_history(const Workspace& workspace, const VesselTree& tree) {
     QStringList lines;
     const std::vector<Rebuilding>& rebuildings = workspace.patient()->corrections.rebuilt;
@@ -121,7 +121,7 @@ void CaseEditing::show_body() {
     update_panel();
 }
 
-// Those of an uncorrected tree are told when it is opened. A loop less is no new doubt.
+// Doubts about an uncorrected tree are shown when it is opened. Fewer loops are no new doubt.
 void CaseEditing::warn_of_new_doubts() {
     const VesselTree& tree = workspace_.patient()->tree;
     const std::vector<std::string> before = std::exchange(doubts_, sentences(std::nullopt, tree));
@@ -228,7 +228,7 @@ void CaseEditing::draw(const Volume& ct, const std::vector<Vec3>& places_mm,
         tell(failure);
         answered({false, Words::tr("Not drawn: why stands above").toStdString()});
     };
-    // The worker has its own part of the CT: another one may be shown while it ends.
+    // The worker copies its part of the CT, because another CT may be shown before it ends.
     Volume part;
     try {
         part = traced_part(ct, places_mm);
@@ -243,7 +243,7 @@ void CaseEditing::draw(const Volume& ct, const std::vector<Vec3>& places_mm,
         [this, patient, part = std::move(part), places_mm, contrast_hu,
          answered](Job& job) -> std::function<void()> {
             const TreeEdit edit = drawing_of(traced_vessel(part, places_mm, contrast_hu, job));
-            edited(patient->tree, edit);  // refused now, while its places can still be changed
+            edited(patient->tree, edit);  // throws now, while the places can still be changed
             return [this, edit, answered] { add_drawn(edit, answered); };
         },
         std::move(callbacks));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From clicks to corrections: what a click on a vessel or on a gap means with the tool that is
-// chosen, and the panel that shows what was corrected. The corrections themselves are the
-// workspace's.
+// Turns clicks on vessels and gaps into corrections, by the tool chosen in the panel, and fills the
+// panel. The corrections are kept by the Workspace.
 #pragma once
 
 #include <functional>
@@ -18,36 +17,36 @@
 
 namespace hepatica {
 
-// UI thread; panel and workspace must outlive it.
+// UI thread only; panel and workspace must outlive it.
 class CaseEditing {
   public:
     struct Callbacks {
         std::function<void(const TreeEdit&)> add;
         std::function<void()> undo;
         std::function<void()> redo;
-        // What they would take back and do again; empty: nothing.
+        // What undo and redo would change, in words; empty: nothing.
         std::function<void(const QString& undo, const QString& redo)> show_history;
         std::function<void(std::vector<BridgeView>)> show_bridges;
         std::function<void(const QString&)> say;
         std::function<void(const Failure&)> not_drawn;
-        std::function<void(const QString&)> warn;  // of what a correction made doubtful
+        std::function<void(const QString&)> warn;  // what a correction made doubtful
     };
     CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks callbacks);
 
     // Another body is shown.
     void show_body();
-    // Other corrections are wanted.
+    // The list of corrections has changed.
     void update_panel();
 
     // A click on a vessel in edit mode.
     void click(const TreePoint& point);
-    // A click on a place of the CT, which must lie in a vessel or within 2 mm of its wall.
+    // A click on a place of the CT (mm), which must lie in a vessel or within 2 mm of its wall.
     void click_at(const Vec3& place_mm);
-    // What a click does, for somebody who does not see the panel.
+    // What a click does, in words, for places where the panel is not visible.
     QString tool_name() const { return panel_.tool_name(); }
     void accept(int bridge);
-    // A vessel was drawn through these places of the patient's CT: it is followed beside the
-    // window. What was being drawn before ends unanswered.
+    // Follows a vessel through these places of the patient's CT in the background. A drawing that
+    // is still running ends without an answer.
     void draw(const Volume& ct, const std::vector<Vec3>& places_mm,
               const VesselPen::Answered& answered);
     void stop_drawing() { drawing_.reset(); }
@@ -56,18 +55,18 @@ class CaseEditing {
     void add_drawn(const TreeEdit& edit, const VesselPen::Answered& answered);
     void choose_bridge(int bridge);
     void accept_all();
-    // Lists and draws the gaps that are still to be decided and of enough confidence.
+    // Lists and draws the gaps that are undecided and have enough confidence.
     void show_bridges();
     void warn_of_new_doubts();
 
     EditPanel& panel_;
     const Workspace& workspace_;
     Callbacks callbacks_;
-    std::vector<Bridge> bridges_;  // that are shown, best first
+    std::vector<Bridge> bridges_;  // shown in the panel, best first
     double least_confidence_ = 0.0;
     std::optional<Vec3> link_from_mm_;
-    std::vector<std::string> doubts_;  // of the body that is shown
-    int loops_ = 0;                    // in it
+    std::vector<std::string> doubts_;  // of the shown body
+    int loops_ = 0;                    // number of loops among doubts_
     std::unique_ptr<BackgroundJob> drawing_;
 };
 

@@ -109,7 +109,7 @@ void CaseLessons::follow_choice() {
 
 void CaseLessons::begin_chosen() {
     if (!start_->isEnabled()) return;
-    const ShelvedLesson lesson = *chosen();  // what begins it may fill the list anew
+    const ShelvedLesson lesson = *chosen();  // a copy, because begin_ may refill the list
     begin_(lesson);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lessons that go with a case of the library: those made for this patient, and those for any
-// patient, told apart; a double click, Enter or the button begins one.
+// List of the lessons that go with a case of the library, separated into those for this patient and
+// those for any patient. A double click, Enter or the button begins one.
 #pragma once
 
 #include <QWidget>
@@ -15,12 +15,13 @@ class QTreeWidget;
 
 namespace hepatica {
 
+// UI thread only.
 class CaseLessons : public QWidget {
   public:
     using Begin = std::function<void(const ShelvedLesson&)>;
     explicit CaseLessons(Begin begin, QWidget* parent = nullptr);
 
-    // In the order of lessons_of(). `can_begin`: the case can be opened.
+    // Lessons in the order of lessons_of(). `can_begin`: the case can be opened.
     void show_lessons(std::vector<ShelvedLesson> lessons, bool can_begin);
 
   private:

@@ -29,7 +29,7 @@ constexpr QSize drawing_size(180, 150);
 constexpr double margin_points = 8.0;
 constexpr double thinnest_points = 1.2;
 
-// The attempts at lessons on each patient, by the hash of him that recordings name.
+// Attempts at lessons by the patient hash in their recordings.
 using AttemptsOfPatients = std::map<std::string, std::vector<Attempt>>;
 
 std::string patient_of(const fs::path& recording) {
@@ -102,7 +102,7 @@ QImage drawing_of(const VesselTree& tree, const QSize& size) {
             upper = upper.cwiseMax(p);
         }
     if (tree.segments.empty()) return image;
-    // From the front: the patient's left is to the right, his head is up.
+    // Seen from the front: the patient's left is on the right, his head at the top.
     const Vec3 extent = (upper - lower).cwiseMax(1.0);
     const double scale = std::min((size.width() - 2.0 * margin_points) / extent.x(),
                                   (size.height() - 2.0 * margin_points) / extent.z());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cases of a folder as a library shows them: a drawing of each patient's vessels from the
-// front, what is known and doubted of him, which lessons go with him and how they went. No widgets:
-// made on a worker.
+// Entries of the library: for each case of a folder a drawing of the vessels, facts and doubts,
+// lessons and attempts. No widgets; made on a worker thread.
 #pragma once
 
 #include <QImage>
@@ -18,19 +17,19 @@ namespace hepatica {
 
 struct ShelvedCase {
     std::filesystem::path place;
-    QString name;    // of the file, without its ending
-    QImage drawing;  // null where the case cannot be read
+    QString name;    // of the file, without its extension
+    QImage drawing;  // null if the case cannot be read
     QString facts;   // HTML: lengths, systems, doubts, attempts; or why it cannot be read
     bool readable = false;
     std::vector<ShelvedLesson> lessons{};  // that go with it, see lessons_of()
 };
 
-// The vessels from the front, each as wide as it is and in its system's colour, on a clear ground.
+// The vessels from the front in the colours of their systems and to scale, on a transparent ground.
 QImage drawing_of(const VesselTree& tree, const QSize& size);
 
-// Those in the folder itself, by name. What cannot be read says why. Reads no voxels; a case takes
-// a tenth of a second, at most a second. `recordings`: where this user's plays lie. Begins one
-// stage; throws InputError where the folder cannot be read, Cancelled.
+// The cases directly in `folder`, by name; unreadable ones tell why. Reads no voxels; a case takes
+// 0.1 s, at most 1 s. `recordings` is the folder of the user's plays. One stage of `job`. Throws
+// InputError if the folder cannot be read, and Cancelled.
 std::vector<ShelvedCase> cases_in(const std::filesystem::path& folder,
                                   const std::filesystem::path& recordings, Job& job);
 

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Opens the three-dimensional view: what lies before a plane is taken out of it. The plane stays
-// where it is in the patient when the view is turned, so that one can look into what was opened.
+// Cuts away the part of the 3D view in front of a plane. The plane keeps its place in the patient
+// when the view is turned, so that one can look into the opened part.
 #pragma once
 
 #include "render/scene_view.h"
 
 namespace hepatica {
 
-inline constexpr double clip_step_mm = 2.0;  // of a key or a notch of the wheel
+inline constexpr double clip_step_mm = 2.0;  // per key press or wheel notch
 
-// UI thread; the view must outlive it.
+// UI thread only; the view must outlive it.
 class ClipControl {
   public:
     explicit ClipControl(SceneView& view) : view_(view) {}
 
-    // Puts the plane through the point, across the present line of sight.
+    // Puts the plane through this point, perpendicular to the line of sight.
     void open_at(const Vec3& point_mm);
     void close();
-    // Moves the plane along its normal, deeper into the patient where > 0; nothing where it is not
-    // there.
+    // Moves the plane along its normal, deeper into the patient if by_mm > 0. No effect if the view
+    // is not open.
     void shift(double by_mm);
 
     bool is_open() const { return plane_.has_value(); }

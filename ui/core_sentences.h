@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What core and the devices' back end say to a user of the window, sentence by sentence: its
-// English is the id by which it is translated. %1, %2 stand for what core puts in.
-// tests/ui/core_words_test.cpp reads the sources and fails on a sentence that is missing here.
+// English sentences of core and of the device back end that a user may see; each is the id of its
+// translation, with %1, %2 for inserted text. tests/ui/core_words_test.cpp fails if a sentence of
+// the sources is missing here.
 #pragma once
 
 #include <span>
@@ -9,10 +9,10 @@
 
 namespace hepatica {
 
-// Of all rooms. The first one is translated into every language; see translated().
+// All sentences. The first one must be translated into every language; see translated().
 const std::vector<const char*>& core_sentences();
 
-// By what they are about, each in a file of its own.
+// By topic, each in a file of its own.
 std::span<const char* const> sentences_of_common();
 std::span<const char* const> sentences_of_image();
 std::span<const char* const> sentences_of_patient();

@@ -15,15 +15,15 @@
 namespace hepatica {
 namespace {
 
-// A sentence of core with what is put into it: "segment %1 of %2".
+// A sentence of core with placeholders: "segment %1 of %2".
 struct Pattern {
     const char* id;
-    QString begin;  // what stands before the first place
+    QString begin;  // the text before the first placeholder
     QRegularExpression shape;
-    std::vector<int> order;  // which place each group of the expression fills
+    std::vector<int> order;  // the placeholder that each group of the expression fills
 };
 
-constexpr int deepest = 6;  // sentences within sentences
+constexpr int deepest = 6;  // nesting depth of sentences within sentences
 
 QString expression_of(const QString& sentence, std::vector<int>& order) {
     QString expression;
@@ -40,15 +40,15 @@ QString expression_of(const QString& sentence, std::vector<int>& order) {
     return expression;
 }
 
-// The words alone: how much of a sentence a pattern says itself.
+// Length without the % signs: how much text of its own a pattern has.
 qsizetype letters_of(const char* sentence) {
     return QString::fromUtf8(sentence).remove('%').size();
 }
 
-// Core's sentences as core says them, and as in_window_words() has changed them since.
+// Core's sentences, each as core writes it and as changed by in_window_words().
 struct Sentences {
     QHash<QString, const char*> whole;
-    std::vector<Pattern> patterns;  // those that say most come first
+    std::vector<Pattern> patterns;  // the longest first
 
     Sentences() {
         for (const char* id : core_sentences()) {
@@ -78,8 +78,8 @@ const Sentences& sentences() {
     return all;
 }
 
-// 3.25 and 12.5 mN with the language's decimal sign; what only looks like a number (1.2.840,
-// p1.hep, 2.x) stays.
+// Writes 3.25 or 12.5 mN with the language's decimal sign; text that only resembles a number
+// (1.2.840, p1.hep, 2.x) stays.
 QString number_in_words(const QString& text) {
     static const QRegularExpression decimal(R"(^(-?\d+)\.(\d+)((?: [^\s\d.]{1,6}){0,2})$)");
     const QRegularExpressionMatch match = decimal.match(text);
@@ -89,7 +89,7 @@ QString number_in_words(const QString& text) {
 
 QString in_words(const QString& english, int depth);
 
-// Names, numbers and lists that are put in.
+// Translates inserted names, numbers and lists.
 QString part_in_words(const QString& part, int depth) {
     return depth >= deepest ? number_in_words(part) : in_words(part, depth + 1);
 }
@@ -98,7 +98,7 @@ QString in_words(const QString& english, int depth) {
     if (const QString number = number_in_words(english); number != english) return number;
     if (const auto found = sentences().whole.constFind(english); found != sentences().whole.cend())
         return Words::tr(*found);
-    // What the window itself says as core does: failures, stages.
+    // Failures and stages of the window itself, written in core's style.
     if (const QString whole = Words::tr(english.toUtf8().constData()); whole != english)
         return whole;
     for (const Pattern& pattern : sentences().patterns) {
@@ -106,7 +106,7 @@ QString in_words(const QString& english, int depth) {
         const QRegularExpressionMatch match = pattern.shape.match(english);
         if (!match.hasMatch()) continue;
         QString text = Words::tr(pattern.id);
-        // All at once: a name that holds "%1" is no place.
+        // All placeholders at once: an inserted name that contains "%1" is not a placeholder.
         QString filled;
         for (qsizetype i = 0; i < text.size(); ++i) {
             const int place = text[i] == '%' && i + 1 < text.size() ? text[i + 1].digitValue() : -1;
@@ -124,7 +124,7 @@ QString in_words(const QString& english, int depth) {
     return english;
 }
 
-// Where no translation is loaded, and in English, nothing has to be looked for.
+// In English, or without a translation, nothing has to be looked up.
 bool is_english() {
     const char* const any = core_sentences().front();
     return Words::tr(any) == QString::fromUtf8(any);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What core says, in the language of the window. Core knows no language but English: it composes
-// errors, warnings, stages of jobs and names of systems. Their English is their id, with %1, %2 for
-// what is put in; what has no translation is shown as core said it.
+// Translates what core says. Core composes errors, warnings, stages and names in English; the
+// English text, with %1, %2 for inserted parts, is the id of its translation. Untranslated text is
+// shown as it is.
 #pragma once
 
 #include <QString>
@@ -9,7 +9,8 @@
 
 namespace hepatica {
 
-// Numbers in it get the language's decimal sign; what was put in is translated as well.
+// Numbers get the language's decimal sign, and inserted parts are translated too. A sentence that
+// is unknown is returned unchanged.
 QString translated(const std::string& english);
 
 }  // namespace hepatica

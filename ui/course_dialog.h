@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A course: its lessons in order with their pass marks, which of them are passed, and the way into
-// the next one.
+// Dialog of a course: its lessons in order with their pass marks and standing, and a button that
+// begins one.
 #pragma once
 
 #include <QDialog>
@@ -16,14 +16,15 @@ class QTableWidget;
 
 namespace hepatica {
 
+// UI thread only.
 class CourseDialog : public QDialog {
   public:
     using Begin = std::function<void(const CourseLine&)>;
-    // `own`: shall show the course that comes with the program.
+    // `own` is called to show the built-in course.
     CourseDialog(Begin begin, std::function<void()> own, QWidget* parent);
 
-    // The first lesson that is not passed yet is chosen. `whose`: the trainee whose attempts count;
-    // empty: everybody's. `own`: it is the program's.
+    // Selects the first lesson that is not passed yet. `whose` is the trainee whose attempts count,
+    // empty: everybody's. `own`: this is the built-in course.
     void show_course(const std::string& name, std::vector<CourseLine> lines,
                      const std::string& whose, bool own);
     const std::vector<CourseLine>& lines() const { return lines_; }

@@ -61,7 +61,7 @@ void CurvesDock::come() {
     come_when_nothing_is_held();
 }
 
-// The view gives it its room: what a hand drags would be thrown to another place.
+// Showing the dock shrinks the view, which would displace what is being dragged.
 void CurvesDock::come_when_nothing_is_held() {
     if (!coming_ || hand_drags()) return;
     coming_ = false;

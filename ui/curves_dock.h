@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The curves of the last injection, computed beside the play, and of the tear so far, in a dock of
-// their own.
+// Dock with the curves of the last injection, computed in the background, and of the tear so far.
 #pragma once
 
 #include <QDockWidget>
@@ -17,31 +16,31 @@ namespace hepatica {
 
 class PlotPanel;
 
+// UI thread only.
 class CurvesDock : public QDockWidget {
   public:
-    // `failed`: of an injection whose curves cannot be computed.
+    // `failed`: the curves of an injection cannot be computed.
     CurvesDock(std::function<void(const Failure&)> failed, QWidget* parent);
 
     PlotPanel& plots() { return *plots_; }
-    // Follows the newest frame: computes the curves of an injection that it has not seen yet and
-    // then shows them, where they `may_come`. What was being computed for an older one is given up.
+    // Computes the curves of the frame's injection if it is a new one, giving up those of an older
+    // one, and shows them if they `may_come`.
     void follow(std::shared_ptr<const PatientCase> patient, const DrugView& drug,
                 bool may_come = true);
-    // Takes over the newest frame's tear, and where it `may_come` shows itself as soon as something
-    // is torn.
+    // Adds the newest frame's tear. If it `may_come`, the dock appears at the first tear.
     void follow_tear(const Frame& frame, bool may_come = true);
-    // The drug's clock in the curves; none: nothing is injected.
+    // Time on the drug's clock; nullopt: nothing is injected.
     void set_time(std::optional<double> time_s);
-    // Forgets all; nothing is computed any more. Where it came by itself it goes, too: nothing is
-    // left to show.
+    // Forgets everything and stops computing. A dock that appeared by itself is hidden.
     void clear();
 
-    // Whether it comes by itself when there is something to show: until the user closes it, and
-    // again from when it is asked for.
+    // Whether it appears by itself when there is something to show. False once the user has closed
+    // it, until he asks for it again.
     bool comes_by_itself() const { return comes_by_itself_; }
     void set_comes_by_itself(bool comes) { comes_by_itself_ = comes; }
-    std::function<void(bool comes)> on_choice = [](bool) {};  // the user closed it
-    std::function<bool()> hand_drags;  // whether a button of the mouse is down; the program's own
+    // Called when the user closes the dock.
+    std::function<void(bool comes)> on_choice = [](bool) {};
+    std::function<bool()> hand_drags;  // whether a mouse button is down; can be replaced in tests
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -52,12 +51,13 @@ class CurvesDock : public QDockWidget {
 
     std::function<void(const Failure&)> failed_;
     PlotPanel* plots_;
-    std::shared_ptr<const InjectionOptions> followed_;  // whose curves were asked for last
+    // Injection whose curves were requested last.
+    std::shared_ptr<const InjectionOptions> followed_;
     std::unique_ptr<BackgroundJob> job_;
     TearHistory tear_;
     bool comes_by_itself_ = true;
-    bool came_ = false;    // by itself, and is there since
-    bool coming_ = false;  // as soon as no button of the mouse is down
+    bool came_ = false;    // it appeared by itself and is still shown
+    bool coming_ = false;  // it will appear once no mouse button is down
 };
 
 }  // namespace hepatica

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Day and time as the language of the window writes them.
+// Date and time in the language of the window.
 #pragma once
 
 #include <QDateTime>

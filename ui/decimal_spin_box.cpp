@@ -7,7 +7,7 @@ DecimalSpinBox::DecimalSpinBox(double lower, double upper, double value, int dec
                                const QString& unit, QWidget* parent)
     : QDoubleSpinBox(parent) {
     QLocale numbers;
-    // What parts thousands in one language is the decimal sign of another.
+    // The group separator of one language is the decimal sign of another.
     numbers.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
     setLocale(numbers);
     setDecimals(decimals);

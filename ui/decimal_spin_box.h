@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A number field that shows the decimal sign of the window's language and takes a comma and a point
+// Number field that shows the decimal sign of the window's language and accepts comma and point
 // alike.
 #pragma once
 
@@ -7,8 +7,10 @@
 
 namespace hepatica {
 
+// UI thread only.
 class DecimalSpinBox : public QDoubleSpinBox {
   public:
+    // `unit` is shown after the number. valueChanged() is emitted when editing ends, not per key.
     DecimalSpinBox(double lower, double upper, double value, int decimals, const QString& unit,
                    QWidget* parent = nullptr);
 

@@ -36,13 +36,13 @@ void DialKeeper::show(std::shared_ptr<const PatientCase> patient, const DeformBa
     try {
         points_ = measured_points(*patient_);
     } catch (const InputError&) {
-        return;  // whoever opened the case has been told
+        return;  // reported already when the case was opened
     }
     if (!next_dial_setting(points_, back_end_)) return;
     worker_ = std::make_unique<DialWorker>(
         patient_, points_,
         [this, body = patient_](const std::vector<QualityPoint>& points) {
-            // On the worker's thread. Of a patient who is gone by then nothing is taken.
+            // Called on the worker's thread; results of a former patient are dropped.
             QMetaObject::invokeMethod(
                 &quiet_,
                 [this, body, points] {
@@ -56,7 +56,7 @@ void DialKeeper::show(std::shared_ptr<const PatientCase> patient, const DeformBa
 void DialKeeper::take(std::vector<QualityPoint> points) {
     points_ = std::move(points);
     write();
-    // Where a device has failed the points may be the processor's alone.
+    // If a device has failed, there may be points of the processor alone.
     if (auto own = points_for(back_end_, points_); !own.empty())
         found_(dial_of_points(std::move(own)));
     if (!next_dial_setting(points_, back_end_)) worker_.reset();
@@ -68,9 +68,9 @@ void DialKeeper::keep_in(const std::filesystem::path& folder, const PatientCase*
     write();
 }
 
-// A case that cannot be written to (on a medium that is read only, say) has no dial of its own; it
-// is measured again the next time. A case in one file would have to be packed anew: it gets its
-// dial when it is saved.
+// A case that cannot be written, such as one on read-only media, gets no dial and is measured again
+// next time. A case in a single file would have to be packed again; it gets its dial when it is
+// saved.
 void DialKeeper::write() const {
     if (folder_.empty() || points_.empty() || is_case_archive(folder_)) return;
     try {

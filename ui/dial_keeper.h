@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The dial of the patient who is shown: measured on his own body while nobody plays, once for a
-// body, and kept in his case where that lies on disk with this body.
+// Keeps the quality dial of the shown patient: measures it on his body while nobody plays, once per
+// body, and stores it in his case if that holds this body.
 #pragma once
 
 #include <QTimer>
@@ -17,27 +17,28 @@ namespace hepatica {
 
 class DialWorker;
 
-// UI thread; needs Qt's event loop and nothing else of the toolkit.
+// UI thread only; needs Qt's event loop and no other part of Qt.
 class DialKeeper {
   public:
     using Found = std::function<void(const QualityDial&)>;
 
-    // `found`: UI thread, whenever another setting was measured: the dial so far.
+    // `found` is called on the UI thread with the dial so far, whenever another setting was
+    // measured.
     explicit DialKeeper(Found found);
-    // Ends after the step under way.
+    // Waits for the step under way.
     ~DialKeeper();
 
-    // Forgets the patient before. Nothing is measured where his case holds a whole dial of this
-    // body, or one that is damaged. What is measured, and found, is what this back end plays.
+    // Starts with another patient. Nothing is measured if his case holds a complete dial of this
+    // body or a damaged one. Points are measured, and dials found, for `back_end`.
     void show(std::shared_ptr<const PatientCase> patient,
               const DeformBackEnd& back_end = cpu_back_end());
-    // The case that holds this body; empty: none does. Where it is the body that is measured, what
-    // was measured is kept there.
+    // The case that holds `body`; empty: none. If `body` is being measured, the points are stored
+    // there.
     void keep_in(const std::filesystem::path& folder, const PatientCase* body);
-    // Whether somebody plays or another job runs: then nothing is measured, and not for a second
-    // after.
+    // While busy (somebody plays or another job runs), and for a second afterwards, nothing is
+    // measured.
     void set_busy(bool busy);
-    // Whether settings of the patient who is shown are still to be measured.
+    // Whether settings of the shown patient remain to be measured.
     bool has_work() const { return worker_ != nullptr; }
 
   private:
@@ -46,11 +47,11 @@ class DialKeeper {
 
     Found found_;
     std::shared_ptr<const PatientCase> patient_;
-    DeformBackEnd back_end_ = cpu_back_end();  // to be compared with: the worker has its own
+    DeformBackEnd back_end_ = cpu_back_end();  // to compare with; the worker has a copy
     std::filesystem::path folder_;
-    std::vector<QualityPoint> points_;  // measured since the patient is shown, and before
+    std::vector<QualityPoint> points_;  // measured now or read from the case
     bool busy_ = true;
-    QTimer quiet_;  // runs out when nobody has played for a second
+    QTimer quiet_;  // fires after a second without play
     std::unique_ptr<DialWorker> worker_;
 };
 

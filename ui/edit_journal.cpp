@@ -41,7 +41,7 @@ JournalBase base_from(const Json& json) {
     return base;
 }
 
-// The first so many stay, and these come behind them.
+// Keeps the first `keep` items and appends the added ones.
 template <class Item>
 void go_on_from(std::size_t keep, std::vector<Item> added, std::vector<Item>& items) {
     if (keep > items.size()) throw InputError("keeps more than there is", "", "");
@@ -66,7 +66,7 @@ std::size_t kept_of(const std::vector<Item>& before, const std::vector<Item>& no
     return static_cast<std::size_t>(std::ranges::mismatch(before, now).in1 - before.begin());
 }
 
-// What of `now` does not stand among the first that are kept.
+// The items of `now` after the first `kept`.
 template <class Item>
 std::vector<Item> added_to(std::size_t kept, const std::vector<Item>& now) {
     return {now.begin() + static_cast<std::ptrdiff_t>(kept), now.end()};
@@ -103,7 +103,8 @@ std::optional<Journalled> read_edit_journal(const fs::path& file) {
     Journalled read;
     bool has_base = false;
     try {
-        for (std::string line; std::getline(in, line) && !in.eof();) {  // a whole line has an end
+        // A line without its end is incomplete.
+        for (std::string line; std::getline(in, line) && !in.eof();) {
             const Json json = Json::parse(line);
             if (json.contains("format")) {
                 read.base = base_from(json);
@@ -113,7 +114,7 @@ std::optional<Journalled> read_edit_journal(const fs::path& file) {
             }
         }
     } catch (const Json::exception&) {
-        // What stands before the damage counts.
+        // The lines before the damage count.
     } catch (const InputError&) {
         // Likewise.
     }

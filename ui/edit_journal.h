@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Corrections on disk as soon as they are wanted, long before their body is there: JSON lines that
-// are only appended and synchronised with the disk, so that a program that dies leaves every one.
-// A base says from which case they can be made again; a line after it, how many of those before
-// stay and what comes behind them, which says undo and redo, too.
+// Journal of corrections, written as soon as they are made: JSON lines that are appended and
+// synchronised with the disk, so that none is lost if the program dies. A base line names the case
+// that they apply to; each change line tells how many of the previous corrections stay ("keep",
+// fewer after an undo) and which follow them:
 //   {"format": "hepatica-edits", "version": 1, "title": "anton.hep", "case": "/data/anton.hep",
 //    "extracted": "0123456789abcdef"}
 //   {"change": 7, "keep": 2, "add": [{"kind": "cut_link", ...}]}
-// A third kind of line says which strokes at vessels wait for a remaking, in the same way:
+// A third kind of line does the same for the strokes that wait for a rebuild:
 //   {"keep_strokes": 1, "add_strokes": [{"path_mm": ...}]}
 #pragma once
 
@@ -25,41 +25,41 @@
 
 namespace hepatica {
 
-// What the corrections of a journal were made on.
+// What the corrections of a journal apply to.
 struct JournalBase {
     std::string title;
-    // A case; empty: the built-in patient; ".": the newest whole copy beside the journal.
+    // A case; empty: the built-in patient; ".": the newest complete copy beside the journal.
     std::filesystem::path place;
     std::uint64_t extracted = 0;  // hash_of_extracted() of the patient
     bool operator==(const JournalBase&) const = default;
 };
 
-// The newest that a journal says.
+// The newest state in a journal.
 struct Journalled {
     JournalBase base;
-    std::vector<TreeEdit> edits;         // all that were wanted
-    std::vector<PendingStroke> strokes;  // that waited for a remaking
+    std::vector<TreeEdit> edits;         // all present corrections
+    std::vector<PendingStroke> strokes;  // waiting for a rebuild
     std::uint64_t change = 0;            // number of the newest change
     bool operator==(const Journalled&) const = default;
 };
 
-// What stands in a journal up to its first damaged line, which a torn last one is. None where it
-// holds no base or no change. Never throws for what the file holds.
+// Reads a journal up to its first damaged or incomplete line. nullopt if there is no base or no
+// change before it. Never throws because of the file's content.
 std::optional<Journalled> read_edit_journal(const std::filesystem::path& file);
 
-// One thread appends; the file is written on another, which nobody waits for but the destructor.
+// One thread appends; another writes the file, and only the destructor waits for it.
 class EditJournal {
   public:
-    // The file is made with the first line.
+    // The file is created with the first line.
     explicit EditJournal(std::filesystem::path file);
-    ~EditJournal();  // all that was appended is on disk
+    ~EditJournal();  // waits until everything is written
     EditJournal(const EditJournal&) = delete;
     EditJournal& operator=(const EditJournal&) = delete;
 
-    // Of the base all these corrections are wanted now, and all these strokes wait. Nothing is
-    // written where the journal says so already.
+    // These are now the corrections and strokes on this base. Writes nothing if they equal the last
+    // ones.
     void append(const Journalled& wanted);
-    // Returns when all that was appended is on disk, or could not be written.
+    // Waits until everything appended is on disk or could not be written.
     void wait_until_written();
     // Whether a line could not be written. Any thread.
     bool failed() const { return failed_; }

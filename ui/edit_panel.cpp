@@ -43,7 +43,7 @@ constexpr std::array<EditTool, 7> tools{{
 
 QListWidget* make_list(QWidget* parent, const QString& name) {
     auto* list = new QListWidget(parent);
-    list->setWordWrap(true);  // its end says whose vessel it was
+    list->setWordWrap(true);  // the end of a line names the vessel
     list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list->setAccessibleName(name);
     list->setMaximumHeight(5 * list->fontMetrics().height() + 8);
@@ -55,7 +55,7 @@ QListWidget* make_list(QWidget* parent, const QString& name) {
 EditPanel::EditPanel(QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->addWidget(make_tools());
-    // Above the gaps, of which there may be many: what one has just done is in sight.
+    // Above the gaps, which may be many, so that the last correction stays visible.
     column->addWidget(make_edits());
     column->addWidget(make_bridges());
     state_ = new QLabel(this);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the vessel tree is corrected: the tool for the next click, the gaps that might be bridged,
-// and what has been done so far.
+// Panel of corrections: the tool for the next click, gaps that might be bridged, and the
+// corrections made so far.
 #pragma once
 
 #include <QStringList>
@@ -17,13 +17,14 @@ class QVBoxLayout;
 
 namespace hepatica {
 
+// UI thread only.
 class EditPanel : public QWidget {
   public:
     struct Callbacks {
-        std::function<void(int)> choose_bridge;  // lit up in the view; -1: none
+        std::function<void(int)> choose_bridge;  // highlights it in the view; -1: none
         std::function<void(int)> accept_bridge;
-        std::function<void()> accept_all;              // that are shown
-        std::function<void(double)> least_confidence;  // 0 to 1: gaps below it are not shown
+        std::function<void()> accept_all;              // all listed ones
+        std::function<void(double)> least_confidence;  // 0 to 1; gaps of less confidence are hidden
         std::function<void()> undo;
         std::function<void()> redo;
         std::function<void()> tool_changed;
@@ -36,6 +37,7 @@ class EditPanel : public QWidget {
     QString tool_name() const;
     VascularSystem system() const;  // for reassign_system and seed_system
 
+    // Lists of gaps, best first, and of corrections, oldest first; and a text below them.
     void show_bridges(const QStringList& lines);
     void show_edits(const QStringList& lines, bool can_undo, bool can_redo);
     void show_state(const QString& text);

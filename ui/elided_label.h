@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A line of text in a place that may be too narrow for it: what does not fit is left out where one
-// says, with dots in its place, and all of it is in the tooltip. It never makes its window wider.
+// A line of text that never widens its window: what does not fit is replaced by an ellipsis, and
+// the tooltip shows the whole text.
 #pragma once
 
 #include <QLabel>
@@ -13,7 +13,7 @@ class ElidedLabel : public QLabel {
         setTextFormat(Qt::PlainText);
     }
 
-    QString shown() const;  // as it is drawn now
+    QString shown() const;  // the text as it is drawn now
     QSize minimumSizeHint() const override;
 
   protected:

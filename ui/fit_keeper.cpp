@@ -32,7 +32,7 @@ void FitKeeper::patient_opened(const VesselTree& vessels) {
 void FitKeeper::look(std::shared_ptr<const PatientCase> patient, const fs::path& place,
                      const fs::path& library) {
     job_.reset();
-    if (place.empty()) return ways_.found({});  // no lesson names who lies nowhere
+    if (place.empty()) return ways_.found({});  // an unsaved patient has no lessons of his own
     BackgroundJob::Callbacks callbacks;
     callbacks.failed = ways_.failed;
     callbacks.ended = [this] { job_.reset(); };

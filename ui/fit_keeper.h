@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// After a correction: which lessons for this patient no longer fit his vessels. Looked for beside
-// the window, in the folder of his case and in the library's.
+// Finds the lessons for a patient that no longer fit his vessels after a correction. Searches the
+// folder of his case and the library in the background.
 #pragma once
 
 #include <filesystem>
@@ -14,20 +14,20 @@
 
 namespace hepatica {
 
-// UI thread; needs Qt's event loop and nothing else of the toolkit.
+// UI thread only; needs Qt's event loop and no other part of Qt.
 class FitKeeper {
   public:
     struct Ways {
-        // Those that do not fit; none: all do.
+        // The lessons that do not fit; empty if all do.
         std::function<void(const std::vector<ShelvedLesson>& unfit)> found;
         std::function<void(const Failure&)> failed;
     };
     explicit FitKeeper(Ways ways) : ways_(std::move(ways)) {}
 
-    // A patient as he is opened. His vessels are what lessons were made on that no editor tied to
-    // him. What was looked for is given up.
+    // A patient was opened with these vessels; lessons without ties are compared with them. Cancels
+    // a search.
     void patient_opened(const VesselTree& vessels);
-    // Begins; what was looked for before is given up. `place`: the patient's case.
+    // Starts a search and cancels a former one. `place` is the patient's case.
     void look(std::shared_ptr<const PatientCase> patient, const std::filesystem::path& place,
               const std::filesystem::path& library);
     bool working() const { return job_ != nullptr; }

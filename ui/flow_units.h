@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In which units the window shows flows and pressures: those that the program computes in, or those
-// of the clinic. Only what is shown and typed changes; commands, recordings and files do not.
+// Units in which the window shows flows and pressures: those of the computation or those of the
+// clinic. Commands, recordings and files always use the former.
 #pragma once
 
 #include <QString>
@@ -14,15 +14,15 @@ enum class FlowUnits {
     clinic,    // mL/min, mmHg
 };
 
-// As settings keep them; any other name is `computed`.
+// Names in the settings; an unknown name means `computed`.
 QString name_of(FlowUnits units);
 FlowUnits flow_units_named(const QString& name);
 
-// Of a fluid of this density.
+// Mass flow (g/s) to volume flow (mL/min) and back, for a fluid of this density in g/mm^3.
 double ml_min_of(double mass_flow_g_s, double density_g_mm3);
 double g_s_of(double volume_flow_ml_min, double density_g_mm3);
 
-// A chart whose values are pressures in Pa, as its label says, in these units; any other as it is.
+// Converts a chart whose label says that its values are in Pa; returns any other unchanged.
 Chart in_units(Chart chart, FlowUnits units);
 
 }  // namespace hepatica

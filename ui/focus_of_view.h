@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gives the keyboard back to the view when the control that has it is disabled or goes. Qt gives it
-// to whichever control comes next, where Space or Backspace mean something else.
+// Returns the keyboard focus to the view when the focused control is disabled or hidden. Qt would
+// give it to the next control, where Space or Backspace have another meaning.
 #pragma once
 
 class QWidget;
 
 namespace hepatica {
 
-// From now on, as long as the view lives, for controls of its window.
+// Effective for controls of the view's window as long as the view lives.
 void give_focus_back_to(QWidget& view);
 
 }  // namespace hepatica

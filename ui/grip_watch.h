@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Notices when forceps that close hold nothing: they closed beside the vessel, or it slipped out.
+// Notices closing forceps that hold nothing, because they closed beside the vessel or it slipped
+// out.
 #pragma once
 
 #include "core/scene/frame.h"
@@ -10,12 +11,13 @@ class GripWatch {
   public:
     enum class Seen { nothing_new, closed_on_nothing, slipped };
 
-    // What the newest frame shows of the forceps, and whether their jaws are led to be closed. Each
-    // closing is told of once, when its jaws have met: until then a vessel may still come between.
+    // Takes the forceps of the newest frame and whether the jaws are commanded to close. Each
+    // closing is reported once, when the jaws have met: until then a vessel may still come between
+    // them.
     Seen see(const ToolView& forceps, bool closed);
 
   private:
-    bool held_ = false;  // since they were led to close
+    bool held_ = false;  // held something since they began to close
     bool told_ = false;
 };
 

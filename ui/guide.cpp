@@ -21,7 +21,7 @@ namespace hepatica {
 
 namespace {
 
-// Of the window's language where there are pages in it, else English.
+// The pages in the window's language if there are any, else the English ones.
 QString folder_of_pages() {
     const std::filesystem::path english = asset("guide/index.md").parent_path();
     const std::filesystem::path translated =
@@ -62,7 +62,7 @@ void Guide::show_page(const QString& name) {
     browser_->setSource(QUrl::fromLocalFile(folder_ + "/" + name), QTextDocument::MarkdownResource);
 }
 
-// Markdown knows no layout: air around the text, and tables as wide as the page.
+// Markdown has no layout: adds margins and line spacing and makes tables as wide as the page.
 void Guide::lay_out() {
     QTextDocument& page = *browser_->document();
     page.setDocumentMargin(18);
@@ -81,7 +81,8 @@ void Guide::lay_out() {
     QTextBlockFormat lines;
     lines.setLineHeight(130, QTextBlockFormat::ProportionalHeight);
     for (QTextBlock block = page.begin(); block.isValid(); block = block.next())
-        if (!block.text().contains(QChar::ObjectReplacementCharacter))  // a picture has its own
+        // A picture sets its own height.
+        if (!block.text().contains(QChar::ObjectReplacementCharacter))
             QTextCursor(block).mergeBlockFormat(lines);
 }
 

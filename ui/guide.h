@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The user guide: the pages of assets/guide, read inside the program, in the window's language.
+// Dialog that shows the user guide, the pages of assets/guide, in the window's language.
 #pragma once
 
 #include <QDialog>
@@ -9,7 +9,7 @@ class QTextBrowser;
 
 namespace hepatica {
 
-// UI thread. Throws InputError where the pages are not installed.
+// UI thread only. The constructor throws InputError if the pages are not installed.
 class Guide : public QDialog {
   public:
     explicit Guide(QWidget* parent = nullptr);

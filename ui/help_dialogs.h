@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The guide, keys and mouse gestures, and what program this is.
+// Dialogs of the Help menu: guide, keys and mouse gestures, and program information.
 #pragma once
 
 #include <QString>
@@ -8,7 +8,7 @@ class QWidget;
 
 namespace hepatica {
 
-// One at a time.
+// Only one guide is open at a time.
 void show_guide(QWidget& parent);
 void show_cheat_sheet(QWidget& parent);
 void show_about(QWidget& parent, const QString& renderer);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A context of OpenGL that draws on nothing that is seen: to ask what draws here, and to draw into
-// framebuffers of one's own.
+// An OpenGL context without a visible surface: tells which renderer there is and draws into
+// framebuffers.
 #pragma once
 
 #include <QOffscreenSurface>
@@ -11,16 +11,17 @@ namespace hepatica {
 
 class HiddenContext {
   public:
+    // Creates context and surface; whether that succeeded is told by make_current().
     HiddenContext();
 
     QOpenGLContext& context() { return context_; }
-    // False where OpenGL cannot draw on this display.
+    // False if OpenGL is not available on this display.
     bool make_current();
-    // What the driver calls itself. The context is current.
+    // Name of the renderer. The context must be current.
     std::string renderer_name();
 
   private:
-    QOffscreenSurface surface_;  // outlives the context
+    QOffscreenSurface surface_;  // must outlive the context
     QOpenGLContext context_;
 };
 

@@ -35,12 +35,12 @@ QImage ImageCanvas::drawn() {
     return image_;
 }
 
-// What covered the picture and went again needs no new one.
+// A part that was merely covered needs no new picture.
 void ImageCanvas::paintEvent(QPaintEvent* /*event*/) {
     if (stale_ || image_.size() != pixel_size(size(), devicePixelRatioF())) {
         stale_ = false;
         draw();
-        // The widget's window reaches the screen when all of it has been painted.
+        // The widget's window reaches the screen after all of it has been painted.
         QMetaObject::invokeMethod(this, painter_.shown, Qt::QueuedConnection);
     }
     QPainter(this).drawImage(QPointF(), image_);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the processor draws: the picture is read from its framebuffer, which lies in memory anyway,
-// and painted like any other widget. A QOpenGLWidget would make Qt compose the whole window out of
-// textures for every picture, which takes the processor as long as the picture itself.
+// Canvas for software rendering: the picture is read from its framebuffer, which is in main memory
+// anyway, and painted like any other widget. With a QOpenGLWidget Qt would compose the whole window
+// from textures for every picture, which takes as long as the picture itself.
 #pragma once
 
 #include <memory>
@@ -11,6 +11,7 @@
 
 namespace hepatica {
 
+// UI thread only.
 class ImageCanvas : public QWidget, public Canvas {
   public:
     ImageCanvas(QWidget& view, std::unique_ptr<HiddenContext> context, CanvasPainter painter);
@@ -29,8 +30,8 @@ class ImageCanvas : public QWidget, public Canvas {
 
     std::unique_ptr<HiddenContext> context_;
     CanvasPainter painter_;
-    QImage image_;       // what was drawn last
-    bool stale_ = true;  // another picture was asked for since
+    QImage image_;       // the last picture
+    bool stale_ = true;  // another picture was requested since
     bool begun_ = false;
 };
 

@@ -51,7 +51,7 @@ constexpr std::array<Preset, 3> presets{{
          "A share of gas of 0.386 to 0.433 in the paper. In blood this would be an air embolus.")},
 }};
 
-// The preset that is the default injection.
+// Index of the preset that is the default injection.
 int first_preset() {
     const auto found = std::ranges::find_if(presets, [](const Preset& preset) {
         return std::string_view(preset.second_phase) == default_injection::second_phase &&
@@ -61,7 +61,7 @@ int first_preset() {
 }
 
 struct LawChoice {
-    const char* name;  // as recordings and the command line have it
+    const char* name;  // as in recordings and on the command line
     const char* words;
     const char* tip;
 };
@@ -211,7 +211,7 @@ double InjectPanel::mass_flow_g_s() const {
     return std::clamp(g_s_of(flow_->value(), density_g_mm3()), least_g_s, most_g_s);
 }
 
-// A pump that is set to a volume keeps it, whatever is in it.
+// In clinical units the volume flow stays when the density changes, as with a pump.
 void InjectPanel::show_flow_range() {
     if (units_ == FlowUnits::computed) return flow_->setRange(least_g_s, most_g_s);
     const double density = density_g_mm3();
@@ -257,14 +257,14 @@ void InjectPanel::ask_for_speed(double factor) {
     post_(SetDrugSpeed{factor});
 }
 
-// Else two clocks seem to contradict each other.
+// Explains why the drug's clock and the play's clock differ.
 void InjectPanel::show_pace() {
     pace_->setText(Words::tr("%L1 s of the drug pass in each second of the play.")
                        .arg(speed_->value(), 0, 'g', 4));
     pace_->setVisible(speed_->value() != 1.0);
 }
 
-// Where it is shown already, the number may just be being typed over.
+// A value that is shown already is not set again, because it may just be being edited.
 void InjectPanel::show_speed(double factor) {
     constexpr double last_digit = 0.01;
     const double bounded = std::clamp(factor, speed_->minimum(), speed_->maximum());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the next injection is made, and the drug's clock: play, pause, back and forth, speed. Whether
-// the drug runs is what the newest frame says; the panel keeps no state of its own.
+// Panel for the next injection and the drug's clock: play, pause, time, speed. Whether the drug
+// runs is taken from the newest frame.
 #pragma once
 
 #include <QWidget>
@@ -21,11 +21,12 @@ namespace hepatica {
 
 class DecimalSpinBox;
 
+// UI thread only.
 class InjectPanel : public QWidget {
   public:
     explicit InjectPanel(std::function<void(Command)> post, QWidget* parent = nullptr);
 
-    // The injection as set in the panel, at this point.
+    // The injection set in the panel, at this point (mm).
     InjectDrug injection_at(const Vec3& point_mm) const;
 
     // Follows the simulation; cheap enough for every frame.
@@ -33,20 +34,20 @@ class InjectPanel : public QWidget {
     // What lies under the mouse; empty for nothing.
     void show_hover(const QString& text);
     void toggle_playing();
-    // Of what is shown and typed; an injection is given in grams per second all the same.
+    // Units that are shown and typed; an injection is always given in g/s.
     void set_units(FlowUnits units);
-    std::function<void(FlowUnits)> on_units;  // the user chose others, which are set already
-    // A simulation has begun. In free play it is told what the user had chosen there before; a
-    // lesson and a review have a speed of their own.
+    std::function<void(FlowUnits)> on_units;  // called after the user chose other units
+    // A simulation begins. In free play the user's chosen speed is sent to it; lessons and reviews
+    // have a speed of their own.
     void begin_play(bool free);
-    // The one of this second phase, as a lesson asks for it; empty: what is chosen stays.
+    // Chooses the preset with this second phase, as a lesson asks for; unknown or empty: no effect.
     void choose_drug(const std::string& second_phase);
-    // Whether the drug's clock and its speed may be set.
+    // Whether the drug's clock and speed may be set.
     void allow_settings(bool allowed);
 
   private:
     void choose_preset(int index);
-    double density_g_mm3() const;  // of what is injected
+    double density_g_mm3() const;  // of the injected mixture
     double mass_flow_g_s() const;
     void show_flow_range();
     QWidget* make_settings();
@@ -72,11 +73,12 @@ class InjectPanel : public QWidget {
     QSlider* time_ = nullptr;
     QLabel* time_label_ = nullptr;
     DecimalSpinBox* speed_ = nullptr;
-    QLabel* pace_ = nullptr;  // what the speed means
+    QLabel* pace_ = nullptr;  // explains the speed
     DrugView drug_;           // of the newest frame
-    // What the slider asked for and no frame has shown yet: until then frames do not move it.
+    // Time requested by the slider and not yet shown by a frame; until then frames do not move the
+    // slider.
     std::optional<double> asked_time_s_;
-    std::optional<double> asked_speed_;  // likewise, of the field
+    std::optional<double> asked_speed_;  // likewise for the speed field
     double chosen_speed_;                // by the user in free play
     bool free_play_ = true;
     bool settings_allowed_ = true;

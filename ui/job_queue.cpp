@@ -41,7 +41,7 @@ bool JobQueue::drop_running(JobKind kind) {
 void JobQueue::cancel_running() {
     if (!running_) return;
     if (!*dropped_) return running_->cancel();
-    // The one that was dropped is ending anyhow; what is meant is the one in its place.
+    // The dropped job is ending anyway; the user means the one that takes its place.
     if (waiting_.empty() || waiting_.front().kind != current_.kind) return;
     const QueuedJob meant = std::move(waiting_.front());
     waiting_.pop_front();
@@ -66,7 +66,7 @@ void JobQueue::run_next() {
     waiting_.pop_front();
     dropped_ = std::make_shared<bool>(false);
     watcher_.started(current_.title);
-    // A job that was dropped after its work was done has no effect either.
+    // A job that is dropped after its work was done has no effect either.
     BackgroundJob::Work work = [run = current_.begin(), dropped = dropped_](Job& job) {
         return [finish = run(job), dropped] {
             if (!*dropped) finish();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window's long work in order: one job runs, the others wait, and none of them cancels one of
-// another kind. A correction that is being made and a case that is being written never get in each
-// other's way.
+// Queue of the window's long jobs: one runs, the others wait, and no job cancels one of another
+// kind. Thus a correction and the saving of a case never disturb each other.
 #pragma once
 
 #include <deque>
@@ -18,40 +17,40 @@ enum class JobKind { open, correct, remake, save, archive, report };
 struct QueuedJob {
     JobKind kind = JobKind::open;
     std::string title;
-    // UI thread, when its turn has come: the work sees the patient as he is then.
+    // UI thread, when the job's turn has come, so that it works on the patient as he is then.
     std::function<BackgroundJob::Work()> begin;
-    // UI thread, once at most: it failed, or was cancelled by the person who waits for it. A job
-    // that is dropped ends without a word.
+    // UI thread, at most one of them, once: the job failed, or the user cancelled it. A dropped job
+    // calls neither.
     std::function<void(const Failure&)> failed;
     std::function<void()> cancelled;
 };
 
-// UI thread; needs Qt's event loop and nothing else of the toolkit.
+// UI thread only; needs Qt's event loop and no other part of Qt.
 class JobQueue {
   public:
     struct Watcher {
         std::function<void(const std::string& title)> started;
         std::function<void(const JobProgress&)> progress;
-        // Whenever a job came or went; also after `started`.
+        // Called whenever a job begins or ends; also after `started`.
         std::function<void()> changed;
     };
     explicit JobQueue(Watcher watcher) : watcher_(std::move(watcher)) {}
 
-    // Behind all others.
+    // Appends a job.
     void add(QueuedJob job);
-    // In the place of the one of its kind that runs or waits, which is dropped; else as add().
+    // Replaces the running or waiting job of the same kind, which is dropped; without one as add().
     void replace(QueuedJob job);
-    // What runs or waits of this kind ends without any effect.
+    // The running and waiting jobs of this kind end without effect.
     void drop(JobKind kind);
-    // The one that runs, or that takes its place; the others stay.
+    // Cancels the running job, or the one that is to take its place; the others stay.
     void cancel_running();
 
-    // Cancels the one that runs, waits for its worker, and forgets the others, without a word.
+    // Cancels the running job, waits for its worker and discards the others, without callbacks.
     void clear();
 
     bool busy() const { return running_ != nullptr; }
     int waiting() const { return static_cast<int>(waiting_.size()); }
-    // One of this kind runs or waits, and was not dropped.
+    // Whether a job of this kind runs or waits and was not dropped.
     bool holds(JobKind kind) const;
 
   private:
@@ -61,7 +60,7 @@ class JobQueue {
     Watcher watcher_;
     std::deque<QueuedJob> waiting_;
     QueuedJob current_;
-    std::shared_ptr<bool> dropped_;  // of the one that runs
+    std::shared_ptr<bool> dropped_;  // whether the running job was dropped
     std::unique_ptr<BackgroundJob> running_;
 };
 

@@ -7,9 +7,9 @@
 namespace hepatica {
 namespace {
 
-constexpr double turn_deg = 5.0;  // of one key
+constexpr double turn_deg = 5.0;  // per key press
 constexpr double zoom_of_a_key = 1.15;
-constexpr double pan_share = 0.04;  // of the picture's height
+constexpr double pan_share = 0.04;  // of the picture's height, per key press
 
 }  // namespace
 
@@ -72,7 +72,7 @@ void KeyTool::arrow(double right, double down, bool shift) {
     }
     if (shift) {
         const double step = pan_share * size_().y;
-        // What is looked at goes with the arrow.
+        // The view moves in the direction of the arrow.
         return view_.drag_pan({0, 0}, {step * right, step * down});
     }
     view_.turn_by(turn_deg * right, turn_deg * down);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The three-dimensional view by keys alone, without any toolkit: they turn, pan and zoom the
-// camera, and act where an aim in the middle of the picture points, as the mouse acts where it
-// points.
+// Keyboard control of the 3D view, without any toolkit: turns, pans and zooms the camera, and acts
+// at an aim in the middle of the picture as the mouse does at the pointer.
 //
 //   arrows           turn by 5°           Shift + arrows   pan
 //   + and -          zoom                 Home             the whole patient
 //   Enter            what a click does in this mode; Ctrl + Enter what Ctrl + click does
-// In pull mode Enter takes hold of the vessel in the middle, with a tool it brings the tool there,
-// with blade or cut line it sets the pen down: arrows then lead it, Page Up and Page Down move a
-// tool in depth, and Enter or Escape lets go.
+// In pull mode Enter grabs the vessel in the middle, with a tool it brings the tool there, with
+// blade or cut line it begins a line. Arrows then move it, Page Up and Page Down move a tool in
+// depth, and Enter or Escape lets go.
 #pragma once
 
 #include <functional>
@@ -19,23 +18,23 @@ namespace hepatica {
 
 enum class ViewKey { left, right, up, down, nearer, farther, whole, enter, escape, in, out };
 
-// UI thread; view and mouse must outlive it.
+// UI thread only; view and mouse must outlive it.
 class KeyTool {
   public:
-    // `size`: of the picture, in pixels; `missed`: there is nothing to take hold of.
+    // `size` returns the picture's size in pixels; `missed` is called if there is nothing to grab.
     KeyTool(SceneView& view, MouseTool& mouse, std::function<Pixel()> size,
             std::function<void()> missed);
 
-    // False where the key means nothing here now, so that it is somebody else's.
+    // Returns false if the key has no meaning here now.
     bool press(ViewKey key, const MouseModifiers& modifiers);
-    // Something is led by the arrows.
+    // Whether the arrows move something.
     bool leads() const { return leads_; }
-    // Where it was led to; the middle of the picture while nothing is.
+    // Where it was moved to; the middle of the picture if nothing is moved.
     Pixel aim() const;
-    // How far an arrow leads [pixels]. Follows the pixel ratio.
+    // Pixels per arrow key; depends on the pixel ratio.
     void set_step(double pixels) { step_px_ = pixels; }
-    // Lets go, as where the mouse takes over or the view loses the keys; a line that is being drawn
-    // is given up.
+    // Lets go, when the mouse takes over or the view loses the focus; an unfinished line is
+    // dropped.
     void let_go();
 
   private:

@@ -10,7 +10,7 @@
 
 #include "ui/words.h"
 
-// A resource of a static library is not there by itself.
+// Resources of a static library must be initialised explicitly.
 static void init_translations() {
     Q_INIT_RESOURCE(translations);
 }
@@ -24,7 +24,7 @@ constexpr std::array choices{
     Language{"de", "Deutsch"},
 };
 
-// The program's own for each source of words; loading anew takes the words before away.
+// Loads a source of translations, replacing the former one.
 void load(const QString& source, const QString& code, const QString& folder) {
     QCoreApplication* program = QCoreApplication::instance();
     auto* translator = program->findChild<QTranslator*>(source);
@@ -53,7 +53,7 @@ std::span<const Language> languages() {
 
 QString language_of(const QString& chosen) {
     if (is_known(chosen)) return chosen;
-    // In the order in which the user wants them: "de-AT", "en-US".
+    // In the user's order of preference: "de-AT", "en-US".
     for (const QString& wanted : QLocale::system().uiLanguages())
         if (const QString code = wanted.section('-', 0, 0); is_known(code)) return code;
     return "en";
@@ -65,8 +65,8 @@ void use_language(const QString& chosen) {
     spoken = code;
     load("hepatica", code, ":/translations");
     load("qtbase", code, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
-    // By its name: the system's own locale asks the environment again for a single number, and not
-    // for one within a sentence.
+    // The locale by its name: QLocale::system() itself asks the environment again for single
+    // numbers, but not for numbers within a sentence.
     const QLocale system = QLocale::system();
     QLocale numbers(system.language() == QLocale(code).language() ? system.name() : code);
     numbers.setNumberOptions(QLocale::OmitGroupSeparator);

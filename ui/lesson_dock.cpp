@@ -38,12 +38,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Empty: the one that comes with the program.
+// The course in this file, or the built-in one if `file` is empty.
 Course course_in(const fs::path& file) {
     return file.empty() ? course_of(built_in_course(), "course") : read_course(file);
 }
 
-// None too where the course has gone since it was shown.
+// The lesson after this one in the course; nullopt also if the course can no longer be read.
 std::optional<CourseLine> lesson_after(const std::string& lesson, const fs::path& course) {
     try {
         const auto lines = standing_of(course_in(course), course.parent_path(), {});
@@ -148,7 +148,7 @@ void LessonDock::show_course(const fs::path& file) {
                              trainee_, file.empty());
         choose_course(file);
     } catch (...) {
-        // One that was chosen before and is gone now gives way to the program's own.
+        // If the chosen course is gone, the built-in one takes its place.
         if (file == course_file_) choose_course({});
         ways_.failed(Words::tr("Open course"), std::current_exception());
     }
@@ -260,10 +260,10 @@ bool LessonDock::start(const std::string& name, const std::vector<Predicate>& mo
 void LessonDock::patient_shown(bool built_in, const fs::path& asked_for) {
     end_play();
     built_in_shown_ = built_in;
-    // Not on whoever was opened in the place of the lesson's own patient.
+    // Not on another patient who was opened instead of the lesson's own.
     const bool fits = !waits_for_.empty() ? same_place(asked_for, waits_for_)
                                           : lesson_ && (lesson_->patient == "any" || built_in);
-    // Once he is shown everywhere, and nothing says any more that he is being opened.
+    // Later, when the patient is shown everywhere and the message that he is being opened is gone.
     if (std::exchange(waits_, false) && fits)
         return QTimer::singleShot(0, this, [this] { begin(); });
     hide();
@@ -275,7 +275,7 @@ void LessonDock::patient_corrected() {
     hide();
 }
 
-// Its writer may still have it open.
+// The writer may still have the file open.
 void LessonDock::drop_what_is_empty() {
     std::error_code ignored;
     if (read_first_ && running() != nullptr) fs::remove(watch_->recording(), ignored);
@@ -312,7 +312,7 @@ fs::path LessonDock::next_recording() const {
 void LessonDock::begin() {
     const std::shared_ptr<const PatientCase> patient = ways_.patient();
     if (!lesson_ || patient == nullptr || !ways_.may_begin()) return;
-    // Whoever tries it makes it fit.
+    // Whoever tries a lesson is about to make it fit.
     const bool tries = fs::path(name_).parent_path() == tried();
     if (const auto wrong = misfits(*lesson_, patient->tree); !wrong.empty() && !tries) {
         hide();
@@ -387,7 +387,7 @@ void LessonDock::show_figures() {
     keep_result();
 }
 
-// Who gives his name after the end means the attempt that has just ended, unless that has one.
+// A name that is given after the end is also noted in the last attempt, unless that has one.
 void LessonDock::name_last_attempt() {
     if (!watch_ || !result_kept_ || trainee_.empty()) return;
     if (watch_->recording().parent_path() == tried()) return;
@@ -421,7 +421,7 @@ void LessonDock::show_attempts() {
                            recordings_without_result(recordings_, fs::path(name_).stem().string()));
 }
 
-// What it says of another play would be taken for this one's.
+// The panel would otherwise seem to describe the play that is shown instead.
 void LessonDock::play_hidden(const fs::path& shown) {
     on_screen_ = false;
     if (watch_ && watch_->recording() != shown) hide();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lessons in the window: their menu, the one that is being played with its panel, and its end. The
-// window lends a patient and takes the simulation.
+// Dock for lessons: their menu, the lesson being played with its panel, results and courses. The
+// window provides the patient and runs the simulation.
 #pragma once
 
 #include <QDockWidget>
@@ -26,37 +26,40 @@ class CourseEditor;
 class LessonPanel;
 class ResultsDialog;
 
+// UI thread only.
 class LessonDock : public QDockWidget {
   public:
     struct Ways {
-        // The patient that is shown; null: none.
+        // The shown patient; null: none.
         std::function<std::shared_ptr<const PatientCase>()> patient;
-        // Else says why not: as where other vessels of his are still to come, which would end it.
+        // Whether a lesson may begin; if not, tells why, such as a correction that would end it.
         std::function<bool()> may_begin = [] { return true; };
-        // What makes an attempt's steps.
+        // Computes the steps of an attempt.
         std::function<DeformBackEnd()> back_end = [] { return cpu_back_end(); };
-        std::function<void()> open_built_in;  // shows it some time later, see patient_shown()
+        std::function<void()> open_built_in;  // asynchronous; patient_shown() follows
         std::function<void(const QString& case_folder)> open_case;  // likewise
-        // In place of the one that runs; null: that of free play.
+        // Replaces the running simulation; null: by free play.
         std::function<void(std::unique_ptr<Simulation>)> use;
         std::function<void(const QString& doing, const std::exception_ptr& error)> failed;
-        // Asks where to, and writes the report of a recording there.
+        // Asks for a place and writes the report of a recording there.
         std::function<void(const std::filesystem::path& recording, const std::string& lesson)>
             report;
-        // Shows a recording.
+        // Shows a recording in a review.
         std::function<void(const std::filesystem::path& recording, const std::string& lesson)>
             look_back;
-        // Asks where to; `called`: what the file is called at first.
+        // Asks for a place and saves a table; `called` is the suggested file name.
         std::function<void(const char* called, const std::string& csv)> save_table;
-        std::function<void()> edit;  // shows the editor of lessons
-        // This lesson is not begun: its places are elsewhere on its patient's vessels now.
+        std::function<void()> edit;  // shows the lesson editor
+        // This lesson was not begun, because its places no longer lie where they were on the
+        // vessels.
         std::function<void(const std::filesystem::path& file, const Lesson& lesson,
                            const std::vector<std::string>& misfits)>
             unfit;
-        std::function<void()> left;                      // a lesson, for free play
-        std::function<void(const QString& name)> named;  // the trainee, or nobody any more
-        std::function<void()> ended = [] {};             // an attempt, by being passed or failed
-        // This course is shown from now on; empty: the program's own.
+        std::function<void()> left;  // the lesson was left for free play
+        // The trainee has another name; may be empty.
+        std::function<void(const QString& name)> named;
+        std::function<void()> ended = [] {};  // the attempt was passed or failed
+        // This course is shown from now on; empty: the built-in one.
         std::function<void(const std::filesystem::path& file)> course_chosen =
             [](const std::filesystem::path&) {};
     };
@@ -64,72 +67,72 @@ class LessonDock : public QDockWidget {
     LessonDock(Ways ways, std::filesystem::path recordings, QWidget* parent);
     ~LessonDock() override;
 
-    // The lessons that come with the program, and "Open lesson...".
+    // Fills the Lesson menu.
     void fill(QMenu& menu);
-    // Begins on the patient that is shown, or opens the lesson's own first. `more_pass`: pass marks
-    // beside the lesson's own, of a course. False where it cannot be read.
+    // Begins on the shown patient if he fits, else opens the lesson's own first. `more_pass` are
+    // additional pass marks of a course. False if the lesson cannot be read.
     bool start(const std::string& name, const std::vector<Predicate>& more_pass = {});
-    // The same on the patient of this case, whom it goes with: opens him first.
+    // Opens the patient of this case, with whom the lesson goes, and begins on him.
     void start_on(const std::string& name, const QString& case_folder);
-    // Plays it from a file of its own. That is no attempt: no result is kept, and the recording
-    // goes when the next lesson is tried. False where that cannot be done.
+    // Plays a lesson from a temporary file. That is no attempt: no result is kept, and the
+    // recording is deleted when the next lesson is tried. False on failure.
     bool try_out(const Lesson& lesson);
-    // A course: a file; empty: the one that comes with the program.
+    // Shows the course in a file; empty: the built-in one.
     void show_course(const std::filesystem::path& file);
-    // The one that was chosen last, in an earlier run, too.
+    // The course chosen last, possibly in an earlier run.
     void show_chosen_course() { show_course(std::filesystem::path(course_file_)); }
     void set_course(const std::filesystem::path& file) { course_file_ = file; }
-    // Who passed what of the course shown last, of all whose attempts are kept.
+    // The results of all trainees in the course chosen last.
     void show_results();
     CourseDialog& course() { return *course_; }
-    // Edits the course shown last; of the program's own a copy, where the person wants it to lie.
+    // Edits the course chosen last; of the built-in one a copy, at a place that the user chooses.
     void edit_course();
     void begin_new_course();
-    // There is another patient now, who was opened from this place: a lesson that waited for him
-    // begins, one that ran is over.
+    // Another patient is shown, who was opened from this place. A lesson that waited for him
+    // begins; a running one ends.
     void patient_shown(bool built_in, const std::filesystem::path& asked_for);
-    // The patient has other vessels now: a lesson that ran is over.
+    // The patient has other vessels: a running lesson ends.
     void patient_corrected();
-    // The patient that was being opened does not come: no lesson waits for him any more.
+    // The patient being opened will not come: no lesson waits for him any more.
     void patient_not_shown() { waits_ = false; }
     bool playing() const { return watch_ != nullptr; }
-    // The lesson that is being played and has not ended; null: none.
+    // The lesson being played that has not ended; null: none.
     const Lesson* running() const;
-    // One runs, and something was done in it.
+    // A lesson runs in which something was done.
     bool begun() const { return running() != nullptr && !read_first_; }
-    // Of the lesson that is being played or has ended.
+    // Of the lesson being played or ended. Requires playing().
     LessonStanding standing() const { return watch_->standing(); }
     bool recorded() const { return watch_->recorded(); }
     AttemptsDialog& attempts() { return *attempts_; }
     void set_units(FlowUnits units);
-    // The clock stands while the task is read, and from the end of the attempt on: whether this is
-    // the first thing that is done, with which it begins to run.
+    // The clock stands while the task is read and after the end of the attempt. Returns whether
+    // this command is the first action, which starts the clock.
     bool begins_with(const Command& command);
-    // Of attempts that end from now on; empty: nobody is named.
+    // Name in attempts that end from now on; empty: none.
     void set_trainee(const QString& name);
-    // At every figure's turn: how the lesson stands.
+    // Called regularly to show how the lesson stands.
     void show_figures();
-    // Another simulation stands in the place of the lesson's own, such as a review's: the panel
-    // still says how the attempt went, and no mark is on those vessels.
+    // Another simulation replaces the lesson's, such as a review. The panel still shows the
+    // attempt, if `shown` is its recording, but no marks are drawn.
     void play_hidden(const std::filesystem::path& shown);
-    // The marks in a frame, numbered where there are more than one, and whether all steps that name
-    // them are reached; none where no lesson's play is on the screen.
+    // The marks in a frame, numbered if there are several, with whether all steps that name them
+    // are reached; empty if no lesson's play is on the screen.
     std::vector<MarkView> marks_in(const Frame& frame) const;
 
   private:
-    void find_next();                    // in the course shown last, or else the program's own
-    bool read(const std::string& name);  // into lesson_; false where it failed, which is said
+    void find_next();                    // in the chosen course, else the built-in one
+    bool read(const std::string& name);  // into lesson_; on failure reports it and returns false
     void ask_for_lesson();
     void ask_for_course();
     void choose_course(const std::filesystem::path& file);
     CourseEditor& course_editor();
     void open_case(const std::filesystem::path& place);
-    void end_play();            // the patient goes
-    void drop_what_is_empty();  // a recording of an attempt in which nothing was done
+    void end_play();            // when the patient is replaced
+    void drop_what_is_empty();  // deletes the recording of an attempt in which nothing was done
     bool clock_stands() const { return read_first_ || stands_at_end_; }
     void begin();
     void leave();
-    // Where lessons that are tried and their recordings are kept.
+    // Folder of lessons being tried and their recordings.
     std::filesystem::path tried() const { return recordings_ / "tried"; }
     std::filesystem::path next_recording() const;
     void name_last_attempt();
@@ -137,30 +140,32 @@ class LessonDock : public QDockWidget {
     void show_attempts();
 
     Ways ways_;
-    std::filesystem::path recordings_;  // folder
+    std::filesystem::path recordings_;  // a folder
     LessonPanel* panel_;
-    std::string name_;                       // of the lesson: an id or a file
-    std::string watched_name_, shown_name_;  // of watch_'s; of the one whose attempts are shown
+    std::string name_;  // of the lesson: an id or a file
+    // The lesson of watch_, and the one whose attempts are shown.
+    std::string watched_name_, shown_name_;
     std::optional<Lesson> lesson_;
-    // Pass marks of a course, among those of lesson_ and of watch_'s.
+    // Pass marks of a course that were added to lesson_ and to the lesson of watch_.
     std::vector<Predicate> course_pass_, watched_course_pass_;
     bool waits_ = false;  // for its patient
-    // Whom it waits for: a case; empty: the built-in patient, or whoever comes where it is for any.
+    // The case that it waits for; empty: the built-in patient, or any patient if the lesson is for
+    // any.
     std::filesystem::path waits_for_;
     bool built_in_shown_ = false;
-    std::filesystem::path course_file_;  // the one shown last; empty: the program's own
+    std::filesystem::path course_file_;  // chosen last; empty: the built-in one
     std::optional<CourseLine> next_;     // the lesson after this one in its course
     std::string trainee_;
     std::shared_ptr<LessonWatch> watch_;
-    std::unique_ptr<RecordingGuard> guard_;  // of watch_'s recording, while it grows
+    std::unique_ptr<RecordingGuard> guard_;  // of the recording of watch_ while it is written
     bool result_kept_ = false;               // of watch_
     bool read_first_ = false;                // likewise: nothing was done yet
-    bool stands_at_end_ = false;             // likewise: nothing was done since it has ended
-    bool on_screen_ = false;                 // likewise: it is its simulation that the window shows
+    bool stands_at_end_ = false;             // likewise: nothing was done since it ended
+    bool on_screen_ = false;                 // likewise: the window shows its simulation
     AttemptsDialog* attempts_;
     CourseDialog* course_;
-    ResultsDialog* results_ = nullptr;       // null until then
-    CourseEditor* course_editor_ = nullptr;  // null until then
+    ResultsDialog* results_ = nullptr;       // made when first needed
+    CourseEditor* course_editor_ = nullptr;  // likewise
 };
 
 }  // namespace hepatica

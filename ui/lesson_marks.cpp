@@ -8,7 +8,7 @@ namespace hepatica {
 
 namespace {
 
-// Whether no step from this one on asks for the mark any more, and one before it did.
+// Whether an earlier step names the mark and none from this one on does.
 bool is_done_with(const Lesson& lesson, std::size_t mark, std::size_t step) {
     const auto names = [&](const LessonStep& one) {
         return std::ranges::any_of(one.goal, [&](const Predicate& goal) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A lesson's marks as the view draws them, in a play and in a review of one.
+// Marks of a lesson as the view draws them, in a play or a review.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace hepatica {
 
-// Numbered where there are more than one, and reached where no step from the present one on names
-// them any more. `places_mm`: one for each of the lesson's marks.
+// Marks are numbered if there are several, and count as reached if no step from `step` on names
+// them. `places_mm`: one place for each mark of the lesson.
 std::vector<MarkView> views_of_marks(const Lesson& lesson, const std::vector<Vec3>& places_mm,
                                      std::size_t step);
 

@@ -27,13 +27,13 @@ QLabel* add_label(QVBoxLayout& column, const char* name) {
     return label;
 }
 
-// Of what only grows, such as the time: more than a mark allows stays more.
+// For quantities that only grow, such as time: once above an upper bound they stay there.
 bool missed_for_good(const BoundStanding& mark) {
     return mark.predicate.quantity < Quantity::dose_target_share && !mark.predicate.at_least &&
            !std::isnan(mark.value) && !mark.kept;
 }
 
-// A row of a table: a mark that colour alone need not tell, the bound, and how it stands.
+// Row of a table: a symbol, which does not rely on colour, the bound, and the present value.
 QString row_of(const BoundStanding& bound, const std::vector<std::string>& marks, FlowUnits units,
                const char* kept, const char* broken) {
     const bool known = !std::isnan(bound.value);
@@ -63,7 +63,7 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setSpacing(8);
     title_ = add_label(*column, "lessonTitle");
-    // Above all that changes its height.
+    // Above everything whose height changes.
     auto* play_row = new QHBoxLayout;
     add_button(*play_row, Words::tr("Be&gin again"), "lessonAgain", ways.again);
     add_button(*play_row, Words::tr("Leav&e"), "lessonLeave", ways.leave);
@@ -131,7 +131,7 @@ QLayout* LessonPanel::make_name() {
 
 void LessonPanel::set_next(const std::string& lesson) {
     next_lesson_ = lesson;
-    // Its name alone would make the panel wider than its place.
+    // The lesson's name would widen the panel.
     next_->setText(Words::tr("&Next lesson"));
     next_->setToolTip(translated(lesson));
 }
@@ -211,7 +211,7 @@ void LessonPanel::show_end(const LessonStanding& standing) {
         "<p><b>" + (passed ? Words::tr("✓ Passed") : Words::tr("✗ Not passed")) + "</b></p>";
     for (const std::string& reason : reasons_in(standing, lesson_.mark_names(), units_))
         html += "<p>" + with_units_beside(translated(reason)).toHtmlEscaped() + "</p>";
-    std::vector<BoundStanding> seen = standing.pass;  // only who reaches the end meets them
+    std::vector<BoundStanding> seen = standing.pass;  // judged only if the end was reached
     std::erase_if(seen, [](const BoundStanding& mark) { return std::isnan(mark.value); });
     html += table_of(Words::tr("Pass marks"), seen, lesson_.mark_names(), units_, "✓", "✗");
     const LessonMetrics& metrics = standing.metrics;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a trainee sees of a lesson: the present step, how its goal and the limits stand, a hint on
-// demand, and in the end whether it is passed, with the way to a report.
+// Panel of a lesson for the trainee: the present step, how its goal and the limits stand, a hint on
+// demand, and at the end the result and a way to the report.
 #pragma once
 
 #include <QWidget>
@@ -16,26 +16,27 @@ class QPushButton;
 
 namespace hepatica {
 
+// UI thread only.
 class LessonPanel : public QWidget {
   public:
     struct Ways {
-        std::function<void()> again;      // from the beginning
-        std::function<void()> leave;      // back to free play
-        std::function<void()> report;     // of the attempt
-        std::function<void()> look_back;  // on the attempt
-        std::function<void()> attempts;   // all of them at this lesson
-        std::function<void()> next = {};  // the lesson of the course that comes after it
-        std::function<void(const QString&)> name = {};  // the trainee is called so from now on
+        std::function<void()> again;                    // start the attempt again
+        std::function<void()> leave;                    // return to free play
+        std::function<void()> report;                   // write a report of the attempt
+        std::function<void()> look_back;                // review the attempt
+        std::function<void()> attempts;                 // all attempts at this lesson
+        std::function<void()> next = {};                // begin the next lesson of the course
+        std::function<void(const QString&)> name = {};  // the trainee's new name
     };
 
     explicit LessonPanel(Ways ways, QWidget* parent = nullptr);
 
-    // From here on this lesson is shown. `doubts`: whether it fits the patient, a sentence each.
+    // Shows this lesson. `doubts`: sentences on whether it fits the patient.
     void begin(const Lesson& lesson, const std::vector<std::string>& doubts = {});
-    // The lesson that comes after it in its course; empty: none does.
+    // The next lesson of the course; empty: there is none.
     void set_next(const std::string& lesson);
     void set_name(const QString& name);
-    // For what is shown from the next standing on.
+    // Takes effect with the next standing.
     void set_units(FlowUnits units) { units_ = units; }
     // `clock_stands`: nothing was done yet, or nothing since the end.
     void show_standing(const LessonStanding& standing, bool clock_stands = false);
@@ -47,7 +48,7 @@ class LessonPanel : public QWidget {
 
     Lesson lesson_;
     FlowUnits units_ = FlowUnits::computed;
-    std::size_t hinted_step_ = static_cast<std::size_t>(-1);  // whose hint is open
+    std::size_t hinted_step_ = static_cast<std::size_t>(-1);  // step whose hint is open
     std::size_t shown_step_ = 0;
     QLabel* title_;
     QLabel* about_;

@@ -27,7 +27,7 @@ bool LessonWatch::see(const std::vector<Command>& commands, const Frame& frame) 
         standing_ = run_.standing();
     }
     if (running) return true;
-    // The step that ended the attempt was kept before it was seen; what follows is no part of it.
+    // The step that ended the attempt was recorded before; what follows does not belong to it.
     writer_->close();
     writer_.reset();
     recorded_ = true;
@@ -52,7 +52,7 @@ LessonPlay LessonPlay::begin(const Lesson& lesson, std::shared_ptr<const Patient
     for (const Command& command : play.watch->run_.setup()) session->post(command);
     if (lesson.scene.deform) session->post(SetAutomaticQuality{true});
     session->step(job);
-    // Who still reads the task has begun nothing: time stands until he does something.
+    // The trainee reads the task first: time stands until he does something.
     session->post(SetPaused{true});
     play.simulation = std::make_unique<SimulationThread>(std::move(session));
     return play;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A lesson being played: a session of the lesson's scene on a thread of its own, watched by a
-// LessonRun and recorded. No toolkit.
+// A lesson being played: a session of the lesson's scene on a thread of its own, evaluated by a
+// LessonRun and recorded. No widgets.
 #pragma once
 
 #include <atomic>
@@ -17,7 +17,7 @@
 
 namespace hepatica {
 
-// Shared by the thread that steps and the one that shows.
+// Shared by the thread that steps and the UI thread.
 class LessonWatch {
   public:
     LessonWatch(Lesson lesson, std::shared_ptr<const PatientCase> patient,
@@ -27,20 +27,20 @@ class LessonWatch {
     const std::filesystem::path& recording() const { return recording_; }
     // As of the newest step. Any thread.
     LessonStanding standing() const;
-    // The attempt has ended and its recording is whole on disk. Any thread.
+    // The attempt has ended and its recording is complete on disk. Any thread.
     bool recorded() const { return recorded_; }
-    // Where the lesson's marks are in a frame. Any thread.
+    // Where the lesson's marks are in a frame, mm. Any thread.
     std::vector<Vec3> marks_in(const Frame& frame) const { return run_.marks_in(frame); }
 
   private:
     friend struct LessonPlay;
-    // Whether the attempt goes on after this step.
+    // Returns whether the attempt goes on after this step.
     bool see(const std::vector<Command>& commands, const Frame& frame);
     void keep(RecordedStep step);
 
-    LessonRun run_;  // of the thread that steps, but for what never changes
+    LessonRun run_;  // used by the stepping thread, except for what never changes
     std::filesystem::path recording_;
-    std::unique_ptr<RecordingWriter> writer_;  // null once the recording is whole
+    std::unique_ptr<RecordingWriter> writer_;  // null once the recording is complete
     std::atomic<bool> recorded_ = false;
     mutable std::mutex mutex_;  // guards standing_
     LessonStanding standing_;
@@ -50,9 +50,8 @@ struct LessonPlay {
     std::shared_ptr<LessonWatch> watch;
     std::unique_ptr<Simulation> simulation;  // running
 
-    // Builds the scene, does the setup, and holds the clock there. The recording is written to this
-    // file as the play goes, and is whole up to the last step once the simulation is gone. Throws
-    // InputError, Cancelled.
+    // Builds the scene, performs the setup and pauses. The recording is written while playing and
+    // is complete once the simulation is destroyed. Throws InputError and Cancelled.
     static LessonPlay begin(const Lesson& lesson, std::shared_ptr<const PatientCase> patient,
                             const std::filesystem::path& recording, Job& job,
                             const DeformBackEnd& back_end = cpu_back_end());

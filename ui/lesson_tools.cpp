@@ -23,7 +23,7 @@ constexpr std::array<std::pair<LessonTool, ActionId>, 8> action_of_tool{{
     {LessonTool::cut_line, ActionId::weaken_mode},
 }};
 
-constexpr const char* own_tip = "ownTip";  // property: the tip of a control that is allowed
+constexpr const char* own_tip = "ownTip";  // property that keeps a control's own tip
 
 }  // namespace
 
@@ -32,7 +32,7 @@ bool allows(std::span<const LessonTool> tools, LessonTool tool) {
 }
 
 std::set<ActionId> forbidden_actions(std::span<const LessonTool> tools) {
-    // Correcting the vessels would end the play that is judged.
+    // Corrections of the vessels would end the play.
     std::set<ActionId> forbidden{ActionId::reset, ActionId::edit_mode, ActionId::undo_edit,
                                  ActionId::redo_edit, ActionId::choose_threshold};
     for (const auto& [tool, action] : action_of_tool)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of the window a lesson forbids while it is played: actions of tools that it does not allow,
-// and controls of its settings.
+// What the window forbids while a lesson is played: actions of tools that it does not allow, and
+// settings.
 #pragma once
 
 #include <set>
@@ -15,8 +15,7 @@ namespace hepatica {
 
 bool allows(std::span<const LessonTool> tools, LessonTool tool);
 
-// The actions that would take a tool which is not among these, take the play back, or correct the
-// vessels.
+// The actions that use other tools than these, reset the play or correct the vessels.
 std::set<ActionId> forbidden_actions(std::span<const LessonTool> tools);
 
 // Enables a control, or disables it with a tip that says why.

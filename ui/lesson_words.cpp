@@ -13,7 +13,7 @@
 namespace hepatica {
 namespace {
 
-// What the clinic says in another unit.
+// Quantities that have other units in the clinic.
 bool is_of_blood(Quantity quantity) {
     return quantity == Quantity::leak_g_s || quantity == Quantity::blood_lost_g;
 }
@@ -24,10 +24,10 @@ double in_clinic_units(Quantity quantity, double value) {
                                           : value / density_g_mm3 / units::millilitre;
 }
 
-// A number of a quantity as it is shown.
+// A value of a quantity as it is shown.
 struct Shown {
     double value;
-    std::string unit;  // with the space before it; may be empty
+    std::string unit;  // with a leading space; may be empty
 };
 
 Shown shown(Quantity quantity, double value, FlowUnits units) {
@@ -38,8 +38,8 @@ Shown shown(Quantity quantity, double value, FlowUnits units) {
     return {value, *unit ? std::string(" ") + unit : ""};
 }
 
-// Digits behind the point of what was measured: as many as mean something, and always as many, so
-// that a number that runs keeps its shape.
+// Decimals of a measured value, limited to the meaningful ones and constant, so that a running
+// number keeps its width.
 int decimals_of(Quantity quantity, FlowUnits units) {
     switch (quantity) {
         case Quantity::largest_stretch:
@@ -67,7 +67,7 @@ int decimals_of(Quantity quantity, FlowUnits units) {
         case Quantity::moved_mm:
         case Quantity::touch_mm:
             return 1;
-        default:  // forces in mN, and what is counted
+        default:  // forces in mN, and counts
             return 0;
     }
 }
@@ -86,7 +86,7 @@ std::string printed(const char* format, int digits, Number value) {
 }
 
 constexpr QChar narrow_no_break_space(0x202f);
-constexpr int most_digits = 3;  // that mean something of what was measured
+constexpr int most_digits = 3;  // significant digits of a measured value
 
 std::string number_words(double value, int decimals) {
     const int before_point =
@@ -103,7 +103,7 @@ std::string number_words(double value, int decimals) {
                : text;
 }
 
-// A bound has the digits that its author gave it.
+// A bound keeps the digits of its author, up to four.
 std::string bound_words(const Predicate& predicate, FlowUnits units) {
     const Shown bound = shown(predicate.quantity, predicate.bound, units);
     return printed("%.*g", 4, bound.value) + bound.unit;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a lesson stands, in words with the units that the user chose. Blood alone is said in others:
-// mL and mL/min in the clinic, g and g/s else. Files keep what the program computes in.
+// The standing of a lesson in words, in the user's units: blood in mL and mL/min (clinic) or g and
+// g/s. Files keep the units of the computation.
 #pragma once
 
 #include <QString>
@@ -14,22 +14,22 @@
 
 namespace hepatica {
 
-// What was measured, with three digits that mean something at most: "24.1 s", "467 mN".
+// A measured value with at most three significant digits: "24.1 s", "467 mN".
 std::string to_words(Quantity quantity, double value, FlowUnits units);
-// The same, with as many digits as it takes to be told apart from the bound.
+// The same with as many digits as needed to differ from the bound.
 std::string to_words_beside(const Predicate& bound, double value, FlowUnits units);
-// As to_words() of core/lesson/predicate.h, but "no pieces torn off" where none is allowed.
+// As to_words() of core/lesson/predicate.h, but "no pieces torn off" if none is allowed.
 std::string to_words(const Predicate& predicate, std::span<const std::string> mark_names,
                      FlowUnits units);
 
-// Why it was not passed; as in `standing.reasons`.
+// Why the lesson was not passed; as `standing.reasons`, but in these units.
 std::vector<std::string> reasons_in(const LessonStanding& standing,
                                     std::span<const std::string> mark_names, FlowUnits units);
 
-// A line breaks before no unit: a narrow space that holds stands between it and its number.
+// Puts a narrow no-break space between a number and its unit.
 QString with_units_beside(QString text);
 
-// A chart of bleeding in g/s in these units.
+// Converts a chart of bleeding in g/s to these units; returns any other unchanged.
 Chart bleeding_in_units(Chart chart, FlowUnits units);
 
 }  // namespace hepatica

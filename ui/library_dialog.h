@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The library: the cases of one folder with drawings, what is known of each and how lessons on him
-// went, and the lessons that go with it. Opens one, begins a lesson on it, takes a case into the
-// folder, and gives one away as a single file.
+// Library dialog: the cases of a folder with drawings, facts, attempts and lessons. Opens a case,
+// begins a lesson on it, copies a case into the folder, and saves one as a single file.
 #pragma once
 
 #include <QDialog>
@@ -22,28 +21,29 @@ namespace hepatica {
 
 class CaseLessons;
 
+// UI thread only.
 class LibraryDialog : public QDialog {
   public:
     struct Ways {
         std::function<void(const QString& place)> open;
         std::function<void(const QString& doing, const Failure&)> failed;
-        // On the patient in that case.
+        // Begins the lesson on the patient of that case.
         std::function<void(const ShelvedLesson&, const QString& place)> begin_lesson;
     };
-    // `settings` must outlive it.
+    // `settings` must outlive the dialog.
     LibraryDialog(Settings& settings, Ways ways, QWidget* parent);
     ~LibraryDialog() override;
 
-    // Reads the folder anew and shows it.
+    // Reads the folder again and shows the dialog.
     void open_library();
-    // Of the folder as it was last read.
+    // The cases as last read.
     const std::vector<ShelvedCase>& cases() const { return cases_; }
     bool busy() const { return busy_; }
 
-    // Copies the chosen case there: NAME.hep or NAME.hepz. Not while busy().
+    // Copies the chosen case to NAME.hep or NAME.hepz. Not while busy().
     void give_away(const std::filesystem::path& to);
-    // Copies a case into the folder, under its own name; one of that name that is there stays, and
-    // the reason is said. Not while busy().
+    // Copies a case into the folder under its own name; if there is one of that name, reports that
+    // and does nothing. Not while busy().
     void take_in(const std::filesystem::path& from);
 
   private:
@@ -67,7 +67,7 @@ class LibraryDialog : public QDialog {
     std::vector<ShelvedCase> cases_;
     std::unique_ptr<BackgroundJob> job_;
     bool busy_ = false;
-    bool reread_ = false;  // the folder, when the job has ended
+    bool reread_ = false;  // read the folder when the job has ended
     QLabel* folder_ = nullptr;
     QListWidget* list_ = nullptr;
     QLabel* facts_ = nullptr;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surface of the liver around the vessels, as context: made beside the window when somebody
-// wants to see it, and not before.
+// The liver's surface around the vessels, computed in the background when it is first wanted.
 #pragma once
 
 #include <filesystem>
@@ -13,19 +12,21 @@
 
 namespace hepatica {
 
-// UI thread; needs Qt's event loop and nothing else of the toolkit.
+// UI thread only; needs Qt's event loop and no other part of Qt.
 class LiverKeeper {
   public:
     struct Screen {
-        std::function<void(const TriangleMesh&)> show;  // an empty one takes it away
-        std::function<void()> none;                     // wanted, but the case knows no liver
+        std::function<void(const TriangleMesh&)> show;  // an empty mesh removes the surface
+        std::function<void()> none;                     // wanted, but the case has no liver
         std::function<void(const Failure&)> failed;
     };
     explicit LiverKeeper(Screen screen) : screen_(std::move(screen)) {}
 
-    // Another patient, or none. `folder` is his case, which holds the voxels; empty: he has them.
+    // Sets the patient, null for none. `folder` is his case with the voxels; empty: they are in
+    // memory.
     void show_patient(std::shared_ptr<const PatientCase> patient,
                       const std::filesystem::path& folder);
+    // Begins to make the surface if that was not tried yet; false makes nothing new.
     void set_wanted(bool wanted);
 
     bool making() const { return job_ != nullptr; }
@@ -37,7 +38,7 @@ class LiverKeeper {
     std::shared_ptr<const PatientCase> patient_;
     std::filesystem::path folder_;
     bool wanted_ = false;
-    bool made_ = false;  // of this patient, or tried
+    bool made_ = false;  // made or tried for this patient
     std::unique_ptr<BackgroundJob> job_;
 };
 

@@ -60,7 +60,7 @@
 namespace hepatica {
 namespace {
 
-constexpr double turn_rad = std::numbers::pi / 12.0;  // of one key
+constexpr double turn_rad = std::numbers::pi / 12.0;  // per key press
 
 constexpr std::array<std::pair<ActionId, const char*>, 4> tool_actions{{
     {ActionId::sphere_tool, "sphere"},
@@ -94,13 +94,13 @@ QDockWidget* make_dock(QMainWindow& window, const char* name, QWidget* content) 
     return dock;
 }
 
-// In front of what shares its place, or not at all.
+// Shows a dock in front of those that share its place, or hides it.
 void show_dock(QDockWidget& dock, bool visible) {
     dock.setVisible(visible);
     if (visible) dock.raise();
 }
 
-// Tab goes into panels that stand behind others, too: they come to the front then.
+// Tab also reaches panels that are hidden behind others; they are raised then.
 void bring_into_sight(QWidget* focused, const QWidget& window) {
     for (QWidget* up = focused; up != nullptr && up != &window; up = up->parentWidget()) {
         if (auto* scroll = qobject_cast<QScrollArea*>(up)) scroll->ensureWidgetVisible(focused);
@@ -114,7 +114,7 @@ void bring_into_sight(QWidget* focused, const QWidget& window) {
 MainWindow::MainWindow(Settings& settings, Patients patients,
                        std::optional<PatientKeeper::Questions> questions)
     : settings_(settings), back_ends_(patients.back_ends) {
-    new WheelGuard(this);  // the window owns it
+    new WheelGuard(this);  // owned by the window
     show_title({});
     setAcceptDrops(true);
     resize_on_screen(*this, {1280, 820});
@@ -145,7 +145,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     restoreGeometry(settings_.window_geometry());
     restoreState(settings_.window_layout());
     resize_on_screen(*this, size());
-    review_->hide();  // there is nothing to look back on yet
+    review_->hide();  // there is nothing to review yet
     lessons_->hide();
     offer_unsaved_work();
     offer_unsaved_lesson();
@@ -156,7 +156,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     connect(figures_timer_, &QTimer::timeout, this, [this] { show_figures(); });
 }
 
-// What it has beside the first view is asked of this window.
+// The review refers to the second view, so it ends first.
 MainWindow::~MainWindow() {
     review_->end();
     back_ends_->on_words({});
@@ -276,7 +276,7 @@ void MainWindow::build_branches() {
         fail(Words::tr("Liver segments"), failure);
     };
     branches_ = new BranchDock(std::move(callbacks), this);
-    // One behind the other: side by side both are wider than a small screen.
+    // Stacked: side by side they would be wider than a small screen.
     tabifyDockWidget(curves_, branches_);
     branches_->hide();
 }
@@ -331,7 +331,7 @@ void MainWindow::build_tool_bar() {
     for (const auto& [id, kind] : tool_actions) {
         modes->addAction(&(*actions_)[id]);
         bar->addAction(&(*actions_)[id]);
-        // Their icons say enough, and the bar has little room.
+        // Icons alone, because the bar has little room.
         if (auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(&(*actions_)[id])))
             button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     }
@@ -347,7 +347,7 @@ void MainWindow::build_tool_bar() {
     bar->addAction(&(*actions_)[ActionId::reset]);
     bar->addSeparator();
     for (const auto& [id, direction] : views) bar->addAction(&(*actions_)[id]);
-    // All six views shall fit beside them on a small screen.
+    // Short texts, so that all six views fit on a small screen.
     (*actions_)[ActionId::edit_mode].setIconText(Words::tr("Edit"));
     (*actions_)[ActionId::play_pause].setIconText(Words::tr("Run"));
     (*actions_)[ActionId::reset].setIconText(Words::tr("Reset"));
@@ -403,7 +403,7 @@ void MainWindow::connect_play() {
     actions_->on(ActionId::pause_simulation, [this] {
         if (!patient_) return;
         post(SetPaused{!frame().statistics.paused});
-        follow(frame());  // takes back Qt's own check mark until a frame says so
+        follow(frame());  // resets Qt's own check mark until a frame confirms it
     });
     actions_->on(ActionId::reset, [this] { post(ResetWorld{}); });
     actions_->on(ActionId::restore, [this] { post(RestoreSnapshot{}); });

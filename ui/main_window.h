@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window: the patient in the middle (never floating), panels beside, figures below. It places
-// the panels and connects them: patients come and go through the PatientKeeper, the newest frame
-// goes to the view, and what the user does is sent to the simulation as commands.
+// The main window: the 3D view in the middle (never floating), panels beside it, figures below. It
+// places the panels and connects them: the PatientKeeper opens and saves patients, the newest frame
+// goes to the view, and user actions go to the simulation as commands. UI thread only.
 #pragma once
 
 #include <QMainWindow>
@@ -55,20 +55,21 @@ class MainWindow : public QMainWindow {
   public:
     using Patients = PatientKeeper::Ways;
 
-    // Without `questions` they are asked in dialogs.
+    // If `questions` is missing, dialogs ask them.
     MainWindow(Settings& settings, Patients patients,
                std::optional<PatientKeeper::Questions> questions = std::nullopt);
     ~MainWindow() override;
 
     // Each starts its work and returns at once; failures appear above the view.
     void open(const OpenRequest& request);
+    // A case, a CT or a recording (.hrec).
     void open(const QString& path);
     void save_case(const QString& folder);
     void cancel_job();
     bool busy() const { return keeper_->jobs().busy(); }
 
     bool has_patient() const { return patient_.has_value(); }
-    // The newest frame that the view has taken over; only while there is a patient.
+    // The newest frame that the view has taken over. Requires has_patient().
     const Frame& frame() const { return patient_->simulation->frame(); }
     const Workspace& workspace() const { return keeper_->workspace(); }
     VtkWidget& view() { return *view_; }
@@ -78,31 +79,30 @@ class MainWindow : public QMainWindow {
     MessageLog& log() { return *log_; }
     LibraryDialog& library() { return *library_; }
     LessonDock& lessons() { return *lessons_; }
-    LessonEditor& lesson_editor();  // made when it is wanted first
+    LessonEditor& lesson_editor();  // made when first needed
     ReviewDock& review() { return *review_; }
     SecondView& second_view() { return *second_view_; }
     Actions& actions() { return *actions_; }
 
-    // Writes what the view shows. Throws InputError where the file cannot be written.
+    // Writes the picture of the view. Throws InputError if the file cannot be written.
     void save_picture(const QString& file);
-    // Writes what is shown at each moment of a review, with a bar and a button that ends it. Throws
-    // InputError as write_film() does.
+    // Writes a film of a review, with a progress bar and a cancel button; `go_to` shows a moment.
+    // Throws InputError as write_film() does.
     void save_film(const std::filesystem::path& place, double end_s,
                    const std::function<void(double at_s)>& go_to);
 
-    // The program that writes reports; at first the one that runs.
+    // The program that writes reports; by default the running one.
     void set_report_program(const QString& program) { report_program_ = program; }
 
-    // What none of its parts has caught.
+    // Reports an error that nothing else has caught.
     void tell_failure_of_program(const std::exception_ptr& error) {
         fail("Hepatica", failure_of(error));
     }
 
     // Called once, when the first frame has been painted.
     void on_first_picture(std::function<void()> callback) { first_picture_ = std::move(callback); }
-    // Called when this window closes and another one shall be made in its place, as another
-    // language needs, with who was shown here where he can be opened again. Without it that is not
-    // offered.
+    // Called when this window closes to be replaced by another one, as a change of language needs,
+    // with the shown patient if he can be opened again. Without a callback that is not offered.
     void on_begin_anew(std::function<void(const std::optional<OpenRequest>&)> callback) {
         begin_anew_ = std::move(callback);
     }
@@ -110,11 +110,11 @@ class MainWindow : public QMainWindow {
   protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
-    // Ends all jobs, or stays open where something unsaved would be lost and the user says so.
+    // Ends all jobs, or stays open if unsaved work would be lost and the user wants to stay.
     void closeEvent(QCloseEvent* event) override;
 
   private:
-    // main_window.cpp: places and connects.
+    // main_window.cpp: places and connects the panels.
     void build_view();
     void build_panels();
     void build_branches();
@@ -125,7 +125,7 @@ class MainWindow : public QMainWindow {
     void connect_tools();
     void connect_views();
 
-    // main_window_views.cpp: what stands around the vessels, what is measured, how it looks.
+    // main_window_views.cpp: surroundings of the vessels, measuring, appearance.
     void connect_context();
     void connect_measuring();
     void follow_measuring();
@@ -143,37 +143,37 @@ class MainWindow : public QMainWindow {
 
     // main_window_slices.cpp: slices of the CT, and corrections.
     void build_slices(QWidget* parent);
-    // A CT while its vessels are looked for; null: there will be none. Not beside a patient who is
-    // shown meanwhile.
+    // Shows a CT while its vessels are reconstructed; null: there will be none. No effect while a
+    // patient is shown.
     void show_image(std::shared_ptr<const Volume> ct);
     void end_image();
-    // Else says why not; of a review in these words.
+    // Whether corrections are allowed; if not, tells why, during a review in these words.
     bool may_correct(const char* why_not_in_review);
     void show_corrections_with_slices();
     void warn_of_stroke_outside(const BrushStroke& stroke);
     void build_editing();
 
-    // main_window_lessons.cpp: lessons, and recordings that are looked back on.
+    // main_window_lessons.cpp: lessons and reviews.
     void build_lessons();
     void build_lesson_editor();
-    // Opens a lesson's own patient; whoever was shown before can be had back when it is left.
+    // Opens a lesson's own patient; when the lesson is left, the former patient is offered again.
     void open_for_lesson(const OpenRequest& request);
     void show_whole_from_the_front();
-    // Who is shown, where he can be opened again.
+    // The shown patient, if he can be opened again.
     std::optional<OpenRequest> patient_from_where() const;
     void offer_patient_from_before();
-    // The vessels were corrected: these lessons do not fit them any more.
+    // These lessons no longer fit the corrected vessels.
     void tell_unfit(const std::vector<ShelvedLesson>& lessons);
-    // What a lesson does not allow cannot be chosen while it is played.
+    // Disables what the lesson being played does not allow.
     void allow_tools();
     void wait_for_place();
     void end_waiting_for_place();
     void set_lesson_place(const SurfacePick& pick);
     void build_review();
 
-    // main_window_files.cpp: what is opened and saved.
+    // main_window_files.cpp: opening and saving.
     void ask_for_case();
-    // Of earlier runs: cases and edits, lessons and plays that were interrupted.
+    // Offers what earlier runs left: cases and edits, lessons, interrupted plays.
     void offer_unsaved_work();
     void offer_unsaved_lesson();
     void forget(const std::vector<std::filesystem::path>& interrupted);
@@ -190,45 +190,45 @@ class MainWindow : public QMainWindow {
     void fail(const QString& doing, const Failure& failure);
     bool may_end_lesson();
     void show_jobs();
-    // Runs what may fail and shows the failure.
+    // Runs a task and shows its failure.
     void attempt(const QString& doing, const std::function<void()>& task);
 
-    // main_window_back_end.cpp: what makes the steps.
+    // main_window_back_end.cpp: what computes the steps.
     void connect_back_ends();
     void say_of_back_end(const std::string& words);
     void choose_back_end(const std::string& name);
     void measure_dial();
 
-    // main_window_play.cpp: what is shown and played with.
+    // main_window_play.cpp: what is shown and played.
     void show_patient(LoadedPatient patient, bool corrected);
     void show_warnings();
     void show_workspace();
     void show_title(const QString& patient);
     void show_caption(const QString& text);  // in the first view
-    // Frames come when the simulation has one to show: nothing asks for them.
+    // The simulation announces new frames; nothing polls.
     void follow_simulation();
     void show_newest_frame();
-    // The yellow balls of the lesson that is played or edited. True where they moved.
+    // Shows the marks of the lesson being played or edited. True if they have moved.
     bool show_marks();
     std::optional<Vec3> middle_of_chosen_branch() const;
-    void keep_dial();  // in the case
+    void keep_dial();  // stores it in the case
     // The dial is measured while nobody plays and no job runs.
     void tell_dial_keeper();
-    // A lesson has enough to look at.
+    // False during a lesson, where curves must not appear by themselves.
     bool plays_freely() const;
-    void follow(const Frame& frame);  // by the controls of the play
-    // Within a quarter of a second, and then not again until something has changed.
+    void follow(const Frame& frame);  // updates the controls of the play
+    // At most every quarter of a second, and only after a change.
     void show_figures_soon();
     void show_figures();
     void show_message_of(const FrameStatistics& statistics);
-    // Why a hand's deed in the view did nothing: at the window's foot, and beside the pointer.
+    // Tells at the window's foot and beside the pointer why an action in the view did nothing.
     void hint(const QString& text);
     void say_missed();
     void say_empty_grip(GripWatch::Seen seen);
     void colour_by_segments(const std::vector<std::uint8_t>& of_branches);
     void show_hover(const SurfacePick& pick);
     void light_up(const TreePoint& under_mouse);
-    // The slices' crosshair, to a vertex of the body at rest; -1: nowhere.
+    // Moves the slices' crosshair to a vertex of the body at rest; -1: no effect.
     void lead_crosshair_to(int vertex);
     void inject(const SurfacePick& pick);
     void tear(MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke);
@@ -237,18 +237,18 @@ class MainWindow : public QMainWindow {
     void set_mouse_mode(MouseMode mode);
     void back_to_pulling();
     void take_tool(const std::string& kind);
-    // In place of the simulation that runs; null: one of free play.
+    // Replaces the running simulation; null: by free play.
     void use(std::unique_ptr<Simulation> simulation);
     void match_anatomy();
 
-    // main_window_reports.cpp: the report of a play.
+    // main_window_reports.cpp: reports of plays.
     void write_report(const std::filesystem::path& recording, const std::string& lesson);
     void write_report_into(const std::filesystem::path& chosen,
                            const std::filesystem::path& recording, const std::string& lesson);
     void offer_report(const std::filesystem::path& folder);
     void take_report_message_away();
 
-    // main_window_recording.cpp: a free play that is recorded.
+    // main_window_recording.cpp: recording of a free play.
     void connect_recording();
     void begin_recording();
     void end_recording();
@@ -273,30 +273,31 @@ class MainWindow : public QMainWindow {
     CurvesDock* curves_ = nullptr;
     BranchDock* branches_ = nullptr;
     LessonDock* lessons_ = nullptr;
-    LessonEditor* lesson_editor_ = nullptr;  // null until then
+    LessonEditor* lesson_editor_ = nullptr;  // made when first needed
     std::unique_ptr<DraftSlot> draft_slot_;  // likewise
     ReviewDock* review_ = nullptr;
     std::unique_ptr<StatusLine> status_;
     QTimer* figures_timer_ = nullptr;
-    std::atomic<bool> frame_waits_ = false;  // show_newest_frame() is on its way
+    std::atomic<bool> frame_waits_ = false;  // show_newest_frame() is scheduled
     std::optional<LoadedPatient> patient_;
     std::unique_ptr<PlayRecorder> recorder_;
-    std::filesystem::path told_folder_;  // of the case, as the lesson editor knows it
+    std::filesystem::path told_folder_;  // case folder last told to the lesson editor
     int hovered_vertex_ = -1;            // of the frame
     int chosen_branch_ = -1;             // in the table
     double picture_ms_ = 0.0;
     std::string last_message_;
     QString report_program_;
-    QString report_message_;  // that says where the last report lies
-    QString unfit_message_;   // that names lessons which fit no more
-    QString place_message_;   // that asks for a place of a lesson
+    QString report_message_;  // tells where the last report is
+    QString unfit_message_;   // names lessons that no longer fit
+    QString place_message_;   // asks for a place of a lesson
     std::function<void()> first_picture_;
     std::function<void(const std::optional<OpenRequest>&)> begin_anew_;
-    bool begins_anew_ = false;  // once it has closed
-    // Who was shown before a lesson brought its own patient.
+    bool begins_anew_ = false;  // after closing
+    // The patient shown before a lesson opened its own.
     std::optional<OpenRequest> before_lesson_;
-    std::optional<std::vector<LessonTool>> allowed_tools_;  // of the lesson that is played
-    bool slices_for_image_ = false;  // they came by themselves, and go when the patient is there
+    std::optional<std::vector<LessonTool>> allowed_tools_;  // by the lesson being played
+    // Slices appeared by themselves and go when the patient is shown.
+    bool slices_for_image_ = false;
     bool may_close_ = false;
     std::function<bool(const std::string& lesson)> end_lesson_;  // asks; see Questions
     bool in_close_event_ = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What makes the steps of what is played: the user's choice, and what there is to say of it.
+// The part of the window for the back end: the user's choice and its messages.
 #include <QStatusBar>
 
 #include "ui/back_ends.h"
@@ -18,7 +18,7 @@ namespace hepatica {
 void MainWindow::connect_back_ends() {
     quality_->show_back_end(back_ends_->chosen());
     quality_->on_back_end = [this](const std::string& name) { choose_back_end(name); };
-    // On whatever thread makes steps.
+    // Called on the thread that makes steps.
     back_ends_->on_words([this](const std::string& words) {
         QMetaObject::invokeMethod(
             this, [this, words] { say_of_back_end(words); }, Qt::QueuedConnection);
@@ -43,7 +43,7 @@ void MainWindow::choose_back_end(const std::string& name) {
     attempt(Words::tr("Computed by"), [this] { use(nullptr); });
 }
 
-// With the back end that plays; the case that holds this body keeps what is found.
+// Measures with the back end of the play; the case that holds this body keeps the result.
 void MainWindow::measure_dial() {
     dial_->show(patient_->patient, back_ends_->for_play());
     keep_dial();

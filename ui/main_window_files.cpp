@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window opens and saves: dialogs, drops and files, and how it closes.
+// The part of the window that opens and saves: dialogs, dropped files, and closing.
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QDateTime>
@@ -46,7 +46,7 @@
 namespace hepatica {
 namespace {
 
-// Two pictures in one, the second to the right.
+// Both pictures side by side.
 QImage beside(const QImage& first, const QImage& second) {
     QImage both(first.width() + second.width(), std::max(first.height(), second.height()),
                 QImage::Format_RGB32);
@@ -121,10 +121,11 @@ void MainWindow::ask_where_to_save_picture() {
     if (!file.isEmpty()) attempt(Words::tr("Save picture"), [&] { save_picture(file); });
 }
 
-// The CT is asked for only where these settings do not know it.
+// Asks for the CT only if the settings do not know its place.
 void MainWindow::ask_where_to_archive() {
     namespace fs = std::filesystem;
-    const std::string digest = workspace().patient()->source.image_sha256;  // dialogs follow
+    // A copy: dialogs follow.
+    const std::string digest = workspace().patient()->source.image_sha256;
     fs::path ct = to_path(settings_.place_of_image(digest));
     std::error_code ignored;
     if (!fs::is_directory(ct, ignored)) {  // a volume file is no DICOM folder
@@ -205,7 +206,7 @@ void MainWindow::offer_unsaved_work() {
     messages_->offer_also(Words::tr("Forget it"), [this, interrupted] { forget(interrupted); });
 }
 
-// They stay where they are, under the attempts at their lesson.
+// The recordings stay and are listed with the attempts at their lesson.
 void MainWindow::forget(const std::vector<std::filesystem::path>& interrupted) {
     for (const std::filesystem::path& recording : interrupted) forget_interruption(recording);
 }
@@ -311,7 +312,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
                              Words::id("save it to a folder and drop that")});
 }
 
-// Its clock stands while it is asked.
+// The simulation is paused while the user is asked.
 bool MainWindow::may_end_lesson() {
     const bool runs = !frame().statistics.paused;
     if (runs) patient_->simulation->post(SetPaused{true});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lessons and reviews in the window: the docks that play and show them, and their ways to the rest.
+// The part of the window for lessons and reviews: connects their docks and the lesson editor.
 #include <QFileDialog>
 #include <QMenu>
 #include <QMenuBar>
@@ -36,7 +36,7 @@
 namespace hepatica {
 namespace {
 
-// Letters and digits stay.
+// Replaces everything but letters and digits.
 QString as_file_name(QString name) {
     static const QRegularExpression other("[^\\p{L}\\p{N}]+");
     name = name.simplified().toLower().replace(other, "_");
@@ -86,7 +86,8 @@ void MainWindow::build_lessons() {
         show_whole_from_the_front();
         view_->setFocus();  // so that the keys of the tools reach the play
     };
-    // What runs on, such as a bleeding, would contradict what was judged, and cost for nothing.
+    // What runs on, such as a bleeding, would contradict the judgement and use the processor for
+    // nothing.
     ways.ended = [this] {
         if (frame().drug.injection) patient_->simulation->post(PlayDrug{false});
         patient_->simulation->post(SetPaused{true});
@@ -134,7 +135,7 @@ void MainWindow::build_lessons() {
     menuBar()->insertMenu(menuBar()->actions().back(), menu);  // before Help
 }
 
-// Whatever was looked at before, nothing that a lesson speaks of is out of sight.
+// Everything that a lesson refers to becomes visible, whatever the view was.
 void MainWindow::show_whole_from_the_front() {
     if (QAction& cut_open = (*actions_)[ActionId::toggle_clip]; cut_open.isChecked())
         cut_open.trigger();
@@ -147,7 +148,7 @@ std::optional<OpenRequest> MainWindow::patient_from_where() const {
     OpenRequest request;
     request.built_in = patient_->title == built_in_title;
     request.reconstruct.ct = keeper_->workspace().folder();
-    // Nobody can open again what lies nowhere.
+    // An unsaved patient cannot be opened again.
     if (!request.built_in && request.reconstruct.ct.empty()) return std::nullopt;
     return request;
 }
@@ -165,7 +166,7 @@ void MainWindow::open_for_lesson(const OpenRequest& request) {
 void MainWindow::offer_patient_from_before() {
     const std::optional<OpenRequest> before = std::exchange(before_lesson_, std::nullopt);
     if (!before) return;
-    // It was a lesson on the patient who was there anyway.
+    // The lesson was played on the patient who was shown before.
     if (const auto now = patient_from_where();
         now && now->built_in == before->built_in &&
         (now->built_in || same_place(now->reconstruct.ct, before->reconstruct.ct)))
@@ -190,14 +191,14 @@ void MainWindow::tell_unfit(const std::vector<ShelvedLesson>& lessons) {
         "Nobody can play them until their places were looked at in the lesson "
         "editor. Undo of the correction makes them fit again.");
     const QString text = lines.join("\n");
-    if (text == unfit_message_) return;  // of an earlier correction, and was read
+    if (text == unfit_message_) return;  // told already after an earlier correction
     unfit_message_ = text;
     log_->add_warning(Words::tr("Corrections"), text);
     messages_->show_notice(text, Words::tr("Edit the lesson"),
                            [this, file = lessons.front().file] { lesson_editor().edit(file); });
 }
 
-// A lesson that an earlier run left, unless something else is to be said already.
+// Offers a lesson left by an earlier run, unless there is another message.
 void MainWindow::offer_unsaved_lesson() {
     draft_slot_ = std::make_unique<DraftSlot>(to_path(settings_.lesson_draft()));
     std::error_code ignored;
@@ -276,7 +277,7 @@ void MainWindow::build_lesson_editor() {
     lesson_editor_ = new LessonEditor(std::move(ways), draft_slot_->file(), this);
 }
 
-// What covers the vessels steps aside, and the way back is in sight.
+// Hides the editor, which covers the vessels, and offers the way back.
 void MainWindow::wait_for_place() {
     lesson_editor_->step_aside();
     activateWindow();
@@ -292,7 +293,7 @@ void MainWindow::end_waiting_for_place() {
     place_message_.clear();
 }
 
-// On the centreline, so that it means the same whatever side was clicked on.
+// On the centreline, so that the clicked side does not matter.
 void MainWindow::set_lesson_place(const SurfacePick& pick) {
     const TreePoint at = patient_->anatomy.tree_point(frame().origin_of(pick.nearest_vertex));
     const VesselTree& tree = patient_->patient->tree;
@@ -311,7 +312,7 @@ void MainWindow::build_review() {
         return back_ends->named(name);
     };
     ways.use = [this](std::unique_ptr<Simulation> simulation) {
-        // A vessel that is still being drawn would change the patient under the review.
+        // A vessel that is still being drawn would change the patient during the review.
         VesselPen& pen = view_layout_->slices().pen();
         if (simulation != nullptr && pen.draws()) pen.give_up();
         lessons_->play_hidden(review_->file());
@@ -323,7 +324,7 @@ void MainWindow::build_review() {
     ways.ask_for_other = [this] { return ask_for_recording(); };
     ways.beside = [this](const std::shared_ptr<const Frame>& frame, std::vector<MarkView> marks,
                          const QString& first, const QString& other) {
-        // Nothing is asked of the patient then: he may be on his way out.
+        // Uses nothing of the patient, who may be about to be destroyed.
         if (frame == nullptr) {
             view_->scene().set_drug_scale(0.0);
             show_caption(translated(workspace().title()));
@@ -333,7 +334,7 @@ void MainWindow::build_review() {
         view_->scene().set_drug_scale(end_s);
         second_view_->set_drug_scale(end_s);
         show_caption(first);
-        view_->show_frame(this->frame());  // also where no other comes: on the new scale
+        view_->show_frame(this->frame());  // also if no new frame comes, for the new scale
         second_view_->show_frame(frame, std::move(marks), patient_->anatomy.vertex_systems(),
                                  theme_named(settings_.theme()).view, other);
     };

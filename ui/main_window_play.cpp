@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window shows of the patient, and what the user does with him.
+// The part of the window for the play: shows the patient and passes on the user's actions.
 #include <QCursor>
 #include <QDockWidget>
 #include <QGuiApplication>
@@ -42,7 +42,8 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     end_recording();
     SceneView& scene = view_->scene();
     end_image();
-    if (!corrected) scene.show(Frame{});  // forgets the one before: the camera finds the new one
+    // Forgets the former patient, so that the camera finds the new one.
+    if (!corrected) scene.show(Frame{});
     curves_->clear();
     patient_ = std::move(patient);
     dial_->show(patient_->patient, back_ends_->for_play());
@@ -63,14 +64,14 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     corrected ? view_layout_->show_corrected(patient_->patient)
               : view_layout_->show_patient(patient_->patient, patient_->folder, patient_->image);
     if (!corrected) {
-        // A plane through the one before would cut this one anywhere.
+        // The former patient's plane would cut the new one anywhere.
         if (QAction& open = (*actions_)[ActionId::toggle_clip]; open.isChecked()) open.trigger();
         liver_->show_patient(patient_->patient, patient_->folder);
         volume_->show_patient(patient_->patient, patient_->folder, patient_->image);
     }
     branches_->show_patient(patient_->patient, patient_->flow_shares,
                             keeper_->workspace().folder());
-    show_warnings();  // a correction alone has none
+    show_warnings();  // a corrected patient has none
     if (corrected) {
         lessons_->patient_corrected();
         fits_->look(patient_->patient, keeper_->workspace().folder(),
@@ -84,7 +85,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     review_->patient_shown();
 }
 
-// A scene in which nothing moves shows the surface's vertices, not the body's.
+// In a scene without deformation frames hold the surface's vertices, not the body's.
 void MainWindow::match_anatomy() {
     const PatientCase& patient = *patient_->patient;
     const bool moves = frame().positions_mm.size() >= 3 * patient.mesh.vertices_mm.size();
@@ -92,14 +93,14 @@ void MainWindow::match_anatomy() {
     patient_->anatomy = SurfaceAnatomy(
         patient.tree, moves ? patient.mesh.vertices_mm : patient.surface.vertices_mm, job);
     view_->scene().set_vertex_systems(patient_->anatomy.vertex_systems());
-    branches_->colour_vessels();  // as far as the branches of this patient are known
+    branches_->colour_vessels();  // if the branches of this patient are known
 }
 
 void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     if (!patient_) return;
     end_recording();
     const bool free = simulation == nullptr;
-    // Lessons record themselves, and what is looked back on is recorded.
+    // Lessons record themselves, and a review shows a recording.
     (*actions_)[ActionId::record_play].setEnabled(free);
     if (free) {
         Job job;
@@ -111,7 +112,7 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     curves_->clear();
     hovered_vertex_ = -1;
     view_->scene().set_highlight({});
-    show_marks();  // no other frame may come for a while
+    show_marks();  // the next frame may take a while
     view_->show_frame(frame());
     if (free) quality_->post_choices();  // a lesson has settings of its own
     inject_->begin_play(free);
@@ -143,7 +144,7 @@ void MainWindow::show_warnings() {
                            [this] { log_->show(); });
 }
 
-// Whoever is shown, none at first; in safe mode that stands there, too.
+// The patient's title; empty: none. Safe mode is shown too.
 void MainWindow::show_title(const QString& patient) {
     QString title = "Hepatica";
     if (settings_.safe()) title += " " + Words::tr("(safe mode: nothing is remembered)");
@@ -181,7 +182,7 @@ void MainWindow::follow_simulation() {
         QMetaObject::invokeMethod(
             this, [this] { show_newest_frame(); }, Qt::QueuedConnection);
     });
-    show_newest_frame();  // of those that came before
+    show_newest_frame();  // for frames that came before
 }
 
 void MainWindow::show_newest_frame() {
@@ -189,7 +190,7 @@ void MainWindow::show_newest_frame() {
         QTimer::singleShot(wait_ms, Qt::PreciseTimer, this, [this] { show_newest_frame(); });
         return;
     }
-    frame_waits_ = false;  // first: what comes from here on is told of again
+    frame_waits_ = false;  // first, so that frames from here on are announced again
     if (!patient_ || !patient_->simulation->update_frame()) return;
     const bool marks_moved = show_marks();
     view_->show_frame(frame());
@@ -213,7 +214,7 @@ bool MainWindow::show_marks() {
     return view_->scene().set_marks(std::move(marks));
 }
 
-// As the body lies now. Its light alone does not show a short one.
+// In the deformed body. The highlight alone does not show a short branch.
 std::optional<Vec3> MainWindow::middle_of_chosen_branch() const {
     if (!patient_ || chosen_branch_ < 0 || !branches_->isVisible()) return std::nullopt;
     const std::vector<std::uint8_t> lit = patient_->anatomy.vertices_of(chosen_branch_);
@@ -265,8 +266,7 @@ void MainWindow::show_figures() {
     show_message_of(frame.statistics);
 }
 
-// What stops the play stands above the view for as long as it is so; what merely happens passes
-// below it.
+// A message that stops the play stays above the view while it holds; others appear briefly below.
 void MainWindow::show_message_of(const FrameStatistics& statistics) {
     if (statistics.message == last_message_) return;
     if (messages_->text() == translated(last_message_)) messages_->dismiss();
@@ -314,7 +314,7 @@ void MainWindow::show_hover(const SurfacePick& pick) {
     light_up(point);
 }
 
-// Beside the vessels, the branch that was chosen in the table shines again.
+// If the pointer is on no vessel, the branch chosen in the table is highlighted.
 void MainWindow::light_up(const TreePoint& under_mouse) {
     const bool chosen = under_mouse.segment < 0 && chosen_branch_ >= 0 && branches_->isVisible();
     view_->scene().set_highlight(chosen ? patient_->anatomy.vertices_of(chosen_branch_)
@@ -342,7 +342,7 @@ void MainWindow::tear(MouseMode mode, const std::optional<std::array<Vec3, 2>>& 
     if (!frame().tear) post(tool_panel_->tear());
     const auto& [from, to] = *stroke;
     if (mode == MouseMode::cut) return post(Blade{from, to});
-    const Vec3 middle = 0.5 * (from + to);  // the section across the vessel
+    const Vec3 middle = 0.5 * (from + to);  // the cross-section at the middle
     post(CutLine{middle, middle, tool_panel_->cut_line_strength()});
 }
 
@@ -357,7 +357,7 @@ void MainWindow::picture_shown(const PictureTime& time) {
 
 void MainWindow::post(Command command) {
     if (!patient_) return;
-    // A slip of the hand is told of; it does not end the attempt.
+    // A forbidden command is reported; it does not end the attempt.
     if (const Lesson* lesson = lessons_->running())
         if (const std::string objection = objection_to(command, *lesson); !objection.empty())
             return hint(translated(objection));
@@ -391,7 +391,7 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
         6000);
 }
 
-// Also where a lesson allows no pulling: then the hand is empty.
+// Also if a lesson forbids pulling; then a drag does nothing to the vessels.
 void MainWindow::back_to_pulling() {
     (*actions_)[ActionId::pull_mode].setChecked(true);
     set_mouse_mode(MouseMode::pull);

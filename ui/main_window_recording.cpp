@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// File > Record play: a free play is recorded from the moment on at which it is asked for, until it
-// is asked for again or somebody or something else is shown.
+// The part of the window for File > Record play: a free play is recorded from the first request to
+// the second, or until another patient or play is shown.
 #include <QStatusBar>
 
 #include "ui/main_window.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reports of plays: asked for in the window, written beside it, found again by a button.
+// The part of the window for reports of plays: asked for here, written in the background, offered
+// by a button.
 
 #include <QCoreApplication>
 #include <QDesktopServices>

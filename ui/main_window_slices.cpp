@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Slices of the CT and the correcting of a patient's vessels and tumours in the window, and their
-// ways to the rest.
+// The part of the window for the slices of the CT and for corrections of vessels and tumours.
 #include <QDockWidget>
 #include <QStatusBar>
 #include <memory>
@@ -37,7 +36,7 @@ void MainWindow::build_slices(QWidget* parent) {
     callbacks.crosshair = [this](const std::optional<Vec3>& place) {
         if (view_->scene().set_crosshair(place)) view_->draw_soon();
     };
-    const auto said = std::make_shared<QString>();  // of the last failure
+    const auto said = std::make_shared<QString>();  // text of the last failure
     callbacks.failed = [this, said](const QString& doing, const Failure& failure) {
         fail(doing, failure);
         *said = messages_->text();
@@ -90,7 +89,7 @@ void MainWindow::build_slices(QWidget* parent) {
     show_corrections_with_slices();
 }
 
-// What is judged or looked back on is played on the patient as he is.
+// Lessons and reviews need the patient unchanged.
 bool MainWindow::may_correct(const char* why_not_in_review) {
     const char* why = review_->reviewing()             ? why_not_in_review
                       : lessons_->running() != nullptr ? not_in_lesson
@@ -101,7 +100,7 @@ bool MainWindow::may_correct(const char* why_not_in_review) {
 
 void MainWindow::show_image(std::shared_ptr<const Volume> ct) {
     if (patient_) return;
-    welcome_->setVisible(ct == nullptr);  // its quarter is too small for it
+    welcome_->setVisible(ct == nullptr);  // the view's quarter is too small for it
     if (ct == nullptr) {
         view_layout_->clear();
         return end_image();
@@ -118,8 +117,8 @@ void MainWindow::end_image() {
     if (std::exchange(slices_for_image_, false) && slices.isChecked()) slices.trigger();
 }
 
-// It would become a vessel by Rebuild, and be given to a system. The organs are known only as far
-// as the case has them.
+// Rebuild would make it a vessel of some system. Needs the organs, which are known as far as the
+// case has them.
 void MainWindow::warn_of_stroke_outside(const BrushStroke& stroke) {
     if (stroke.erases || !lies_far_outside(stroke, view_layout_->slices().tumours().organs()))
         return;
@@ -131,7 +130,7 @@ void MainWindow::warn_of_stroke_outside(const BrushStroke& stroke) {
     messages_->show_notice(text, Words::tr("Undo"), [this] { keeper_->take_strokes_back(1); });
 }
 
-// As soon as a click in a slice corrects.
+// Shows the panel of corrections when clicks in the slices begin to correct.
 void MainWindow::show_corrections_with_slices() {
     SliceScene& slices = view_layout_->slices();
     slices.on_change([this, &slices, did = false]() mutable {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands around the vessels in the view, what is measured there, and how window and view look.
+// The part of the window for the view's surroundings, measuring, and the look of window and view.
 #include <QActionGroup>
 #include <QApplication>
 #include <QMenu>
@@ -21,7 +21,7 @@
 
 namespace hepatica {
 
-// What stands around the vessels, and the plane that opens the view.
+// Liver surface, and the plane that opens the view.
 void MainWindow::connect_context() {
     QAction& liver = (*actions_)[ActionId::toggle_liver];
     LiverKeeper::Screen screen;
@@ -100,7 +100,7 @@ void MainWindow::connect_mouse_schemes() {
     views->addMenu(menu);
 }
 
-// A language holds for widgets that are made from then on: the window is made anew.
+// Widgets keep their language, so the window is made again.
 void MainWindow::connect_languages() {
     auto* menu = new QMenu(Words::tr("Lang&uage"), this);
     auto* group = new QActionGroup(menu);
@@ -149,7 +149,7 @@ void MainWindow::connect_measuring() {
     });
 }
 
-// A choice in the menu and one over the slices are one choice, and hold in all views.
+// The choice in the menu and the one above the slices are the same and hold in all views.
 void MainWindow::follow_measuring() {
     const auto chosen = view_layout_->slices().measurements().chosen();
     const bool measures = view_->mouse().mode() == MouseMode::measure;

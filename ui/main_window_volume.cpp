@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The CT as a volume around the vessels: its menu entry, its bar, and where the CT comes from.
+// The part of the window for the CT as a volume: menu entry, bar, and where the CT comes from.
 #include <QStatusBar>
 #include <utility>
 
@@ -67,7 +67,7 @@ void MainWindow::connect_volume() {
     });
 }
 
-// From when the CT is asked for: it does not push the pictures down once that is read.
+// Shown as soon as the CT is wanted, so that the pictures do not move when it has been read.
 void MainWindow::show_volume_bar() {
     volume_bar_->setVisible(volume_->wanted() && patient_);
 }

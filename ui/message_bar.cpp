@@ -24,7 +24,7 @@ MessageBar::MessageBar(QWidget* pictures)
       first_{new QPushButton(this), {}},
       second_{new QPushButton(this), {}} {
     setObjectName("messageBar");
-    label_->setTextFormat(Qt::RichText);  // else a text without a tag would show its escapes
+    label_->setTextFormat(Qt::RichText);  // plain text would show the escapes
     label_->setTextInteractionFlags(Qt::TextBrowserInteraction);
     connect(label_, &QLabel::linkActivated, this, [this](const QString& link) {
         const std::optional<int> branch = branch_of_link(link);
@@ -85,7 +85,7 @@ void MessageBar::offer(Offer& offer, const QString& button, std::function<void()
     offer.act = std::move(act);
     offer.button->setText(button);
     offer.button->show();
-    write();  // it has less room now
+    write();  // the label has less room now
 }
 
 QString MessageBar::text() const {
@@ -115,7 +115,7 @@ void MessageBar::resizeEvent(QResizeEvent* event) {
     write();
 }
 
-// A message that was there before the window was seen finds its room only now.
+// The width of a message set before the window was shown is known only now.
 void MessageBar::showEvent(QShowEvent* event) {
     OverlayBar::showEvent(event);
     QMetaObject::invokeMethod(
@@ -128,7 +128,7 @@ bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
     return OverlayBar::eventFilter(watched, event);
 }
 
-// In one line as far as there is room, or all of it.
+// Writes the message in one line, elided if needed, or all of it if open.
 void MessageBar::write() {
     const QString first = lines_.value(0);
     const auto strongly = [this](const QString& text) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The line over the top of the pictures that says what went wrong, where, and what to do; it stays
-// until it is dismissed or replaced, and moves nothing. What does not fit in one line opens on
-// demand, so that no vessel is hidden behind words. Where something can be done at once, it has a
-// button for it.
+// Bar over the top of the pictures for failures and notices: what, where, and what to do. It stays
+// until dismissed or replaced. A message longer than a line opens on demand, so that no vessel is
+// covered; buttons offer what can be done at once.
 #pragma once
 
 #include <QStringList>
@@ -17,25 +16,26 @@ class QToolButton;
 
 namespace hepatica {
 
-// What went wrong, where, and what helps, each as far as it is known.
+// Problem, place and remedy, as far as they are known.
 QStringList lines_of(const Failure& failure);
 
+// UI thread only.
 class MessageBar : public OverlayBar {
   public:
     explicit MessageBar(QWidget* pictures);
 
     void show_failure(const Failure& failure);
     void show_notice(const QString& text);
-    // With a button of this name that does `act` and dismisses the message.
+    // With a button of this name that calls `act` and dismisses the message.
     void show_notice(const QString& text, const QString& button, std::function<void()> act);
-    // One more button of the notice that is shown.
+    // Adds a second button to the notice that is shown.
     void offer_also(const QString& button, std::function<void()> act);
-    // A branch, from 0, whose name in the message was clicked.
+    // Called with the index of a branch whose name in the message was clicked.
     std::function<void(int branch)> on_branch;
     void dismiss() { hide(); }
-    QString text() const;                // plain, all of it, a paragraph a line; empty while hidden
-    bool open() const { return open_; }  // all of it is to be seen
-    // All of it covers what lies under it: one line is left as soon as somebody acts in there.
+    QString text() const;                // plain, one paragraph per line; empty while hidden
+    bool open() const { return open_; }  // the whole text is visible
+    // An open message is folded to one line when the user clicks or scrolls in `picture`.
     void fold_when_used(QWidget& picture) { picture.installEventFilter(this); }
 
   protected:
@@ -44,7 +44,7 @@ class MessageBar : public OverlayBar {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    // The first line is written more strongly where it is a failure's.
+    // The first line of a failure is bold.
     void show_as(const char* kind, const QStringList& lines);
     void set_open(bool open);
     void write();

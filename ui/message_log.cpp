@@ -20,8 +20,8 @@
 namespace hepatica {
 namespace {
 
-// A line is as high as its text is when it is wrapped to the width of its column: a tree by itself
-// asks for the height of one line.
+// Makes a row as high as its text wrapped to the column's width; by default a tree view reserves
+// one line.
 class WrappingDelegate : public QStyledItemDelegate {
   public:
     explicit WrappingDelegate(QTreeWidget* list) : QStyledItemDelegate(list), list_(list) {}

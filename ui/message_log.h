@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was warned of and what failed since the program began, with time and source: the message bar
-// shows only the last of them. To be read, and to be copied into a letter.
+// Dialog with all warnings and failures since the start, with time and source; the message bar
+// shows only the last one. The text can be copied.
 #pragma once
 
 #include <QDialog>
@@ -13,6 +13,7 @@ class QTreeWidget;
 
 namespace hepatica {
 
+// UI thread only.
 class MessageLog : public QDialog {
   public:
     explicit MessageLog(QWidget* parent = nullptr);
@@ -21,10 +22,11 @@ class MessageLog : public QDialog {
     void add_warning(const QString& source, const QString& text);
     void add_failure(const QString& source, const Failure& failure);
 
-    // A branch, from 0, that the message names on which somebody double-clicked or pressed Enter.
+    // Called with the index of a branch when a message that names it is double-clicked or Enter is
+    // pressed.
     std::function<void(int branch)> on_branch;
 
-    // One line a message, columns parted by tabs: time, kind, source, text.
+    // One line per message, columns separated by tabs: time, kind, source, text.
     QString as_text() const;
 
   private:

@@ -21,7 +21,7 @@ void MouseTool::set_mode(MouseMode mode) {
 void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers& modifiers) {
     cancel();
     clicked_ = dragged_ = false;
-    callbacks_.hover(SurfacePick{});  // while a button is down nothing is lit up
+    callbacks_.hover(SurfacePick{});  // no highlight while a button is down
     pressed_ = last_ = at;
     pressed_left_ = false;
     if (const auto gesture = scheme_->camera(button, modifiers)) {
@@ -136,7 +136,7 @@ std::optional<std::array<Vec3, 2>> MouseTool::stroke_to(const Pixel& at) const {
     constexpr int samples = 48;
     std::optional<Vec3> depth;
     for (int i = 0; i <= samples && !depth; ++i) {
-        // From the middle outwards: what is drawn across lies there.
+        // From the middle outwards, because a vessel is usually crossed there.
         const double share = 0.5 + (i % 2 == 0 ? 0.5 : -0.5) * i / samples;
         const SurfacePick pick = view_.pick(
             {pressed_.x + share * (at.x - pressed_.x), pressed_.y + share * (at.y - pressed_.y)});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the mouse does in the three-dimensional view, without any toolkit: it turns presses, moves
-// and releases into commands to the simulation and into movements of the camera.
+// Mouse control of the 3D view, without any toolkit: turns presses, moves and releases into
+// commands to the simulation and movements of the camera.
 //
 //   left drag on a vessel    pull it                left drag beside the vessels   orbit
 //   wheel                    zoom                   double-click, Ctrl + click     inject here
@@ -8,12 +8,10 @@
 //   right and middle drag, Shift + left drag   the camera, as the scheme says (mouse_scheme.h)
 // With a tool in hand the mouse leads it (tool_hand.h): every drag orbits or pans, the wheel moves
 // the tool in depth (with Shift five times as far), Ctrl + wheel zooms.
-// In cut and weaken mode a left drag draws a line across a vessel: a blade goes along it, or the
-// vessel tears more easily there.
-// In pull mode a click on a vessel points at it.
-// In inject, edit, place and measure mode a plain click on a vessel injects, edits, sets a place or
-// a point of what is measured there, and a drag that began on it orbits. In every mode a click on
-// the dashed line of a gap bridges it.
+// In cut and weaken mode a left drag draws a line across a vessel, which is cut or weakened there.
+// In pull mode a click on a vessel calls `pointed`. In inject, edit, place and measure mode a click
+// on a vessel injects, edits, or sets a place or a point of a measurement, and a drag orbits. In
+// every mode a click on the dashed line of a gap bridges it.
 #pragma once
 
 #include <array>
@@ -31,56 +29,58 @@ namespace hepatica {
 
 enum class MouseMode { pull, inject, edit, tool, cut, weaken, place, measure };
 
-// UI thread; view must outlive it.
+// UI thread only; the view must outlive it.
 class MouseTool {
   public:
     struct Callbacks {
         std::function<void(Command)> post;                    // to the simulation
         std::function<void(const SurfacePick& pick)> inject;  // the user chose this point
-        std::function<void(const SurfacePick& pick)> hover;   // triangle -1: beside the vessels
-        // The user chose it in edit, place or measure mode.
+        std::function<void(const SurfacePick& pick)> hover;   // triangle -1: no vessel
+        // The user clicked on this point in edit, place or measure mode.
         std::function<void(const SurfacePick& pick)> edit;
-        std::function<void(int bridge)> accept_bridge;  // of those that the view shows
-        // Which way the vessel runs there; 0 where that is not known.
+        std::function<void(int bridge)> accept_bridge;  // index among the bridges shown by the view
+        // Direction of the vessel there; zero if unknown.
         std::function<Vec3(const SurfacePick& pick)> vessel_direction;
-        // A line was drawn in cut or weaken mode. Where it meets no vessel both points are none.
+        // A line was drawn in cut or weaken mode; nullopt if it meets no vessel.
         std::function<void(MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke)> drawn;
-        // A click for a vessel met none: in inject, edit, place or measure mode, or in pull mode
-        // close beside one.
+        // A click missed the vessels: in inject, edit, place or measure mode, or in pull mode close
+        // to one.
         std::function<void()> missed = [] {};
-        // A plain click met this vessel in a mode in which it does nothing else.
+        // A click hit this vessel in pull mode.
         std::function<void(const SurfacePick& pick)> pointed = [](const SurfacePick&) {};
     };
     MouseTool(SceneView& view, Callbacks callbacks);
 
-    // Puts a tool away that is in hand, unless the mode is that of tools.
+    // Puts the tool away unless the mode is `tool`.
     void set_mode(MouseMode mode);
     MouseMode mode() const { return mode_; }
     void set_scheme(const MouseScheme& scheme) { scheme_ = &scheme; }
-    // Where it may not, a drag on a vessel turns the view.
+    // If false, a drag on a vessel turns the view.
     void set_may_pull(bool may_pull) { may_pull_ = may_pull; }
     bool may_pull() const { return may_pull_; }
     ToolHand& hand() { return hand_; }
     ClipControl& clip() { return clip_; }
 
-    // How far, in pixels, a press may move and still be a click. Follows the pixel ratio.
+    // Distance in pixels by which a press may move and still be a click; depends on the pixel
+    // ratio.
     void set_click_radius(double pixels) { click_radius_px_ = pixels; }
 
+    // Mouse events, in pixels of the picture.
     void press(const Pixel& at, MouseButton button, const MouseModifiers& modifiers);
-    // True where the camera has moved, so that the picture is to be drawn anew; what a pull moves
-    // comes with a later frame.
+    // Returns whether the camera or the drawn line has changed, so that a new picture is needed.
+    // The effect of a pull comes with a later frame.
     bool move(const Pixel& at);
     void release(const Pixel& at);
-    // The second press of a double click, in place of press(). Injects, unless the first click has
-    // done what a click does here: bridged a gap, or injected already.
+    // The second press of a double click, instead of press(). Injects, unless the first click did
+    // something already: bridged a gap or injected.
     void double_click(const Pixel& at);
-    // Wheel turned by `steps` notches away from the user (nearer) or towards (farther).
+    // `steps`: notches, > 0 away from the user (nearer).
     void wheel(double steps, const MouseModifiers& modifiers = {});
-    // Lets go of whatever is held, as when the window loses the mouse.
+    // Lets go of whatever is held, for example when the window loses the mouse.
     void cancel();
 
     bool pulling() const { return action_ == Action::pull; }
-    // A vessel, or the pen of a line.
+    // A vessel, or the end of a line.
     bool holds() const { return pulling() || action_ == Action::draw; }
     bool waits_for_click() const { return action_ == Action::wait_for_click; }
 
@@ -88,17 +88,18 @@ class MouseTool {
     enum class Action { none, pull, orbit, pan, zoom, wait_for_click, draw };
 
     void click_at(const Pixel& at);
-    // A vessel is so near that a hand may have meant it.
+    // Whether a vessel is so near that the user may have meant it.
     bool is_near_miss(const Pixel& at) const;
-    bool is_click(const Pixel& at) const;  // and no drag
+    bool is_click(const Pixel& at) const;  // not a drag
     // Whether a plain click is for a vessel.
     bool clicks_vessels() const { return mode_ == MouseMode::inject || chooses(); }
-    // Whether it is told to callbacks_.edit.
+    // Whether a click calls callbacks_.edit.
     bool chooses() const {
         return mode_ == MouseMode::edit || mode_ == MouseMode::place || mode_ == MouseMode::measure;
     }
     bool draws() const { return mode_ == MouseMode::cut || mode_ == MouseMode::weaken; }
-    // Between where the line that is drawn first and last meets the vessels, at their depth.
+    // The drawn line from press to release, at the depth of the vessel that it meets nearest to its
+    // middle; nullopt if it meets none.
     std::optional<std::array<Vec3, 2>> stroke_to(const Pixel& at) const;
     void inject_at(const Pixel& at);
 
@@ -112,12 +113,12 @@ class MouseTool {
     Action action_ = Action::none;
     bool clicked_ = false;       // the last press ended as a click
     bool dragged_ = false;       // since the last press
-    bool pressed_left_ = false;  // and for no gesture of the camera
-    SurfacePick pulled_;         // what is or was pulled last
+    bool pressed_left_ = false;  // and was no gesture of the camera
+    SurfacePick pulled_;         // pulled now or last
     Pixel pressed_;
     Pixel last_;
     HandPace pace_;                // of a pull
-    Vec3 held_mm_ = Vec3::Zero();  // where the vessel was when it was taken
+    Vec3 held_mm_ = Vec3::Zero();  // where the vessel was grabbed
     int pressed_bridge_ = -1;      // waits for the click
     double click_radius_px_ = 4.0;
 };

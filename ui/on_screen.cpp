@@ -10,7 +10,7 @@
 namespace hepatica {
 
 void resize_on_screen(QWidget& window, const QSize& wanted) {
-    // Its title, which the desktop adds, would push its foot off the screen.
+    // The title bar, added by the desktop, would push the window's foot off the screen.
     const int title = window.style()->pixelMetric(QStyle::PM_TitleBarHeight);
     window.resize(wanted.boundedTo(window.screen()->availableSize() - QSize(0, title)));
 }
@@ -18,7 +18,7 @@ void resize_on_screen(QWidget& window, const QSize& wanted) {
 void place_on_screen(QWidget& window, const QPoint& wanted, int title) {
     const QRect room = window.screen()->availableGeometry().adjusted(0, title, 0, 0);
     window.resize(window.size().boundedTo(room.size()));
-    // What is in it may need more than that, which is known only then.
+    // The content may need more room, which is known only after layout.
     if (window.layout() != nullptr) window.layout()->activate();
     const auto nearest = [](int wanted, int low, int high) {
         return std::max(low, std::min(wanted, high));

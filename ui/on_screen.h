@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sizes and places of windows within their screen: not everywhere is there a window manager that
-// would see to it.
+// Keeps windows within their screen, because not every system has a window manager that does.
 #pragma once
 
 #include <QPoint>
@@ -10,10 +9,10 @@ class QWidget;
 
 namespace hepatica {
 
-// As large as wanted, where the screen has room for it.
+// Resizes a window to the wanted size, limited to its screen.
 void resize_on_screen(QWidget& window, const QSize& wanted);
-// A window that is shown: where it is wanted, or as near as it is wholly on its screen, `title`
-// below the upper edge; smaller where it does not fit, as far as what is in it allows.
+// Moves a shown window to the wanted place, or the nearest one at which it is entirely on its
+// screen and `title` below the upper edge. Shrinks it if needed, as far as its content allows.
 void place_on_screen(QWidget& window, const QPoint& wanted, int title);
 
 }  // namespace hepatica

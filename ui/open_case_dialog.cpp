@@ -15,17 +15,17 @@ OpenCaseDialog::OpenCaseDialog(const QString& folder, std::function<void(const Q
                                QWidget* parent)
     : QFileDialog(parent, Words::tr("Open case"), folder, Words::tr("Cases (*.hep *.hepz)")),
       refuse_(std::move(refuse)) {
-    // The desktop's own dialog takes either folders or files, and cannot be told otherwise.
+    // The desktop's own dialog accepts either folders or files, not both.
     setOption(QFileDialog::DontUseNativeDialog);
     setAcceptMode(QFileDialog::AcceptOpen);
     setFileMode(QFileDialog::AnyFile);
     setLabelText(QFileDialog::FileName, Words::tr("Folder NAME.hep or file NAME.hepz:"));
-    // Else a folder that is clicked once would not be named.
+    // By default a folder that is clicked once is not named.
     connect(this, &QFileDialog::currentChanged, this, [this](const QString& path) {
         if (is_case(to_path(path)))
             findChild<QLineEdit*>("fileNameEdit")->setText(QFileInfo(path).fileName());
     });
-    // A double click enters a folder: of a case it opens it.
+    // A double click enters a folder; a case is opened instead.
     connect(this, &QFileDialog::directoryEntered, this, [this](const QString& entered) {
         if (!is_case(to_path(entered))) return;
         chosen_ = to_path(entered);

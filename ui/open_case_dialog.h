@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Asks which case is to be opened: a folder NAME.hep, which a file dialog would enter instead of
-// opening it, or the one file NAME.hepz. What is neither gets a word why not.
+// File dialog for a case: a folder NAME.hep, which other file dialogs would enter instead of
+// choosing it, or a file NAME.hepz. Tells why anything else cannot be opened.
 #pragma once
 
 #include <QFileDialog>
@@ -9,13 +9,14 @@
 
 namespace hepatica {
 
+// UI thread only.
 class OpenCaseDialog : public QFileDialog {
   public:
-    // `refuse` is told why what was chosen cannot be opened.
+    // `refuse` receives the reason why a choice cannot be opened.
     OpenCaseDialog(const QString& folder, std::function<void(const QString&)> refuse,
                    QWidget* parent = nullptr);
 
-    const std::filesystem::path& chosen() const { return chosen_; }  // once it is accepted
+    const std::filesystem::path& chosen() const { return chosen_; }  // after it was accepted
     void accept() override;
 
   private:

@@ -15,15 +15,15 @@ namespace {
 
 constexpr int major_version = 3;
 constexpr int minor_version = 2;
-constexpr const char* threads_of_llvmpipe = "LP_NUM_THREADS";  // Mesa's software renderer
+constexpr const char* threads_of_llvmpipe = "LP_NUM_THREADS";  // for Mesa's software renderer
 
-// Asks libX11, which Qt loads anyway: it knows sockets, hosts and who may come in.
+// Asks libX11, which Qt loads anyway and which handles sockets, hosts and permissions.
 bool x_display_answers() {
     if (qEnvironmentVariableIsEmpty("DISPLAY")) return false;
     QLibrary x11("X11", 6);
     const auto open_display = reinterpret_cast<void* (*)(const char*)>(x11.resolve("XOpenDisplay"));
     const auto close_display = reinterpret_cast<int (*)(void*)>(x11.resolve("XCloseDisplay"));
-    if (open_display == nullptr || close_display == nullptr) return true;  // Qt will say
+    if (open_display == nullptr || close_display == nullptr) return true;  // Qt will report it
     void* display = open_display(nullptr);
     if (display == nullptr) return false;
     close_display(display);

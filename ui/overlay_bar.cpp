@@ -12,7 +12,7 @@ OverlayBar::OverlayBar(Qt::Edge edge, QWidget* parent) : QFrame(parent), edge_(e
     hide();
 }
 
-// As wide as the parent, and as high as its words then need.
+// As wide as the parent, and as high as the content then needs.
 void OverlayBar::lie_on_edge() {
     const QSize room = parentWidget()->size();
     const int needed = hasHeightForWidth() ? heightForWidth(room.width()) : sizeHint().height();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A bar along an edge of its parent, over what the parent shows: no picture there moves when the
-// bar comes, grows or goes, which may be while somebody draws. Whoever writes words into the
-// pictures is told, and keeps them clear of it.
+// A bar along an edge of its parent, on top of its content, so that no picture moves when the bar
+// appears, grows or goes, even while the user drags. `on_cover` tells what to keep clear of text.
 #pragma once
 
 #include <QFrame>
@@ -9,20 +8,21 @@
 
 namespace hepatica {
 
+// UI thread only.
 class OverlayBar : public QFrame {
   public:
-    // At the top or the bottom edge; hidden at first.
+    // At the top or bottom edge; hidden at first.
     OverlayBar(Qt::Edge edge, QWidget* parent);
 
-    // Of the parent, from its edge, in points; 0 while the bar is hidden.
+    // Height of the parent's covered part, in points; 0 while hidden.
     int covered() const { return isHidden() ? 0 : height(); }
-    // Whenever that is another.
+    // Called when covered() changes.
     std::function<void()> on_cover;
 
   protected:
     bool event(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
-    // After what it shows has become higher or lower.
+    // To be called after the height of the content has changed.
     void lie_on_edge();
 
   private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between Qt's paths and the standard library's, whatever letters they are written in.
+// Conversion between paths of Qt and of the standard library, for any characters, and file filters.
 #pragma once
 
 #include <QFile>
@@ -18,7 +18,7 @@ inline QString to_text(const std::filesystem::path& path) {
     return QFile::decodeName(path.native().c_str());
 }
 
-// The same file or folder, whatever way its path takes.
+// Whether both name the same file or folder.
 inline bool same_place(const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code missing;
     return a.lexically_normal() == b.lexically_normal() ||
@@ -30,7 +30,7 @@ inline QString volume_filter() {
     return Words::tr("Volumes (*.nii *.nii.gz *.mha *.mhd *.nrrd *.nhdr);;All files (*)");
 }
 
-// What "Open CT file" offers: a case in one file is no folder, as cases are else.
+// For "Open CT file", which also opens cases in one file; other cases are folders.
 inline QString openable_filter() {
     return Words::tr(
         "Volumes and cases in one file (*.nii *.nii.gz *.mha *.mhd *.nrrd *.nhdr *.hepz);;"

@@ -64,7 +64,8 @@ bool PatientKeeper::strokes_let_go(const std::function<void()>& stay) {
             return true;
         case StrokesAnswer::rebuild:
             if (!jobs_.holds(JobKind::remake)) screen_.remake_painted();
-            if (jobs_.holds(JobKind::remake)) return false;  // go_on() when that has ended
+            // When that has ended, go_on() continues.
+            if (jobs_.holds(JobKind::remake)) return false;
             break;
         case StrokesAnswer::cancel:
             break;
@@ -78,7 +79,7 @@ void PatientKeeper::go_when_archived(std::function<void()> go, std::function<voi
     wait_to_go(std::move(go), std::move(stay));
 }
 
-// After a save or a remaking: what was corrected since then is asked about again.
+// After a save or rebuild: asks again about later corrections.
 void PatientKeeper::go_on() {
     if (go_ && !jobs_.holds(JobKind::save) && !jobs_.holds(JobKind::archive) &&
         !jobs_.holds(JobKind::remake))
@@ -94,7 +95,7 @@ void PatientKeeper::open(const OpenRequest& request) {
     asks ? look_first(wanted, go) : go();
 }
 
-// Nobody is asked to let go of anything for a file that cannot be opened.
+// Nobody is asked about unsaved work for the sake of a file that cannot be opened.
 void PatientKeeper::look_first(const OpenRequest& request, std::function<void()> go) {
     QueuedJob job = opening_job(request);
     job.begin = [this, request, go = std::move(go)]() -> BackgroundJob::Work {
@@ -135,7 +136,7 @@ void PatientKeeper::start_opening(const OpenRequest& request) {
                 const auto series = ways_.list_series(request, progress);
                 if (!series.empty())
                     return [this, request, series] { choose_series(request, series); };
-                // std::function wants to be copied, a loaded patient does not.
+                // std::function must be copyable; a LoadedPatient is not.
                 auto loaded = std::make_shared<LoadedPatient>(ways_.load(request, progress));
                 if (!request.built_in) loaded->asked_for = request.reconstruct.ct;
                 return [this, request, loaded] {
@@ -173,17 +174,17 @@ void PatientKeeper::choose_series(OpenRequest request,
     start_opening(request);
 }
 
-// The patient before may have been corrected while this one was made ready.
+// The former patient may have been corrected while this one was prepared.
 void PatientKeeper::arrived(const OpenRequest& request,
                             const std::shared_ptr<LoadedPatient>& loaded) {
     opening_.reset();
     const auto show = [this, request, loaded] {
-        // Saved over since it was read: what was read is not on disk any more.
+        // The case was saved again after it was read, so what was read is outdated.
         if (written_.contains(loaded->folder)) return start_opening(request);
         jobs_.drop(JobKind::correct);
         jobs_.drop(JobKind::remake);
         workspace_.open(*loaded);
-        // First: without them nothing of him would be worth keeping.
+        // Before the edits there is nothing of him worth keeping, so they come first.
         if (request.left_edits)
             workspace_.take_up(request.left_edits->edits, request.left_edits->strokes);
         screen_.show(std::move(*loaded), false);
@@ -198,7 +199,7 @@ void PatientKeeper::add(const TreeEdit& edit) {
     changes_tree(edit.kind) ? correct() : screen_.changed();
 }
 
-// Going back and forth means nothing while the patient is being exchanged.
+// A rebuild replaces the patient, so undo and redo must wait.
 bool PatientKeeper::waits_for_remaking() const {
     if (!jobs_.holds(JobKind::remake)) return false;
     screen_.say(
@@ -220,7 +221,7 @@ void PatientKeeper::add_stroke(const BrushStroke& stroke) {
     screen_.changed();
 }
 
-// Of those that are being made into vessels none is taken away; they are shown again then.
+// None is removed while they are being made into vessels; screen_.changed() then shows them again.
 void PatientKeeper::take_strokes_back(std::size_t strokes) {
     if (!waits_for_remaking())
         for (std::size_t i = 0; i < strokes; ++i) workspace_.undo_stroke();
@@ -327,7 +328,7 @@ void PatientKeeper::take_back_remaking() {
     jobs_.replace(std::move(job));
 }
 
-// One impossible correction does not take those after it with it.
+// An impossible correction is refused without affecting those after it.
 PatientKeeper::Possible PatientKeeper::possible_edits(const PatientCase& patient,
                                                       const Workspace::Edits& wanted) const {
     Possible possible;
@@ -335,7 +336,7 @@ PatientKeeper::Possible PatientKeeper::possible_edits(const PatientCase& patient
         ways_.check(patient, wanted);
         return {wanted, {}};
     } catch (const InputError&) {
-        // Which ones?
+        // The loop below finds out which ones.
     }
     for (const TreeEdit& edit : wanted) {
         possible.edits.push_back(edit);
@@ -392,8 +393,8 @@ bool PatientKeeper::ask_and_save() {
     return folder.has_value();
 }
 
-// Not beside the CT: that may lie in an archive, or on a disc. What the patient is called names the
-// case, "ct.nii.gz" as well as a folder "ct" of slices: "ct.hep".
+// Without a folder: the CT may lie in an archive or on a disc. The case is named after the patient:
+// "ct.nii.gz" and a folder "ct" both give "ct.hep".
 std::filesystem::path PatientKeeper::proposed_folder() const {
     if (!workspace_.folder().empty()) return workspace_.folder();
     std::filesystem::path name = to_path(translated(workspace_.title())).filename();
@@ -413,7 +414,7 @@ void PatientKeeper::save_as(const std::filesystem::path& folder) {
     add_writing(std::move(job));
 }
 
-// Behind all others; nobody leaves where it comes to nothing.
+// Runs after all other jobs; if it fails or is cancelled, a pending leave() is dropped.
 void PatientKeeper::add_writing(QueuedJob job) {
     job.failed = [this, title = job.title](const Failure& failure) {
         go_ = nullptr;
@@ -451,7 +452,7 @@ void PatientKeeper::archive(const std::filesystem::path& ct, const std::filesyst
     QueuedJob job;
     job.kind = JobKind::archive;
     job.title = Words::tr("Writing %1").arg(to_text(file.filename())).toStdString();
-    // Of who is shown now, whoever is shown when its turn comes.
+    // Of the patient shown now, whoever is shown when its turn comes.
     job.begin = [this, ct, file, written = std::move(written), patient = workspace_.patient(),
                  voxels = workspace_.folder(),
                  edits = workspace_.made_edits()]() -> BackgroundJob::Work {

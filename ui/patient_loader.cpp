@@ -38,7 +38,7 @@ LoadedPatient load_patient(const OpenRequest& request, Job& job, const DeformBac
     if (std::string words = words_on_left_out(back_end, measured_points(*opened.patient));
         !words.empty())
         opened.warnings.push_back(std::move(words));
-    // First: of many, the window shows the first two at once.
+    // First, because the window shows only the first two at once.
     const auto of_ends = warnings_of_ends(opened.patient->tree, loaded.flow_shares);
     opened.warnings.insert(opened.warnings.begin(), of_ends.begin(), of_ends.end());
     static_cast<OpenedPatient&>(loaded) = std::move(opened);

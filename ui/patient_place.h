@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A place in the patient as radiologists read it: how far to his left or right, back or front, head
-// or feet, from the origin of the CT.
+// A position in patient coordinates as radiologists read it: distance to the left or right, back or
+// front, head or feet from the origin of the CT.
 #pragma once
 
 #include <QString>
@@ -9,7 +9,7 @@
 
 namespace hepatica {
 
-// "L 12  P 40  H 155 mm", as the slices say it.
+// "L 12  P 40  H 155 mm", rounded to millimetres.
 QString patient_place(const Vec3& position_mm);
 
 }  // namespace hepatica

@@ -151,7 +151,7 @@ void PatientWizard::look_for_series() {
     if (!std::filesystem::is_directory(folder) || is_case(folder)) return;
     BackgroundJob::Callbacks callbacks;
     callbacks.progress = [](const JobProgress&) {};
-    callbacks.failed = [](const Failure&) {};  // reading the CT will say the same
+    callbacks.failed = [](const Failure&) {};  // reading the CT will report the same
     callbacks.cancelled = [] {};
     callbacks.ended = [this] { listing_.reset(); };
     listing_ = std::make_unique<BackgroundJob>(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Asks for what a reconstruction may be helped with: liver mask, vessel mask, window and seeds, and
-// which series of a folder that holds several. All of it is optional but the CT.
+// Dialog for the options of a reconstruction: CT, series of a DICOM folder, liver mask, vessel
+// mask, window and seeds. Only the CT is required.
 #pragma once
 
 #include <QDialog>
@@ -20,18 +20,19 @@ namespace hepatica {
 class BackgroundJob;
 struct SeriesDescription;
 
+// UI thread only.
 class PatientWizard : public QDialog {
   public:
     explicit PatientWizard(const QString& folder, QWidget* parent = nullptr);
     ~PatientWizard() override;
 
     void set_ct(const QString& path);
-    // What the fields say. Throws InputError that names the field that makes no sense.
+    // The options in the fields. Throws InputError that names the first invalid field.
     ReconstructOptions options() const;
 
   private:
     QLineEdit* add_path(QFormLayout& form, const QString& label, bool folders_too);
-    // Lists those of the CT's folder, beside the dialog; they are offered where there are several.
+    // Lists the series of the CT's folder in the background and offers them if there are several.
     void look_for_series();
     void offer(const std::vector<SeriesDescription>& series);
 
@@ -48,7 +49,7 @@ class PatientWizard : public QDialog {
     std::unique_ptr<BackgroundJob> listing_;
 };
 
-// Numbers out of "12,5 -3; 40": separated by blanks or semicolons, decimal comma or point. Throws
+// Numbers in "12,5 -3; 40": separated by blanks or semicolons, with decimal comma or point. Throws
 // InputError that names the part that is no number.
 std::vector<double> numbers_in(const QString& text, const std::string& field);
 

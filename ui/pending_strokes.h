@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Strokes at the vessels' voxels that wait for the vessels to be made anew of them, each with its
-// place among the corrections, so that one order of undo holds for both. A value: it can be kept
-// and shown again. No toolkit; not thread-safe.
+// Strokes at the vessel mask that wait for a rebuild, each with its place among the corrections, so
+// that both share one order of undo. A value type. No widgets; not thread-safe.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +12,7 @@
 
 namespace hepatica {
 
-// `edits`: how many corrections are wanted now.
+// `edits`: number of the present corrections.
 class PendingStrokes {
   public:
     PendingStrokes() = default;
@@ -26,22 +25,22 @@ class PendingStrokes {
         undone_.clear();
         made_.push_back({stroke, edits});
     }
-    // Whether the last thing that was done, or taken back, is a stroke and no correction.
+    // Whether the last step to undo, or the next to redo, is a stroke and not a correction.
     bool undo_is_mine(std::size_t edits) const {
         return !made_.empty() && made_.back().after_edits >= edits;
     }
     bool redo_is_mine(std::size_t edits) const {
         return !undone_.empty() && undone_.back().after_edits <= edits;
     }
-    // The last stroke; nothing where there is none.
+    // Both have no effect if there is no stroke.
     void undo() { move_last(made_, undone_); }
     void redo() { move_last(undone_, made_); }
-    // What redo would lead again; there must be one.
+    // The stroke that redo() would restore; there must be one.
     const BrushStroke& next_again() const { return undone_.back().stroke; }
     void forget_undone() { undone_.clear(); }
 
-    // The first so many are in the vessels now; the others come after these corrections. Returns
-    // those that are.
+    // Removes and returns the first `count` strokes, which are in the vessels now; the others
+    // follow `edits` corrections.
     std::vector<PendingStroke> take_first(std::size_t count, std::size_t edits) {
         const auto end = made_.begin() + static_cast<std::ptrdiff_t>(std::min(count, made_.size()));
         std::vector<PendingStroke> taken(made_.begin(), end);
@@ -50,7 +49,7 @@ class PendingStrokes {
         undone_.clear();
         return taken;
     }
-    // Before those that are there, as take_first() gave them.
+    // Inserts strokes from take_first() before the present ones.
     void put_back(const std::vector<PendingStroke>& taken) {
         made_.insert(made_.begin(), taken.begin(), taken.end());
         undone_.clear();
@@ -64,7 +63,7 @@ class PendingStrokes {
     }
 
     std::vector<PendingStroke> made_;
-    std::vector<PendingStroke> undone_;  // the last one is the first to be done again
+    std::vector<PendingStroke> undone_;  // the last one is redone first
 };
 
 }  // namespace hepatica

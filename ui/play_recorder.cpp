@@ -31,7 +31,7 @@ class PlayRecorder::Tape {
         writer_->append(std::move(step));
         ++steps_;
     }
-    // How many steps it has.
+    // Closes the file and returns the number of steps.
     std::size_t end() {
         const std::scoped_lock lock(mutex_);
         ended_ = true;
@@ -54,7 +54,7 @@ PlayRecorder::~PlayRecorder() {
     try {
         end(nullptr);
     } catch (...) {
-        // There is nobody left to tell; what was written before stays.
+        // Nobody is left to be told; the steps written before stay.
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Records a free play from the moment on at which it is asked to, into a file that only grows; what
-// happens while nothing moves takes no time in it.
+// Records a free play on request into a file that is only appended to. Times at which nothing moves
+// are left out.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace hepatica {
 
-// UI thread.
+// UI thread only.
 class PlayRecorder {
   public:
     PlayRecorder();
@@ -19,10 +19,10 @@ class PlayRecorder {
 
     bool recording() const { return tape_ != nullptr; }
     const std::filesystem::path& file() const { return file_; }  // of this or the last recording
-    // The folder is made where it is not there.
+    // Creates the folder if needed.
     void begin(Simulation& simulation, const std::filesystem::path& folder);
-    // Nothing where it does not record. `simulation` may be gone: null. True where something was
-    // recorded; an empty recording is removed. Throws InputError where it could not be written.
+    // No effect if not recording. `simulation` is null if it is gone. Returns whether anything was
+    // recorded; an empty recording is removed. Throws InputError if it could not be written.
     bool end(Simulation* simulation);
 
   private:

@@ -30,8 +30,8 @@ QColor grid_line(const QPalette& palette) {
     return faint;
 }
 
-// Those of Okabe and Ito's that stand out on a dark ground: sky blue, orange, purple, green. Points
-// alone are what went wrong.
+// Colours of Okabe and Ito that stand out on a dark background: sky blue, orange, purple, green.
+// Curves of points alone, which mark failures, are red.
 QColor colour_of(const Chart& chart, std::size_t curve) {
     if (chart.curves[curve].points_only) return event_line;
     constexpr std::array<std::size_t, 4> bright{4, 5, 3, 2};
@@ -53,7 +53,7 @@ double largest_of(const Chart& chart, std::vector<double> Curve::*values) {
 constexpr qreal side_margin = 4.0;
 constexpr qreal title_height = 18.0;
 
-// One line, or two of which the second ends in an ellipsis where it is too long.
+// One line, or two of which the second is elided if it is too long.
 QStringList in_lines(const QString& text, const QFontMetrics& letters, qreal wide) {
     const int most = static_cast<int>(wide);
     if (letters.horizontalAdvance(text) <= most) return {text};
@@ -64,7 +64,7 @@ QStringList in_lines(const QString& text, const QFontMetrics& letters, qreal wid
     return {text.left(end), letters.elidedText(text.mid(end + 1), Qt::ElideRight, most)};
 }
 
-// Of all but the last, which stands at the foot.
+// Bottom of all titles except the last, which stands at the foot.
 qreal head_of(const std::vector<PlotView::Title>& titles) {
     qreal end = 0.0;
     for (std::size_t i = 0; i + 1 < titles.size(); ++i)
@@ -168,7 +168,7 @@ void PlotView::paint_curves(QPainter& painter) const {
     painter.drawLine(place(*marker_, 0), place(*marker_, y_end_));
 }
 
-// Of few points each counts, and a single one has no line.
+// Each of few points is marked, and a single one has no line.
 void PlotView::paint_dots(QPainter& painter, const Curve& curve) const {
     painter.setBrush(painter.pen().color());
     for (std::size_t i = 0; i < curve.x.size(); ++i)
@@ -186,7 +186,7 @@ void PlotView::paint_crosses(QPainter& painter, const Curve& curve) const {
     }
 }
 
-// To the right beside the y axis' title where there is room, else in rows of their own.
+// To the right of the y axis title if there is room, else in rows of their own.
 std::vector<PlotView::Title> PlotView::names_below(qreal top) const {
     std::vector<Title> names;
     const QFontMetrics letters = fontMetrics();
@@ -242,7 +242,7 @@ void PlotView::paint_titles(QPainter& painter) const {
     }
 }
 
-// Their words stand in the first row that is free there.
+// Each text stands in the first free row.
 void PlotView::paint_events(QPainter& painter) const {
     constexpr int row_height = 15;
     std::vector<qreal> row_ends;
@@ -300,7 +300,7 @@ void PlotPanel::set_tear(const std::optional<Chart>& chart, std::vector<PlotEven
     show_some();
 }
 
-// Empty charts of an injection stand where there is nothing else to show.
+// Empty charts of an injection are shown if there is nothing else.
 void PlotPanel::show_some() {
     left_->setVisible(injected_ || !tears_);
     right_->setVisible(injected_ || !tears_);
@@ -335,7 +335,7 @@ void PlotPanel::set_time(std::optional<double> time_s) {
 }
 
 void PlotPanel::save_picture(const QString& file) {
-    constexpr double scale = 3.0;  // fit for print
+    constexpr double scale = 3.0;  // resolution for print
     QRect shown;
     for (const PlotView* view : {left_, right_, tear_})
         if (!view->isHidden()) shown |= view->geometry();

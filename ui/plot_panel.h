@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The curves of an injection and of a tear beside the picture, with the drug's clock and what
-// happened in them; saved as picture or table.
+// Panel with the charts of an injection and of a tear, with the drug's time and events marked;
+// saved as picture or table. UI thread only.
 #pragma once
 
 #include <QWidget>
@@ -16,35 +16,34 @@ class QPushButton;
 
 namespace hepatica {
 
-// Something that happened at a place of the x axis.
+// An event at a place of the x axis.
 struct PlotEvent {
     double x = 0.0;
     QString text;
     bool operator==(const PlotEvent&) const = default;
 };
 
-// One chart in the window's own colours.
+// A chart in the window's colours.
 class PlotView : public QWidget {
   public:
     explicit PlotView(QWidget* parent = nullptr);
 
     void set_chart(const Chart& chart);
     const Chart& chart() const { return chart_; }
-    // A vertical line at this place of the x axis; none where it is empty.
+    // A vertical line at this place of the x axis; nullopt: none.
     void set_marker(std::optional<double> x);
-    // Dashed lines with their words beside them.
+    // Dashed lines with their texts beside them.
     void set_events(std::vector<PlotEvent> events);
     const std::vector<PlotEvent>& events() const { return events_; }
 
     QSize sizeHint() const override { return {360, 190}; }
 
-    // The words above the curves and below them as they are drawn, each with its place: the y
-    // axis' title, the curves' names, the x axis' title. Too long ones go on in a second line, and
-    // what that does not hold either is cut with an ellipsis.
+    // The titles as they are drawn, with their places: y axis, names of the curves, x axis. A long
+    // y title takes two lines, and what does not fit is elided.
     struct Title {
         QRectF place;
         QString text;
-        int curve = -1;  // whose name it is; -1: of an axis
+        int curve = -1;  // index of the curve that it names; -1: an axis
     };
     std::vector<Title> titles() const;
 
@@ -66,7 +65,7 @@ class PlotView : public QWidget {
     Chart chart_;
     std::optional<double> marker_;
     std::vector<PlotEvent> events_;
-    qreal head_ = 22.0;   // height of what stands above the frame
+    qreal head_ = 22.0;   // height of the titles above the frame
     double x_end_ = 1.0;  // axes begin at 0
     double y_end_ = 1.0;
 };
@@ -75,18 +74,20 @@ class PlotPanel : public QWidget {
   public:
     explicit PlotPanel(QWidget* parent = nullptr);
 
+    // The charts of an injection: pressure (left) and delivery (right).
     void set_charts(const Chart& left, const Chart& right);
-    // The chart of a tear and what happened in it; none: nothing tears, and it is not shown.
+    // Chart and events of a tear; nullopt: nothing tears, and the chart is hidden.
     void set_tear(const std::optional<Chart>& chart, std::vector<PlotEvent> events);
     void clear();
-    // Of pressures; what is shown and saved follows at once.
+    // Units of pressures; effective at once for display and files.
     void set_units(FlowUnits units);
     const PlotView& tear() const { return *tear_; }
     const Chart& left() const { return left_->chart(); }
     const Chart& right() const { return right_->chart(); }
+    // Marks this time on the drug's clock in both charts; nullopt: no mark.
     void set_time(std::optional<double> time_s);
 
-    // Throw InputError where the file cannot be written.
+    // Both throw InputError if the file cannot be written.
     void save_picture(const QString& file);
     void save_table(const QString& file);
 
@@ -98,14 +99,14 @@ class PlotPanel : public QWidget {
     PlotView* left_;
     PlotView* right_;
     PlotView* tear_;
-    Chart pressure_;  // the left one as it was given
+    Chart pressure_;  // the left chart in its original units
     FlowUnits units_ = FlowUnits::computed;
     bool injected_ = false, tears_ = false;
     QPushButton* save_picture_;
     QPushButton* save_table_;
 };
 
-// Up to six round values from 0 to at least `largest` > 0, the last one the axis' end.
+// At most six round values from 0 to at least `largest` > 0; the last one is the axis' end.
 std::vector<double> axis_ticks(double largest);
 
 }  // namespace hepatica

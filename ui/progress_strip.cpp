@@ -14,7 +14,7 @@ namespace hepatica {
 
 ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* pictures)
     : OverlayBar(Qt::BottomEdge, pictures),
-      // The beginning says what is done, the end of a name tells it from others.
+      // The beginning tells what is done, and the end of a name distinguishes it.
       title_(new ElidedLabel(Qt::ElideMiddle, this)),
       stage_(new ElidedLabel(Qt::ElideMiddle, this)),
       waiting_(new ElidedLabel(Qt::ElideRight, this)),
@@ -33,7 +33,7 @@ ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* pictures)
     row->setContentsMargins(14, 8, 10, 8);
     row->setSpacing(14);
     row->addWidget(title_);
-    row->addWidget(stage_, 1);  // what the title leaves
+    row->addWidget(stage_, 1);  // gets the room that the title leaves
     row->addWidget(waiting_);
     row->addWidget(bar_);
     row->addWidget(cancel_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The line over the foot of the pictures while a job runs: its stage in words, how far it is, what
-// waits behind it, and Cancel.
+// Bar over the foot of the pictures while a job runs: stage, progress, number of waiting jobs, and
+// Cancel.
 #pragma once
 
 #include <functional>
@@ -15,12 +15,13 @@ namespace hepatica {
 
 class ElidedLabel;
 
+// UI thread only.
 class ProgressStrip : public OverlayBar {
   public:
     ProgressStrip(std::function<void()> cancel, QWidget* pictures);
 
     void start(const QString& title);
-    void show_waiting(int jobs);  // behind the one that runs
+    void show_waiting(int jobs);  // behind the running one
     void update_progress(const JobProgress& progress);
     void say_cancelling();
     void finish() { hide(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A button in a row, with a name by which tests find it.
+// Adds a button with an object name to a row.
 #pragma once
 
 #include <QBoxLayout>

@@ -25,11 +25,10 @@
 namespace hepatica {
 namespace {
 
-// What scenes begin with: see DeformSpec.
+// Initial stiffness of scenes: see DeformSpec.
 const double tissue_pa_per_mm2 = DeformSpec{}.tether_pa_per_mm2;
 
-// By the names that the command line takes. The last one is offered to those alone who asked for it
-// there.
+// Named as on the command line. The last one is offered only if it was chosen there.
 constexpr std::array<std::pair<const char*, const char*>, 4> back_ends{{
     {"cpu", Words::id("Processor")},
     {"cuda", Words::id("CUDA device")},
@@ -186,8 +185,8 @@ void QualityPanel::show_statistics(const FrameStatistics& statistics) {
     solver_->setToolTip(Words::tr("Setting of the solver: %1").arg(translated(statistics.setting)));
 }
 
-// All figures of the dial are errors of the patient's own body against one and the same motion of
-// it; until there are such, there is none.
+// Errors on the dial are those of the patient's own body against one reference motion; without such
+// measurements none is shown.
 void QualityPanel::show_error(const FrameStatistics& statistics) {
     const bool on_dial = statistics.expected_error > 0.0;
     const bool own = on_dial && is_of_own_body(statistics.error_reference);

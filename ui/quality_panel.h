@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The dial between speed and accuracy with the error that it costs, what makes the steps, and what
-// acts on the body.
+// Panel for the dial between speed and accuracy with its expected error, the back end, and what
+// acts on the vessels.
 #pragma once
 
 #include <QWidget>
@@ -19,20 +19,20 @@ namespace hepatica {
 
 class DecimalSpinBox;
 
-// The panel is the only place that keeps what the user has chosen. A frame may be older than the
-// last choice, so a frame changes the figures here, never a choice.
+// UI thread only. Holds the user's choices: a frame may be older than the last choice, so it
+// changes figures here but, except for the dial in automatic mode, no choice.
 class QualityPanel : public QWidget {
   public:
     explicit QualityPanel(std::function<void(Command)> post, QWidget* parent = nullptr);
 
     void show_statistics(const FrameStatistics& statistics);
 
-    // Tells a simulation that has just begun what the user had chosen before: a corrected patient
-    // is played on as the former one was.
+    // Sends the user's choices to a new simulation, so that a corrected patient is played as
+    // before.
     void post_choices();
 
-    // What makes the steps, by a name that BackEnds knows: shown as chosen, and told when the user
-    // chooses another.
+    // Shows this back end, by a name that BackEnds knows, as chosen; on_back_end is called when the
+    // user chooses another.
     void show_back_end(const std::string& name);
     std::function<void(const std::string& name)> on_back_end = [](const std::string&) {};
 
@@ -58,7 +58,7 @@ class QualityPanel : public QWidget {
     DecimalSpinBox* wall_ = nullptr;
 };
 
-// "1.2 %" from 0.012; as many digits as mean something.
+// "1.2 %" from 0.012, with as many digits as are meaningful.
 QString percent_text(double share);
 
 // What the error of a setting is measured against, for a tooltip.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The questions that keep a patient and a lesson from being lost, which series is meant, and where
-// a CT lies, as dialogs.
+// Dialogs that ask about unsaved patients and lessons, the series of a CT, and the place of a CT.
+// UI thread only.
 #pragma once
 
 #include <filesystem>
@@ -14,17 +14,18 @@ class QWidget;
 
 namespace hepatica {
 
-// Both must outlive what is returned.
+// `parent` and `settings` must outlive the result.
 PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& settings);
 
-// The folder of a DICOM series or a file, as the person says: no dialog of the desktop takes both.
-// None: not after all.
+// Folder of a DICOM series or a volume file; asks for the kind first, because no native dialog
+// offers both. nullopt: cancelled.
 std::optional<std::filesystem::path> ask_where_ct_lies(QWidget& parent, const Settings& settings);
 
-// What went wrong in a window of its own: before it, where it is seen. Returns at once.
+// Shows a failure in a message box in front of `window`. Returns at once.
 void tell_failure(QWidget& window, const QString& doing, const Failure& failure);
 
-// About a lesson of that name; `kept`: a copy of it is on disk, so that it may be left for later.
+// Asks about the unsaved lesson `name`; `kept`: a copy is on disk, so that it may be left for
+// later.
 UnsavedLesson ask_unsaved_lesson(QWidget& parent, const std::string& name, bool kept);
 
 }  // namespace hepatica

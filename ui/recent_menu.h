@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files that were opened or saved last. What is not there any more is marked, and leaves the
-// list when it is asked for.
+// Menu of the files opened or saved last. Missing ones are marked and removed from the list when
+// chosen.
 #pragma once
 
 #include <QMenu>
@@ -10,16 +10,17 @@
 
 namespace hepatica {
 
+// UI thread only.
 class RecentMenu : public QMenu {
   public:
     struct Callbacks {
         std::function<void(const QString& path)> open;
         std::function<void(const QString& path)> missing;
     };
-    // `settings` must outlive it.
+    // `settings` must outlive the menu.
     RecentMenu(Settings& settings, Callbacks callbacks, QWidget* parent = nullptr);
 
-    // As the settings are now; also whenever the menu is about to appear.
+    // Fills the menu from the settings; called whenever it is about to appear.
     void fill();
 
   private:

@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// As the file is called: a lesson's id, or the name of its file.
+// The lesson in the file's name: a built-in lesson's id, or the name of its file.
 QString lesson_in_name(const fs::path& recording) {
     static const QRegularExpression time("-\\d{8}-\\d{6}-\\d{3}$");
     const QString name = to_text(recording.stem()).remove(time);
@@ -60,7 +60,7 @@ RecordingFacts facts_of(const fs::path& recording) {
         facts.lesson = translated(attempt.lesson);
         facts.result = attempt.passed ? Words::tr("✓ passed") : Words::tr("✗ not passed");
     } catch (const InputError&) {
-        // The recording can be looked back on all the same.
+        // The recording can be opened without its result.
     }
     return facts;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The recordings of this user by what they are: of which lesson, when, how it ended. A file that
-// lies elsewhere is asked for in the desktop's own way.
+// Dialog of the user's recordings with lesson, time and result; recordings elsewhere are chosen in
+// a file dialog.
 #pragma once
 
 #include <QDialog>
@@ -18,19 +18,20 @@ namespace hepatica {
 struct RecordingFacts {
     std::filesystem::path file;
     QString lesson;  // or free play
-    QString played;  // when
+    QString played;  // date and time
     QString result;  // may be empty
 };
 RecordingFacts facts_of(const std::filesystem::path& recording);
 // "Gentle pull, 26 Nov 2026, 03:40"
 QString title_of(const RecordingFacts& facts);
 
+// UI thread only.
 class RecordingDialog : public QDialog {
   public:
-    // Lists the folder's, the newest first.
+    // Lists the recordings of the folder, the newest first.
     RecordingDialog(const std::filesystem::path& folder, QWidget* parent);
 
-    // After it was accepted.
+    // Valid after the dialog was accepted.
     const std::filesystem::path& chosen() const { return chosen_; }
 
   private:

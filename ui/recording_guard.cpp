@@ -26,7 +26,7 @@ fs::path mark_of(const fs::path& recording) {
 
 std::unique_ptr<QLockFile> recording_lock(const fs::path& recording) {
     auto lock = std::make_unique<QLockFile>(to_text(recording.string() + ".lock"));
-    lock->setStaleLockTime(0);  // a play may last; a program that is gone is seen by its number
+    lock->setStaleLockTime(0);  // no expiry by age; a dead owner is recognised by its process id
     return lock;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Marks a recording that is being written, by a file beside it that goes when the play ends as it
-// should. A mark that nobody holds any more is of a play that a crash or a power cut ended.
+// Marks a recording while it is being written, by a locked file beside it that is removed when the
+// play ends. A mark without a lock belongs to a play that ended by a crash or a power cut.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@ class QLockFile;
 
 namespace hepatica {
 
-// UI thread.
+// UI thread only.
 class RecordingGuard {
   public:
     explicit RecordingGuard(std::filesystem::path recording);
@@ -25,19 +25,19 @@ class RecordingGuard {
     std::unique_ptr<QLockFile> lock_;
 };
 
-// Some program writes it now.
+// Whether a running program is writing it.
 bool is_being_recorded(const std::filesystem::path& recording);
 
-// All in the folder, the newest first.
+// All recordings in the folder, the newest first.
 std::vector<std::filesystem::path> recordings_in(const std::filesystem::path& folder);
 
-// Those in the folder that were interrupted and not forgotten, the newest first.
+// The interrupted recordings in the folder that were not forgotten, the newest first.
 std::vector<std::filesystem::path> interrupted_recordings(const std::filesystem::path& folder);
-// It is not offered any more; the recording stays.
+// Removes the mark; the recording stays.
 void forget_interruption(const std::filesystem::path& recording);
 
-// Those of a lesson, by the beginning of their names, that have no result and that nobody writes
-// now, the oldest first.
+// The recordings whose name begins with `lesson`, without result and not being written, the oldest
+// first.
 std::vector<std::filesystem::path> recordings_without_result(const std::filesystem::path& folder,
                                                              const std::string& lesson);
 

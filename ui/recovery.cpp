@@ -25,8 +25,7 @@ constexpr const char* copy_beside = ".";
 
 std::unique_ptr<QLockFile> lock_of(const fs::path& folder) {
     auto lock = std::make_unique<QLockFile>(to_text(folder / lock_name));
-    lock->setStaleLockTime(
-        0);  // a program may run for weeks; one that is gone is seen by its number
+    lock->setStaleLockTime(0);  // no expiry by age; a dead owner is recognised by its process id
     return lock;
 }
 
@@ -38,7 +37,8 @@ std::string case_name(std::string title) {
     return (title.empty() || title.front() == '.' ? "case" + title : title) + ".hep";
 }
 
-// What another program left: its folder, where this is its journal or the last copy in it.
+// Removes what another program left: a copy, and the whole folder if `place` is its journal or its
+// last copy.
 void remove_left(const fs::path& place) {
     if (place.empty()) return;
     const fs::path version = place.parent_path(), program = version.parent_path();
@@ -53,13 +53,13 @@ void remove_left(const fs::path& place) {
     fs::remove_all(program, ignored);
 }
 
-// A whole copy, and the number of the change after which it was made.
+// A complete copy and the number of the change that it includes.
 struct KeptCopy {
     fs::path place;
     std::uint64_t version = 0;
 };
 
-// The newest in a program's folder; none has an empty place.
+// The newest copy in a program's folder; its place is empty if there is none.
 KeptCopy newest_copy(const fs::path& program) {
     KeptCopy newest;
     std::error_code ignored;
@@ -75,14 +75,14 @@ KeptCopy newest_copy(const fs::path& program) {
     return newest;
 }
 
-// The case that the edits of this journal are made on; empty: the built-in patient.
+// The case that the edits of this journal apply to; empty: the built-in patient.
 fs::path base_of(const Journalled& left, const fs::path& journal) {
     return left.base.place == copy_beside ? newest_copy(journal.parent_path()).place
                                           : left.base.place;
 }
 
-// The journal of a program where it says more than the copy, which holds no strokes that wait; else
-// the copy; else empty.
+// A program's journal if it is newer than the copy or holds strokes, which no copy does; else the
+// copy; else empty.
 fs::path newest_of(const fs::path& program) {
     const KeptCopy copy = newest_copy(program);
     const fs::path journal = program / journal_name;
@@ -114,14 +114,14 @@ void Recovery::follow(const Workspace& workspace) {
         return remove_left(workspace.kept_copy());
     }
     note(wanted_of(workspace));
-    if (!workspace.dirty()) {  // strokes alone, on a case that lies on disk
+    if (!workspace.dirty()) {  // strokes alone, on a saved case
         if (journal_ && !workspace.kept_copy().empty()) {
             journal_->wait_until_written();
             if (!journal_->failed()) remove_left(workspace.kept_copy());
         }
         return;
     }
-    // Called again as soon as the correction has its body.
+    // Called again when the correction has its body.
     if (workspace.awaits_body() || workspace.version() == kept_version_) return;
     wanted_ = {workspace.patient(),   workspace.made_edits(), workspace.title(), workspace.folder(),
                workspace.kept_copy(), workspace.version(),    workspace.origin()};
@@ -140,7 +140,7 @@ Recovery::Wanted Recovery::wanted_of(const Workspace& workspace) {
             workspace.origin()};
 }
 
-// A copy of his own is preferred to a case that may change or go.
+// An own copy is preferred to a case that may be changed or removed.
 void Recovery::note(const Wanted& wanted) {
     const bool has_copy = copy_origin_ == wanted.origin;
     newest_ = wanted;
@@ -150,7 +150,7 @@ void Recovery::note(const Wanted& wanted) {
     try {
         make_own_folder();
     } catch (...) {
-        return;  // the copy that follows says so
+        return;  // reported by write(), if a copy follows
     }
     if (!journal_) journal_ = std::make_unique<EditJournal>(own_ / journal_name);
     journal_->append(noted);
@@ -159,7 +159,7 @@ void Recovery::note(const Wanted& wanted) {
                  Words::id("make room on the disk; save the case")});
 }
 
-// What they hold lies in a case on disk.
+// Their content is in a case on disk.
 void Recovery::forget_copies() {
     delay_.stop();
     wanted_ = {};
@@ -196,7 +196,7 @@ void Recovery::write() {
     } catch (...) {
         return failed_(failure_of(std::current_exception()));
     }
-    // Beside the copy before, which is removed when this one is whole.
+    // Beside the former copy, which is removed when this one is complete.
     const fs::path place = own_ / std::to_string(copy.version) / case_name(copy.title);
     job_ = std::make_unique<BackgroundJob>(
         [this, copy, place, write = write_](Job& job) -> std::function<void()> {
@@ -218,14 +218,14 @@ void Recovery::written(const Copy& copy, const fs::path& place) {
     kept_version_ = copy.version;
     copy_origin_ = copy.origin;
     if (newest_ && newest_->origin == copy.origin) note(Wanted(*newest_));
-    remove_left(copy.opened_from);  // it is not needed beside this one
+    remove_left(copy.opened_from);  // superseded by this copy
 }
 
 void Recovery::make_own_folder() {
     if (!own_.empty()) return;
     const fs::path own = folder_ / QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
     fs::create_directories(own);
-    fs::permissions(own, fs::perms::owner_all);  // nobody else's business
+    fs::permissions(own, fs::perms::owner_all);  // private to the user
     lock_ = lock_of(own);
     lock_->tryLock(0);
     own_ = own;
@@ -261,7 +261,7 @@ std::vector<fs::path> Recovery::left_behind() const {
     std::error_code ignored;
     for (const auto& program : fs::directory_iterator(folder_, ignored)) {
         if (program.path() == own_ || !program.is_directory()) continue;
-        if (!lock_of(program.path())->tryLock(0)) continue;  // it runs
+        if (!lock_of(program.path())->tryLock(0)) continue;  // still running
         const fs::path place = newest_of(program.path());
         if (!place.empty()) left.push_back({place, fs::last_write_time(place, ignored)});
     }

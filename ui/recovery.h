@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is not saved yet, kept on disk all the same among the user's data, and removed when all is
-// saved or let go: each correction and each stroke at the vessels at once, in a journal, and half a
-// second after a reconstruction or a correction's body a copy of the whole case. What a program has
-// left that ended without that, by a crash or a power cut, is offered at the next start.
+// Keeps unsaved work in the user's data folder until it is saved or discarded: each correction and
+// stroke at once in a journal, and half a second after a reconstruction or correction a copy of the
+// whole case. What a program left after a crash or power cut is offered at the next start.
 #pragma once
 
 #include <QTimer>
@@ -21,37 +20,36 @@ class QLockFile;
 
 namespace hepatica {
 
-// Work that a program left, as it is opened again.
+// Unsaved work of an earlier run, and how to open it.
 struct UnsavedWork {
     std::string title;
     OpenRequest request;
 };
 
-// UI thread; needs Qt's event loop and nothing else of the toolkit. Each program has a folder of
-// its own with a lock, by which others see that it still runs.
+// UI thread only; needs Qt's event loop and no other part of Qt. Each program has a folder of its
+// own with a lock, which tells others that it runs.
 class Recovery {
   public:
     using Write = std::function<void(const std::filesystem::path& place, const PatientCase&)>;
-    // `folder`: of all programs of this user. Without a way to write nothing is kept.
+    // `folder` is common to all programs of the user. Without `write` nothing is kept.
     Recovery(std::filesystem::path folder, Write write, std::function<void(const Failure&)> failed);
     ~Recovery();
 
     // To be called whenever the workspace has changed.
     void follow(const Workspace& workspace);
-    // All is saved or let go. Waits for a copy that is being written, and removes it.
+    // Everything is saved or discarded: waits for a copy being written and removes all.
     void end();
 
-    // What programs left that do not run any more, the newest first: a case, or the journal of
-    // edits where that is newer.
+    // What ended programs left, the newest first: a case, or a journal if that is newer.
     std::vector<std::filesystem::path> left_behind() const;
-    // One of these.
+    // Describes one of these.
     static UnsavedWork unsaved_work(const std::filesystem::path& left);
 
-    // Nothing is being written or waits for it.
+    // Nothing is being written or waiting to be.
     bool resting() const { return !job_ && !wanted_.patient; }
 
   private:
-    // A case, and where its voxels and the copy that it was opened from lie.
+    // A case to copy, the folder of its voxels, and the copy that it was opened from.
     struct Copy {
         std::shared_ptr<const PatientCase> patient;
         Workspace::Edits edits;
@@ -60,10 +58,10 @@ class Recovery {
         std::uint64_t version = 0, origin = 0;  // of the workspace
     };
 
-    // The corrections and strokes that are wanted, of which patient.
+    // The present corrections and strokes, and whose they are.
     struct Wanted {
-        Journalled noted;         // its base as far as it can be said without the copy
-        bool needs_copy = false;  // they can be made again on a copy alone
+        Journalled noted;         // its base as far as known without the copy
+        bool needs_copy = false;  // they need a copy as their base
         std::uint64_t origin = 0;
     };
 
@@ -79,15 +77,15 @@ class Recovery {
     std::filesystem::path folder_;
     Write write_;
     std::function<void(const Failure&)> failed_;
-    std::filesystem::path own_;  // empty until something was to be kept
+    std::filesystem::path own_;  // empty until something is to be kept
     std::unique_ptr<QLockFile> lock_;
-    Copy wanted_;                     // waits for its turn; without a patient: none
+    Copy wanted_;                     // the next copy to write; without a patient: none
     std::uint64_t kept_version_ = 0;  // of the workspace; 0: none
-    std::uint64_t copy_origin_ = 0;   // of the whole copy; 0: there is none
+    std::uint64_t copy_origin_ = 0;   // of the complete copy; 0: none
     std::unique_ptr<EditJournal> journal_;
-    std::optional<Wanted> newest_;  // that was to be noted
+    std::optional<Wanted> newest_;  // the last one to be noted
     bool told_of_journal_ = false;  // that it cannot be written
-    bool needless_ = false;         // what is being written is not wanted any more
+    bool needless_ = false;         // the copy being written is no longer needed
     QTimer delay_;
     std::unique_ptr<BackgroundJob> job_;
 };

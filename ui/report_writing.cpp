@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int patience_ms = 50;     // between two looks at the job
-constexpr int after_the_play = 15;  // how much later the system gives it a processor
+constexpr int patience_ms = 50;     // between two checks of the job, ms
+constexpr int after_the_play = 15;  // nice value of the process
 
 QStringList arguments_of(const ReportOrder& order, const fs::path& out) {
     QStringList arguments{"--report",   to_text(order.recording),
@@ -39,15 +39,15 @@ QStringList arguments_of(const ReportOrder& order, const fs::path& out) {
     return arguments;
 }
 
-// The process is gone when this is, whatever happens meanwhile.
+// Owns the process: kills it if it still runs at destruction.
 class Running {
   public:
     Running(const QString& program, const QStringList& arguments) {
-        // What Qt has to say about the machine is nobody's failure.
+        // Qt's warnings about the system must not appear as the report's errors.
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert("QT_LOGGING_RULES", "*.warning=false");
         process_.setProcessEnvironment(environment);
-        // Whoever plays the next lesson meanwhile comes first.
+        // A lesson played meanwhile has priority.
         process_.setChildProcessModifier([] { (void)!::nice(after_the_play); });
         process_.start(program, arguments);
         if (!process_.waitForStarted())
@@ -82,7 +82,7 @@ class Running {
   private:
     static void pass_on(const QByteArray& line, std::string& stage, Job& job) {
         const QJsonObject now = QJsonDocument::fromJson(line).object();
-        if (!now.contains("stage")) return;  // it names the files at the end
+        if (!now.contains("stage")) return;  // the last line names the files
         const std::string name = now["stage"].toString().toStdString();
         if (name != stage) job.begin_stage(name);
         stage = name;
@@ -95,7 +95,8 @@ class Running {
 }  // namespace
 
 fs::path report_folder(const fs::path& chosen, const QString& lesson, const QDateTime& played) {
-    static const QRegularExpression other("[^\\p{L}\\p{N} _-]+");  // that some disk refuses
+    // Characters that some file systems refuse.
+    static const QRegularExpression other("[^\\p{L}\\p{N} _-]+");
     const QString name = (QString(lesson).replace(other, " ").simplified() + " " +
                           played.toString("yyyy-MM-dd hh-mm"))
                              .trimmed();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report of a play from the window: a process of its own writes it, whose progress is a job's.
-// Every report gets a folder of its own; none takes the place of another.
+// Writes the report of a play by a separate process, whose progress is passed to a Job. Each report
+// gets a new folder.
 #pragma once
 
 #include <QDateTime>
@@ -15,17 +15,17 @@ namespace hepatica {
 struct ReportOrder {
     std::filesystem::path recording;
     QString lesson;                 // an id or a file
-    std::filesystem::path patient;  // a case; empty: to be found out
-    QString patient_name;           // on the pages; empty: as the case says
+    std::filesystem::path patient;  // a case; empty: it is searched for
+    QString patient_name;           // on the pages; empty: as in the case
     FlowUnits units = FlowUnits::computed;
 };
 
-// A folder in `chosen` that is not there yet, called by the lesson and when it was played.
+// A folder in `chosen` that does not exist yet, named after the lesson and the time of the play.
 std::filesystem::path report_folder(const std::filesystem::path& chosen, const QString& lesson,
                                     const QDateTime& played);
 
-// Writes it into this folder, whole or not at all: a cancel kills the process. `program`: hepatica.
-// Throws InputError with what the process said, Cancelled.
+// Writes the report into this folder atomically; cancelling kills the process. `program` is
+// hepatica. Throws InputError with the process's message, and Cancelled.
 void order_report(const QString& program, const ReportOrder& order,
                   const std::filesystem::path& folder, Job& job);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One table of who passed what: trainees by the lessons of a course, for an instructor.
+// Table of the results of all trainees in the lessons of a course, for an instructor.
 #pragma once
 
 #include <QDialog>
@@ -14,9 +14,10 @@ class QTableWidget;
 
 namespace hepatica {
 
+// UI thread only.
 class ResultsDialog : public QDialog {
   public:
-    // `save` asks where to.
+    // `save` asks for a place.
     ResultsDialog(std::function<void(const std::string& csv)> save, QWidget* parent);
 
     void show_results(const std::string& course, CourseResults results);

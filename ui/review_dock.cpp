@@ -40,7 +40,7 @@ namespace {
 constexpr int tick_ms = 16;
 constexpr int height_at_first = 200;
 constexpr std::array<double, 6> speeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
-constexpr int real_time = 3;  // of these
+constexpr int real_time = 3;  // index of the speed 1
 
 QToolButton* add_button(QHBoxLayout& row, const char* name, QStyle::StandardPixmap icon,
                         const QString& tip) {
@@ -56,7 +56,7 @@ QToolButton* add_button(QHBoxLayout& row, const char* name, QStyle::StandardPixm
 
 }  // namespace
 
-// Where its patient comes from where it is not the one that is shown.
+// A recording with what it needs; `request` opens its patient if he is not the shown one.
 struct ReviewDock::Found {
     std::shared_ptr<const Recording> recording;
     std::optional<Lesson> lesson;
@@ -91,7 +91,7 @@ void ReviewDock::build() {
         remove_->setEnabled(events_->note(row).has_value());
         if (row >= 0) go_to(events_->at_s(row));
     });
-    // Also the one that is chosen already.
+    // Also on the row that is current already.
     const auto again = [this](QListWidgetItem* item) { go_to(events_->at_s(events_->row(item))); };
     connect(events_, &QListWidget::itemClicked, this, again);
     connect(events_, &QListWidget::itemActivated, this, again);
@@ -226,7 +226,7 @@ void ReviewDock::take(Found found) {
     lesson_ = std::move(found.lesson);
     notes_ = std::move(found.notes);
     for (const std::string& warning : recording_->warnings) ways_.say(translated(warning));
-    // The job that called this is still alive: the next begins once it has gone.
+    // The job that called this still exists; the next one begins after it.
     waits_ = found.request.has_value();
     if (found.request) return ways_.open(*found.request);
     QTimer::singleShot(0, this, [this] { begin(); });
@@ -238,7 +238,7 @@ void ReviewDock::patient_not_shown() {
 
 void ReviewDock::patient_shown() {
     if (std::exchange(waits_, false)) return QTimer::singleShot(0, this, [this] { begin(); });
-    // One that was begun on another patient ends, also where nothing of it is shown yet.
+    // A review of another patient ends, even if nothing of it is shown yet.
     if (patient_ != nullptr && ways_.patient() != patient_) forget();
 }
 
@@ -356,7 +356,7 @@ void ReviewDock::show_progress(const JobProgress& progress) {
         at_s_ = 0.0;
         show();
         raise();
-        // The view keeps its room; whoever wants a longer list drags the border.
+        // The view keeps its room; the user can drag the border for a longer list.
         if (auto* window = qobject_cast<QMainWindow*>(parentWidget()))
             window->resizeDocks({this}, {height_at_first}, Qt::Vertical);
         set_playing(true);
@@ -409,7 +409,7 @@ void ReviewDock::jump(int direction) {
     const int row = events_->next_row(at_s_, direction);
     if (row < 0) return;
     events_->setCurrentRow(row);
-    go_to(events_->at_s(row));  // also where it was chosen already
+    go_to(events_->at_s(row));  // also if the row was current already
 }
 
 void ReviewDock::add_note() {
@@ -429,7 +429,7 @@ void ReviewDock::remove_note() {
     keep(std::move(notes));
 }
 
-// On disk at once; where that fails, what is shown is what was there before.
+// Written at once; on failure the former notes stay.
 bool ReviewDock::keep(std::vector<PlayNote> notes) {
     try {
         write_notes(file_, notes);

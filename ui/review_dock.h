@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Looking back on a recording: its time line with what happened, speed, jumps, and the instructor's
-// notes, which lie beside it. The window lends its patient and takes the tape for a simulation.
+// Dock that reviews a recording: time line with events, speed, jumps, and notes, which are stored
+// beside the recording. The window provides the patient and shows the tape as a simulation.
 #pragma once
 
 #include <QDockWidget>
@@ -34,63 +34,63 @@ class ReviewList;
 class TimeLine;
 struct ReviewScreen;
 
+// UI thread only.
 class ReviewDock : public QDockWidget {
   public:
     struct Ways {
-        // The patient that is shown; null: none.
+        // The shown patient; null: none.
         std::function<std::shared_ptr<const PatientCase>()> patient;
-        std::function<void(const OpenRequest&)> open;  // shows it some time later: patient_shown()
-        // That a recording names. On any thread; throws InputError where it is not to be had.
+        std::function<void(const OpenRequest&)> open;  // asynchronous; patient_shown() follows
+        // The back end that a recording names. Any thread; throws InputError if it is unavailable.
         std::function<DeformBackEnd(const std::string& name)> back_end = [](const std::string&) {
             return cpu_back_end();
         };
-        // In place of the simulation that runs; null: that of free play.
+        // Replaces the running simulation; null: by free play.
         std::function<void(std::unique_ptr<Simulation>)> use;
-        // Another recording, to be shown beside; none: not after all.
+        // Asks for a recording to compare with; nullopt: cancelled.
         std::function<std::optional<std::filesystem::path>()> ask_for_other;
-        // A frame beside the first view, the lesson's marks in it, and what both are called; null:
-        // nothing any more.
+        // Shows a frame beside the first view, with its marks and both titles; null: removes it.
         std::function<void(const std::shared_ptr<const Frame>& frame, std::vector<MarkView> marks,
                            const QString& first, const QString& other)>
             beside;
-        // Makes a film of it: `go_to` shows a moment.
+        // Makes a film of the review; `go_to` shows a moment.
         std::function<void(double end_s, const std::function<void(double at_s)>& go_to)> save_film;
-        std::function<bool()> lesson_runs;  // which a review would end
+        std::function<bool()> lesson_runs;  // a lesson runs, which a review would end
         std::function<void(const Failure&)> failed;
-        std::function<void(const QString&)> say;  // in passing
+        std::function<void(const QString&)> say;  // a passing message
     };
 
     ReviewDock(Ways ways, QWidget* parent);
     ~ReviewDock() override;
 
-    // Reads the recording and looks for its patient: the one that is shown, a case beside it, or
-    // the built-in one where its lesson is played on him. Then shows it from the beginning, while
-    // the rest is still gone through. `lesson`: file or name; empty: the built-in one with that
-    // scene, if any.
+    // Reads the recording and finds its patient: the shown one, a case beside the recording, or the
+    // built-in one if nobody is shown or its lesson is played on him. Shows the recording from the
+    // beginning while the rest is still computed. `lesson`: file or id; empty: the built-in lesson
+    // with that scene, if any.
     void open(const std::filesystem::path& recording, const std::string& lesson = {});
-    // Nothing is shown or read any more; the simulation stays as it is.
+    // Stops the review and all reading; the simulation stays.
     void end() { forget(); }
-    // The patient that was being opened does not come: a recording that waits for him is let go of.
+    // The patient being opened will not come: a recording that waits for him is dropped.
     void patient_not_shown();
-    // There is another patient now: a recording that waited for him begins, one of another ends.
+    // Another patient is shown: a recording that waited for him begins, one of another patient
+    // ends.
     void patient_shown();
-    // Shows another recording of the same patient beside it, both from their beginnings.
+    // Shows another recording of the same patient beside it; an empty path ends that.
     void compare(const std::filesystem::path& other);
     bool comparing() const { return other_tape_ != nullptr; }
-    // The recording is shown now.
+    // A recording is shown.
     bool reviewing() const { return screen_ != nullptr; }
-    // Every frame of it, and of one beside it, has been gone through.
+    // All frames of the recording, and of the one beside it, are computed.
     bool complete() const { return reviewing() && job_ == nullptr && other_job_ == nullptr; }
 
-    // A recording is being read, waits for its patient or is gone through.
+    // A recording is being read or computed, or waits for its patient.
     bool busy() const { return waits_ || (job_ != nullptr && !complete()); }
-    // The lesson's marks in a frame of it, as they stood at the moment that is shown; none where it
-    // is of no lesson.
+    // The lesson's marks in a frame at the shown moment; empty without a lesson.
     std::vector<MarkView> marks_in(const Frame& frame) const;
     double at_s() const { return at_s_; }
     bool playing() const { return clock_.isActive(); }
 
-    // The recording that is or was looked back on last.
+    // The recording reviewed now or last.
     const std::filesystem::path& file() const { return file_; }
 
   private:
@@ -107,31 +107,31 @@ class ReviewDock : public QDockWidget {
     void set_playing(bool playing);
     void tick();
     void go_to(double at_s);
-    void jump(int direction);  // to the next event, or to the one before
+    void jump(int direction);  // to the next event (+1) or the previous one (-1)
     void add_note();
     void remove_note();
     bool keep(std::vector<PlayNote> notes);
     void show_other();
-    double end_s() const;  // of the longer one
+    double end_s() const;  // of the longer recording
     void leave();
     void forget();
 
     Ways ways_;
     std::filesystem::path file_;
-    QString name_, other_name_;  // of both recordings, for the user
-    bool same_lesson_ = false;   // as the one beside it: it has the same marks
+    QString name_, other_name_;  // titles of both recordings
+    bool same_lesson_ = false;   // the recording beside it has the same lesson and marks
     std::shared_ptr<const Recording> recording_;
     std::optional<Lesson> lesson_;
-    std::unique_ptr<const PlayMeter> places_;  // of its marks; null: it has none on these vessels
+    std::unique_ptr<const PlayMeter> places_;  // places of the marks; null: none on these vessels
     bool waits_ = false;                       // for its patient
-    std::shared_ptr<const PatientCase> patient_;  // on whom it was begun
+    std::shared_ptr<const PatientCase> patient_;  // the patient it was begun on
     std::unique_ptr<BackgroundJob> job_;
     std::shared_ptr<ReviewTape> tape_;
     std::shared_ptr<ReviewScreen> screen_;
-    std::filesystem::path other_file_;  // beside it
+    std::filesystem::path other_file_;  // of the recording beside it
     std::unique_ptr<BackgroundJob> other_job_;
     std::shared_ptr<ReviewTape> other_tape_;
-    std::shared_ptr<const Frame> other_frame_;  // that is shown
+    std::shared_ptr<const Frame> other_frame_;  // the one that is shown
     std::vector<PlayNote> notes_;
     double at_s_ = 0.0;
     QTimer clock_;

@@ -11,13 +11,13 @@
 namespace hepatica {
 namespace {
 
-// What happened this near before the present moment is what is being looked at.
+// An event at most this long before the present moment counts as the present one.
 constexpr double same_moment_s = 0.05;
 constexpr double next_moment_s = 1e-3;
 constexpr int time_role = Qt::UserRole;
 constexpr int note_role = Qt::UserRole + 1;
 
-// On dark and on light ground alike; what it was stands in words beside it.
+// Visible on dark and light backgrounds; the text beside it says the same.
 QColor colour_of(PlayEventKind kind) {
     switch (kind) {
         case PlayEventKind::hand:
@@ -54,7 +54,7 @@ struct Row {
     double at_s;
     QString text;
     QColor colour;
-    int note;  // its index; -1: no note
+    int note;  // index of the note; -1: none
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What happened in a play, in a second one beside it, and the notes, in the order of time: a line
-// each, and the ticks of the same colours for a time line.
+// List of the events of a play, of a second one beside it, and of notes, in chronological order,
+// and the ticks of the same colours for a time line.
 #pragma once
 
 #include <QListWidget>
@@ -13,19 +13,20 @@
 
 namespace hepatica {
 
+// UI thread only.
 class ReviewList : public QListWidget {
   public:
     explicit ReviewList(QWidget* parent = nullptr);
 
-    // Shows these; nothing is chosen then. Does nothing where they are those that it shows.
+    // Shows these, with no row selected. No effect if they are shown already.
     void fill(std::vector<PlayEvent> events, std::vector<PlayEvent> beside,
               std::vector<PlayNote> notes);
     const std::vector<TimeLine::Tick>& ticks() const { return ticks_; }
 
     double at_s(int row) const;
-    // Which of the notes the row is; none where it is something that happened.
+    // Index of the row's note; nullopt if it is an event.
     std::optional<std::size_t> note(int row) const;
-    // The row of what happens next after a moment (+1), or happened last before it (-1); -1: none.
+    // Row of the next event after a moment (+1) or the last one before it (-1); -1: none.
     int next_row(double at_s, int direction) const;
 
   private:

@@ -8,7 +8,7 @@ namespace hepatica {
 
 namespace {
 
-// What follows from a hand or a tool that is not there.
+// Movements of a hand or tool that does not exist in a review.
 bool is_movement(const Command& command) {
     return std::holds_alternative<MoveGrab>(command) ||
            std::holds_alternative<ReleaseGrab>(command) ||

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tape of a play in the place of a simulation: the window shows its frames as if they were
-// simulated now. Nothing can be done to them.
+// A recorded play in place of a simulation: the window shows its frames as if they were computed
+// now. Commands do not change it.
 #pragma once
 
 #include <functional>
@@ -11,16 +11,16 @@
 
 namespace hepatica {
 
-// What the window's simulation and the controls of the review share. UI thread.
+// Shared by the window's simulation and the review's controls. UI thread only.
 struct ReviewScreen {
     std::shared_ptr<const ReviewTape> tape;
-    std::shared_ptr<const Frame> wanted;  // the next that the window takes over; not null
-    std::function<void()> tell;           // that there is one
-    std::function<void()> hold;           // the user stops the clock, or lets it run
-    std::function<void()> touched;        // the user wants to play himself
+    std::shared_ptr<const Frame> wanted;  // the next frame for the window; not null
+    std::function<void()> tell;           // announces it
+    std::function<void()> hold;           // the user stops or starts the clock
+    std::function<void()> touched;        // the user tries to play
     std::function<void()> gone;           // the window shows something else now
 
-    // The frame of that moment.
+    // Chooses the frame of that moment.
     void show_at(double at_s);
 };
 

@@ -23,12 +23,12 @@ SaveCaseDialog::SaveCaseDialog(const QString& folder, const QString& name,
                                std::function<bool(const QString&)> may_replace, QWidget* parent)
     : QFileDialog(parent, Words::tr("Save case as"), folder, Words::tr("Cases (*.hep *.hepz)")),
       may_replace_(std::move(may_replace)) {
-    // The desktop's own dialog would enter the folder, too, and cannot be told otherwise.
+    // The desktop's own dialog would enter the folder, which cannot be prevented.
     setOption(QFileDialog::DontUseNativeDialog);
     setAcceptMode(QFileDialog::AcceptSave);
     setFileMode(QFileDialog::AnyFile);
     selectFile(name);
-    // A double click enters a folder: out of a case again, with its name chosen.
+    // A double click enters a folder; a case is left again, with its name selected.
     connect(this, &QFileDialog::directoryEntered, this, [this](const QString& entered) {
         if (!is_case(to_path(entered))) return;
         const QFileInfo info(entered);

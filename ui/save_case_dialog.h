@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Asks where a case is to be saved. A case is a folder, which a file dialog would enter instead of
-// replacing it; here it stands for itself, and an old one is replaced after a question. What is
-// there and is no case is never replaced.
+// File dialog for saving a case. A case is a folder, which other file dialogs would enter; here it
+// is chosen, and an existing case is replaced after a question. Anything that is no case is never
+// replaced.
 #pragma once
 
 #include <QFileDialog>
@@ -10,13 +10,14 @@
 
 namespace hepatica {
 
-// The place that a case of this name gets: the folder NAME.hep, whether ".hep" was typed or not, or
-// the one file NAME.hepz where that was typed.
+// The place of a case of this name: the folder NAME.hep, with ".hep" added if missing, or the file
+// NAME.hepz if that was typed.
 std::filesystem::path case_folder(const QString& typed);
 
+// UI thread only.
 class SaveCaseDialog : public QFileDialog {
   public:
-    // `may_replace` is asked with the name of a case that is there already.
+    // `may_replace` is asked with the name of an existing case.
     SaveCaseDialog(const QString& folder, const QString& name,
                    std::function<bool(const QString&)> may_replace, QWidget* parent = nullptr);
 

@@ -12,14 +12,14 @@
 namespace hepatica {
 namespace {
 
-// "csv" of "Tables (*.csv)".
+// "csv" from "Tables (*.csv)".
 QString suffix_of(const QString& filter) {
     static const QRegularExpression pattern(R"(\*\.([^ )]+))");
     return pattern.match(filter).captured(1);
 }
 
-// Completes the name before the dialog looks whether it is there. "a.b" has a suffix to Qt's
-// mind, which its own default would leave as it is.
+// Adds the suffix before the dialog checks whether the file exists. Qt's default suffix would not
+// be added to "a.b", which has one already.
 class SaveFileDialog : public QFileDialog {
   public:
     using QFileDialog::QFileDialog;
@@ -50,7 +50,7 @@ QString ask_where_to_save_file(QWidget& parent, const QString& title, const QStr
     SaveFileDialog dialog(&parent, title, suggested, filter);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setFileMode(QFileDialog::AnyFile);
-    dialog.setDefaultSuffix(suffix_of(filter));  // for a dialog of the desktop
+    dialog.setDefaultSuffix(suffix_of(filter));  // for a native dialog
     if (dialog.exec() != QDialog::Accepted) return {};
     return dialog.selectedFiles().value(0);
 }

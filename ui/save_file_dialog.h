@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Asks where a file of one kind is to be saved: a name without the kind's suffix gets it, before it
-// is asked whether a file of that name may be replaced.
+// File dialog for saving one kind of file. The kind's suffix is added to the name before the user
+// is asked whether an existing file may be replaced.
 #pragma once
 
 #include <QString>
@@ -9,11 +9,10 @@ class QWidget;
 
 namespace hepatica {
 
-// Throws InputError where the folder of a file that is to be saved is not there: none is made
-// unasked.
+// Throws InputError if the folder of `file` does not exist; it is not created.
 void require_folder_of(const QString& file);
 
-// `filter` as "Tables (*.csv)", `suggested` a whole path. Empty: not after all.
+// `filter` as "Tables (*.csv)", `suggested` a full path. Returns an empty string if cancelled.
 QString ask_where_to_save_file(QWidget& parent, const QString& title, const QString& suggested,
                                const QString& filter);
 

@@ -9,7 +9,7 @@
 namespace hepatica {
 namespace {
 
-// It is looked at only.
+// The second view only shows; it has no effect on the play.
 MouseTool::Callbacks nothing() {
     return {[](const Command&) {},
             [](const SurfacePick&) {},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A second picture beside the first one, of another play of the same patient. Both look the same
-// way: whoever turns one turns the other.
+// A second 3D view beside the first, with another play of the same patient. Both share the line of
+// sight: turning one turns the other.
 #pragma once
 
 #include <QWidget>
@@ -16,20 +16,21 @@ namespace hepatica {
 
 class VtkWidget;
 
+// UI thread only.
 class SecondView : public QWidget {
   public:
     // The first view must outlive it.
     SecondView(VtkWidget& first, QWidget* parent);
 
-    // Appears with the first frame, which is not null.
+    // The view appears with the first frame. `frame` must not be null.
     void show_frame(const std::shared_ptr<const Frame>& frame, std::vector<MarkView> marks,
                     const std::vector<VascularSystem>& of_vertices, const ViewLook& look,
                     const QString& caption);
-    // See SceneView::set_drug_scale(); of the pictures to come.
+    // See SceneView::set_drug_scale(); effective from the next frame.
     void set_drug_scale(double least_end_s);
-    // Forgets everything and goes.
+    // Destroys the view and hides the widget.
     void clear();
-    // After every picture of the first view.
+    // To be called after every picture of the first view.
     void follow_first();
     bool shown() const { return view_ != nullptr; }
     VtkWidget& view() { return *view_; }

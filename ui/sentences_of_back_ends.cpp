@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said of who makes the steps of a play: the processor, a device, and why not the device.
+// Sentences about the back ends that compute a play: processor, device, and why not the device.
 #include <array>
 
 #include "ui/core_sentences.h"
@@ -16,7 +16,7 @@ constexpr std::array sentences_back_ends{
     Words::id("Settings of the dial that were measured on %1 (%2) are left out: it does not make "
               "the steps here"),
     Words::id("emulated on the processor"),
-    // Why no device is to be had.
+    // Why no device is available.
     Words::id("this build has no CUDA"),
     Words::id("this computer has no NVIDIA driver"),
     Words::id("the driver knows CUDA %1, which is older than the %2 of this build"),
@@ -24,7 +24,7 @@ constexpr std::array sentences_back_ends{
     Words::id("the CUDA back end"),
     Words::id("Use the processor, or build with HEPATICA_CUDA=ON where nvcc is"),
     Words::id("Use the processor, or a computer with an NVIDIA device"),
-    // Why one leaves all steps to the processor, or some.
+    // Why a device leaves some or all steps to the processor.
     Words::id("the device failed (%1)"),
     Words::id("no memory on the device: %1"),
     Words::id("the device does not answer: %1"),
@@ -40,11 +40,11 @@ constexpr std::array sentences_back_ends{
     Words::id("what its surfaces exchanged would be lost"),
     Words::id("a free body is about to meet itself"),
     Words::id("a step has to be shortened, lest something pass through"),
-    // Of a setting, and of one that could not be measured.
+    // On settings, and on one that could not be measured.
     Words::id("%1, on the processor"),
     Words::id("has left steps to the processor"),
     Words::id("Measure again, or with --backend cpu"),
-    // Of a recording in a window without devices.
+    // On a recording in a window without devices.
     Words::id("is not to be had here"),
     Words::id("Let the processor make the steps"),
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The texts of the lessons that come with the program (assets/lessons).
+// The texts of the built-in lessons (assets/lessons).
 #include <array>
 
 #include "ui/core_sentences.h"

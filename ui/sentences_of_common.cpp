@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all rooms of core say: files, numbers, names of vessels.
+// Sentences used throughout core: files, numbers, names of vessels.
 #include <array>
 
 #include "ui/core_sentences.h"
@@ -62,7 +62,7 @@ constexpr std::array sentences_common{
     Words::id("Reconstruct the patient again"),
     Words::id("the vessel tree has no segments"),
     Words::id("Choose a value from 0 to 1"),
-    // What the system says of a file.
+    // The system's messages about files.
     Words::id("No such file or directory"),
     Words::id("Permission denied"),
     Words::id("No space left on device"),

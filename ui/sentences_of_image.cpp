@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What core says of images: reading, writing, choosing a series.
+// Core's sentences about images: reading, writing, choosing a series.
 #include <array>
 
 #include "ui/core_sentences.h"

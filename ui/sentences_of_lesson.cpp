@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What core says of lessons, and events of a play.
+// Core's sentences about lessons and events of a play.
 #include <array>
 
 #include "ui/core_sentences.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What core says of patients: stages of a reconstruction, cases, doubts.
+// Core's sentences about patients: stages of a reconstruction, cases, doubts.
 #include <array>
 
 #include "ui/core_sentences.h"

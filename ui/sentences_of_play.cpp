@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What core says of a play: flow, deformation, tools, recordings; and what pictures and curves say.
+// Core's sentences about a play: flow, deformation, tools, recordings; and texts in pictures and
+// charts.
 #include <array>
 
 #include "ui/core_sentences.h"

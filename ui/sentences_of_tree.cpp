@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What core says of vessel trees, their files, edits and meshes.
+// Core's sentences about vessel trees, their files, edits and meshes.
 #include <array>
 
 #include "ui/core_sentences.h"

@@ -30,7 +30,7 @@ QTreeWidgetItem* row_of(const SeriesDescription& series, int number) {
     const QString why = series.why_not_chosen.empty()
                             ? Words::tr("the best for the liver's vessels")
                             : why_not_first(series);
-    // Several words in one field stand apart by a backslash in DICOM files.
+    // DICOM separates several values of a field by backslashes.
     const QString kernel = QString::fromStdString(series.kernel).replace("\\", ", ");
     const auto warnings = series.warnings.size();
     return new QTreeWidgetItem({QString::number(number), name_in_list(series),
@@ -41,7 +41,7 @@ QTreeWidgetItem* row_of(const SeriesDescription& series, int number) {
 
 constexpr int picture_points = 96;
 
-// The place of a picture that is still to come, or that there is not.
+// Placeholder for a picture that is not there yet, or missing.
 QPixmap placeholder(double pixels_per_point, const QString& text) {
     const int side = static_cast<int>(std::ceil(picture_points * pixels_per_point));
     QPixmap empty(side, side);
@@ -54,7 +54,7 @@ QPixmap placeholder(double pixels_per_point, const QString& text) {
     return empty;
 }
 
-// The frame of the focus would lie over the pictures; the chosen row shows where the keys go.
+// A focus frame would cover the pictures; the selected row shows where the focus is.
 class WithoutFocusFrame : public QStyledItemDelegate {
   public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -70,7 +70,7 @@ class WithoutFocusFrame : public QStyledItemDelegate {
 
 QString name_in_list(const SeriesDescription& series) {
     QString name = QString::fromStdString(series.description);
-    if (name.startsWith("series")) name = name.mid(6).trimmed();  // as core begins it
+    if (name.startsWith("series")) name = name.mid(6).trimmed();  // prefix added by core
     return name.isEmpty() ? Words::tr("unnamed") : name;
 }
 
@@ -102,7 +102,8 @@ SeriesDialog::SeriesDialog(const std::vector<SeriesDescription>& series, QWidget
     list_->header()->resizeSections(QHeaderView::ResizeToContents);
     list_->header()->setStretchLastSection(true);
     for (const auto& [index, widest] : {std::pair{1, 240}, std::pair{4, 90}, std::pair{5, 110}})
-        list_->setColumnWidth(index, std::min(list_->columnWidth(index), widest));  // and wrapped
+        // Longer text is wrapped.
+        list_->setColumnWidth(index, std::min(list_->columnWidth(index), widest));
     show_warnings_of(series);
     list_->setCurrentItem(list_->topLevelItem(0));
     connect(list_, &QTreeWidget::itemDoubleClicked, this, &QDialog::accept);
@@ -131,7 +132,7 @@ void SeriesDialog::name_folders(const std::vector<SeriesDescription>& series) {
     }
 }
 
-// In full: a column would be cut off where the window is narrow.
+// In full: a column would be cut off in a narrow window.
 void SeriesDialog::show_warnings_of(const std::vector<SeriesDescription>& series) {
     warnings_->setObjectName("seriesWarnings");
     warnings_->setTextFormat(Qt::PlainText);

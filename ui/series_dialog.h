@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Asks which series of a DICOM folder is to be read, with a small picture of each. The first is the
-// best for the liver's vessels and is chosen already, so that Enter takes it.
+// Dialog that chooses a series of a DICOM folder, with a thumbnail of each. The first one suits the
+// liver's vessels best and is preselected, so that Enter takes it.
 #pragma once
 
 #include <QDialog>
@@ -16,30 +16,31 @@ namespace hepatica {
 
 class SeriesThumbnails;
 
-// Its number and name, as lists show it.
+// The name of a series in lists.
 QString name_in_list(const SeriesDescription& series);
-// Why it is not the first of the list; empty of the first.
+// Why the series is not the first of the list; empty for the first.
 QString why_not_first(const SeriesDescription& series);
 
+// UI thread only.
 class SeriesDialog : public QDialog {
   public:
-    // Two series or more, the best first.
+    // At least two series, the best first.
     SeriesDialog(const std::vector<SeriesDescription>& series, QWidget* parent = nullptr);
     ~SeriesDialog() override;
 
-    int chosen() const;  // its number in the list, from 1
-    // Pictures are still to come; none once the dialog is closed.
+    int chosen() const;  // number in the list, from 1
+    // Whether thumbnails are still missing; they end when the dialog is closed.
     bool draws_pictures() const;
 
   private:
-    // Of those that would be called the same.
+    // Adds the folder to names that occur more than once.
     void name_folders(const std::vector<SeriesDescription>& series);
     void begin_pictures(const std::vector<SeriesDescription>& series);
     void show_warnings_of(const std::vector<SeriesDescription>& series);
     void show_picture(int row, const QImage& picture);
 
     QTreeWidget* list_;
-    QLabel* warnings_;  // of the series that is chosen
+    QLabel* warnings_;  // of the selected series
     std::unique_ptr<SeriesThumbnails> thumbnails_;
 };
 

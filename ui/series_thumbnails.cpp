@@ -28,7 +28,7 @@ SeriesThumbnails::SeriesThumbnails(std::vector<std::filesystem::path> slices, in
 void SeriesThumbnails::begin(std::size_t series) {
     if (series >= slices_.size()) return job_.reset();
     BackgroundJob::Callbacks callbacks;
-    // Reading the series will say why.
+    // Reading the series will report the reason.
     callbacks.failed = [this, series](const Failure&) { show_(series, {}); };
     callbacks.ended = [this, series] { begin(series + 1); };
     job_ = std::make_unique<BackgroundJob>(

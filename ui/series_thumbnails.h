@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small pictures of the series of a folder, decoded beside the window one after another, the first
-// series first. One that cannot be decoded is told as none, and never as an error.
+// Thumbnails of the series of a folder, decoded in the background one after another. One that
+// cannot be decoded is reported as a null image, not as an error.
 #pragma once
 
 #include <QImage>
@@ -14,14 +14,14 @@
 
 namespace hepatica {
 
-// UI thread; needs Qt's event loop and nothing else of the toolkit.
+// UI thread only; needs Qt's event loop and no other part of Qt.
 class SeriesThumbnails {
   public:
-    // Of the series with this index; null where there is nothing to be seen.
+    // Receives the image of the series with this index; null if it cannot be decoded.
     using Show = std::function<void(std::size_t series, const QImage&)>;
 
     // `slices`: a DICOM file of each series, may be empty; `side`: pixels of the longer side.
-    // Begins at once; `show` is called from the event loop, once for each series.
+    // Starts at once and calls `show` from the event loop, once for each series.
     SeriesThumbnails(std::vector<std::filesystem::path> slices, int side, Show show);
 
     bool working() const { return job_ != nullptr; }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int most_recent_files = 10;
 const char* const recent_key = "recent_files";
-// The layout's version: state of other dock widgets is not restored.
+// Version of the layout: a state saved with other docks is not restored.
 const char* const layout_key = "window/layout_1";
 const char* const geometry_key = "window/geometry";
 const char* const images_key = "images/";
@@ -123,7 +123,7 @@ QString Settings::recovery_folder() const {
 }
 
 QString Settings::data_folder() const {
-    if (store_->format() == QSettings::IniFormat)  // a file of its own
+    if (store_->format() == QSettings::IniFormat)  // its own file, see the constructor
         return QFileInfo(store_->fileName()).absolutePath();
     return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
 }
@@ -194,7 +194,7 @@ void Settings::set_course(const QString& file) {
     file.isEmpty() ? store_->remove(course_key) : store_->setValue(course_key, file);
 }
 
-// Somebody may have written anything into the file.
+// The file may hold invalid values.
 std::optional<UseContact> Settings::contact() const {
     if (!store_ || !store_->contains(self_contact_key)) return std::nullopt;
     UseContact contact{store_->value(self_contact_key).toBool(),
@@ -219,7 +219,7 @@ void Settings::set_volume_shown(bool shown) {
     if (store_) store_->setValue(volume_key, shown);
 }
 
-// Somebody may have written anything into the file.
+// The file may hold invalid values.
 VolumeLook Settings::volume_look() const {
     VolumeLook look;
     if (!store_) return look;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window remembers from one start to the next. In safe mode it neither reads nor writes,
-// so that no setting can keep the program from starting: what is remembered then ends with the
-// program.
+// Settings that persist between runs. In safe mode they are neither read nor written, so that no
+// setting can prevent the program from starting; they then last until the program ends. UI thread
+// only.
 #pragma once
 
 #include <QByteArray>
@@ -24,13 +24,13 @@ class Settings {
     enum class Mode { remember, safe };
 
     explicit Settings(Mode mode);
-    // In a file of its own, for tests.
+    // In this INI file, for tests.
     explicit Settings(const QString& file);
     ~Settings();
 
     bool safe() const { return store_ == nullptr; }
 
-    // Newest first, ten at most. Absolute paths, whatever was given.
+    // Absolute paths, the newest first, at most ten.
     QStringList recent_files() const;
     void add_recent_file(const QString& path);
     void remove_recent_file(const QString& path);
@@ -40,68 +40,69 @@ class Settings {
     QByteArray window_layout() const;
     void set_window(const QByteArray& geometry, const QByteArray& layout);
 
-    // Where the CT with this digest lay when it was last read; empty where that is not known.
-    // Paths name patients often: they stay here, and are never written into a case.
+    // Place from which the CT with this digest was last read; empty if unknown. Paths often contain
+    // patients' names: they are stored here and never in a case.
     QString place_of_image(const std::string& sha256) const;
     void remember_image(const std::string& sha256, const QString& path);
 
-    // Where plays of lessons are kept: with the user's data, in safe mode with what is temporary.
+    // Folder of recorded plays: in the user's data folder, in safe mode a temporary one.
     QString recordings_folder() const;
-    // Where a lesson that is not saved yet is kept; empty in safe mode, which keeps none.
+    // File for the unsaved lesson; empty in safe mode.
     QString lesson_draft() const;
-    // Where copies of unsaved work are kept; empty in safe mode, which keeps none.
+    // Folder for copies of unsaved work; empty in safe mode.
     QString recovery_folder() const;
 
-    // Where the library looks for cases; the last folder as long as none was chosen.
+    // Folder of the library; last_folder() if none was chosen.
     QString library_folder() const;
     void set_library_folder(const QString& folder);
 
-    // See theme_named(); empty: none was chosen.
+    // See theme_named(); empty: none chosen.
     QString theme() const;
     void set_theme(const QString& name);
 
-    // See mouse_scheme_named(); empty: none was chosen.
+    // See mouse_scheme_named(); empty: none chosen.
     QString mouse_scheme() const;
     void set_mouse_scheme(const QString& name);
 
-    // See use_language(); empty: the system's.
+    // See use_language(); empty: the system's language.
     QString language() const;
     void set_language(const QString& code);
 
-    // What makes the steps of plays, see BackEnds; at first the processor.
+    // Computes the steps of plays, see BackEnds; "cpu" by default.
     QString back_end() const;
     void set_back_end(const QString& name);
 
-    // The curves come by themselves: the user has not closed them since they asked for them last.
+    // Whether curves appear by themselves: until the user closes them.
     bool curves_come() const;
     void set_curves_come(bool come);
-    // See flow_units_named(); empty: none was chosen.
+    // See flow_units_named(); empty: none chosen.
     QString flow_units() const;
     void set_flow_units(const QString& name);
 
-    // The name or number that a trainee gave for his attempts; empty: none. Stays here and in the
-    // results of the attempts that he made under it.
+    // Name or number of the trainee; empty: none. Stored here and in the results of attempts made
+    // under it.
     QString trainee() const;
     void set_trainee(const QString& name);
 
-    // The file of the course that was chosen last; empty: the program's own.
+    // File of the course chosen last; empty: the built-in one.
     QString course() const;
     void set_course(const QString& file);
 
-    // What vessels touch in free play, as it was chosen last; none: never chosen.
+    // What vessels touch in free play, as chosen last; nullopt: never chosen.
     std::optional<UseContact> contact() const;
     void set_contact(const UseContact& contact);
 
-    // Whether the CT is drawn as a volume, and how; the grey window is not kept.
+    // Whether and how the CT is drawn as a volume; the grey window is not stored.
     bool volume_shown() const;
     void set_volume_shown(bool shown);
     VolumeLook volume_look() const;
     void set_volume_look(const VolumeLook& look);
 
-    // Where a case was opened or saved last; at first where the user's documents are.
+    // Folder where a case was last opened or saved; by default the user's documents, else his home.
     QString case_folder() const;
     void set_case_folder(const QString& folder);
 
+    // Folder of the last file opened or saved; the home folder at first.
     QString last_folder() const;
     void set_last_folder(const QString& folder);
 
@@ -112,7 +113,7 @@ class Settings {
     std::unique_ptr<QSettings> store_;  // null in safe mode
     QStringList recent_in_safe_mode_;
     QString folder_in_safe_mode_, case_folder_in_safe_mode_;
-    std::map<std::string, QString> images_in_safe_mode_;  // by their digests
+    std::map<std::string, QString> images_in_safe_mode_;  // by digest
 };
 
 }  // namespace hepatica

@@ -22,9 +22,10 @@ namespace {
 
 using Patient = ShelvedLesson::Patient;
 
-constexpr std::uintmax_t longest_lesson = 1 << 20;  // bytes; a recording or a mesh is no lesson
+// Bytes; larger JSON files, such as meshes, are no lessons.
+constexpr std::uintmax_t longest_lesson = 1 << 20;
 
-// Says that it is a lesson, whether or not it can be read as one.
+// Whether the file declares itself a lesson, readable or not.
 bool claims_to_be_lesson(const fs::path& file) {
     std::error_code failed;
     if (!fs::is_regular_file(file, failed) || fs::file_size(file, failed) > longest_lesson)
@@ -39,7 +40,7 @@ bool is_same_place(const fs::path& a, const fs::path& b) {
     return fs::equivalent(a, b, failed) && !failed;
 }
 
-// Nothing where it is for the built-in patient, who is no case of a library.
+// nullopt for a lesson on the built-in patient, who is no case of a library.
 std::optional<ShelvedLesson> shelved(const fs::path& file) {
     ShelvedLesson entry{file, to_text(file.filename()), {}, Patient::unreadable, {}};
     try {
@@ -110,7 +111,7 @@ void compare_with(const VesselTree& tree, const fs::path& place,
             if (before != nullptr) tie(own, *before);
             lesson.misfits = misfits(own, tree);
         } catch (const InputError&) {
-            continue;  // it is being written, or is gone
+            continue;  // being written, or removed
         }
     }
 }

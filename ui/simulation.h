@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window needs of a running simulation: somewhere to send commands, and the newest frame.
-// The real one is SimulationThread; tests put their own in its place.
+// Interface of a running simulation for the window: it takes commands and provides the newest
+// frame. Implemented by SimulationThread and ReviewPlay, and by tests.
 #pragma once
 
 #include <functional>
@@ -16,19 +16,20 @@ class Simulation {
   public:
     virtual ~Simulation() = default;
 
-    // Never waits. Any thread.
+    // Never blocks. Any thread.
     virtual void post(Command command) = 0;
-    // What drawing a picture takes: the simulation leaves it that much of the frame.
+    // Time that drawing a picture takes [ms], which the simulation leaves free in each frame.
     virtual void set_drawing_ms(double) {}
     // Another dial of the same body, see Session::use_dial(). Any thread.
     virtual void use_dial(const QualityDial&) {}
-    // Records from now on, or ends that; see Session::record_from_now(). Any thread.
+    // Starts recording, or ends it if `begin` is empty; see Session::record_from_now(). Any thread.
     using Keep = std::function<void(RecordedStep)>;
     virtual void record_from_now(std::function<Keep(const Recording& start)> /*begin*/) {}
-    // UI thread: `tell` is called on any thread whenever a newer frame is there, and must not wait.
-    // Frames that came before are not told of. A simulation at rest makes no frames.
+    // UI thread. `tell` is called on any thread when a newer frame exists, and must not block; it
+    // is not called for earlier frames. A simulation at rest makes no frames.
     virtual void on_frame(std::function<void()> tell) = 0;
-    // UI thread: true where a newer frame is there; frame() stays as it is until the next call.
+    // UI thread. Takes over a newer frame and returns whether there was one; frame() is valid until
+    // the next call.
     virtual bool update_frame() = 0;
     virtual const Frame& frame() const = 0;
 };

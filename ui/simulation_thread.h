@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A session on a thread of its own, which runs it until the object is destroyed.
+// Runs a Session on a thread of its own until it is destroyed.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace hepatica {
 
-// Starts at once; the destructor ends the step under way and joins.
+// Starts at once; the destructor waits for the step under way.
 class SimulationThread : public Simulation {
   public:
     explicit SimulationThread(std::unique_ptr<Session> session);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures at the window's foot: step time, real-time factor, expected error, picture time and
-// renderer. They change four times a second at most, so that they can be read.
+// Figures at the window's foot: step time, real-time factor, expected error, picture time and
+// renderer. The caller updates them at most four times a second, so that they are readable. UI
+// thread only.
 #pragma once
 
 #include <QStatusBar>
@@ -19,7 +20,7 @@ class StatusLine {
     void show_picture_time(double ms);
     void show_renderer(const std::string& name);
     void clear_statistics();
-    // A red dot for as long as a play is recorded.
+    // A red dot while a play is being recorded.
     void show_recording(bool recording);
 
   private:

@@ -10,7 +10,7 @@ namespace hepatica {
 
 SurfaceCanvas::SurfaceCanvas(QWidget& view, CanvasPainter painter)
     : QOpenGLWidget(&view), painter_(std::move(painter)) {
-    // Qt swaps the whole window, also where only something beside this widget was painted.
+    // Qt also swaps the window when only another widget was painted.
     connect(this, &QOpenGLWidget::frameSwapped, this, [this] {
         if (std::exchange(awaits_swap_, false)) painter_.shown();
     });
@@ -20,8 +20,8 @@ SurfaceCanvas::~SurfaceCanvas() {
     finish();
 }
 
-// The base class destroys the context after this class's members are gone, so that the slot
-// connected in initializeGL() must not run any more.
+// The base class destroys the context after the members of this class, when the slot connected in
+// initializeGL() must no longer run.
 void SurfaceCanvas::finish() {
     if (!context()) return;
     if (disconnect(context(), nullptr, this, nullptr)) end();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a graphics card draws: a surface of OpenGL that Qt composes with the rest of the window.
+// Canvas for a graphics card: an OpenGL surface that Qt composes with the rest of the window.
 #pragma once
 
 #include <QOpenGLWidget>
@@ -8,6 +8,7 @@
 
 namespace hepatica {
 
+// UI thread only.
 class SurfaceCanvas : public QOpenGLWidget, public Canvas {
   public:
     SurfaceCanvas(QWidget& view, CanvasPainter painter);
@@ -26,7 +27,7 @@ class SurfaceCanvas : public QOpenGLWidget, public Canvas {
     void end();
 
     CanvasPainter painter_;
-    bool for_screen_ = true;  // else it is only read
+    bool for_screen_ = true;  // otherwise the picture is only read
     bool awaits_swap_ = false;
 };
 

@@ -25,7 +25,8 @@ void TearHistory::forget_after(double time_s) {
 }
 
 void TearHistory::note_events(double time_s, const TearView& now) {
-    if (time_s_.size() == 1) last_.pieces = now.pieces;  // systems may be in several from the start
+    // A system may consist of several pieces from the start.
+    if (time_s_.size() == 1) last_.pieces = now.pieces;
     const auto note = [&](const char* text) { events_.push_back({time_s, text}); };
     if (now.joints_broken < last_.joints_broken) note("whole");
     if (now.joints_broken > 0 && last_.joints_broken == 0) note("torn");
@@ -45,7 +46,7 @@ bool TearHistory::follow(const Frame& frame) {
     if (empty()) begin_s_ = frame.time_s;
     const double time_s = frame.time_s - begin_s_;
     if (!empty() && time_s == time_s_.back()) return false;
-    if (!empty() && time_s < time_s_.back()) last_ = *frame.tear;  // another past
+    if (!empty() && time_s < time_s_.back()) last_ = *frame.tear;  // the play went back in time
     forget_after(time_s);
     if (empty()) begin_s_ = frame.time_s;
     const double now_s = frame.time_s - begin_s_;

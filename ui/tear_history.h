@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the frames of a play have shown of tearing so far: entropy over time, and when something
-// happened. No toolkit.
+// History of tearing in the frames of a play: entropy over time, and events. No widgets; not
+// thread-safe.
 #pragma once
 
 #include <string>
@@ -14,21 +14,22 @@ namespace hepatica {
 class TearHistory {
   public:
     struct Event {
-        double time_s = 0.0;  // since the vessels may tear, as in the chart
+        double time_s = 0.0;  // since tearing was enabled, as in the chart
         std::string text;
     };
 
-    // Takes over a frame; true where the chart is another now. A frame in which nothing can tear
-    // forgets everything, one of an earlier time what came after it.
+    // Adds a frame; returns whether the chart has changed. A frame without tearing clears
+    // everything; one of an earlier time removes what came after it.
     bool follow(const Frame& frame);
+    // Forgets all points and events.
     void clear();
 
     bool empty() const { return time_s_.empty(); }
-    // Entropy, and what of it was produced since the first split, in nats.
+    // Entropy, and the part produced since the first split, in nats.
     Chart chart() const;
     const std::vector<Event>& events() const { return events_; }
 
-    // Beyond that every second point is left out.
+    // Above this number every second point is dropped.
     static constexpr std::size_t most_points = 2000;
 
   private:

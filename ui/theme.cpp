@@ -19,7 +19,7 @@
 namespace hepatica {
 namespace {
 
-// Names in braces stand for the theme's colours.
+// Names in braces are replaced by the theme's colours.
 const char* const rules = R"(
 QToolTip { color: {text}; background: {button}; border: 1px solid {frame}; padding: 4px; }
 QMainWindow::separator { background: {frame}; width: 4px; height: 4px; }
@@ -161,7 +161,7 @@ QPalette palette_of(const Theme& theme) {
     palette.setColor(QPalette::Base, theme.base);
     palette.setColor(QPalette::AlternateBase, theme.bar);
     palette.setColor(QPalette::Text, theme.text);
-    // It says what may be written: as readable as words, but none of them.
+    // Readable like text, but distinct from it.
     palette.setColor(QPalette::PlaceholderText,
                      theme.quiet == theme.text ? theme.disabled : theme.quiet);
     palette.setColor(QPalette::Button, theme.button);
@@ -174,9 +174,9 @@ QPalette palette_of(const Theme& theme) {
     return palette;
 }
 
-// Fusion, but a click on a slider's groove takes the handle there instead of a page nearer,
-// disabled words are not written twice, check boxes hold a tick that no theme hides, and around
-// whatever has the keyboard there is a frame (FocusRing).
+// Fusion with these changes: a click on a slider's groove moves the handle there, disabled text is
+// not etched, check boxes have a tick visible in all themes, and the focused widget has a frame
+// (FocusRing).
 class Style : public QProxyStyle {
   public:
     explicit Style(const Theme& theme)
@@ -186,7 +186,7 @@ class Style : public QProxyStyle {
                   QStyleHintReturn* data) const override {
         if (hint == SH_Slider_AbsoluteSetButtons) return Qt::LeftButton;
         if (hint == SH_EtchDisabledText) return 0;
-        // Those pictures are drawn for one theme alone: a black cross on a dark button.
+        // These icons suit one theme only: a black cross on a dark button.
         if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
         if (hint == SH_FocusFrame_AboveWidget) return 1;
         return QProxyStyle::styleHint(hint, option, widget, data);
@@ -207,19 +207,19 @@ class Style : public QProxyStyle {
     }
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override {
-        // One frame is enough; within a list it is the row's.
+        // FocusRing draws the frame, except for rows of lists.
         if (element == PE_FrameFocusRect && !qobject_cast<const QAbstractItemView*>(widget)) return;
         if (element != PE_IndicatorCheckBox)
             return QProxyStyle::drawPrimitive(element, option, painter, widget);
         draw_check_box(*option, *painter);
     }
 
-    // Of panels: Fusion's own cross is dark under every theme.
+    // Close buttons of docks: Fusion's own cross is dark in every theme.
     QIcon standardIcon(StandardPixmap which, const QStyleOption* option,
                        const QWidget* widget) const override {
         if (which != SP_TitleBarCloseButton && which != SP_DockWidgetCloseButton)
             return QProxyStyle::standardIcon(which, option, widget);
-        constexpr int side = 32;  // for screens of two pixels a point
+        constexpr int side = 32;  // for screens with two pixels per point
         QPixmap cross(side, side);
         cross.fill(Qt::transparent);
         QPainter painter(&cross);
@@ -233,7 +233,7 @@ class Style : public QProxyStyle {
   private:
     static constexpr int ring_px = 2;
 
-    // By more than a shade, which a theme may not have.
+    // A bar, because a theme's shades may be too similar.
     void mark_chosen_tab(const QStyleOption& option, QPainter& painter) const {
         const auto* tab = qstyleoption_cast<const QStyleOptionTab*>(&option);
         if (tab == nullptr || !(option.state & State_Selected)) return;
@@ -269,7 +269,7 @@ class Style : public QProxyStyle {
     const Theme& theme_;
 };
 
-// Follows the keyboard through all windows; the views of slices and vessels paint their own.
+// Follows the focus through all windows, except for views that paint their own frame.
 class FocusRing : public QObject {
   public:
     explicit FocusRing(QApplication& application) : QObject(&application) {
@@ -283,9 +283,9 @@ class FocusRing : public QObject {
 
   private:
     void follow(QWidget* now) {
-        delete frame_;  // its window may be another one
+        delete frame_;  // the next widget may be in another window
         if (now == nullptr || now->isWindow() || now->property(paints_own_focus).isValid()) return;
-        if (now->window()->windowType() == Qt::Popup) return;  // as a list that is chosen from
+        if (now->window()->windowType() == Qt::Popup) return;  // such as the list of a combo box
         frame_ = new QFocusFrame(now);
         frame_->setWidget(now);
     }
@@ -310,7 +310,7 @@ void apply_theme(QApplication& application, const Theme& theme) {
     application.setPalette(palette_of(theme));
     application.setStyleSheet(style_sheet(theme));
     delete application.findChild<QObject*>(FocusRing::name);
-    new FocusRing(application);  // the application owns it
+    new FocusRing(application);  // owned by the application
 }
 
 }  // namespace hepatica

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The looks of the window, each one value: dark and quiet as in a reading room, so that the patient
-// is the brightest thing on the screen; light, for lecture rooms and print; and one of high
-// contrast, whose text stands out by at least 7 to 1 (WCAG 2.1, level AAA).
+// Themes of the window: dark as in a reading room, so that the patient is the brightest thing on
+// the screen; light for lecture rooms and print; and high contrast of at least 7 to 1 (WCAG 2.1,
+// level AAA). UI thread only.
 #pragma once
 
 #include <QColor>
@@ -15,28 +15,26 @@ class QApplication;
 namespace hepatica {
 
 struct Theme {
-    const char* name;  // as settings keep it
-    // What things stand on: the window, what is written into, bars, buttons, and frames around
-    // them.
+    const char* name;  // in the settings
+    // Backgrounds: window, fields, bars, buttons; and the frames around them.
     QColor window, base, bar, button, button_hover, frame;
     QColor text, quiet, disabled, title;
-    // What is chosen or on, with its border and the text on it; links.
+    // Selected or switched on: background, border, text; and links.
     QColor accent, accent_border, accent_text, link;
-    // Behind messages, and their text; what is wrong with an input.
+    // Backgrounds of messages, their text, and errors in an input.
     QColor failure, notice, message_text, problem;
     ViewLook view;
 };
 
-// The first is what the program begins with.
+// The first is the default.
 std::span<const Theme> themes();
-// The first where none is called so.
+// The first theme if there is none of this name.
 const Theme& theme_named(const QString& name);
 
-// Name of a property of widgets that show by themselves that they have the keyboard; around all
-// others there is a frame then.
+// Property of widgets that show their focus themselves; all others get a frame.
 inline constexpr const char* paints_own_focus = "paintsOwnFocus";
 
-// Of all windows, from now on.
+// Applies the theme to all windows.
 void apply_theme(QApplication& application, const Theme& theme = themes().front());
 
 }  // namespace hepatica

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A slider over the time of a play with a tick wherever something happened. A click goes there;
-// arrows go by a tenth of a second, page keys by two seconds, Home and End to its ends.
+// Slider over the time of a play, with a tick at each event. A click goes there; arrow keys step by
+// 0.1 s, page keys by 2 s, Home and End go to the ends. UI thread only.
 #pragma once
 
 #include <QColor>
@@ -25,7 +25,7 @@ class TimeLine : public QSlider {
     double at_s() const { return 1e-3 * value(); }
     void set_ticks(std::vector<Tick> ticks);
     const std::vector<Tick>& ticks() const { return ticks_; }
-    // Where a moment lies, in points from the left.
+    // Horizontal position of a moment, in points from the left.
     double place_of(double at_s) const;
 
     QSize sizeHint() const override { return {400, 34}; }

@@ -9,12 +9,12 @@ namespace {
 
 constexpr double least_notch_mm = 0.5;
 
-// As an instrument comes: from the lower right, into the picture.
+// Direction of an instrument: from the lower right into the picture.
 Vec3 way_of_instrument(const ViewAxes& axes) {
     return (0.5 * axes.forward - 0.62 * axes.right + 0.6 * axes.up).normalized();
 }
 
-// As jaws come that are to take a vessel between them: into the picture, leaning along it.
+// Direction of jaws that are to hold a vessel: into the picture, leaning along the vessel.
 Vec3 way_to_take(const ViewAxes& axes, const Vec3& vessel) {
     const Vec3 seen = vessel - vessel.dot(axes.forward) * axes.forward;
     if (seen.norm() < 0.1) return way_of_instrument(axes);
@@ -22,7 +22,8 @@ Vec3 way_to_take(const ViewAxes& axes, const Vec3& vessel) {
     return 0.8 * axes.forward - 0.6 * along;
 }
 
-// Jaws open, and a foot points, across the instrument as one sees it, to the upper side.
+// Direction in which jaws open and a hook points: perpendicular to the instrument in the picture,
+// towards the top.
 Vec3 side_in_picture(const ViewAxes& axes, const Vec3& direction) {
     const Vec3 across = axes.forward.cross(direction);
     const Vec3 side = across.isZero(1e-6) ? axes.right : Vec3(across.normalized());
@@ -39,7 +40,7 @@ void ToolHand::take(const std::string& kind) {
     if (kind_.empty()) post_(UseTools{true});
     kind_ = kind;
     asked_ = false;
-    // One that was there has found its place.
+    // A tool that was there keeps its place.
     if (const std::optional<ToolView> before = std::exchange(seen_, std::nullopt))
         return bring(before->tip_mm, way_at(view_.pixel_of(before->tip_mm)));
     if (mouse_at_) bring_to(*mouse_at_);
@@ -119,7 +120,7 @@ void ToolHand::close_or_open() {
     closed_ = !closed_;
 }
 
-// How a tool comes to what is seen there: what takes a vessel, across it.
+// Direction of a new tool: forceps and hooks are aligned with the vessel at this pixel.
 Vec3 ToolHand::way_at(const Pixel& at) const {
     if (kind_ == "sphere") return view_.ray_through(at).direction;
     const SurfacePick pick = view_.pick(at);
@@ -128,7 +129,7 @@ Vec3 ToolHand::way_at(const Pixel& at) const {
     return way_to_take(view_.axes(), vessel);
 }
 
-// To the vessel under the mouse, or as deep as what the picture is about.
+// At the vessel under the mouse, or at the depth of the camera's focus.
 void ToolHand::bring_to(const Pixel& at) {
     const SurfacePick pick = view_.pick(at);
     bring(pick.triangle >= 0 ? pick.position_mm : view_.point_at_depth(at, view_.axes().focus_mm),

@@ -10,12 +10,12 @@
 namespace hepatica {
 namespace {
 
-// Paints in a square of 16 x 16.
+// Paints into a square of 16 x 16.
 using Draw = void (*)(QPainter&);
 
 const QColor vessel(0x8f, 0x86, 0xd8), touch(0x1f, 0xc4, 0xac);
 
-// As writing on buttons, which stands out in every theme.
+// The colour of text on buttons, which is visible in every theme.
 QColor bright() {
     return QGuiApplication::palette().color(QPalette::ButtonText);
 }

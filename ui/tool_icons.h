@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The icons of what the mouse does, painted here: one look, at any density of the screen, without
+// Icons of the mouse modes and tools, painted in code: uniform, sharp at any pixel density, without
 // files.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace hepatica {
 
-// Null for actions without one.
+// Null for actions without an icon.
 QIcon icon_of(ActionId id);
 
 }  // namespace hepatica

@@ -73,7 +73,7 @@ QWidget* ToolPanel::make_size() {
         field->setObjectName(name);
         field->setAccessibleName(Words::tr("%1 of the tool").arg(label));
         field->setSingleStep(0.5);
-        field->setKeyboardTracking(false);  // a number that is half typed is no size
+        field->setKeyboardTracking(false);  // a half-typed number is no size
         form->addRow(label, field);
         connect(field, &QDoubleSpinBox::valueChanged, this, [this] { callbacks_.resize(size()); });
         return field;
@@ -129,8 +129,7 @@ UseContact ToolPanel::contact() const {
     return {touch_each_other_->isChecked(), obstacles_->isChecked(), friction_->value()};
 }
 
-// Obstacles take seconds to be made; a step that was under way ends before, and may show another
-// frame.
+// Obstacles take seconds to prepare; a step under way ends before and may show an older state.
 void ToolPanel::show_contact(const Frame& frame) {
     shown_at_ = frame.step;
     const bool as_asked = asked_ && asked_->self == frame.self_friction.has_value() &&

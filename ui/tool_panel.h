@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The size of the tool in the hand, and what it feels; what the vessels touch; whether they tear,
-// and how they are torn.
+// Panel for the tool in the hand and the force on it, what the vessels touch, whether they tear,
+// and how far they are torn.
 #pragma once
 
 #include <QWidget>
@@ -16,6 +16,7 @@ namespace hepatica {
 
 class DecimalSpinBox;
 
+// UI thread only.
 class ToolPanel : public QWidget {
   public:
     struct Callbacks {
@@ -23,30 +24,31 @@ class ToolPanel : public QWidget {
         std::function<void(const UseTear&)> use_tear;
         std::function<void(const UseContact&)> use_contact;
         std::function<void(bool)> show_warnings;
-        // What vessels shall touch in free play from now on.
+        // The user chose what vessels touch in free play.
         std::function<void(const UseContact&)> contact_chosen = [](const UseContact&) {};
     };
     explicit ToolPanel(Callbacks callbacks, QWidget* parent = nullptr);
 
     ToolSize size() const;
-    // The tear factor that is chosen, with tearing switched on.
+    // The chosen tear factor, with tearing switched on.
     UseTear tear() const;
     // What vessels touch in free play until the user chooses otherwise.
     void set_wanted_contact(const UseContact& contact) { wanted_contact_ = contact; }
+    // Share of the strength that remains along a drawn line, 0 to 1.
     double cut_line_strength() const;
     bool shows_warnings() const;
     void show_tear(const std::optional<TearView>& tear);
-    // What the vessels of a frame touch; not yet where it is older than what was chosen last.
+    // Shows what the vessels of a frame touch, unless the frame is older than the last choice.
     void show_contact(const Frame& frame);
     void set_units(FlowUnits units);  // of the bleeding
-    // A simulation has begun. In free play vessels touch and tear where the user wants it; a lesson
-    // says itself whether they do.
+    // A simulation begins. In free play vessels touch and tear as the user chose; a lesson sets
+    // that itself.
     void begin_play(bool free);
-    // Whether touching and tearing may be switched.
+    // Whether contact and tearing may be changed.
     void allow_settings(bool allowed);
-    // Empty where no tool is in the hand.
+    // Empty if there is no tool.
     void show_kind(const std::string& kind);
-    // The force on the tool; without a tool, that of the hand that pulls.
+    // The force on the tool; without a tool, that of the pulling hand.
     void show_force(const std::optional<ToolView>& tool, const std::optional<GrabView>& hand);
 
   private:
@@ -75,8 +77,8 @@ class ToolPanel : public QWidget {
     bool allowed_ = true;
     bool wanted_tear_ = false;                   // in free play
     std::optional<UseContact> wanted_contact_;   // likewise
-    std::optional<UseContact> asked_;            // which no frame shows yet
-    std::uint64_t asked_at_ = 0, shown_at_ = 0;  // steps of the frames that were shown
+    std::optional<UseContact> asked_;            // no frame shows it yet
+    std::uint64_t asked_at_ = 0, shown_at_ = 0;  // steps of shown frames
     FlowUnits units_ = FlowUnits::computed;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A picture of a patient as an icon of a list: a row that is chosen would tint it with the theme's
-// colour of choice, and nothing may tint a CT or the colours of vessels.
+// Icon for a picture of a patient in a list. Qt would tint a selected icon, but a CT and the
+// colours of vessels must not be tinted.
 #pragma once
 
 #include <QIcon>

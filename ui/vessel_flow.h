@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window shows of an injection beside the picture: its curves over time. No toolkit.
+// Curves of an injection over time for the panel of charts. No widgets.
 #pragma once
 
 #include "core/base/job.h"
@@ -11,12 +11,11 @@ namespace hepatica {
 
 struct InjectionCurves {
     Chart pressure;  // total pressure at the catheter's tip over time
-    Chart delivery;  // share of the injected drug that has passed the ends
+    Chart delivery;  // share of the injected drug that has passed the ends, in percent
 };
 
-// Runs the very injection that a frame shows (its DrugView's `injection`) on the tree at rest, from
-// 0 to `until_s` > 0 (its `end_s`). Throws InputError for an injection that makes no sense,
-// Cancelled.
+// Computes the injection shown by a frame (DrugView::injection) on the tree at rest, from 0 to
+// `until_s` > 0 (DrugView::end_s). Throws InputError for an invalid injection, and Cancelled.
 InjectionCurves injection_curves(const VesselTree& tree, const InjectionOptions& injection,
                                  double until_s, Job& job);
 

@@ -20,11 +20,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Of all the work; the rest is ffmpeg's.
+// Share of the total work; the rest is ffmpeg's.
 constexpr double share_of_pictures = 0.9;
 constexpr int look_ms = 50;
 
-// Codecs want even sides.
+// Codecs need even widths and heights.
 QImage even(const QImage& picture) {
     return picture.copy(0, 0, picture.width() & ~1, picture.height() & ~1)
         .convertToFormat(QImage::Format_RGB32);
@@ -65,7 +65,7 @@ void encode(const Film& film, const fs::path& pictures, const fs::path& file, co
             const std::function<bool(double)>& go_on) {
     QProcess process;
     process.setProcessChannelMode(QProcess::MergedChannels);
-    // The folder's own name may hold what is a pattern to ffmpeg.
+    // The folder's name could contain a pattern of ffmpeg.
     process.setWorkingDirectory(to_text(pictures));
     process.start(ffmpeg,
                   {"-y", "-loglevel", "error", "-framerate", QString::number(film.pictures_per_s),

@@ -25,7 +25,7 @@ void ViewFocus::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(QPen(colour, 2.0));
     painter.drawRect(rect().adjusted(1, 1, -1, -1));
     if (!aim_) return;
-    // Dark below and bright above it, so that it is seen on every vessel; closed where it holds.
+    // Dark below and bright above, visible on every vessel; closed if something is held.
     painter.setRenderHint(QPainter::Antialiasing);
     const double gap = holds_ ? 0.0 : 6.0;
     for (const auto& [ink, width] :

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Over the three-dimensional view while it has the keyboard: a frame, as slices have one, and where
-// keys are used the aim that they act at. The mouse passes through it.
+// Overlay of the 3D view while it has the keyboard focus: a frame, and the aim at which keys act.
+// Mouse events pass through. UI thread only.
 #pragma once
 
 #include <QWidget>
@@ -10,10 +10,10 @@ namespace hepatica {
 
 class ViewFocus : public QWidget {
   public:
-    // Covers all of it; hidden at first.
+    // Covers the whole view; hidden at first.
     explicit ViewFocus(QWidget& view);
 
-    // The aim in points; none: the mouse is used. `holds`: something is led by it.
+    // Aim in points; nullopt: the mouse is used. `holds`: the aim moves something.
     void show_aim(const std::optional<QPointF>& aim, bool holds);
     const std::optional<QPointF>& aim() const { return aim_; }
 

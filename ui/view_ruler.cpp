@@ -9,9 +9,9 @@
 namespace hepatica {
 namespace {
 
-// A point of a slice that is farther from all vessels does not go along with one.
+// A point of a slice that is farther from all vessels does not move with one.
 constexpr double reach_mm = 10.0;
-// Of a point of the list from where it is at rest: less is not seen.
+// A smaller displacement counts as at rest.
 constexpr double moved_mm = 0.5;
 
 int nearest_vertex(const std::vector<Vec3>& vertices_mm, const Vec3& point_mm) {
@@ -48,7 +48,7 @@ void ViewRuler::show_patient(std::shared_ptr<const PatientCase> patient) {
     anchored_to_ = nullptr;
 }
 
-// A scene in which nothing moves shows the surface's vertices, not the body's.
+// In a scene without deformation frames hold the surface's vertices, not the body's.
 const std::vector<Vec3>& ViewRuler::rest_of(const Frame& frame) const {
     const std::vector<Vec3>& body = patient_->mesh.vertices_mm;
     const bool moves = !body.empty() && frame.positions_mm.size() >= 3 * body.size();

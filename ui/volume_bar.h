@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Above the view while the CT is drawn as a volume: what of it stands out, and how dense it is.
+// Bar above the view while the CT is drawn as a volume: preset and density. UI thread only.
 #pragma once
 
 #include <QWidget>
@@ -14,7 +14,7 @@ namespace hepatica {
 
 class VolumeBar : public QWidget {
   public:
-    // Of the look, the bar knows preset and density.
+    // Uses preset and density of `look`.
     VolumeBar(const VolumeLook& look, std::function<void(VolumePreset, double density)> choose,
               QWidget* parent = nullptr);
 

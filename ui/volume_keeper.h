@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The CT as a volume around the vessels: looked for, read and cut to what is drawn beside the
-// window when somebody wants to see it, and not before. Of the CT itself nothing is kept, and
-// nothing at all once it is not wanted any more.
+// Provides the CT as a volume around the vessels: reads it and cuts it to the liver's surroundings
+// in the background when it is first wanted. Does not keep the whole CT, and nothing once it is no
+// longer wanted.
 #pragma once
 
 #include <filesystem>
@@ -14,25 +14,26 @@
 
 namespace hepatica {
 
-// UI thread; needs Qt's event loop and nothing else of the toolkit. Settings and readings must
-// outlive it.
+// UI thread only; needs Qt's event loop and no other part of Qt. Settings and readings must outlive
+// it.
 class VolumeKeeper {
   public:
     struct Screen {
-        std::function<void(std::shared_ptr<const Volume>)> show;  // null takes it away
-        // The CT where slices have read it; null: they have not.
+        std::function<void(std::shared_ptr<const Volume>)> show;  // null removes it
+        // The CT that the slices have read; null: none.
         std::function<std::shared_ptr<const Volume>()> of_slices;
         std::function<void(const JobProgress&)> progress;
-        std::function<void(const Failure&)> failed;  // wanted, but not found or not read
+        std::function<void(const Failure&)> failed;  // wanted, but not found or not readable
     };
     VolumeKeeper(Settings& settings, CtReadings& readings, Screen screen);
 
-    // Another patient, or none: see CtKeeper::show().
+    // Sets the patient, null for none: see CtKeeper::show().
     void show_patient(std::shared_ptr<const PatientCase> patient,
                       const std::filesystem::path& folder, const std::filesystem::path& image);
+    // Begins to make the volume, or discards it.
     void set_wanted(bool wanted);
     bool wanted() const { return wanted_; }
-    // Reads from there, whatever happened before.
+    // Reads from this place, whatever was tried before. No effect unless wanted.
     void read_from(const std::filesystem::path& place);
 
     bool making() const { return reader_.reading() || job_ != nullptr; }

@@ -102,7 +102,7 @@ VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
     setMinimumSize(160, 120);
 }
 
-// The canvas goes with the base class, when what its painter draws is gone.
+// The base class destroys the canvas later, when the painter's members are gone.
 VtkWidget::~VtkWidget() {
     canvas_->finish();
 }
@@ -134,7 +134,7 @@ bool VtkWidget::software() const {
 
 void VtkWidget::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    // At once, so that a click before the next picture is mapped with the new size.
+    // At once, so that a click before the next picture uses the new size.
     const QSize size = pixel_size(this->size(), devicePixelRatioF());
     window_->SetSize(size.width(), size.height());
     canvas_->widget().setGeometry(rect());
@@ -159,7 +159,7 @@ unsigned VtkWidget::draw(const QSize& pixels) {
 
 void VtkWidget::picture_shown() {
     last_.on_screen_ms = 1e-6 * static_cast<double>(since_painting_.nsecsElapsed());
-    // With a card the picture waits for the screen, not for the processor.
+    // With a graphics card the rest of the time is spent waiting for the screen.
     last_.processor_ms = software() ? last_.on_screen_ms : submitted_ms_;
     for (const auto& listener : on_picture_) listener(last_);
 }
@@ -220,7 +220,7 @@ void VtkWidget::mousePressEvent(QMouseEvent* event) {
 }
 
 void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
-    // A touch of the mouse does not tear a vessel out of the keys' hold; a tool follows it again.
+    // A mouse movement does not end a pull by keys; a tool follows the mouse again.
     if (keys_->leads() && mouse_->mode() != MouseMode::tool) return;
     if (keys_->leads()) take_from_keys();
     if (mouse_->move(pixel_of(event->position()))) draw_again();
@@ -236,7 +236,7 @@ void VtkWidget::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void VtkWidget::wheelEvent(QWheelEvent* event) {
-    // With Alt held, some systems turn the wheel's direction by a right angle.
+    // With Alt held, some systems report a horizontal wheel.
     const QPoint turned = event->angleDelta();
     mouse_->wheel((turned.y() != 0 ? turned.y() : turned.x()) / 120.0, modifiers_of(*event));
     draw_again();
@@ -247,7 +247,7 @@ void VtkWidget::leaveEvent(QEvent* event) {
     if (hover_) hover_(SurfacePick{});
 }
 
-// Escape lets go of what is held, before the window's own Escape puts a tool away.
+// Escape first lets go of what is held; otherwise the window's Escape puts a tool away.
 bool VtkWidget::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride && keys_->leads() &&
         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape)
@@ -259,12 +259,13 @@ void VtkWidget::keyPressEvent(QKeyEvent* event) {
     const std::optional<ViewKey> key = view_key_of(*event);
     const MouseModifiers modifiers = modifiers_of(*event);
     const bool enter = key == ViewKey::enter;
-    // Ctrl + Enter is the only one of them that takes Ctrl.
+    // Ctrl + Enter is the only key with Ctrl.
     if (!key || modifiers.alt || (modifiers.control && !enter) ||
         (enter && event->isAutoRepeat()) || !keys_->press(*key, modifiers))
         return QWidget::keyPressEvent(event);
     const bool turned = !keys_->leads() && !enter && !modifiers.shift;
-    if (turned && mouse_->mode() != MouseMode::tool) mouse_->move(keys_->aim());  // what is there
+    // Highlights what is there.
+    if (turned && mouse_->mode() != MouseMode::tool) mouse_->move(keys_->aim());
     show_aim();
     draw_again();
 }

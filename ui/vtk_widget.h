@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bridge between Qt 6 and VTK: a widget on whose canvas a VTK render window draws.
-// Mouse and wheel go to a MouseTool, keys to a KeyTool, already in the picture's pixels.
+// Widget that shows a VTK render window in Qt. Passes mouse and wheel events to a MouseTool and
+// keys to a KeyTool, in pixels of the picture. UI thread only.
 #pragma once
 
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -22,11 +22,12 @@
 
 namespace hepatica {
 
-// What one picture took [ms] since its painting began.
+// Durations for one picture since its painting began [ms].
 struct PictureTime {
     double on_screen_ms = 0.0;  // until it has reached the screen
-    double processor_ms = 0.0;  // the part that a graphics card does not do, and that the
-                                // simulation has to leave: all of it where there is no card
+    // The processor's part, which the simulation must leave free: all of it without a graphics
+    // card.
+    double processor_ms = 0.0;
 };
 
 class VtkWidget : public QWidget {
@@ -39,30 +40,30 @@ class VtkWidget : public QWidget {
     KeyTool& keys() { return *keys_; }
     const ViewFocus& focus_mark() const { return *focus_; }
 
-    // Each of these is called for each picture when it has reached the screen.
+    // Adds a callback that is called for each picture when it has reached the screen.
     void on_picture(std::function<void(const PictureTime&)> callback) {
         on_picture_.push_back(std::move(callback));
     }
-    // How long the next picture is to wait [ms], 0 for not at all. Without a graphics card the
-    // simulation needs the processor as well: pictures then take half of the time, but never come
-    // less often than 20 times a second if they can.
+    // Time the next picture is to wait [ms], 0 for none. Without a graphics card the simulation
+    // needs the processor too: pictures then take half of the time, but come at least 20 times a
+    // second if possible.
     int wait_before_picture_ms() const;
 
-    // What the OpenGL driver calls itself; empty until the first painted frame.
+    // Renderer name from the OpenGL driver; empty before the first picture.
     const std::string& renderer_name() const { return renderer_name_; }
 
     // Shows a newer frame; draws only if it looks different.
     void show_frame(const Frame& frame);
-    // After every other change of the scene or the camera. Without a graphics card the picture is
-    // drawn plainly while it moves and smoothed as soon as it rests.
+    // To be called after any other change of scene or camera. Without a graphics card pictures are
+    // drawn without smoothing while they change, and smoothed when at rest.
     void draw_again();
-    // After what is led in the slices: without a graphics card not more than 20 times a second, so
-    // that the slices, which the person looks at, come first.
+    // As draw_again(), for changes led from the slices: without a graphics card at most 20 times a
+    // second, so that the slices, which the user looks at, come first.
     void draw_soon();
 
-    // Draws now, as the next picture on the screen, and reads it, at the screen's own resolution.
+    // Draws a picture now and reads it, at the screen's resolution and smoothing.
     QImage drawn() { return canvas_->drawn(); }
-    // The same as finely as it can be drawn.
+    // The same with the best smoothing.
     QImage picture();
 
   protected:
@@ -80,7 +81,7 @@ class VtkWidget : public QWidget {
 
   private:
     Pixel pixel_of(const QPointF& point) const;
-    // The mouse is used: whatever keys hold is let go.
+    // The mouse is used: lets go of whatever the keys hold.
     void take_from_keys();
     void show_aim();
     bool software() const;
@@ -99,10 +100,10 @@ class VtkWidget : public QWidget {
     std::function<void(const SurfacePick&)> hover_;
     std::string renderer_name_;
     QTimer rest_timer_;
-    QTimer soon_timer_;  // a picture is due when it ends
+    QTimer soon_timer_;  // a picture is due when it fires
     QElapsedTimer since_painting_;
-    PictureTime last_;           // of the last picture that has reached the screen
-    double submitted_ms_ = 0.0;  // of the picture that is painted
+    PictureTime last_;           // the last picture that has reached the screen
+    double submitted_ms_ = 0.0;  // of the picture being painted
 };
 
 }  // namespace hepatica

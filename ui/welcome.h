@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in the empty view: the ways to begin.
+// Panel in the empty view that offers ways to begin. UI thread only.
 #pragma once
 
 #include <QFrame>
@@ -11,11 +11,11 @@ namespace hepatica {
 
 class Welcome : public QFrame {
   public:
-    // `lessons`: shows the list of lessons.
+    // `lessons` shows the course.
     Welcome(const Actions& actions, std::function<void()> lessons, QWidget* parent);
 
   protected:
-    // Keeps itself in the middle of its parent.
+    // Keeps the panel in the middle of its parent.
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:

@@ -28,12 +28,12 @@ bool WheelGuard::eventFilter(QObject* watched, QEvent* event) {
     QWidget* field = as_field(watched);
     if (field == nullptr) return false;
     if (event->type() == QEvent::Polish) {
-        // Else the wheel would give it the focus first.
+        // Otherwise the wheel would focus the field first.
         if (field->focusPolicy() == Qt::WheelFocus) field->setFocusPolicy(Qt::StrongFocus);
         return false;
     }
     if (field->hasFocus()) return false;
-    event->ignore();  // whoever it stands in is asked next
+    event->ignore();  // passed on to the parent
     return true;
 }
 

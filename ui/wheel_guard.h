@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The mouse wheel changes a number, a choice or a slider only where that has the focus; over all
-// others it scrolls the panel that they stand in, and nothing is changed unnoticed.
+// The mouse wheel changes number fields, combo boxes and sliders only if they have the focus;
+// otherwise it scrolls the panel, so that nothing is changed by accident. UI thread only.
 #pragma once
 
 #include <QObject>
 
 namespace hepatica {
 
-// Filters the events of the whole program for as long as it lives.
+// Filters the events of the whole program while it exists.
 class WheelGuard : public QObject {
   public:
     explicit WheelGuard(QObject* parent);

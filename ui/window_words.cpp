@@ -11,7 +11,7 @@
 namespace hepatica {
 namespace {
 
-// The longer ones first: they hold the shorter ones.
+// Longer texts first, because they contain shorter ones.
 constexpr std::array<std::pair<const char*, const char*>, 37> words{{
     {"--seed-mm X,Y,Z,1 and --seed-mm X,Y,Z,2",
      "written into Portal vein seeds and Hepatic vein seeds of File > Reconstruct with options"},
@@ -46,7 +46,7 @@ constexpr std::array<std::pair<const char*, const char*>, 37> words{{
     {"On the command line --series ", "In File > Reconstruct with options, Series "},
     {"--tree-space lps or --tree-space ras", "on the command line"},
     {"--radius-mm", "on the command line"},
-    // Files are called by what is in them, the key behind it for who can write one.
+    // Files are described by their kind, followed by the JSON key for those who can edit it.
     {"has no \"format\"", "does not say what kind of file it is (\"format\")"},
     {"has no \"version\"", "does not say which version it is of (\"version\")"},
     {"has no \"name\"", "lacks its name (\"name\")"},
@@ -74,7 +74,7 @@ std::string in_window_words(std::string text) {
              at = text.find(from, at + to.size()))
             text.replace(at, from.size(), to);
     }
-    // What a library says of a text that it cannot read.
+    // The message of the JSON library for unreadable text.
     static const std::regex parse_error(
         R"(is damaged \(parse error at line (\d+), column (\d+):[^]*)");
     return std::regex_replace(text, parse_error,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Advice for somebody who sits before the window. Core names a remedy by the option of the command
-// line that gives it; here every option becomes the field or the tool that does the same.
+// Rewrites advice for users of the window: core names remedies by command line options, which are
+// replaced here by the field or tool that does the same.
 #pragma once
 
 #include <QString>
@@ -11,17 +11,17 @@
 
 namespace hepatica {
 
-// The text with each such option replaced; any other text stays as it is.
+// The text with each such option replaced; other text is unchanged.
 std::string in_window_words(std::string text);
 
-// The first two of several warnings in the language of the window, and how many more there are:
-// what leaves room for the vessels.
+// The first two warnings, translated, and the number of others; short, to leave room for the
+// vessels.
 QString in_short(const std::vector<std::string>& warnings);
 
-// What is wrong and what helps, as a sentence that stands by itself, in the language of the window.
-// Whether the problem names the file that is its place: then it is not named once more.
+// Whether the problem already contains its place, a file path, which then need not be repeated.
 bool names_its_place(const Failure& failure);
 
+// Problem and remedy as one sentence in the language of the window.
 QString in_one_sentence(const Failure& failure);
 
 }  // namespace hepatica

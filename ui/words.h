@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every word that a user of the window sees goes through here: its English is its id, its
-// translation stands in translations/. One context for all, as a word that is said in several
-// places is translated once; where it means two things a disambiguation tells them apart.
+// Every text that a user of the window sees goes through Words: its English is its id, its
+// translation is in translations/. There is one context, so that a text used in several places is
+// translated once; a disambiguation separates different meanings.
 #pragma once
 
 #include <QCoreApplication>
@@ -12,8 +12,8 @@ class Words {
     Q_DECLARE_TR_FUNCTIONS(Words)  // tr(english, disambiguation, n)
 
   public:
-    // Marks an English text that is translated later, where it is shown: tables that are made
-    // before a language is chosen, errors and stages of jobs.
+    // Marks an English text that is translated later, when it is shown: tables made before a
+    // language is chosen, errors, stages of jobs.
     static constexpr const char* id(const char* english) { return english; }
 };
 

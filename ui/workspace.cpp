@@ -166,7 +166,7 @@ void Workspace::saved(const std::filesystem::path& folder, const Edits& edits) {
     title_ = folder.filename().string();
     saved_edits_ = edits;
     never_saved_ = false;
-    // What was there before a remaking is not on disk any more.
+    // The states before a rebuild are no longer on disk.
     for (Remaking& remaking : remade_) remaking.was_never_saved = true;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The patient that is open: the case whose body is shown, where it lies on disk, and its
-// corrections with what can be undone. A correction is wanted first and has a body later; this
-// class knows both, and what of them is on disk. No toolkit; not thread-safe.
+// The open patient: the case whose body is shown, its place on disk, and its corrections with undo
+// and redo. A correction is wanted first and gets its body later; this class tracks both, and what
+// of them is saved. No widgets; not thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -20,97 +20,96 @@ namespace hepatica {
 class Workspace {
   public:
     using Edits = std::vector<TreeEdit>;
-    // What undo or redo would do next: a stroke, a correction, or neither, which is a remaking.
+    // The next step of undo or redo: a stroke, a correction, or, if both are empty, a rebuild.
     struct Step {
         std::optional<BrushStroke> stroke;
         std::optional<TreeEdit> edit;
     };
 
-    // Forgets the patient that was open before.
+    // Replaces the former patient.
     void open(const OpenedPatient& opened);
 
     bool has_patient() const { return patient_ != nullptr; }
     const std::string& title() const { return title_; }
-    // The case whose body is shown. Null before the first patient.
+    // The case whose body is shown; null before the first patient.
     const std::shared_ptr<const PatientCase>& patient() const { return patient_; }
-    // The case on disk; empty: nowhere yet.
+    // The case on disk; empty: none yet.
     const std::filesystem::path& folder() const { return folder_; }
-    // The CT that it was reconstructed from since the program began; else empty.
+    // The CT that it was reconstructed from in this run; else empty.
     const std::filesystem::path& image() const { return image_; }
 
     // The copy of unsaved work that it was opened from; else empty.
     const std::filesystem::path& kept_copy() const { return kept_copy_; }
 
-    // A case on disk on which the corrections can be made again; empty: there is none.
+    // A case on disk on which the corrections can be repeated; empty: none.
     const std::filesystem::path& base() const { return base_; }
-    // Changes with every patient and every remaking: corrections belong to one origin.
+    // Changes with every patient and every rebuild: corrections belong to one origin.
     std::uint64_t origin() const { return origin_; }
-    // The vessels are others than when he was opened.
+    // The vessels were rebuilt since he was opened.
     bool remade() const { return origin_ != opened_origin_; }
 
-    // --- corrections: of an open patient only
-    // -----------------------------------------------------
-    const Edits& edits() const { return edits_; }  // that are wanted
-    // They have no body yet. Strokes at tumours need none.
+    // --- corrections; these need an open patient ---
+    const Edits& edits() const { return edits_; }  // the wanted ones
+    // Whether wanted corrections have no body yet. Strokes at tumours need none.
     bool awaits_body() const;
-    // Those that the body has, and the strokes at tumours that are wanted: what can be written.
+    // Corrections included in the body, and wanted strokes at tumours: what can be saved.
     Edits made_edits() const;
+    // The next step of undo and redo; nullopt: none.
     std::optional<Step> next_undo() const;
     std::optional<Step> next_redo() const;
     bool can_undo() const { return next_undo().has_value(); }
     bool can_redo() const { return next_redo().has_value(); }
     void add(const TreeEdit& edit);
-    // In place of all others, as a program left them, and the strokes that waited.
+    // Replaces corrections and pending strokes by those that an earlier run left.
     void take_up(const Edits& edits, std::vector<PendingStroke> strokes);
-    // Nothing where there is nothing to undo, or where the last was a remaking. Whether that
-    // changes the tree.
+    // Undoes the last correction; returns whether that changes the tree. No effect if there is none
+    // or the last step was a rebuild.
     bool undo();
     bool redo();  // likewise
-    // This body is there, and what is not among its corrections was refused.
+    // The body is now this one; wanted corrections that it lacks were refused.
     void show_body(std::shared_ptr<const PatientCase> patient);
-    // The patient was made anew from other voxels of his vessels: `before`, with all his voxels,
-    // became `patient`, whose corrections are those that could be made again. Corrections that were
-    // added since it began stay wanted. The first `strokes` of those that waited are in the vessels
-    // now.
+    // The vessels were rebuilt: `before`, with all voxels, became `patient`, with the corrections
+    // that could be repeated. Corrections added since the rebuild began stay wanted. The first
+    // `strokes` pending strokes are in the vessels now.
     void show_remade(std::shared_ptr<const PatientCase> before,
                      std::shared_ptr<const PatientCase> patient, std::size_t strokes = 0);
-    // The next undo would take that back, to the patient from before; null: it would not.
+    // The patient from before the rebuild, if that is the next step to undo; else null.
     std::shared_ptr<const PatientCase> before_remaking() const;
+    // Returns to before_remaking(), if that is not null.
     void take_back_remaking();
-    // There will be no other body: back to the corrections that are shown.
+    // No other body will come: returns to the corrections of the shown one.
     void give_up_edits();
 
-    // --- strokes at the vessels' voxels, which wait for a remaking
-    // -------------------------------------
+    // --- strokes at the vessel mask, which wait for a rebuild ---
     const std::vector<PendingStroke>& strokes() const { return strokes_.made(); }
     void add_stroke(const BrushStroke& stroke);
-    // The next undo or redo is of a stroke, and what that does.
+    // Whether the next undo or redo is of a stroke.
     bool undo_is_of_stroke() const { return strokes_.undo_is_mine(edits_.size()); }
     bool redo_is_of_stroke() const { return strokes_.redo_is_mine(edits_.size()); }
     void undo_stroke();  // the last one, whatever was corrected since
     void redo_stroke();
-    // Changes with every stroke that is led, taken back or made into vessels.
+    // Changes with every stroke that is added, undone, redone or rebuilt.
     std::uint64_t strokes_version() const { return strokes_version_; }
 
-    // --- disk
-    // -------------------------------------------------------------------------------------
-    // Something would be lost without saving: corrections, or a reconstruction. Strokes that wait
-    // are lost even so: they are in no case.
+    // --- disk ---
+    // dirty(): corrections or a reconstruction are not saved. unsaved(): or strokes are pending,
+    // which no case can hold.
     bool dirty() const { return never_saved_ || edits_ != saved_edits_; }
     bool unsaved() const { return dirty() || !strokes_.empty(); }
     // The case was written there with these corrections.
     void saved(const std::filesystem::path& folder, const Edits& edits);
-    // Changes with every patient and with every change of what is wanted.
+    // Changes with every patient and every change of the wanted corrections.
     std::uint64_t version() const { return version_; }
 
   private:
     struct Remaking {
         std::shared_ptr<const PatientCase> before;
-        std::size_t edits = 0;  // of the remade patient
+        std::size_t edits = 0;  // number of corrections of the rebuilt patient
         bool was_never_saved = false;
         std::vector<PendingStroke> strokes;  // that it was made of
     };
-    static constexpr std::size_t most_remakings = 5;  // that are kept: each holds a whole patient
+    // That can be undone; each holds a whole patient.
+    static constexpr std::size_t most_remakings = 5;
 
     void want(Edits edits);
 
@@ -121,9 +120,9 @@ class Workspace {
     std::filesystem::path kept_copy_;
     std::filesystem::path base_;
     Edits edits_;
-    Edits undone_;  // the last one is the first to be done again
+    Edits undone_;  // the last one is redone first
     Edits saved_edits_;
-    bool never_saved_ = false;  // although it should be
+    bool never_saved_ = false;  // although it should be saved
     std::vector<Remaking> remade_;
     PendingStrokes strokes_;
     std::uint64_t strokes_version_ = 0;

@@ -32,7 +32,7 @@ constexpr std::array<std::pair<LessonTool, const char*>, 9> tool_words{
      {LessonTool::inject, Words::id("Injection")},
      {LessonTool::settings, Words::id("Gravity, tissue, tearing, drug's clock")}}};
 
-// In the order of the program, whatever the order of the clicks.
+// Keeps the tools in the order of LessonTool, whatever the order of the clicks.
 void allow(Lesson& lesson, LessonTool tool, bool allowed) {
     std::erase(lesson.tools, tool);
     if (allowed) lesson.tools.push_back(tool);
@@ -53,7 +53,7 @@ AboutPage::AboutPage(Changes changes, std::function<QString()> shown_patient)
     connect(name_, &QLineEdit::textChanged, this, [this](const QString& text) {
         change_value("name", [&](Lesson& lesson) {
             lesson.name = text.toStdString();
-            // By which recordings of two lessons are told apart.
+            // Recordings of different lessons are told apart by the scene's name.
             if (!lesson.name.empty()) lesson.scene.name = lesson.name;
         });
     });
@@ -91,7 +91,7 @@ QCheckBox* AboutPage::add_part(QGroupBox& box, const QString& text, const char* 
     return check;
 }
 
-// What is not ticked is not built.
+// A part whose box is not ticked is not built.
 QGroupBox* AboutPage::make_scene() {
     auto* box = new QGroupBox(Words::tr("The scene"));
     auto* column = new QVBoxLayout(box);
@@ -159,7 +159,7 @@ void AboutPage::fill_patients(const std::string& patient) {
                           shown);
     if (shown == unsaved_patient) {
         patient_->addItem(Words::tr("The one that is shown: save his case first (Ctrl+S)"));
-        patient_->setItemData(patient_->count() - 1, 0, Qt::UserRole - 1);  // not to be chosen
+        patient_->setItemData(patient_->count() - 1, 0, Qt::UserRole - 1);  // cannot be chosen
     }
     const QString chosen = QString::fromStdString(patient);
     if (patient_->findData(chosen) < 0)
@@ -185,7 +185,7 @@ void AboutPage::fill_scene(const SceneSpec& scene) {
 }
 
 void AboutPage::fill(const Lesson& lesson) {
-    // A field that is being typed in keeps its cursor.
+    // A text that has not changed is not set again, so that the cursor keeps its place.
     const QString name = QString::fromStdString(lesson.name);
     if (name_->text() != name) name_->setText(name);
     const QString about = QString::fromStdString(lesson.about);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a lesson is for, whose vessels it is played on, which parts its scene has and which tools
-// the trainee may use.
+// Lesson editor page: name and purpose of the lesson, its patient, the parts of its scene and the
+// tools that the trainee may use.
 #pragma once
 
 #include <array>
@@ -19,15 +19,16 @@ namespace hepatica {
 
 class DecimalSpinBox;
 
-// Stands for a patient who is shown and of whom there is no case yet.
+// Value of `shown_patient` for a patient who is shown but has not been saved as a case.
 inline constexpr const char* unsaved_patient = "unsaved";
 
 class AboutPage : public LessonPage {
   public:
-    // `shown_patient`: as a lesson names him; empty: nobody is shown.
+    // `shown_patient` returns the shown patient as a lesson names him (a path or "built-in"),
+    // `unsaved_patient`, or an empty string if nobody is shown.
     AboutPage(Changes changes, std::function<QString()> shown_patient);
 
-    // Another lesson is edited from now on: its scene has other settings.
+    // Drops the remembered settings of scene parts when another lesson is edited.
     void forget() { parts_.forget(); }
 
   protected:

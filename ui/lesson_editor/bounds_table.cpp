@@ -26,11 +26,11 @@ QComboBox* quantity_choice(Quantity chosen, bool marks_known) {
     auto* items = qobject_cast<QStandardItemModel*>(choice->model());
     for (const QuantityWords& words : quantities()) {
         choice->addItem(translated(words.words));
-        // A bound on a mark needs one.
+        // A quantity of a mark can be chosen only if the lesson has marks.
         items->item(choice->count() - 1)->setEnabled(!words.of_mark || marks_known);
     }
     choice->setCurrentIndex(static_cast<int>(chosen));
-    // The longest words would make the window wider than a small screen.
+    // The longest entry would make the window wider than a small screen.
     choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     choice->setMinimumContentsLength(12);
     return choice;
@@ -39,12 +39,13 @@ QComboBox* quantity_choice(Quantity chosen, bool marks_known) {
 QComboBox* mark_choice(const std::vector<std::string>& marks, int chosen) {
     auto* choice = new QComboBox;
     for (const std::string& mark : marks) choice->addItem(translated(mark));
-    choice->setPlaceholderText(Words::tr("which mark?"));  // of a bound that lost its own
+    choice->setPlaceholderText(Words::tr("which mark?"));  // shown if the bound's mark was removed
     choice->setCurrentIndex(chosen);
     return choice;
 }
 
-// Counts are whole, shares and stretches need more digits, and so does a bound that has them.
+// Decimals of the field: none for counts, three for shares, stretches, grams and for any bound that
+// is no multiple of 0.1, else one.
 int decimals_of(const QuantityWords& words, double bound) {
     using enum Quantity;
     switch (words.quantity) {
@@ -57,7 +58,7 @@ int decimals_of(const QuantityWords& words, double bound) {
         default:
             break;
     }
-    const bool in_grams = words.unit[0] == 'g';  // of blood and of a drug a twentieth counts
+    const bool in_grams = words.unit[0] == 'g';  // for blood and drug a twentieth of a gram matters
     return *words.unit && !in_grams && bound * 10.0 == std::round(bound * 10.0) ? 1 : 3;
 }
 
@@ -84,7 +85,7 @@ BoundsTable::BoundsTable(const QString& title, const QString& name, const Predic
     head->addWidget(new QLabel("<b>" + title + "</b>"), 1);
     auto* add = new QPushButton(Words::tr("Add"));
     add->setObjectName(name + "Add");
-    add->setAutoDefault(false);  // Enter in a field is none of its
+    add->setAutoDefault(false);  // Enter in a field must not press it
     add->setAccessibleName(Words::tr("Add: %1").arg(title));
     connect(add, &QPushButton::clicked, this, [this] {
         bounds_.push_back(first_);
@@ -111,9 +112,9 @@ void BoundsTable::fill() {
 }
 
 void BoundsTable::set(std::size_t index, const Predicate& bound, bool other_quantity) {
-    if (filling_) return;  // a row on its way out loses the focus, and may be of no bound any more
+    if (filling_) return;  // a removed row loses the focus, and its bound may be gone
     bounds_[index] = bound;
-    if (other_quantity) fill();  // with a mark or without, another unit
+    if (other_quantity) fill();  // the fields for mark and unit change
     changed_(std::to_string(index), bounds_);
 }
 
@@ -136,7 +137,8 @@ QWidget* BoundsTable::make_row(std::size_t index) {
         Predicate now = bounds_[index];
         const std::string unit = words_of(now.quantity).unit;
         now.quantity = quantities()[static_cast<std::size_t>(chosen)].quantity;
-        if (words_of(now.quantity).unit != unit) now.bound = 1.0;  // it was a number of others
+        // The old number had another unit.
+        if (words_of(now.quantity).unit != unit) now.bound = 1.0;
         now.mark = words_of(now.quantity).of_mark ? std::max(now.mark, 0) : -1;
         set(index, now, true);
     });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds of a lesson as rows that can be edited: a quantity, of which mark, at least or at most,
-// and the number with its unit.
+// Table of a lesson's bounds, one row each: quantity, mark, at least or at most, and the number
+// with its unit.
 #pragma once
 
 #include <QWidget>
@@ -14,15 +14,17 @@ class QVBoxLayout;
 
 namespace hepatica {
 
+// UI thread only.
 class BoundsTable : public QWidget {
   public:
-    // `row`: the number of the one that was changed; empty where one came or went.
+    // `row`: index of the changed row; empty if a row was added or removed.
     using Changed =
         std::function<void(const std::string& row, const std::vector<Predicate>& bounds)>;
-    // `name`: of the object, and of its fields with the row's number ("goal0quantity"). `first`:
-    // what a row that is added asks for.
+    // `name` is the object name; fields are named by it, the row's index and their role
+    // ("goal0quantity"). `first` is the bound of a row that is added.
     BoundsTable(const QString& title, const QString& name, const Predicate& first, Changed changed);
 
+    // Replaces all rows; `marks` are the names to choose from, empty: none.
     void show_bounds(const std::vector<Predicate>& bounds, const std::vector<std::string>& marks);
     const std::vector<Predicate>& bounds() const { return bounds_; }
 

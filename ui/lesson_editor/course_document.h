@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A course that is being edited, with what can be undone. Each change is written to its file at
-// once, whole or not at all, so that there is nothing that could be lost unsaved. No widgets.
+// The course that is being edited, with undo and redo. Each change is written to the file at once
+// and atomically, so that nothing is ever unsaved. No widgets.
 #pragma once
 
 #include <filesystem>
@@ -12,13 +12,14 @@
 
 namespace hepatica {
 
-// Not thread-safe. What cannot be written is an InputError; the change stands all the same, and
-// the next one is written with it.
+// Not thread-safe. A change that cannot be written throws InputError but stays, and is written with
+// the next one.
 class CourseDocument {
   public:
-    // Throws InputError where it cannot be read; then the one before stays.
+    // Throws InputError if the file cannot be read; the previous course then stays.
     void open(const std::filesystem::path& file);
-    // Begins a file with a copy of a course that lies in `folder` (empty: the program's own).
+    // Writes a copy of `course` to `file` and edits it. Relative lesson paths are resolved against
+    // `folder`, the course's own folder (empty for the built-in course).
     void begin(const std::filesystem::path& file, const Course& course,
                const std::filesystem::path& folder);
 
@@ -27,12 +28,12 @@ class CourseDocument {
     const Course& course() const { return course_; }
     bool written() const { return written_; }
 
-    // `what` is changed, such as "name": one change after another of the same is undone at once.
-    // Empty: each by itself.
+    // `what` names the changed value, such as "name"; consecutive changes with the same name are
+    // undone together. Changes with an empty name are undone one by one.
     void change(const std::string& what, Course course);
     bool can_undo() const { return !before_.empty(); }
     bool can_redo() const { return !undone_.empty(); }
-    void undo();  // nothing where there is nothing to undo
+    void undo();  // no effect if there is nothing to undo
     void redo();
 
   private:
@@ -40,7 +41,7 @@ class CourseDocument {
 
     std::filesystem::path file_;
     Course course_;
-    std::vector<Course> before_, undone_;  // the last one is the next
+    std::vector<Course> before_, undone_;  // the last element is the next to restore
     std::string changed_last_;
     bool written_ = true;
 };

@@ -61,7 +61,7 @@ CourseEditor::CourseEditor(Ways ways, QWidget* parent)
 void CourseEditor::build() {
     name_->setObjectName("courseName");
     connect(name_, &QLineEdit::textEdited, this, [this](const QString& text) {
-        if (!text.trimmed().isEmpty())  // a course has a name
+        if (!text.trimmed().isEmpty())  // a course must have a name
             change("name", [&](Course& course) { course.name = text.toStdString(); });
     });
     connect(name_, &QLineEdit::editingFinished, this, [this] { show_course(); });
@@ -207,7 +207,7 @@ void CourseEditor::add(const std::string& lesson) {
     lessons_->setCurrentRow(row);
 }
 
-// One that cannot be read is no lesson of a course.
+// A file that cannot be read as a lesson is not added.
 void CourseEditor::add_file() {
     const auto file = ways_.which_lesson();
     if (!file) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A course is made and changed here: its name, its lessons in order, and the pass marks that it
-// adds to theirs.
+// Dialog that edits a course: its name, the order of its lessons, and the pass marks that it adds
+// to theirs.
 #pragma once
 
 #include <QDialog>
@@ -21,26 +21,26 @@ namespace hepatica {
 
 class BoundsTable;
 
-// UI thread.
+// UI thread only.
 class CourseEditor : public QDialog {
   public:
     struct Ways {
-        // A lesson's file to add; the file for a course of that name, which is asked for in these
-        // words. None: not after all.
+        // Asks for a lesson file to add, and for the file of a course called `name` with the given
+        // question. nullopt: cancelled.
         std::function<std::optional<std::filesystem::path>()> which_lesson;
         std::function<std::optional<std::filesystem::path>(const QString& question,
                                                            const std::string& name)>
             where_to_save;
         std::function<void(const QString& doing, const std::exception_ptr& error)> failed;
-        // The course in this file is another one now.
+        // The course in this file was changed.
         std::function<void(const std::filesystem::path& file)> written;
     };
     CourseEditor(Ways ways, QWidget* parent);
 
-    // Shows the course of this file; of the program's own (an empty one) a copy, where the person
-    // wants it to lie.
+    // Edits the course of this file. If `file` is empty and no course is open, edits a copy of the
+    // built-in course at a place that the user chooses.
     void edit(const std::filesystem::path& file);
-    // Begins a course without a lesson, called as its file, where the person wants it to lie.
+    // Creates a course without lessons, named after its file, where the user chooses.
     void begin_new();
     const CourseDocument& document() const { return document_; }
 
@@ -51,13 +51,13 @@ class CourseEditor : public QDialog {
     void fill_menu(QMenu& menu);
     void save_copy(const Course& course, const std::filesystem::path& folder);
     void show_editor();
-    // Does it to a copy of the course, which takes its place.
+    // Applies `how` to a copy of the course, which then replaces it.
     void change(const std::string& what, const std::function<void(Course&)>& how);
     void add(const std::string& lesson);
     void add_file();
     void remove();
     void move(int by);
-    // Tells what could not be done (false), and shows the course as it is then.
+    // Runs `task`, reports an error (returns false), and shows the course as it is then.
     bool attempt(const QString& doing, const std::function<void()>& task);
     void show_course();
     void show_marks();

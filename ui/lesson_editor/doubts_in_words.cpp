@@ -16,14 +16,14 @@
 namespace hepatica {
 namespace {
 
-// What keeps it from being played; empty: nothing.
+// What keeps the lesson from being played; empty if nothing does.
 QStringList gaps_in_words(const Lesson& lesson) {
     QStringList lines;
     for (const std::string& gap : gaps_in(lesson)) lines << translated(gap);
     if (!lines.isEmpty()) return lines;
     try {
         lesson_of(text_of(lesson), Words::id("This lesson"));
-    } catch (const InputError& error) {  // of what no page shows
+    } catch (const InputError& error) {  // an error in a part that no page shows
         lines << QString("%1 %2. %3.")
                      .arg(translated(error.place()), translated(error.problem()),
                           translated(error.remedy()));
@@ -31,7 +31,8 @@ QStringList gaps_in_words(const Lesson& lesson) {
     return lines;
 }
 
-// Whether its points lie on the patient who is shown, and where they were, or on another one.
+// For the lesson's own patient, checks whether its points still lie on the vessels where they were;
+// for another patient, whether the lesson fits him at all.
 std::vector<std::string> place_doubts(const Lesson& lesson, const VesselTree& tree,
                                       const QString& shown) {
     if (!is_for_shown(lesson, shown)) return doubts_about_another(lesson, tree);
@@ -39,7 +40,8 @@ std::vector<std::string> place_doubts(const Lesson& lesson, const VesselTree& tr
     return doubts.empty() ? doubts_about_places(lesson, tree) : doubts;
 }
 
-// Nobody would notice where a correction of its patient moves its places.
+// True if a correction of the patient's vessels would move the lesson's places unnoticed, because
+// they are not tied to the vessels, and saving will not tie them.
 bool is_left_untied(const Lesson& lesson, const PatientCase* patient, const QString& shown) {
     const bool tied_by_saving = patient != nullptr && is_for_shown(lesson, shown);
     return can_be_tied(lesson) && !tied_by_saving && !is_tied(lesson);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the lesson editor says below its pages: what is missing and what can hardly be meant.
+// The messages below the lesson editor's pages: what is missing and what is doubtful.
 #pragma once
 
 #include <QString>
@@ -9,11 +9,13 @@
 
 namespace hepatica {
 
-// Whether a lesson is for who is shown: `shown` as in doubts_in_words(). One for any is.
+// Whether the lesson is for the shown patient; true for a lesson for any patient. `shown` as in
+// doubts_in_words().
 bool is_for_shown(const Lesson& lesson, const QString& shown);
 
-// A line each, the gaps first, of many the first ones; empty: nothing is missing or doubtful.
-// `patient`: who is shown, null: none; `shown`: as a lesson names him, empty: he lies nowhere.
+// One line each, gaps first, at most four lines; empty if nothing is missing or doubtful. `patient`
+// is the shown patient, null for none; `shown` is his name in a lesson, empty if he has no place on
+// disk.
 QString doubts_in_words(const Lesson& lesson, const PatientCase* patient, const QString& shown);
 
 }  // namespace hepatica

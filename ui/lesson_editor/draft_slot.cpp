@@ -35,8 +35,7 @@ DraftSlot::~DraftSlot() = default;
 
 bool DraftSlot::take(const std::filesystem::path& file) {
     auto lock = std::make_unique<QLockFile>(to_text(file) + ".lock");
-    lock->setStaleLockTime(
-        0);  // a program may run for weeks; one that is gone is seen by its number
+    lock->setStaleLockTime(0);  // no expiry by age; a dead owner is recognised by its process id
     if (!lock->tryLock()) return false;
     file_ = file;
     lock_ = std::move(lock);

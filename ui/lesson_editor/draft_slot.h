@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which file a running program keeps its unsaved lesson in: one of its own, however many run.
+// Chooses the file for a running program's unsaved lesson; programs that run at once use different
+// files.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +10,16 @@ class QLockFile;
 
 namespace hepatica {
 
-// Holds the file from the constructor on, by a lock beside it that a crash leaves free.
+// Holds the file from construction to destruction by a lock file beside it. A lock left by a crash
+// is ignored.
 class DraftSlot {
   public:
-    // `first`: "unsaved-lesson.json"; the next ones are "unsaved-lesson-2.json" and so on. A file
-    // that a program left behind comes before a free name. `first` empty: none is kept.
+    // `first` is the first file tried, "unsaved-lesson.json"; then come "unsaved-lesson-2.json" and
+    // so on up to 64. Files left by an ended program are taken before free names. Empty: no file.
     explicit DraftSlot(const std::filesystem::path& first);
     ~DraftSlot();
 
-    // Empty where no file can be locked: a copy is not kept then, rather than one overwritten.
+    // Empty if no file can be locked; then no copy is kept, so that none is overwritten.
     const std::filesystem::path& file() const { return file_; }
 
   private:

@@ -20,7 +20,7 @@ bool is_path(const std::string& patient) {
     return patient != "any" && patient != "built-in";
 }
 
-// Relative where that does not climb out of the file's folder.
+// Relative to the file's folder unless that would climb out of it.
 std::string beside(const std::string& patient, const fs::path& file) {
     const fs::path relative = fs::path(patient).lexically_relative(file.parent_path());
     const bool climbs = relative.empty() || *relative.begin() == "..";
@@ -41,7 +41,7 @@ LessonDocument::LessonDocument(fs::path kept_copy) : kept_copy_(std::move(kept_c
             left_behind_ = true;
             return;
         } catch (const InputError&) {
-            // Of another version of the program: set aside, for whoever wants it.
+            // Written by another version of the program: renamed, not deleted.
             std::error_code ignored;
             fs::rename(kept_copy_, kept_copy_.string() + ".unreadable", ignored);
         }
@@ -84,7 +84,8 @@ bool LessonDocument::dirty() const {
 bool LessonDocument::change(const std::string& field, const std::function<void(Lesson&)>& change) {
     Lesson changed = lesson();
     change(changed);
-    if (changed.patient != lesson().patient) untie(changed);  // they were to another one's vessels
+    // The ties are to the former patient's vessels.
+    if (changed.patient != lesson().patient) untie(changed);
     if (text_of(changed) == text_of(lesson())) return false;
     states_.resize(now_ + 1);
     const bool joins = now_ > 0 && !field.empty() && field == field_;
@@ -110,7 +111,8 @@ void LessonDocument::redo() {
 void LessonDocument::save(const fs::path& file) {
     const fs::path place = fs::absolute(file).lexically_normal();
     Lesson written = lesson();
-    // Where nobody chose another one he is named as before: a course may lie beside its cases.
+    // An unchanged patient keeps the name that the file gave him: a course may lie beside its
+    // cases.
     if (written.patient == patient_path_ && place.parent_path() == file_.parent_path())
         written.patient = patient_in_file_;
     else if (is_path(written.patient))

@@ -76,7 +76,7 @@ void LessonEditor::build() {
     pages_->setObjectName("lessonPages");
     pages_->addTab(scrolled(about_), Words::tr("&Lesson"));
     pages_->addTab(scrolled(places_), Words::tr("&Places"));
-    pages_->addTab(steps, Words::tr("&Steps"));  // scrolls what is below its list
+    pages_->addTab(steps, Words::tr("&Steps"));  // scrolls the part below its list by itself
     pages_->addTab(scrolled(rules), Words::tr("Limits and pass &marks"));
     connect(pages_, &QTabWidget::currentChanged, this, [this] { show_page(); });
     doubts_->setObjectName("lessonDoubts");
@@ -98,7 +98,7 @@ void LessonEditor::build() {
     column->addWidget(foot);
 }
 
-// However much it holds, the window fits on a small screen.
+// Lets the window fit on a small screen.
 QWidget* LessonEditor::scrolled(LessonPage* page) {
     auto* scroll = new QScrollArea;
     scroll->setWidgetResizable(true);
@@ -133,7 +133,7 @@ void LessonEditor::build_buttons(QWidget& foot) {
     add_button(*row, Words::tr("&Close"), "lessonClose", [this] { hide(); });
 }
 
-// A field in which something was typed takes its own back first, as everywhere.
+// A text field with typed changes undoes those first.
 void LessonEditor::build_keys() {
     const auto key = [this](QKeySequence::StandardKey keys, void (LessonEditor::*run)()) {
         connect(new QShortcut(keys, this), &QShortcut::activated, this, run);
@@ -157,11 +157,11 @@ void LessonEditor::redo() {
 }
 
 void LessonEditor::show_editor() {
-    // Over the panels at the right: the vessels stay to be seen and clicked on.
+    // Placed over the panels at the right, so that the vessels stay visible and clickable.
     const QWidget* window = isVisible() ? nullptr : parentWidget();
     aside_ = false;
     show();
-    changed(true);  // what it says decides how large it is at least
+    changed(true);  // the messages determine the minimum size
     if (window != nullptr) {
         constexpr int title = 40;
         place_on_screen(*this, window->mapToGlobal(QPoint(window->width() - width(), title)),
@@ -171,7 +171,7 @@ void LessonEditor::show_editor() {
     activateWindow();
 }
 
-// Whose place is waited for belonged to what was shown before.
+// A place that was waited for belonged to what was shown before.
 void LessonEditor::show_page() {
     places_->wait_no_more();
     shown_pages_[static_cast<std::size_t>(pages_->currentIndex())]->show_lesson(document_.lesson());
@@ -205,7 +205,7 @@ void LessonEditor::show_state() {
 
 void LessonEditor::patient_shown() {
     if (!isVisible()) return;
-    show_page();  // offers him
+    show_page();  // offers the new patient
     show_state();
 }
 
@@ -222,7 +222,8 @@ void LessonEditor::attempt(const QString& doing, const std::function<void()>& ta
     }
 }
 
-// A field is told of when it is left, which a key that presses a button does not do.
+// A field reports its text when it loses the focus, which pressing a button by its key does not
+// cause.
 void LessonEditor::take_what_is_typed() {
     QWidget* field = QApplication::focusWidget();
     if (field != nullptr && isAncestorOf(field)) field->clearFocus();
@@ -261,7 +262,7 @@ void LessonEditor::begin_with(const std::string& id) {
 
 void LessonEditor::edit(const std::filesystem::path& file) {
     if (document_.file() != file) open([&file] { return std::optional(file); });
-    pages_->setCurrentIndex(1);  // of places
+    pages_->setCurrentIndex(1);  // the page of places
     show_editor();
 }
 
@@ -316,7 +317,7 @@ void LessonEditor::try_out() {
         lesson_of(text_of(document_.lesson()), Words::id("This lesson"));
         whole = true;
     });
-    if (!whole) return;  // its doubts say the same, and it stays to be mended
+    if (!whole) return;  // the messages say what is wrong, and the editor stays open
     trying_ = true;
     hide();
     if (!ways_.try_out(document_.lesson())) back_from_trying();

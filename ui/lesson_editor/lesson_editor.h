@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lessons are made and changed here, beside the window: pages of what a lesson says and asks, what
-// can hardly be meant in words, undo, a play to try it, and its file.
+// Window that edits lessons: pages for what a lesson says and asks, messages on what is missing or
+// doubtful, undo, a trial play, and the lesson's file.
 #pragma once
 
 #include <QWidget>
@@ -22,51 +22,54 @@ class AboutPage;
 class LessonPage;
 class PlacesPage;
 
-// What becomes of changes that are not saved: saved, left in their copy for the next start, let go,
-// or the program stays where it is.
+// What to do with unsaved changes: save them, leave them in their copy for the next start, discard
+// them, or cancel.
 enum class UnsavedLesson { save, keep, discard, stay };
 
-// UI thread. A window of its own, but no QDialog: Enter in a field presses no button.
+// UI thread only. A window of its own, but not a QDialog, so that Enter in a field presses no
+// button.
 class LessonEditor : public QWidget {
   public:
     struct Ways {
-        // The patient that is shown, null: none; and as a lesson names him: "built-in" or the
-        // folder of his case, empty: he lies nowhere.
+        // The shown patient, null for none, and his name in a lesson: "built-in" or the folder of
+        // his case; empty if he has no place on disk.
         std::function<std::shared_ptr<const PatientCase>()> patient;
         std::function<QString()> shown_patient;
-        // The next click on a vessel is for place_clicked(), or is not any more.
+        // Starts or stops sending the next click on a vessel to place_clicked().
         std::function<void()> ask_for_place, ask_no_more;
-        // places() are others now.
+        // places() has changed.
         std::function<void()> places_changed;
-        // Plays it, or opens its patient to do so; the editor comes back by back_from_trying().
-        // False: not after all.
+        // Plays the lesson, opening its patient if need be; back_from_trying() shows the editor
+        // again. Returns false if cancelled.
         std::function<bool(const Lesson&)> try_out;
-        // A file to open, or to save under the name that is suggested; none: not after all.
+        // Asks for a file to open, or to save under the suggested name. nullopt: cancelled.
         std::function<std::optional<std::filesystem::path>()> which_file;
         std::function<std::optional<std::filesystem::path>(const QString& suggested)> where_to_save;
-        // What is to become of changes that are not saved, which have a copy on disk or not.
+        // Asks what to do with unsaved changes; `kept`: they have a copy on disk.
         std::function<UnsavedLesson(bool kept)> unsaved;
         std::function<void(const QString& doing, const std::exception_ptr& error)> failed;
     };
-    // See LessonDocument about the copy.
+    // `kept_copy`: see LessonDocument.
     LessonEditor(Ways ways, std::filesystem::path kept_copy, QWidget* parent);
     ~LessonEditor() override;
 
-    // Shows the lesson where it was left.
+    // Shows the lesson where the user left it.
     void show_editor();
-    // Shows the places of this one, unless what is not saved of another one keeps that here.
+    // Opens this file and shows its places. If the user keeps unsaved changes of another lesson,
+    // that lesson stays.
     void edit(const std::filesystem::path& file);
-    // On the centreline, undeformed.
+    // `place_mm`: on the centreline of the undeformed vessels, mm.
     void place_clicked(const Vec3& place_mm);
-    // Off the vessels that it covers, until come_back(): a place is waited for.
+    // Hides the editor until come_back(), so that the vessels below it can be clicked on.
     void step_aside();
     void come_back();
-    // Of the marks and the target on the patient that is shown, undeformed; none while hidden.
+    // Marks and target on the shown patient's undeformed vessels, mm; empty while the editor is
+    // hidden.
     std::vector<Vec3> places() const;
     void back_from_trying();
-    // There is another patient now, or there are other vessels of his.
+    // Another patient is shown, or his vessels have changed.
     void patient_shown();
-    // Before the program ends: changes that are not saved are asked about.
+    // Asks about unsaved changes before the program ends; false: the user wants to stay.
     bool may_end();
     const LessonDocument& document() const { return document_; }
 
@@ -79,15 +82,15 @@ class LessonEditor : public QWidget {
     void build_keys();
     void undo();
     void redo();
-    // Before another lesson takes its place, or the program ends.
+    // Asks about unsaved changes before another lesson is opened or the program ends.
     bool may_leave(bool kept);
     void changed(bool shape);
     void show_page();
     void show_state();
     void keep_now();
-    void begin_with(const std::string& id);  // empty: a new one
+    void begin_with(const std::string& id);  // empty: a new lesson
     void open(const std::function<std::optional<std::filesystem::path>()>& which);
-    // Who is shown, where he is the patient of this lesson and of no other; else null.
+    // The shown patient if the lesson is for him alone, else null.
     std::shared_ptr<const PatientCase> own_patient() const;
     void accept_places();
     void save(bool ask);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A page of the lesson editor: shows a part of the lesson, and tells what a person changes in it.
+// Base class of the lesson editor's pages: a page shows a part of the lesson and reports the user's
+// changes.
 #pragma once
 
 #include <QWidget>
@@ -12,12 +13,14 @@ class QBoxLayout;
 
 namespace hepatica {
 
+// UI thread only.
 class LessonPage : public QWidget {
   public:
     struct Changes {
-        // Of a value: `field` names it, see LessonDocument::change().
+        // A value has changed; `field` names it, see LessonDocument::change().
         std::function<void(const std::string& field, const std::function<void(Lesson&)>&)> value;
-        // Something came or went: the page is shown anew. Other pages are when they are turned to.
+        // Something was added or removed: the page is shown again. Other pages are updated when
+        // they are turned to.
         std::function<void(const std::function<void(Lesson&)>&)> shape;
     };
     explicit LessonPage(Changes changes) : changes_(std::move(changes)) {}
@@ -30,7 +33,7 @@ class LessonPage : public QWidget {
 
   protected:
     bool showing() const { return showing_; }
-    // While it fills itself nothing that its fields tell counts as a person's.
+    // Fills the fields. Their signals meanwhile are not taken for changes by the user.
     virtual void fill(const Lesson& lesson) = 0;
     void change_value(const std::string& field, const std::function<void(Lesson&)>& change) {
         if (!showing_) changes_.value(field, change);
@@ -44,7 +47,7 @@ class LessonPage : public QWidget {
     bool showing_ = false;
 };
 
-// Removes the widgets of a layout, also while one of them is telling something.
+// Removes and deletes the widgets of a layout, safely even while one of them emits a signal.
 void clear_rows(QBoxLayout& rows);
 
 }  // namespace hepatica

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the editor begins with, in the language of the window: from then on it is the instructor's
-// own text, which nobody translates.
+// What the editor starts with, in the language of the window. From then on it is the instructor's
+// own text and is not translated.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 namespace hepatica {
 
 Lesson new_lesson_in_words();
-// A copy of a lesson that comes with the program.
+// A copy of a built-in lesson; `id` as find_lesson() takes it.
 Lesson built_in_lesson_in_words(const std::string& id);
 LessonStep new_step_in_words();
-// That no mark of the lesson has.
+// A name that no mark of the lesson has.
 std::string free_mark_name_in_words(const Lesson& lesson);
 
 }  // namespace hepatica

@@ -143,9 +143,9 @@ void PlacesPage::place_clicked(const Vec3& place_mm) {
     set_place(place, {rounded, std::nullopt}, false);
 }
 
-// Two marks of a name could not be told apart.
+// Keeps the old name if the new one is empty or another mark has it.
 void PlacesPage::rename(int mark, QLineEdit& field) {
-    if (showing()) return;  // a row on its way out loses the focus
+    if (showing()) return;  // a removed row loses the focus
     const std::string name = field.text().trimmed().toStdString();
     std::string& present = names_[static_cast<std::size_t>(mark)];
     if (name.empty() || (name != present && std::ranges::find(names_, name) != names_.end()))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The places of a lesson: marks that goals speak of, and where the drug's target begins. Each is a
-// share of the longest path, which every patient has, or a point on the vessels that is clicked on.
+// Lesson editor page for places: the marks that goals refer to, and where the drug's target begins.
+// A place is a share of the longest path, which every patient has, or a point on the shown vessels.
 #pragma once
 
 #include "ui/lesson_editor/lesson_page.h"
@@ -13,21 +13,23 @@ namespace hepatica {
 
 class PlacesPage : public LessonPage {
   public:
-    // `ask_for_place`: the next click on a vessel is told to place_clicked(). `ask_no_more`: not
-    // after all.
+    // `ask_for_place`: send the next click on a vessel to place_clicked(). `ask_no_more`: cancel
+    // that.
     PlacesPage(Changes changes, std::function<void()> ask_for_place,
                std::function<void()> ask_no_more);
 
-    // On the centreline, undeformed. Nothing where no place was asked for.
+    // On the centreline of the undeformed vessels, mm; rounded to 0.1 mm. No effect if no place is
+    // waited for.
     void place_clicked(const Vec3& place_mm);
     bool waits() const { return waits_for_ != nobody; }
+    // Cancels waiting for a click; calls ask_no_more if it was waiting.
     void wait_no_more();
 
   protected:
     void fill(const Lesson& lesson) override;
 
   private:
-    static constexpr int nobody = -2, target = -1;  // else a mark's number
+    static constexpr int nobody = -2, target = -1;  // otherwise the index of a mark
 
     QWidget* make_row(int place, const std::string& name, const ScriptPlace& at);
     void ask(int place);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What holds for the whole lesson: the limits, of which the first that is broken ends the attempt,
-// and the marks that are to be reached in the end.
+// Lesson editor page for the rules of the whole lesson: limits, of which the first one broken ends
+// the attempt, and pass marks, which are checked at the end.
 #pragma once
 
 #include "ui/lesson_editor/lesson_page.h"

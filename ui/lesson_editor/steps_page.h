@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The steps of a lesson, one after another: what is said, its goal, how long it is to be held, and
-// the limits while it lasts.
+// Lesson editor page for the steps, in order: text, hint, goal, how long the goal must hold, and
+// limits during the step.
 #pragma once
 
 #include "ui/lesson_editor/lesson_page.h"
@@ -32,7 +32,7 @@ class StepsPage : public LessonPage {
     void move(int by);
 
     Lesson shown_;
-    std::size_t step_ = 0;  // that is chosen
+    std::size_t step_ = 0;  // index of the chosen step
     QListWidget* list_;
     QPushButton *remove_ = nullptr, *up_ = nullptr, *down_ = nullptr;
     QPlainTextEdit* text_;

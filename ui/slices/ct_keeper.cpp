@@ -43,12 +43,13 @@ void CtKeeper::read_from(const std::filesystem::path& place) {
     reading_->waiting.push_back(this);
 }
 
-// Whoever began it may not wait for it any more when it ends.
+// The job holds the reading weakly, so that it ends with the last keeper that waits for it; it must
+// not refer to the keeper that began it.
 void CtKeeper::begin_reading() {
     const auto each_waiting = [present = std::weak_ptr(reading_)](const auto& what) {
         const std::shared_ptr<CtReading> reading = present.lock();
         if (!reading) return;
-        // Whoever is told may make another leave.
+        // A callback may make another keeper leave.
         for (CtKeeper* keeper : std::vector(reading->waiting))
             if (std::ranges::find(reading->waiting, keeper) != reading->waiting.end())
                 what(*keeper);

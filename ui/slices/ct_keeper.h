@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The CT of the patient who is shown, read beside the window when somebody wants to see it, and not
-// before: from where it was opened just now, from where this user's settings know it to lie, or
-// from where the person says. The built-in patient's is made anew. What several want at once is
-// read once.
+// Reads the CT of the shown patient in the background when it is first wanted: from where it was
+// just opened, from the place in the user's settings, or from where the user says. The CT of the
+// built-in patient is computed again. Keepers that want the same CT share one reading.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +17,7 @@ namespace hepatica {
 
 class CtKeeper;
 
-// A CT that is being read, and for whom. It ends with the last who waits for it.
+// A CT that is being read, and the keepers that wait for it; the last one that leaves ends it.
 struct CtReading {
     std::shared_ptr<const PatientCase> patient;
     std::filesystem::path folder, place;
@@ -26,13 +25,13 @@ struct CtReading {
     std::unique_ptr<BackgroundJob> job;
 };
 
-// The reading that one who comes later can join.
+// The reading that later keepers can join.
 struct CtReadings {
     std::weak_ptr<CtReading> present;
 };
 
-// UI thread; needs Qt's event loop and nothing else of the toolkit. Settings and readings must
-// outlive it.
+// UI thread only; needs Qt's event loop and no other part of Qt. Settings and readings must outlive
+// it.
 class CtKeeper {
   public:
     struct Screen {
@@ -46,16 +45,16 @@ class CtKeeper {
     CtKeeper(const CtKeeper&) = delete;
     CtKeeper& operator=(const CtKeeper&) = delete;
 
-    // Of another patient, or of none: `folder` is his case and `image` the CT that he was
-    // reconstructed from just now, each empty where there is none. Where that CT lies is remembered
-    // by its digest, in the settings only.
+    // Sets the patient, null for none. `folder` is his case and `image` the CT that he was just
+    // reconstructed from; each may be empty. The place of that CT is remembered by its digest, in
+    // the user's settings only.
     void show(std::shared_ptr<const PatientCase> patient, const std::filesystem::path& folder,
               const std::filesystem::path& image);
 
-    // Begins to read where nothing was read, failed or is being read.
+    // Starts reading unless that was already tried for this patient.
     void want();
-    // Reads from there, whatever happened before, or waits for another who does; remembered once it
-    // has proved to be the one.
+    // Reads from this place, whatever was tried before, or joins a reading of it. The place is
+    // remembered once its CT has proved to be the patient's.
     void read_from(const std::filesystem::path& place);
 
     bool reading() const { return reading_ != nullptr; }
@@ -71,7 +70,7 @@ class CtKeeper {
     std::shared_ptr<const PatientCase> patient_;
     std::filesystem::path folder_;
     bool tried_ = false;
-    std::shared_ptr<CtReading> reading_;  // that is waited for
+    std::shared_ptr<CtReading> reading_;  // the one waited for, else null
 };
 
 }  // namespace hepatica

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Strokes of a brush over the vessels' voxels, which a person paints or erases in the slices before
-// the vessels are made anew of them. Each is somebody else's to keep as soon as the brush is
-// lifted. No widget.
+// Brush strokes that add voxels to the vessel mask or erase them, painted in the slices before the
+// vessels are rebuilt from the mask. A stroke is handed over when the brush is lifted. No widgets.
 #pragma once
 
 #include <cstdint>
@@ -12,51 +11,50 @@
 
 namespace hepatica {
 
-// What painted voxels hold until they are made into vessels: no system's number, so that they have
-// a colour of their own.
+// Label of painted voxels until the vessels are rebuilt. It is no vascular system's number, so that
+// painted voxels have a colour of their own.
 inline constexpr std::uint8_t painted_label = 254;
 
 enum class BrushMode { away, paints, erases };
 
-// Whether a stroke that is led on to this place gets any longer by it: the ball sweeps what lies
-// between, and nearer points would add nothing.
+// Whether the place is far enough from the stroke's end to extend it: a fifth of the radius. The
+// ball sweeps the space between, so nearer points would add nothing.
 bool is_worth_a_step(const BrushStroke& stroke, const Vec3& place_mm);
 
-// UI thread.
+// UI thread only.
 class MaskBrush {
   public:
     struct Hand {
-        // A stroke has been led.
+        // A stroke has been finished.
         std::function<void(const BrushStroke&)> add = [](const BrushStroke&) {};
-        // So many of the last strokes were taken back; whoever does not want that shows them again.
+        // The last n strokes were taken back. A receiver that disagrees calls show() with them.
         std::function<void(std::size_t)> take_back = [](std::size_t) {};
     };
     static constexpr double least_mm = 0.5, most_mm = 20.0;
 
-    // Whenever anything below was changed.
+    // Called after every change of mode, radius or strokes.
     void on_change(std::function<void()> tell) { watchers_.push_back(std::move(tell)); }
     void on_stroke(Hand hand) { hand_ = std::move(hand); }
-    // The vessels shall be made anew of the voxels as they are now.
+    // The user wants the vessels rebuilt from the mask as it is now.
     void on_remake(std::function<void()> remake) { remake_ = std::move(remake); }
 
-    void set_mode(BrushMode mode);  // strokes stay
+    void set_mode(BrushMode mode);  // the strokes stay
     BrushMode mode() const { return mode_; }
-    void set_radius(double radius_mm);  // to the nearest one that it can have
+    void set_radius(double radius_mm);  // clamped to [least_mm, most_mm]
     double radius_mm() const { return radius_mm_; }
 
-    // A stroke where the brush is put down, and on to where it is led until it is lifted; nothing
-    // while it is away.
+    // begin() starts a stroke, lead_to() extends it and lift() ends it. No effect in mode `away`.
     void begin(const Vec3& place_mm);
     void lead_to(const Vec3& place_mm);
     void lift();
     bool leads() const { return down_; }
-    // The stroke that is being led, or else the last one; all of them.
+    // Removes the unfinished stroke, else the last one; or all strokes.
     void remove_last();
     void remove_all();
-    // These and no others, as somebody else has kept them: the hand is not told. One that is being
-    // led ends without a trace, unless these are those from before it.
+    // Replaces the strokes without telling the hand. An unfinished stroke is dropped, unless the
+    // given strokes are exactly those before it.
     void show(const std::vector<BrushStroke>& strokes);
-    // Asks for it where there are strokes.
+    // Asks for a rebuild if there are strokes.
     void remake() const;
 
     const std::vector<BrushStroke>& strokes() const { return strokes_; }

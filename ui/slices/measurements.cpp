@@ -37,7 +37,8 @@ std::string text_of(const LumenCalibre& calibre) {
                      std::abs(percent), 0);
 }
 
-// Across the vessel and within the slice; where the vessel runs through the slice, to the right.
+// Unit vector across the vessel within the slice; `plane.right` where the vessel is nearly
+// perpendicular to the slice.
 Vec3 across(const VesselSegment& segment, double arclength_mm, const SlicePlane& plane) {
     constexpr double reach_mm = 1.0;
     const Vec3 along = station_at(segment, arclength_mm + reach_mm).position_mm -
@@ -85,7 +86,7 @@ std::string Measurements::add_diameter(const Vec3& position_mm, const SlicePlane
                   text};
     finish();
     tell();
-    // Too long to stand beside the vessel.
+    // This note is too long to stand beside the vessel.
     return calibre->stenosis ? text
                              : Words::tr("%1, too near its end to judge a stenosis")
                                    .arg(QString::fromStdString(text))

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person measures in slices and in the three-dimensional view: distances, angles, and the
-// diameter of a vessel at its centreline with the stenosis there (core/tree/lumen_calibre.h). No
-// widget.
+// Measurements in the slices and the 3D view: distances, angles, and the diameter of a vessel at
+// its centreline with the degree of stenosis (core/tree/lumen_calibre.h). No widgets.
 #pragma once
 
 #include <functional>
@@ -15,36 +14,37 @@ namespace hepatica {
 
 enum class MeasurementKind { distance, angle, diameter };
 
-// In patient coordinates. A distance has two points, an angle three with its vertex between the
-// others, a diameter two on the wall about the centreline; while it is being made, fewer.
+// Points in patient coordinates, mm: two for a distance, three for an angle with the vertex second,
+// two on the wall across the centreline for a diameter; fewer while it is being made.
 struct Measurement {
     MeasurementKind kind = MeasurementKind::distance;
     std::vector<Vec3> points_mm;
     std::string text;  // empty while it is being made
 };
 
-// The slice, or the plane of the picture, in which a point is set.
+// The slice, or the picture plane of the 3D view, in which a point is set. Unit vectors.
 struct SlicePlane {
     Vec3 normal = Vec3::UnitZ();
-    Vec3 right = Vec3::UnitX();  // on the screen
+    Vec3 right = Vec3::UnitX();  // to the right on the screen
 };
 
-// UI thread.
+// UI thread only.
 class Measurements {
   public:
-    // Whenever anything below was changed.
+    // Called after every change.
     void on_change(std::function<void()> tell) { watchers_.push_back(std::move(tell)); }
 
-    // What the next points are for; nothing: points are not for measuring. Drops what is half made.
+    // Sets what the next points measure; nullopt: nothing. Drops an unfinished measurement.
     void choose(std::optional<MeasurementKind> kind);
     std::optional<MeasurementKind> chosen() const { return kind_; }
 
-    // Returns what to tell the person: what has been measured, or why the point is of no use; else
-    // an empty text. A diameter lies across the vessel, in the plane.
+    // Adds a point to the chosen measurement. Returns the message for the user: the result, or why
+    // there is none; empty while points are missing. A diameter is drawn across the vessel within
+    // `plane`.
     std::string add_point(const Vec3& position_mm, const SlicePlane& plane, const VesselTree& tree);
-    void remove_last();  // first what is half made
-    void clear();        // of another patient
-    // Diameters were those of a tree that has been corrected since.
+    void remove_last();  // an unfinished one first
+    void clear();        // for another patient
+    // To be called when the tree has been corrected.
     void remove_diameters();
 
     const std::vector<Measurement>& made() const { return made_; }

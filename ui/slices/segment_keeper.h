@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Couinaud's segments of the patient who is shown, voxel by voxel: read from his case, or made anew
-// where his tree was corrected since, beside the window and when somebody wants to see slices.
+// Couinaud segments of the shown patient as a voxel mask, read from his case in the background when
+// slices are wanted, or computed again if his tree was corrected since.
 #pragma once
 
 #include <filesystem>
@@ -13,20 +13,20 @@
 
 namespace hepatica {
 
-// UI thread; needs Qt's event loop and nothing else of the toolkit.
+// UI thread only; needs Qt's event loop and no other part of Qt.
 class SegmentKeeper {
   public:
     struct Screen {
-        std::function<void(Mask segments)> found;  // empty: the case knows none
+        std::function<void(Mask segments)> found;  // empty: the case has no segments
         std::function<void(const Failure&)> failed;
     };
     explicit SegmentKeeper(Screen screen) : screen_(std::move(screen)) {}
 
-    // Of another patient, or of none; `folder` is his case, empty where there is none.
+    // Sets the patient, null for none; `folder` is his case, may be empty.
     void show(std::shared_ptr<const PatientCase> patient, const std::filesystem::path& folder);
-    // The same patient with another tree than that of his case.
+    // The same patient with a tree that differs from that of his case.
     void show_corrected(std::shared_ptr<const PatientCase> patient);
-    // Begins where nothing was found, failed or is being looked for; whether it did.
+    // Starts reading unless that was already tried; returns whether it started.
     bool want();
 
     bool working() const { return job_ != nullptr; }

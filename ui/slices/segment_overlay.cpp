@@ -27,7 +27,8 @@ struct Opacity {
     double inside = 0.0, border = 0.0;
 };
 
-// Labels to which `tint` gives a colour, with a border against every other label.
+// Blends in the colour that `tint` gives to a label; pixels at the border to any other label get
+// their own opacity.
 void lay_labels(QImage& picture, const std::vector<std::uint8_t>& labels, const Opacity& opacity,
                 const std::function<std::optional<Colour>(int label)>& tint) {
     const int columns = picture.width(), rows = picture.height();
@@ -73,7 +74,7 @@ std::vector<SegmentNumber> segment_numbers(const std::vector<std::uint8_t>& labe
     struct Region {
         double column_sum = 0.0, row_sum = 0.0;
         int pixels = 0;
-        double nearest = 0.0;  // squared, to the middle
+        double nearest = 0.0;  // squared distance of `pixel` from the centroid, in pixels
         QPoint pixel;
     };
     std::array<Region, segments + 1> regions{};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Couinaud's segments and tumours over a slice: each in the colour that its branches, or its
-// surface, have in the three-dimensional view, thin enough for the CT to be read through it, with a
-// firm border; segments with their number.
+// Overlay of Couinaud segments and tumours on a slice, in the colours of the 3D view. It is thin
+// enough to read the CT through it and has a stronger border; segments also have their number.
 #pragma once
 
 #include <QImage>
@@ -13,28 +12,27 @@
 
 namespace hepatica {
 
-// Of the inside, and of the pixels along the border, where two segments of one colour's lightness
-// would else run together.
+// Of a segment's interior and of its border pixels, which separate neighbours of similar lightness.
 inline constexpr double segment_opacity = 0.25;
 inline constexpr double segment_border_opacity = 0.6;
 inline constexpr double tumour_opacity = 0.4, tumour_border_opacity = 0.85;
 
-// Tints the picture where a label is 1 to 8; one label a pixel, row by row.
+// Tints the picture where a label is 1 to 8. One label per pixel, row by row.
 void lay_segments(QImage& picture, const std::vector<std::uint8_t>& labels);
 
-// Tints it where a label is not 0, in the colour of tumours.
+// Tints the picture in the tumours' colour where a number is not 0.
 void lay_tumours(QImage& picture, const std::vector<std::uint8_t>& numbers);
 
-// In which a segment's number is written, in a dark outline: its own, but light.
+// Colour of a segment's number, which has a dark outline: the segment's own, lightened.
 Colour colour_of_number(int segment);
 
 struct SegmentNumber {
     int segment = 0;
-    QPoint pixel;  // well inside
+    QPoint pixel;  // in the segment
 };
 
-// Where the numbers of the segments of a slice are written, in their order: at the pixel of each
-// that is nearest to its middle. Pieces of less than `least` pixels get none.
+// Places of the segments' numbers, in ascending order: the pixel of each segment nearest to its
+// centroid. Segments of fewer than `least` pixels get none.
 std::vector<SegmentNumber> segment_numbers(const std::vector<std::uint8_t>& labels, int columns,
                                            int least);
 

@@ -30,7 +30,7 @@ constexpr std::array presets{
     Preset{Words::id("Bone"), {400.0, 1800.0}},
 };
 
-// What a click is for; the three measurements stand between them.
+// Entries of the list of click actions; 1 to 3 are the measurements.
 constexpr int moves_crosshair = 0, draws_vessel = 4, corrects = 5, paints = 6, erases = 7,
               paints_tumour = 8, erases_tumour = 9;
 
@@ -52,7 +52,7 @@ SliceBar::SliceBar(SliceScene& scene, std::function<QString()> correction, QWidg
       correction_(std::move(correction)),
       presets_(new QComboBox),
       place_(new QLabel) {
-    // Two rows: in one they would be wider than a small screen leaves beside the panels.
+    // Two rows: a single one would be wider than a small screen leaves beside the panels.
     auto* rows = new QVBoxLayout(this);
     rows->setContentsMargins(8, 4, 8, 4);
     rows->setSpacing(2);
@@ -76,12 +76,12 @@ SliceBar::SliceBar(SliceScene& scene, std::function<QString()> correction, QWidg
     opacity->setToolTip(Words::tr("How strongly the vessels' voxels are drawn over the CT"));
     opacity->setRange(0, 100);
     opacity->setValue(static_cast<int>(100.0 * scene_.opacity()));
-    opacity->setFixedWidth(80);  // what stands beside it keeps its place while the text changes
+    opacity->setFixedWidth(80);  // the widgets beside it must not move when the text changes
     auto* centrelines = new QCheckBox(Words::tr("Centrelines"));
     centrelines->setObjectName("centrelines");
     centrelines->setChecked(scene_.shows_centrelines());
     place_->setObjectName("slicePlace");
-    // Two lines, whatever is said: it neither widens the window nor moves the slices.
+    // Always two lines, so that no text widens the window or moves the slices.
     place_->setWordWrap(true);
     place_->setMinimumWidth(place_->fontMetrics().averageCharWidth() * 16);
     place_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -113,13 +113,13 @@ SliceBar::SliceBar(SliceScene& scene, std::function<QString()> correction, QWidg
     follow_window();
 }
 
-// Couinaud's segments, where they are known.
+// Check box for the Couinaud segments; usable once they are known.
 QWidget* SliceBar::segment_choice() {
     auto* choice = new QCheckBox(Words::tr("Segments"));
     choice->setObjectName("segments");
     choice->setAccessibleName(Words::tr("Couinaud's segments of the liver over the CT"));
     choice->setChecked(false);
-    // Where there are none yet, or any more, a click says why.
+    // Without segments a click says why there are none.
     connect(choice, &QCheckBox::clicked, this, [this, choice](bool wanted) {
         const bool known = !scene_.segments().voxels.empty();
         choice->setChecked(wanted && known);
@@ -138,7 +138,7 @@ QWidget* SliceBar::segment_choice() {
     return choice;
 }
 
-// What a click in a slice is for.
+// The list of what a click in a slice does.
 QWidget* SliceBar::click_choice() {
     click_ = new QComboBox;
     click_->setObjectName("measure");
@@ -184,7 +184,7 @@ int SliceBar::chosen_click() const {
                                                           : moves_crosshair;
 }
 
-// What to do next; empty where a click only moves the crosshair.
+// The next thing to do; empty if a click only moves the crosshair.
 QString SliceBar::guidance() const {
     switch (chosen_click()) {
         case 1:
@@ -220,7 +220,8 @@ QWidget* SliceBar::draw_button() {
     draw_->setObjectName("drawVessel");
     draw_->setToolTip(Words::tr("Follows the vessel through the places that were clicked (Enter)"));
     draw_->setVisible(false);
-    draw_->setFocusPolicy(Qt::TabFocus);  // after a click Delete still takes back a place
+    // After a click, Delete must still reach the slice and remove a place.
+    draw_->setFocusPolicy(Qt::TabFocus);
     connect(draw_, &QPushButton::clicked, this, [this] { scene_.pen().finish(); });
     scene_.pen().on_say([this](const std::string& text) { say(QString::fromStdString(text)); });
     return draw_;
@@ -267,13 +268,13 @@ QWidget* SliceBar::tumour_choice() {
     tumour_->setObjectName("tumour");
     tumour_->setAccessibleName(Words::tr("Which tumour is painted or erased"));
     tumour_->setToolTip(Words::tr("Tumours keep their numbers; one that is wholly erased is gone"));
-    tumour_->setFocusPolicy(Qt::TabFocus);  // keys after it are the slice's
+    tumour_->setFocusPolicy(Qt::TabFocus);  // keys pressed afterwards belong to the slice
     connect(tumour_, &QComboBox::activated, this,
             [this](int index) { scene_.tumours().choose(tumour_->itemData(index).toInt()); });
     return tumour_;
 }
 
-// The tumours that there are, after a new one or all of them.
+// Lists the existing tumours after an entry for a new one (painting) or any of them (erasing).
 void SliceBar::follow_tumours() {
     const TumourBrush& brush = scene_.tumours();
     tumour_->setVisible(brush.mode() != BrushMode::away);
@@ -291,7 +292,7 @@ void SliceBar::follow_click() {
     if (const QString next = guidance(); !next.isEmpty())
         say(next);
     else if (!std::exchange(said_, {}).isEmpty())
-        show_place(scene_.crosshair_mm());  // what was said holds no longer
+        show_place(scene_.crosshair_mm());  // removes the former guidance
     draw_->setVisible(pen.taken());
     draw_->setEnabled(pen.places_mm().size() >= 2 && !pen.draws());
 }
@@ -305,8 +306,9 @@ void SliceBar::say(const QString& text) {
 void SliceBar::show_place(const Vec3& position_mm) {
     const QString there = QString::fromStdString(scene_.describe(position_mm));
     const bool works = chosen_click() != moves_crosshair;
-    if (chosen_click() == corrects) said_ = guidance();  // another tool may be chosen by now
-    // The place in the first line and what is there in the second, unless a word stands above both.
+    if (chosen_click() == corrects) said_ = guidance();  // another correction may be chosen by now
+    // The position in the first line and what is there in the second, unless a message stands above
+    // both.
     place_->setText(works && !said_.isEmpty() ? said_ + "\n" + there
                                               : QString(there).replace("HU   ", "HU\n"));
     if (said_.isEmpty()) place_->setToolTip({});

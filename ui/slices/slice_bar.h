@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Above the slices: presets of the grey window, how the vessels are drawn over the CT, what a click
-// measures or draws, and what lies under the mouse.
+// The bar above the slices: grey window presets, display of the vessels over the CT, what a click
+// measures, draws or paints, and what lies under the mouse.
 #pragma once
 
 #include <QWidget>
@@ -16,15 +16,17 @@ class QPushButton;
 
 namespace hepatica {
 
-// UI thread; the scene must outlive it.
+// UI thread only; the scene must outlive it.
 class SliceBar : public QWidget {
   public:
-    // `correction`: what a click would correct.
+    // `correction` returns what a click would correct, in words.
     SliceBar(SliceScene& scene, std::function<QString()> correction, QWidget* parent = nullptr);
 
-    // What lies there, below what was said last while clicks are for something.
+    // Shows what lies at this place, below the last message if clicks do more than move the
+    // crosshair.
     void show_place(const Vec3& position_mm);
-    // Until the mouse moves on, or while clicks are for something until the next word about it.
+    // Shown until the mouse moves, or, if clicks do more than move the crosshair, until the next
+    // message.
     void say(const QString& text);
 
   private:
@@ -46,11 +48,11 @@ class SliceBar : public QWidget {
     QString said_;
     QComboBox* presets_;
     QLabel* place_;
-    QComboBox* click_ = nullptr;  // what a click is for
+    QComboBox* click_ = nullptr;  // what a click does
     QPushButton* draw_ = nullptr;
     QDoubleSpinBox* radius_ = nullptr;  // of the brush
     QPushButton* remake_ = nullptr;
-    QComboBox* tumour_ = nullptr;  // which one is painted or erased
+    QComboBox* tumour_ = nullptr;  // the one that is painted or erased
 };
 
 }  // namespace hepatica

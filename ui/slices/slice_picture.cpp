@@ -7,7 +7,7 @@
 namespace hepatica {
 namespace {
 
-constexpr int least_numbered = 40;  // pixels of a segment that has room for its number
+constexpr int least_numbered = 40;  // pixels of a segment that leave room for its number
 
 QImage grey_image(const std::vector<std::uint8_t>& grey, int columns, int rows) {
     QImage picture(columns, rows, QImage::Format_RGB32);
@@ -20,7 +20,7 @@ QImage grey_image(const std::vector<std::uint8_t>& grey, int columns, int rows) 
     return picture;
 }
 
-// The systems' colours over what is there.
+// Blends in the colours of the vascular systems and of painted voxels.
 void lay_systems(QImage& picture, const std::vector<std::uint8_t>& labels, double opacity) {
     std::array<std::array<double, 3>, 256> tint{};
     for (const VascularSystem system : vascular_systems)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is painted of a slice below crosshair, marks and letters, one pixel a voxel: the CT in grey,
-// and over it Couinaud's segments, the vessels' voxels, tumours and what is painted by hand.
+// The image of a slice, one pixel per voxel: the CT in grey, overlaid with Couinaud segments,
+// vessel voxels, tumours and painted voxels. Crosshair, marks and letters are painted later.
 #pragma once
 
 #include <QColor>
@@ -14,17 +14,18 @@
 
 namespace hepatica {
 
-// Of what a person puts into the slices: measurements, places, painted voxels.
+// Colour of what the user puts into the slices: measurements, places, painted voxels.
 inline const QColor colour_of_marks(255, 214, 90);
 
+// Channels from 0 to 1 to a QColor.
 QColor colour_of(const Colour& colour);
 
 struct SlicePicture {
     QImage image;
-    std::vector<SegmentNumber> segment_numbers;  // in it
+    std::vector<SegmentNumber> segment_numbers;  // places in pixels of `image`
 };
 
-// Of a scene with a CT.
+// The scene must have a CT; `slice` is in [0, slices.count()).
 SlicePicture picture_of(const SliceScene& scene, const SliceStack& slices, int slice);
 
 }  // namespace hepatica

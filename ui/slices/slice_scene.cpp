@@ -21,7 +21,7 @@ std::vector<CentrelinePoint> centrelines_of(const VesselTree& tree) {
     return points;
 }
 
-// "L 12.0" for 12 mm to the patient's left.
+// "L 12.0" for 12 mm to the patient's left; the decimal separator is that of the language.
 std::string along(double mm, char positive, char negative) {
     std::string text(1, mm < 0.0 ? negative : positive);
     return text + QString(" %L1").arg(std::abs(mm), 0, 'f', 1).toStdString();
@@ -45,7 +45,7 @@ void SliceScene::show(std::shared_ptr<const Volume> ct, Mask systems, const Vess
     Vec3 middle = ct_->grid.to_mm(
         0.5 * Vec3(ct_->grid.dims[0] - 1, ct_->grid.dims[1] - 1, ct_->grid.dims[2] - 1));
     if (!centrelines_.empty()) {
-        // A vessel is always met there, which a mean of all places would miss.
+        // The thickest point lies in a vessel for certain, unlike the mean of all points.
         const auto thickest =
             std::ranges::max_element(centrelines_, {}, &CentrelinePoint::radius_mm);
         middle = thickest->position_mm;
@@ -71,7 +71,7 @@ void SliceScene::set_systems(Mask systems) {
     tell_of_voxels();
 }
 
-// They are not taken off these voxels, which are others.
+// The strokes of the former patient were painted on other voxels.
 void SliceScene::forget_strokes() {
     unpainted_ = {};
     shown_strokes_ = shown_points_ = 0;
@@ -84,7 +84,8 @@ void SliceScene::paint_anew() {
     follow_brush();
 }
 
-// A stroke that is being led changes at its end alone; whatever else happened is made anew.
+// A stroke that grew by one point is painted onto the present voxels; after any other change all
+// strokes are painted again.
 void SliceScene::follow_brush() {
     const std::vector<BrushStroke>& strokes = brush_.strokes();
     const std::size_t points = strokes.empty() ? 0 : strokes.back().path_mm.size();
@@ -103,7 +104,7 @@ void SliceScene::follow_brush() {
     shown_strokes_ = strokes.size();
     shown_points_ = points;
     ++systems_version_;
-    preview_ = {};  // of the voxels before this stroke
+    preview_ = {};  // it was made from the voxels before this stroke
     tell_of_voxels();
 }
 
@@ -180,7 +181,7 @@ void SliceScene::clear() {
     preview_ = {};
     forget_strokes();
     brush_.set_mode(BrushMode::away);
-    tumours_.show_none({});  // first: what is being led is no stroke of whoever comes next
+    tumours_.show_none({});  // first, so that an unfinished stroke does not go to the next patient
     tumours_.set_mode(BrushMode::away);
     segments_ = {};
     why_no_segments_.clear();
@@ -250,7 +251,7 @@ std::string SliceScene::describe(const Vec3& position_mm) const {
     if (const int tumour = tumours_.tumour_at(position_mm); tumour > 0)
         text += "   " + Words::tr("tumour %1").arg(tumour).toStdString();
     const CentrelinePoint* vessel = nullptr;
-    double nearest = 1.0;  // in radii
+    double nearest = 1.0;  // distance in radii
     for (const CentrelinePoint& point : centrelines_) {
         const double radii = (point.position_mm - position_mm).norm() / point.radius_mm;
         if (radii > nearest) continue;

@@ -28,7 +28,7 @@ QString title_of(SliceDirection direction) {
     return Words::tr(names[static_cast<std::size_t>(direction)]);
 }
 
-// Readable on every grey, white bone among them: with a dark outline all around.
+// Text with a dark outline, readable on every grey, even on white bone.
 void write_outlined(QPainter& painter, const QRectF& box, Qt::Alignment where, const QString& text,
                     const QColor& colour) {
     painter.setPen(Qt::black);
@@ -151,7 +151,7 @@ void SliceView::paint_centrelines(QPainter& painter) const {
 }
 
 void SliceView::paint_crosshair(QPainter& painter) const {
-    constexpr double gap = 7.0;  // what it points at stays to be seen
+    constexpr double gap = 7.0;  // keeps the target visible
     const QPointF at = place_of(scene_.crosshair_mm());
     QColor colour = colour_of(palette::bridge);
     colour.setAlphaF(0.8f);
@@ -162,7 +162,7 @@ void SliceView::paint_crosshair(QPainter& painter) const {
     painter.drawLine(QPointF(at.x(), at.y() + gap), QPointF(at.x(), height()));
 }
 
-// Whether a point lies within half of the reach of this slice.
+// Whether a point lies within half of `reach_mm` from this slice.
 bool SliceView::is_here(const Vec3& point_mm, double reach_mm) const {
     const SliceStack slices = stack();
     const double off = slices.place_of(point_mm).z() - slices.place_of(scene_.crosshair_mm()).z();
@@ -178,7 +178,7 @@ void SliceView::paint_line(QPainter& painter, const QPolygonF& line) const {
     }
 }
 
-// All of it, as it runs through many slices; larger where it meets this one.
+// All places of the drawn vessel, which passes through many slices; circled if near this slice.
 void SliceView::paint_pen(QPainter& painter) const {
     const std::vector<Vec3>& places = scene_.pen().places_mm();
     if (places.empty()) return;
@@ -191,7 +191,7 @@ void SliceView::paint_pen(QPainter& painter) const {
             painter.drawEllipse(place_of(place), 5.0, 5.0);
 }
 
-// As wide as what it leaves.
+// A circle with the radius of the brush.
 void SliceView::paint_brush(QPainter& painter) const {
     if (!brushing() || !mouse_) return;
     const double radius = scene_.brush().radius_mm() * points_per_mm();
@@ -203,8 +203,8 @@ void SliceView::paint_brush(QPainter& painter) const {
     }
 }
 
-// In the slices through any of its points, as seen from there; of a diameter, in those that cut the
-// lumen along it.
+// Shown in the slices near any of its points; a diameter only where the slice cuts the lumen along
+// it.
 void SliceView::paint_measurement(QPainter& painter, const Measurement& measurement) const {
     const auto& points = measurement.points_mm;
     double reach_mm = std::max(1.0, stack().slice_mm());
@@ -282,7 +282,7 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
     if (scene_.corrects() && correct_) correct_(to_mm(last_));
 }
 
-// The other slices follow, where the vessel goes on.
+// The other slices follow to where the vessel goes on.
 void SliceView::set_place(const Vec3& position_mm) {
     scene_.set_crosshair(position_mm);
     scene_.pen().add(scene_.crosshair_mm());
@@ -333,13 +333,13 @@ void SliceView::leaveEvent(QEvent* event) {
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (works()) return;  // its second click sets no point on top of the first
+    if (works()) return;  // the second click must not set a point on top of the first
     if (event->button() == Qt::LeftButton && double_click_) double_click_();
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {
     if (scene_.empty()) return;
-    // With Alt or Shift some systems turn the wheel sideways.
+    // With Alt or Shift some systems report a horizontal wheel.
     const QPoint turned = event->angleDelta();
     const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / 120.0;
     if (event->modifiers() & Qt::ControlModifier) {
@@ -359,7 +359,7 @@ void SliceView::wheelEvent(QWheelEvent* event) {
 }
 
 bool SliceView::sets_points_with(const QKeyEvent& event) const {
-    // On many keyboards + takes Shift.
+    // On many keyboards + needs Shift.
     const bool sizes = event.key() == Qt::Key_Plus || event.key() == Qt::Key_Minus;
     const Qt::KeyboardModifiers part_of_key =
         sizes ? Qt::KeypadModifier | Qt::ShiftModifier : Qt::KeypadModifier;
@@ -372,8 +372,8 @@ bool SliceView::sets_points_with(const QKeyEvent& event) const {
         case Qt::Key_Enter:
         case Qt::Key_Escape:
             return works();
-        // Also where nothing is left: one press too many must not remove the drug or reset the
-        // play.
+        // Accepted even if nothing is left to delete, so that one press too many does not remove
+        // the drug or reset the play.
         case Qt::Key_Delete:
         case Qt::Key_Backspace:
             return works() || !scene_.measurements().made().empty();
@@ -382,7 +382,7 @@ bool SliceView::sets_points_with(const QKeyEvent& event) const {
     }
 }
 
-// Keys of measuring and drawing come before the window's own.
+// Keys for measuring and drawing take precedence over the window's shortcuts.
 bool SliceView::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride &&
         sets_points_with(*static_cast<QKeyEvent*>(event)))

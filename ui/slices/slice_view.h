@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One slice of the patient's CT with his vessels over it.
+// A slice of the patient's CT with the vessels over it, and its mouse and keyboard control:
 //
 //   left click or drag    the crosshair      wheel                the slice (Shift: ten)
 //   right drag            grey: width, level middle drag          pan
 //   Ctrl + wheel          zoom               double-click         enlarge, and back
 //   arrow keys            the crosshair      Page up, Page down   the slice
-// While corrections are made a left click, or Enter at the crosshair, corrects the vessel there.
-// While voxels of vessels or tumours are painted or erased a left drag leads the brush, Enter dabs
-// at the crosshair, + and - change its size, Delete takes the last stroke back, Escape all of them.
-// While something is being measured a left click, or Enter at the crosshair, sets a point of it;
-// Delete takes the last one away, Escape ends measuring. While a vessel is drawn a left click takes
-// the crosshair there, too, and Enter where the last place is draws the vessel.
+// Corrections: a left click, or Enter at the crosshair, corrects the vessel there.
+// Painting: a left drag leads the brush, Enter dabs at the crosshair, + and - change the radius,
+// Delete takes the last stroke back, Escape all of them.
+// Measuring: a left click, or Enter at the crosshair, sets a point; Delete removes the last one,
+// Escape ends it.
+// Drawing a vessel: likewise, the crosshair follows each click, and Enter at the last place draws
+// the vessel.
 #pragma once
 
 #include <QImage>
@@ -24,29 +25,29 @@
 
 namespace hepatica {
 
-// UI thread; the scene must outlive it.
+// UI thread only; the scene must outlive it.
 class SliceView : public QWidget {
   public:
     SliceView(SliceScene& scene, SliceDirection direction, QWidget* parent = nullptr);
 
     SliceDirection direction() const { return direction_; }
-    // The slice through the crosshair; -1 while there is no CT.
+    // Index of the slice through the crosshair; -1 without a CT.
     int slice() const;
-    // Of a point of the patient in that slice, in the widget's points, and back.
+    // Patient coordinates (mm) to widget coordinates, projected onto the slice, and back.
     QPointF place_of(const Vec3& position_mm) const;
     Vec3 to_mm(const QPointF& place) const;
-    // What is painted under crosshair and letters, one pixel a voxel; null while there is no CT.
+    // The image below crosshair and letters, one pixel per voxel; null without a CT.
     const QImage& picture();
 
-    // So many points at the top and at the foot lie under bars: what is written stands beside them.
+    // Bars cover this many points at the top and bottom; text is kept clear of them.
     void keep_clear(int top, int bottom);
-    // Where that is.
+    // The area for text.
     QRectF room_for_words() const;
 
     void on_hover(std::function<void(const Vec3&)> tell) { hover_ = std::move(tell); }
-    // What has been measured, or why a click measured nothing.
+    // Receives the result of a measurement, or why a click had none.
     void on_say(std::function<void(const QString&)> say) { say_ = std::move(say); }
-    // A place of the CT where something is to be corrected.
+    // Receives the place in the CT where something is to be corrected.
     void on_correct(std::function<void(const Vec3&)> correct) { correct_ = std::move(correct); }
     void on_double_click(std::function<void()> tell) { double_click_ = std::move(tell); }
 
@@ -63,9 +64,9 @@ class SliceView : public QWidget {
 
   private:
     SliceStack stack() const { return {scene_.ct().grid, direction_}; }
-    // The crosshair's slice by so many.
+    // Moves the crosshair by whole slices.
     void step(int slices);
-    // The crosshair within its slice, by voxels.
+    // Moves the crosshair within its slice, by voxels.
     void nudge(int columns, int rows);
     double points_per_mm() const;
     bool sets_points_with(const QKeyEvent& event) const;
@@ -76,7 +77,7 @@ class SliceView : public QWidget {
     void set_place(const Vec3& position_mm);
     bool measuring() const { return scene_.measurements().chosen().has_value(); }
     bool drawing() const { return scene_.pen().taken(); }
-    // A click is for something else than the crosshair alone.
+    // Whether a click does more than move the crosshair.
     bool works() const { return measuring() || drawing() || scene_.corrects() || brushing(); }
     bool brushing() const { return scene_.brushing(); }
     void measure(const Vec3& position_mm);
@@ -98,18 +99,18 @@ class SliceView : public QWidget {
     int covered_top_ = 0, covered_bottom_ = 0;
     std::function<void(const Vec3&)> hover_;
     std::function<void(const QString&)> say_;
-    std::optional<QPointF> mouse_;  // over the slice, while there is a brush
+    std::optional<QPointF> mouse_;  // over the slice while there is a brush
     std::function<void(const Vec3&)> correct_;
     std::function<void()> double_click_;
     QImage picture_;
-    std::vector<SegmentNumber> segment_numbers_;  // in it
-    // What the picture is of: scrolling through one direction leaves those of the others.
+    std::vector<SegmentNumber> segment_numbers_;  // places in pixels of picture_
+    // Key of picture_: scrolling in one direction does not repaint the other two.
     std::uint64_t picture_version_ = 0;
     int picture_slice_ = -1;
-    double zoom_ = 1.0;      // against the slice that fits
-    QPointF shift_;          // of the slice's middle from the widget's
-    QPointF last_;           // of the mouse, while a button is down
-    double wheel_rest_ = 0;  // of a notch
+    double zoom_ = 1.0;      // 1: the slice fits the widget
+    QPointF shift_;          // of the slice's centre from the widget's
+    QPointF last_;           // last mouse position while a button is down
+    double wheel_rest_ = 0;  // unused part of a wheel notch
 };
 
 }  // namespace hepatica

@@ -19,7 +19,7 @@ bool is_liver(std::uint8_t organ) {
 
 bool lies_far_outside(const BrushStroke& stroke, const Mask& organs) {
     if (std::ranges::none_of(organs.voxels, is_liver)) return false;
-    // The ball about the stroke, with all within reach of it.
+    // The stroke with its radius enlarged by far_mm.
     const BrushStroke reach{stroke.path_mm, stroke.radius_mm + far_mm, false};
     Mask near(organs.grid);
     apply(reach, 1, near);

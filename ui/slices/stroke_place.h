@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a stroke of the vessels' brush lies where no vessel of the liver can be.
+// Tells whether a stroke of the vessel brush lies where no vessel of the liver can be.
 #pragma once
 
 #include "core/image/brush.h"
@@ -7,9 +7,9 @@
 
 namespace hepatica {
 
-// No voxel of the liver lies within 25 mm of the stroke's ball, wherever it was led: portal trunk
-// and hepatic veins reach that far outside. `organs` are labels of a case; where they know no
-// liver, no stroke is far from it.
+// True if no voxel of the liver lies within 25 mm of the swept ball, the length by which portal
+// trunk and hepatic veins leave the liver. `organs` has the organ labels of a case; false if it has
+// no liver voxels.
 bool lies_far_outside(const BrushStroke& stroke, const Mask& organs);
 
 }  // namespace hepatica

@@ -109,7 +109,7 @@ void ThresholdDialog::showEvent(QShowEvent* event) {
 
 void ThresholdDialog::hideEvent(QHideEvent* event) {
     QDialog::hideEvent(event);
-    if (event->spontaneous()) return;  // a window that is minimised comes back
+    if (event->spontaneous()) return;  // a minimised window will come back
     ct_.reset();
     forget();
 }
@@ -123,8 +123,8 @@ void ThresholdDialog::forget() {
     stand_at(history_.empty() ? ThresholdChoice() : history_.choice());
 }
 
-// The lines are those of one CT; what is previewed is of the vessels as they are now, which other
-// hands may change.
+// Measured lines belong to one CT, and a preview to the present vessels, which may be changed
+// elsewhere.
 void ThresholdDialog::follow_scene() {
     if (!isVisible()) return;
     if (scene_.empty()) {
@@ -135,7 +135,7 @@ void ThresholdDialog::follow_scene() {
     if (ct_ != scene_.shared_ct()) return measure();
     const bool dropped = previewing_ && scene_.preview().voxels.empty();
     if (dropped) previewing_ = false;
-    // A stroke is taken in when it has been led.
+    // An unfinished stroke does not count yet.
     const bool others = scene_.systems_version() != vessels_seen_ && !scene_.brush().leads();
     if (!dropped && !others) return;
     const bool by_hand = follow_vessels();
@@ -184,7 +184,7 @@ void ThresholdDialog::preview() {
             auto vessels =
                 std::make_shared<Mask>(lines->vessels(*usual, choice, painted_label, job));
             return [this, usual, vessels] {
-                // Other hands may have changed them meanwhile.
+                // The vessels may have changed meanwhile.
                 follow_vessels();
                 if (usual == history_.usual())
                     show_found(std::move(*vessels));
@@ -226,7 +226,7 @@ void ThresholdDialog::stand_at(const ThresholdChoice& choice) {
     preview();
 }
 
-// One at a time: what is chosen meanwhile is made afterwards.
+// One job at a time; a choice made meanwhile is computed afterwards.
 void ThresholdDialog::start(BackgroundJob::Work work, bool with_progress) {
     BackgroundJob::Callbacks callbacks;
     progress_->setVisible(with_progress);

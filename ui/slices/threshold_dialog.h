@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// More or fewer vessels by a slider: what another threshold or a smoother surface would make of the
-// CT shows in the slices at once, and becomes the vessels where the person says so. A threshold is
-// the same afterwards as before: the slider stands at the one that the vessels were made by.
+// Dialog that finds more or fewer vessels in the CT by a threshold and smoothing, with a preview in
+// the slices. The slider stands at the threshold that the present vessels were made by, so that a
+// threshold means the same before and after a rebuild.
 #pragma once
 
 #include <QDialog>
@@ -21,18 +21,19 @@ class QSpinBox;
 
 namespace hepatica {
 
-// UI thread. Measures the lines of the CT when it is shown and the scene has one, and forgets them
-// when it is closed.
+// UI thread only. Measures the lines of the CT when it is shown and the scene has a CT; discards
+// them when closed.
 class ThresholdDialog : public QDialog {
   public:
     struct Ways {
-        // Of the patient; what it gives is called on the worker.
+        // Returns the function that reads the patient's organs; that one is called on the worker
+        // thread.
         std::function<std::function<Mask()>()> organs;
-        // The vessels shall be made anew of these voxels.
+        // The vessels are to be rebuilt from these voxels.
         std::function<void(std::shared_ptr<const Volume>, Mask)> remake;
         std::function<void(const Failure&)> failed;
     };
-    // The scene must outlive it.
+    // The scene must outlive the dialog.
     ThresholdDialog(SliceScene& scene, Ways ways, QWidget* parent = nullptr);
     ~ThresholdDialog() override;
 
@@ -47,7 +48,7 @@ class ThresholdDialog : public QDialog {
   private:
     void build();
     void follow_scene();
-    // The vessels may be others than those that were seen last; true where another hand made them.
+    // Compares the vessels with those last seen; true if they were changed by hand.
     bool follow_vessels();
     void measure();
     void preview();
@@ -68,12 +69,12 @@ class ThresholdDialog : public QDialog {
     QPushButton* usual_ = nullptr;
     QPushButton* remake_ = nullptr;
     std::shared_ptr<const VesselPreview> lines_;
-    std::shared_ptr<const Volume> ct_;  // that they are of, or shall be
+    std::shared_ptr<const Volume> ct_;  // the CT that lines_ are or will be measured in
     std::weak_ptr<const Volume> history_ct_;
-    ThresholdHistory history_;        // of its vessels, also while this is closed
-    std::uint64_t vessels_seen_ = 0;  // SliceScene::systems_version()
-    bool stale_ = false;              // something was chosen since the job began
-    bool previewing_ = false;         // the scene has a preview from here
+    ThresholdHistory history_;  // of the vessels of history_ct_; kept while the dialog is closed
+    std::uint64_t vessels_seen_ = 0;  // last SliceScene::systems_version()
+    bool stale_ = false;              // a choice was made since the job began
+    bool previewing_ = false;         // the scene shows a preview of this dialog
     std::unique_ptr<BackgroundJob> job_;
 };
 

@@ -14,7 +14,7 @@ std::size_t fingerprint_of(const Mask& vessels) {
         {reinterpret_cast<const char*>(vessels.voxels.data()), vessels.voxels.size()});
 }
 
-// Voxels that are vessel in one and not in the other.
+// Number of voxels that are vessel in one mask only.
 std::ptrdiff_t differences(const Mask& a, const Mask& b) {
     std::ptrdiff_t count = 0;
     for (std::size_t i = 0; i < a.voxels.size(); ++i)
@@ -57,7 +57,8 @@ void ThresholdHistory::rebuild(const ThresholdChoice& choice, Mask vessels) {
     wanted_vessels_ = std::make_shared<const Mask>(std::move(vessels));
 }
 
-// What is painted while they are made anew is nearer to what they are.
+// Tolerates strokes painted while the vessels were rebuilt: nearer to the rebuilt mask than to the
+// old one.
 bool ThresholdHistory::is_rebuilt(const Mask& vessels) const {
     return wanted_vessels_ && wanted_vessels_->voxels.size() == vessels.voxels.size() &&
            differences(vessels, *wanted_vessels_) < differences(vessels, *vessels_);

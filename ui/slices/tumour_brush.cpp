@@ -80,7 +80,7 @@ void TumourBrush::lead_to(const Vec3& place_mm) {
     leave({from_mm, place_mm});
 }
 
-// What the new piece of the stroke does.
+// Applies the new piece of the stroke to the voxels.
 void TumourBrush::leave(const std::vector<Vec3>& path_mm) {
     TreeEdit piece = *led_;
     piece.path_mm = path_mm;
@@ -96,7 +96,7 @@ std::string TumourBrush::lift() {
                     ? Words::tr("Nothing erased: there is no such tumour")
                     : Words::tr("Nothing painted: that is another tumour or the vena cava"))
             .toStdString();
-    // The next stroke goes on with a tumour that was new.
+    // The next stroke continues the new tumour.
     if (mode_ == BrushMode::paints) chosen_ = stroke->tumour;
     hand_.add(*stroke);
     return {};
@@ -113,7 +113,7 @@ void TumourBrush::remove_last() {
     if (!drop_led()) take_back(1);
 }
 
-// Strokes may not be had back: something else was done after them.
+// Strokes cannot be taken back if another correction was made after them.
 void TumourBrush::give_up() {
     if (drop_led()) return;
     const std::size_t before = strokes_made();

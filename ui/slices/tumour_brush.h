@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A brush at tumours over the organs' voxels in the slices: which tumour is painted or erased, and
-// what the stroke that is being led leaves. A stroke is a correction as soon as the brush is
-// lifted. No widget.
+// Brush that paints and erases tumours in the organ mask: which tumour, and the effect of the
+// unfinished stroke. A stroke becomes a correction when the brush is lifted. No widgets.
 #pragma once
 
 #include <cstddef>
@@ -16,50 +15,52 @@
 
 namespace hepatica {
 
-// UI thread.
+// UI thread only.
 class TumourBrush {
   public:
     struct Hand {
-        // A stroke has been led. Whoever takes it shows the voxels with it, or without.
+        // A stroke was finished. The receiver calls show() with or without it.
         std::function<void(const TreeEdit&)> add;
-        // So many of the last strokes shall be taken back.
+        // The last n strokes are to be taken back.
         std::function<void(std::size_t)> take_back;
-        // The voxels shall be shown without the stroke that was being led.
+        // The voxels are to be shown without the unfinished stroke.
         std::function<void()> show_again;
     };
 
-    // Whenever anything below was changed.
+    // Called after every change.
     void on_change(std::function<void()> tell) { watchers_.push_back(std::move(tell)); }
     void on_stroke(Hand hand) { hand_ = std::move(hand); }
 
-    // The organs as so many strokes have left them on the canvas (tumour_canvas()). A stroke that
-    // is being led ends.
+    // Shows the organs as `strokes` strokes have left them on the canvas (tumour_canvas()). An
+    // unfinished stroke is dropped.
     void show(std::shared_ptr<const Mask> canvas, Mask organs, std::size_t strokes);
-    // No voxels are known, for the reason given; without one: not yet.
+    // No voxels are known, for this reason; an empty reason means that they are still being read.
     void show_none(std::string why_none);
-    // Empty where no voxels are known.
+    // Empty if no voxels are known.
     const Mask& organs() const { return organs_; }
     const std::vector<Tumour>& tumours() const { return tumours_; }
-    int tumour_at(const Vec3& position_mm) const;  // 0: none
+    int tumour_at(const Vec3& position_mm) const;  // 0 if none
 
     void set_mode(BrushMode mode);
     BrushMode mode() const { return mode_; }
-    // Number of a tumour that is there; 0: a new one is painted, any is erased.
+    // Number of an existing tumour; 0: a new one is painted, any is erased.
     void choose(int tumour);
     int chosen() const { return chosen_; }
 
-    // Why a brush leaves nothing at this place; empty: it does.
+    // Why a brush cannot paint at this place; empty if it can.
     std::string why_not_painted(const Vec3& position_mm) const;
+    // begin() starts a stroke and lead_to() extends it; begin() has no effect in mode `away` or
+    // where why_not_painted() gives a reason.
     void begin(const Vec3& place_mm, double radius_mm);
     void lead_to(const Vec3& place_mm);
-    // Hands the stroke over, and says why not where it changed nothing.
+    // Ends the stroke and hands it over. Returns why it changed nothing; empty if it did.
     std::string lift();
     // Strokes since the brush was taken up.
     std::size_t strokes_made() const { return strokes_ - strokes_before_; }
-    // The stroke that is being led, or else the last one.
+    // Removes the unfinished stroke, else the last one.
     void remove_last();
-    // The stroke that is being led, or else all of them; where none can be taken back the brush is
-    // put away.
+    // Removes the unfinished stroke, else all strokes; if none can be taken back, puts the brush
+    // away.
     void give_up();
 
   private:
@@ -76,9 +77,10 @@ class TumourBrush {
     std::size_t strokes_ = 0, strokes_before_ = 0;
     BrushMode mode_ = BrushMode::away;
     int chosen_ = 0;
-    int gone_ = 0;                 // it was chosen when it was taken back; 0: none
-    std::optional<TreeEdit> led_;  // the stroke that is being led
-    std::size_t changes_ = 0;      // of voxels, by it
+    // Chosen tumour that was taken back and is chosen again when it returns; 0: none.
+    int gone_ = 0;
+    std::optional<TreeEdit> led_;  // unfinished stroke
+    std::size_t changes_ = 0;      // voxels changed by led_
     std::vector<std::function<void()>> watchers_;
 };
 

@@ -54,7 +54,8 @@ void TumourKeeper::found(Mask canvas) {
     renew();
 }
 
-// A stroke more goes over what is there; whatever else happened is made anew.
+// Additional strokes are painted onto the present voxels; after any other change all are painted
+// again.
 void TumourKeeper::renew() {
     const bool more = shown_.size() <= strokes_.size() &&
                       std::equal(shown_.begin(), shown_.end(), strokes_.begin());

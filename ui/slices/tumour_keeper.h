@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tumours of the patient who is shown, as the strokes among his corrections leave them: his
-// organs are read beside the window when somebody wants to see slices or he may have tumours, and
-// every stroke is shown at once without anything of his vessels being made anew.
+// The tumours of the shown patient with the strokes among his corrections. His organs are read in
+// the background when slices are wanted or he may have tumours; a stroke is shown at once and
+// leaves the vessels as they are.
 #pragma once
 
 #include <filesystem>
@@ -16,26 +16,27 @@
 
 namespace hepatica {
 
-// UI thread; needs Qt's event loop and nothing else of the toolkit.
+// UI thread only; needs Qt's event loop and no other part of Qt.
 class TumourKeeper {
   public:
     struct Screen {
-        // The organs as so many strokes have left them on the canvas.
+        // The organs as `strokes` strokes have left them on the canvas.
         std::function<void(std::shared_ptr<const Mask> canvas, Mask organs, std::size_t strokes)>
             voxels;
-        std::function<void()> none;                        // the patient has no voxels
-        std::function<void(const TriangleMesh&)> surface;  // of all tumours; empty: there are none
+        std::function<void()> none;  // the patient has no voxels
+        // Of all tumours; empty if there are none.
+        std::function<void(const TriangleMesh&)> surface;
         std::function<void(const Failure&)> failed;
     };
     explicit TumourKeeper(Screen screen) : screen_(std::move(screen)) {}
 
-    // Of another patient, or of none; `folder` is his case, empty where there is none.
+    // Sets the patient, null for none; `folder` is his case, may be empty.
     void show(std::shared_ptr<const PatientCase> patient, const std::filesystem::path& folder);
-    // The corrections that are wanted now.
+    // The present list of corrections.
     void follow(const std::vector<TreeEdit>& edits);
-    // Begins to read where nothing was read, failed or is being read.
+    // Starts reading unless that was already tried.
     void want();
-    // Once more, where somebody has changed what he was shown.
+    // Sends the voxels again to a receiver that has changed its own.
     void show_again();
 
     bool working() const { return reading_ || drawing_; }
@@ -51,7 +52,7 @@ class TumourKeeper {
     bool tried_ = false;
     std::shared_ptr<const Mask> canvas_;  // null: not known
     Mask organs_;
-    std::vector<TreeEdit> strokes_, shown_;  // wanted, and those that organs_ has
+    std::vector<TreeEdit> strokes_, shown_;  // wanted ones, and those applied to organs_
     std::unique_ptr<BackgroundJob> reading_, drawing_;
 };
 

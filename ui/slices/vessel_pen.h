@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places along a vessel that a person draws into the slices, from its beginning to its end. No
-// widget; what becomes of the places is somebody else's (core/tree/editing/vessel_tracing.h).
+// The places along a vessel that the user draws into the slices, from its beginning to its end. No
+// widgets; core/tree/editing/vessel_tracing.h makes the vessel.
 #pragma once
 
 #include <functional>
@@ -11,39 +11,39 @@
 
 namespace hepatica {
 
-// UI thread.
+// UI thread only.
 class VesselPen {
   public:
-    // What to tell the person of a vessel that was drawn, and whether there is one now: if not, its
-    // places stay to be changed.
+    // Whether the vessel was drawn, and the message for the user. If it was not, its places stay to
+    // be changed.
     struct Answer {
         bool drawn = false;
         std::string text;
     };
     using Answered = std::function<void(const Answer&)>;
-    // Draws beside the window, and answers once, at once or later; not after `stop`, which ends
-    // what is being drawn.
+    // `begin` draws in the background and answers once, immediately or later; not after `stop`,
+    // which cancels it.
     struct Drawing {
         std::function<void(const std::vector<Vec3>& places_mm, Answered)> begin;
         std::function<void()> stop = [] {};
     };
 
-    // Whenever anything below was changed.
+    // Called after every change.
     void on_change(std::function<void()> tell) { watchers_.push_back(std::move(tell)); }
     void on_draw(Drawing drawing) { drawing_ = std::move(drawing); }
-    // What to tell the person.
+    // Receives messages for the user.
     void on_say(std::function<void(const std::string&)> say) { say_ = std::move(say); }
 
-    // Whether places are for it. Either way what is half drawn is dropped.
+    // Whether clicks set places of a vessel. Both drop an unfinished vessel.
     void set_taken(bool taken);
     bool taken() const { return taken_; }
 
-    // While a vessel is being drawn its places stay as they are.
+    // No effect while a vessel is being drawn.
     void add(const Vec3& place_mm);
     void remove_last();
-    // Ends what is being drawn; else drops the places; where there are none, puts the pen away.
+    // Cancels the drawing; else drops the places; if there are none, puts the pen away.
     void give_up();
-    // Draws, from two places on.
+    // Draws the vessel; needs two places or more.
     void finish();
     bool draws() const { return draws_; }
 

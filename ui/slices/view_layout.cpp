@@ -139,8 +139,8 @@ void ViewLayout::build(QWidget* view) {
     words->addWidget(notice_text_);
     words->addWidget(choose_, 0, Qt::AlignHCenter);
     words->addStretch();
-    // As other viewers have it: axial and the view above, coronal and sagittal below. The notice
-    // stands beside the view.
+    // The usual order of viewers: axial slice and 3D view above, coronal and sagittal below. The
+    // notice stands beside the 3D view.
     grid_->addWidget(views_[0], 0, 0);
     grid_->addWidget(view, 0, 1);
     grid_->addWidget(views_[1], 1, 0);
@@ -169,15 +169,15 @@ void ViewLayout::show_image(std::shared_ptr<const Volume> ct) {
 void ViewLayout::show_corrected(std::shared_ptr<const PatientCase> patient) {
     patient_ = std::move(patient);
     segments_.show_corrected(patient_);
-    // What was measured in the view alone goes with the tree, too.
+    // Diameters may have been measured in the 3D view alone.
     if (scene_.empty()) return scene_.measurements().remove_diameters();
-    // Voxels in memory may be others than those that are shown.
+    // The voxels in memory may differ from those shown.
     if (!patient_->mask.voxels.empty()) scene_.set_systems(patient_->mask);
     scene_.show_tree(patient_->tree);
     want_segments();
 }
 
-// They are shown as soon as there is a CT that they lie in.
+// Shown once there is a CT.
 void ViewLayout::show_strokes(const std::vector<PendingStroke>& strokes) {
     strokes_.clear();
     for (const PendingStroke& pending : strokes) strokes_.push_back(pending.stroke);
@@ -225,7 +225,7 @@ void ViewLayout::enlarge(SliceView* view) {
 
 void ViewLayout::arrange() {
     const bool slices = slices_visible_ && !scene_.empty();
-    bar_->setVisible(slices && patient_);  // it is of what is done to a patient
+    bar_->setVisible(slices && patient_);  // its tools need a patient
     notice_->setVisible(slices_visible_ && !slices);
     for (SliceView* slice : views_) slice->setVisible(slices && (!enlarged_ || enlarged_ == slice));
     view_->setVisible(!slices || !enlarged_);
@@ -244,8 +244,8 @@ void ViewLayout::keep_clear(int top, int bottom) {
     clear_words();
 }
 
-// A bar at the top lies over the upper row, one at the foot over the lower; over what stands alone
-// lie both.
+// A bar at the top covers the upper row and one at the foot the lower row; both cover a picture
+// that stands alone.
 void ViewLayout::clear_words() {
     const bool two_rows = slices_visible_ && !scene_.empty() && !enlarged_;
     const int at_upper_foot = two_rows ? 0 : covered_bottom_;

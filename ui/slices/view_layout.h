@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The middle of the window: the three-dimensional view alone, or with three slices of the CT beside
-// it, of which one may be enlarged. While there are no slices it says why, and what would help.
+// The middle of the window: the 3D view alone, or beside three slices of the CT, of which one can
+// be enlarged. Without slices it tells why, and what would help.
 #pragma once
 
 #include <QWidget>
@@ -29,67 +29,67 @@ class SliceView;
 class ViewLayout : public QWidget {
   public:
     struct Callbacks {
-        // Where a person's CT lies; none: not after all.
+        // Asks for the place of the patient's CT; nullopt: cancelled.
         std::function<std::optional<std::filesystem::path>()> ask_for_ct;
-        // To be marked in the three-dimensional view; none: nothing is.
+        // Marks this point in the 3D view; nullopt: removes the mark.
         std::function<void(const std::optional<Vec3>&)> crosshair;
         std::function<void(const QString& doing, const Failure&)> failed;
-        std::function<void()> ct_read = [] {};  // what was said of an earlier one no longer holds
-        // A vessel was drawn through these places of the CT, which stays until it is answered.
+        std::function<void()> ct_read = [] {};  // messages about an earlier CT no longer hold
+        // Draws a vessel through these places of the CT, which stays valid until the answer.
         std::function<void(const Volume&, const std::vector<Vec3>&, VesselPen::Answered)> draw;
         std::function<void()> stop_drawing;
-        // The vessels shall be made anew of these voxels.
+        // Rebuilds the vessels from these voxels.
         std::function<void(std::shared_ptr<const Volume> ct, Mask vessels)> remake;
-        // A stroke at a tumour as a correction; false: not now. And so many of the last ones back.
+        // Adds a stroke at a tumour as a correction (false: impossible now), and takes the last n
+        // back.
         std::function<bool(const TreeEdit&)> paint_tumour;
         std::function<void(std::size_t)> take_strokes_back;
-        // Likewise at vessels, which waits until they are made anew.
+        // Likewise for vessels; these strokes wait until the vessels are rebuilt.
         std::function<void(const BrushStroke&)> paint_vessels;
         std::function<void(std::size_t)> take_vessel_strokes_back;
-        // The surface of all tumours, for the three-dimensional view.
+        // The surface of all tumours, for the 3D view.
         std::function<void(const TriangleMesh&)> tumours;
-        // A click on a place of the CT that is for a correction, and what that would be.
+        // A click at this place is for a correction; and that correction in words.
         std::function<void(const Vec3&)> correct;
         std::function<QString()> correction;
-        // So many points of the three-dimensional view lie under bars.
+        // Bars cover this many points of the 3D view.
         std::function<void(int top, int bottom)> view_covered = [](int, int) {};
     };
-    // Takes over the view.
+    // Takes ownership of the view.
     ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, QWidget* parent = nullptr);
     ~ViewLayout() override;
 
     // See CtKeeper::show().
     void show_patient(std::shared_ptr<const PatientCase> patient,
                       const std::filesystem::path& folder, const std::filesystem::path& image);
-    // A CT whose patient is not there yet: it can be looked at, and nothing can be done to it.
-    // Nothing where a patient is shown.
+    // Shows the CT of a patient who is still being reconstructed; it can only be looked at. No
+    // effect if a patient is shown.
     void show_image(std::shared_ptr<const Volume> ct);
     // The same patient with other corrections.
     void show_corrected(std::shared_ptr<const PatientCase> patient);
-    // The corrections that are wanted of him, for the tumours among them.
+    // The patient's present corrections; the tumours among them are shown.
     void show_tumours(const std::vector<TreeEdit>& edits) { tumours_.follow(edits); }
-    // The strokes at his vessels that wait to be made into vessels.
+    // Strokes at the vessels that wait for a rebuild.
     void show_strokes(const std::vector<PendingStroke>& strokes);
-    // Asks for that, as the button does. Nothing where the slices are not there.
+    // Asks for a rebuild, as the button does. No effect without strokes.
     void remake_painted() { scene_.brush().remake(); }
-    // Forgets him; nothing is read any more.
+    // Removes the patient and stops reading.
     void clear();
 
-    // The CT is read when slices are to be seen, and not before.
+    // The CT is read only once slices are to be shown.
     void set_slices_visible(bool visible);
     // No tumour is being read or drawn.
     bool tumours_shown() const { return !tumours_.working(); }
     bool slices_visible() const { return slices_visible_; }
-    // Opens the dialog of more or fewer vessels, for the slices that are or will be shown.
+    // Opens the dialog of more or fewer vessels.
     void choose_threshold();
     ThresholdDialog& threshold() { return *threshold_; }
-    // What holds the view and the slices, below their bar.
+    // The widget that holds view and slices, below their bar.
     QWidget& pictures() { return *pictures_; }
-    // So many points of the pictures lie under bars, at their top and foot: what is written there
-    // stands beside them.
+    // Bars cover this many points at the top and foot of the pictures; text is kept clear of them.
     void keep_clear(int top, int bottom);
     SliceScene& slices() { return scene_; }
-    // For whoever wants the same CT, too.
+    // For others that want the same CT.
     CtReadings& ct_readings() { return readings_; }
     SliceView& slice_view(SliceDirection direction) {
         return *views_[static_cast<std::size_t>(direction)];
@@ -114,14 +114,14 @@ class ViewLayout : public QWidget {
     SegmentKeeper segments_;
     TumourKeeper tumours_;
     std::shared_ptr<const PatientCase> patient_;
-    std::filesystem::path folder_;      // his case
-    std::vector<BrushStroke> strokes_;  // that wait
+    std::filesystem::path folder_;      // of the case
+    std::vector<BrushStroke> strokes_;  // waiting for a rebuild
     QWidget* view_;
     std::array<SliceView*, 3> views_{};
     SliceBar* bar_ = nullptr;
     ThresholdDialog* threshold_ = nullptr;
     QWidget* pictures_ = nullptr;
-    QWidget* notice_ = nullptr;  // in the place of the slices
+    QWidget* notice_ = nullptr;  // shown instead of the slices
     QLabel* notice_text_ = nullptr;
     QPushButton* choose_ = nullptr;
     QGridLayout* grid_ = nullptr;
