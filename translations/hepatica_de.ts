@@ -8312,12 +8312,12 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Etwas jenseits der Marke, langsam: Bereich Injektion, Massenstrom 0,5 g/s.</translation>
     </message>
     <message>
-        <source>Stop: take the catheter out (Del).</source>
-        <translation>Aufhören: Nehmen Sie den Katheter heraus (Entf).</translation>
+        <source>Stop the injection: take the catheter out (Del).</source>
+        <translation>Beenden Sie die Injektion: Nehmen Sie den Katheter heraus (Entf).</translation>
     </message>
     <message>
-        <source>Pausing is not enough: Del removes the drug.</source>
-        <translation>Anhalten genügt nicht: Entf entfernt den Wirkstoff.</translation>
+        <source>Pausing only holds the clock. Del ends the injection and takes the drug out of the picture; the dose that was given stays counted.</source>
+        <translation>Anhalten hält nur die Uhr an. Entf beendet die Injektion und nimmt den Wirkstoff aus dem Bild; die gegebene Dosis bleibt gezählt.</translation>
     </message>
     <message>
         <source>the lesson asks for another drug: %1</source>
