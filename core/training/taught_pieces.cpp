@@ -11,7 +11,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr double tolerance_mm = 2.0;  // as in the scores of length (system_scores.h)
+constexpr double tolerance_mm = 2.0;  // the same as SystemScoreOptions::length_tolerance_mm
 constexpr std::uint64_t liver_found_every = 3;
 
 }  // namespace
