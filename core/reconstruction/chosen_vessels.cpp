@@ -13,7 +13,8 @@ namespace hepatica {
 namespace {
 
 constexpr double longest_piece_mm = 8.0;
-constexpr double least_rise_hu = 1.0;  // of wide vessels, where hardly any stand out
+constexpr double least_rise_hu = 1.0;  // least rise assumed for wide vessels, where hardly any
+                                       // stand out
 
 }  // namespace
 

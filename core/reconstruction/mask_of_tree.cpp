@@ -17,7 +17,7 @@ namespace {
 
 using Votes = std::map<VascularSystem, int>;
 
-// votes[piece]: how many points of each system lie in it.
+// votes[piece]: number of centreline points of each system in a piece.
 std::vector<Votes> votes_of(const Components& pieces, const VesselTree& tree) {
     std::vector<Votes> votes(pieces.sizes.size() + 1);
     for (const VesselSegment& segment : tree.segments)
@@ -27,7 +27,7 @@ std::vector<Votes> votes_of(const Components& pieces, const VesselTree& tree) {
     return votes;
 }
 
-// Points that lie in the mask: those of a bridge do not.
+// Centreline points in the mask; those of bridges lie outside it.
 std::vector<VesselSeed> centreline_seeds(const Mask& mask, const VesselTree& tree,
                                          std::vector<VesselSeed> seeds) {
     std::erase_if(seeds, [&](const VesselSeed& seed) {
