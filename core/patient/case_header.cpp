@@ -25,7 +25,7 @@ namespace {
 
 constexpr int oldest_version = 1;
 constexpr int usual_version = 2;
-constexpr int painted_version = 3;  // holds strokes at tumours, which older programs do not know
+constexpr int painted_version = 3;  // holds tumour strokes, which older programs do not know
 
 Json to_json(const Grid& grid) {
     Json directions = Json::array();

@@ -16,7 +16,7 @@ namespace hepatica {
 
 namespace {
 
-// The root segment of each segment's component.
+// The root segment of the tree that each segment belongs to.
 std::vector<int> root_of_segments(const VesselTree& tree) {
     std::vector<int> root(tree.segments.size());
     for (std::size_t i = 0; i < root.size(); ++i)
@@ -144,7 +144,7 @@ PatientCase with_edited_tree(const PatientCase& patient, const std::vector<TreeE
 
 namespace {
 
-// With the strokes at tumours among the edits.
+// Applies the edits, tumour strokes included, without a new mesh.
 PatientCase edited_without_body(const PatientCase& patient, const std::vector<TreeEdit>& edits) {
     PatientCase result = with_edited_tree(patient, edits);
     if (tumour_strokes(edits) == tumour_strokes(patient.corrections.edits)) return result;

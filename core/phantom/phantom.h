@@ -32,7 +32,7 @@ struct PhantomOptions {
     Vec3 spacing_mm{0.8, 0.8, 1.0};  // 0.1 to 10 each
     double root_radius_mm = 6.0;     // of each system in an adult, before scaling; 1 to 12
     double murray_exponent = 3.0;    // r_parent^m = sum of r_child^m; 2 to 4
-    // -100 to 300.
+    // Intensity of the liver's tissue, -100 to 300.
     double parenchyma_hu = 110.0;
     double contrast_hu = 65.0;  // vessel minus parenchyma, 0 (no contrast medium) to 1000
     // Hepatic veins minus parenchyma, 0 to 1000; none: 0.85 of contrast_hu, because less contrast

@@ -20,8 +20,7 @@ constexpr double smallest_spread_mm = 2.0;
 constexpr double surface_mm = 4.0;               // ends lie at least this far below the surface
 constexpr int branches_tried = 24;               // the nearest ones, for each new end
 constexpr double smallest_sibling_angle = 0.93;  // cosine: siblings diverge by 22 degrees or more
-constexpr double greatest_turn = 0.4;            // cosine of the angle between a branch and its
-                                                 // stem seen from the node
+constexpr double greatest_turn = 0.4;            // largest cosine between a branch and the way back
 
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
     const Vec3 edge = b - a;

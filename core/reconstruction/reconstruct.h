@@ -30,8 +30,7 @@ struct ReconstructOptions {
     std::optional<std::filesystem::path> vessel_mask;    // replaces the segmentation; its labels
                                                          // are systems, see given_vessels.h
     std::vector<std::filesystem::path> tumour_masks;     // see tumours.h; needs a liver
-    std::optional<std::pair<double, double>> window_hu;  // window of the vessels; none: from the
-                                                         // image
+    std::optional<std::pair<double, double>> window_hu;  // none: found in the image
     std::vector<VesselSeed> seeds;                       // one or more per vascular system
     std::vector<int> liver_labels;           // labels of the liver mask; empty: all that are not 0
     std::vector<VesselLabel> vessel_labels;  // labels of the vessel mask; see given_vessels.h
