@@ -19,8 +19,9 @@ struct SystemTruth {
 };
 
 // The centrelines of a mask: its unit-width skeleton without spurs (end branches that reach less
-// than half a radius of their parent beyond the parent's wall). Isolated voxels are left out, gaps
-// stay. Directed from the widest end of each piece; the system is unknown. Throws Cancelled.
+// than half a radius of their parent, or 1.5 voxels, beyond the parent's wall). Isolated voxels are
+// left out, gaps stay. Directed from the widest end of each piece; the system is unknown. Throws
+// Cancelled.
 VesselTree centrelines_of(const Mask& mask, Job& job);
 
 // The judged samples from an end of a centreline inwards along its segment, the end first, up to

@@ -11,7 +11,7 @@ namespace {
 struct Component {
     double length_mm = 0.0;
     bool named = false;   // holds a link of a known system
-    bool seeded = false;  // lies nearest to a seed
+    bool seeded = false;  // nearest to a seed
 };
 
 // -1 where there are no links.

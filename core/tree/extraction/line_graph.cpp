@@ -12,7 +12,7 @@ namespace {
 
 constexpr double same_place_mm = 1e-3;
 
-// For each point the first point at the same place (rounded to a micrometre).
+// For each point, the first point at the same position (rounded to a micrometre).
 std::vector<int> merged(const std::vector<Vec3>& points_mm) {
     std::map<std::array<long long, 3>, int> first_at;
     std::vector<int> representative(points_mm.size());

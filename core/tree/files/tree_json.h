@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the JSON of trees, of edits and of cases has in common.
+// Shared by the JSON of trees, edits and cases.
 #pragma once
 
 #include <nlohmann/json.hpp>
