@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements compare(): Dice, clDice, centreline distances, radius errors and greedy matching of
+// bifurcations.
 #include "core/accuracy/accuracy.h"
 
 #include <algorithm>

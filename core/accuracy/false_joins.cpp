@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Counts false joins in three steps: drop short stretches, mark the samples where systems meet, and
+// count the connected neighbourhoods of these.
 #include "core/accuracy/false_joins.h"
 
 #include <queue>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Computes the judged region with distance maps, dilation and closing.
 #include "core/accuracy/judged_region.h"
 
 #include "core/image/morphology.h"

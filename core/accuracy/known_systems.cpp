@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Prepares the truths: checks them, crops them to the liver, and computes missing centrelines.
 #include "core/accuracy/known_systems.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Counts overlapping voxels and averages distance maps over border voxels.
 #include "core/accuracy/organ_score.h"
 
 #include <array>

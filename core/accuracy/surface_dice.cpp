@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Weights border voxels by the area of their open faces and compares distance maps with the
+// tolerance.
 #include "core/accuracy/surface_dice.h"
 
 #include "core/image/morphology.h"

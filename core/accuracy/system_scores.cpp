@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements judge_systems() on evenly spaced samples of the centrelines.
 #include "core/accuracy/system_scores.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Sums lengths and volumes beyond each sample of a spanning tree from the widest judged sample, and
+// picks the largest part that leads to nothing judged.
 #include "core/accuracy/trunk_of_truth.h"
 
 #include <vector>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Cuts the links of the skeleton's graph evenly and records which pieces meet.
 #include "core/links/line_pieces.h"
 
 #include <algorithm>

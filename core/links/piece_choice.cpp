@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Chooses pieces by a minimal cut (potts_labelling.h), and assigns voxels to pieces with Dijkstra's
+// algorithm.
 #include "core/links/piece_choice.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Measures the features in the order of piece_feature_names: brightness, lines, ring, shape,
+// neighbours, depth, image.
 #include "core/links/piece_features.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Runs Dijkstra's algorithm twice: for the shortest path and for the path with the strongest
+// weakest piece.
 #include "core/links/way_to_sure.h"
 
 #include <algorithm>

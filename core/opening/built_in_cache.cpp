@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements the cache as a folder with a case and a label file, replaced atomically; digests
+// detect damage and other programs.
 #include "core/opening/built_in_cache.h"
 
 #include <algorithm>

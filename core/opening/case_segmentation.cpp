@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Maps systems and organs of a case to the segments and SNOMED codes of a DICOM segmentation.
 #include "core/opening/case_segmentation.h"
 
 #include <optional>

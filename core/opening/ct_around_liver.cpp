@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Crops the CT to the box, smooths it with a Gaussian and resamples it to cubes.
 #include "core/opening/ct_around_liver.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Decides by path what a request opens, and opens it.
 #include "core/opening/open_patient.h"
 
 #include <optional>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Compares digests to find a case's CT, and reads the voxels that a patient was opened without.
 #include "core/opening/patient_image.h"
 
 #include <optional>

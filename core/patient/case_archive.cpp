@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Packs and unpacks zip archives with minizip, under the limits that the header names.
 #include "core/patient/case_archive.h"
 
 #include <minizip/unzip.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads and writes case.json in versions 1 to 3.
 #include "core/patient/case_header.h"
 
 #include <fstream>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Applies edits to the extracted tree, and derives the states of offered bridges.
 #include "core/patient/corrections.h"
 
 #include <algorithm>

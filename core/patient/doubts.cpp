@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Computes doubts from a tree and words them.
 #include "core/patient/doubts.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Converts doubts to and from JSON.
 #include "core/patient/doubts_json.h"
 
 #include "core/base/json_number.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Applies tumour strokes to organ labels, on a grid grown around the liver.
 #include "core/patient/painted_tumours.h"
 
 #include <algorithm>

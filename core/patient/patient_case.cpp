@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads and writes the files of a case, in a folder or unpacked from an archive.
 #include "core/patient/patient_case.h"
 
 #include <fstream>

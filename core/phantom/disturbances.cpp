@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Draws the disturbances from smooth random fields, balls, discs and lines.
 #include "core/phantom/disturbances.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Makes a phantom: validate, fit the anatomy to the field of view, grow the vessels, scan.
 #include "core/phantom/phantom.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Builds organs from ellipsoids and elliptic columns, joined by smooth minima, and paints them one
+// over the other.
 #include "core/phantom/phantom_body.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Draws branches as cubic Hermite curves with sway, and straightens those that would touch others.
 #include "core/phantom/phantom_centrelines.h"
 
 #include <Eigen/Geometry>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Finds places where hepatic and portal vessels pass each other, and bends the hepatic one by a
+// raised cosine.
 #include "core/phantom/phantom_contacts.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements constrained constructive optimisation: random ends, the best of the nearest branches,
+// and relaxation of bifurcations by Weiszfeld's iteration.
 #include "core/phantom/phantom_growth.h"
 
 #include <algorithm>

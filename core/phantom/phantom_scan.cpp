@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Samples lumens with 64 bits per voxel, draws the tissue, disturbs and blurs it, and adds noise.
 #include "core/phantom/phantom_scan.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Draws the options of a random patient, and distorts the border of a liver mask at random.
 #include "core/phantom/random_patient.h"
 
 #include <algorithm>

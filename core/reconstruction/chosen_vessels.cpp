@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Skeletonises the detected vessels, measures pieces of the skeleton and removes those that the
+// model drops.
 #include "core/reconstruction/chosen_vessels.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Measures the liver and detects its vessels; checks that their contrast is plausible.
 #include "core/reconstruction/detected_vessels.h"
 
 #include <algorithm>

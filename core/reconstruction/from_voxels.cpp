@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the steps after the segmentation: fill cavities, thin, extract the tree, label voxels and
+// segments, mesh.
 #include "core/reconstruction/from_voxels.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Relabels voxels by the nearest centreline and by majority vote over connected pieces.
 #include "core/reconstruction/mask_of_tree.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the whole reconstruction, from reading the CT to the mesh.
 #include "core/reconstruction/reconstruct.h"
 
 #include <algorithm>

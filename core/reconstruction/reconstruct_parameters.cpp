@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Writes the options of a reconstruction as JSON, and reads those needed to repeat its second half.
 #include "core/reconstruction/reconstruct_parameters.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Repeats the second half of a reconstruction on other voxels and applies the earlier edits again.
 #include "core/reconstruction/remade_case.h"
 
 #include <algorithm>

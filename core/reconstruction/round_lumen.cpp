@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Represents each tube by overlapping balls and finds the nearest wall of each voxel, layer by
+// layer.
 #include "core/reconstruction/round_lumen.h"
 
 #include <algorithm>

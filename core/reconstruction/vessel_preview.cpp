@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Measures line strengths once, thresholds them on request, and applies the difference to the usual
+// result.
 #include "core/reconstruction/vessel_preview.h"
 
 #include <algorithm>

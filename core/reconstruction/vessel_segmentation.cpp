@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the segmentation: detect, choose by the model, redraw thin vessels, add the hilum, refine
+// the surface.
 #include "core/reconstruction/vessel_segmentation.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Trains OpenCV's random trees with a fixed random state and copies them into plain arrays.
 #include "core/training/grown_forest.h"
 
 #include <algorithm>

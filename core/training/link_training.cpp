@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Collects the pieces of all training patients and trains the forest on them.
 #include "core/training/link_training.h"
 
 #include <string>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Detects lines in a synthetic patient as the reconstruction does, and compares their pieces with
+// the true centrelines.
 #include "core/training/taught_pieces.h"
 
 #include "core/base/error.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Finds the vessel at a position and fits the reference line by least squares.
 #include "core/tree/lumen_calibre.h"
 
 #include <Eigen/Dense>

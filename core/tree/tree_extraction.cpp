@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the extraction: graph, spurs, radii, bridges, systems, loops, trunk, blobs, tree.
 #include "core/tree/tree_extraction.h"
 
 #include <algorithm>

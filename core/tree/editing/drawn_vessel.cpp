@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Connects a drawn curve to the vessels it touches and limits its radii beside their walls.
 #include "core/tree/editing/drawn_vessel.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Describes a seed to spread_of_seed() and relabels the graph with the result.
 #include "core/tree/editing/system_seed.h"
 
 #include <limits>

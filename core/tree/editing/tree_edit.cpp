@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Applies edits to the tree's graph, and directs the result from the roots that the tree had.
 #include "core/tree/editing/tree_edit.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Traces a vessel twice, first through bright voxels and then through the middle of the lumen
+// found, and measures it.
 #include "core/tree/editing/vessel_tracing.h"
 
 #include <algorithm>

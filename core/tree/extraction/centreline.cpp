@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements Gaussian smoothing, weighted medians, resampling and tangents along a curve.
 #include "core/tree/extraction/centreline.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Sorts edges into at most 64 cells per axis, and searches growing neighbourhoods of the query.
 #include "core/tree/extraction/centreline_locator.h"
 
 #include <algorithm>

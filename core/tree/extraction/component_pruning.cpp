@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Measures the components of a graph and removes the short ones.
 #include "core/tree/extraction/component_pruning.h"
 
 #include <algorithm>

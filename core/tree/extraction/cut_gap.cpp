@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Walks from the cut in both directions until balls of the lumen are clear of the walls on the
+// other side.
 #include "core/tree/extraction/cut_gap.h"
 
 #include <algorithm>

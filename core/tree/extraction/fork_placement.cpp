@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Fits axes to the links outside a node, solves a 3 x 3 system for their meeting point, and redraws
+// the links.
 #include "core/tree/extraction/fork_placement.h"
 
 #include <Eigen/Dense>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Searches paths from all open ends in parallel, scores them, and builds the confident ones
+// greedily.
 #include "core/tree/extraction/gap_bridging.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements Dijkstra's algorithm and A* on voxels visited on demand.
 #include "core/tree/extraction/gap_paths.h"
 
 #include <algorithm>

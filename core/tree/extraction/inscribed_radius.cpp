@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Checks voxels around the query in the order of their distance.
 #include "core/tree/extraction/inscribed_radius.h"
 
 #include <algorithm>

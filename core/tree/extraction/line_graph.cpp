@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Merges points and chains edges between nodes into links.
 #include "core/tree/extraction/line_graph.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Cuts cross-sections along all links in parallel, centres the links, places forks, and turns
+// section areas into smooth radii.
 #include "core/tree/extraction/lumen_measurement.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Measures a cross-section with 24 rays from the centreline point.
 #include "core/tree/extraction/lumen_radius.h"
 
 #include <Eigen/Geometry>

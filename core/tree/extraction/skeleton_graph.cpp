@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Makes nodes of ends and junction clusters and traces the runs of voxels between them.
 #include "core/tree/extraction/skeleton_graph.h"
 
 #include <algorithm>

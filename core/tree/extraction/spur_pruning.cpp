@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Alternates the removal of spurs and small rings with joining links, until nothing changes.
 #include "core/tree/extraction/spur_pruning.h"
 
 #include <algorithm>

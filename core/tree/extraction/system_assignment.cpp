@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels links by the mask, and floods unknown links from known ones with a priority queue on
+// width.
 #include "core/tree/extraction/system_assignment.h"
 
 #include <algorithm>

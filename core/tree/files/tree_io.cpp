@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Selects readers and writers by file extension, and validates what was read.
 #include "core/tree/files/tree_io.h"
 
 #include <algorithm>

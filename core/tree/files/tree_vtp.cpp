@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads and writes trees as VTP.
 #include "core/tree/files/tree_io.h"
 
 #include <vtkCellArray.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Parses the XML with VTK's parser, and decodes data arrays with checked sizes.
 #include "core/tree/files/vtk_document.h"
 
 #include <vtkCallbackCommand.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Finds points, cells and arrays in a VTK document and checks their indices.
 #include "core/tree/files/vtk_file.h"
 
 #include <vtkXMLDataElement.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Decodes base64, headers and compressed blocks.
 #include "core/tree/files/vtk_payload.h"
 
 #include <vtkCallbackCommand.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Alternates weights of pieces and weighted means of their positions.
 #include "core/tree/systems/anatomical_anchors.h"
 
 #include <array>

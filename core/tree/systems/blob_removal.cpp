@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Measures boxes and radii of subtrees from the ends to the roots, and removes those shaped like
+// blobs.
 #include "core/tree/systems/blob_removal.h"
 
 #include <Eigen/Geometry>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Compares the radius of each root with the widest end of its tree.
 #include "core/tree/systems/doubtful_roots.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Rebuilds the links of a graph from runs of pieces of one system.
 #include "core/tree/systems/labelled_graph.h"
 
 #include <algorithm>

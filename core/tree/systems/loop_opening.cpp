@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Detaches each loop-closing segment at one of its ends.
 #include "core/tree/systems/loop_opening.h"
 
 #include <algorithm>

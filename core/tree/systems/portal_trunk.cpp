@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Extends the trunk to its entry, finds its division, and shortens it.
 #include "core/tree/systems/portal_trunk.h"
 
 #include <algorithm>

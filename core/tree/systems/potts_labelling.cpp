@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements alpha expansion with the maximum flow algorithm of Boykov and Kolmogorov (Boost).
 #include "core/tree/systems/potts_labelling.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Formulates the spread of a seed as a Potts problem with two labels, stay and change.
 #include "core/tree/systems/seeded_spread.h"
 
 #include <Eigen/Geometry>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Computes the four terms of evidence and the strengths of ties.
 #include "core/tree/systems/system_evidence.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels pieces by minimal cuts with anatomy, seeds and brightness, repeats that with perturbed
+// evidence for confidences, and rebuilds the graph.
 #include "core/tree/systems/tell_systems_apart.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Cuts links into pieces, groups nodes into forks, and measures brightness, taper and fork arms.
 #include "core/tree/systems/vessel_pieces.h"
 
 #include <algorithm>

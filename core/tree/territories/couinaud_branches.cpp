@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements max-product and sum-product message passing on the portal tree with nine states.
 #include "core/tree/territories/couinaud_branches.h"
 
 #include <algorithm>

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Estimates confluence, vein angles and branch levels, and evaluates soft half-spaces for the
+// segments.
 #include "core/tree/territories/couinaud_frame.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements the geodesic Voronoi diagram with a priority queue over voxels.
 #include "core/tree/territories/nearest_branch.h"
 
 #include <algorithm>
