@@ -116,7 +116,7 @@ void grow_found_systems(VesselGraph graph, const Volume* ct, const TreeOptions& 
             result.trunk_left_out = trunk->left_out;
             result.tree = directed_by_wishes(trunk->graph);
         }
-    // Removing a piece can leave others separate, so it is repeated.
+    // Repeated, because removing a piece can leave others separate.
     while (true) {
         const RemovedPieces blobs = remove_blobs(result.tree, options.seeds, graph);
         if (blobs.count == 0) break;
