@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements compare(): Dice, clDice, centreline distances, radius errors and greedy matching of
+// bifurcations.
 #include "core/accuracy/accuracy.h"
 
 #include <algorithm>
@@ -19,14 +21,14 @@ namespace hepatica {
 
 namespace {
 
-// What may be judged nowhere is perfect where nothing was asked for.
+// A share of nothing is 1.
 double share(double part, double whole) {
     return whole > 0.0 ? part / whole : 1.0;
 }
 
 double dice_of(const Mask& mask, const Mask& truth, Job& job) {
     Mask judged = mask;
-    for (std::uint8_t& v : judged.voxels) v = v != 0;  // whatever the system
+    for (std::uint8_t& v : judged.voxels) v = v != 0;  // of any system
     if (!same_grid(mask.grid, truth.grid))
         judged = resample(judged, truth.grid, Interpolation::linear, job);
     double both = 0.0, sum = 0.0;
@@ -37,7 +39,7 @@ double dice_of(const Mask& mask, const Mask& truth, Job& job) {
     return share(2.0 * both, sum);
 }
 
-// Share of the skeleton of one mask that lies inside the other.
+// Share of one mask's skeleton that lies inside the other; 0 for an empty skeleton.
 double skeleton_share(const Mask& mask, const Mask& other, Job& job) {
     const Mask skeleton = unit_width(thin(mask, ThinningMethod::queue, job), job);
     double inside = 0.0, all = 0.0;
@@ -88,7 +90,7 @@ double length_found(const VesselTree& tree, const VesselTree& truth, double voxe
         const Centreline even = resampled({segment.points_mm, segment.radii_mm}, 0.5 * voxel_mm);
         for (std::size_t i = 0; i < even.points_mm.size(); ++i) {
             if (even.radii_mm[i] < options.length_radius_mm) continue;
-            // A point stands for half the edges beside it.
+            // A point stands for half of each edge beside it.
             double weight = 0.0;
             if (i > 0) weight += (even.points_mm[i] - even.points_mm[i - 1]).norm() / 2.0;
             if (i + 1 < even.points_mm.size())
@@ -125,7 +127,7 @@ std::vector<Bifurcation> bifurcations(const VesselTree& tree) {
     for (std::size_t n = 0; n < at_node.size(); ++n)
         at_node[n] = {tree.nodes[n].position_mm, 0.0, std::numeric_limits<double>::infinity()};
     for (const VesselSegment& segment : tree.segments) {
-        // Half-way a branch has its own width: the node's is that of its parent.
+        // Taken at the middle of the branch: at the node the radius is that of the parent.
         const double radius = segment.radii_mm[segment.radii_mm.size() / 2];
         for (const int node : {segment.proximal_node, segment.distal_node}) {
             at_node[node].radius_mm = std::max(at_node[node].radius_mm, radius);
@@ -143,7 +145,7 @@ std::vector<Bifurcation> wide_ones(std::vector<Bifurcation> all, double radius_m
     return all;
 }
 
-// How many of `asked` have a partner of their own in `given`.
+// Number of `asked` that have a partner of their own in `given`: greedy, the nearest pairs first.
 int matched(const std::vector<Bifurcation>& asked, const std::vector<Bifurcation>& given,
             double voxel_mm, bool asked_is_truth) {
     std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How good a reconstruction is, judged by a truth: overlap of the masks, distance of the
+// Scores of a reconstruction against a known truth: overlap of the masks, distance between
 // centrelines, error of the radii, bifurcations found. clDice after Shit et al. (CVPR 2021).
 #pragma once
 
@@ -12,42 +12,44 @@
 namespace hepatica {
 
 struct AccuracyOptions {
-    // Bifurcations count whose narrowest branch is at least this wide, and truth centrelines for
-    // length_found; in mm. Negative: 1.5 voxels (cube root of the voxel's volume) of the truth mask
-    // for bifurcations, 0 for length_found.
+    // In mm. A bifurcation counts where its narrowest branch has at least bifurcation_radius_mm;
+    // negative: 1.5 voxels (cube root of the truth mask's voxel volume). length_found counts true
+    // centrelines with at least length_radius_mm.
     double bifurcation_radius_mm = -1.0;
     double length_radius_mm = 0.0;
-    double length_tolerance_mm = 2.0;  // truth counts as found within this distance
+    double length_tolerance_mm = 2.0;  // the truth counts as found within this distance
 };
 
-// Distances in mm, the rest are shares in [0, 1]. What cannot be judged (no bifurcation in the
-// truth, an empty tree) is 1 where nothing was missed and 0 where something was.
+// Distances are in mm, the rest are shares in [0, 1]. For an empty tree the mean and the 95th
+// percentile stay 0 and length_found is 0. Without bifurcations to judge, recall or precision is 1.
 struct Accuracy {
     double voxel_mm = 0.0;  // cube root of the truth mask's voxel volume
 
-    double dice = 0.0;    // of the masks, on the truth's grid
+    double dice = 0.0;    // of all vessels, on the truth's grid
     double cldice = 0.0;  // harmonic mean of the shares of each mask's skeleton inside the other
 
-    // From points spaced evenly on the tree's centrelines to the truth's: mean and 95th percentile.
+    // From points half a voxel apart on the tree's centrelines to the truth's: mean and 95th
+    // percentile.
     double centreline_mean_mm = 0.0;
     double centreline_p95_mm = 0.0;
-    // Half of the tree's points lie within the first distance of the truth's centrelines, half of
-    // the truth's within the second of the tree's. None for an empty tree.
+    // Medians: from the tree's points to the truth's centrelines, and from the truth's points to
+    // the tree's. None for an empty tree.
     std::optional<double> centreline_median_mm;
     std::optional<double> truth_median_mm;
-    // Share of the truth's centreline length (of radii from length_radius_mm) that has the tree's
-    // centreline within length_tolerance_mm.
+    // Share of the truth's centreline length, where its radius is at least length_radius_mm, that
+    // has the tree's centreline within length_tolerance_mm.
     double length_found = 0.0;
 
-    // Radius of the tree minus that of the truth at the nearest point, over the points of the tree
-    // that lie inside the true lumen: mean (bias) and mean of the absolute value. None where no
-    // point does.
+    // Radius of the tree minus that of the truth at the nearest point: mean (bias) and mean of the
+    // absolute value, over the points of the tree that lie inside the true lumen or within a voxel
+    // of the true centreline. None where there is no such point.
     std::optional<double> radius_bias_mm;
     std::optional<double> radius_mae_mm;
 
-    // One to one, nearest pairs first, within the larger of three voxels and the true radius there.
-    // A node of degree d counts as d - 2 bifurcations. Recall: wide bifurcations of the truth
-    // matched by any of the tree; precision: wide ones of the tree matched by any of the truth.
+    // Bifurcations are matched one to one, nearest pairs first, within the larger of three voxels
+    // and the true radius there. A node of degree d counts as d - 2 bifurcations. Recall: share of
+    // the truth's wide bifurcations that match any of the tree's. Precision: share of the tree's
+    // wide ones that match any of the truth's.
     double bifurcation_recall = 0.0;
     double bifurcation_precision = 0.0;
     int truth_bifurcations = 0;  // wide ones
@@ -57,8 +59,9 @@ struct Accuracy {
     int truth_components = 0;  // of the truth's tree
 };
 
-// The masks may lie on different grids; each is looked up in the other by position. Throws
-// InputError where the truth is empty, Cancelled.
+// Compares a tree and its mask with the truth. The masks may lie on different grids in one frame.
+// Reports progress in the present stage. Throws InputError where the true tree or mask is empty;
+// Cancelled.
 Accuracy compare(const VesselTree& tree, const Mask& mask, const VesselTree& truth_tree,
                  const Mask& truth_mask, const AccuracyOptions& options, Job& job);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Resamples the segments of a tree evenly and links the samples that meet at a node.
 #include "core/accuracy/centreline_samples.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The centrelines of a tree as points at even distances, each of which stands for a length of its
-// own, with the steps between them: what shares of length, pieces and joins are counted on.
+// The centrelines of a tree as evenly spaced samples, each of which stands for a length, and the
+// steps between them. Shares of length, pieces and joins are counted on them.
 #pragma once
 
 #include <utility>
@@ -14,9 +14,9 @@ namespace hepatica {
 struct CentrelineSample {
     Vec3 position_mm = Vec3::Zero();
     double radius_mm = 0.0;  // of the lumen there
-    double weight_mm = 0.0;  // half the steps beside it
+    double weight_mm = 0.0;  // half of the steps beside it along its segment
     int segment = -1;
-    bool judged = true;  // lies in the region that was given
+    bool judged = true;  // lies in the judged region
 };
 
 struct CentrelineStep {
@@ -29,15 +29,15 @@ struct CentrelineSamples {
     std::vector<CentrelineStep> steps;
     std::vector<std::pair<int, int>> of_segment;  // first sample and one past the last
 
-    // The sample of a segment that lies nearest to a position.
+    // The sample of a segment that lies nearest to a position. Linear in the segment's samples.
     int nearest(int segment, const Vec3& position_mm) const;
 };
 
-// Samples are about step_mm apart. Judged is what lies in the voxels of `judged` that are not zero;
-// everything where it is null, nothing outside its grid.
+// Samples a tree about every step_mm > 0. A sample is judged where `judged` is not zero, nowhere
+// outside its grid, and everywhere where it is null.
 CentrelineSamples sampled(const VesselTree& tree, double step_mm, const Mask* judged);
 
-// Whether the voxel that holds a position is not zero; false outside the grid.
+// Whether the voxel at a position is not zero; false outside the grid.
 bool holds(const Mask& mask, const Vec3& position_mm);
 
 }  // namespace hepatica

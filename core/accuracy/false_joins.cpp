@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Counts false joins in three steps: drop short stretches, mark the samples where systems meet, and
+// count the connected neighbourhoods of these.
 #include "core/accuracy/false_joins.h"
 
 #include <queue>
@@ -16,7 +18,7 @@ bool is_judged(const CentrelineSamples& tree, const CentrelineStep& step) {
     return tree.samples[step.from].judged && tree.samples[step.to].judged;
 }
 
-// Stretches of samples of one system (0: of none), as sets of samples.
+// Connected stretches of judged samples of one system (0: none), as sets of samples.
 DisjointSets stretches(const CentrelineSamples& tree, const Systems& systems) {
     DisjointSets sets(tree.samples.size());
     for (const CentrelineStep& step : tree.steps)
@@ -25,7 +27,7 @@ DisjointSets stretches(const CentrelineSamples& tree, const Systems& systems) {
     return sets;
 }
 
-// The systems of the samples without those of stretches that are too short.
+// The systems of the samples; 0 for stretches shorter than stray_mm.
 Systems without_strays(const CentrelineSamples& tree, std::span<const std::uint8_t> truth,
                        double stray_mm) {
     Systems systems(truth.begin(), truth.end());
@@ -39,8 +41,8 @@ Systems without_strays(const CentrelineSamples& tree, std::span<const std::uint8
     return systems;
 }
 
-// The samples at which systems meet: the two sides of a step from one to another, and stretches of
-// none between two of them.
+// Marks the samples at which systems meet: both ends of a step between two systems, and stretches
+// of no system that lie between different ones.
 std::vector<std::uint8_t> meetings(const CentrelineSamples& tree, const Systems& systems) {
     DisjointSets sets = stretches(tree, systems);
     std::vector<std::set<std::uint8_t>> beside(systems.size());
@@ -58,8 +60,8 @@ std::vector<std::uint8_t> meetings(const CentrelineSamples& tree, const Systems&
     return meets;
 }
 
-// Grows the meetings along the tree by their radii and place_mm (Dijkstra's algorithm on what is
-// left of the reach). Returns which samples belong to a place.
+// Grows the meetings along the tree by their radii plus place_mm (Dijkstra's algorithm on the
+// remaining reach). Returns which samples belong to a place.
 std::vector<std::uint8_t> grown(const CentrelineSamples& tree,
                                 const std::vector<std::uint8_t>& meets, double place_mm) {
     std::vector<std::vector<std::pair<int, double>>> beside(tree.samples.size());

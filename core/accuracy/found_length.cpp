@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Sums found lengths by class of radius.
 #include "core/accuracy/found_length.h"
 
 #include <algorithm>

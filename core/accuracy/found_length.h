@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lengths of centrelines that others have found, by the radius of the vessel.
+// Length of centrelines that other centrelines have found, by the radius of the vessel.
 #pragma once
 
 #include <array>
@@ -23,13 +23,13 @@ struct FoundLength {
     double share() const { return all_mm > 0.0 ? found_mm / all_mm : 0.0; }
 };
 
-// One for each class of radii: below the first border, between two, above the last.
+// One for each class of radii: below the first border, between two borders, from the last one on.
 using FoundLengths = std::array<FoundLength, radius_class_borders_mm.size() + 1>;
 
 FoundLength sum(const FoundLengths& lengths);
 
-// The judged samples for which `wanted` holds, as found where one of the others lies within
-// tolerance_mm.
+// Sums the judged samples for which `wanted` holds; a sample is found where one of `others` lies
+// within tolerance_mm.
 FoundLengths found_lengths(const CentrelineSamples& line,
                            const std::function<bool(const CentrelineSample&)>& wanted,
                            const std::vector<const CentrelineLocator*>& others,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Computes the judged region with distance maps, dilation and closing.
 #include "core/accuracy/judged_region.h"
 
 #include "core/image/morphology.h"
@@ -8,14 +9,14 @@ namespace hepatica {
 
 namespace {
 
-// Of the channels that vessels leave in an expert's liver mask.
+// Closes the channels that vessels leave in an expert's liver mask.
 constexpr double closing_mm = 8.0;
 
 void unite(Mask& mask, const Mask& with) {
     for (std::size_t i = 0; i < mask.voxels.size(); ++i) mask.voxels[i] |= with.voxels[i] != 0;
 }
 
-// The voxels that lie deeper below the surface than depth_mm.
+// The voxels of a mask that lie deeper than depth_mm below its surface.
 Mask deeper_than(const Mask& mask, double depth_mm, Job& job) {
     // The nearest background voxel's centre lies half a voxel beyond the surface.
     const double to_background_mm = depth_mm + 0.5 * mask.grid.spacing_mm.minCoeff();

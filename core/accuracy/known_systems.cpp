@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Prepares the truths: checks them, crops them to the liver, and computes missing centrelines.
 #include "core/accuracy/known_systems.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr double margin_mm = 12.0;  // kept around the liver: more than any tolerance
+constexpr double margin_mm = 12.0;  // kept around the liver; larger than any tolerance
 
 void require_truths(std::span<const SystemTruth> truths, const Mask* liver, const Mask* cava) {
     if (truths.empty()) throw InputError("there is no truth", "", "Give a mask of a system");
@@ -35,7 +36,7 @@ std::optional<Mask> cropped(const Mask* mask, const IndexBox& box) {
     return mask != nullptr ? std::optional(crop(*mask, box)) : std::nullopt;
 }
 
-// The voxels of an object that lie inside a region, or outside of it.
+// The voxels of an object that lie inside or outside a region.
 Mask part_of(const Mask& object, const Mask& region, bool inside) {
     Mask part = object;
     for (std::size_t i = 0; i < part.voxels.size(); ++i)

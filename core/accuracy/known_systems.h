@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The truths of one patient as things are looked up in them: where they are judged, their
-// centrelines, and which system a point belongs to.
+// The truths of one patient, prepared for look-up: the judged region, the centrelines, and the
+// system that a point belongs to.
 #pragma once
 
 #include <cstdint>
@@ -18,35 +18,38 @@ namespace hepatica {
 
 struct KnownSystem {
     VascularSystem system;
-    Mask lumen;       // on the grid of what is judged
+    Mask lumen;       // 0 or 1, on the grid of judged()
     VesselTree tree;  // its centrelines
-    bool tree_given;  // else they are the mask's
+    bool tree_given;  // false: computed from the mask
     CentrelineSamples samples;
     CentrelineLocator locator;
 };
 
-// What system_scores.h says of truths, liver and cava holds here.
+// Immutable after construction. The truths are one or more non-empty masks on one grid, which
+// `liver` and `cava` share; both may be null. The grid of judged() is that of the truths, cut to
+// the liver with a margin of 12 mm. The constructor throws InputError where that does not hold;
+// Cancelled.
 class KnownSystems {
   public:
     KnownSystems(std::span<const SystemTruth> truths, const Mask* liver, const Mask* cava,
                  const CavaNeighbourhood& size, Job& job);
 
     const std::vector<KnownSystem>& all() const { return all_; }
-    const Mask& judged() const { return judged_; }  // not zero: is judged
-    double step_mm() const { return step_mm_; }     // between samples: half a voxel
+    const Mask& judged() const { return judged_; }  // 1: judged
+    double step_mm() const { return step_mm_; }     // distance of samples: half a voxel
 
-    // The system whose lumen alone holds a point, else that of the nearest centreline within
-    // reach_mm; 0 where there is none. Thread-safe.
+    // The number of the system at a point: that of the only lumen that holds it, else that of the
+    // nearest centreline within reach_mm, else 0. Thread-safe.
     std::uint8_t system_at(const Vec3& p, double reach_mm) const;
 
-    // Where the trunk of a system ends: the roots of its tree, where that was given; of hepatic
-    // veins the voxels near the vena cava, where they reach it; of others the place at which they
-    // divide outside of what is judged; else the widest section at which they leave it; else the
-    // widest judged end.
+    // Where the trunk of a system ends. With a given tree: its roots. For hepatic veins that reach
+    // the vena cava: their voxels near it. For other systems: the point at which they divide
+    // outside the judged region, else the middle of the widest section at which they leave it. In
+    // all other cases: the widest judged end. Empty where nothing is judged.
     std::vector<Vec3> trunk_ends(const KnownSystem& known) const;
 
-    // A point on the axis of a system's widest judged end, about inwards_mm from that end: where a
-    // person would set a seed. None where nothing is judged.
+    // A point on the axis of a system, about inwards_mm from its widest judged end, where a user
+    // would set a seed. None where nothing is judged.
     std::optional<Vec3> point_in_trunk(const KnownSystem& known, double inwards_mm) const;
 
   private:
@@ -55,7 +58,7 @@ class KnownSystems {
 
     double step_mm_ = 0.5;
     Mask cava_;    // 1 near the vena cava
-    Mask judged_;  // same grid
+    Mask judged_;  // on the same grid
     std::vector<KnownSystem> all_;
 };
 

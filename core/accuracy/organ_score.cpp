@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Counts overlapping voxels and averages distance maps over border voxels.
 #include "core/accuracy/organ_score.h"
 
 #include <array>
@@ -21,7 +22,7 @@ Mask united(const Mask& a, const Mask& b) {
     return both;
 }
 
-// Object voxels with a face that leads into background. What the image cuts off is no surface.
+// Object voxels with a face next to background. A face on the edge of the image is no surface.
 Mask border_of(const Mask& mask) {
     const Grid& grid = mask.grid;
     Mask surface(grid);
@@ -68,7 +69,7 @@ OrganScore organ_score(const Mask& found, const Mask& truth, Job& job) {
     score.outside_share = share(of_found - hit, of_found);
     score.missed_share = share(of_truth - hit, of_truth);
     if (of_found == 0 || of_truth == 0) return score;
-    // A layer of background around both, so that their surfaces stay surfaces.
+    // Keeps a layer of background around both, so that their whole surfaces stay in the box.
     const IndexBox box =
         grow_box(bounding_box(united(found, truth)), found.grid, found.grid.spacing_mm.maxCoeff());
     const Mask a = border_of(crop(found, box)), b = border_of(crop(truth, box));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Weights border voxels by the area of their open faces and compares distance maps with the
+// tolerance.
 #include "core/accuracy/surface_dice.h"
 
 #include "core/image/morphology.h"
@@ -7,7 +9,7 @@ namespace hepatica {
 
 namespace {
 
-// Area in mm^2 of the faces of an object voxel that lead into background.
+// Area in mm^2 of the faces of an object voxel next to background.
 double open_area(const Mask& mask, const Index3& voxel) {
     const Vec3& spacing = mask.grid.spacing_mm;
     double area = 0.0;
@@ -34,7 +36,7 @@ struct Area {
     double near = 0.0, all = 0.0;
 };
 
-// Of one surface: what has the other one near, and all that is judged.
+// The judged area of one surface: the part that has the other one near, and all of it.
 Area area_near(const Image<float>& surface, const Image<float>& other, const Mask& judged,
                double tolerance_mm, Job& job) {
     Mask border(other.grid);
@@ -45,7 +47,7 @@ Area area_near(const Image<float>& surface, const Image<float>& other, const Mas
     for (std::size_t i = 0; i < surface.voxels.size(); ++i) {
         if (judged.voxels[i] == 0 || surface.voxels[i] == 0.0f) continue;
         area.all += surface.voxels[i];
-        // A tolerance of whole voxels must not hang on the last bit of a float.
+        // Rounding must not decide where the tolerance is a whole number of voxels.
         if (distance.voxels[i] <= tolerance_mm + 1e-4) area.near += surface.voxels[i];
     }
     return area;

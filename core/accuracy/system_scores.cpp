@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements judge_systems() on evenly spaced samples of the centrelines.
 #include "core/accuracy/system_scores.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 
 constexpr double anywhere = std::numeric_limits<double>::max();
 
-// The segments that carry a system; nodes and parents are no longer those of a tree.
+// The segments of one system, without nodes; their node and parent indices are not valid.
 VesselTree only(const VesselTree& tree, VascularSystem system) {
     VesselTree part;
     for (const VesselSegment& segment : tree.segments)
@@ -40,7 +41,7 @@ void set_lengths(SystemScore& score, const FoundLengths& of_truth, const FoundLe
     }
 }
 
-// A mask of 0 and 1 on another grid, with nothing outside its own.
+// A mask of 0 and 1 resampled to another grid, 0 outside its own.
 Mask looked_up(const Mask& mask, const Grid& grid, Job& job) {
     if (same_grid(mask.grid, grid)) return mask;
     Mask there = resample(mask, grid, Interpolation::linear, job);
@@ -53,7 +54,7 @@ Mask looked_up(const Mask& mask, const Grid& grid, Job& job) {
     return there;
 }
 
-// Where the longest piece of a system begins.
+// Root of the longest connected piece whose root carries the system.
 std::optional<Vec3> main_root(const VesselTree& tree, VascularSystem system) {
     std::vector<double> hanging_mm(tree.segments.size(), 0.0);
     int longest = -1;
@@ -69,6 +70,7 @@ std::optional<Vec3> main_root(const VesselTree& tree, VascularSystem system) {
     return tree.segments[longest].points_mm.front();
 }
 
+// Scores one tree against the known systems; the tree is sampled once.
 class Judge {
   public:
     Judge(const VesselTree& tree, const Mask& mask, const KnownSystems& known,
@@ -133,7 +135,7 @@ class Judge {
 
     int false_joins() const { return count_false_joins(line_, truth_of_, options_.joins); }
 
-    // Pieces of the tree along each connected piece of the judged truth, but for the first.
+    // Number of pieces of the tree along each connected piece of the judged truth beyond the first.
     int breaks_of(const KnownSystem& known) const {
         const auto system = static_cast<std::uint8_t>(known.system);
         const std::vector<CentrelineSample>& truth = known.samples.samples;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Skeletonises a mask and removes spurs for its centrelines; finds the widest judged end.
 #include "core/accuracy/system_truth.h"
 
 #include "core/base/median.h"

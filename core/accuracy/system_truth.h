@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is known of one vascular system of a patient: an expert's voxels, or a phantom's own tree.
+// The truth about one vascular system of a patient: an expert's voxels, or the tree of a phantom.
 #pragma once
 
 #include <optional>
@@ -15,20 +15,22 @@ namespace hepatica {
 struct SystemTruth {
     VascularSystem system = VascularSystem::portal;
     Mask mask;        // not zero: lumen of this system
-    VesselTree tree;  // its centrelines; without segments: those of the mask's skeleton
+    VesselTree tree;  // its centrelines; empty: those of the mask's skeleton
 };
 
-// The centrelines of a mask: its unit-width skeleton without what bumps of the wall add to it (end
-// branches that reach less than half a radius of their parent beyond the parent's wall). Isolated
-// voxels are left out, gaps stay. Directed from the widest end of each piece; in no system.
+// The centrelines of a mask: its unit-width skeleton without spurs (end branches that reach less
+// than half a radius of their parent, or 1.5 voxels, beyond the parent's wall). Isolated voxels are
+// left out, gaps stay. Directed from the widest end of each piece; the system is unknown. Throws
+// Cancelled.
 VesselTree centrelines_of(const Mask& mask, Job& job);
 
-// Judged samples from an end of a centreline inwards, along its segment, up to reach_mm from it.
+// The judged samples from an end of a centreline inwards along its segment, the end first, up to
+// reach_mm from it.
 std::vector<int> last_of_run(const CentrelineSamples& line, int end, double reach_mm);
 
-// The widest end of the judged part of a tree's centrelines: where a trunk ends, or leaves the
-// judged region. An end is a judged sample with at most one judged neighbour; its width is the
-// median radius of the last 10 mm of its segment. None where there are no ends.
+// The widest end of the judged centrelines: where a trunk ends or leaves the judged region. An end
+// is a judged sample with at most one judged neighbour; its width is the median radius over the 10
+// mm of its segment next to it. None where there is no end.
 std::optional<int> widest_end(const CentrelineSamples& line);
 
 }  // namespace hepatica

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Sums lengths and volumes beyond each sample of a spanning tree from the widest judged sample, and
+// picks the largest part that leads to nothing judged.
 #include "core/accuracy/trunk_of_truth.h"
 
 #include <vector>
@@ -9,10 +11,10 @@ namespace {
 
 constexpr double stray_mm = 5.0;
 
-// Samples from a judged one on, each after the one it was reached from.
+// A breadth-first walk from one sample.
 struct Walk {
     std::vector<int> order;
-    std::vector<int> from;  // by sample; -1 at the first and where the walk did not come
+    std::vector<int> from;  // by sample; -1 at the first one and at samples that were not reached
 };
 
 Walk walk_from(int start, const std::vector<std::vector<int>>& beside) {
@@ -38,7 +40,7 @@ std::vector<std::vector<int>> neighbours(const CentrelineSamples& line) {
     return beside;
 }
 
-// What lies beyond each sample, itself included.
+// Length and volume (without the factor pi) beyond a sample, itself included.
 struct Beyond {
     double judged_mm = 0.0, other_mm = 0.0, other_mm3 = 0.0;
 };
@@ -63,7 +65,7 @@ std::vector<Beyond> beyond_samples(const CentrelineSamples& line, const Walk& wa
     return beyond;
 }
 
-// The widest judged sample: it lies on the way of most of what is judged.
+// The widest judged sample, which lies on the path to most of the judged centrelines.
 std::optional<int> widest_judged(const CentrelineSamples& line) {
     std::optional<int> widest;
     for (std::size_t i = 0; i < line.samples.size(); ++i)

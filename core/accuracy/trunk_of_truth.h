@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the trunk of a system ends that goes on beyond what is judged.
+// Finds the end of a trunk that continues outside the judged region.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,10 @@
 
 namespace hepatica {
 
-// The sample at which the largest part by volume of what neither is judged nor leads to anything
-// that is hangs on the rest: where the trunk enters what is judged or, where it divides before, its
-// division. Judged ways of under 5 mm count as none. None where under 5 mm hang there.
+// Among the parts of the centrelines that are not judged and lead to nothing judged, the largest by
+// volume is taken as the trunk. Returns the sample at which it is attached: where it enters the
+// judged region or, if it divides before, its division. Judged stretches under 5 mm are ignored.
+// None where the part is shorter than 5 mm.
 std::optional<int> end_of_trunk(const CentrelineSamples& line);
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Cuts the links of the skeleton's graph evenly and records which pieces meet.
 #include "core/links/line_pieces.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace hepatica {
 
 namespace {
 
-// Where a link is cut: indices of its points, both ends included, about evenly far apart.
+// The indices of a link's points at which it is cut, both ends included, about evenly spaced.
 std::vector<std::size_t> cuts_of(const VesselLink& link, double longest_mm) {
     const double length = length_mm(link);
     const std::size_t steps = link.points_mm.size() - 1;

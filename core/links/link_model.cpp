@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads and writes models as JSON, and checks every value of a model that is read.
 #include "core/links/link_model.h"
 
 #include <algorithm>

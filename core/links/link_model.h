@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was learned on synthetic patients about which lines are vessels, as a small file.
+// A model, learned on synthetic patients, of which lines are vessels, and its file.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +10,10 @@
 namespace hepatica {
 
 struct LinkModel {
-    std::string made_by;       // the command that makes the same file again
-    double line_share = 0.75;  // how permissive the lines are that it chooses from (0.3 to 1.5);
-                               // see DetectionOptions
-    double kept_share = 0.6;   // pieces of which at least this share should be vessel are kept
+    std::string made_by;       // the command that makes the same file
+    double line_share = 0.75;  // line_share (0.3 to 1.5) of the candidate lines, see
+                               // DetectionOptions
+    double kept_share = 0.6;   // pieces are kept from about this share of vessel on, 0 to 1
     PieceForest forest;
 };
 
@@ -22,7 +22,7 @@ struct LinkModel {
 // Throws InputError, naming the file and what is wrong with it.
 LinkModel read_link_model(const std::filesystem::path& file);
 
-// Appears whole or not at all. Throws InputError where it cannot be written.
+// Writes the file atomically. Throws InputError where it cannot be written.
 void write_link_model(const std::filesystem::path& file, const LinkModel& model);
 
 }  // namespace hepatica

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Chooses pieces by a minimal cut (potts_labelling.h), and assigns voxels to pieces with Dijkstra's
+// algorithm.
 #include "core/links/piece_choice.h"
 
 #include <algorithm>
@@ -15,9 +17,10 @@ namespace hepatica {
 
 namespace {
 
-constexpr double tie_mm = 1.5;  // a break costs as much as so many millimetres of full doubt
+constexpr double tie_mm = 1.5;  // cost of neighbours that differ: so many millimetres at log-odds
+                                // of one
 constexpr std::size_t between_looks = 16384;
-constexpr double surest = 0.95;  // of a share, so that no piece decides alone
+constexpr double surest = 0.95;  // largest share used, so that no piece decides alone
 
 double log_odds(double share) {
     const double bounded = std::clamp(share, 1.0 - surest, surest);
@@ -40,7 +43,8 @@ std::array<Step, 26> steps_to_neighbours() {
     return steps;
 }
 
-// Grows from the centrelines through the mask, wide pieces first (Dijkstra).
+// Grows the pieces from their centrelines through the mask (Dijkstra's algorithm). A centreline
+// point starts at minus its radius, so that the cost of a voxel is its distance to the wall.
 class NearestWall {
   public:
     explicit NearestWall(const Mask& vessels)
@@ -54,7 +58,7 @@ class NearestWall {
                   static_cast<float>(-radius_mm), is_kept);
     }
 
-    // 1 where a kept piece's wall is the nearest.
+    // 1 where the wall of a kept piece is the nearest. May be called once.
     std::vector<std::uint8_t> grown(const Job& job) {
         const Grid& grid = vessels_.grid;
         const auto steps = steps_to_neighbours();
@@ -77,7 +81,7 @@ class NearestWall {
   private:
     void offer(std::size_t voxel, float cost, bool is_kept) {
         if (!vessels_.voxels[voxel] || cost > cost_[voxel]) return;
-        if (cost == cost_[voxel]) {  // a draw is kept
+        if (cost == cost_[voxel]) {  // in a tie the voxel is kept
             if (!is_kept || kept_[voxel]) return;
         }
         cost_[voxel] = cost;
@@ -99,7 +103,7 @@ std::vector<std::uint8_t> chosen_pieces(const std::vector<LinePiece>& pieces,
     PottsProblem problem;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const double against = pieces[i].length_mm * (log_odds(kept_share) - log_odds(shares[i]));
-        problem.costs.push_back({0.0, against});  // dropped, kept
+        problem.costs.push_back({0.0, against});  // cost of dropping, of keeping
         for (const int next : pieces[i].neighbours)
             if (next > static_cast<int>(i))
                 problem.ties.push_back({static_cast<int>(i), next, tie_mm});

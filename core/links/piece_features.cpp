@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Measures the features in the order of piece_feature_names: brightness, lines, ring, shape,
+// neighbours, depth, image.
 #include "core/links/piece_features.h"
 
 #include <algorithm>
@@ -18,11 +20,11 @@ namespace {
 
 constexpr std::array half_lengths_mm{2.0, 3.5, 6.0};
 constexpr int ring_points = 12;
-constexpr double ring_gap_mm = 1.5;  // between the wall and the ring
+constexpr double ring_gap_mm = 1.5;  // from the wall to the ring
 constexpr double low_quantile = 0.2;
 constexpr double deepest_mm = 40.0;
 
-// The value at a share of a sorted list's length.
+// The quantile of a sorted list, by the nearest rank.
 double at_share(const std::vector<double>& sorted, double share) {
     return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1) + 0.5)];
 }
@@ -46,7 +48,7 @@ Vec3 direction_at(const LinePiece& piece, std::size_t i) {
     return along.squaredNorm() > 0.0 ? Vec3(along.normalized()) : Vec3(Vec3::UnitX());
 }
 
-// Brightness on a ring around the axis, sorted from dark to bright.
+// Intensities on a ring around the axis, ascending.
 std::array<double, ring_points> ring_around(const FloatVolume& rise, const Vec3& centre,
                                             const Vec3& axis, double radius_mm) {
     int least = 0;
@@ -62,7 +64,7 @@ std::array<double, ring_points> ring_around(const FloatVolume& rise, const Vec3&
     return ring;
 }
 
-// Line strengths on the voxels of the pieces, one image for each half length.
+// Line coherence on the voxels of the pieces, one image for each half length.
 std::array<FloatVolume, half_lengths_mm.size()> lines_through(const std::vector<LinePiece>& pieces,
                                                               const FloatVolume& rise, Job& job) {
     Mask axis(rise.grid);
@@ -84,7 +86,7 @@ class Measuring {
         depth_ = distance_to(outside, job);
     }
 
-    // What the piece shows by itself, in the order of the names, up to its shape.
+    // The features of brightness, line and ring, in the order of the names.
     std::vector<double> own(const LinePiece& piece) const {
         const double deviation = image_.evidence.deviation_hu;
         std::vector<double> rise, line;
@@ -145,7 +147,7 @@ void append_shape(const LinePiece& piece, std::vector<double>& values) {
                    static_cast<double>(piece.free_ends)});
 }
 
-// How straight one piece goes on in another, from -1 to 1.
+// Cosine of the turn from one piece into another where their nearest ends meet: 1 is straight on.
 double alignment(const LinePiece& a, const LinePiece& b) {
     double nearest_mm = std::numeric_limits<double>::infinity(), straightness = -1.0;
     for (const bool a_front : {true, false})
@@ -162,8 +164,8 @@ double alignment(const LinePiece& a, const LinePiece& b) {
     return straightness;
 }
 
-// What each piece hangs together with, in the order of the names. `values` holds what the pieces
-// show by themselves.
+// The features of components and neighbours, in the order of the names. `values` holds the features
+// that come before them.
 std::vector<std::array<double, 8>> company_of(const std::vector<LinePiece>& pieces,
                                               const std::vector<std::vector<double>>& values,
                                               const std::vector<double>& radii) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Evaluates a regression forest and checks its structure.
 #include "core/links/piece_forest.h"
 
 #include <cmath>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A regression forest (Breiman 2001) as plain arrays: which share of a piece is a vessel, told from
-// its features. It is grown by a library (core/training) and only walked here.
+// A regression forest (Breiman, Mach Learn 2001;45:5) as plain arrays: predicts from its features
+// which share of a piece is a vessel. It is trained with a library (core/training) and only
+// evaluated here.
 #pragma once
 
 #include <string>
@@ -12,20 +13,21 @@ namespace hepatica {
 
 struct ForestNode {
     int feature = -1;    // -1: a leaf
-    double value = 0.0;  // of a leaf the share of vessel; else the feature's threshold
-    int up_to = -1;      // child for feature <= value; after this node, as is
+    double value = 0.0;  // of a leaf: share of vessel; else: threshold of the feature
+    int up_to = -1;      // child for feature <= value; its index is above this node's, as is that
+                         // of `above`
     int above = -1;      // child for feature > value
 };
 
 struct PieceForest {
     std::vector<std::vector<ForestNode>> trees;  // each begins with its root
 
-    // Mean over the trees, in [0, 1]; 0 without trees.
+    // Mean over the trees, in [0, 1]; 0 without trees. The forest must be valid. Thread-safe.
     double share_of_vessel(const PieceFeatures& features) const;
 };
 
-// Throws InputError, naming `place`, unless every tree can be walked to its leaves: features exist,
-// children stand behind their parents, leaves lie in [0, 1], all is finite.
+// Throws InputError, naming `place`, unless every tree can be evaluated: features exist, children
+// stand after their parents, the values of leaves lie in [0, 1], and all values are finite.
 void validate(const PieceForest& forest, const std::string& place);
 
 }  // namespace hepatica

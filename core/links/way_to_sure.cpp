@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Runs Dijkstra's algorithm twice: for the shortest path and for the path with the strongest
+// weakest piece.
 #include "core/links/way_to_sure.h"
 
 #include <algorithm>
@@ -10,7 +12,8 @@ namespace hepatica {
 
 namespace {
 
-// Settles pieces in the order of their cost, the cheapest first; ties by number.
+// Dijkstra's algorithm over neighbouring pieces: lowers the given costs along all paths. Ties are
+// settled in the order of the pieces.
 std::vector<double> settled(const std::vector<LinePiece>& pieces, std::vector<double> cost,
                             const std::function<double(double, int, int)>& cost_through) {
     using Entry = std::pair<double, int>;

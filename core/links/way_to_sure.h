@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a piece of a permissive skeleton hangs together with what is surely a vessel: how far it is
-// along the skeleton (Dijkstra), and how weak the weakest piece of the best way is.
+// How a piece of a permissive skeleton is connected to sure vessels: its distance along the
+// skeleton (Dijkstra's algorithm) and the weakest piece on the best path.
 #pragma once
 
 #include <span>
@@ -10,17 +10,18 @@
 
 namespace hepatica {
 
+// A piece is sure from this radius and this line coherence on.
 inline constexpr double sure_radius_mm = 1.5;
 inline constexpr double sure_line = 1.6;  // in multiples of a line that noise can make
 inline constexpr double farthest_sure_mm = 60.0;
 
 struct WayToSure {
-    double distance_mm = farthest_sure_mm;  // 0 for sure pieces; never more than the farthest
-    double weakest_line = 0.0;  // largest over all ways of the least line on it; 0: there is none
+    double distance_mm = farthest_sure_mm;  // 0 for sure pieces; at most farthest_sure_mm
+    double weakest_line = 0.0;  // maximum over all paths of the least line on the path; 0: no path
 };
 
-// One for each piece. `lines` and `radii_mm` hold one value for each; the piece itself is on its
-// way.
+// One for each piece. `lines` and `radii_mm` hold one value for each piece. A path includes the
+// piece itself and the sure piece; distances run between the middles of pieces.
 std::vector<WayToSure> ways_to_sure(const std::vector<LinePiece>& pieces,
                                     std::span<const double> lines,
                                     std::span<const double> radii_mm);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements the cache as a folder with a case and a label file, replaced atomically; digests
+// detect damage and other programs.
 #include "core/opening/built_in_cache.h"
 
 #include <algorithm>
@@ -18,8 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder with a case and a label. The label's lines: a digest of the lines below; the key; the
-// digest of case.json, which holds those of all other files; the warnings, one a line.
+// The entry is a folder with a case and a label. The lines of the label are: the digest of the
+// lines below; the key; the digest of case.json, which holds those of all other files; the
+// warnings, one per line.
 fs::path entry_of(const BuiltInCache& cache) {
     return cache.folder / "built_in_patient";
 }
@@ -51,7 +54,7 @@ struct Label {
     std::vector<std::string> warnings;
 };
 
-// None where the label is missing, damaged, or that of another program.
+// None where the label is missing, damaged or written for another program.
 std::optional<Label> read_label(const BuiltInCache& cache) {
     if (cache.folder.empty()) return std::nullopt;
     std::ifstream file(entry_of(cache) / label_name, std::ios::binary);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The built-in patient as an earlier start of this very program made it. A cache holds one entry,
-// of the program that wrote last: a case and what else opening it says, under a digest of the
-// program and of the patient's parameters. Whatever is wrong with it, it counts as absent.
+// Cache of the built-in patient between starts of the program. It holds one entry, written by the
+// program that ran last: the case and the warnings of its reconstruction, stored under a digest of
+// the program and of the patient's parameters. An entry that is damaged or cannot be read counts as
+// absent.
 #pragma once
 
 #include <filesystem>
@@ -14,23 +15,22 @@
 
 namespace hepatica {
 
-// Where an entry is kept, and for which program.
+// Where the entry lies, and for which program it is valid.
 struct BuiltInCache {
-    std::filesystem::path folder;  // the program's own in the user's cache; empty: nothing is kept
-    std::string program;           // another text for every program that may make another patient
+    std::filesystem::path folder;  // folder of the program's own; empty: nothing is kept
+    std::string program;  // text that differs between programs that may make different patients
 };
 
 struct KeptPatient {
     PatientCase patient;
-    std::vector<std::string> warnings;  // of its reconstruction, without line breaks
+    std::vector<std::string> warnings;  // of the reconstruction; must hold no line breaks
 };
 
-// There is an entry of this program; says nothing about whether it can be read. Cheap.
+// Whether there is an entry of this program; it may still be unreadable. Reads the label only.
 bool holds_patient(const BuiltInCache& cache);
-// None where there is no entry of this program, or one that is damaged.
+// Reads the entry. None where there is no entry of this program or where it is damaged.
 std::optional<KeptPatient> patient_of(const BuiltInCache& cache);
-// Replaces what was there, whole or not at all; any number of programs may do so at once. Where it
-// cannot be written, nothing happens.
+// Replaces the entry atomically; several programs may do so at once. Failures to write are ignored.
 void keep(const BuiltInCache& cache, const PatientCase& patient,
           std::span<const std::string> warnings);
 

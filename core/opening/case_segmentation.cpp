@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Maps systems and organs of a case to the segments and SNOMED codes of a DICOM segmentation.
 #include "core/opening/case_segmentation.h"
 
 #include <optional>
@@ -16,7 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Codes of DICOM PS3.16: category of context group 7150, veins of 12114, organs of 7151's.
+// Codes of DICOM PS3.16: categories from context group CID 7150, veins from CID 12114, organs from
+// the groups that CID 7151 includes.
 const SnomedConcept anatomical_structure{"91723000", "Anatomical Structure"};
 const SnomedConcept abnormal_structure{"49755003", "Morphologically Abnormal Structure"};
 
@@ -42,7 +44,7 @@ SegmentMeaning meaning_of(VascularSystem system) {
             {148, 153, 184}};
 }
 
-// None for labels that no organ has (patient_case.h).
+// None for a label that stands for no organ (organ_label in patient_case.h).
 std::optional<SegmentMeaning> meaning_of_organ(std::uint8_t label) {
     if (label == organ_label::liver)
         return SegmentMeaning{"Liver", anatomical_structure, {"10200004", "Liver"}, {171, 115, 94}};
@@ -59,6 +61,7 @@ std::optional<SegmentMeaning> meaning_of_organ(std::uint8_t label) {
                           {220, 190, 60}};
 }
 
+// Collects the layers to write and numbers the labels that occur in them.
 class Segments {
   public:
     void add(const Mask& voxels, std::optional<SegmentMeaning> (*meaning)(std::uint8_t)) {

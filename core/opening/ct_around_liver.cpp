@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Crops the CT to the box, smooths it with a Gaussian and resamples it to cubes.
 #include "core/opening/ct_around_liver.h"
 
 #include <algorithm>
@@ -11,8 +12,8 @@
 namespace hepatica {
 namespace {
 
-constexpr double around_liver_mm = 30.0;    // ribs and spine are to be seen
-constexpr double around_vessels_mm = 50.0;  // the liver goes on beyond its vessels
+constexpr double around_liver_mm = 30.0;    // shows ribs and spine
+constexpr double around_vessels_mm = 50.0;  // the liver extends beyond its vessels
 constexpr double smoothing_mm = 1.1;        // standard deviation
 constexpr double voxel_mm = 1.25;
 constexpr int most_voxels = 256;
@@ -24,7 +25,7 @@ Eigen::AlignedBox3d box_of_vessels(const VesselTree& tree) {
     return box;
 }
 
-// The voxels of a box in space, and the margin around them; empty where the grid has none of them.
+// The voxels of a box in space with a margin around it; empty where the grid holds none of them.
 IndexBox voxels_within(const Eigen::AlignedBox3d& box_mm, double margin_mm, const Grid& grid) {
     Eigen::AlignedBox3d indices;
     for (int corner = 0; corner < 8; ++corner)

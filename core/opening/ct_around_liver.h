@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of a CT that is drawn as a volume around the vessels: the liver's box with a margin, so
-// that neither table nor arms are there, in cubes of 1.25 mm, slightly smoothed, because light
-// on a surface shows noise more than a slice does. It is no measure of anything.
+// The part of a CT that is drawn as a volume around the vessels: the bounding box of the liver with
+// a margin, which leaves out table and arms, resampled to cubes of 1.25 mm and smoothed slightly,
+// because shading shows noise more than a slice does. It is for display only, not for measurement.
 #pragma once
 
 #include "core/base/job.h"
@@ -10,11 +10,11 @@
 
 namespace hepatica {
 
-// Hounsfield units, at most 256 voxels along each axis: wider cubes where the box is longer. The
-// box is that of the liver in `organs` (organ_label), or of the patient's vessels where there is
-// none, and what of it the CT holds. Empty where there are neither, or none of it is in the CT. Any
-// thread. Costs about a second, and six bytes for each voxel of the CT within the box for as long.
-// Throws Cancelled.
+// Returns Hounsfield units on at most about 256 voxels along each axis; the cubes are wider where
+// the box is longer. The box is that of the liver in `organs` (organ_label) with 30 mm around it,
+// or that of the patient's vessels with 50 mm where there is no liver, cut to the CT. Empty where
+// there is neither, or where the box lies outside the CT. Thread-safe. Takes about a second and
+// needs six bytes for each voxel of the CT in the box meanwhile. Throws Cancelled.
 Volume ct_around_liver(const Volume& ct, const PatientCase& patient, const Mask& organs, Job& job);
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Decides by path what a request opens, and opens it.
 #include "core/opening/open_patient.h"
 
 #include <optional>
@@ -55,7 +56,7 @@ OpenedPatient built_in_patient(const BuiltInCache& cache, Job& job) {
     }
     const TemporaryFolder scan;
     opened = opened_from(reconstruct_built_in(scan.path(), job));
-    // Nobody can improve the scan of a patient that was made up, or give it seeds.
+    // The warnings ask for a better scan or for seeds, which does not apply to a synthetic patient.
     opened.warnings.clear();
     keep(cache, *opened.patient, opened.warnings);
     return opened;
@@ -74,7 +75,7 @@ bool is_tree_file(const fs::path& path) {
     return extension == ".vtp" || extension == ".swc" || extension == ".json";
 }
 
-// A folder may be given as "scan/".
+// The last part of a path, which may end in a slash.
 std::string name_of(const fs::path& path) {
     return (path.has_filename() ? path : path.parent_path()).filename().string();
 }

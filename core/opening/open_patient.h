@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From whatever a person opens (a case, a CT, a tree, the built-in patient) to a patient in memory.
-// One cancellable job.
+// Opens a case, a CT, a vessel tree or the built-in patient, and returns it as a patient in memory,
+// as one cancellable job.
 #pragma once
 
 #include <filesystem>
@@ -18,62 +18,63 @@
 
 namespace hepatica {
 
-// Corrections that a program left without having saved them, see ui/edit_journal.h.
+// Unsaved corrections that an earlier run of the program left behind (ui/edit_journal.h).
 struct LeftEdits {
-    std::vector<TreeEdit> edits;         // all that are wanted, in place of those of the case
-    std::vector<PendingStroke> strokes;  // at his vessels, that waited for a remaking
-    std::uint64_t extracted = 0;         // hash_of_extracted() of whom they were made on
-    std::filesystem::path file{};        // where they are kept
+    std::vector<TreeEdit> edits;         // the whole list; replaces that of the case
+    std::vector<PendingStroke> strokes;  // on the vessels' voxels, not yet applied by a rebuild
+    std::uint64_t extracted = 0;         // hash_of_extracted() of the patient they belong to
+    std::filesystem::path file{};        // the file that holds them
 };
 
 struct OpenRequest {
-    bool built_in = false;           // the synthetic patient; `reconstruct` is not read
+    bool built_in = false;           // the synthetic patient; `reconstruct` is ignored
     ReconstructOptions reconstruct;  // `ct` is the path: case folder, DICOM folder, volume, or tree
-    BuiltInCache cache{};            // keeps the built-in patient from one start to the next
-    // `ct` is a copy of what was not saved: it is read whole, and lies nowhere yet.
+    BuiltInCache cache{};            // keeps the built-in patient between starts
+    // `ct` is a case that holds unsaved work: it is read with its voxels, and has no place on disk
+    // yet.
     bool unsaved_copy = false;
-    // To be made once he is open: open_patient() only looks whether he is the one they belong to.
+    // To be applied by the caller. open_patient() only checks that they belong to this patient.
     std::optional<LeftEdits> left_edits{};
-    ImageRead image_read{};  // of a CT that is reconstructed; empty: nobody waits for it
+    ImageRead image_read{};  // called once a CT is read that is to be reconstructed; may be empty
 };
 
-// What the built-in patient is called.
+// Title of the built-in patient.
 inline constexpr const char* built_in_title = "Built-in patient";
 
-// The same with every path absolute, so that it means the same from every working folder.
+// The request with the paths of the CT and of the liver and vessel masks made absolute, so that
+// they do not depend on the working folder.
 OpenRequest with_absolute_paths(OpenRequest request);
 
 struct OpenedPatient {
     std::string title;
     std::shared_ptr<const PatientCase> patient;
-    std::filesystem::path folder;  // the case on disk, which holds the voxels too; empty: none yet
-    std::filesystem::path image;   // the CT it was reconstructed from just now; else empty
-    // The case that was read, wherever it lies; empty: none was.
+    std::filesystem::path folder;  // the case on disk, which also holds the voxels; empty: none
+    std::filesystem::path image;   // the CT of a reconstruction made just now; else empty
+    // The case that was read; empty: none.
     std::filesystem::path read_from{};
-    // Of what was not saved, with which it was opened: a case, or a file of edits; else empty.
+    // The unsaved work it was opened with: a case, or a file of edits; else empty.
     std::filesystem::path kept_copy{};
-    // Its reconstruction was somebody's CT and took its time: worth a question before it is left.
+    // The patient was reconstructed from a CT or holds unsaved work: ask before it is closed.
     bool worth_saving = false;
     std::vector<std::string> warnings;
-    std::vector<StageTime> stages;  // of the job that reconstructed it just now; else empty
+    std::vector<StageTime> stages;  // of a reconstruction made just now; else empty
 };
 
-// The CT series among which a person may choose, the best first: of a folder that holds several,
-// and where the request names none of them; else none. Reads the headers of the folder's files in a
-// stage of its own. What cannot be read is left for open_patient() to say. Throws Cancelled. Any
-// thread.
+// The CT series to choose from, best first, where the request names a folder with several of them
+// and none is chosen; else empty. Reads the headers of the folder's files in one stage. Errors are
+// left for open_patient() to report. Throws Cancelled. Thread-safe.
 std::vector<SeriesDescription> series_to_choose_from(const OpenRequest& request, Job& job);
 
-// A quick look whether there is something that could be opened: files and folders that are there
-// and may be read, headers, series. Throws InputError as open_patient() would; Cancelled. What only
-// shows when all of it is read is left for open_patient(). Any thread.
+// Checks quickly whether the request could be opened: that the file or folder exists and can be
+// read, and its headers or series. Throws InputError as open_patient() would, and Cancelled.
+// Problems that show only in the whole data are left for open_patient(). Thread-safe.
 void look_at(const OpenRequest& request, Job& job);
 
-// How many stages of its job open_patient() begins; more where it finds its cache damaged.
+// Number of stages that open_patient() begins; it begins more where its cache is damaged.
 int opening_stage_count(const OpenRequest& request);
 
-// Throws InputError for whatever cannot be opened (with file, value and remedy), Cancelled. Any
-// thread.
+// Opens the patient. Throws InputError, with file, value and remedy, where that is not possible;
+// Cancelled. Thread-safe.
 OpenedPatient open_patient(const OpenRequest& request, Job& job);
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Compares digests to find a case's CT, and reads the voxels that a patient was opened without.
 #include "core/opening/patient_image.h"
 
 #include <optional>
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Those of the case on disk.
+// The voxels of the case on disk, which must be the same patient.
 PatientCase voxels_of(const PatientCase& patient, const fs::path& folder) {
     PatientCase voxels;
     voxels.source = patient.source;
@@ -31,7 +32,7 @@ bool is_image_of(const PatientCase& patient, const Volume& ct, Job& job) {
     return wanted.empty() || digest_of(ct, job) == wanted;
 }
 
-// Nothing where the patient is not the built-in one.
+// None where the patient is not the built-in one.
 std::optional<Volume> built_in_image(const PatientCase& patient, Job& job) {
     const PhantomOptions made;
     const Grid& grid = patient.source.image_grid;
@@ -86,7 +87,7 @@ Mask canvas_voxels(const PatientCase& patient, const fs::path& folder) {
 }
 
 Mask segment_voxels(const PatientCase& patient, const fs::path& folder, bool corrected, Job& job) {
-    // With his organs in memory he has the segments of his tree, if there are any.
+    // A patient with organs in memory already has the segments of its tree, if there are any.
     if (!patient.couinaud.voxels.empty() || !patient.organs.voxels.empty() || folder.empty())
         return patient.couinaud;
     PatientCase voxels = voxels_of(patient, folder);

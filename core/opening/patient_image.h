@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The CT behind a case that is open: a case keeps a digest of it, never a path. It is read from
-// where the person says, or made anew for the built-in patient, and taken only if it is the one.
+// Finds the CT and the voxels of an open case. A case keeps a digest of its CT, never its path: the
+// CT is read from a place that the user names, or generated again for the built-in patient, and
+// accepted only if its digest is that of the case.
 #pragma once
 
 #include <filesystem>
@@ -12,41 +13,43 @@
 
 namespace hepatica {
 
-// The CT that `patient` was reconstructed from. `place` is what read_volume() reads, and in a
-// folder of several series each is tried; where it is empty the built-in patient's CT is made anew,
-// if it is his. Throws InputError where it is another one, saying so, or cannot be found or read;
-// Cancelled. A case that does not know its CT (a tree that was opened alone) takes any. Never holds
-// two volumes.
+// The CT that `patient` was reconstructed from. `place` is a path for read_volume(); in a folder
+// with several series each is tried. Where `place` is empty the built-in patient's CT is generated
+// and compared. A case without a digest of its CT (a tree that was opened alone) accepts any CT.
+// Throws InputError where the CT is another one, or cannot be found or read; Cancelled. Holds one
+// volume at a time.
 Volume image_of(const PatientCase& patient, const std::filesystem::path& place, Job& job);
 
-// The same, and which of the place's series it is: the number by which read_volume() reads it.
+// The same with the number of the series in `place`, as read_volume() takes it; 0: the first
+// choice.
 struct FoundImage {
     Volume volume;
     int series = 0;
 };
 FoundImage found_image_of(const PatientCase& patient, const std::filesystem::path& place, Job& job);
 
-// The numbers of systems by voxel: the patient's own, or those of the case in `folder` where he was
-// read without them; empty where there are none. Throws InputError as read_case() does.
+// The system number of each voxel: the patient's own mask, or that of the case in `folder` where
+// the patient was read without voxels; empty where there is none. Throws InputError as read_case()
+// does.
 Mask system_voxels(const PatientCase& patient, const std::filesystem::path& folder);
 
-// Likewise the labels of organs, see organ_label.
+// The labels of organs (organ_label), likewise.
 Mask organ_voxels(const PatientCase& patient, const std::filesystem::path& folder);
 
-// Likewise what tumours can be painted on: the organs without the strokes of a brush, with room
-// about them (tumour_canvas()).
+// The organs on which tumours are painted, likewise: without the strokes of a brush and with room
+// around them (tumour_canvas()).
 Mask canvas_voxels(const PatientCase& patient, const std::filesystem::path& folder);
 
-// Likewise the labels of Couinaud's segments that belong to his present tree. `corrected`: his tree
-// is not that of the case in `folder` any more, so that they are made anew from the organs there.
-// Begins one stage where they are; throws Cancelled.
+// The labels of Couinaud's segments for the patient's present tree, likewise. `corrected` says that
+// this tree differs from that of the case in `folder`; the labels are then computed anew from the
+// organs of that case, in one stage. Throws Cancelled, too.
 Mask segment_voxels(const PatientCase& patient, const std::filesystem::path& folder, bool corrected,
                     Job& job);
 
-// The patient with his voxels, those of the case in `folder` where he was read without them, with
-// the tumours as the strokes among `edits` leave them, and with the segments of the liver that
-// belong to his present tree. Of the tree the edits are those that he has. Throws InputError as
-// read_case() does, Cancelled.
+// The patient with its voxels, read from the case in `folder` where it has none, with tumours as
+// the strokes among `edits` leave them and with Couinaud's segments for the present tree. The edits
+// of the tree among `edits` must be those that the patient has already. Throws InputError as
+// read_case() does; Cancelled.
 PatientCase whole_case(const PatientCase& patient, const std::filesystem::path& folder,
                        const std::vector<TreeEdit>& edits, Job& job);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads the cases of a folder one after the other and compares their hashes.
 #include "core/opening/recorded_case.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Packs and unpacks zip archives with minizip, under the limits that the header names.
 #include "core/patient/case_archive.h"
 
 #include <minizip/unzip.h>
@@ -57,7 +58,7 @@ bool is_plain_name(const std::string& name) {
            std::ranges::all_of(name, plain);
 }
 
-// One archive while it is unpacked, and how much of it may still come.
+// Unpacks one archive and counts the bytes.
 class Unpacking {
   public:
     Unpacking(const fs::path& archive, const fs::path& folder)
@@ -86,7 +87,7 @@ class Unpacking {
             left_ -= static_cast<std::uint64_t>(count);
             out.write(buffer.data(), count);
         }
-        // Closing compares the checksum.
+        // Closing checks the checksum.
         if (count < 0 || unzCloseCurrentFile(zip_.get()) != UNZ_OK)
             refuse(archive_, "is damaged at " + name);
         out.close();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Hashes of a patient: of what the simulation reads, and of the tree before corrections
+// (patient_case.h).
 #include <array>
 
 #include "core/base/hash.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads and writes case.json in versions 1 to 3.
 #include "core/patient/case_header.h"
 
 #include <fstream>
@@ -25,7 +26,7 @@ namespace {
 
 constexpr int oldest_version = 1;
 constexpr int usual_version = 2;
-constexpr int painted_version = 3;  // holds strokes at tumours, which older programs do not know
+constexpr int painted_version = 3;  // holds tumour strokes, which older programs do not know
 
 Json to_json(const Grid& grid) {
     Json directions = Json::array();

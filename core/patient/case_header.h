@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// case.json: what a case was made from and how, its tree in numbers, and the digests of its files.
+// Reads and writes case.json: what a case was made from and how, its tree in numbers, and the
+// digests of its files.
 #pragma once
 
 #include <array>
@@ -35,23 +36,24 @@ struct CaseHeader {
     int version = 0;
     CaseSource source;
     std::optional<Doubts> doubts;
-    // Of mask and skeleton, whose files keep it in single precision; cases of before do not say it.
+    // Grid of mask and skeleton in double precision, which their files lack; none in older cases.
     std::optional<Grid> mask_grid;
-    std::map<std::string, std::string> digests;  // of each file: SHA-256; format 1: another hash
+    std::map<std::string, std::string> digests;  // by file name: SHA-256; format 1: another hash
 };
 
-// Throws InputError: the case cannot be used, with what is wrong and where.
+// Throws InputError that the case cannot be used, with the place and the problem.
 [[noreturn]] void refuse_case(const std::filesystem::path& place, const std::string& problem);
 
-// Reads case.json of a case. Throws InputError where it is missing, damaged or of a version that
-// is not known.
+// Reads case.json of a case. Throws InputError where it is missing, damaged or of an unknown
+// version.
 CaseHeader read_case_header(const std::filesystem::path& folder);
 
-// Throws InputError where a file is missing or is not the one that case.json was written for.
+// Throws InputError where a file of the case is missing or its digest is not that in case.json.
 void check_case_file(const std::filesystem::path& folder, const CaseHeader& header,
                      const char* name);
 
-// Writes case.json for the files that already lie in the folder.
+// Writes case.json for the files that lie in the folder already. Throws InputError where it cannot
+// be written.
 void write_case_header(const std::filesystem::path& folder, const PatientCase& patient);
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Applies edits to the extracted tree, and derives the states of offered bridges.
 #include "core/patient/corrections.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace hepatica {
 
 namespace {
 
-// The root segment of each segment's component.
+// The root segment of the tree that each segment belongs to.
 std::vector<int> root_of_segments(const VesselTree& tree) {
     std::vector<int> root(tree.segments.size());
     for (std::size_t i = 0; i < root.size(); ++i)
@@ -144,7 +145,7 @@ PatientCase with_edited_tree(const PatientCase& patient, const std::vector<TreeE
 
 namespace {
 
-// With the strokes at tumours among the edits.
+// Applies the edits, tumour strokes included, without a new mesh.
 PatientCase edited_without_body(const PatientCase& patient, const std::vector<TreeEdit>& edits) {
     PatientCase result = with_edited_tree(patient, edits);
     if (tumour_strokes(edits) == tumour_strokes(patient.corrections.edits)) return result;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Computes doubts from a tree and words them.
 #include "core/patient/doubts.h"
 
 #include <cmath>
@@ -10,9 +11,9 @@ namespace hepatica {
 
 namespace {
 
-constexpr double sure = 0.8;            // confidence from which a segment is not in doubt
-constexpr double notable_share = 0.05;  // of the length
-constexpr double dim_contrast = 3.5;    // deviations of the noise
+constexpr double sure = 0.8;            // least confidence of a segment that is not in doubt
+constexpr double notable_share = 0.05;  // share of the length or volume worth a sentence
+constexpr double dim_contrast = 3.5;    // in standard deviations of the noise
 
 std::string percent(double share) {
     return std::to_string(std::lround(100.0 * share)) + " %";

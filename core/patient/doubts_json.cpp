@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Converts doubts to and from JSON.
 #include "core/patient/doubts_json.h"
 
 #include "core/base/json_number.h"
@@ -22,7 +23,7 @@ SegmentDoubts segment_doubts_from(const Json& json) {
     for (const Json& number : json.at("without_branch"))
         doubts.without_branch.push_back(whole_number<int>(number));
     doubts.veins_known = whole_number<int>(json.at("veins_known"));
-    doubts.liver_found = json.value("liver_found", false);  // cases of before do not say it
+    doubts.liver_found = json.value("liver_found", false);  // missing in older cases
     return doubts;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report of doubt as it stands in case.json and in the answers of the command line.
+// The doubts as JSON, in case.json and in answers of the command line.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,10 +8,10 @@
 
 namespace hepatica {
 
-// With the sentences as `in_words`.
+// Includes the sentences as `in_words`.
 nlohmann::ordered_json json_of(const Doubts& doubts);
-// Throws what the JSON library does where a number is missing or none, InputError where a count is
-// no whole number.
+// Throws nlohmann::json::exception where a number is missing or has another type, InputError where
+// a count is not a whole number.
 Doubts doubts_from(const nlohmann::ordered_json& json);
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Converts parameters, edits and labels of format 1.
 #include "core/patient/format_1.h"
 
 #include <algorithm>

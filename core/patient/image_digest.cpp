@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Feeds rounded geometry and voxels of a CT to SHA-256.
 #include "core/patient/image_digest.h"
 
 #include <algorithm>

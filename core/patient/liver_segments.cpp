@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Calls the division into Couinaud's segments and records its doubts.
 #include "core/patient/liver_segments.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Couinaud's segments of a patient's liver, kept true to his tree.
+// Couinaud's segments of a patient's liver, kept consistent with its tree.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,17 +9,16 @@
 
 namespace hepatica {
 
-// What of the organs is liver: all but the vena cava, tumours included. Empty where nothing is but
-// tumours.
+// The liver in a map of organs: everything but the vena cava, tumours included, as 0 and 1. Empty
+// where no voxel is labelled liver.
 Mask liver_of(const Mask& organs);
 
-// Makes `couinaud` anew from organs and tree, and says in `doubts`, where the patient has any, how
-// sure it is; both without segments where there is no portal vein, or no liver about tumours.
-// Nothing changes where the patient holds no organs (read without voxels). Reports progress in the
-// present stage; throws Cancelled.
+// Computes `couinaud` from organs and tree, and its doubts where the patient has any. Both stay
+// empty where there is no portal vein or no liver. Changes nothing where the patient holds no
+// organs (read without voxels). Reports progress in the present stage; throws Cancelled.
 void label_segments(PatientCase& patient, Job& job);
 
-// {"1": millilitres, ..., "8": ...} of a label map.
+// The volumes of a label map: {"1": millilitres, ..., "8": ...}.
 nlohmann::ordered_json segments_ml_json(const Mask& couinaud);
 
 }  // namespace hepatica

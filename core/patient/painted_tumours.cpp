@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Applies tumour strokes to organ labels, on a grid grown around the liver.
 #include "core/patient/painted_tumours.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 constexpr double room_mm = 30.0;
 static_assert(organ_label::first_tumour + most_tumours - 1 == 255);
 
-// The first and the last index that the grid may be grown to: by room_mm, within the CT.
+// The first and last indices of the grid grown by room_mm, but not beyond the CT.
 std::array<Index3, 2> grown_range(const Grid& grid, const Grid& ct) {
     Vec3 least = Vec3::Constant(-HUGE_VAL), most = Vec3::Constant(HUGE_VAL);
     if (ct.count() > 0) {
@@ -190,7 +191,7 @@ std::optional<std::size_t> paint_tumours(PatientCase& patient, const std::vector
     for (std::size_t i = 0; i < edits.size(); ++i)
         if (is_stroke(edits[i]) && paint_tumour(edits[i], canvas, patient.organs) == 0 && !idle)
             idle = i;
-    // Without organs an empty mask says so in a file.
+    // Without organs, a mask of zeros records that in the file.
     kept = unpainted.voxels.empty() ? std::move(canvas) : std::move(unpainted);
     return idle;
 }

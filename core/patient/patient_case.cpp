@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads and writes the files of a case, in a folder or unpacked from an archive.
 #include "core/patient/patient_case.h"
 
 #include <fstream>
@@ -25,7 +26,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// Whether the case holds a file that not every case has; it is checked then.
+// Whether the case holds an optional file, whose digest is then checked.
 bool holds(const fs::path& folder, const CaseHeader& header, const char* name) {
     if (!header.digests.contains(name)) return false;
     check_case_file(folder, header, name);
@@ -135,8 +136,8 @@ PatientCase read(const fs::path& folder, bool with_voxels) {
     return patient;
 }
 
-// Calls use(folder) with the case's folder: `place` itself, or what a case in one file unpacks to,
-// whose name then stands in errors.
+// Calls use(folder) with the case's folder: `place` itself, or the folder that an archive is
+// unpacked to. Errors then name the archive.
 template <typename Use>
 auto in_folder(const fs::path& place, const Use& use) {
     if (!is_case_archive(place)) return use(place);
@@ -152,7 +153,7 @@ auto in_folder(const fs::path& place, const Use& use) {
     }
 }
 
-// Refuses a case that was put in the place of the patient's.
+// The header, if the case is still that of the patient. Throws InputError where it was replaced.
 CaseHeader header_of_same(const fs::path& folder, const fs::path& place,
                           const PatientCase& patient) {
     CaseHeader header = read_case_header(folder);
@@ -182,7 +183,7 @@ void write_files(const fs::path& folder, const PatientCase& patient) {
 }  // namespace
 
 bool is_case(const fs::path& path) {
-    std::error_code unreadable;  // it is none then
+    std::error_code unreadable;  // then it is no case
     return fs::is_regular_file(path / case_file::header, unreadable) || is_case_archive(path);
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Converts pending strokes to and from JSON, and checks what is read.
 #include "core/patient/pending_stroke.h"
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A stroke of a brush at the vessels' voxels that waits for the vessels to be made anew of them,
-// and its place among the corrections. No case holds one; what keeps unsaved work does.
+// A brush stroke on the vessels' voxels that waits for a rebuild of the vessels, and its place
+// among the corrections. Kept with unsaved work, never in a case.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,13 @@ namespace hepatica {
 
 struct PendingStroke {
     BrushStroke stroke;
-    std::size_t after_edits = 0;  // so many corrections were wanted when it was led
+    std::size_t after_edits = 0;  // number of corrections when it was drawn
     bool operator==(const PendingStroke&) const = default;
 };
 
 // As a JSON array, and back:
 //   [{"path_mm": [[1, 2, 3], ...], "radius_mm": 2, "erases": false, "after_edits": 4}]
-// Reading throws InputError that names `place` (the file) where a path is empty or leaves the
+// Reading throws InputError, naming `place` (the file), where a path is empty or leaves the
 // patient's space, or a radius is not above 0 and up to widest_brush_mm.
 std::string strokes_to_json(const std::vector<PendingStroke>& strokes);
 std::vector<PendingStroke> strokes_from_json(const std::string& text, const std::string& place);

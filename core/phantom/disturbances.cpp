@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Draws the disturbances from smooth random fields, balls, discs and lines.
 #include "core/phantom/disturbances.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ constexpr double rim_mm = 2.0;
 constexpr double softness_mm = 1.0;
 constexpr double fissure_hu = -190.0;
 
-// Streams of random numbers, one for each disturbance, so that none depends on another.
+// One stream of random numbers for each disturbance, so that they are independent of each other.
 enum Stream : std::uint64_t {
     perfusion = 101,
     mottle,
@@ -65,7 +66,7 @@ FloatVolume white_noise(const Grid& grid, std::uint64_t seed) {
     return field;
 }
 
-// Changes the share of each voxel's tissue that `share_of` gives towards `hu`.
+// Blends each voxel's tissue, but not its lumen, towards `hu` by the share that `share_of` returns.
 template <class ShareOf>
 void blend(FloatVolume& image, const Image<std::uint8_t>& lumen, double hu, ShareOf&& share_of,
            Job& job) {
@@ -126,7 +127,7 @@ void draw_tumours(FloatVolume& image, const Mask& liver, const Image<std::uint8_
     }
 }
 
-// Sheets of fat: discs around places of the liver that lie near its surface.
+// Draws sheets of fat: discs around random points of the liver.
 void draw_fissures(FloatVolume& image, const Mask& liver, const Image<std::uint8_t>& lumen,
                    const Disturbances& disturbances, double parenchyma_hu, std::uint64_t seed,
                    Job& job) {
@@ -178,7 +179,7 @@ void validate(const Disturbances& d) {
 }
 
 FloatVolume smooth_field(const Grid& grid, double correlation_mm, std::uint64_t seed, Job& job) {
-    // On a grid that is as coarse as the field allows, then interpolated.
+    // Computed on a grid as coarse as the field allows, then interpolated.
     const Vec3 coarse = grid.spacing_mm.cwiseMax(Vec3::Constant(correlation_mm / 3.0));
     FloatVolume field = white_noise(respaced(grid, coarse), seed);
     gaussian_smooth(field, Vec3::Constant(correlation_mm), job);
@@ -249,7 +250,8 @@ void disturb_tissue(FloatVolume& image, const Mask& liver, const Image<std::uint
 
 FloatVolume correlated_noise(const Grid& grid, const Disturbances& d, std::uint64_t seed,
                              Job& job) {
-    constexpr double slower = 2.5;  // times the correlation: what a sharp kernel takes out
+    constexpr double slower = 2.5;  // times the correlation: scale of the part that a sharp kernel
+                                    // removes
     FloatVolume field = white_noise(grid, stream_seed(seed, Stream::noise));
     const double sigma = d.noise_correlation_mm;
     gaussian_smooth(field, {sigma, sigma, 0.5 * sigma}, job);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Makes a phantom: validate, fit the anatomy to the field of view, grow the vessels, scan.
 #include "core/phantom/phantom.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ void validate(const PhantomOptions& options) {
     require_range("phantom point spread in mm", options.point_spread_sigma_mm, 0.0, 5.0);
 }
 
-// The part of the body that the field of view shows, in the adult's frame times `scale`.
+// The field of view: its grid, and the scale of the anatomy relative to an adult's.
 struct FieldOfView {
     double scale = 1.0;
     Grid grid;
@@ -54,7 +55,7 @@ FieldOfView frame_liver(const PhantomOptions& options) {
     const Vec3 low = PhantomBody::liver_low();
     const Vec3 high = PhantomBody::liver_high();
     view.scale = std::min(1.0, extent.cwiseQuotient(high - low).minCoeff());
-    // As near to the middle of the body as the liver allows.
+    // Centred as close to the middle of the body as the liver allows.
     const Vec3 half = 0.5 * extent / view.scale;
     const Vec3 centre = (high - half).cwiseMax(Vec3::Zero()).cwiseMin(low + half);
     const Vec3 first_to_centre = 0.5 * (extent - options.spacing_mm);
@@ -62,7 +63,7 @@ FieldOfView frame_liver(const PhantomOptions& options) {
     return view;
 }
 
-// Grows and draws the systems in the adult's frame.
+// Grows the systems and draws their centrelines in the adult's frame.
 VesselTree grow_systems(const PhantomBody& body, const PhantomOptions& options, double scale,
                         Job& job) {
     job.begin_stage("Growing the vessels");

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Builds organs from ellipsoids and elliptic columns, joined by smooth minima, and paints them one
+// over the other.
 #include "core/phantom/phantom_body.h"
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace hepatica {
 
 namespace {
 
-// About the signed distance to an ellipsoid (Quilez): exact on it, the right sign everywhere.
+// Approximate signed distance to an ellipsoid (Quilez): 0 on it, with the right sign everywhere.
 double ellipsoid(const Vec3& p, const Vec3& centre, const Vec3& radii) {
     const Vec3 q = (p - centre).cwiseQuotient(radii);
     const double k0 = q.norm();
@@ -19,7 +21,7 @@ double ellipsoid(const Vec3& p, const Vec3& centre, const Vec3& radii) {
     return k1 > 0.0 ? k0 * (k0 - 1.0) / k1 : -radii.minCoeff();
 }
 
-// The same near the organ; further away the distance to its box, which is quicker.
+// The same near the organ; farther away the distance to its box, which is cheaper.
 double organ(const Vec3& p, const Vec3& centre, const Vec3& radii) {
     constexpr double far_mm = 5.0;
     const double outside = ((p - centre).cwiseAbs() - radii).maxCoeff();
@@ -44,7 +46,7 @@ double smooth_difference(double a, double b, double width) {
     return -smooth_union(-a, b, width);
 }
 
-// Paints tissue over what is there, softening the border.
+// Paints tissue over what was painted before, with a soft border.
 class Brush {
   public:
     explicit Brush(double softness_mm) : scale_(1.0 / softness_mm) {}
@@ -168,7 +170,7 @@ double PhantomBody::liver_distance_mm(const Vec3& p) const {
     const Vec3 middle = 0.5 * (liver_low() + liver_high());
     const Vec3 half = 0.5 * (liver_high() - liver_low());
     const double outside = ((p - middle).cwiseAbs() - half).maxCoeff();
-    if (outside > 12.0) return outside;  // far away the box is distance enough
+    if (outside > 12.0) return outside;  // far away the distance to the box suffices
 
     const Vec3 q = wobble(p);
     const double right_lobe = ellipsoid(q, {-67, 8, -4}, {60, 71, 73});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The upper abdomen around the phantom's vessels, as implicit surfaces: a liver with its two lobes,
-// dome and visceral surface, and what a liver has to be told from (fat, muscle, lung, spleen,
+// The upper abdomen around the phantom's vessels as implicit surfaces: a liver with two lobes, dome
+// and visceral surface, and the tissues it has to be distinguished from (fat, muscle, lung, spleen,
 // stomach, kidneys, great vessels, spine, ribs, bowel).
 #pragma once
 
@@ -12,26 +12,26 @@
 
 namespace hepatica {
 
-// Positions are in an adult's frame: millimetres, LPS, z axis through the spine's column.
-// Immutable after construction, so safe to ask from several threads.
+// Positions are millimetres in an adult's frame, LPS, with the z axis along the middle of the
+// torso. Immutable after construction, so thread-safe.
 class PhantomBody {
   public:
     // The seed varies the liver's surface by a few millimetres.
     PhantomBody(std::uint64_t seed, double parenchyma_hu);
 
-    // About the signed distance to the liver's surface, negative inside; good to some 20 % within
-    // 20 mm of the surface.
+    // Approximate signed distance to the liver's surface, negative inside; within some 20 % at up
+    // to 20 mm from the surface.
     double liver_distance_mm(const Vec3& p) const;
-    // Without vessels, each border softened over softness_mm. liver_distance_mm is passed in
-    // because its caller needs it too.
+    // Intensity at a point, without vessels, each border softened over softness_mm. The caller
+    // passes liver_distance_mm because it needs that value too.
     double hu(const Vec3& p, double liver_distance_mm, double softness_mm) const;
 
-    // Box that holds every liver of every seed.
+    // A box that contains the liver of any seed.
     static Vec3 liver_low() { return {-134, -80, -84}; }
     static Vec3 liver_high() { return {70, 84, 74}; }
 
     // Where the portal vein enters (porta hepatis) and where the hepatic veins leave (at the vena
-    // cava), some 5 mm below the surface.
+    // cava), about 5 mm below the surface.
     Vec3 portal_entry() const;
     Vec3 hepatic_outlet() const;
 
@@ -46,7 +46,8 @@ class PhantomBody {
     Vec3 first_point_inside(const Vec3& from, const Vec3& to) const;
 
     double parenchyma_hu_;
-    // By how much the liver is pushed aside at each coordinate of each axis, every half millimetre.
+    // Displacement of the liver's surface, tabulated along each axis every half millimetre; the
+    // displacements of the three axes add up.
     std::array<std::vector<Vec3>, 3> push_;
     std::vector<Loop> bowel_;
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Draws branches as cubic Hermite curves with sway, and straightens those that would touch others.
 #include "core/phantom/phantom_centrelines.h"
 
 #include <Eigen/Geometry>
@@ -10,15 +11,16 @@ namespace hepatica {
 
 namespace {
 
-constexpr double taper_per_mm = 0.003;   // of the radius, for the side branches nobody drew
-constexpr double smallest_taper = 0.85;  // of a whole segment
-constexpr double branch_free_mm = 0.8;   // kept between vessels that do not meet
+constexpr double taper_per_mm = 0.003;   // share of the radius lost per mm to side branches that
+                                         // are not drawn
+constexpr double smallest_taper = 0.85;  // least ratio of the radii of a segment's ends
+constexpr double branch_free_mm = 0.8;   // kept free between vessels that do not meet
 
-// How one branch leaves its straight chord.
+// How a branch deviates from its straight chord.
 struct Bend {
     Vec3 begin_tangent = Vec3::Zero();  // unit
     Vec3 end_tangent = Vec3::Zero();
-    Vec3 sway_a = Vec3::Zero();  // mm, of a half and of a whole wave; both vanish at the ends
+    Vec3 sway_a = Vec3::Zero();  // mm, of a half and a whole wave; both vanish at the ends
     Vec3 sway_b = Vec3::Zero();
 };
 
@@ -26,7 +28,7 @@ Vec3 direction(const GrownBranch& branch) {
     return (branch.end - branch.begin).normalized();
 }
 
-// The common direction of flow in the node where a branch ends.
+// The mean direction of flow at the node where a branch ends.
 Vec3 direction_at_end(std::span<const GrownBranch> branches, const GrownBranch& branch) {
     Vec3 sum = branch.ends * direction(branch);
     for (const int child : branch.children)
@@ -63,7 +65,7 @@ Bend draw_bend(std::span<const GrownBranch> branches, const GrownBranch& branch,
     return bend;
 }
 
-// Cubic Hermite curve plus sway; `amount` 0 is the chord itself.
+// Cubic Hermite curve plus sway; `amount` 0 gives the chord.
 Vec3 point_on(const GrownBranch& branch, const Bend& bend, double amount, double u) {
     const Vec3 chord = branch.end - branch.begin;
     const Vec3 straight = branch.begin + u * chord;
@@ -117,7 +119,7 @@ class SystemBuilder {
 
     void build(PhantomRandom& random) {
         tree_.nodes.push_back({branches_[0].begin, request_.root_radius_mm});
-        // Parents first: the stack holds what is still to be appended.
+        // Parents before children; the stack holds the branches still to be appended.
         std::vector<Pending> pending{
             {0, static_cast<int>(tree_.nodes.size()) - 1, -1, request_.root_radius_mm}};
         while (!pending.empty()) {
@@ -169,7 +171,7 @@ class SystemBuilder {
         }
     }
 
-    // Can any bent form of the branch come near the capsule? (its ball against the chord's)
+    // Whether any bent form of the branch can come near the capsule (by their bounding balls).
     bool in_reach(int branch, const Capsule& other) const {
         const GrownBranch& b = branches_[branch];
         const double reach = 0.8 * (b.end - b.begin).norm() + chords_[branch].radius +
@@ -177,7 +179,8 @@ class SystemBuilder {
         return (b.begin + b.end - other.begin - other.end).norm() < 2.0 * reach;
     }
 
-    // What the branch has to keep clear of: the obstacles, what is drawn, the chords of the rest.
+    // The vessels that the branch has to keep clear of: obstacles, drawn vessels, and the chords of
+    // branches not yet drawn.
     std::vector<Capsule> neighbours(int branch) const {
         std::vector<Capsule> near;
         for (const Capsule& obstacle : request_.obstacles)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the straight branches that were grown to the vessels that are drawn: smooth, slightly
-// tortuous centrelines with tapering radii that obey Murray's law at every bifurcation.
+// Turns the straight branches of the grown trees into vessels: smooth, slightly tortuous
+// centrelines with tapering radii that obey Murray's law at every bifurcation.
 #pragma once
 
 #include <span>
@@ -19,16 +19,16 @@ struct CentrelineRequest {
     std::vector<Capsule> obstacles;  // vessels of the other systems
 };
 
-// Adds one system to the tree. A centreline that would touch a vessel it does not meet is drawn
-// straighter until it does not.
+// Adds one system to the tree. A centreline that would touch a vessel it is not connected to is
+// drawn straighter, down to its chord.
 void append_system(VesselTree& tree, std::span<const GrownBranch> branches,
                    const CentrelineRequest& request, PhantomRandom& random);
 
-// The straight branches with the radii that they will have at most.
+// Appends the straight branches with the largest radii that they can have.
 void append_chords(std::vector<Capsule>& capsules, std::span<const GrownBranch> branches,
                    const CentrelineRequest& request);
 
-// Every piece of every centreline, with the larger of its two radii.
+// A capsule for each edge of each centreline, with the larger of its two radii.
 std::vector<Capsule> capsules_of(const VesselTree& tree);
 
 }  // namespace hepatica

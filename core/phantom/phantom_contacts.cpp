@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Finds places where hepatic and portal vessels pass each other, and bends the hepatic one by a
+// raised cosine.
 #include "core/phantom/phantom_contacts.h"
 
 #include <algorithm>
@@ -13,13 +15,14 @@ namespace hepatica {
 
 namespace {
 
-constexpr double farthest_mm = 20.0;   // between axes that a bend brings together
-constexpr double steepest = 0.6;       // of the bend's half length, at most
+constexpr double farthest_mm = 20.0;   // largest distance between axes that a bend can bring
+                                       // together
+constexpr double steepest = 0.6;       // largest displacement relative to the bend's half length
 constexpr double from_nodes_mm = 6.0;  // contacts keep this far from bifurcations
 constexpr double between_contacts_mm = 15.0;
-constexpr double contact_free_mm = 0.8;  // kept to all other vessels
-constexpr double crossing_cosine = 0.7;  // of the angle between vessels that cross
-constexpr double sideways_cosine = 0.5;  // of the angle between a vessel and its move, at most
+constexpr double contact_free_mm = 0.8;  // kept free around all other vessels
+constexpr double crossing_cosine = 0.7;  // largest cosine of the angle between vessels that cross
+constexpr double sideways_cosine = 0.5;  // largest cosine between a vessel and its displacement
 constexpr double tangent_reach_mm = 3.0;
 
 // A point of a hepatic segment and the nearest one of a portal segment.
@@ -30,7 +33,7 @@ struct Approach {
     bool crossing = false;
 };
 
-// Where along a segment there is room for a bend.
+// Whether a point of a segment has room for a bend.
 bool has_room(const std::vector<double>& along, std::size_t i) {
     return along[i] >= from_nodes_mm && along.back() - along[i] >= from_nodes_mm;
 }
@@ -44,7 +47,7 @@ class Approaches {
         }
     }
 
-    // All from which a vessel can be moved sideways onto the other, the nearest axes first.
+    // All approaches at which a vessel can be moved sideways onto the other, the nearest first.
     std::vector<Approach> all() const {
         std::vector<Approach> found;
         for (std::size_t h = 0; h < tree_.segments.size(); ++h)
@@ -87,7 +90,7 @@ class Approaches {
     std::vector<std::vector<Vec3>> tangents_;
 };
 
-// The segment moved by `by` at one point, less and less to both sides, not at all at its ends.
+// The segment displaced by `by` at one point and less towards its ends, which stay.
 VesselSegment bent(VesselSegment segment, std::size_t at, const Vec3& by) {
     const std::vector<double> along = arclengths_mm(segment.points_mm);
     const double before = along[at], after = along.back() - along[at];
@@ -107,12 +110,12 @@ int shared_node(const VesselSegment& a, const VesselSegment& b) {
     return -1;
 }
 
-// Whether a bent segment touches no vessel but the one that it shall, and that one no deeper than
-// it shall (axes_mm between the axes). Vessels that it meets in a
-// node may touch it near that node.
+// Whether a bent segment touches no vessel but the intended one, and that one no deeper than
+// intended (axes_mm between the axes). Vessels that share a node with it may touch it near that
+// node.
 bool is_clear(const VesselTree& tree, const VesselSegment& segment, const Approach& contact,
               double axes_mm) {
-    constexpr double spacing_slack = 0.9;  // the axes may come nearer between two points
+    constexpr double spacing_slack = 0.9;  // the axes may be nearer between two points
     for (const Vec3& p : tree.segments[contact.portal].points_mm)
         for (const Vec3& q : segment.points_mm)
             if ((p - q).norm() < spacing_slack * axes_mm) return false;
@@ -138,7 +141,7 @@ class Bender {
     Bender(VesselTree& tree, std::uint64_t seed)
         : tree_(tree), seed_(seed), bent_(tree.segments.size(), 0) {}
 
-    // Bends the first approach of the wanted kind that allows it; false where none does.
+    // Bends the first possible approach of the wanted kind; false where there is none.
     bool bend_one(const std::vector<Approach>& all, bool crossing) {
         return std::ranges::any_of(all, [&](const Approach& approach) {
             return approach.crossing == crossing && try_to_bend(approach);
@@ -173,7 +176,7 @@ class Bender {
         return true;
     }
 
-    // In [0, 1), the same for a pair whatever was bent before it.
+    // In [0, 1); the same for a pair of segments, whatever was bent before.
     double draw(const Approach& approach) const {
         const auto pair = (static_cast<std::uint64_t>(approach.hepatic) << 32) +
                           static_cast<std::uint64_t>(approach.portal);

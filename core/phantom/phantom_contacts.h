@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hepatic veins that are bent until they touch portal ones, as they do in patients at the limit of
-// a CT's resolution: across each other, or side by side.
+// Bends hepatic veins until they touch portal ones, across each other or side by side, as they
+// appear to in patients at the limit of a CT's resolution.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace hepatica {
 
-// Bends hepatic segments, one place each, so that their lumens overlap those of portal segments;
-// nodes, roots and radii stay, and so does the tree: no two systems share a node. As many crossings
-// as side contacts where the tree has both. The axes come to within the larger radius and 0.4 to
-// 0.9 of the smaller one of each other. What is bent keeps clear of every other vessel.
-// Returns where lumens touch now: fewer than `count` places where no more fit. Cost: segments
-// squared times points squared, once.
+// Bends hepatic segments, one place each, so that their lumens overlap those of portal segments.
+// Nodes, roots, radii and the topology stay; no two systems share a node. Crossings and side
+// contacts alternate where the tree has both. The distance of the axes becomes the larger radius
+// plus 0.4 to 0.9 of the smaller one. A bent segment keeps clear of every other vessel. Returns the
+// places of contact, fewer than `count` where no more fit. Costs segments squared times points
+// squared.
 std::vector<Vec3> bend_to_touch(VesselTree& tree, int count, std::uint64_t seed);
 
 }  // namespace hepatica

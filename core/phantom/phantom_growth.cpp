@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements constrained constructive optimisation: random ends, the best of the nearest branches,
+// and relaxation of bifurcations by Weiszfeld's iteration.
 #include "core/phantom/phantom_growth.h"
 
 #include <algorithm>
@@ -17,10 +19,10 @@ namespace {
 
 constexpr double gap_mm = 1.5;  // free tissue between vessels that do not meet
 constexpr double smallest_spread_mm = 2.0;
-constexpr double surface_mm = 4.0;               // ends stay so far below the surface
-constexpr int branches_tried = 24;               // nearest ones, per new end
-constexpr double smallest_sibling_angle = 0.93;  // cosine: 21 degrees
-constexpr double greatest_turn = 0.4;            // cosine: a branch turns back by 24 degrees
+constexpr double surface_mm = 4.0;               // ends lie at least this far below the surface
+constexpr int branches_tried = 24;               // the nearest ones, for each new end
+constexpr double smallest_sibling_angle = 0.93;  // cosine: siblings diverge by 22 degrees or more
+constexpr double greatest_turn = 0.4;            // largest cosine between a branch and the way back
 
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
     const Vec3 edge = b - a;
@@ -33,7 +35,7 @@ struct Pull {
     double weight;
 };
 
-// Point that minimises the weighted sum of distances (Weiszfeld's iteration).
+// The point with the least weighted sum of distances (Weiszfeld's iteration).
 Vec3 weighted_median(const std::array<Pull, 3>& pulls) {
     Vec3 p = Vec3::Zero();
     double total = 0.0;
@@ -69,7 +71,7 @@ class Grower {
             relative_radius_.push_back(std::pow(n, 1.0 / request.murray_exponent));
     }
 
-    // Adds ends until there are `wanted`, or until no more fit.
+    // Adds ends until there are `wanted` or no more fit.
     void grow_to(int wanted, const std::vector<Capsule>& obstacles, Job& job) {
         obstacles_ = obstacles;
         if (branches_.empty()) plant_root();
@@ -83,7 +85,7 @@ class Grower {
                 spread_mm_ *= 0.95;
                 failures = 0;
             }
-            // A trunk that cannot branch leads into a corner.
+            // A trunk that cannot branch runs into a corner: plant another.
             if (spread_mm_ <= smallest_spread_mm && branches_.front().ends == 1 && ++replanted < 50)
                 plant_root();
         }
@@ -100,7 +102,7 @@ class Grower {
     }
 
   private:
-    // Once one more end is there.
+    // Radius of a branch once one more end is added.
     double radius_mm(int ends) const {
         return request_.root_radius_mm * relative_radius_[ends] /
                relative_radius_[branches_.front().ends + 1];
@@ -111,14 +113,14 @@ class Grower {
         const int samples = std::max(2, static_cast<int>((b - a).norm() / 4.0));
         for (int i = 1; i <= samples; ++i) {
             const Vec3 p = a + (b - a) * i / samples;
-            // A trunk comes in through the surface.
+            // The trunk enters through the surface.
             if ((p - request_.root).norm() < 3.0 * request_.root_radius_mm) continue;
             if (request_.depth_mm(p) < radius + gap_mm) return false;
         }
         return true;
     }
 
-    // By counting random points.
+    // Estimated with random points.
     double domain_volume() {
         constexpr int points = 4000;
         int inside = 0;
@@ -197,7 +199,7 @@ class Grower {
         return proposal;
     }
 
-    // A bifurcation with its three branches, as it would be.
+    // A proposed bifurcation with its three branches.
     struct Joint {
         Vec3 begin;
         Vec3 middle;
@@ -237,7 +239,7 @@ class Grower {
                                     [&](const Capsule& other) { return too_near(part, other); });
     }
 
-    // Do the three branches keep away from all vessels that they do not meet?
+    // Whether the three branches keep clear of all vessels that they do not meet.
     bool clear(const Joint& joint, std::span<const int> replaced) const {
         const std::array<Capsule, 3> parts{
             {{joint.begin, joint.middle, radius_mm(joint.ends_beyond[0] + joint.ends_beyond[1])},
@@ -258,7 +260,7 @@ class Grower {
         return true;
     }
 
-    // Moves every bifurcation towards the place where its branches hold the least blood.
+    // Moves every bifurcation half way towards the point where its branches hold the least blood.
     void relax() {
         for (int sweep = 0; sweep < 8; ++sweep)
             for (std::size_t i = 0; i < branches_.size(); ++i) {
@@ -295,10 +297,11 @@ class Grower {
 
     const GrowthRequest& request_;
     PhantomRandom& random_;
-    std::vector<double> relative_radius_;  // n^(1/m): of a branch with n ends beyond it
+    std::vector<double> relative_radius_;  // n^(1/m): relative radius of a branch with n ends
+                                           // beyond it
     std::vector<GrownBranch> branches_;
     std::vector<Capsule> obstacles_;  // the other trees
-    double spread_mm_ = 0.0;          // new ends keep this over the cube root of their number away
+    double spread_mm_ = 0.0;  // new ends keep this over the cube root of the number of ends away
 };
 
 }  // namespace

@@ -17,14 +17,14 @@
 
 namespace hepatica {
 
-// A straight stretch that another vessel keeps clear of.
+// A straight vessel that others keep clear of.
 struct Capsule {
     Vec3 begin = Vec3::Zero();
     Vec3 end = Vec3::Zero();
     double radius = 0.0;
 };
 
-// Shortest distance between two straight stretches.
+// Shortest distance between two line segments.
 double distance_between(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1);
 
 // A straight branch of the growing tree.
@@ -46,10 +46,10 @@ struct GrowthRequest {
     double murray_exponent = 3.0;
 };
 
-// Grows one tree for each request, all at once, so that they interlace: whenever one has doubled
-// its ends, it is the turn of the next. Branch 0 of each is its root; branches keep clear of each
-// other, of the other trees and of the surface. A tree may stop short of the wanted number of ends
-// where no more fit.
+// Grows one tree for each request in turn, so that they interlace: after one has doubled its ends,
+// the next one grows. Branch 0 of each tree is its root. Branches keep clear of each other, of the
+// other trees and of the surface. A tree may get fewer ends than requested where no more fit.
+// Throws InputError where the domain is too thin; Cancelled.
 std::vector<std::vector<GrownBranch>> grow_trees(std::span<const GrowthRequest> requests,
                                                  PhantomRandom& random, Job& job);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random numbers for the phantom, the same on every platform: the standard's distributions are not.
+// Random numbers for the phantom that are the same on every platform, unlike the distributions of
+// the standard library.
 #pragma once
 
 #include <cmath>
@@ -31,8 +32,8 @@ class PhantomRandom {
     std::mt19937_64 engine_;
 };
 
-// Scrambles a counter (the finaliser of SplitMix64): a voxel's noise then depends on its index
-// alone, whichever thread draws it.
+// Scrambles a counter (finaliser of SplitMix64), so that a voxel's noise depends only on its index,
+// whichever thread draws it.
 inline std::uint64_t scrambled(std::uint64_t x) {
     x += 0x9e3779b97f4a7c15ULL;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;

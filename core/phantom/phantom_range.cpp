@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements the range check of phantom options.
 #include "core/phantom/phantom_range.h"
 
 #include "core/base/error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ranges of what may be asked of a phantom.
+// Checks the ranges of a phantom's options.
 #pragma once
 
 #include <string>

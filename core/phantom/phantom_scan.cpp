@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Samples lumens with 64 bits per voxel, draws the tissue, disturbs and blurs it, and adds noise.
 #include "core/phantom/phantom_scan.h"
 
 #include <algorithm>
@@ -14,8 +15,8 @@ namespace hepatica {
 
 namespace {
 
-// One piece of a centreline in continuous voxel indices scaled by the spacing, so that the grid's
-// axes are the coordinate axes and lengths are millimetres.
+// One edge of a centreline, in continuous voxel indices times the spacing, so that the axes are the
+// grid's and lengths are millimetres.
 struct Cone {
     Vec3 begin;
     Vec3 edge;
@@ -114,7 +115,7 @@ class SliceSampler {
 };
 
 float clean_voxel(const PhantomOptions& options, double base_hu, int portal, int hepatic) {
-    // What two lumens both claim belongs to the one that fills more of the voxel.
+    // Where two lumens overlap, the one that fills more of the voxel counts.
     (hepatic > portal ? portal : hepatic) =
         std::min(std::min(portal, hepatic), 64 - std::max(portal, hepatic));
     const double portal_hu = options.parenchyma_hu + options.contrast_hu;
@@ -157,8 +158,8 @@ FloatVolume draw_clean(Phantom& phantom, const PhantomBody& body, const PhantomO
     return image;
 }
 
-// Neighbours in a slice share noise, as they do in a reconstructed CT: white noise weighted
-// (w, 1, w) along x and y. The weights are scaled so that the standard deviation is 1.
+// Neighbours in a slice have correlated noise, as in a reconstructed CT: white noise weighted (w,
+// 1, w) along x and y and scaled to a standard deviation of 1.
 constexpr float neighbour_weight = 0.35f;
 
 void draw_noise(std::uint64_t seed, const Grid& grid, int z, std::vector<float>& noise) {
@@ -216,11 +217,12 @@ void append(VesselTree& tree, const VesselTree& other) {
     }
 }
 
-// Draws what runs beside the portal vein, and disturbs the rest.
+// Draws the arteries and ducts beside the portal vein and disturbs the tissue.
 void disturb(Phantom& phantom, const PhantomOptions& options, FloatVolume& image, Job& job) {
     const Disturbances& d = options.disturbances;
     if (d == Disturbances{}) return;
-    const Vec3 side = Vec3(0.6, -0.64, 0.48);  // of the portal vein; ducts lie on the other
+    const Vec3 side = Vec3(0.6, -0.64, 0.48);  // arteries lie on this side of the portal vein,
+                                               // ducts on the other
     const auto draw = [&](const VesselTree& tree, double hu) {
         const Image<std::uint8_t> share = lumen_share(tree, image.grid, std::nullopt, job);
         for (std::size_t i = 0; i < share.voxels.size(); ++i) {

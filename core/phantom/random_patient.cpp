@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Draws the options of a random patient, and distorts the border of a liver mask at random.
 #include "core/phantom/random_patient.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ constexpr double field_margin_mm = 6.0;
 constexpr double ripple_mm = 1.0;
 constexpr double ripple_length_mm = 8.0;
 
-// Many small values and few large ones.
+// Random values, many of them small and few large.
 double mostly_small(PhantomRandom& random, double low, double high) {
     const double u = random.uniform();
     return low + (high - low) * u * u;
@@ -72,7 +73,7 @@ Disturbances draw_disturbances(PhantomRandom& random, const PhantomOptions& opti
     d.noise_sharpness = happens(random, 0.5) ? random.uniform(0.3, 1.0) : 0.0;
     d.streaks = happens(random, 0.3) ? whole(random, 5, 40) : 0;
     d.streak_hu = random.uniform(5.0, 30.0);
-    // A slice is a mean over its thickness, which is the slices' distance or, with overlap, more.
+    // A slice is a mean over its thickness, which is the slice spacing or, with overlap, more.
     d.slice_spread_sigma_mm = options.spacing_mm[2] * random.uniform(0.2, 0.5);
     return d;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Generates the phantom and reconstructs it with a seed in the middle of its portal trunk.
 #include "core/reconstruction/built_in_patient.h"
 
 #include "core/image/volume_writer.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Skeletonises the detected vessels, measures pieces of the skeleton and removes those that the
+// model drops.
 #include "core/reconstruction/chosen_vessels.h"
 
 #include <algorithm>
@@ -13,7 +15,8 @@ namespace hepatica {
 namespace {
 
 constexpr double longest_piece_mm = 8.0;
-constexpr double least_rise_hu = 1.0;  // of wide vessels, where hardly any stand out
+constexpr double least_rise_hu = 1.0;  // least rise assumed for wide vessels, where hardly any
+                                       // stand out
 
 }  // namespace
 

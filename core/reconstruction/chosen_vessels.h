@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Among everything that looks like a vessel: what a learned model keeps.
+// Keeps those of the detected lines that a learned model takes for vessels (core/links).
 #pragma once
 
 #include <vector>
@@ -11,16 +11,16 @@
 
 namespace hepatica {
 
-// The pieces of what was detected, with what is measured of each. `found` holds evidence
-// (vessel_detection.h).
+// The pieces of the detected vessels' skeleton, at most about 8 mm long, and their features.
+// `found` must hold evidence (vessel_detection.h). Throws Cancelled.
 struct MeasuredPieces {
     std::vector<LinePiece> pieces;
     std::vector<PieceFeatures> features;
 };
 MeasuredPieces measured_pieces(const DetectedVessels& found, const Vec3& ct_spacing_mm, Job& job);
 
-// Takes the voxels of the other pieces out of what was detected, and pieces of what is left that
-// are smaller than a vessel. Begins a stage of the job. Throws Cancelled.
+// Removes from `found` the voxels of the pieces that the model drops, and then what is smaller than
+// a vessel. Begins one stage. Throws Cancelled.
 void keep_chosen(const LinkModel& model, const Vec3& ct_spacing_mm, DetectedVessels& found,
                  Job& job);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Measures the liver and detects its vessels; checks that their contrast is plausible.
 #include "core/reconstruction/detected_vessels.h"
 
 #include <algorithm>
@@ -22,10 +23,10 @@ constexpr double default_spacing_mm = 0.65;
 // it.
 constexpr double least_vessel_share = 0.002;
 constexpr double least_contrast_hu = 15.0;
-// Of a piece's voxels. The liver's border runs through the walls of heart, ribs and kidneys: pieces
-// that lie mostly in its rim are theirs.
+// Least share of a piece's voxels. The liver's border runs through the walls of heart, ribs and
+// kidneys; pieces that lie mostly in its rim belong to those.
 constexpr double least_inner_share = 0.65;
-// The same in the liver that was found, which may lack a tenth of the organ.
+// The same for the liver that was found, which may lack a tenth of the organ.
 constexpr double least_liver_share = 0.3;
 
 std::size_t object_count(const Mask& mask) {
@@ -33,7 +34,7 @@ std::size_t object_count(const Mask& mask) {
                                     mask.voxels.begin(), mask.voxels.end(), std::uint8_t{0}));
 }
 
-// The vessels away from the liver's border, where ribs, kidneys and heart shine in.
+// The vessels away from the liver's border, where ribs, kidneys and heart show through.
 Mask within(const Mask& vessels, const Mask& interior) {
     Mask inner = vessels;
     for (std::size_t i = 0; i < inner.voxels.size(); ++i)
@@ -41,8 +42,8 @@ Mask within(const Mask& vessels, const Mask& interior) {
     return inner;
 }
 
-// Median of the excess a voxel away from the vessels' walls where they are wide enough for that,
-// else anywhere in them.
+// Median excess in vessels, at least 1 mm from their walls where enough voxels lie there, else in
+// all of them.
 double vessel_excess(const FloatVolume& excess, const Mask& vessels, Job& job) {
     constexpr double wall_mm = 1.0;
     const Mask inner = erode(vessels, wall_mm, job);
@@ -77,7 +78,7 @@ MeasuredLiver measure_liver(const Volume& ct, const SegmentationOptions& options
 
 Mask without_others(const MeasuredLiver& measured, const Mask& vessels, const Job& job) {
     const Mask inner = pieces_within(vessels, measured.tissue.interior, least_inner_share, job);
-    // Spleen, pancreas and heart may hang together with the region that was searched.
+    // The searched region may include spleen, pancreas and heart.
     return measured.liver_was_given ? inner
                                     : pieces_within(inner, measured.liver, least_liver_share, job);
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the steps after the segmentation: fill cavities, thin, extract the tree, label voxels and
+// segments, mesh.
 #include "core/reconstruction/from_voxels.h"
 
 #include <algorithm>
@@ -19,8 +21,8 @@ namespace hepatica {
 
 namespace {
 
-// Holes inside a vessel are noise or clots, and would become shells in the skeleton. A filled voxel
-// takes the system of the voxel before it in the row, which borders the hole.
+// Holes inside a vessel are noise or clots and would become closed surfaces in the skeleton. A
+// filled voxel takes the system of the voxel before it in the row, which is filled or vessel.
 void fill_cavities(Mask& mask, const Job& job) {
     const Mask filled = fill_holes(mask, job);
     for_each_voxel_in_order(mask.voxels.size(), job, [&](std::size_t i) {
@@ -55,7 +57,7 @@ void warn_of_left_out(const TreeExtraction& extraction, const TreeOptions& optio
         "what joins the portal trunk before it divides mostly comes from other organs");
 }
 
-// Fills tree and gaps of the case; its voxels take the systems of the tree.
+// Fills tree, gaps and doubts of the case; its voxels take the systems of the tree.
 void extract(const FromVoxelsOptions& options, const Volume& ct, PatientCase& patient,
              std::vector<std::string>& warnings, Job& job) {
     TreeOptions tree_options;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the voxels of the vessels to a case: skeleton, tree with its systems, gaps and doubts, the
+// Makes a case from the voxels of its vessels: skeleton, tree with systems, gaps and doubts, the
 // liver's segments, and the body.
 #pragma once
 
@@ -17,17 +17,18 @@ namespace hepatica {
 
 struct FromVoxelsOptions {
     std::vector<VesselSeed> seeds;
-    // Systems are told apart by anatomy and seeds; otherwise voxels say already what they are.
+    // True: systems are told apart by anatomy and seeds; false: the voxels hold their systems
+    // already.
     bool find_systems = true;
     const Mask* systems_before = nullptr;  // see TreeOptions
     double bridge_confidence = BridgeOptions{}.confidence;
     ThinningMethod thinning = ThinningMethod::queue;
-    std::optional<Vec3> portal_trunk_mm;  // where it comes in, if that is known
+    std::optional<Vec3> portal_trunk_mm;  // where the trunk enters, if that is known
     bool shorten_trunk = false;           // see TreeOptions
     Doubts of_image{};                    // contrast, noise and spacing
 };
 
-// Counts that judge the voxels, for display beside the case itself.
+// Counts that describe the quality of the voxels; displayed, not kept in the case.
 struct VoxelCounts {
     std::size_t voxels = 0;
     long long components = 0;
@@ -41,15 +42,15 @@ struct VoxelChecks {
     std::size_t crowded_points = 0;  // skeleton voxels of degree > 2 next to another such voxel
 };
 
-// Fills skeleton, tree, gaps and doubts of a case that holds mask and organs; the mask loses its
-// cavities and takes the systems of the tree, which may come out empty. Begins four stages.
-// Throws InputError, Cancelled.
+// Fills skeleton, tree, gaps and doubts of a case that holds mask and organs. Cavities of the mask
+// are filled, and it takes the systems of the tree. The tree may come out empty. Begins four
+// stages. Throws InputError, Cancelled.
 VoxelChecks make_tree(const FromVoxelsOptions& options, const Volume& ct, PatientCase& patient,
                       std::vector<std::string>& warnings, Job& job);
 inline constexpr int make_tree_stages = 4;
 
-// Parts the liver into segments, tells what is in doubt, and makes mesh and surface. Begins one
-// stage. Throws InputError, Cancelled.
+// Divides the liver into segments, appends the doubts to `warnings`, and makes mesh and surface.
+// Begins one stage. Throws InputError, Cancelled.
 void make_body(const MeshOptions& options, PatientCase& patient, std::vector<std::string>& warnings,
                Job& job);
 inline constexpr int make_body_stages = 1;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Maps the labels of a given mask to systems.
 #include "core/reconstruction/given_vessels.h"
 
 #include <algorithm>

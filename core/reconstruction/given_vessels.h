@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vessels that somebody has drawn already: a mask or a label map, whose labels become the numbers
-// of vascular systems (vascular_system.h).
+// Vessels given as a mask or label map, whose labels become numbers of vascular systems
+// (vascular_system.h).
 #pragma once
 
 #include <filesystem>
@@ -19,16 +19,16 @@ struct VesselLabel {
     VascularSystem system = VascularSystem::unknown;
 };
 
-// The labels of a mask as systems. Labels that are named become what they are named, the others
-// background. Without names: a single label, whatever its number, is vessels of an unknown system;
-// several labels are read as numbers of systems, and `warnings` says so.
-// Throws InputError, naming `place`, where one of several labels is no system's number, or where
-// no voxel is left.
+// Turns the labels of a mask into systems. With `names`, labels that are named become their system
+// and all others background. Without names, a single label means vessels of an unknown system, and
+// several labels are read as numbers of systems, which `warnings` then mentions. Throws InputError,
+// naming `place`, where one of several labels is no system's number, or where no voxel is left.
 Mask systems_of_labels(const LabelMap& labels, const std::vector<VesselLabel>& names,
                        const std::string& place, std::vector<std::string>& warnings);
 
-// The vessels of a file on the CT's grid or on a box of its voxels, cut to what they fill with a
-// margin. Throws InputError as above, and where the file cannot be read or does not fit; Cancelled.
+// Reads the vessels of a file on the CT's grid or on a box of its voxels, cut to the vessels with 5
+// mm around them. Begins one stage. Throws InputError as above and where the file cannot be read or
+// does not fit; Cancelled.
 Mask read_given_vessels(const std::filesystem::path& file, const std::vector<VesselLabel>& names,
                         const Grid& ct_grid, std::vector<std::string>& warnings, Job& job);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Relabels voxels by the nearest centreline and by majority vote over connected pieces.
 #include "core/reconstruction/mask_of_tree.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 
 using Votes = std::map<VascularSystem, int>;
 
-// votes[piece]: how many points of each system lie in it.
+// votes[piece]: number of centreline points of each system in a piece.
 std::vector<Votes> votes_of(const Components& pieces, const VesselTree& tree) {
     std::vector<Votes> votes(pieces.sizes.size() + 1);
     for (const VesselSegment& segment : tree.segments)
@@ -27,7 +28,7 @@ std::vector<Votes> votes_of(const Components& pieces, const VesselTree& tree) {
     return votes;
 }
 
-// Points that lie in the mask: those of a bridge do not.
+// Centreline points in the mask; those of bridges lie outside it.
 std::vector<VesselSeed> centreline_seeds(const Mask& mask, const VesselTree& tree,
                                          std::vector<VesselSeed> seeds) {
     std::erase_if(seeds, [&](const VesselSeed& seed) {

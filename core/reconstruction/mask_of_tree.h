@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Voxels that follow the tree: systems are told apart on its segments, or a bridge joined a piece
-// to one.
+// Makes the voxels of the vessels agree with the tree after its systems were told apart or a bridge
+// joined a piece to a system.
 #pragma once
 
 #include <vector>
@@ -11,11 +11,11 @@
 
 namespace hepatica {
 
-// Gives voxels the system of the tree: where `anew` is set every voxel that of the centreline that
-// is nearest along the vessels (vessel_systems.h); then each 26-connected piece of voxels of an
-// unknown system the one that most centreline points in it have. Pieces without any centreline
-// stay unknown. Throws Cancelled.
-// `left_out` are places on centrelines that the tree lost, which say as much as those that it has.
+// Gives voxels the systems of the tree. Where `anew` is set, every voxel takes the system of the
+// centreline that is nearest along the vessels (vessel_systems.h). Then each 26-connected piece of
+// voxels of an unknown system takes the system of most centreline points in it; pieces without
+// centrelines stay unknown. `left_out` are points on centrelines that were removed from the tree;
+// they count like the others. Throws Cancelled.
 void follow_tree(Mask& mask, const VesselTree& tree, bool anew, Job& job,
                  const std::vector<VesselSeed>& left_out = {});
 

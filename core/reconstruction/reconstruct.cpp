@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the whole reconstruction, from reading the CT to the mesh.
 #include "core/reconstruction/reconstruct.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ void require_vessels(const Mask& mask, const std::string& place) {
                          "vessel mask (--vessel-mask)");
 }
 
-// What the image shows or somebody drew, before it becomes a tree.
+// The vessels and organs that the image shows or that were given, before the tree is made.
 struct Anatomy {
     Mask vessels;                 // numbers of systems
     Mask organs;                  // organ_label; empty where no liver was given or found
@@ -36,7 +37,7 @@ struct Anatomy {
     std::optional<Vec3> portal_trunk_mm;
 };
 
-// The liver as a case keeps it, cut to what it fills.
+// The liver as a case keeps it: cut to its bounding box with a margin.
 Mask organs_of(const Mask& liver) {
     constexpr double margin_mm = 2.0;
     Mask organs = crop(liver, grow_box(bounding_box(liver), liver.grid, margin_mm));
@@ -45,7 +46,7 @@ Mask organs_of(const Mask& liver) {
     return organs;
 }
 
-// What of them lies in the box of the liver.
+// Marks the part of the given tumours that lies in the box of the liver.
 void mark_tumours(const ReconstructOptions& options, const Grid& ct_grid, Mask& organs, Job& job) {
     if (options.tumour_masks.empty()) return;
     if (organs.voxels.empty())
@@ -101,19 +102,19 @@ Anatomy segmented_anatomy(const ReconstructOptions& options, std::optional<LinkM
     return anatomy;
 }
 
-// Whether somebody has said already which voxels belong to which system.
+// Whether the voxels hold systems already.
 bool has_systems(const Mask& vessels) {
     return std::ranges::any_of(vessels.voxels, [](std::uint8_t v) {
         return v != 0 && v != static_cast<std::uint8_t>(VascularSystem::unknown);
     });
 }
 
-// `warnings` holds what was found so far, also where it throws.
+// Leaves in `warnings` what was found so far, even where it throws.
 Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::string>& warnings,
                            Job& job, const ImageRead& image_read) {
     Reconstruction result;
     PatientCase& patient = result.patient;
-    // First, so that a wrong file is refused before anybody waits.
+    // Read first, so that a wrong file is refused before the long work.
     std::optional<LinkModel> model;
     if (chooses(options)) model = read_link_model(*options.model);
     const auto read =
@@ -172,7 +173,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, Job& job,
     try {
         return reconstruct(options, warnings, job, image_read);
     } catch (const InputError& error) {
-        // What was odd about the image may be the reason.
+        // The warnings about the image may be the reason.
         std::string problem = error.problem();
         for (const std::string& warning : warnings) problem += "; " + warning;
         throw InputError(problem, error.place(), error.remedy());

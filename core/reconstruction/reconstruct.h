@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole way from a CT to a body, as one job that can be watched and stopped: read, segment (in
-// the liver, on a resampled grid), thin, unit width, tree, mesh.
+// The whole reconstruction from a CT to a body, as one cancellable job that reports progress: read,
+// segment (in the liver, on a resampled grid), thin, unit width, tree, mesh.
 #pragma once
 
 #include <filesystem>
@@ -23,27 +23,27 @@ namespace hepatica {
 
 struct ReconstructOptions {
     std::filesystem::path ct;  // DICOM folder or volume file
-    int series = 0;            // of the folder, as list_series numbers them; 0: the best
-    std::string name;          // what the patient shall be called on the screen and in case.json
+    int series = 0;            // in the folder, numbered as by list_series(); 0: the best
+    std::string name;          // name of the patient on the screen and in case.json
     std::optional<std::filesystem::path> liver_mask;     // nonzero = liver; on the CT's grid
                                                          // or a box of its voxels
-    std::optional<std::filesystem::path> vessel_mask;    // no segmentation is done; labels are
-                                                         // systems, see given_vessels.h
-    std::vector<std::filesystem::path> tumour_masks;     // see tumours.h; a liver must be known
-    std::optional<std::pair<double, double>> window_hu;  // vessels lie within; else found
+    std::optional<std::filesystem::path> vessel_mask;    // replaces the segmentation; its labels
+                                                         // are systems, see given_vessels.h
+    std::vector<std::filesystem::path> tumour_masks;     // see tumours.h; needs a liver
+    std::optional<std::pair<double, double>> window_hu;  // none: found in the image
     std::vector<VesselSeed> seeds;                       // one or more per vascular system
-    std::vector<int> liver_labels;           // of the liver mask; empty: all that are not 0
-    std::vector<VesselLabel> vessel_labels;  // of the vessel mask; see given_vessels.h
-    // Gaps in a vessel are bridged from this confidence on (see gap_bridging.h), and the stretch is
-    // marked; the others are only offered.
+    std::vector<int> liver_labels;           // labels of the liver mask; empty: all that are not 0
+    std::vector<VesselLabel> vessel_labels;  // labels of the vessel mask; see given_vessels.h
+    // Gaps are bridged from this confidence on (gap_bridging.h), and the stretch is marked; others
+    // are only offered.
     double bridge_confidence = BridgeOptions{}.confidence;
     SegmentationMethod method = SegmentationMethod::coherent;
-    // What chooses among lines (link_model.h), for `coherent` without a window; none: lines are
-    // believed by their strength alone.
+    // The model that chooses among lines (link_model.h), for `coherent` without a window; none:
+    // lines are accepted by their strength alone.
     std::optional<std::filesystem::path> model;
     int refinement_recursions = 0;  // Gaussian smoothing of the mask (paper, II.A.2)
     ThinningMethod thinning = ThinningMethod::queue;
-    double spacing_mm = 0.0;  // isotropic working grid; 0: chosen from the CT
+    double spacing_mm = 0.0;  // edge of the cubic working voxels, 0.3 to 1.5; 0: 0.65
     MeshOptions mesh{.target_tetrahedra = 20000};
 };
 
@@ -54,14 +54,15 @@ struct Reconstruction {
     std::vector<std::string> warnings;  // for the user: coarse slices, many components ...
 };
 
-// How many stages of its job it begins. A caller that begins others announces them all together.
+// Number of stages that reconstruct() begins. A caller with stages of its own announces all
+// together.
 int stage_count(const ReconstructOptions& options);
 
-// Told of the CT as soon as it is read, on the job's thread: whoever waits can look at it.
+// Called with the CT as soon as it is read, on the job's thread, so that it can be shown meanwhile.
 using ImageRead = std::function<void(const std::shared_ptr<const Volume>& ct)>;
 
-// Throws InputError for whatever cannot be reconstructed (with file, value and remedy), Cancelled.
-// Writes nothing: see write_case. Thread safety: may run on any thread.
+// Reconstructs a patient; writes no file (see write_case()). Throws InputError, with file, value
+// and remedy, for whatever cannot be reconstructed; Cancelled. Thread-safe.
 Reconstruction reconstruct(const ReconstructOptions& options, Job& job,
                            const ImageRead& image_read = {});
 

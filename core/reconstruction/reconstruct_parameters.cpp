@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Writes the options of a reconstruction as JSON, and reads those needed to repeat its second half.
 #include "core/reconstruction/reconstruct_parameters.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 
 constexpr const char* trunk_key = "portal_trunk_mm";
 
-// None where it does not say three numbers.
+// None where the value is not an array of three numbers.
 std::optional<Vec3> place_in(const nlohmann::json& json) {
     if (!json.is_array() || json.size() != 3 ||
         !std::ranges::all_of(json, [](const auto& number) { return number.is_number(); }))
@@ -75,7 +76,7 @@ FromVoxelsOptions from_voxels_options(const std::string& parameters_json) {
                 continue;
             }
         }
-    // Systems that somebody drew are kept.
+    // Systems of a given mask are kept.
     const bool drawn = has("vessel_mask_given", &nlohmann::json::is_boolean) &&
                        json["vessel_mask_given"].get<bool>();
     options.find_systems = !options.seeds.empty() || !drawn;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Repeats the second half of a reconstruction on other voxels and applies the earlier edits again.
 #include "core/reconstruction/remade_case.h"
 
 #include <algorithm>
@@ -18,8 +19,8 @@ namespace hepatica {
 
 namespace {
 
-// Where the widest portal tree began before anybody edited it: cases of older programs do not keep
-// where its trunk was seen.
+// Where the widest portal tree began before any edit: cases of older programs do not keep where the
+// trunk was seen.
 std::optional<Vec3> portal_trunk_of(const PatientCase& patient) {
     const VesselTree& made =
         patient.corrections.edits.empty() ? patient.tree : patient.corrections.extracted;
@@ -36,7 +37,7 @@ std::optional<Vec3> portal_trunk_of(const PatientCase& patient) {
     return trunk;
 }
 
-// A seed says what the vessel that it lies in is, and nothing of others once that one is erased.
+// A seed only speaks for the vessel it lies in. Drops the seeds whose vessel was erased.
 void drop_lost_seeds(const Mask& vessels, std::vector<VesselSeed>& seeds,
                      std::vector<std::string>& warnings) {
     std::erase_if(seeds, [&](const VesselSeed& seed) {
@@ -51,7 +52,7 @@ void drop_lost_seeds(const Mask& vessels, std::vector<VesselSeed>& seeds,
     });
 }
 
-// Those of the edits that can be made, in order.
+// The edits that are possible on `made`, in order. Repeats all earlier edits for each: quadratic.
 std::vector<TreeEdit> possible_edits(const PatientCase& made, const std::vector<TreeEdit>& wanted,
                                      std::vector<std::string>& warnings) {
     std::vector<TreeEdit> possible;
@@ -81,7 +82,7 @@ RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Jo
     job.begin_stage("Filling the vessels");
     PatientCase& made = result.patient;
     made.source = patient.source;
-    made.organs = unpainted_organs(patient);  // tumours that were painted change no vessel
+    made.organs = unpainted_organs(patient);  // painted tumours change no vessel
     made.mask = std::move(vessels);
     made.dial_json.clear();  // it was measured on another body
     make_tree(options, ct, made, result.warnings, job);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A case made anew from other voxels of its vessels: painted in the slices, or drawn in another
+// Makes a case anew after its vessels' voxels changed: painted in the slices, or drawn in another
 // program.
 #pragma once
 
@@ -13,16 +13,16 @@ namespace hepatica {
 
 struct RemadeCase {
     PatientCase patient;
-    std::vector<std::string> warnings;  // for the user: doubts, and edits that are made no more
+    std::vector<std::string> warnings;  // for the user: doubts, and edits that could not be
+                                        // repeated
 };
 
-// `vessels`: 0 background, else the number of a system or of an unknown one, on any grid in the
-// frame of `ct`, from which `patient` (with his organs) was reconstructed. Everything after the
-// segmentation is made as his parameters say: systems are told apart anew, with the portal trunk
-// where it came in before, unless they were drawn by hand. His edits are made again one by one; one
-// that cannot be made on the vessels as they are now is left out, and a warning says which and why.
-// Begins remade_stages stages. Throws InputError where no vessel is left that makes a tree,
-// Cancelled.
+// Repeats every step after the segmentation with the parameters of `patient`. `vessels` holds 0 or
+// numbers of systems, on any grid in the frame of `ct`, from which `patient` (with its organs) was
+// reconstructed. Systems are told apart anew, with the portal trunk where it entered before, unless
+// they were given. The patient's edits are applied again one by one; an edit that is not possible
+// on the new vessels is left out, and a warning says which and why. Begins remade_stages stages.
+// Throws InputError where no vessel is left that makes a tree; Cancelled.
 RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Job& job);
 inline constexpr int remade_stages = 6;
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Represents each tube by overlapping balls and finds the nearest wall of each voxel, layer by
+// layer.
 #include "core/reconstruction/round_lumen.h"
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr double outside_reach_mm = 2.0;  // outside a tube
+constexpr double outside_reach_mm = 2.0;  // voxels farther outside are left alone
 constexpr double step_in_voxels = 0.4;    // between the balls that make up a tube
 
 struct Ball {
@@ -35,10 +37,10 @@ std::vector<Ball> balls_of(const VesselTree& tree, const Grid& grid) {
     return balls;
 }
 
-// What the nearest wall says about each voxel of one layer.
+// The nearest wall of each voxel in one layer.
 struct Layer {
     std::vector<double> outside_mm;  // distance to the wall, negative inside
-    std::vector<double> radius_mm;   // of the part that wall belongs to
+    std::vector<double> radius_mm;   // of the tube with that wall
 };
 
 void add(const Ball& ball, const Grid& grid, int z, Layer& layer) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Thin vessels drawn anew as round tubes: where a lumen is a few voxels wide its outline is mostly
-// noise, but its centreline and radius, fitted to the image along the whole branch, are not.
+// Draws thin vessels anew as round tubes: the outline of a lumen a few voxels wide is mostly noise,
+// but its centreline and radius, fitted to the image along the whole branch, are not.
 #pragma once
 
 #include "core/base/job.h"
@@ -9,11 +9,10 @@
 
 namespace hepatica {
 
-// The vessels (0 or 1) with every voxel that belongs to a part of the tree with a radius below
-// thin_radius_mm decided by that part's tube: inside where the voxel's centre is no further from
-// the centreline than the radius. A voxel belongs to the part whose wall it is nearest to; wide
-// parts, and what is further than 2 mm outside every tube, stay as they are. The tree lies in the
-// mask's space, radii in mm. Same bytes for any number of threads. Throws Cancelled.
+// Returns the vessels (0 or 1) with thin parts redrawn. A voxel belongs to the part of the tree
+// whose wall is nearest; where the radius there is below thin_radius_mm, the voxel becomes 1 inside
+// the tube and 0 outside. Wide parts, and voxels farther than 2 mm outside every tube, stay as they
+// are. The tree lies in the mask's space. The same for any number of threads. Throws Cancelled.
 Mask round_thin_lumens(const Mask& vessels, const VesselTree& tree, double thin_radius_mm,
                        Job& job);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Compares seeds with the image's extent and the liver's voxels.
 #include "core/reconstruction/seed_checks.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels connected pieces of the masks and transfers them to the grid of the organs.
 #include "core/reconstruction/tumours.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tumours that somebody outlined, as organs.nii.gz keeps them.
+// Tumours given as masks, in the labels of organs.nii.gz.
 #pragma once
 
 #include <filesystem>
@@ -10,12 +10,13 @@
 
 namespace hepatica {
 
-// Each 26-connected piece of the masks' nonzero voxels is a tumour, the largest first: 1, 2, ... on
-// the CT's grid, 0 elsewhere. Masks may cover a box of the CT's voxels. Begins a stage for each
-// file. Throws InputError where a file cannot be read or does not fit, Cancelled.
+// Reads masks of tumours. Each 26-connected piece of their nonzero voxels is a tumour, numbered 1,
+// 2, ... from the largest on, on the CT's grid; 0 elsewhere. Pieces beyond most_tumours are left
+// out. Masks may cover a box of the CT's voxels. Begins one stage for each file. Throws InputError
+// where a file cannot be read or does not fit; Cancelled.
 Mask read_tumours(const std::vector<std::filesystem::path>& files, const Grid& ct_grid, Job& job);
 
-// Writes organ_label::first_tumour + 0, 1, ... where the tumours lie into organs on any grid.
+// Labels the organs, on any grid, organ_label::first_tumour + number - 1 where a tumour lies.
 void add_tumours(const Mask& tumours, Mask& organs);
 
 }  // namespace hepatica

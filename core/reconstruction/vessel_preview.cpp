@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Measures line strengths once, thresholds them on request, and applies the difference to the usual
+// result.
 #include "core/reconstruction/vessel_preview.h"
 
 #include <algorithm>
@@ -16,8 +18,8 @@ namespace hepatica {
 
 namespace {
 
-constexpr double least_piece_mm3 = 20.0;  // as of 10 mm of the thinnest vessels; less is a crumb
-constexpr double wall_mm = 1.3;  // fitted walls lie at most so far outside of the voxels believed
+constexpr double least_piece_mm3 = 20.0;  // about 10 mm of the thinnest vessels
+constexpr double wall_mm = 1.3;  // fitted walls lie at most this far outside accepted voxels
 
 void require_possible(const ThresholdChoice& choice) {
     if (!(choice.line_share >= least_line_share && choice.line_share <= most_line_share))
@@ -40,7 +42,7 @@ Mask without(const Mask& a, const Mask& b, const Job& job) {
     return left;
 }
 
-// The voxels of a mask by the offsets of another grid in the same frame.
+// Looks up a mask by the voxel offsets of another grid in the same frame.
 class SeenFrom {
   public:
     SeenFrom(const Grid& grid, const Mask& mask)
@@ -77,8 +79,8 @@ Mask VesselPreview::believed(double line_share, Job& job) const {
     return without_others(liver_, believed_lines(lines_, line_share, job), job);
 }
 
-// A skin about what is there already is no vessel: what comes in has a piece beyond its walls, and
-// the neck by which that hangs on to them.
+// A layer around present vessels is no new vessel: added is only what has a part beyond their
+// walls, together with the neck that connects it.
 Mask VesselPreview::gained_at(double line_share, const Mask& present, Job& job) const {
     Mask there = usual_;
     const SeenFrom is_present(there.grid, present);
@@ -102,7 +104,7 @@ Mask VesselPreview::lost_at(double line_share, Job& job) const {
     return without(dilate(without(usual_, now, job), wall_mm, job), dilate(now, wall_mm, job), job);
 }
 
-// More is believed at a lower threshold and less at a higher one, never both.
+// A lower threshold only adds lines, a higher one only drops some.
 Mask VesselPreview::vessels(const Mask& present, const ThresholdChoice& choice, std::uint8_t gained,
                             Job& job) const {
     require_possible(choice);

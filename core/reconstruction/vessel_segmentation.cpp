@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the segmentation: detect, choose by the model, redraw thin vessels, add the hilum, refine
+// the surface.
 #include "core/reconstruction/vessel_segmentation.h"
 
 #include <algorithm>
@@ -33,7 +35,7 @@ namespace {
 constexpr double coarse_slices_mm = 1.5;
 constexpr double thin_radius_mm = 1.6;
 constexpr double kept_branch_mm = 4.0;
-// Below this contrast, in deviations of the noise, a radius is not measured any better than an
+// Below this contrast, in standard deviations of the noise, a radius is no more precise than an
 // outline.
 constexpr double measurable_contrast = 4.5;
 
@@ -41,10 +43,10 @@ Mask with_thin_vessels_round(const Mask& vessels, const Mask& skeleton, const Ve
                              Job& job) {
     Mask round = round_thin_lumens(vessels, tree, thin_radius_mm, job);
     rejoin(skeleton, kept_branch_mm, round, job);
-    return hysteresis(skeleton, round, 0.0, job);  // no crumbs of the outline
+    return hysteresis(skeleton, round, 0.0, job);  // removes loose parts of the old outline
 }
 
-// Adds the vessels of the hilum and returns where the trunk comes in.
+// Adds the vessels of the hilum and returns where the portal trunk enters.
 std::optional<Vec3> add_hilum(const LiverFrame& frame, const VesselTree& tree,
                               const ContrastStatistics& found, Mask& vessels, Job& job) {
     const AnatomicalAnchors anchors = find_anchors(pieces_of(to_graph(tree), nullptr).pieces,

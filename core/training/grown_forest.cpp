@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Trains OpenCV's random trees with a fixed random state and copies them into plain arrays.
 #include "core/training/grown_forest.h"
 
 #include <algorithm>
@@ -14,12 +15,14 @@ namespace hepatica {
 
 namespace {
 
-// As the model's file writes it, so that a forest that was read walks as the one that was grown.
+// Rounds a number as the model's file does, so that a forest that was read gives the same results
+// as the trained one.
 double as_written(double value) {
     return std::strtod(number_text(value).c_str(), nullptr);
 }
 
-// The library draws from a generator of the whole thread: a known one while this lives.
+// The library uses one random generator per thread. This replaces it by a known one for its
+// lifetime.
 class KnownDraws {
   public:
     KnownDraws() : before_(cv::theRNG()) { cv::theRNG() = cv::RNG(); }
@@ -31,7 +34,7 @@ class KnownDraws {
     cv::RNG before_;
 };
 
-// Copies the node and all below it; returns where it stands.
+// Copies a node and its subtree; returns the index of its copy.
 int append(const cv::ml::DTrees& grown, int id, std::vector<ForestNode>& tree) {
     const cv::ml::DTrees::Node& node = grown.getNodes()[id];
     const auto at = static_cast<int>(tree.size());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Grows the forest that piece_forest.h walks, by OpenCV's random trees.
+// Trains the forest of piece_forest.h with the random trees of OpenCV (Breiman, Mach Learn
+// 2001;45:5).
 #pragma once
 
 #include <span>
@@ -12,11 +13,11 @@ namespace hepatica {
 struct ForestOptions {
     int trees = 60;            // 1 to 500
     int depth = 9;             // 1 to 20
-    int least_in_leaf = 20;    // pieces, 1 or more
-    int features_a_split = 6;  // drawn at random for each
+    int least_in_leaf = 20;    // least number of pieces that a node needs to be split, 1 or more
+    int features_a_split = 6;  // drawn at random at each split
 };
 
-// The same pieces in the same order give the same forest. `pieces` holds at least two. Throws
+// Trains on two pieces or more. The same pieces in the same order give the same forest. Throws
 // InputError where a feature is not finite.
 PieceForest grown_forest(std::span<const TaughtPiece> pieces, const ForestOptions& options);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Collects the pieces of all training patients and trains the forest on them.
 #include "core/training/link_training.h"
 
 #include <string>
@@ -16,7 +17,7 @@ constexpr std::uint64_t patients_of_a_seed = 1000000;
 constexpr std::uint64_t most_seed = 1000000000000;
 constexpr std::size_t enough_pieces = 200;
 
-// The patient's own stages do not count: one stage a patient is what is watched.
+// Hides the stages of one patient, so that each patient is one stage of the job.
 std::vector<TaughtPiece> taught_quietly(std::uint64_t number, double line_share, Job& job) {
     Job own;
     const std::stop_callback pass_on(job.stop_token(), [&] { own.cancel(); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A model of links learned on randomised synthetic patients alone.
+// Learns a model of links on randomised synthetic patients alone.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,17 @@
 namespace hepatica {
 
 struct TrainingOptions {
-    std::uint64_t seed = 1;  // 1 to 10^12; patients of other seeds are others
-    int volumes = 60;        // patients, 1 to 10000; about 20 s each
+    std::uint64_t seed = 1;  // 1 to 10^12; other seeds give other patients
+    int volumes = 60;        // number of patients, 1 to 10000; about 20 s each
 };
 
-// The same options give the same model, whatever the number of threads. One stage a patient. Throws
-// InputError for options outside their range, or where the patients taught nothing; Cancelled.
+// Trains a model. The same options give the same model for any number of threads. Begins one stage
+// for each patient and one for the forest. Throws InputError for options outside their range, or
+// where the patients gave fewer than 200 pieces; Cancelled.
 LinkModel trained_links(const TrainingOptions& options, Job& job);
 
-// The number of a patient of a training, for random_patient(): never one of another seed's, nor one
-// below a million, which are for judging.
+// The number of a training patient for random_patient(). Numbers of different seeds differ, and
+// those below a million are left for tests.
 std::uint64_t patient_number(std::uint64_t seed, int volume);
 
 }  // namespace hepatica

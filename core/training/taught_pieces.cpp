@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Detects lines in a synthetic patient as the reconstruction does, and compares their pieces with
+// the true centrelines.
 #include "core/training/taught_pieces.h"
 
 #include "core/base/error.h"
@@ -11,7 +13,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr double tolerance_mm = 2.0;  // as in the scores of length (system_scores.h)
+constexpr double tolerance_mm = 2.0;  // the same as SystemScoreOptions::length_tolerance_mm
 constexpr std::uint64_t liver_found_every = 3;
 
 }  // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Finds the vessel at a position and fits the reference line by least squares.
 #include "core/tree/lumen_calibre.h"
 
 #include <Eigen/Dense>
@@ -10,7 +11,8 @@ namespace {
 
 constexpr int stations_a_side = 21;
 
-// Diameter at `place_mm` of the line that fits those beside it best.
+// The reference diameter at `place_mm`: value of the least-squares line through the diameters
+// beside it.
 std::optional<double> reference_at(const VesselSegment& segment, double place_mm, double near_mm,
                                    double far_mm) {
     const double length = length_mm(segment), step = (far_mm - near_mm) / (stations_a_side - 1);
@@ -36,8 +38,8 @@ std::optional<double> reference_at(const VesselSegment& segment, double place_mm
 
 std::optional<LumenCalibre> calibre_at(const VesselTree& tree, const Vec3& position_mm,
                                        double margin_mm, double near_mm, double far_mm) {
-    // How far outside the wall; inside of the lumen how far from its axis in radii, less 1: below
-    // 0.
+    // Score: distance outside the wall in mm; inside the lumen, distance from the axis in radii
+    // minus 1.
     double best = margin_mm;
     std::optional<LumenCalibre> found;
     for (std::size_t s = 0; s < tree.segments.size(); ++s) {

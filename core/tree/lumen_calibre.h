@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How wide a vessel is at a place, and how much narrower than its neighbourhood lets one expect:
-// the interpolated reference of quantitative angiography, a straight line through the diameters
-// before and behind the place, so that a vessel that tapers evenly has no stenosis.
+// Diameter and degree of stenosis of a vessel at a place, against the interpolated reference
+// diameter of quantitative angiography: a line fitted to the diameters before and behind the place,
+// so that an evenly tapering vessel has no stenosis.
 #pragma once
 
 #include <optional>
@@ -15,16 +15,17 @@ struct LumenCalibre {
     double arclength_mm = 0.0;
     Vec3 position_mm = Vec3::Zero();  // on the centreline
     double diameter_mm = 0.0;
-    // Expected there, and by what share of it the lumen is narrower (below 0: wider). Nothing where
-    // the segment ends too near to tell.
+    // The reference diameter, and the share of it by which the lumen is narrower (negative: wider).
+    // None where the segment ends too near.
     std::optional<double> reference_mm;
     std::optional<double> stenosis;
 };
 
-// Of the vessel whose lumen holds the place, of several the one whose axis is nearest in radii; or
-// else of that whose wall is nearest, at most `margin_mm` away; nothing where there is none. The
-// reference is fitted to the diameters from `near_mm` to `far_mm` along the same segment on either
-// side, of which half must be there at least.
+// Measures the vessel whose lumen contains the position (of several, the one whose axis is nearest
+// relative to its radius), else the one whose wall is nearest, at most `margin_mm` away; none where
+// there is none. The reference is fitted by least squares to diameters sampled from `near_mm` to
+// `far_mm` (near < far) along the same segment on both sides; at least half of the samples must
+// exist on each. O(points of the tree). Thread-safe.
 std::optional<LumenCalibre> calibre_at(const VesselTree& tree, const Vec3& position_mm,
                                        double margin_mm = 2.0, double near_mm = 5.0,
                                        double far_mm = 15.0);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Projects positions onto the edges of a segment, and interpolates along them.
 #include "core/tree/station.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Sums the segments of each system.
 #include "core/tree/system_summary.h"
 
 #include <map>

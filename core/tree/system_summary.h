@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a tree holds of each vascular system: its length, where it begins, how sure it is, and the
-// loops in it. The same table stands in case.json and in the answers of the command line.
+// Summary of each vascular system of a tree: length, roots, confidence and loops. The same table
+// stands in case.json and in answers of the command line.
 #pragma once
 
 #include <vector>
@@ -23,7 +23,7 @@ struct SystemSummary {
     int loops = 0;
 };
 
-// One entry for each system that the tree holds, by rising number.
+// One entry for each system in the tree, in the order of their numbers.
 std::vector<SystemSummary> systems_of(const VesselTree& tree);
 
 }  // namespace hepatica

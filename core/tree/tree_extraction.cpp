@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the extraction: graph, spurs, radii, bridges, systems, loops, trunk, blobs, tree.
 #include "core/tree/tree_extraction.h"
 
 #include <algorithm>
@@ -34,7 +35,8 @@ RootWish nearest_end(const VesselGraph& graph, const Vec3& position_mm) {
     return nearest;
 }
 
-// 1 in every vessel: radii are measured between voxels, where numbers of systems would be mixed.
+// 1 in every vessel: radii are measured between voxels, where numbers of systems must not be
+// interpolated.
 Mask binary(Mask mask) {
     for (std::uint8_t& voxel : mask.voxels) voxel = voxel != 0;
     return mask;
@@ -51,7 +53,7 @@ std::vector<RootWish> wishes_of(const TreeOptions& options, const VesselGraph& g
     return wishes;
 }
 
-// The portal end nearest to the place where the trunk was seen.
+// The portal end nearest to the place where the trunk was seen, within 15 mm.
 std::vector<RootWish> trunk_wish(const VesselGraph& graph, const std::optional<Vec3>& trunk_mm) {
     double nearest_mm = 15.0;
     std::vector<RootWish> wish;
@@ -68,7 +70,7 @@ std::vector<RootWish> trunk_wish(const VesselGraph& graph, const std::optional<V
     return wish;
 }
 
-// The first wish of a component counts: a person's, then the trunk that was seen, then anatomy's.
+// The first wish for a component counts: the user's, then the trunk that was seen, then anatomy's.
 std::vector<RootWish> all_wishes(const TreeOptions& options, const VesselGraph& graph,
                                  const AnatomicalAnchors& anchors,
                                  const std::optional<Vec3>& trunk_mm) {
@@ -78,8 +80,8 @@ std::vector<RootWish> all_wishes(const TreeOptions& options, const VesselGraph& 
     return wishes;
 }
 
-// Noise that is taken for vessels makes a tangle that nothing below is made for. All vessels that a
-// CT shows of a liver are some 5 to 20 m long.
+// Noise taken for vessels makes a tangle that later steps cannot handle. The vessels of a liver in
+// a CT are about 5 to 20 m long in all.
 void require_plausible_length(const VesselGraph& graph) {
     constexpr double longest_mm = 40000.0;
     double all_mm = 0.0;
@@ -114,7 +116,7 @@ void grow_found_systems(VesselGraph graph, const Volume* ct, const TreeOptions& 
             result.trunk_left_out = trunk->left_out;
             result.tree = directed_by_wishes(trunk->graph);
         }
-    // What hung on a piece that is gone may stand apart now.
+    // Repeated, because removing a piece can leave others separate.
     while (true) {
         const RemovedPieces blobs = remove_blobs(result.tree, options.seeds, graph);
         if (blobs.count == 0) break;

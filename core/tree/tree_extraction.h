@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a unit-width skeleton to a vessel tree: segments between bifurcations and ends, with smooth
-// centrelines, sub-voxel radii, parents, Strahler orders and systems.
+// Extracts a vessel tree from a unit-width skeleton: segments between bifurcations and ends, with
+// smooth centrelines, sub-voxel radii, parents, Strahler orders and systems.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -17,28 +17,28 @@
 namespace hepatica {
 
 struct TreeOptions {
-    // Components with a seed in them are kept however short they are.
+    // Components with a seed are kept, however short they are.
     std::vector<VesselSeed> seeds;
-    // Tells the systems apart by anatomy and seeds (tell_systems_apart.h), opens loops and begins
-    // each system where anatomy has it. Otherwise systems come from the mask
-    // (system_assignment.h).
+    // True: tells the systems apart by anatomy and seeds (tell_systems_apart.h), opens loops and
+    // places the roots by anatomy. False: systems come from the mask (system_assignment.h).
     bool find_systems = false;
     const Mask* systems_before = nullptr;  // for find_systems: see SystemSearch::before
     Eigen::AlignedBox3d liver_mm;          // for find_systems; empty: not known
-    // Where the portal trunk comes in from outside, if known: for find_systems.
+    // For find_systems: where the portal trunk enters, if known.
     std::optional<Vec3> portal_trunk_mm;
-    bool shorten_trunk = false;  // the tree begins shortly before it divides (portal_trunk.h)
-    // Wished roots; each acts on the component it lies nearest to, at its end nearest to the
+    bool shorten_trunk = false;  // let the tree begin shortly before the trunk divides
+                                 // (portal_trunk.h)
+    // Requested roots; each acts on the component it is nearest to, at its end nearest to the
     // position. A component without one begins at its widest end.
     std::vector<Vec3> roots_mm;
-    // An end branch that reaches less than this many radii of its parent beyond the parent's wall
-    // is a bump of the wall, not a vessel.
+    // An end branch that reaches less than this many radii of its parent, or 1.5 voxels, beyond the
+    // parent's wall is a bump of the wall, not a vessel.
     double spur_radii = 0.5;
-    // Pieces shorter than this are noise and left out, unless nothing longer exists.
+    // Components shorter than this are removed as noise, except the longest and those with a seed.
     double minimum_piece_mm = 3.0;
-    // The same after gaps have been bridged, for what is still on its own and holds no seed.
+    // The same after gaps are bridged.
     double minimum_component_mm = 15.0;
-    // Gaps that are bridged without asking, and those that are only offered.
+    // Which gaps are bridged, and which are only offered.
     BridgeOptions bridging;
 };
 
@@ -46,17 +46,19 @@ struct TreeExtraction {
     VesselTree tree;
     std::vector<Bridge> bridges;          // built and offered ones, best first
     RemovedPieces too_short;              // left out, before and after gaps were bridged
-    std::optional<SystemsFound> systems;  // where they were looked for
+    std::optional<SystemsFound> systems;  // with find_systems only
     int opened_loops = 0;
-    RemovedPieces blobs;         // what is no vessel, left out where systems were looked for
-    RemovedPieces beside_trunk;  // of the portal vein, before it divides (portal_trunk.h)
-    std::vector<VesselSeed> trunk_left_out;  // along the trunk that was shortened, and beside it
+    RemovedPieces blobs;         // no vessels (blob_removal.h); with find_systems only
+    RemovedPieces beside_trunk;  // branches of the portal trunk before it divides (portal_trunk.h)
+    std::vector<VesselSeed> trunk_left_out;  // points along the removed part of the trunk and its
+                                             // branches
 };
 
-// Both masks lie on one grid; `vessels` holds numbers of systems (vascular_system.h). Radii are
-// measured on `ct` where it is given (any grid that covers the masks in space), otherwise on
-// `vessels`. Returns an empty tree for an empty skeleton. Deterministic; throws Cancelled, and
-// InputError where the masks' grids differ.
+// Extracts a tree and its bridges. Both masks share one grid; `vessels` holds numbers of systems
+// (vascular_system.h). Radii are measured on `ct` where it is given (any grid that covers the
+// masks), else on `vessels`. An empty skeleton gives an empty tree. Deterministic. Throws
+// InputError where the grids differ or, with find_systems, the vessels are more than 40 m long;
+// Cancelled.
 TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessels, const Volume* ct,
                                         const TreeOptions& options, Job& job);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Measures and checks vessel trees.
 #include "core/tree/vessel_tree.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Connects a drawn curve to the vessels it touches and limits its radii beside their walls.
 #include "core/tree/editing/drawn_vessel.h"
 
 #include <algorithm>
@@ -12,16 +13,16 @@ namespace hepatica {
 
 namespace {
 
-constexpr double touch_mm = 1.0;  // beyond a lumen's wall, for an end that is meant to touch it
+constexpr double touch_mm = 1.0;  // an end this near to a lumen's wall touches it
 
-// Where a point lies with respect to the nearest wall of the graph.
+// Position of a point relative to the nearest wall of the graph.
 struct Beside {
     int link = -1;
     double along_mm = 0.0;
-    double beyond_wall_mm = std::numeric_limits<double>::infinity();  // below 0: in the lumen
+    double beyond_wall_mm = std::numeric_limits<double>::infinity();  // negative in the lumen
 };
 
-// The walls of a graph as it is now.
+// The walls of a graph, as a snapshot.
 class Walls {
   public:
     explicit Walls(const VesselGraph& graph) {
@@ -48,16 +49,16 @@ class Walls {
     std::vector<VesselSegment> segments_;
 };
 
-// The part of a drawn curve that lies in no vessel that was there.
+// The part of a drawn curve outside existing vessels.
 struct FreePart {
     std::size_t first = 0;
-    std::size_t last = 0;          // one behind
+    std::size_t last = 0;          // one past the last
     std::vector<double> radii_mm;  // of the whole curve
 };
 
-// A section that is measured nearer to a wall than its own radius takes in blood of the vessel
-// behind that wall. Where the curve touches a vessel, sections up to the first that keeps clear of
-// it are no wider than that one; where none does, no wider than the narrowest.
+// A section nearer to a wall than its own radius includes blood of the vessel behind that wall.
+// Where the curve touches a vessel, sections up to the first that is clear of it are limited to the
+// radius there; where none is clear, to the smallest radius.
 void narrow_to_clear_section(FreePart& part, const std::vector<double>& beyond_wall_mm,
                              bool at_begin) {
     const auto at = [&](std::size_t step) {
@@ -76,8 +77,8 @@ void narrow_to_clear_section(FreePart& part, const std::vector<double>& beyond_w
         part.radii_mm[at(step)] = std::min(part.radii_mm[at(step)], widest);
 }
 
-// From the last point of the beginning within a lumen to the first at the end. Throws InputError
-// where more than half of the curve lies in vessels that are there.
+// The points after the start's lumen and before the end's. Throws InputError where more than half
+// of the curve lies in existing vessels.
 FreePart free_part(const VesselGraph& graph, const Centreline& drawn) {
     std::vector<double> beyond_wall_mm;
     const Walls walls(graph);
@@ -108,7 +109,8 @@ DrawnVessel add_drawn_vessel(VesselGraph& graph, const Centreline& drawn, Vascul
     result.system = system;
     const auto node_at = [&](const Vec3& end_mm, double radius_mm, bool& touches,
                              VascularSystem& touched) {
-        const Beside beside = Walls(graph).nearest(end_mm);  // the other end may have split one
+        // looked up anew: the other end may have split a link
+        const Beside beside = Walls(graph).nearest(end_mm);
         touches = beside.beyond_wall_mm <= touch_mm;
         if (!touches) {
             graph.nodes.push_back({end_mm, radius_mm});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A centreline drawn by hand becomes a link of the graph: where one of its ends lies in the lumen
-// of a vessel it grows out of that vessel, else it ends there.
+// Adds a centreline drawn by hand to a graph as a link. Where one of its ends lies in the lumen of
+// a vessel, it is connected to that vessel.
 #pragma once
 
 #include <vector>
@@ -14,16 +14,16 @@ struct DrawnVessel {
     int from = -1;  // nodes of its ends
     int to = -1;
     VascularSystem system = VascularSystem::unknown;        // of its link
-    VascularSystem system_at_to = VascularSystem::unknown;  // of the vessel it leads to
-    bool grows_out = false;  // its beginning lies in a vessel that was there
-    bool leads_in = false;   // its end does
+    VascularSystem system_at_to = VascularSystem::unknown;  // of the vessel at its end
+    bool grows_out = false;                                 // begins in or at an existing vessel
+    bool leads_in = false;                                  // ends in or at an existing vessel
 };
 
-// Adds the link. Its part within the vessels that it grows out of becomes a straight way to their
-// centrelines, and it is no wider beside their walls than where it is first clear of them. It has
-// the system of the vessel at its beginning, else of that at its end, else `system`. Throws
-// InputError, which names its first point, where more than half of it lies in vessels that are
-// there, or where both ends are one place.
+// Adds the link. The part of the curve inside vessels that it touches becomes a straight line to
+// their centrelines, and beside their walls it is no wider than where it is first clear of them.
+// Its system is that of the vessel at its beginning, else of that at its end, else `system`.
+// `drawn` has two points or more. Throws InputError, with its first point as the place, where more
+// than half of it lies in existing vessels, or where both ends meet in one node.
 DrawnVessel add_drawn_vessel(VesselGraph& graph, const Centreline& drawn, VascularSystem system);
 
 }  // namespace hepatica

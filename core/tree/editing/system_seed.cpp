@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Describes a seed to spread_of_seed() and relabels the graph with the result.
 #include "core/tree/editing/system_seed.h"
 
 #include <limits>
@@ -27,8 +28,8 @@ int piece_of(const PieceGraph& graph, const SystemSeed& seed) {
     return nearest;
 }
 
-// What hangs on the seed, and the root that it is cut from. A seed on the root's own vessel is cut
-// from nothing: it speaks for the whole tree.
+// What lies downstream of the seed, and the root segment that it is cut from. A seed on the root's
+// own segment has no such opponent: it decides for the whole tree.
 SeededVessel seeded_vessel(const VesselTree& tree, const PieceGraph& graph,
                            const SystemSeed& seed) {
     SeededVessel vessel{piece_of(graph, seed), seed.system, {}, {}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A vessel of which a person says what system it is of, and all that goes with it: the tree's
-// graph with that part given to the system (core/tree/systems/seeded_spread.h says how far).
+// A seed set by the user: the vessel at a place belongs to a system. Gives that vessel, and what
+// belongs to it (core/tree/systems/seeded_spread.h), to the system in the tree's graph.
 #pragma once
 
 #include "core/tree/extraction/vessel_graph.h"
@@ -15,12 +15,12 @@ struct SystemSeed {
 
 struct SeededGraph {
     VesselGraph graph;
-    Vec3 begin_mm = Vec3::Zero();  // most proximal point of what was given to the system
+    Vec3 begin_mm = Vec3::Zero();  // most proximal point of the part that changed
 };
 
-// `graph` is that of the tree, link i of segment i, in which vessels that touch share their nodes.
-// Throws InputError where the vessel is of the system already, or where it is no longer than the
-// fork it lies in.
+// `graph` is that of the tree (link i is segment i), with touching vessels sharing nodes. Throws
+// InputError where the vessel has that system already, or where it lies within a fork, so that it
+// is not clear which vessel is meant.
 SeededGraph seeded_graph(const VesselTree& tree, const VesselGraph& graph, const SystemSeed& seed);
 
 }  // namespace hepatica

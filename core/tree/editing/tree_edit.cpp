@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Applies edits to the tree's graph, and directs the result from the roots that the tree had.
 #include "core/tree/editing/tree_edit.h"
 
 #include <algorithm>
@@ -18,9 +19,9 @@ namespace hepatica {
 
 namespace {
 
-constexpr double reach_mm = 10.0;  // of a click
+constexpr double reach_mm = 10.0;  // farthest a click may be from a vessel
 
-// The confidence of a system that a person chose.
+// Confidence of a system stated by the user.
 double confidence_by_hand(VascularSystem system) {
     return system == VascularSystem::unknown ? 0.0 : 1.0;
 }
@@ -42,7 +43,8 @@ std::vector<std::uint8_t> downstream(const VesselTree& tree, int first) {
     return hangs;
 }
 
-// Nodes at one place become one, so that a vessel that changes its system finds what it touches.
+// Merges nodes at one position, so that a vessel that changes its system is connected to what it
+// touches.
 void merge_touching_nodes(VesselGraph& graph, std::vector<RootWish>& wishes) {
     std::map<std::tuple<double, double, double>, int> first_at;
     std::vector<int> merged(graph.nodes.size());
@@ -72,7 +74,7 @@ class Edit {
                              place_text(edit.at_mm), "Cut a longer one beside it, or delete it");
         int taken = at.segment;
         if (stretch->to_mm) split_link(graph_, taken, *stretch->to_mm, 0.0);
-        // The part beyond the cut gets its root at the cut, unless it has one already.
+        // The part beyond the cut begins at the cut, unless it has a root already.
         wishes_.push_back({graph_.links[taken].to, graph_.links[taken].system});
         if (stretch->from_mm) {
             split_link(graph_, taken, *stretch->from_mm, 0.0);
@@ -83,7 +85,7 @@ class Edit {
 
     void add(const TreeEdit& edit) {
         const auto node_at = [&](const Vec3& position_mm) {
-            // Located in the tree as it is now: the first split may have renumbered its links.
+            // Located in the current graph: the first split may have renumbered its links.
             VesselTree now;
             for (const VesselLink& link : graph_.links) {
                 VesselSegment& segment = now.segments.emplace_back();
@@ -136,7 +138,7 @@ class Edit {
                 graph_.links[i].system_confidence = confidence_by_hand(edit.system);
             }
         merge_touching_nodes(graph_, wishes_);
-        // A part that touches nothing of its new system begins where it was attached before.
+        // A part that touches no vessel of its new system begins where it was attached before.
         wishes_.push_back({graph_.links[first].from, edit.system});
     }
 
@@ -145,7 +147,7 @@ class Edit {
         merge_touching_nodes(graph_, wishes_);
         SeededGraph seeded = seeded_graph(tree_, graph_, {edit.at_mm, at, edit.system});
         keep_roots();
-        // What touches nothing of its new system begins where it was attached before.
+        // A part that touches no vessel of its new system begins where it was attached before.
         root_places_.emplace_back(seeded.begin_mm, edit.system);
         graph_ = std::move(seeded.graph);
     }
@@ -154,7 +156,7 @@ class Edit {
         const DrawnVessel drawn =
             add_drawn_vessel(graph_, {edit.path_mm, edit.radii_mm}, edit.system);
         if (!drawn.grows_out || !drawn.leads_in || drawn.system_at_to == drawn.system) return;
-        // A click that only comes near another vessel must not turn its whole system over.
+        // A click that is merely near another vessel must not change that vessel's whole system.
         if (drawn.system != VascularSystem::unknown &&
             drawn.system_at_to != VascularSystem::unknown)
             throw InputError("the vessel would join two systems: " + title_of(drawn.system) +
@@ -187,7 +189,7 @@ class Edit {
         graph_.links = std::move(kept);
     }
 
-    // Whatever renumbers the nodes, roots are found again by their place.
+    // Keeps roots by position, because nodes may be renumbered.
     void keep_roots() {
         for (const RootWish& wish : wishes_)
             root_places_.emplace_back(graph_.nodes[wish.node].position_mm, wish.system);
@@ -268,7 +270,7 @@ VesselTree edited(const VesselTree& tree, const TreeEdit& edit) {
             break;
         case TreeEditKind::paint_tumour:
         case TreeEditKind::erase_tumour:
-            break;  // not of the tree
+            break;  // does not change the tree
     }
     return work.result();
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// JSON of edits (tree_edit.h). Each object has "edit", "at_mm" and the values that its kind needs.
 #include "core/base/error.h"
 #include "core/base/json_number.h"
 #include "core/base/json_problem.h"
@@ -11,7 +12,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr double widest_mm = 50.0;  // radius of a vessel that is drawn
+constexpr double widest_mm = 50.0;  // largest radius of a drawn vessel
 
 constexpr std::pair<TreeEditKind, const char*> names[] = {
     {TreeEditKind::cut_link, "cut_link"},
@@ -61,7 +62,7 @@ void read_drawing(const nlohmann::json& value, const std::string& place, TreeEdi
     if (value.contains("system")) edit.system = system_from(value.at("system"), place);
 }
 
-// A dab needs no path.
+// A stroke of one point needs no path.
 void read_stroke(const nlohmann::json& value, const std::string& place, TreeEdit& edit) {
     edit.path_mm = value.contains("path_mm") ? path_from(value.at("path_mm"))
                                              : std::vector{vec3_from(value.at("at_mm"))};

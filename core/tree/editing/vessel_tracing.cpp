@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Traces a vessel twice, first through bright voxels and then through the middle of the lumen
+// found, and measures it.
 #include "core/tree/editing/vessel_tracing.h"
 
 #include <algorithm>
@@ -26,7 +28,7 @@ constexpr double least_contrast_hu = 15;  // as for gaps (gap_bridging.cpp)
 constexpr double longest_step_mm = 50.0;
 constexpr double same_place_mm = 0.5;
 constexpr std::size_t voxels_between_checks = 4096;
-constexpr double wide_voxels = 3.0;  // radius from which the middle of a lumen is not blurred
+constexpr double wide_voxels = 3.0;  // radius from which blurring spares the middle of a lumen
 
 std::size_t offset_of(const Grid& grid, const Index3& voxel) {
     return grid.offset(voxel[0], voxel[1], voxel[2]);
@@ -37,7 +39,7 @@ std::vector<Vec3> checked(const Volume& ct, const std::vector<Vec3>& clicks_mm) 
     for (const Vec3& click : clicks_mm) {
         const Vec3 index = ct.grid.to_index(click);
         bool inside = true;
-        for (int a = 0; a < 3; ++a)  // also false where it is not a number
+        for (int a = 0; a < 3; ++a)  // also false for NaN
             inside = inside && index[a] >= -0.5 && index[a] < ct.grid.dims[a] - 0.5;
         if (!inside)
             throw InputError("the place lies outside of the CT", place_text(click),
@@ -87,8 +89,7 @@ class Tracer {
     Centreline centreline(double blood_contrast_hu) const {
         Mask lumen =
             lumen_around(path([this](const Vec3& place) { return brightness(place); }, 0.0));
-        // That path cuts corners along the inner wall; the next one is cheap where the lumen is
-        // deep.
+        // The first path cuts corners along the inner wall; the second is cheap deep in the lumen.
         const FloatVolume outside_mm = signed_distance(lumen, job_);
         const double voxel_mm = std::cbrt(ct_.grid.spacing_mm.prod());
         const std::vector<Index3> voxels = path(
@@ -102,7 +103,7 @@ class Tracer {
     }
 
   private:
-    // A hand misses the middle of a thin vessel by a voxel.
+    // A click misses the middle of a thin vessel by about a voxel.
     float brightest_beside(const Vec3& place_mm) const {
         const auto [x, y, z] = nearest_voxel(ct_.grid, place_mm);
         float brightest = smooth_.at(x, y, z);
@@ -132,7 +133,7 @@ class Tracer {
         graph.nodes = {{link.points_mm.front(), link.radii_mm.front()},
                        {link.points_mm.back(), link.radii_mm.back()}};
         graph.links.push_back(std::move(link));
-        // What the clicks show is no more than what is there: thin vessels are blurred.
+        // The contrast at the clicks is a lower bound, because thin vessels are blurred.
         const double contrast_hu = std::max(blood_contrast_hu, vessel_hu_ - background_hu_);
         measure_lumen(
             graph, lumen, &ct_, [this](double done) { job_.advance(0.8 + 0.2 * done); },
@@ -142,7 +143,7 @@ class Tracer {
 
     using Brightness = std::function<double(const Vec3&)>;
 
-    // Voxels from click to click; `done` is the share of the work before.
+    // The voxels from click to click; `done` is the share of the work done before.
     std::vector<Index3> path(const Brightness& bright, double done) const {
         std::vector<Index3> voxels;
         for (std::size_t i = 1; i < places_mm_.size(); ++i) {
@@ -153,13 +154,13 @@ class Tracer {
         return voxels;
     }
 
-    // The first is left out where it is there already.
+    // Appends the path to one click; its first voxel is there already.
     void add_path(std::size_t to, const Brightness& bright, std::vector<Index3>& voxels) const {
         const Index3 start = nearest_voxel(ct_.grid, places_mm_[to - 1]);
         const Index3 goal = nearest_voxel(ct_.grid, places_mm_[to]);
         if (voxels.empty()) voxels.push_back(start);
         if (start == goal) return;
-        // Long vessels wind through a large part of the CT, of which a step needs little.
+        // One step needs only a small part of the CT that a long vessel runs through.
         const IndexBox box = box_around(ct_.grid, {places_mm_[to - 1], places_mm_[to]});
         const Grid around = crop(ct_.grid, box);
         const auto within = [&](const Index3& voxel) {
@@ -176,15 +177,15 @@ class Tracer {
             if (++asked_ % voxels_between_checks == 0) job_.throw_if_cancelled();
             return bright(place);
         };
-        // The box is all that there is to search, and its darkest way is not refused.
+        // The box limits the search; a dark path is accepted.
         search.longest_gap_mm = search.longest_cost_mm = std::numeric_limits<double>::infinity();
         const std::vector<GapPath> paths = gap_paths(search, 0, within(start));
         for (std::size_t i = 1; i < paths.front().points_mm.size(); ++i)
             voxels.push_back(nearest_voxel(ct_.grid, paths.front().points_mm[i]));
     }
 
-    // What is brighter than half-way between vessel and surroundings and hangs together with the
-    // path, and the path itself.
+    // The path, and the voxels connected to it that are brighter than the mean of vessel and
+    // surroundings.
     Mask lumen_around(const std::vector<Index3>& path) const {
         Mask lumen(ct_.grid);
         const auto half_hu = static_cast<float>(0.5 * (vessel_hu_ + background_hu_));
@@ -211,7 +212,7 @@ class Tracer {
     std::vector<Vec3> places_mm_;
     Job& job_;
     FloatVolume smooth_;
-    mutable std::size_t asked_ = 0;  // voxels that were asked for their brightness
+    mutable std::size_t asked_ = 0;  // number of brightness queries
     double background_hu_ = 0.0;
     double vessel_hu_ = 0.0;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A vessel that a person points out by a few clicks: the path of least cost through the CT from
-// click to click (Dijkstra, bright voxels are cheap), moved into the middle of the lumen and
-// measured as every other centreline is (core/tree/extraction/lumen_measurement.h).
+// Traces a vessel from a few clicks: the cheapest path through the CT from click to click
+// (Dijkstra's algorithm, bright voxels are cheap), moved into the middle of the lumen and measured
+// like any other centreline (core/tree/extraction/lumen_measurement.h).
 #pragma once
 
 #include <vector>
@@ -13,21 +13,22 @@
 
 namespace hepatica {
 
-// Clicks in the order along the vessel, each at most 50 mm from the one before; clicks within half
-// a millimetre of the one before are passed over. The centreline begins and ends at the voxels of
-// the first and the last click, with points a voxel apart. Throws InputError where there are fewer
-// than two places, one lies outside of the CT, two are too far apart, or the places are no brighter
-// than what is around them by 15 HU; Cancelled, within 0.1 s or so of a real CT.
-//   blood_contrast_hu: see below; thin vessels are measured too wide where it is not known (0).
+// The clicks are ordered along the vessel, each at most 50 mm from the one before; clicks within
+// 0.5 mm of the one before are ignored. The centreline begins and ends at the voxels of the first
+// and last click, with points about a voxel apart. `blood_contrast_hu` is the value of the function
+// below; where it is 0, thin vessels are measured too wide. Begins one stage. Throws InputError
+// where there are fewer than two places, one lies outside the CT, two are too far apart, or the
+// places are not at least 15 HU brighter than their surroundings; Cancelled, within about 0.1 s for
+// a real CT.
 Centreline traced_vessel(const Volume& ct, const std::vector<Vec3>& clicks_mm,
                          double blood_contrast_hu, Job& job);
 
-// The part of a CT that such a vessel is looked for in: traced_vessel() gives the same of it.
-// Throws as it does for places that are none.
+// The part of a CT that is searched for the vessel: traced_vessel() gives the same result on it.
+// Throws as traced_vessel() does for invalid places.
 Volume traced_part(const Volume& ct, const std::vector<Vec3>& clicks_mm);
 
-// How much brighter blood is than what is around the vessels, by the tree's wide ones; 0 where it
-// has none.
+// Contrast of blood against the surroundings of the vessels, from the wide vessels of a tree; 0
+// where it has none.
 double blood_contrast_hu(const Volume& ct, const VesselTree& tree);
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Keeps the exact coordinates of bridged points in a set.
 #include "core/tree/extraction/bridged_points.h"
 
 namespace hepatica {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which centreline points bridge a gap. Graphs are split, joined and turned on the way to a tree,
-// but never move a point: bridged points are known by their place.
+// Remembers which centreline points bridge a gap. Graphs are split, joined and turned on the way to
+// a tree, but their points never move, so that bridged points are known by position.
 #pragma once
 
 #include <set>
@@ -14,11 +14,11 @@ namespace hepatica {
 // Not thread-safe.
 class BridgedPoints {
   public:
-    // A bridge's points; the first and the last lie on the vessels that it joins.
+    // Adds a bridge's points without the first and last, which lie on the vessels that it joins.
     void add(const std::vector<Vec3>& path_mm);
-    // Those that a tree has marked.
+    // Adds the points that a tree has marked.
     void add(const VesselTree& tree);
-    // Marks the points of a tree that were added.
+    // Marks the added points in a tree.
     void mark(VesselTree& tree) const;
 
   private:

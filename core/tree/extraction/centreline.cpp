@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements Gaussian smoothing, weighted medians, resampling and tangents along a curve.
 #include "core/tree/extraction/centreline.h"
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace {
 
 constexpr double most_pieces = 1e7;  // a whole vascular system has some 1e5
 
-// Calls visit(j, weight) for the points j within three deviations of point i along the curve.
+// Calls visit(j, weight) for the points j within reach_mm of point i along the curve, with Gaussian
+// weights.
 template <class Visit>
 void visit_window(const std::vector<double>& at_mm, std::size_t i, double reach_mm,
                   double deviation_mm, const Visit& visit) {
@@ -40,7 +42,7 @@ std::vector<Vec3> smooth_curve(const std::vector<Vec3>& points_mm, double deviat
     const std::vector<double> at = arclengths_mm(points_mm);
     std::vector<Vec3> smooth(points_mm.size());
     for (std::size_t i = 0; i < points_mm.size(); ++i) {
-        // The window is symmetric: it shrinks towards the ends, so that the curve keeps its length.
+        // The window is symmetric and shrinks towards the ends, so that the curve keeps its length.
         const double reach = std::min({3.0 * deviation_mm, at[i], at.back() - at[i]});
         Vec3 sum = Vec3::Zero();
         double weights = 0.0;
@@ -123,7 +125,7 @@ Centreline resampled(const Centreline& curve, double step_mm) {
         const double share = gap > 0.0 ? std::clamp((wanted - at[i]) / gap, 0.0, 1.0) : 0.0;
         const Vec3 place =
             curve.points_mm[i] + share * (curve.points_mm[i + 1] - curve.points_mm[i]);
-        // Where the curve turns back on itself, even steps can end where they begin.
+        // Where the curve turns back on itself, a step can end where it began.
         if (k > 0 && k < pieces && place == even.points_mm.back()) continue;
         even.points_mm.push_back(place);
         even.radii_mm.push_back(curve.radii_mm[i] +
@@ -137,7 +139,7 @@ Centreline resampled(const Centreline& curve, double step_mm) {
 std::vector<Vec3> tangents(const std::vector<Vec3>& points_mm, double reach_mm) {
     const std::vector<double> at = arclengths_mm(points_mm);
     std::vector<Vec3> found(points_mm.size());
-    // Both only grow with i, which makes the time linear however dense the points lie.
+    // Both only grow with i, so that the time is linear.
     std::size_t first = 0, last = 0;
     for (std::size_t i = 0; i < points_mm.size(); ++i) {
         last = std::max(last, i);

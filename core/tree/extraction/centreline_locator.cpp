@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Sorts edges into at most 64 cells per axis, and searches growing neighbourhoods of the query.
 #include "core/tree/extraction/centreline_locator.h"
 
 #include <algorithm>
@@ -80,7 +81,7 @@ std::optional<CentrelineLocator::Nearest> CentrelineLocator::nearest(const Vec3&
                     }
         return best.segment < 0 ? std::nullopt : std::optional(best);
     };
-    // Most queries find something close by; only the others look through many cells.
+    // Most queries find something nearby; only the others search many cells.
     for (double within = std::min(cell_mm_, reach_mm);; within = std::min(3.0 * within, reach_mm))
         if (const auto found = reaches(within); found || within >= reach_mm) return found;
 }

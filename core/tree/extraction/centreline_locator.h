@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nearest points on the centrelines of a tree for many queries: the edges lie in a uniform grid of
-// cells. nearest_point() in vessel_tree.h is the simple form for one query.
+// Nearest points on the centrelines of a tree for many queries, with the edges in a uniform grid of
+// cells. nearest_point() in vessel_tree.h is the simple form for a single query.
 #pragma once
 
 #include <optional>
@@ -19,10 +19,10 @@ class CentrelineLocator {
         double distance_mm = 0.0;  // from the query
     };
 
-    // Keeps what it needs of the tree; `include` may leave segments out.
+    // Copies what it needs of the tree.
     explicit CentrelineLocator(const VesselTree& tree);
 
-    // Nothing where no centreline lies within reach_mm. Thread-safe.
+    // None where no centreline lies within reach_mm. Thread-safe.
     std::optional<Nearest> nearest(const Vec3& position_mm, double reach_mm) const;
 
   private:

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Measures the components of a graph and removes the short ones.
 #include "core/tree/extraction/component_pruning.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace {
 struct Component {
     double length_mm = 0.0;
     bool named = false;   // holds a link of a known system
-    bool seeded = false;  // lies nearest to a seed
+    bool seeded = false;  // nearest to a seed
 };
 
 // -1 where there are no links.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Removes the pieces of a graph that are noise by their length, and says how much that was.
+// Removes components of a graph that are so short that they are noise, and reports how much was
+// removed.
 #pragma once
 
 #include <vector>
@@ -14,8 +15,9 @@ struct RemovedPieces {
     double length_mm = 0.0;
 };
 
-// Removes components whose links are shorter than `shortest_mm` in all. Kept are the longest one,
-// those that lie nearest to a seed, and, where there are seeds, those of a known system.
+// Removes components whose links are shorter than `shortest_mm` in all, except the longest one,
+// those nearest to a seed and, where there are seeds, those with a known system. Joins links at
+// passing nodes; nodes are renumbered.
 RemovedPieces remove_short_components(VesselGraph& graph, double shortest_mm,
                                       const std::vector<VesselSeed>& seeds = {});
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Walks from the cut in both directions until balls of the lumen are clear of the walls on the
+// other side.
 #include "core/tree/extraction/cut_gap.h"
 
 #include <algorithm>
@@ -10,16 +12,16 @@ namespace hepatica {
 
 namespace {
 
-constexpr double step_mm = 0.1;  // between the places that are tried
+constexpr double step_mm = 0.1;  // between the positions tried
 constexpr double shortest_stump_mm = 0.5;
-constexpr double fork_radii = 4.0;  // how far a node's vessels count as the node's surroundings
+constexpr double fork_radii = 4.0;  // how far along its vessels the surroundings of a node extend
 
 struct Ball {
     Vec3 centre_mm;
     double radius_mm;
 };
 
-using Wall = std::vector<Ball>;  // round cones from ball to ball
+using Wall = std::vector<Ball>;  // union of round cones between consecutive balls
 
 // Distance from the ball to the wall; negative where they overlap.
 double clearance_mm(const Ball& ball, const Wall& wall) {
@@ -37,7 +39,7 @@ double clearance_mm(const Ball& ball, const Wall& wall) {
     return least;
 }
 
-// A link from one of its nodes on, as far as it counts as that node's surroundings.
+// The part of a link that counts as the surroundings of one of its nodes.
 Wall wall_near(const VesselLink& link, bool at_from) {
     Wall wall;
     for (std::size_t i = 0; i < link.points_mm.size(); ++i)
@@ -74,7 +76,7 @@ class Cutter {
         const Vec3 axis = tangents(curve_.points_mm, curve_.radii_mm[middle])[middle];
         const VesselLink& cut = graph_.links[link_];
         const std::vector<Wall> before = walls_at(cut.from), behind = walls_at(cut.to);
-        // Where no stump is left on a side, the part on that side ends at its node.
+        // Without a stump, the part on a side ends at its node.
         for (const Wall& wall : before)
             if (!is_clear_of(wall.front(), behind)) return std::nullopt;
         for (const Wall& wall : behind)
@@ -94,7 +96,7 @@ class Cutter {
   private:
     Ball ball(std::size_t i) const { return {curve_.points_mm[i], curve_.radii_mm[i]}; }
 
-    // Whether the ball lies beyond half the gap, on the side of the middle that `outward` shows.
+    // Whether the ball lies more than half the gap from the middle, in the direction `outward`.
     bool is_beyond(std::size_t i, std::size_t middle, const Vec3& outward) const {
         const double away_mm = (curve_.points_mm[i] - curve_.points_mm[middle]).dot(outward);
         return away_mm - curve_.radii_mm[i] >= 0.5 * cut_gap_mm;

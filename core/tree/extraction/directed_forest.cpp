@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// hepatica::directed: from an undirected graph of links to trees with roots, parents and orders.
+// Implements directed() of vessel_graph.h: from an undirected graph to trees with roots, parents
+// and Strahler orders, by Prim's algorithm on the widths of links (a maximum spanning tree).
 #include <algorithm>
 #include <map>
 #include <queue>
@@ -12,7 +13,7 @@ namespace hepatica {
 
 namespace {
 
-// Radius of the narrowest part of a link, its very ends left out.
+// Smallest radius of a link, without its end points where there are enough.
 double narrowest_mm(const VesselLink& link) {
     const std::size_t n = link.radii_mm.size();
     const std::size_t skip = n >= 5 ? 1 : 0;
@@ -25,7 +26,7 @@ double mean_radius_mm(const VesselLink& link) {
     return sum / static_cast<double>(link.radii_mm.size());
 }
 
-// A link from a node to itself becomes two, with a node half-way.
+// Splits a link from a node to itself in two, and drops it where it has fewer than three points.
 void split_rings(VesselGraph& graph) {
     const std::size_t count = graph.links.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -46,7 +47,7 @@ void split_rings(VesselGraph& graph) {
     std::erase_if(graph.links, [](const VesselLink& l) { return l.from == l.to; });
 }
 
-// Gives each system its own copy of a node that links of several systems share.
+// Gives each system its own copy of a node shared with other systems.
 void separate_systems(VesselGraph& graph, std::vector<RootWish>& wishes) {
     std::map<std::pair<int, VascularSystem>, int> copies;  // (node, system) -> node
     std::vector<std::uint8_t> has_owner(graph.nodes.size(), 0);
@@ -90,8 +91,8 @@ class Director {
   private:
     static constexpr int not_reached = -2;
 
-    // The widest end: the far end of a trunk is wide along its whole link, so the link's mean
-    // counts.
+    // Prefers wide ends. The mean radius of the link counts, because a trunk is wide along its
+    // length.
     double root_merit(int node) const {
         double widest = 0.0;
         for (const int id : at_node_[node])
@@ -131,9 +132,9 @@ class Director {
         return found;
     }
 
-    // Prim's spanning tree over the widest links first.
+    // Prim's spanning tree, widest links first.
     void grow(int root) {
-        using Open = std::tuple<double, int, int>;  // width, -link, node it is entered from
+        using Open = std::tuple<double, int, int>;  // width, -link, node it is reached from
         std::priority_queue<Open> open;
         const auto push_links = [&](int node) {
             for (const int id : at_node_[node])
@@ -221,7 +222,7 @@ class Director {
     const VesselGraph& graph_;
     std::vector<std::vector<int>> at_node_;
     std::vector<int> component_;
-    std::vector<int> reached_by_;  // segment that ends in the node; -1 at a root
+    std::vector<int> reached_by_;  // segment that ends at the node; -1 at a root
     std::vector<std::uint8_t> used_;
     VesselTree tree_;
 };

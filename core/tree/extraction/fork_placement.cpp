@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Fits axes to the links outside a node, solves a 3 x 3 system for their meeting point, and redraws
+// the links.
 #include "core/tree/extraction/fork_placement.h"
 
 #include <Eigen/Dense>
@@ -11,9 +13,9 @@ namespace hepatica {
 
 namespace {
 
-constexpr double pull_to_old_place = 0.02;  // against 1 per axis: decides along parallel axes only
+constexpr double pull_to_old_place = 0.02;  // against 1 per axis: matters only along parallel axes
 
-// A link seen from one of its ends: where it leaves the node's lumen and its axis there.
+// A link at one of its ends: where it leaves the node's lumen, and its axis there.
 struct Exit {
     int link;
     bool at_from;       // the node is the link's first point
@@ -43,7 +45,7 @@ class Placer {
             graph_.nodes[n].position_mm = meeting_point(graph_.nodes[n], exits);
             all.insert(all.end(), exits.begin(), exits.end());
         }
-        // Only now: a link's other end still needs the points that it had.
+        // After all nodes, because a link's other end needs the original points.
         std::ranges::stable_sort(
             all, {}, [](const Exit& exit) { return std::pair(exit.link, exit.at_from); });
         for (const Exit& exit : all) lay(exit);
@@ -54,7 +56,7 @@ class Placer {
     }
 
   private:
-    // The axis of a link over a stretch that begins where the link leaves the node's lumen.
+    // The axis of a link just outside the node's lumen: principal direction of its reliable points.
     void add_exit(int id, bool at_from, std::vector<Exit>& exits) const {
         const VesselLink& link = graph_.links[id];
         const std::size_t n = link.points_mm.size();
@@ -94,7 +96,7 @@ class Placer {
         return node.position_mm + move * std::min(1.0, farthest / std::max(move.norm(), 1e-12));
     }
 
-    // Points between the node and the axis go onto the straight line between the two.
+    // Moves the points between the node and the axis onto a straight line.
     void lay(const Exit& exit) {
         VesselLink& link = graph_.links[exit.link];
         const std::size_t n = link.points_mm.size();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Searches paths from all open ends in parallel, scores them, and builds the confident ones
+// greedily.
 #include "core/tree/extraction/gap_bridging.h"
 
 #include <algorithm>
@@ -20,7 +22,7 @@ namespace hepatica {
 
 namespace {
 
-// Voxels of the mask's components that hold a piece of the graph.
+// Assigns the mask's 26-connected components to the pieces of the graph that lie in them.
 class Pieces {
   public:
     Pieces(const VesselGraph& graph, const Mask& vessels)
@@ -75,7 +77,8 @@ class Brightness {
         for (const VesselLink& link : graph.links)
             for (std::size_t i = 0; i < link.points_mm.size(); ++i) {
                 inside.push_back(interpolate(*ct, link.points_mm[i]));
-                // Six directions, two radii and three voxels away, where that is no vessel.
+                // Sampled two radii and three voxels away in six directions, where there is no
+                // vessel.
                 const double away =
                     2.0 * link.radii_mm[i] + 3.0 * vessels.grid.spacing_mm.maxCoeff();
                 for (int a = 0; a < 6; ++a) {
@@ -182,7 +185,7 @@ class Bridging {
         return all;
     }
 
-    // Whether any other piece's wall can lie within the longest gap from a node.
+    // Whether another piece's wall may lie within the longest gap from a node.
     bool others_in_reach(int node) const {
         for (const VesselLink& link : graph_.links) {
             if (pieces_.of_node(link.from) == pieces_.of_node(node)) continue;
@@ -227,7 +230,7 @@ class Bridging {
         return best;
     }
 
-    // Mean brightness of the gap. Where nothing is known of it, nearness decides.
+    // Mean brightness of the gap; without a usable CT, nearness decides.
     double brightness_share(const GapPath& path) const {
         if (!brightness_.known()) return std::exp(-path.gap_mm / 3.0);
         double sum = 0.0, count = 0.0;
@@ -237,11 +240,11 @@ class Bridging {
             count += 1.0;
         }
         const double mean = count > 0.0 ? sum / count : 1.0;
-        // A dark gap of a voxel or two is what noise makes.
+        // Noise alone makes dark gaps of a voxel or two.
         return std::max(mean, std::exp(-path.gap_mm / 1.5));
     }
 
-    // 1 where the path goes on in the direction of the vessel, 0 where it turns back.
+    // 1 where the path continues in the direction of the vessel, down to 0.25 where it turns back.
     double straightness(const VesselLink& link, int node, const Bridge& bridge) const {
         std::vector<Vec3> points = link.points_mm;
         if (link.from == node) std::ranges::reverse(points);
@@ -265,7 +268,7 @@ class Bridging {
     void build(Candidate& candidate) {
         Bridge& bridge = candidate.bridge;
         bridge.built = true;
-        // The target's link may have been split by an earlier bridge: look it up again.
+        // An earlier bridge may have split the target's link, so it is looked up again.
         VesselGraph& graph = graph_;
         int nearest = -1;
         std::size_t at = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Links between pieces of a vessel that the segmentation left apart: minimal paths through the CT
-// from the open ends of one piece to another, each with a confidence, so that the doubtful ones can
-// be shown to the user instead of being taken.
+// Bridges gaps that the segmentation left between pieces of a vessel: minimal paths through the CT
+// from the open ends of one piece to another, each with a confidence, so that doubtful ones are
+// offered to the user instead of being built.
 #pragma once
 
 #include <functional>
@@ -15,35 +15,34 @@ namespace hepatica {
 
 struct BridgeOptions {
     double longest_gap_mm = 15.0;  // length of the path outside the mask
-    double confidence = 0.25;      // from here on a bridge is built without asking
+    double confidence = 0.25;      // bridges are built from this confidence on
 };
 
 // A proposed link.
 struct Bridge {
-    // From an open end to a point on another piece's centreline; of a bridge that is built, the
-    // centreline as it was built.
+    // From an open end to a point on another piece's centreline; for a built bridge, its
+    // centreline.
     std::vector<Vec3> path_mm;
     double from_radius_mm = 0.0;
     double to_radius_mm = 0.0;
     double gap_mm = 0.0;  // length of the path outside the mask
-    // In [0, 1]: how bright the gap is compared with the vessel, how straight on the path goes, and
-    // whether it leads to the wide end of one of the pieces, as a lost branch has it. Two systems
-    // that come near each other with their thin ends score low.
+    // In [0, 1]: product of the brightness of the gap relative to the vessel, the straightness of
+    // the path, and whether it leads to a wide end of one of the pieces, as for a lost branch. Two
+    // systems that come near each other with their thin ends score low.
     double confidence = 0.0;
-    bool built = false;    // whether the graph has it already
-    bool refused = false;  // somebody said that it is none: it is not offered any more
+    bool built = false;    // is in the graph
+    bool refused = false;  // refused by the user: not offered again
 };
 
-// Finds at most one bridge for each pair of pieces, best first, builds those that are confident
-// enough into the graph, and returns those and the best of each remaining piece. `ct` may be null:
-// then only nearness and direction count. The masks' grid is that of the graph's skeleton.
-// `progress` is told the share that is done, from any thread; what it throws ends the work.
-// Deterministic.
+// Finds bridges and builds those of at least `options.confidence` into the graph. Returns them and
+// at most one offer for each remaining pair of pieces, best first. `ct` may be null: then only
+// distance and direction count. The mask's grid is that of the graph's skeleton. `progress` gets
+// the share done, from any thread; an exception it throws ends the work. Deterministic.
 std::vector<Bridge> bridge_gaps(VesselGraph& graph, const Mask& vessels, const Volume* ct,
                                 const BridgeOptions& options,
                                 const std::function<void(double share)>& progress);
 
-// Bridges as a JSON array, and back. Reading throws InputError that names `place` (the file).
+// Bridges as a JSON array, and back. Reading throws InputError, naming `place` (the file).
 std::string bridges_to_json(const std::vector<Bridge>& bridges);
 std::vector<Bridge> bridges_from_json(const std::string& text, const std::string& place);
 

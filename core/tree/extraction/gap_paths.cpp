@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements Dijkstra's algorithm and A* on voxels visited on demand.
 #include "core/tree/extraction/gap_paths.h"
 
 #include <algorithm>
@@ -16,19 +17,19 @@ namespace {
 constexpr double darkest = 0.1;       // a dark millimetre costs as much as ten bright ones
 constexpr double own_reach_mm = 4.0;  // how far back into its own piece a path may lead
 
-// A voxel that was seen. What the callbacks say of it is asked once: that costs most.
+// A visited voxel. The callbacks, which cost most, are called once for each.
 struct Reached {
     int piece = -1;
-    double price = 1.0;     // of a millimetre
-    double still_mm = 0.0;  // it is to the goal at least
+    double price = 1.0;     // cost of a millimetre
+    double still_mm = 0.0;  // least remaining cost to the goal
     double cost_mm = std::numeric_limits<double>::infinity();
     double gap_mm = 0.0;
     std::size_t before = 0;
     bool asked = false;
-    bool closed = false;  // its cost is final, or it must not be entered
+    bool closed = false;  // its cost is final, or it may not be entered
 };
 
-// Voxels are kept in runs along a row, for neighbours are looked up together.
+// Voxels are stored in runs along a row, because neighbours are looked up together.
 constexpr std::size_t run_length = 16;
 using Run = std::array<Reached, run_length>;
 
@@ -54,7 +55,7 @@ class Search {
             entry.closed = true;
             if (entry.piece >= 0 && entry.piece != own_) {
                 if (found.insert(entry.piece).second) paths.push_back(path_to(here, entry.piece));
-                continue;  // what lies behind is that piece's own business
+                continue;  // paths do not continue through another piece
             }
             spread(here, entry);
         }

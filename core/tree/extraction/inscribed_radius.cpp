@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Checks voxels around the query in the order of their distance.
 #include "core/tree/extraction/inscribed_radius.h"
 
 #include <algorithm>
@@ -16,13 +17,13 @@ double InscribedRadius::at(const Index3& voxel) {
     const double finest_mm = mask_.grid.spacing_mm.minCoeff();
     Vec3 move;
     for (int a = 0; a < 3; ++a) move[a] = voxel[a] - last_voxel_[a];
-    // No background can be nearer than it was from the last voxel, less the way from there.
+    // The background is no nearer than it was from the last voxel, less the distance from there.
     const double least_mm =
         last_distance_mm_ - move.cwiseProduct(mask_.grid.spacing_mm).norm() - 1e-9;
     while (least_mm > reach_mm_) look_further();
     const auto first = std::ranges::lower_bound(offsets_, least_mm, {}, &Offset::distance_mm);
     for (auto i = static_cast<std::size_t>(first - offsets_.begin());; ++i) {
-        if (i == offsets_.size()) look_further();  // what was there before stays in front
+        if (i == offsets_.size()) look_further();  // earlier entries keep their places
         const Offset& o = offsets_[i];
         const int x = voxel[0] + o.x, y = voxel[1] + o.y, z = voxel[2] + o.z;
         if (mask_.grid.contains(x, y, z) && mask_.at(x, y, z) != 0) continue;

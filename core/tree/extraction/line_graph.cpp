@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Merges points and chains edges between nodes into links.
 #include "core/tree/extraction/line_graph.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 
 constexpr double same_place_mm = 1e-3;
 
-// For each point the first point at the same place (rounded to a micrometre).
+// For each point, the first point at the same position (rounded to a micrometre).
 std::vector<int> merged(const std::vector<Vec3>& points_mm) {
     std::map<std::array<long long, 3>, int> first_at;
     std::vector<int> representative(points_mm.size());

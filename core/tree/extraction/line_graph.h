@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A vessel graph rebuilt from the bare lines of a file that knows nothing of segments.
+// Rebuilds a vessel graph from the bare lines of a file without segments.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace hepatica {
 
-// A straight piece between two points of the file, with the lumen radius at both.
+// An edge between two points of the file, with the lumen radius at both.
 struct LineEdge {
     int from = -1;
     int to = -1;
@@ -19,12 +19,12 @@ struct LineEdge {
 
 struct LineGraph {
     VesselGraph graph;
-    std::vector<int> node_of_point;  // graph node that stands at a point, -1 inside a link
+    std::vector<int> node_of_point;  // graph node at each point, -1 inside a link
 };
 
-// Points within a micrometre of each other count as one. Every point in which not exactly two edges
-// of one system meet becomes a node, and so does every point named in `kept_points`. Edges of no
-// length and edges given twice are left out. Indices must be valid.
+// Positions are rounded to a micrometre, and points at one rounded position are merged. Every point
+// where not exactly two edges of one system meet becomes a node, and so does every point in
+// `kept_points`. Edges without length and repeated edges are dropped. Indices must be valid.
 LineGraph graph_of_edges(const std::vector<Vec3>& points_mm, const std::vector<LineEdge>& edges,
                          const std::vector<int>& kept_points = {});
 

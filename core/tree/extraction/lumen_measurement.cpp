@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Cuts cross-sections along all links in parallel, centres the links, places forks, and turns
+// section areas into smooth radii.
 #include "core/tree/extraction/lumen_measurement.h"
 
 #include <algorithm>
@@ -19,10 +21,10 @@ namespace hepatica {
 
 namespace {
 
-constexpr double least_contrast_hu = 15.0;  // below this the CT says nothing about a lumen
+constexpr double least_contrast_hu = 15.0;  // below this the CT does not show a lumen
 
-// Lumens of these radii show their full contrast in their middle and are not yet the great vessels,
-// where blood of several sources mixes. Where there are too few such stations the widest stand in.
+// Lumens of these radii show their full contrast in the middle, but are not the great vessels,
+// where blood from several sources mixes. Where there are too few, the widest are used.
 constexpr double wide_voxels = 3.5;
 constexpr double very_wide_voxels = 7.0;
 constexpr std::size_t enough_stations = 40;
@@ -36,7 +38,7 @@ double radius_of_area(double area_mm2) {
     return std::sqrt(area_mm2 / std::numbers::pi);
 }
 
-// The staircase of voxels becomes a curve with points a voxel apart.
+// Turns the staircase of voxels into a curve with points a voxel apart.
 void smooth_link(VesselLink& link, double voxel_mm) {
     Centreline curve{smooth_curve(link.points_mm, 1.5 * voxel_mm, true), link.radii_mm};
     curve = resampled(curve, voxel_mm);
@@ -96,7 +98,7 @@ class Measurement {
         });
     }
 
-    // Also asks whether to stop.
+    // Also allows cancelling.
     void report() const {
         const double all = rounds * static_cast<double>(graph_.links.size());
         progress_(std::min(1.0, links_done_ / all));
@@ -117,7 +119,7 @@ class Measurement {
                 cross_section(vessels_, ct_, link.points_mm[i], directions[i],
                               2.0 * link.radii_mm[i] + 2.0 * voxel_mm_);
             double trust = section.inside ? section.usable_share * section.roundness + 1e-3 : 1e-6;
-            // Inside the lumen of the node the section is that of the fork, not of the branch.
+            // In the node's lumen the section is that of the fork.
             if (is_fork(link.from) && at_mm[i] < graph_.nodes[link.from].radius_mm) trust *= 1e-3;
             if (is_fork(link.to) && at_mm.back() - at_mm[i] < graph_.nodes[link.to].radius_mm)
                 trust *= 1e-3;
@@ -135,7 +137,7 @@ class Measurement {
         return reliable;
     }
 
-    // Moves the points into the middle of their sections and smooths again.
+    // Moves the points to the centroids of their sections and smooths again.
     void centre(std::size_t id) {
         VesselLink& link = graph_.links[id];
         const Stations& stations = stations_[id];
@@ -159,8 +161,7 @@ class Measurement {
         return radius_mm >= wide_voxels * voxel_mm_ && radius_mm <= very_wide_voxels * voxel_mm_;
     }
 
-    // The contrast of each link and each system where the vessels are wide enough to show it in
-    // full.
+    // The contrast of each link and system, from vessels wide enough to show it in full.
     void find_contrasts() {
         std::map<VascularSystem, std::vector<std::pair<double, double>>> seen;  // radius, contrast
         wide_contrasts_.resize(graph_.links.size());
@@ -188,9 +189,9 @@ class Measurement {
         return median(wide);
     }
 
-    // Portal and hepatic veins may touch and then are one graph, with blood of different contrast:
-    // a link has that of the wide lumens nearest along the graph, or its system's where there are
-    // too few.
+    // The contrast of a link: that of the nearest wide lumens along the graph, because touching
+    // portal and hepatic veins form one graph but differ in contrast; where there are too few, the
+    // known contrast or that of the system.
     double contrast_of_link(std::size_t id) const {
         using Reached = std::pair<double, int>;  // distance along the graph, node
         std::priority_queue<Reached, std::vector<Reached>, std::greater<>> next;
@@ -219,7 +220,7 @@ class Measurement {
         return of_system == contrast_hu_.end() ? 0.0 : of_system->second;
     }
 
-    // Very wide vessels show their own contrast, others that of their link.
+    // Very wide vessels have their own contrast, others that of their link.
     double contrast_at(const CrossSection& section, double of_link) const {
         const double own = section.centre_hu - section.background_hu;
         const double voxels = radius_of_area(section.mask_area_mm2) / voxel_mm_;
@@ -261,8 +262,8 @@ class Measurement {
     static constexpr double rounds = 3.0;
     static constexpr std::size_t sections_per_report = 64;  // some milliseconds
     const std::function<void(double)>& progress_;
-    std::atomic<int> links_done_ = 0;  // in all rounds
-    double known_contrast_hu_;         // 0: of none
+    std::atomic<int> links_done_ = 0;  // over all rounds
+    double known_contrast_hu_;         // 0: not known
     double voxel_mm_;
     std::vector<std::vector<int>> at_node_;
     std::vector<Stations> stations_;

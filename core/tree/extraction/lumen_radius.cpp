@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Measures a cross-section with 24 rays from the centreline point.
 #include "core/tree/extraction/lumen_radius.h"
 
 #include <Eigen/Geometry>
@@ -16,14 +17,14 @@ namespace hepatica {
 namespace {
 
 constexpr int ray_count = 24;
-constexpr double rim_voxels = 2.0;  // beyond the mask, where blurring has carried intensity
-constexpr double surroundings_voxels = 4.5;  // beyond the mask, the far border of the background
-constexpr double longest_ray = 1.6;          // over the median: longer rays run into a branch
+constexpr double rim_voxels = 2.0;           // beyond the mask, where blurring spreads intensity
+constexpr double surroundings_voxels = 4.5;  // beyond the mask: outer border of the background
+constexpr double longest_ray = 1.6;  // relative to the median: longer rays run into a branch
 
 struct Ray {
     Vec3 direction;
     double wall_mm = 0.0;   // where the mask ends
-    double clear_mm = 0.0;  // up to here no other vessel begins
+    double clear_mm = 0.0;  // no other vessel begins before this
     bool usable = true;
 };
 
@@ -132,8 +133,8 @@ class Section {
                 centre_weight += t;
             }
         }
-        // In the rim the median over the rays: a neighbour that the mask does not know of shines
-        // into a few of them only.
+        // In the rim the median over the rays counts: a neighbouring vessel outside the mask
+        // affects only a few of them.
         for (double s = 0.5 * step_mm_; s < rim_voxels * voxel_mm_; s += step_mm_) {
             const auto [weight, hu] = rim_at(s);
             covered += weight * step_mm_;
@@ -145,7 +146,7 @@ class Section {
         measure_surroundings(section);
     }
 
-    // Sum of the radii and median intensity of the clear rays at a distance beyond the wall.
+    // Sum of the distances and median intensity of the clear rays at a distance beyond the wall.
     std::pair<double, double> rim_at(double beyond_mm) const {
         double weight = 0.0;
         std::vector<double> values;

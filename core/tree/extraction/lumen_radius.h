@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cross-sections of a vessel along its centreline, and from them radii below the size of a voxel.
+// Cross-sections of a vessel along its centreline, for radii below the size of a voxel.
 //
-// On a CT the radius comes from the section's excess of intensity over the parenchyma, divided by
-// the contrast of wide vessels nearby in the tree: the area a blood-filled disc must have to
-// account for it. Blurring moves intensity about but does not change its sum, so this has no
-// threshold and needs no model of the scanner. Without a CT it is the area of the mask's section.
+// On a CT, the area of a section is its excess of intensity over the parenchyma divided by the
+// contrast of wide vessels nearby in the tree: the area of a blood-filled disc that explains it.
+// Blurring moves intensity but keeps its sum, so this needs no threshold and no model of the
+// scanner. Without a CT the area is that of the mask's section.
 #pragma once
 
 #include <vector>
@@ -14,12 +14,12 @@
 
 namespace hepatica {
 
-// What one cross-section shows. Integrals are over the section's usable rays, scaled to the full
+// The measurements of one cross-section. Integrals are over the usable rays, scaled to the full
 // circle; rays that run into another branch are not usable.
 struct CrossSection {
-    bool inside = false;            // the centreline point lies in the mask
+    bool inside = false;            // the point lies in the mask; false: nothing else is set
     double mask_area_mm2 = 0.0;     // inside the mask
-    Vec3 offset_mm = Vec3::Zero();  // from the centreline point to the section's centroid
+    Vec3 offset_mm = Vec3::Zero();  // from the point to the section's centroid
     double usable_share = 0.0;      // of the rays
     double roundness = 0.0;         // shortest over longest usable ray
 
@@ -31,8 +31,8 @@ struct CrossSection {
     double centre_hu = 0.0;  // mean near the centre
 };
 
-// Cuts mask and CT (if not null) across `direction` at a point. reach_mm limits the rays inside the
-// mask.
+// Cuts mask and CT (may be null) perpendicular to the unit vector `direction` at a point. reach_mm
+// limits the rays inside the mask. Thread-safe.
 CrossSection cross_section(const Mask& mask, const Volume* ct, const Vec3& point_mm,
                            const Vec3& direction, double reach_mm);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Makes nodes of ends and junction clusters and traces the runs of voxels between them.
 #include "core/tree/extraction/skeleton_graph.h"
 
 #include <algorithm>
@@ -45,7 +46,7 @@ class Tracer {
         return found;
     }
 
-    // An end is a node of its own, voxels of higher degree that touch are one node.
+    // An end is a node; connected voxels of higher degree are one node.
     void make_node(std::size_t p) {
         const int d = degree_of(p);
         if (d == 0 || d == 2 || node_of_.contains(p)) return;
@@ -66,7 +67,7 @@ class Tracer {
     void trace_from(std::size_t start, int node) {
         for (std::size_t q : neighbours(start)) {
             if (const auto other = node_of_.find(q); other != node_of_.end()) {
-                // Two nodes side by side: one of them is an end.
+                // Two adjacent nodes: one of them is an end.
                 if (other->second > node) add_link(node, {}, other->second);
                 continue;
             }
@@ -84,7 +85,7 @@ class Tracer {
         }
     }
 
-    // A ring without junctions: its first voxel becomes its node.
+    // A ring without junctions; its first voxel becomes its node.
     void trace_ring(std::size_t start) {
         std::vector<std::size_t> path;
         std::size_t before = start;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Alternates the removal of spurs and small rings with joining links, until nothing changes.
 #include "core/tree/extraction/spur_pruning.h"
 
 #include <algorithm>
@@ -8,8 +9,8 @@ namespace hepatica {
 
 namespace {
 
-// How many of the parent's radii an end link reaches beyond the parent's wall; infinite for links
-// that are no end links or are long enough to be vessels.
+// Number of the parent's radii that an end link reaches beyond the parent's wall; infinite for
+// links that are no end links or long enough to be vessels.
 double reach_in_radii(const VesselGraph& graph, const std::vector<std::vector<int>>& at_node,
                       int id, double shortest_mm, double spur_radii) {
     const VesselLink& link = graph.links[id];
@@ -47,7 +48,7 @@ bool remove_worst_spurs(VesselGraph& graph, double spur_radii, double shortest_m
     return any;
 }
 
-// Rings too small to go around anything: a fold of the skeleton inside one lumen.
+// Removes rings too small to enclose anything: folds of the skeleton inside one lumen.
 bool remove_small_rings(VesselGraph& graph) {
     std::vector<std::uint8_t> removed(graph.links.size(), 0);
     const auto at_node = links_of_nodes(graph);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels links by the mask, and floods unknown links from known ones with a priority queue on
+// width.
 #include "core/tree/extraction/system_assignment.h"
 
 #include <algorithm>
@@ -45,7 +47,7 @@ void flood(VesselGraph& graph) {
         if (link.system != unknown) continue;
         const VascularSystem one = node_system[link.from], other = node_system[link.to];
         if (one != unknown && other != unknown && one != other) {
-            // Two systems meet in this link. They are parted at its narrowest point, so the link
+            // Two systems meet in this link. They are separated at its narrowest point, so the link
             // belongs to the system at the end farther from that point.
             const auto narrowest = std::ranges::min_element(link.radii_mm) - link.radii_mm.begin();
             const bool near_from = 2 * narrowest < std::ssize(link.radii_mm);
@@ -58,7 +60,7 @@ void flood(VesselGraph& graph) {
     }
 }
 
-// Number of the system at each point of a link; 0 where a point lies in no vessel.
+// System number at each point of a link; 0 outside vessels.
 std::vector<int> labels_along(const VesselLink& link, const Mask& labels) {
     std::vector<int> found;
     for (const Vec3& p : link.points_mm) found.push_back(value_at(labels, p));
@@ -79,8 +81,8 @@ VascularSystem system_of_label(int label) {
     return system_numbered(label).value_or(VascularSystem::unknown);
 }
 
-// Index at which a link parts best into two stretches of one label each; 0 where neither stretch
-// would be long enough to be more than the edge of the other.
+// Index that best splits a link into two stretches of one label each; 0 where a stretch would be
+// too short to be more than the edge of the other.
 std::size_t label_change(const std::vector<int>& values) {
     constexpr std::size_t least_points = 4;
     std::size_t best = 0, most_right = 0;
@@ -104,7 +106,7 @@ double share_of(const std::vector<int>& values, VascularSystem system) {
            static_cast<double>(values.size());
 }
 
-// The part of the values before `end` decides.
+// Sets a link's system and confidence from the values before `end`.
 void decide(VesselLink& link, const std::vector<int>& values, std::size_t end) {
     const std::vector<int> part(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(end));
     link.system = system_of_label(most_frequent(part));
@@ -124,7 +126,7 @@ void assign_systems(VesselGraph& graph, const Mask& systems) {
         decide(graph.links[id], values, cut > 0 ? cut : values.size());
     }
     flood(graph);
-    join_passing_nodes(graph);  // parts that turned out to be of one system
+    join_passing_nodes(graph);  // parts of one system
 }
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements the operations on vessel graphs; directed() is in directed_forest.cpp.
 #include "core/tree/extraction/vessel_graph.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Centrelines as an undirected graph: what a vessel tree is before a root is chosen, and what it
-// becomes again while it is pruned, linked, cut or read from another program's file.
+// Centrelines as an undirected graph: the form of a vessel tree before it has a root, and while it
+// is pruned, linked, cut or read from another program's file.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace hepatica {
 
-// A stretch of vessel between two nodes, in no particular direction.
+// A vessel between two nodes, without a direction.
 struct VesselLink {
     int from = -1;
     int to = -1;
@@ -30,41 +30,42 @@ double length_mm(const VesselLink& link);
 // The same link from its other end.
 void reverse(VesselLink& link);
 
-// Ids of the links that meet in each node, ascending; a link from a node to itself stands twice.
+// Ids of the links at each node, ascending; a link from a node to itself appears twice.
 std::vector<std::vector<int>> links_of_nodes(const VesselGraph& graph);
 
-// Removes the links that are marked; their nodes stay.
+// Removes the marked links; their nodes stay.
 void remove_links(VesselGraph& graph, const std::vector<std::uint8_t>& removed);
 
-// Joins the two links of every node in which exactly two links of one system meet, and drops the
-// nodes that no link uses.
+// Joins the two links at every node with exactly two links of one system, and removes nodes without
+// links. Ids change.
 void join_passing_nodes(VesselGraph& graph);
 
-// The component of each node, numbered by first node. Links join whatever their systems.
+// The connected component of each node, numbered in the order of first nodes. Systems do not
+// matter.
 std::vector<int> component_of_nodes(const VesselGraph& graph);
 
-// A place at which a system should begin.
+// A node at which a system should begin.
 struct RootWish {
     int node = -1;
     VascularSystem system = VascularSystem::unknown;
 };
 
 // Directs every system of the graph away from its roots and sorts it into a tree: parents before
-// children, wide branches before narrow ones, systems in ascending order. Of each loop the
-// narrowest link is the one that closes it. Links from a node to itself are split in the middle.
-//   wishes: a component that none names begins at its widest end; the first of several in one
-//   component counts, and those that name no node of their system are passed over.
-// Nodes shared by two systems are given to each of them.
+// children, wide branches before narrow ones, systems in ascending order. The narrowest link of a
+// loop closes it. Links from a node to itself are split in the middle, or dropped where they have
+// fewer than three points. Systems that share a node each get a copy of it.
+//   wishes: the first one for a component counts; a component without one begins at its widest end,
+//   and wishes for a node without their system are ignored.
 VesselTree directed(VesselGraph graph, std::span<const RootWish> wishes = {});
 
 // The graph of a tree. Node ids are the tree's own, link i is segment i.
 VesselGraph to_graph(const VesselTree& tree);
 
-// The roots of a tree as wishes, so that it keeps them when it is built anew.
+// The roots of a tree as wishes, to keep them when it is built anew.
 std::vector<RootWish> root_wishes(const VesselTree& tree);
 
-// Puts a node into a link at a distance along it and returns the node. Where the place lies within
-// `snap_mm` of one of the link's nodes, that node is returned and nothing changes.
+// Inserts a node into a link at a distance along it and returns it. Within `snap_mm` of one of the
+// link's nodes, that node is returned and nothing changes. The second half becomes the last link.
 int split_link(VesselGraph& graph, int link, double along_mm, double snap_mm);
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// JSON of bridges (gap_bridging.h).
 #include "core/base/error.h"
 #include "core/base/json_problem.h"
 #include "core/base/patient_space.h"

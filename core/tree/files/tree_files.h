@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the readers of tree files have in common.
+// Shared by the readers of tree files.
 #pragma once
 
 #include <filesystem>
@@ -11,21 +11,20 @@
 
 namespace hepatica {
 
-// A file's bytes. Throws InputError that names it where it cannot be read.
+// The content of a file. Throws InputError, naming it, where it cannot be read.
 std::string read_text(const std::filesystem::path& file);
 
-// What turns positions of a space into LPS, coordinate by coordinate.
+// Factors that turn coordinates of a space into LPS.
 inline Vec3 signs_to_lps(PatientSpace space) {
     return space == PatientSpace::ras ? Vec3(-1, -1, 1) : Vec3(1, 1, 1);
 }
 
-// Throws InputError where the numbers of the systems, in a file that does not name them, may mean
-// two things: see tree_io.h.
+// Throws InputError where numbers of systems in a file without names are ambiguous (tree_io.h).
 void require_unambiguous_systems(const std::vector<int>& numbers,
                                  const std::filesystem::path& file);
 
-// validate() with the file named as the place; also refuses positions beyond 10 m and radii that no
-// vessel has.
+// validate() with the file as the place. Also throws InputError for positions outside the patient's
+// space and radii outside 0.001 to 1000 mm.
 void validate_from_file(const VesselTree& tree, const std::filesystem::path& file);
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Selects readers and writers by file extension, and validates what was read.
 #include "core/tree/files/tree_io.h"
 
 #include <algorithm>
@@ -18,7 +19,7 @@ std::string read_text(const std::filesystem::path& file) {
 
 namespace {
 
-// Capillaries, the thinnest vessels there are, have radii of 0.003 mm; the aorta has 15.
+// Capillaries, the thinnest vessels, have radii of 0.003 mm; the aorta has 15.
 void require_plausible_radius(double radius_mm, const std::string& place) {
     constexpr double least_mm = 0.001, most_mm = 1000.0;
     if (radius_mm >= least_mm && radius_mm <= most_mm) return;

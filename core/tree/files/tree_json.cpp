@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads and writes trees as JSON.
 #include "core/base/json_number.h"
 #include "core/tree/files/tree_io.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the JSON of trees, of edits and of cases has in common.
+// Shared by the JSON of trees, edits and cases.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -35,7 +35,8 @@ inline nlohmann::json json_of(const std::vector<SystemSummary>& systems) {
     return list;
 }
 
-// Throws nlohmann::json::exception where the value is not an array of three numbers.
+// Reads the first three elements of an array. Throws nlohmann::json::exception where one is missing
+// or no number.
 inline Vec3 vec3_from(const nlohmann::json& value) {
     return {value.at(0).get<double>(), value.at(1).get<double>(), value.at(2).get<double>()};
 }

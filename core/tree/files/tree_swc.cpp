@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads and writes trees as SWC.
 #include "core/tree/files/tree_io.h"
 
 #include <algorithm>
@@ -16,8 +17,8 @@ namespace hepatica {
 
 namespace {
 
-// SWC leaves the types from 5 on to whoever writes the file, and 0 to what is undefined. They are
-// read as systems only where the file says in this line that it means them so.
+// SWC leaves the meaning of types from 5 on to the writer, and 0 is undefined. They are read as
+// systems only where the file contains this line.
 constexpr const char* types_line = "# Types: 5 portal vein, 6 hepatic veins, 7 artery, 0 unknown.";
 constexpr int type_before_portal = 4;
 
@@ -31,7 +32,7 @@ VascularSystem system_of_type(double type) {
     return VascularSystem::unknown;
 }
 
-// The shortest text that reads back to the same bits, whatever the locale.
+// The shortest text that reads back exactly, in any locale.
 std::string text_of(double value) {
     char buffer[32];
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
@@ -84,8 +85,8 @@ std::vector<Sample> parse_samples(const std::string& text, const std::filesystem
     return samples;
 }
 
-// A sample that is its own ancestor has no root, and blood would have nowhere to come from.
-// `index_of` holds every sample and every parent that is named.
+// Throws InputError for a sample that is its own ancestor, because it has no root. `index_of` holds
+// every sample and every named parent.
 void refuse_cycles(const std::vector<Sample>& samples, const std::map<long long, int>& index_of,
                    const std::filesystem::path& file) {
     enum class Visit { none, under_way, done };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads and writes trees as VTP.
 #include "core/tree/files/tree_io.h"
 
 #include <vtkCellArray.h>
@@ -49,11 +50,11 @@ vtkDoubleArray* add_doubles(vtkFieldData* data, const char* name) {
     return array;
 }
 
-// Where each segment stands in its tree.
+// Position of a segment in its tree.
 struct Place {
-    int tree = 0;           // number of its tree, by root
-    int depth = 0;          // bifurcations between its tree's root and its beginning
-    double start_mm = 0.0;  // way from its tree's root to its beginning
+    int tree = 0;           // number of its tree, in the order of roots
+    int depth = 0;          // number of segments between the root and its beginning
+    double start_mm = 0.0;  // distance along the vessels from the root to its beginning
 };
 
 std::vector<Place> places_of(const VesselTree& tree) {
@@ -159,10 +160,10 @@ void add_field_data(const VesselTree& tree, vtkPolyData* lines) {
                      "Give a VTP file with the centrelines of vessels as lines");
 }
 
-// Lines and the values at their points; each array is as long as there are points or cells.
+// The lines of a file; each array has one value per point or cell.
 struct Lines {
     VtkFile file;
-    std::size_t first_cell;  // cell data number vertices before lines
+    std::size_t first_cell;  // cell data count vertices before lines
     VtkCells cells;
     std::vector<Vec3> points_mm;  // LPS
 
@@ -175,8 +176,7 @@ struct Lines {
     }
 };
 
-// What the field data SPACE say: "LPS", "RAS", or 3D Slicer's "SPACE=RAS"; "" where they are
-// missing.
+// The field data SPACE: "LPS", "RAS", or 3D Slicer's "SPACE=RAS"; "" where it is missing.
 std::string stated_space(const VtkFile& file) {
     const auto space = file.texts("FieldData", "SPACE");
     if (!space || space->empty()) return "";
@@ -215,7 +215,7 @@ bool is_own(const VtkFile& file) {
            file.has("FieldData", "NodeRadius") && file.has("PointData", "Radius");
 }
 
-// A number of a file as int, whatever it is; what no int can be is none that a tree knows.
+// A number of a file as int; a value beyond int becomes one that no tree uses.
 int whole(double value) {
     constexpr int none = std::numeric_limits<int>::min();
     return std::abs(value) < 2e9 ? static_cast<int>(value) : none;
@@ -269,7 +269,7 @@ VesselTree own_tree(const Lines& lines, const std::filesystem::path& path) {
     return tree;
 }
 
-// The first array whose name speaks of a radius.
+// The first array with "radius" in its name.
 std::optional<std::vector<double>> radii_in(const VtkFile& file, const char* data) {
     for (const std::string& name : file.names_of_numbers(data)) {
         std::string small = name;
@@ -280,7 +280,7 @@ std::optional<std::vector<double>> radii_in(const VtkFile& file, const char* dat
     return std::nullopt;
 }
 
-// The radius at a point of a line: from an array, or as stated.
+// The radius at a point of a line: from an array, or as stated by the user.
 class Radii {
   public:
     Radii(const VtkFile& file, const TreeFileFacts& facts, const std::filesystem::path& path)

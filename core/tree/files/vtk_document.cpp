@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Parses the XML with VTK's parser, and decodes data arrays with checked sizes.
 #include "core/tree/files/vtk_document.h"
 
 #include <vtkCallbackCommand.h>
@@ -22,8 +23,7 @@
 
 namespace hepatica {
 
-// VTK's parser without elements deeper than any file has them: it takes them down by calls of
-// themselves, one for each level.
+// VTK's parser with a limit on nesting, because VTK destroys elements recursively.
 class VtkXmlParser : public vtkXMLDataParser {
   public:
     static VtkXmlParser* New();
@@ -57,8 +57,8 @@ namespace {
 constexpr std::string_view spaces = " \t\r\n";
 constexpr std::size_t most_components = 9;
 
-// A kind of number in a file: how many bytes it takes, and its value from a text or from bytes in
-// this machine's order.
+// A numeric type of a file: its name, its size, and its value from text or from bytes in native
+// order.
 struct NumberType {
     std::string_view name;
     std::size_t bytes;
@@ -70,7 +70,7 @@ template <class T>
 constexpr NumberType number_type(std::string_view name) {
     return {name, sizeof(T),
             [](std::string_view text) -> std::optional<double> {
-                // Whole numbers, too, may be written with a point.
+                // Whole numbers may be written with a point, too.
                 double value = 0.0;
                 const auto [end, error] =
                     std::from_chars(text.data(), text.data() + text.size(), value);
@@ -176,7 +176,7 @@ std::size_t VtkDocument::number(vtkXMLDataElement* element, const char* name,
     const char* text_end = text + std::strlen(text);
     std::size_t value = 0;
     const auto [end, error] = std::from_chars(text, text_end, value);
-    // Deflate makes a thousandth of zeros: no honest count is larger than that.
+    // Deflate compresses zeros to about a thousandth; larger counts cannot be valid.
     constexpr std::size_t most_items_per_byte = 1100;
     if (error != std::errc{} || end != text_end || value / most_items_per_byte > bytes_.size())
         refuse(std::string("has a ") + name + " of \"" + text + "\"");
@@ -250,7 +250,7 @@ bool VtkDocument::is_text(vtkXMLDataElement* array) const {
     return format == "ascii";
 }
 
-// What stands between the element's tags.
+// The text between the element's tags.
 std::string_view VtkDocument::inline_text(vtkXMLDataElement* array) const {
     const std::string_view all = bytes_;
     auto at = static_cast<std::size_t>(array->GetXMLByteIndex());

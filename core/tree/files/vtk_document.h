@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The elements and arrays of a file of VTK's XML formats, before anybody knows what they mean.
+// The XML elements and data arrays of a file in VTK's XML formats, without their meaning.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ namespace hepatica {
 
 class VtkXmlParser;
 
-// The functions throw InputError that names the file and the value that is wrong.
+// The functions throw InputError that names the file and the wrong value. Not thread-safe.
 class VtkDocument {
   public:
     explicit VtkDocument(const std::filesystem::path& file);
@@ -28,15 +28,15 @@ class VtkDocument {
 
     vtkXMLDataElement* root() const;
 
-    // A whole number from 0; `otherwise` where the element has no such attribute.
+    // A whole number from 0 on; `otherwise` where the attribute is missing.
     std::size_t number(vtkXMLDataElement* element, const char* attribute,
                        std::size_t otherwise) const;
-    // 1 to 9, as of a tensor.
+    // NumberOfComponents, 1 to 9.
     std::size_t components(vtkXMLDataElement* array) const;
 
-    // The values of an array of numbers, one after the other; `count`: how many there must be.
+    // All values of a numeric array; `count`: required number of values, if known.
     std::vector<double> numbers(vtkXMLDataElement* array, std::optional<std::size_t> count) const;
-    // The texts of an array, each of which ends with a 0.
+    // The zero-terminated texts of an array.
     std::vector<std::string> texts(vtkXMLDataElement* array, std::size_t count) const;
 
     [[noreturn]] void refuse(const std::string& problem) const;
@@ -54,7 +54,7 @@ class VtkDocument {
     std::filesystem::path file_;
     std::string bytes_;  // of the whole file
     std::unique_ptr<VtkXmlParser, Release> parser_;
-    VtkEncoding encoding_;  // but for base64, which each array says
+    VtkEncoding encoding_;  // except base64, which each array states
 };
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Finds points, cells and arrays in a VTK document and checks their indices.
 #include "core/tree/files/vtk_file.h"
 
 #include <vtkXMLDataElement.h>
@@ -34,7 +35,7 @@ vtkXMLDataElement* array_of(vtkXMLDataElement* parent, std::string_view name) {
     return nullptr;
 }
 
-// The number as one from 0 to `most`.
+// The value as a whole number from 0 to `most`; none where it is not one.
 std::optional<std::size_t> whole_number(double value, std::size_t most) {
     if (!(value >= 0.0 && value <= static_cast<double>(most)) || value != std::floor(value))
         return std::nullopt;

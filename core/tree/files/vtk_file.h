@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A file of VTK's XML formats (VTP, VTU) as plain arrays: text, base64 or raw, inline or appended,
-// of either byte order, uncompressed or compressed by zlib or LZ4. VTK's own readers take the sizes
-// and counts that a file states at their word and write beyond their memory; here each is held
-// against the bytes that are there, and only arrays that somebody asks for are read.
+// Reads a file in VTK's XML formats (VTP, VTU) as plain arrays: text, base64 or raw, inline or
+// appended, either byte order, uncompressed or compressed with zlib or LZ4. VTK's own readers trust
+// the sizes and counts in a file and write beyond their memory; here each is checked against the
+// bytes available, and only requested arrays are read.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ namespace hepatica {
 // Each cell as the numbers of its points.
 struct VtkCells {
     std::vector<int> points;
-    std::vector<std::size_t> ends;  // in points, of each cell
+    std::vector<std::size_t> ends;  // index in `points` one past each cell
 
     std::size_t size() const { return ends.size(); }
     std::span<const int> operator[](std::size_t cell) const {
@@ -32,24 +32,25 @@ struct VtkCells {
 // All functions throw InputError that names the file, the array and the value that is wrong.
 class VtkFile {
   public:
-    // Reads the file into memory; its arrays stay as they are until asked for. `type` is that of
-    // the file: "PolyData" or "UnstructuredGrid".
+    // Reads the file into memory; arrays are decoded on request. `type` is the file's required
+    // type: "PolyData" or "UnstructuredGrid". Throws where several pieces hold points.
     VtkFile(const std::filesystem::path& file, std::string_view type);
 
     std::size_t point_count() const;
     std::vector<Vec3> points() const;
 
-    // kind: "Verts", "Lines", "Strips", "Polys" or "Cells". Every number is that of a point.
+    // kind: "Verts", "Lines", "Strips", "Polys" or "Cells". All point numbers are valid.
     std::size_t cell_count(const char* kind) const;
     VtkCells cells(const char* kind) const;
-    // VTK's number for the kind of each of "Cells".
+    // VTK's type number of each of "Cells".
     std::vector<double> cell_types() const;
 
-    // Of "PointData", "CellData" and "FieldData". An array of points or cells has a value for each
-    // of them; cells are numbered kind by kind in the order above.
-    std::vector<std::string> names_of_numbers(const char* data) const;  // one number per tuple
+    // `data` is "PointData", "CellData" or "FieldData". An array of points or cells has one value
+    // for each; cells are numbered kind by kind in the order above.
+    // arrays of one number per tuple
+    std::vector<std::string> names_of_numbers(const char* data) const;
     bool has(const char* data, std::string_view name) const;
-    // None where there is no such array of one number, or of texts, per tuple.
+    // None where there is no such array with one number, or one text, per tuple.
     std::optional<std::vector<double>> numbers(const char* data, std::string_view name) const;
     std::optional<std::vector<std::string>> texts(const char* data, std::string_view name) const;
 
@@ -59,8 +60,8 @@ class VtkFile {
     std::optional<std::size_t> tuples(const char* data, vtkXMLDataElement* array) const;
 
     VtkDocument document_;
-    vtkXMLDataElement* whole_ = nullptr;  // the element called by the type
-    vtkXMLDataElement* piece_ = nullptr;  // the one with the points
+    vtkXMLDataElement* whole_ = nullptr;  // the element named after the type
+    vtkXMLDataElement* piece_ = nullptr;  // the piece with points
 };
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Decodes base64, headers and compressed blocks.
 #include "core/tree/files/vtk_payload.h"
 
 #include <vtkCallbackCommand.h>
@@ -19,14 +20,14 @@ namespace hepatica {
 
 namespace {
 
-// Deflate's longest match, 258 bytes, takes two bits at least; LZ4 stays below 255.
+// Deflate's longest match of 258 bytes takes at least two bits; LZ4 stays below a factor of 255.
 constexpr std::size_t most_inflation = 1032;
 
 [[noreturn]] void refuse(const std::string& problem) {
     throw std::invalid_argument(problem);
 }
 
-// Bytes of a text that may be base64, one stretch after the other.
+// Reads consecutive stretches of bytes from a text that may be base64.
 class Stretches {
   public:
     Stretches(std::string_view data, bool base64) : rest_(data), base64_(base64) {}
@@ -45,7 +46,7 @@ class Stretches {
         return *std::move(decoded);
     }
 
-    // The same bytes, which the next call gives again.
+    // Peeks: the next call of next() returns the same bytes.
     std::string ahead(std::size_t bytes) const { return Stretches(*this).next(bytes); }
 
   private:

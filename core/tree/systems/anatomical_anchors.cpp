@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Alternates weights of pieces and weighted means of their positions.
 #include "core/tree/systems/anatomical_anchors.h"
 
 #include <array>
@@ -10,9 +11,10 @@ AnatomicalAnchors find_anchors(const std::vector<VesselPiece>& pieces,
                                const Eigen::AlignedBox3d& liver_mm) {
     // Shares of the liver's box from right to left, front to back and foot to head.
     const Vec3 expected_hilum(0.47, 0.40, 0.47), expected_confluence(0.50, 0.60, 0.82);
-    constexpr double spread = 0.12;        // of those shares among people
-    constexpr double reach_mm = 30.0;      // of the great vessels about an anchor
-    constexpr double prior_weight = 0.25;  // of the expected place, against all vessels there
+    constexpr double spread = 0.12;        // spread of those shares among people
+    constexpr double reach_mm = 30.0;      // distance of great vessels from an anchor
+    constexpr double prior_weight = 0.25;  // weight of the expected position relative to all
+                                           // vessels there
     constexpr double least_radius_mm = 1.5, most_radius_mm = 6.0;
     constexpr int rounds = 3;
     const Vec3 size = liver_mm.sizes();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the great vessels of the liver begin: the hilum, at which the portal vein enters, and the
-// confluence, at which the hepatic veins join the vena cava.
+// Estimates the two anatomical anchors of a liver: the hilum, where the portal vein enters, and the
+// confluence, where the hepatic veins join the vena cava.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,8 +14,9 @@ struct AnatomicalAnchors {
     Vec3 confluence_mm = Vec3::Zero();
 };
 
-// Begins where an adult's lie in the box around the liver (LPS, so that the confluence is above
-// and behind the hilum) and moves each to the wide vessels about it. `liver_mm` must not be empty.
+// Starts from an adult's positions in the box around the liver (LPS: the confluence lies above and
+// behind the hilum) and moves each to the wide vessels around it, weighted by likelihood, in three
+// rounds. `liver_mm` must not be empty. Linear in the number of pieces.
 AnatomicalAnchors find_anchors(const std::vector<VesselPiece>& pieces,
                                const Eigen::AlignedBox3d& liver_mm);
 

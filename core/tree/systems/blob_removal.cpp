@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Measures boxes and radii of subtrees from the ends to the roots, and removes those shaped like
+// blobs.
 #include "core/tree/systems/blob_removal.h"
 
 #include <Eigen/Geometry>
@@ -11,16 +13,15 @@ namespace {
 
 constexpr double least_radius_mm = 4.0;
 constexpr double least_widening = 1.5;
-constexpr double most_radii = 10.0;  // across
-// Of a tree that stands apart, which no neck tells from a vessel: the trunk of a vein may be cut
-// off.
+constexpr double most_radii = 10.0;  // largest diagonal in radii
+// The same for a separate tree, which has no neck and may be the cut-off trunk of a vein.
 constexpr double most_radii_apart = 6.0;
 constexpr double seed_reach_mm = 3.0;
 
-// What a segment and all that hangs on it hold.
+// Extent of a part of the tree.
 struct Subtree {
     Eigen::AlignedBox3d box_mm;
-    double radius_mm = 0.0;  // greatest
+    double radius_mm = 0.0;  // largest
     bool seeded = false;
 };
 
@@ -34,10 +35,10 @@ bool holds_seed(const VesselSegment& segment, const std::vector<VesselSeed>& see
     });
 }
 
-// By segment.
+// Both for each segment.
 struct Subtrees {
-    std::vector<Subtree> whole;   // of it and its descendants
-    std::vector<Subtree> beyond;  // of its descendants, and of itself from its narrowest point on
+    std::vector<Subtree> whole;   // the segment and its descendants
+    std::vector<Subtree> beyond;  // its descendants, and itself from its narrowest point on
 };
 
 Subtrees subtrees_of(const VesselTree& tree, const std::vector<VesselSeed>& seeds) {
@@ -47,7 +48,7 @@ Subtrees subtrees_of(const VesselTree& tree, const std::vector<VesselSeed>& seed
     for (std::size_t i = tree.segments.size(); i-- > 0;) {
         const VesselSegment& s = tree.segments[i];
         const auto neck = std::ranges::min_element(s.radii_mm);
-        beyond[i] = whole[i];  // so far that of its children
+        beyond[i] = whole[i];  // so far only its children
         beyond[i].radius_mm =
             std::max(beyond[i].radius_mm, *std::max_element(neck, s.radii_mm.end()));
         for (auto p = neck - s.radii_mm.begin(); p < std::ssize(s.points_mm); ++p)
@@ -72,7 +73,7 @@ bool is_blob(const VesselSegment& segment, const Subtree& beyond) {
            beyond.box_mm.diagonal().norm() < most_radii * beyond.radius_mm;
 }
 
-// Trees that stand apart from the longest one of their system: by their root's segment.
+// Marks the root segments of trees other than the longest one of their system.
 std::vector<std::uint8_t> apart_from_main_tree(const VesselTree& tree) {
     std::vector<double> below_mm(tree.segments.size(), 0.0);
     for (std::size_t i = tree.segments.size(); i-- > 0;) {
@@ -96,8 +97,8 @@ bool is_blob_apart(const Subtree& whole) {
            whole.box_mm.diagonal().norm() < most_radii_apart * whole.radius_mm;
 }
 
-// Cuts a link of the tree's graph off at its neck; false, and nothing changed, where that is at its
-// beginning.
+// Ends a link of the tree's graph at its neck; false, with no change, where the neck is its first
+// point.
 bool end_at_neck(VesselGraph& graph, int id) {
     VesselLink& link = graph.links[id];
     const auto neck = std::ranges::min_element(link.radii_mm) - link.radii_mm.begin();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Compares the radius of each root with the widest end of its tree.
 #include "core/tree/systems/doubtful_roots.h"
 
 #include <algorithm>
@@ -12,10 +13,10 @@ namespace hepatica {
 namespace {
 
 constexpr double measured_over_mm = 5.0;
-constexpr double least_end_mm = 2.5;  // narrower ends differ by what the image resolves
+constexpr double least_end_mm = 2.5;  // differences of narrower ends are within the resolution
 constexpr double clearly_wider = 1.5;
 
-// Median radius of the points nearest to one of its ends.
+// An end of a segment with the median radius over its last 5 mm.
 SystemRoot end_of(const VesselSegment& segment, bool distal) {
     const std::size_t count = segment.points_mm.size();
     const auto index = [&](std::size_t from_end) {
@@ -39,7 +40,7 @@ std::vector<DoubtfulRoot> doubtful_roots(const VesselTree& tree) {
     const std::vector<std::vector<int>> below = children(tree);
     const std::vector<int> degrees = node_degrees(tree);
     std::vector<int> root_of(tree.segments.size());
-    std::vector<DoubtfulRoot> trees(tree.segments.size());  // by their root's segment
+    std::vector<DoubtfulRoot> trees(tree.segments.size());  // by root segment
     for (std::size_t s = 0; s < tree.segments.size(); ++s) {
         const VesselSegment& segment = tree.segments[s];
         // A parent stands before its children.

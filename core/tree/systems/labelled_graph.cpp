@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Rebuilds the links of a graph from runs of pieces of one system.
 #include "core/tree/systems/labelled_graph.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ class Rebuilder {
     }
 
   private:
-    // All runs of one link; returns the first piece of the next.
+    // Adds all runs of one link; returns the first piece of the next link.
     std::size_t add_link_from(std::size_t first) {
         const int id = pieces_.pieces[first].link;
         int from = graph_.links[id].from;
@@ -73,7 +74,7 @@ class Rebuilder {
         out_.links.push_back(std::move(link));
     }
 
-    // Copies for every system at the fork, without those that lead nowhere.
+    // Copies links within forks for every system, without those that lead nowhere.
     void add_links_within_forks() {
         std::set<int> within;  // links of the old graph
         for (std::size_t i = 0; i < graph_.links.size(); ++i)
@@ -92,7 +93,7 @@ class Rebuilder {
         }
     }
 
-    // Of the system's links that meet one of the link's nodes.
+    // The least confidence of the system's links at the link's nodes.
     double least_confidence_at(const VesselLink& link, VascularSystem system) const {
         std::optional<double> least;
         for (const VesselLink& other : out_.links)

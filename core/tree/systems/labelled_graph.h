@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A vessel graph rebuilt from the systems that its pieces were given.
+// Rebuilds a vessel graph after its pieces were given systems.
 #pragma once
 
 #include <vector>
@@ -13,9 +13,9 @@ struct PieceSystem {
     double confidence = 0.0;
 };
 
-// Links are split where the system of their pieces changes, each system gets copies of the nodes
-// that it shares with another, and what passes straight through a node becomes one link. Links
-// within a fork go to every system that needs them to hang together.
+// Splits links where the system of their pieces changes, gives each system its own copies of shared
+// nodes, and joins links at passing nodes. Links within a fork go to every system that needs them
+// to stay connected. `systems` has one entry per piece.
 VesselGraph labelled_graph(const VesselGraph& graph, const PieceGraph& pieces,
                            const std::vector<PieceSystem>& systems);
 

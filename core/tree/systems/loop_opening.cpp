@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Detaches each loop-closing segment at one of its ends.
 #include "core/tree/systems/loop_opening.h"
 
 #include <algorithm>
@@ -11,9 +12,9 @@ namespace hepatica {
 
 namespace {
 
-constexpr double direction_reach_mm = 5.0;  // over which a direction is measured
+constexpr double direction_reach_mm = 5.0;  // length over which a direction is measured
 
-// Away from a node, which must be one of the link's.
+// Direction of a link away from one of its nodes.
 Vec3 direction_from(const VesselLink& link, int node) {
     VesselLink turned = link;
     if (link.from != node) reverse(turned);
@@ -23,7 +24,7 @@ Vec3 direction_from(const VesselLink& link, int node) {
     return (turned.points_mm[last] - turned.points_mm.front()).normalized();
 }
 
-// Cosine of the straightest way from the link through a node into another: 1 is straight on.
+// Cosine of the straightest continuation of a link through a node: 1 is straight on.
 double straightest(const VesselGraph& graph, const std::vector<std::vector<int>>& at_node, int id,
                    int node) {
     double best = -1.0;
@@ -34,7 +35,7 @@ double straightest(const VesselGraph& graph, const std::vector<std::vector<int>>
 }
 
 // Shortens the link at its end `to` until it is clear of the node's lumen; false where too little
-// of it would be left.
+// would be left.
 bool detach_end(VesselGraph& graph, VesselLink& link) {
     const std::vector<double> along = arclengths_mm(link.points_mm);
     const VesselNode& node = graph.nodes[link.to];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Veins of the liver branch and do not meet again: a loop within one system is two branches that
-// touch, and is opened there.
+// Opens loops: veins of the liver branch and do not meet again, so a loop within one system is two
+// branches that touch.
 #pragma once
 
 #include "core/tree/extraction/vessel_graph.h"
@@ -12,9 +12,10 @@ struct OpenedLoops {
     int count = 0;
 };
 
-// The graph of a tree without its loops: each segment that closes one is detached from that of its
-// two ends at which it bends more away from what it meets, and ends clear of the lumen there. What
-// would be left shorter than it is wide is removed. Nodes are numbered anew.
+// The graph of a tree without its loops. Each segment that closes one is detached at the end where
+// it continues less straight, and shortened until it is clear of the lumen there; it is removed
+// where the rest would be shorter than it is wide. Node ids are new. `count` is the number of
+// loops.
 OpenedLoops open_loops(const VesselTree& tree);
 
 }  // namespace hepatica

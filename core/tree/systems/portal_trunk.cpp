@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Extends the trunk to its entry, finds its division, and shortens it.
 #include "core/tree/systems/portal_trunk.h"
 
 #include <algorithm>
@@ -35,10 +36,10 @@ std::optional<Place> nearest_portal_point(const Vec3& at_mm, const VesselGraph& 
     return nearest;
 }
 
-// A free end of the trunk beside the entry is where the mask ends, not a branch: most of what comes
-// in at the entry would leave by it at once. Of two such ends the farther one is the vessel.
+// Removes a wide free end of the trunk beside the entry. It is where the mask ends, not a branch,
+// and most of the inflow would leave through it. Of two such ends the longer one is the vessel.
 void remove_stump(VesselGraph& graph, int fork, double radius_mm) {
-    constexpr double least_share_of_radius = 0.5;  // a thinner one is a branch
+    constexpr double least_share_of_radius = 0.5;  // a thinner end is a branch
     const std::vector<std::vector<int>> at_node = links_of_nodes(graph);
     int stump = -1;
     double shortest_mm = trunk_reach_mm;
@@ -66,9 +67,9 @@ std::vector<int> way_to(const VesselTree& tree, int segment) {
     return way;
 }
 
-// Where a trunk is cut: what lies before it on the way goes.
+// Where a trunk is cut; everything before that on the way is removed.
 struct Cut {
-    std::size_t on_way = 0;  // the segment of the way that is cut
+    std::size_t on_way = 0;  // index on the way of the segment that is cut
     double along_mm = 0.0;   // from its beginning
 };
 
@@ -82,7 +83,7 @@ Cut cut_before_end(const VesselTree& tree, const std::vector<int>& way) {
     return {};
 }
 
-// What a cut takes away, by segment: what lies before it on the way, and what hangs on that.
+// Marks the segments that a cut removes: those before it on the way, and those attached to them.
 std::vector<std::uint8_t> gone_before(const VesselTree& tree, const std::vector<int>& way,
                                       const Cut& cut) {
     std::vector<std::uint8_t> on_way(tree.segments.size(), 0), gone = on_way;
@@ -191,7 +192,7 @@ std::optional<ShortTrunk> short_trunk(const VesselTree& tree, const Vec3& entry_
     int begin = made.graph.links[segment].from;
     if (cut.along_mm >= step_mm) {
         begin = split_link(made.graph, segment, cut.along_mm, 0.0);
-        gone[segment] = 1;  // its first half; the second one is a new link
+        gone[segment] = 1;  // its first half; the second half is a new link
         gone.push_back(0);
     }
     made.begins_mm = made.graph.nodes[begin].position_mm;

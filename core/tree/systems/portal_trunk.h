@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the portal trunk begins and where it divides: a skeleton ends somewhere in a wide lumen, or
-// goes on into pancreas and bowel, not at the section at which the trunk comes in.
+// Corrects the beginning of the portal trunk: a skeleton ends somewhere in a wide lumen or
+// continues into pancreas and bowel, not at the section where the trunk enters.
 #pragma once
 
 #include <optional>
@@ -11,29 +11,29 @@
 
 namespace hepatica {
 
-// Leads the portal centreline nearest to `entry_mm` there, as wide as it is where it leaves off, so
-// that an end lies there. A wide end of the portal vein within 15 mm beyond the place where it
-// leaves off goes. Nothing changes where no portal vein lies within 15 mm, or where one is there
-// already.
+// Extends the portal centreline nearest to `entry_mm` to that point, with the radius it has where
+// it is left, so that an end lies there. A wide portal end of up to 15 mm at the point where it is
+// left is removed. No extension where no portal vein lies within 15 mm, or where one is within 1
+// mm.
 void lead_trunk_to(const Vec3& entry_mm, VesselGraph& graph);
 
-// The segment at whose end the portal trunk divides: down from the root of the longest portal tree
-// to the first node beyond which a second branch holds at least a seventh of its length. There must
-// be a portal segment.
+// The segment at whose end the portal trunk divides: from the root of the longest portal tree down
+// to the first node where a second branch holds at least a seventh of the tree's length. The tree
+// must have a portal segment that closes no loop. O(segments log segments).
 int end_of_portal_trunk(const VesselTree& tree);
 
 struct ShortTrunk {
     VesselGraph graph;
     Vec3 begins_mm = Vec3::Zero();
-    RemovedPieces beside;  // what hung on the trunk before; the trunk itself does not count
-    std::vector<VesselSeed> left_out;  // points of all that is gone
+    RemovedPieces beside;  // removed branches of the trunk; the trunk itself does not count
+    std::vector<VesselSeed> left_out;  // points of everything removed
 };
 
-// The portal vein divides outside of the liver, and what joins its trunk before comes from other
-// organs. Where the longest portal tree begins within 15 mm of `entry_mm`, at which the trunk was
-// seen to come in from outside, it begins one radius of the trunk before it divides, and what hung
-// on the trunk before that is gone. None where nothing would go, where the trunk never divides, or
-// where a seed lies in what would go.
+// Shortens the portal trunk, because the portal vein divides outside the liver and what joins its
+// trunk before that comes from other organs. Applies where the longest portal tree begins within 15
+// mm of `entry_mm`, where the trunk was seen to enter. The tree then begins one radius of the trunk
+// before its division, and branches before that are removed. None where nothing would be removed,
+// where the trunk never divides, or where a seed lies in the removed part.
 std::optional<ShortTrunk> short_trunk(const VesselTree& tree, const Vec3& entry_mm,
                                       const std::vector<VesselSeed>& seeds);
 

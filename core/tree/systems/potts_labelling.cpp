@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements alpha expansion with the maximum flow algorithm of Boykov and Kolmogorov (Boost).
 #include "core/tree/systems/potts_labelling.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ using FlowGraph = boost::adjacency_list<
         boost::property<boost::edge_residual_capacity_t, double,
                         boost::property<boost::edge_reverse_t, Traits::edge_descriptor>>>>;
 
-// Which sites change to one label: those on the sink's side of a minimal cut.
+// One expansion: the sites on the sink's side of a minimal cut change to one label.
 class Expansion {
   public:
     Expansion(const PottsProblem& problem, const std::vector<int>& labels, int label)
@@ -37,8 +38,8 @@ class Expansion {
         }
         for (const Tie& tie : problem.ties) add(tie, labels, label);
         for (std::size_t i = 0; i < stay_.size(); ++i) {
-            // A site that stays pays at the arc to the sink, one that changes at that from the
-            // source; only the difference matters.
+            // A site that stays cuts its arc to the sink, one that changes that from the source;
+            // only the difference matters.
             const double least = std::min(stay_[i], change_[i]);
             connect(source_, i, change_[i] - least);
             connect(i, sink_, stay_[i] - least);
@@ -47,7 +48,7 @@ class Expansion {
 
     std::vector<std::uint8_t> changed() {
         boost::boykov_kolmogorov_max_flow(flow_, source_, sink_);
-        // Sites on neither side may go either way and stay as they are.
+        // Sites on neither side may have either label; they keep theirs.
         const auto colour = boost::get(boost::vertex_color, flow_);
         const auto sink_colour = colour[sink_];
         std::vector<std::uint8_t> changes(stay_.size());
@@ -57,8 +58,8 @@ class Expansion {
     }
 
   private:
-    // Energies of a pair, as Kolmogorov and Zabih (2004) write them into a graph: with A, B, C, D
-    // for (stay, stay), (stay, change), (change, stay) and (change, change), where D = 0.
+    // Pairwise energies as in Kolmogorov and Zabih (2004), with A, B, C, D for (stay, stay), (stay,
+    // change), (change, stay) and (change, change), where D = 0.
     void add(const Tie& tie, const std::vector<int>& labels, int label) {
         const double a = labels[tie.a] != labels[tie.b] ? tie.strength : 0.0;
         const double b = labels[tie.a] != label ? tie.strength : 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Labels of least energy: what each label costs at each site, plus a tie wherever two neighbours
-// differ (the Potts model), by minimal cuts (Boykov, Veksler and Zabih 2001, alpha expansion).
+// Labels of least energy in the Potts model, E = sum of costs of labels at sites + sum of strengths
+// of ties between neighbours that differ, by minimal cuts and alpha expansion (Boykov, Veksler and
+// Zabih, IEEE Trans Pattern Anal Mach Intell 2001;23:1222).
 #pragma once
 
 #include <vector>
@@ -9,7 +10,7 @@
 
 namespace hepatica {
 
-// Cutting it costs `strength` (0 or more).
+// Different labels at sites a and b cost `strength` >= 0.
 struct Tie {
     int a = -1;
     int b = -1;
@@ -17,12 +18,13 @@ struct Tie {
 };
 
 struct PottsProblem {
+    // Number of labels, 2 or more.
     int labels = 2;
-    std::vector<std::vector<double>> costs;  // per site, one for each label
+    std::vector<std::vector<double>> costs;  // costs[site][label]
     std::vector<Tie> ties;
 };
 
-// With two labels the minimum, with more a labelling that no expansion of one label improves.
+// The global minimum for two labels; for more, a labelling that no expansion of one label improves.
 // Deterministic. Throws Cancelled, between two cuts.
 std::vector<int> least_energy_labels(const PottsProblem& problem, const Job& job = Job());
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Formulates the spread of a seed as a Potts problem with two labels, stay and change.
 #include "core/tree/systems/seeded_spread.h"
 
 #include <Eigen/Geometry>
@@ -12,7 +13,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr double never = 1e4;  // log odds of what must not be
+constexpr double never = 1e4;  // log odds that exclude a label
 constexpr int stays = 0, changes = 1;
 
 std::vector<Tie> ties_between(const PieceGraph& graph) {
@@ -30,8 +31,8 @@ std::vector<Tie> ties_between(const PieceGraph& graph) {
     return ties;
 }
 
-// For each piece, log odds of a vein's present system over that of the seed; 0 for other systems,
-// of which anatomy says nothing.
+// For each piece, log odds of its present system over the seed's; 0 unless both are veins, because
+// anatomy gives no evidence for others.
 std::vector<double> evidence_to_stay(const PieceGraph& graph, VascularSystem from,
                                      VascularSystem to) {
     const bool veins = (from == VascularSystem::portal && to == VascularSystem::hepatic) ||
@@ -65,7 +66,7 @@ std::vector<std::uint8_t> spread_of_seed(const PieceGraph& graph,
         problem.costs.push_back(std::move(cost));
     }
     const std::vector<int> labels = least_energy_labels(problem);
-    // Only what the click has reached changes, through vessels of the system it had.
+    // Only pieces connected to the seed through vessels of the same present system change.
     const auto free = [&](int i) { return labels[i] == changes && now[i].system == from; };
     DisjointSets parts(labels.size());
     for (const Tie& tie : problem.ties)

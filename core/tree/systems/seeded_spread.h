@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a seed of a vascular system reaches through vessels that were told apart already: a
-// minimal cut between the seed and the root of the system that its vessel has now.
+// How far a seed of a vascular system spreads through vessels that already have systems: a minimal
+// cut between the seed and the root of the system that its vessel has now.
 #pragma once
 
 #include <vector>
@@ -10,19 +10,19 @@
 
 namespace hepatica {
 
-// Where the seed lies, and what the cut must know of the tree.
+// The seed, and what the cut needs to know of the tree.
 struct SeededVessel {
     int piece = -1;
     VascularSystem system = VascularSystem::unknown;
-    // Per piece: blood comes to it through the seed, so that nothing but ties holds it back.
+    // Per piece: 1 downstream of the seed, where only ties resist a change.
     std::vector<std::uint8_t> downstream;
-    // Per piece: it stays, whatever the seed says (the root of its system); may not be the seed.
+    // Per piece: 1 where it cannot change (the root of its system); not the seed's piece.
     std::vector<std::uint8_t> fixed;
 };
 
 // Marks the pieces that change to the seed's system. `now` holds one system per piece; pieces of
-// systems other than the seed's present one stay. What changes hangs together with the seed.
-// Deterministic.
+// systems other than the one the seed's piece has now stay. The changed pieces are connected to the
+// seed. Deterministic.
 std::vector<std::uint8_t> spread_of_seed(const PieceGraph& graph,
                                          const std::vector<PieceSystem>& now,
                                          const SeededVessel& seed);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Computes the four terms of evidence and the strengths of ties.
 #include "core/tree/systems/system_evidence.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double degree = std::numbers::pi / 180.0;
 
-// Weights of the kinds of evidence, in log odds; see docs/accuracy.md for what they were found on.
+// Weights of the four terms, in log odds; docs/accuracy.md describes how they were found.
 constexpr double place_weight = 1.0;
 constexpr double taper_weight = 0.67;
 constexpr double pointing_weight = 1.0;
@@ -30,7 +31,8 @@ double clamp_to(double value, double limit) {
     return std::clamp(value, -limit, limit);
 }
 
-// How much an arm looks like the parent of its fork: wide, and opposite to the others.
+// How much an arm looks like the parent of its fork: relative radius minus mean cosine to the
+// others.
 std::vector<double> parenthood(const std::vector<ForkArm>& arms) {
     double widest = 0.0;
     for (const ForkArm& arm : arms) widest = std::max(widest, arm.radius_mm);
@@ -45,7 +47,7 @@ std::vector<double> parenthood(const std::vector<ForkArm>& arms) {
     return merit;
 }
 
-// Difference of the unit vectors to the confluence and to the hilum.
+// Unit vector to the confluence minus unit vector to the hilum.
 Vec3 towards_confluence(const Vec3& from, const AnatomicalAnchors& anchors) {
     const auto unit = [](const Vec3& v) { return Vec3(v / (v.norm() + 1e-9)); };
     return unit(anchors.confluence_mm - from) - unit(anchors.hilum_mm - from);
@@ -67,7 +69,7 @@ double taper_evidence(const VesselPiece& piece, const AnatomicalAnchors& anchors
            piece.link_direction.dot(towards_confluence(piece.link_centre_mm, anchors));
 }
 
-// Distances of all pieces from those that an anchor's trunk is made of.
+// Shortest paths along the vessels from the pieces of an anchor's trunk.
 class WayAlongVessels {
   public:
     explicit WayAlongVessels(const PieceGraph& graph) : graph_(graph), edges_(graph.pieces.size()) {
@@ -123,7 +125,7 @@ class WayAlongVessels {
     std::vector<std::vector<std::pair<int, double>>> edges_;
 };
 
-// The widest pieces about an anchor.
+// The widest pieces around an anchor, on its own side of the other anchor where there are any.
 std::vector<int> trunk_at(const std::vector<VesselPiece>& pieces, const Vec3& anchor,
                           const Vec3& other) {
     constexpr double reach_mm = 30.0, margin_mm = 10.0, kept_share = 0.8;
@@ -154,7 +156,7 @@ std::vector<int> trunk_at(const std::vector<VesselPiece>& pieces, const Vec3& an
 
 void add_ways(const PieceGraph& graph, const AnatomicalAnchors& anchors,
               std::vector<double>& evidence) {
-    constexpr double most = 1.5;  // of one fork, before its weight
+    constexpr double most = 1.5;  // limit for one fork, before its weight
     const WayAlongVessels ways(graph);
     const Trunks trunks = trunks_at(graph.pieces, anchors);
     const auto to_hilum = ways.from(trunks.portal);
@@ -209,7 +211,8 @@ std::vector<double> evidence_for_hepatic(const PieceGraph& graph,
 }
 
 std::vector<double> ties_of_fork(const std::vector<ForkArm>& arms) {
-    constexpr double to_best = 0.7, to_other = 0.2;  // share of a way that is not both arms' best
+    constexpr double to_best = 0.7, to_other = 0.2;  // factor where only one arm, or neither, has
+                                                     // the other as its best
     const std::size_t n = arms.size();
     const auto likeness = [&](std::size_t i, std::size_t j) {
         const double bend = bend_between(arms[i], arms[j]) / bend_scale;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels pieces by minimal cuts with anatomy, seeds and brightness, repeats that with perturbed
+// evidence for confidences, and rebuilds the graph.
 #include "core/tree/systems/tell_systems_apart.h"
 
 #include <algorithm>
@@ -19,22 +21,22 @@ namespace hepatica {
 namespace {
 
 constexpr double brightness_weight = 0.6;  // pieces of one branch are not independent
-constexpr double most_brightness = 1.5;    // log odds of 5 mm
+constexpr double most_brightness = 1.5;    // limit of the log odds per 5 mm
 constexpr double reference_mm = 5.0;
 constexpr double certain = 1e4;  // log odds of a seed
-constexpr double staying = 6.0;  // log odds of 5 mm, for what they were before
+constexpr double staying = 6.0;  // log odds per 5 mm for the system before
 constexpr int portal_label = 0, hepatic_label = 1, artery_label = 2;
 constexpr std::array systems_of_labels{VascularSystem::portal, VascularSystem::hepatic,
                                        VascularSystem::artery};
 
-// By how much two systems must explain the vessels better than one, in log odds.
+// Least log odds by which two systems must explain the vessels better than one.
 constexpr double least_gain = 8.0;
 
-// How much less likely a vein in one piece more is, in log odds.
+// Cost of one more separate tree of a vein, in log odds.
 constexpr double cost_of_a_root = 4.0;
 
 constexpr int draws = 16;
-constexpr double draw_deviation = 0.5;  // of the logarithm of each weight
+constexpr double draw_deviation = 0.5;  // standard deviation of the logarithm of each weight
 constexpr double draw_anchor_mm = 8.0;
 
 std::optional<int> label_of(VascularSystem system) {
@@ -47,7 +49,7 @@ std::optional<int> label_of(VascularSystem system) {
 class Noise {
   public:
     double operator()() {
-        double sum = 0.0;  // of twelve uniform numbers: near enough to normal
+        double sum = 0.0;  // the sum of twelve uniform numbers is nearly normal
         for (int k = 0; k < 12; ++k) sum += static_cast<double>(engine_() >> 11) * 0x1p-53;
         return sum - 6.0;
     }
@@ -108,7 +110,7 @@ class Search {
         has_artery_ = has_artery_ || *label == artery_label;
     }
 
-    // Of hepatic over portal, by what lay at the middle of the piece.
+    // Log odds of hepatic over portal from the earlier system at the middle of the piece.
     static double odds_of_staying(const VesselPiece& piece, const Mask& before) {
         const auto was = static_cast<VascularSystem>(value_at(before, piece.centre_mm));
         const double odds = staying * piece.length_mm / reference_mm;
@@ -139,7 +141,7 @@ class Search {
     }
 
     void set_costs(PottsProblem& problem, const std::vector<double>& evidence, Noise* noise) const {
-        // An artery runs with the portal vein and is thin; only its seeds call for it.
+        // An artery runs beside the portal vein and is thin; only its seeds favour it.
         constexpr double artery_per_mm = 0.1;
         for (std::size_t i = 0; i < graph_.pieces.size(); ++i) {
             const double odds =
@@ -161,8 +163,8 @@ class Search {
         return one - energy_of(problem, labels);
     }
 
-    // Parts of one label that hang together and hold no piece of their system's trunk are given to
-    // the other vein, cheapest first, where that costs less than another tree is unlikely.
+    // Gives connected parts without a piece of their system's trunk to the other vein, the cheapest
+    // first, where that costs less than another separate tree.
     void join_rootless(const PottsProblem& problem, const Trunks& trunks,
                        std::vector<int>& labels) const {
         for (;;) {
@@ -197,7 +199,7 @@ class Search {
         }
     }
 
-    // The first site of the part that each site hangs together with.
+    // The first site of the connected part of one label that each site belongs to.
     static std::vector<int> parts_of(const PottsProblem& problem, const std::vector<int>& labels) {
         DisjointSets parts(labels.size());
         for (const Tie& tie : problem.ties)
@@ -216,7 +218,7 @@ class Search {
         double length_mm = 0.0;
     };
 
-    // None where one of the veins is too short or brightness says nothing.
+    // None where one of the veins is too short or brightness does not vary.
     std::optional<BrightnessModel> brightness_of(const std::vector<int>& labels) const {
         std::array<double, 2> sum{0.0, 0.0}, length{0.0, 0.0};
         double squares = 0.0;
@@ -243,8 +245,8 @@ class Search {
                std::log(model->whole_variance / model->variance);
     }
 
-    // The systems differ a little in brightness, in a way that is only known once they are told
-    // apart: their means are estimated and used in turn.
+    // The systems differ slightly in brightness, by an amount known only after they are separated:
+    // means and labels are estimated in turn.
     Labelling with_brightness(PottsProblem& problem, Labelling found) const {
         constexpr int rounds = 6;
         constexpr double least_difference = 0.1;
@@ -284,7 +286,7 @@ class Search {
     const PieceGraph& graph_;
     const Job& job_;
     std::vector<int> seed_label_;  // -1: none
-    std::vector<double> staying_;  // empty: it is not known what was before
+    std::vector<double> staying_;  // empty: not known
     bool has_artery_ = false;
 };
 
@@ -294,7 +296,7 @@ Eigen::AlignedBox3d box_of(const VesselGraph& graph) {
     return box;
 }
 
-// Shares of draws in which each piece had its label.
+// Share of draws in which each piece has its label.
 std::vector<double> confidences(const Search& search, const AnatomicalAnchors& anchors,
                                 const std::vector<int>& labels) {
     std::vector<double> share(labels.size(), 0.0);
@@ -343,9 +345,9 @@ SystemsFound tell_systems_apart(VesselGraph& graph, const Volume* ct, const Syst
     return found;
 }
 
-// The greatest within 10 mm: the lumen of a trunk that the image or the liver's border cuts off
-// tapers over its last millimetres. What lies in the lumen of another vessel is that one's: a stub
-// on a trunk is no wider for where it begins.
+// The largest radius within 10 mm of an end, because a trunk cut off by the image or the liver's
+// border tapers over its last millimetres. Points in the lumen of another vessel do not count, so
+// that a stub on a trunk is not wide at its beginning.
 double radius_near_end(const VesselGraph& graph, const std::vector<std::vector<int>>& at_node,
                        int node) {
     constexpr double reach_mm = 10.0;
@@ -369,7 +371,7 @@ double radius_near_end(const VesselGraph& graph, const std::vector<std::vector<i
 }
 
 std::vector<RootWish> anatomical_roots(const VesselGraph& graph, const AnatomicalAnchors& anchors) {
-    constexpr double mm_per_radius = 5.0;  // that far a wider end may lie from the anchor
+    constexpr double mm_per_radius = 5.0;  // a wider end may lie this much farther from the anchor
     const auto at_node = links_of_nodes(graph);
     const std::vector<int> component = component_of_nodes(graph);
     std::map<int, std::pair<double, RootWish>> best;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Portal vein and hepatic veins told apart on the vessel graph, by a minimal cut over its pieces:
-// neighbours along straight ways of one brightness stay together, and anatomy decides what each
-// side is (system_evidence.h). Where both systems touch in the image the cut runs.
+// Separates portal and hepatic veins on the vessel graph by a minimal cut over its pieces: straight
+// continuations of equal brightness stay together, and anatomy decides the system of each side
+// (system_evidence.h). The cut runs where the systems touch in the image.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,35 +16,34 @@
 namespace hepatica {
 
 struct SystemSearch {
-    // Pieces nearest to a seed have its system, whatever speaks against it.
+    // The piece nearest to a seed has its system, whatever the evidence.
     std::vector<VesselSeed> seeds;
-    // Box around the liver (LPS, mm). Empty: the box around the vessels stands in.
+    // Box around the liver (LPS, mm); empty: the box around the vessels.
     Eigen::AlignedBox3d liver_mm;
-    // What the vessels were before some of them changed, as numbers of VascularSystem; null: not
-    // known. A vessel stays what it was unless much speaks against it, so that a change in one
-    // place does not turn over what was in balance elsewhere. Confidences do not count it.
+    // The vessels' systems before some of them changed, as numbers of VascularSystem; null: not
+    // known. A vessel keeps its system unless the evidence against it is strong, so that a change
+    // in one place does not affect balanced decisions elsewhere. Confidences ignore it.
     const Mask* before = nullptr;
 };
 
 struct SystemsFound {
     AnatomicalAnchors anchors;
-    // Difference in mean brightness between the systems, in standard deviations of a piece.
+    // Mean brightness of hepatic minus portal veins, in standard deviations of a piece.
     double brightness_difference = 0.0;
-    // By how much two systems explain the vessels better than one, in log odds.
+    // Log odds by which two systems explain the vessels better than one, without seeds.
     double gain = 0.0;
 };
 
-// Gives every link a system and a confidence (the share of draws with perturbed evidence in which
-// the same system came out); links are split where the system changes, and each system gets nodes
-// of its own. Where nothing speaks for two systems the vessels are one, `unknown` unless a seed
-// names it. Artery and other systems come from seeds only. `ct` may be null. Deterministic. Throws
-// Cancelled.
+// Gives every link a system and a confidence (the share of draws with perturbed evidence that give
+// the same system). Links are split where the system changes, and each system gets its own nodes.
+// Without enough evidence for two systems the vessels are one system, `unknown` unless a seed names
+// it. Arteries come from seeds only. `ct` may be null. Deterministic. Throws Cancelled.
 SystemsFound tell_systems_apart(VesselGraph& graph, const Volume* ct, const SystemSearch& search,
                                 const Job& job = Job());
 
-// Where each component of the graph begins: a portal vein or an artery at the end nearest to the
-// hilum, hepatic veins at that nearest to the confluence, wide ends before narrow ones. Components
-// of an unknown system are left to directed().
+// The root of each component: for portal veins and arteries the end nearest to the hilum, for
+// hepatic veins the one nearest to the confluence, with a bonus for wide ends. Components of an
+// unknown system get none.
 std::vector<RootWish> anatomical_roots(const VesselGraph& graph, const AnatomicalAnchors& anchors);
 
 }  // namespace hepatica

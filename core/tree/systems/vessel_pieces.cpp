@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Cuts links into pieces, groups nodes into forks, and measures brightness, taper and fork arms.
 #include "core/tree/systems/vessel_pieces.h"
 
 #include <algorithm>
@@ -15,12 +16,12 @@ namespace hepatica {
 namespace {
 
 constexpr double piece_mm = 4.0;
-constexpr double arm_mm = 5.0;          // over which an arm's direction and radius are measured
-constexpr std::size_t arm_pieces = 3;   // over which its brightness is
-constexpr double least_taper_mm = 6.0;  // shorter links say nothing about their taper
+constexpr double arm_mm = 5.0;  // length over which an arm's direction and radius are measured
+constexpr std::size_t arm_pieces = 3;   // pieces over which its brightness is averaged
+constexpr double least_taper_mm = 6.0;  // shorter links show no taper
 constexpr std::size_t least_taper_points = 8;
 
-// Brightness of each point of each link, against the median of points of its radius.
+// Brightness of each point of each link, relative to the median of points of its radius.
 class Brightness {
   public:
     Brightness(const VesselGraph& graph, const Volume* ct) {
@@ -36,8 +37,8 @@ class Brightness {
     const std::vector<double>& of(int link) const { return of_link_[link]; }
 
   private:
-    // Thin vessels are dimmer because they share their voxels with tissue: medians over classes of
-    // radius with equally many points, linear in between.
+    // Thin vessels are dimmer because they share voxels with tissue. The expectation is the median
+    // over classes of radius with equally many points, linear in between.
     void subtract_expectation(const VesselGraph& graph) {
         constexpr std::size_t classes = 8;
         std::vector<std::pair<double, double>> points;  // radius, HU
@@ -81,7 +82,7 @@ class Brightness {
     std::vector<std::vector<double>> of_link_;
 };
 
-// Slope of log(radius) over the whole length, by least squares.
+// Slope of log(radius) over relative length, by least squares.
 double taper_of(const VesselLink& link, const std::vector<double>& along_mm) {
     const double length = along_mm.back();
     const auto n = static_cast<double>(along_mm.size());

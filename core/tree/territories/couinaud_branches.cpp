@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements max-product and sum-product message passing on the portal tree with nine states.
 #include "core/tree/territories/couinaud_branches.h"
 
 #include <algorithm>
@@ -17,13 +18,13 @@ constexpr double impossible = -std::numeric_limits<double>::infinity();
 
 double transition(int parent, int child) {
     if (parent == child) return 0.0;
-    // What supplies one segment does not divide into common branches, and no other segment's branch
-    // leaves the caudate lobe's, which are the smallest.
+    // A branch of one segment does not divide into common branches, and branches of other segments
+    // do not arise from the caudate lobe's, which are the smallest.
     if (child == 0 || parent == 1) return impossible;
     return parent == 0 ? -branch_chain::leaving : -branch_chain::changing;
 }
 
-// What speaks for each state of a branch: logarithms, times millimetres.
+// Evidence for each state of a branch: log likelihood integrated over its length in mm.
 Potentials evidence_of(const VesselSegment& segment, const CouinaudFrame& frame) {
     using branch_chain::least;
     Potentials evidence{};
@@ -43,7 +44,7 @@ Potentials evidence_of(const VesselSegment& segment, const CouinaudFrame& frame)
 
 struct Chain {
     std::vector<int> portal;  // segments, parents before children
-    std::vector<int> parent;  // of each segment; -1: none that is portal
+    std::vector<int> parent;  // of each segment; -1: no portal parent
     std::vector<Potentials> evidence;
 };
 
@@ -83,7 +84,7 @@ double log_sum(const Potentials& values) {
     return most + std::log(sum);
 }
 
-// What a child tells its parent of each of the parent's states, by `best` of the child's states.
+// Message of a child to each state of its parent; `best` combines the child's states.
 template <class Best>
 Potentials message_up(const Potentials& belief, Best&& best) {
     Potentials message;
@@ -106,7 +107,7 @@ std::vector<Potentials> beliefs_from_below(const Chain& chain, Best&& best) {
     return belief;
 }
 
-// The first of equal ones.
+// The first of equal values.
 int most_likely(const Potentials& values) {
     return static_cast<int>(std::ranges::max_element(values) - values.begin());
 }
@@ -124,7 +125,7 @@ std::vector<int> most_likely_states(const Chain& chain) {
     return state;
 }
 
-// A branch all of whose branches supply one segment supplies that one, too.
+// A common branch whose branches all supply one segment gets that segment, too.
 void close_up(const Chain& chain, std::vector<BranchLabel>& labels) {
     constexpr int several = -1;
     std::vector<BranchLabel> below(labels.size(), BranchLabel{0, 1.0});
@@ -146,7 +147,7 @@ std::vector<Potentials> marginals(const Chain& chain) {
     for (const int s : chain.portal) {
         const int above = chain.parent[s];
         if (above >= 0) {
-            // The parent without what this branch itself told it.
+            // The parent's belief without this branch's own message.
             const Potentials told = message_up(below[s], sum);
             Potentials rest;
             for (int k = 0; k < states; ++k)

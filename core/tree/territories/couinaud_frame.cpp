@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Estimates confluence, vein angles and branch levels, and evaluates soft half-spaces for the
+// segments.
 #include "core/tree/territories/couinaud_frame.h"
 
 #include <algorithm>
@@ -15,7 +17,7 @@ namespace {
 
 constexpr double one_degree = std::numbers::pi / 180.0;
 constexpr double adult_ml = 1500.0;
-// An adult's: shares of the liver's box, and azimuths of the three veins.
+// Usual values of adults: position in shares of the liver's box, and angles of the three veins.
 const Vec3 usual_confluence(0.50, 0.60, 0.82);
 constexpr std::array<double, 3> usual_azimuth{25.0 * one_degree, 70.0 * one_degree,
                                               125.0 * one_degree};
@@ -24,7 +26,7 @@ double soft(double distance_mm, double width_mm) {
     return 1.0 / (1.0 + std::exp(-distance_mm / width_mm));
 }
 
-// In [-120, 240) degrees: the cut lies behind, where no plane is.
+// In [-120, 240) degrees: the jump lies behind, where no plane is.
 double azimuth_about(const Vec3& axis, const Vec3& at) {
     const double turn = std::atan2(axis.y() - at.y(), axis.x() - at.x());
     return turn < -120.0 * one_degree ? turn + 2.0 * std::numbers::pi : turn;
@@ -34,7 +36,7 @@ double distance_from_axis(const Vec3& axis, const Vec3& at) {
     return std::hypot(at.x() - axis.x(), at.y() - axis.y());
 }
 
-// Positive beyond the upright half-plane at `azimuth`, on the side of a growing angle.
+// Signed distance to the upright half-plane at `azimuth`, positive towards larger angles.
 double beyond_plane_mm(const Vec3& axis, double azimuth, const Vec3& at) {
     const double turn = azimuth_about(axis, at) - azimuth;
     const double away = distance_from_axis(axis, at);
@@ -56,10 +58,11 @@ void for_edges(const VesselTree& tree, VascularSystem system, Visit&& visit) {
     }
 }
 
-// Where the longest tree of hepatic veins begins, unless that is no place for a confluence.
+// Root of the longest hepatic tree, unless it is too far from the usual confluence.
 std::optional<Vec3> root_of_hepatic_veins(const VesselTree& tree,
                                           const Eigen::AlignedBox3d& liver_mm) {
-    constexpr double farthest_share = 0.25;  // from the usual place, of the liver's box
+    constexpr double farthest_share = 0.25;  // largest distance from the usual position, in shares
+                                             // of the box
     std::vector<int> root(tree.segments.size());
     std::vector<double> length(tree.segments.size(), 0.0);
     int longest = -1;
@@ -77,8 +80,8 @@ std::optional<Vec3> root_of_hepatic_veins(const VesselTree& tree,
     return at;
 }
 
-// Angles of the three veins: the mean of the wide hepatic veins about each, by expectation and
-// maximisation from an adult's angles, which go on counting as some of the veins.
+// Angles of the three veins: means of the wide hepatic veins around each, by expectation
+// maximisation from the usual angles, which keep some weight.
 void find_veins(const VesselTree& tree, CouinaudFrame& frame) {
     constexpr double spread = 18.0 * one_degree;
     constexpr double usual_weight = 0.1, known_share = 0.05;
@@ -115,8 +118,8 @@ void find_veins(const VesselTree& tree, CouinaudFrame& frame) {
     }
 }
 
-// Where the wide portal branches on one side run; weights grow with the fourth power of the radius,
-// so that the main branch decides.
+// Centre of the wide portal branches on one side. Weights grow with the fourth power of the radius,
+// so that the main branch dominates.
 Vec3 main_branch(const VesselTree& tree, const CouinaudFrame& frame, bool left) {
     double weight = 0.0;
     Vec3 sum = Vec3::Zero();
@@ -157,8 +160,8 @@ CouinaudFrame couinaud_frame(const VesselTree& tree, const Eigen::AlignedBox3d& 
         frame.confluence_known = true;
     }
     find_veins(tree, frame);
-    // The left hepatic vein runs between segments 2 and 3, beyond the umbilical fissure, which
-    // parts them from segment 4.
+    // The left hepatic vein runs between segments 2 and 3; the umbilical fissure separates them
+    // from segment 4.
     constexpr double fissure_share = 0.65;
     frame.border_azimuth_rad = frame.vein_azimuth_rad;
     frame.border_azimuth_rad[2] =

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Labels the portal branches and assigns each voxel to the nearest one.
 #include "core/tree/territories/couinaud_segments.h"
 
 #include <algorithm>

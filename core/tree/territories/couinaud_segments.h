@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The liver parted into Couinaud's segments by the portal vein: every voxel belongs to the segment
-// whose branch is nearest by travel through the liver (Selle et al., IEEE Trans Med Imaging 2002;
-// 21:1344, there in a straight line).
+// Divides the liver into Couinaud's segments by the portal vein: every voxel belongs to the segment
+// whose branch is nearest by the shortest path through the liver (Selle et al., IEEE Trans Med
+// Imaging 2002;21:1344, who use straight lines).
 #pragma once
 
 #include <array>
@@ -19,22 +19,23 @@ struct LabelledPortalVein {
     std::vector<BranchLabel> branches;  // one per segment of the tree
 };
 
-// None where the tree has no portal vein or `liver` is empty. Costs a pass over the liver's voxels.
+// Labels the branches. None where the tree has no portal vein or `liver` is empty. Linear in the
+// liver's voxels.
 std::optional<LabelledPortalVein> label_portal_vein(const VesselTree& tree, const Mask& liver);
 
 struct CouinaudSegments : LabelledPortalVein {
-    Mask labels;  // 1 to 8, on the liver's grid; 0 outside of the liver
-    // Of the liver's volume: nearest to branches whose label is less than 80 % sure.
+    Mask labels;  // 1 to 8, on the liver's grid; 0 outside the liver
+    // Share of the liver's volume nearest to branches whose label is less than 80 % certain.
     double unsure_share = 0.0;
 };
 
-// None as above. Every object voxel of the liver gets a label; a segment to which no branch was
-// found gets none. The same bytes for any number of threads. Reports progress in the present stage;
+// None as above. Every voxel of the liver gets the label of a branch, so a segment without a branch
+// gets no voxels. The same bytes for any number of threads. Reports progress in the present stage;
 // throws Cancelled.
 std::optional<CouinaudSegments> couinaud_segments(const VesselTree& tree, const Mask& liver,
                                                   Job& job);
 
-// Millilitres of labels 1 to 8 (index 0 to 7).
+// Volumes in ml of labels 1 to 8 (index 0 to 7).
 std::array<double, couinaud_count> segment_volumes_ml(const Mask& labels);
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Counts the voxels of each tumour in the territories of portal and arterial branches.
 #include "core/tree/territories/feeders.h"
 
 #include <algorithm>

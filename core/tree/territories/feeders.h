@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which branches feed a tumour: those whose territory, by travel through the liver
-// (nearest_branch.h), the tumour lies in.
+// Finds the branches that feed a tumour: those whose territory, by shortest paths through the liver
+// (nearest_branch.h), it lies in.
 #pragma once
 
 #include <vector>
@@ -14,14 +14,15 @@ namespace hepatica {
 struct Feeder {
     int segment = -1;  // of the tree
     VascularSystem system = VascularSystem::portal;
-    double share = 0.0;  // of the tumour's voxels; those of one system sum to 1
+    double share = 0.0;  // share of the tumour's voxels; sums to 1 over a system
 };
 
-// Feeders of each tumour, portal branches before arterial ones and great shares first; a system
-// that the tree does not hold feeds nothing.
-//   liver: object voxels are what blood gets through, tumours included.
-//   tumours: labels on the liver's grid; the answer has one list for each of `wanted`, in order.
-// Throws Cancelled. Reports progress in the present stage, once a system.
+// Feeders of each tumour, portal branches before arterial ones, large shares first; a system that
+// the tree does not have feeds nothing.
+//   liver: voxels that blood can cross are not 0, tumours included
+//   tumours: labels on the liver's grid
+//   wanted: labels; the result has one list for each, in this order
+// Reports progress in the present stage, once for each system. Throws Cancelled.
 std::vector<std::vector<Feeder>> feeders_of(const VesselTree& tree, const Mask& liver,
                                             const Mask& tumours,
                                             const std::vector<std::uint8_t>& wanted, Job& job);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Implements the geodesic Voronoi diagram with a priority queue over voxels.
 #include "core/tree/territories/nearest_branch.h"
 
 #include <algorithm>
@@ -49,8 +50,8 @@ Index3 nearest_index(const Grid& grid, const Vec3& position_mm) {
             static_cast<int>(std::lround(index.z()))};
 }
 
-// Calls visit(point, radius) along a segment at distances of at most step_mm. Its points are among
-// them to the last bit, so that branches that begin in one fork tie there.
+// Calls visit(point, radius) along a segment, at most step_mm apart. The segment's own points are
+// visited exactly, so that branches that begin in one fork tie there.
 template <class Visit>
 void walk(const VesselSegment& segment, double step_mm, Visit&& visit) {
     visit(segment.points_mm.front(), segment.radii_mm.front());
@@ -96,8 +97,8 @@ class Diagram {
         });
     }
 
-    // At the voxels less than one voxel away along each axis from a point of the centreline, of
-    // which the nearest is always passable.
+    // Starts at the passable voxels less than one voxel from a centreline point along each axis;
+    // the nearest one is always passable.
     void begin_at(const VesselSegment& segment, std::int32_t owner) {
         const Grid& grid = organ_.grid;
         walk(segment, step_mm(), [&](const Vec3& point, double) {
@@ -130,7 +131,7 @@ class Diagram {
             if (popped % look == 0)
                 job_.advance(std::min(1.0, static_cast<double>(popped) / (all + 1.0)));
             if (front.travel_mm != travel_mm_[front.voxel] || front.owner != owner_at(front.voxel))
-                continue;  // reached on a shorter way since
+                continue;  // a shorter path was found since
             const auto [x, y, z] = grid.index_of(front.voxel);
             for (const Step& step : steps_) {
                 const int i = x + step.by[0], j = y + step.by[1], k = z + step.by[2];
@@ -145,7 +146,7 @@ class Diagram {
     Image<std::int32_t>& owner() { return owner_; }
 
   private:
-    static constexpr double rounding = 1e-6;  // so that no axis has a better end
+    static constexpr double rounding = 1e-6;  // makes both ends of an axis equivalent
 
     double step_mm() const { return organ_.grid.spacing_mm.minCoeff() / 3.0; }
     std::int32_t owner_at(std::size_t voxel) const { return owner_.voxels[voxel]; }
@@ -168,7 +169,7 @@ class Diagram {
     std::priority_queue<Front, std::vector<Front>, std::greater<>> fronts_;
 };
 
-// What no path reaches, in a straight line.
+// Assigns voxels that no path reaches by straight distance.
 void reach_islands(const Mask& organ, const VesselTree& tree, std::span<const std::int32_t> owners,
                    Image<std::int32_t>& owner) {
     VesselTree owning;
