@@ -49,8 +49,8 @@ std::vector<char> foreign_lobes(const Lobes& found, const Vec3& seat_mm) {
             foreign[k] = behind_or_below(at, lobe_behind_below_mm) ||
                          (at.x() > heart_left_mm && at.z() > heart_above_mm);
     }
-    for (std::size_t pass = 0; pass < foreign.size();
-         ++pass)  // as many passes as the longest chain of parents can need
+    // As many passes as the longest chain of parents can need.
+    for (std::size_t pass = 0; pass < foreign.size(); ++pass)
         for (std::size_t k = 0; k < foreign.size(); ++k) {
             const Lobe& lobe = found.lobes[k];
             if (lobe.parent >= 0 && foreign[static_cast<std::size_t>(lobe.parent)] != 0 &&

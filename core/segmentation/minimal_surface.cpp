@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t block = 8192;
 constexpr float outside_cost = 2.0f;  // keeps a voxel outside whatever surface it would save
-constexpr float primal_step =
-    0.28f;  // converges: 12, the squared norm of the gradient, times both steps is < 1
+// Converges: 12, the squared norm of the gradient, times both steps is below 1.
+constexpr float primal_step = 0.28f;
 constexpr float dual_step = 0.28f;
 
 // The voxels of the vessels and two layers around them; all other voxels are outside.
