@@ -36,8 +36,8 @@ enum class Connectivity { faces6 = 6, all26 = 26 };
 
 struct Components {
     Image<std::uint32_t> labels;  // 0 background, 1 the largest component, 2 the next ...
-    std::vector<std::size_t>
-        sizes;  // sizes[i]: voxels of label i + 1, falling; ties by first voxel
+    // sizes[i]: voxels of label i + 1, descending; ties by first voxel.
+    std::vector<std::size_t> sizes;
 };
 
 Components connected_components(const Mask& mask, Connectivity connectivity,

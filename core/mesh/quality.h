@@ -11,9 +11,10 @@ struct MeshQuality {
     double min_dihedral_deg = 0.0;
     double max_dihedral_deg = 0.0;
     double volume_mm3 = 0.0;
-    int components = 0;           // bodies: tetrahedra connected through shared vertices
-    bool closed = false;          // every boundary edge belongs to exactly two triangles, and the
-                                  // triangles around every boundary vertex form one fan
+    int components = 0;  // bodies: tetrahedra connected through shared vertices
+    // Every boundary edge belongs to exactly two triangles, and the triangles around every boundary
+    // vertex form one fan.
+    bool closed = false;
     int boundary_components = 0;  // more than `components` means cavities
     int handles = 0;              // tunnels: 1 - chi/2, summed over the components of the boundary
 };
