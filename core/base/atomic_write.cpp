@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Temporaries beside the target, renames, and an exchange of folders by renameat2 where possible.
 #include "core/base/atomic_write.h"
 
 #include <fcntl.h>
@@ -21,8 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A name of its own for every call, so that two writers of one place never share a temporary; it
-// ends like the target's, because many writers choose their format by the extension.
+// A unique name for every call, so that two writers of one target never share a temporary. It ends
+// like the target's name, because many writers choose their format by the extension.
 std::string name_beside(const fs::path& target) {
     constexpr std::size_t longest_tail = 100;
     std::random_device random;
@@ -31,7 +32,7 @@ std::string name_beside(const fs::path& target) {
            name.substr(name.size() - std::min(name.size(), longest_tail));
 }
 
-// Removed at the end, if it is still there.
+// The path of a temporary file or folder; removed at the end unless it is kept.
 class Temporary {
   public:
     explicit Temporary(const fs::path& target)
@@ -60,15 +61,15 @@ fs::path without_trailing_slash(const fs::path& path) {
                      "Check that the folder exists, may be written and has free space");
 }
 
-// What a link stands for is replaced, not the link.
+// The target of a link; the link itself stays.
 fs::path behind_links(const fs::path& target) {
     std::error_code error;
     const fs::path real = fs::weakly_canonical(target, error);
     return error ? fs::absolute(target) : real;
 }
 
-// Puts `fresh` in the place of `old`, which then stands at `fresh`, in one step where the file
-// system can. Else `old` steps aside first and comes back if the new one cannot take its place.
+// Exchanges `fresh` and `old`, in one step if the file system supports it. Otherwise `old` is moved
+// aside first, and back if `fresh` cannot take its place.
 void exchange(const fs::path& fresh, const fs::path& old, std::error_code& error) {
     if (renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, old.c_str(), RENAME_EXCHANGE) == 0) return;
     const fs::path aside = fresh.string() + ".old";
@@ -109,8 +110,8 @@ void write_text_atomically(const fs::path& file, std::string_view text) {
 
 namespace {
 
-// Moves what is not the program's own from the folder that was to the one that is. Returns the
-// first that could not be moved.
+// Moves all files that are not the program's own from the folder `was` to `is`, unless they exist
+// there. Returns the first that could not be moved.
 std::optional<fs::path> move_foreign(const fs::path& was, const fs::path& is,
                                      const std::function<bool(const fs::path&)>& is_own) {
     std::vector<fs::path> files;
@@ -140,13 +141,13 @@ void replace_folder(const fs::path& target, const std::function<void(const fs::p
     if (error) throw_unwritable(target, error);
     write(temporary.path());
     const bool replaces = fs::exists(folder);
-    if (replaces)  // a folder cannot be renamed over a full one
+    if (replaces)  // rename() cannot replace a folder that is not empty
         exchange(temporary.path(), folder, error);
     else
         fs::rename(temporary.path(), folder, error);
     if (error) throw_unwritable(target, error);
     if (!replaces) return;
-    temporary.keep(true);  // whatever goes wrong from here on, nothing of others is removed
+    temporary.keep(true);  // from here on no foreign file may be removed, whatever fails
     if (const auto left = move_foreign(temporary.path(), folder, is_own))
         throw InputError("was in the folder and could not be put back into it", left->string(),
                          "Move it to " + target.string() + " by hand");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files and folders that appear whole or not at all: written beside their place under a temporary
-// name, then renamed. On any exception the temporary is removed and what stood there before stays.
-// A link is followed: what it points to is replaced. Calls from several threads or programs, also
-// for one place, do not disturb each other: the last one wins, whole.
+// Files and folders that appear complete or not at all: written beside their target under a
+// temporary name, then renamed. On any exception the temporary is removed and the previous content
+// stays. Links are followed: their target is replaced. Thread-safe, also between programs and for
+// the same target: the last writer wins with its complete content.
 #pragma once
 
 #include <filesystem>
@@ -12,30 +12,33 @@
 namespace hepatica {
 
 // Calls write(temporary_path), which must create that file, then renames it to `file`. The
-// temporary keeps the extension(s) of `file`, which many writers choose their format by.
-// Throws InputError, naming `file`, where the folder cannot be written or the disk is full.
+// temporary keeps the extension of `file`, because many writers choose their format by it. Missing
+// parent folders are created. Throws InputError, naming `file`, if the folder cannot be written or
+// the disk is full.
 void write_file_atomically(const std::filesystem::path& file,
                            const std::function<void(const std::filesystem::path&)>& write);
 
-// The same for a text already in memory.
+// The same for a text in memory.
 void write_text_atomically(const std::filesystem::path& file, std::string_view text);
 
-// Calls write(temporary_folder), an empty folder, then renames it to `folder`, replacing a folder
-// that stood there with all that was in it: for folders of the program's own. Throws InputError as
+// Calls write(temporary_folder) with an empty folder, then renames it to `folder`, replacing an
+// existing folder with all its content: only for the program's own folders. Throws InputError as
 // above.
 void write_folder_atomically(const std::filesystem::path& folder,
                              const std::function<void(const std::filesystem::path&)>& write);
 
-// The same for a folder into which others may put files: those for which is_own(path below the
-// folder) is false, and that are not written anew, stay. They follow once the new folder is there;
-// one that cannot is named in an InputError and lies in the temporary folder, which then stays.
+// The same for a folder that may contain foreign files: files for which is_own(path relative to the
+// folder) is false, and that are not written anew, are kept. They are moved once the new folder is
+// in place; one that cannot be moved is named in an InputError and stays in the temporary folder,
+// which is then not removed.
 void renew_folder_atomically(const std::filesystem::path& folder,
                              const std::function<void(const std::filesystem::path&)>& write,
                              const std::function<bool(const std::filesystem::path& below)>& is_own);
 
-// Calls write(temporary_folder), an empty folder, then moves the files in it into `folder`, in the
-// order of their names, beside what else is there; older files of these names are replaced. On an
-// exception none is. Throws InputError as above.
+// Calls write(temporary_folder) with an empty folder, then moves its files into `folder`, in the
+// order of their names. Other files there stay; older files, or links, of these names are replaced.
+// If write() throws, none is; if a move fails, those before it have been made. Throws InputError as
+// above.
 void write_files_atomically(const std::filesystem::path& folder,
                             const std::function<void(const std::filesystem::path&)>& write);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Groups of three bytes to four characters and back.
 #include "core/base/base64.h"
 
 #include <algorithm>
@@ -54,7 +55,7 @@ std::optional<std::string> from_base64(std::string_view text) {
         }
         for (std::size_t k = 0; k < 3 - padded; ++k)
             bytes += static_cast<char>((group >> (16 - 8 * k)) & 255U);
-        // Bits that no byte holds must be those that to_base64 leaves: none.
+        // Unused bits must be 0, as to_base64() writes them.
         if (padded > 0 && (group & ((1U << (8 * padded)) - 1U)) != 0) return std::nullopt;
     }
     return bytes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes as text of RFC 4648 (base64 with padding): four characters for three bytes.
+// Base64 with padding (RFC 4648): four characters for three bytes. Thread-safe.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace hepatica {
 
 std::string to_base64(std::string_view bytes);
 
-// None where the text is not what to_base64 writes.
+// The bytes; none if the text is not a result of to_base64().
 std::optional<std::string> from_base64(std::string_view text);
 
 }  // namespace hepatica

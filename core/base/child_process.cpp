@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// fork and exec with resource limits; standard error is read through a pipe.
 #include "core/base/child_process.h"
 
 #include <fcntl.h>
@@ -17,7 +18,7 @@
 
 #include "core/base/error.h"
 
-// The address sanitizer reserves terabytes of addresses.
+// The sanitizers reserve terabytes of address space, so RLIMIT_AS cannot be used with them.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define HEPATICA_HAS_SANITIZER
 #elif defined(__has_feature)
@@ -41,13 +42,13 @@ void limit(__rlimit_resource what, std::uint64_t most, std::uint64_t at_last) {
     if (setrlimit(what, &both) != 0) _exit(exit_not_started);
 }
 
-// In the child, between fork and exec: nothing but async-signal-safe calls, for other threads may
-// have held any lock at the fork.
+// In the child, between fork and exec. Only async-signal-safe calls are allowed, because other
+// threads may have held any lock at the fork.
 [[noreturn]] void become(char* const* arguments, const ChildLimits& limits, int error_pipe,
                          pid_t parent) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(exit_not_started);  // it ended before prctl
-    setpgid(0, 0);  // Ctrl+C in a terminal is for the parent, who then kills the child
+    if (getppid() != parent) _exit(exit_not_started);  // the parent ended before prctl
+    setpgid(0, 0);  // keeps Ctrl+C from the child: the parent kills it
     const int nothing = open("/dev/null", O_RDWR);
     if (nothing < 0 || dup2(error_pipe, STDERR_FILENO) < 0 || dup2(nothing, STDIN_FILENO) < 0 ||
         dup2(nothing, STDOUT_FILENO) < 0 || close_range(3, ~0U, 0) != 0)
@@ -55,7 +56,7 @@ void limit(__rlimit_resource what, std::uint64_t most, std::uint64_t at_last) {
 #ifndef HEPATICA_HAS_SANITIZER
     limit(RLIMIT_AS, limits.memory_bytes, limits.memory_bytes);
 #endif
-    // SIGXCPU, which says why, and a second later SIGKILL, which cannot be ignored.
+    // SIGXCPU first, which tells the reason, and a second later SIGKILL, which cannot be ignored.
     const auto seconds = static_cast<std::uint64_t>(limits.seconds);
     limit(RLIMIT_CPU, seconds, seconds + 1);
     limit(RLIMIT_CORE, 0, 0);
@@ -63,7 +64,7 @@ void limit(__rlimit_resource what, std::uint64_t most, std::uint64_t at_last) {
     _exit(exit_not_started);
 }
 
-// The child as its parent sees it; killed and waited for at the end, if it still runs.
+// The child, seen from the parent. The destructor kills it and waits for it if it still runs.
 class Child {
   public:
     Child(std::vector<std::string> command, const ChildLimits& limits) {
@@ -73,7 +74,7 @@ class Child {
         std::array<int, 2> ends{};
         if (pipe2(ends.data(), O_CLOEXEC) != 0) refuse(command.front());
         error_pipe_ = ends[0];
-        fcntl(error_pipe_, F_SETFL, O_NONBLOCK);  // this end alone: the child waits for room
+        fcntl(error_pipe_, F_SETFL, O_NONBLOCK);  // only this end: the child may block
         const pid_t parent = getpid();
         id_ = fork();
         if (id_ == 0) become(arguments.data(), limits, ends[1], parent);
@@ -98,7 +99,8 @@ class Child {
         pollfd end{error_pipe_, POLLIN, 0};
         poll(&end, 1, poll_ms);
         const bool closed = !take_errors();
-        // A child that has closed its errors is about to end, or sleeps: no busy waiting for it.
+        // A child that has closed standard error is about to end, or runs on; waiting avoids a busy
+        // loop.
         if (closed && !wait_for(WNOHANG)) poll(nullptr, 0, poll_ms);
         return wait_for(WNOHANG);
     }
@@ -128,7 +130,7 @@ class Child {
                          program, "End other programs, and try again");
     }
 
-    // False once the other end is closed.
+    // Reads what is available; false once the other end is closed.
     bool take_errors() {
         std::array<char, 1024> part{};
         for (;;) {

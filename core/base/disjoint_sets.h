@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sets that grow together (union-find with path halving, Tarjan 1975). The root of a set is its
-// smallest member, so that what is numbered by roots does not depend on the order of the unions.
+// Disjoint sets (union-find with path halving, Tarjan 1975). The root of a set is its smallest
+// member, so numbering by roots does not depend on the order of the unions. Not thread-safe: root()
+// also writes.
 #pragma once
 
 #include <algorithm>
@@ -13,12 +14,12 @@ namespace hepatica {
 
 class DisjointSets {
   public:
-    // 0 to size - 1, each a set of its own.
+    // The members 0 to size - 1, each in a set of its own.
     explicit DisjointSets(std::size_t size = 0) : parents_(size), count_(size) {
         std::iota(parents_.begin(), parents_.end(), std::uint32_t{0});
     }
 
-    // A new set of one member, which it returns.
+    // Adds a set with one new member, and returns the member.
     std::uint32_t add() {
         parents_.push_back(static_cast<std::uint32_t>(parents_.size()));
         ++count_;
@@ -30,7 +31,7 @@ class DisjointSets {
         return member;
     }
 
-    // Returns false where both were in one set already.
+    // Returns false if both were already in one set.
     bool unite(std::uint32_t a, std::uint32_t b) {
         a = root(a);
         b = root(b);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The sentence that what() returns: "place: problem. remedy".
 #include "core/base/error.h"
 
 namespace hepatica {

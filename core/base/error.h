@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The errors that a person can cause, each with what happened, where, and what to do about it.
-// Programmers' errors assert instead.
+// The errors that a user can cause, each with what happened, where, and what to do about it.
+// Programming errors are asserted instead.
 #pragma once
 
 #include <stdexcept>
@@ -31,7 +31,7 @@ class InputError : public Error {
     using Error::Error;
 };
 
-// The program was called in a way that it does not understand. Exit code 2.
+// The command line or the call was not understood. Exit code 2.
 class UsageError : public Error {
     using Error::Error;
 };

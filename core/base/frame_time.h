@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The time between two pictures on a screen of 60 Hz: the step of a play, unless a scene says
-// otherwise.
+// The time between two pictures on a 60 Hz screen: the default time step of a simulation.
 #pragma once
 
 namespace hepatica {

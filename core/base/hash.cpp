@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Words are absorbed one by one; the last, incomplete word and the length follow at the end.
 #include "core/base/hash.h"
 
 #include <bit>
@@ -16,7 +17,7 @@ constexpr std::uint64_t fnv_prime = 0x100000001b3ULL;
 
 std::uint64_t absorb(std::uint64_t state, std::uint64_t word) {
     state = (state ^ word) * fnv_prime;
-    return state ^ (state >> 29);  // carries the high half down: plain FNV never does
+    return state ^ (state >> 29);  // mixes the high half into the low one, which plain FNV does not
 }
 
 }  // namespace
@@ -25,7 +26,8 @@ void Hasher::add_bytes(const void* data, std::size_t size) {
     const auto* bytes = static_cast<const unsigned char*>(data);
     length_ += size;
     std::size_t i = 0;
-    // Whole words at once where none is begun: a state is hashed after every recorded step.
+    // Whole words at once if none is incomplete: for speed, as a state is hashed after every
+    // recorded step.
     for (; pending_bytes_ == 0 && i + 8 <= size && std::endian::native == std::endian::little;
          i += 8) {
         std::uint64_t word = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A 64-bit hash (FNV-1a over 8-byte words, finished by a mixer) for case files and simulation
-// states. It finds accidents and divergence; it does not protect against forgery.
+// A 64-bit hash (FNV-1a over 8-byte words, with a final mixer) for case files and simulation
+// states. It detects accidental changes and divergence; it does not protect against forgery.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,8 @@
 
 namespace hepatica {
 
-// Hashes a stream of bytes fed in pieces; the result does not depend on where the pieces end.
+// Hashes a stream of bytes fed in pieces; the result does not depend on how it is divided. Not
+// thread-safe.
 class Hasher {
   public:
     void add_bytes(const void* data, std::size_t size);
@@ -35,7 +36,7 @@ class Hasher {
 // 16 lower-case hexadecimal digits.
 std::string to_hex(std::uint64_t value);
 
-// Hash of a file's bytes. Throws InputError where it cannot be read.
+// Hash of a file's bytes. Throws InputError if it cannot be opened.
 std::uint64_t hash_of_file(const std::filesystem::path& file);
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The state of a job behind one mutex; cancellation by a stop token.
 #include "core/base/job.h"
 
 #include "core/base/error.h"
@@ -20,7 +21,8 @@ void Job::throw_if_cancelled() const {
 
 void Job::expect_stages(int count) {
     const std::scoped_lock lock(mutex_);
-    if (progress_.stage_number < progress_.stage_count) return;  // the caller knows the whole
+    // The caller has announced all stages.
+    if (progress_.stage_number < progress_.stage_count) return;
     progress_.stage_count = progress_.stage_number + count;
 }
 

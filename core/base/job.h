@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A long piece of work as its caller sees it: named stages, progress, and a way to stop it.
-// The worker holds a Job&, the other threads hold the same Job and ask or cancel it at any time.
+// A long computation as seen by its caller: named stages, progress and cancellation. The worker
+// holds a Job&; other threads hold the same Job and may query or cancel it at any time.
 #pragma once
 
 #include <chrono>
@@ -13,10 +13,10 @@
 namespace hepatica {
 
 struct JobProgress {
-    std::string stage;      // what is being done now, in words for the user
-    double fraction = 0.0;  // of this stage, in [0, 1]
+    std::string stage;      // the current stage, in words for the user
+    double fraction = 0.0;  // share of this stage that is done, in [0, 1]
     int stage_number = 0;   // from 1; 0 before the first stage
-    int stage_count = 0;    // as announced; 0 if it was not
+    int stage_count = 0;    // as announced; 0 if not announced
 };
 
 struct StageTime {
@@ -24,35 +24,35 @@ struct StageTime {
     double seconds = 0.0;
 };
 
-// What the worker has just done with its job.
+// Events in the worker that an observer receives.
 enum class JobEvent {
-    check,     // asked whether to stop
-    progress,  // reported progress, or began a stage; asked as well
+    check,     // asked whether it is cancelled
+    progress,  // reported progress or began a stage, which also checks
 };
 
-// Thread-safe: the worker calls the first three, anybody calls the rest.
+// Thread-safe, except observe(). The first three functions are for the worker, the others for all.
 class Job {
   public:
-    // Announces how many stages are to begin; void while those of an earlier call are to come.
+    // Announces the number of stages that follow; ignored while stages of an earlier call remain.
     void expect_stages(int count);
-    // Ends the stage before, starts this one. Throws Cancelled if the user has asked to stop.
+    // Ends the previous stage and starts this one. Throws Cancelled if the job is cancelled.
     void begin_stage(const std::string& name);
-    // Reports how much of the stage is done. Throws Cancelled if the user has asked to stop.
-    // Cheap enough for every slice or every few thousand voxels; call it at least every 0.1 s.
+    // Reports the share of the stage that is done. Throws Cancelled if the job is cancelled. Cheap
+    // enough for every slice or every few thousand voxels; call it at least every 0.1 s.
     void advance(double fraction);
 
     void cancel() { stop_.request_stop(); }
     bool cancelled() const { return stop_.stop_requested(); }
     void throw_if_cancelled() const;
-    // For work that knows no job: its stop is asked for when the job is cancelled.
+    // For code that takes no job: stop is requested when the job is cancelled.
     std::stop_token stop_token() const { return stop_.get_token(); }
 
-    // For measurements: called at every event, on whatever thread it happens, before the worker
-    // learns whether to stop. Set it before the work begins.
+    // For measurements: called at every event, on the thread where it happens, before the worker
+    // learns of a cancellation. Set it before the work begins.
     void observe(std::function<void(JobEvent)> observer) { observer_ = std::move(observer); }
 
     JobProgress progress() const;
-    // Stages so far with their wall time; the last one is still running.
+    // Stages so far with their wall time; the last one is the current one.
     std::vector<StageTime> stage_times() const;
 
   private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whole numbers from JSON. The library's own get<int>() cuts off what does not fit, and of a
-// decimal beyond the range its result is undefined.
+// Integers from JSON with range checks. The library's get<int>() truncates values that do not fit,
+// and its result for a decimal out of range is undefined.
 #pragma once
 
 #include <cmath>
@@ -12,11 +12,11 @@
 
 namespace hepatica {
 
-// Throws Json::exception, as get<T>() does for a text, where the value is no whole number or does
-// not fit. 3.0 counts as whole.
+// Throws Json::exception, as get<T>() does for a string, if the value is not an integer or does not
+// fit into T. 3.0 counts as an integer.
 template <std::integral T, class Json>
 T whole_number(const Json& value) {
-    constexpr double exact = 0x1p53;  // up to here a double holds every whole number
+    constexpr double exact = 0x1p53;  // up to here a double represents every integer
     if (value.is_number_unsigned()) {
         const auto number = value.template get<std::uint64_t>();
         if (std::in_range<T>(number)) return static_cast<T>(number);

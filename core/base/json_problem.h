@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is wrong with a JSON text, as a person reads it: the library's words without its numbers,
-// which stand in front of them in brackets ("[json.exception.type_error.302] type must be number,
-// ...").
+// The problem of a JSON text for the user: the library's message without its prefix
+// ("[json.exception.type_error.302] type must be number, ...").
 #pragma once
 
 #include <exception>

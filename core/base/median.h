@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The median of a list: the middle value, and of an even number the upper of the two in the middle.
+// The median of a list: the middle value, or the upper of the two middle values.
 #pragma once
 
 #include <algorithm>

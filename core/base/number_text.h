@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A number as a message shows it, with a dot in every locale.
+// Numbers in messages, with a decimal point in every locale.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace hepatica {
 
-// Six significant digits.
+// With six significant digits.
 inline std::string number_text(double value) {
     std::array<char, 32> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
@@ -16,7 +16,7 @@ inline std::string number_text(double value) {
     return {digits.data(), end.ptr};
 }
 
-// With so many decimals (0 to 15), rounded to the nearest; what rounds to 0 has no sign.
+// With the given number of decimals (0 to 15), rounded to nearest; a zero has no sign.
 inline std::string fixed_text(double value, int decimals) {
     std::array<char, 384> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,

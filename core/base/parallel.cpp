@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Blocks run by TBB, or by a pool of threads without it.
 #include "core/base/parallel.h"
 
 #include <algorithm>
@@ -28,9 +29,9 @@ struct ThreadLimit::Implementation {
 
 #else
 
-// Without TBB: on machines that lack it, and under the thread sanitizer, which cannot see how TBB's
-// own library orders its threads. Helpers wait for loops that have blocks left; the order of the
-// results is the same.
+// Without TBB: on machines that lack it, and under the thread sanitizer, which cannot see how TBB
+// synchronises its threads. Pool threads wait for loops that have blocks left; the results are the
+// same.
 namespace {
 
 std::atomic<int>& most_threads() {
@@ -39,7 +40,7 @@ std::atomic<int>& most_threads() {
     return most;
 }
 
-// Takes blocks, the first that nobody has taken yet, until none is left or one has thrown.
+// Runs blocks in order until all are taken or one has thrown.
 class BlockQueue {
   public:
     BlockQueue(std::size_t blocks, const std::function<void(std::size_t)>& run)
@@ -63,7 +64,7 @@ class BlockQueue {
         if (failure_) std::rethrow_exception(failure_);
     }
 
-    int helpers = 0;  // that work on it; guarded by the mutex of the crew
+    int helpers = 0;  // threads that work on it; guarded by the mutex of Crew
 
   private:
     std::size_t blocks_;
@@ -73,8 +74,8 @@ class BlockQueue {
     std::exception_ptr failure_;
 };
 
-// Threads that help with loops. Who begins a loop works on it, too, and waits for nobody who has
-// not begun to help: loops may begin loops.
+// A pool of threads that help with loops. The thread that begins a loop works on it too, and waits
+// only for helpers that have already started on it, so loops may be nested.
 class Crew {
   public:
     ~Crew() {
@@ -127,7 +128,7 @@ class Crew {
     std::condition_variable opened_, left_;
     std::vector<BlockQueue*> open_;
     bool ended_ = false;
-    std::vector<std::jthread> threads_;  // the last: they end before the rest does
+    std::vector<std::jthread> threads_;  // last member: joined before the others are destroyed
 };
 
 void run_blocks(std::size_t blocks, const std::function<void(std::size_t)>& run) {

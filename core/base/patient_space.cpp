@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The check and the text of positions.
 #include "core/base/patient_space.h"
 
 #include <cmath>
@@ -27,7 +28,7 @@ std::string place_text(const Vec3& position_mm) {
     text << std::fixed << std::setprecision(1);
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const double tenths = std::round(10.0 * position_mm[axis]);
-        text << (axis == 0 ? "" : ", ") << (tenths == 0.0 ? 0.0 : 0.1 * tenths);  // no "-0.0"
+        text << (axis == 0 ? "" : ", ") << (tenths == 0.0 ? 0.0 : 0.1 * tenths);  // avoids "-0.0"
     }
     text << " mm";
     return text.str();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of space that a patient can lie in. A number in a file that points beyond it is damage
-// or a wrong unit, and arithmetic goes wrong there: at 1e21 mm neighbouring doubles are 131 m
-// apart, so that a curve through such points never gets any longer.
+// The region of space in which a patient can lie. A position beyond it in a file indicates damage
+// or a wrong unit, and arithmetic fails there: at 1e21 mm neighbouring doubles are 131 m apart, so
+// that a curve through such points never gets longer.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace hepatica {
 
-// Ten metres: ten times what any scanner reaches, and 1e-12 mm between neighbouring doubles.
+// Ten metres: ten times the reach of any scanner, with about 1e-12 mm between neighbouring doubles.
 constexpr double farthest_mm = 10'000.0;
 
 // Whether all coordinates lie within farthest_mm; false for NaN.
@@ -18,7 +18,7 @@ inline bool is_in_patient_space(const Vec3& position_mm) {
     return position_mm.cwiseAbs().maxCoeff() <= farthest_mm && position_mm.allFinite();
 }
 
-// Throws InputError that names `place`, what lies there and the offending value.
+// Throws InputError with `place`, `what` and the position, unless it is in patient space.
 void require_in_patient_space(const Vec3& position_mm, const std::string& what,
                               const std::string& place);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Paths relative to /proc/self/exe.
 #include "core/base/program_files.h"
 
 #include <initializer_list>
@@ -12,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The first of the folders that holds the file.
+// The file in the first of the folders that contains it.
 fs::path first_with(const fs::path& name, std::initializer_list<fs::path> folders) {
     for (const fs::path& folder : folders) {
         fs::path place = (folder / name).lexically_normal();
@@ -23,7 +24,7 @@ fs::path first_with(const fs::path& name, std::initializer_list<fs::path> folder
                      "Install Hepatica again, or run it where it was built");
 }
 
-// Without /proc there is no path, and the answer is that of a miss.
+// Empty without /proc; the files are then not found.
 fs::path this_program() {
     std::error_code ignored;
     return fs::read_symlink("/proc/self/exe", ignored);
@@ -31,7 +32,7 @@ fs::path this_program() {
 
 }  // namespace
 
-// Both are installed as CMake was told; programs are built as build/PRESET/bin.
+// Installed places as configured in CMake; in the build tree programs are in build/PRESET/bin.
 fs::path asset_of(const fs::path& program, const fs::path& name) {
     const fs::path bin = program.parent_path();
     return first_with(name, {bin / HEPATICA_ASSETS_FROM_BIN, bin / "../../../assets"});

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// UTF-8 validation after RFC 3629, and the search for quotation marks.
 #include "core/base/quoted_name.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace {
 constexpr std::string_view opens = "\xe2\x80\x9c", closes = "\xe2\x80\x9d";
 constexpr std::string_view unreadable = "\xef\xbf\xbd";
 
-// How many bytes the character takes that begins the text; 0 where none does.
+// Length in bytes of the character at the beginning of the text; 0 if it is invalid.
 std::size_t character_size(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
     const std::uint8_t first = byte(0);
@@ -23,7 +24,7 @@ std::size_t character_size(std::string_view text) {
     if (size == 0 || size > text.size()) return 0;
     for (std::size_t i = 1; i < size; ++i)
         if ((byte(i) & 0xc0) != 0x80) return 0;
-    // Longer than it need be, a half of a pair of UTF-16, or beyond the last character.
+    // Overlong, a UTF-16 surrogate, or beyond U+10FFFF.
     const bool refused = (first == 0xe0 && byte(1) < 0xa0) || (first == 0xed && byte(1) > 0x9f) ||
                          (first == 0xf0 && byte(1) < 0x90) || (first == 0xf4 && byte(1) > 0x8f);
     return refused ? 0 : size;
@@ -39,7 +40,7 @@ std::string without(std::string text, std::string_view part) {
 
 std::string quoted_name(std::string_view name) {
     std::string plain = as_utf8(name);
-    // What is taken out may bring together what is to be taken out.
+    // Removing a mark may join bytes to a new mark, so this repeats until nothing changes.
     for (std::string before; before != plain;) {
         before = plain;
         plain = without(without(before, opens), closes);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names that people gave (files, folders, what was typed at a scanner) inside of sentences: on the
-// screen they help to find what is meant, but they often name a patient. They stand between “ and
-// ”, so that they can be left out of whatever is written and passed on.
+// Names given by people (files, folders, texts typed at a scanner) inside sentences. On the screen
+// they help the user, but they often name a patient. They are enclosed in “ and ”, so that they can
+// be removed from anything that is stored or passed on. Thread-safe.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace hepatica {
 
-// “name”; the two quotation marks themselves are taken out of the name, and bytes that are no UTF-8
+// “name”; these quotation marks are removed from the name, and bytes that are not valid UTF-8
 // become U+FFFD.
 std::string quoted_name(std::string_view name);
 
-// The sentence with “…” in the place of every name.
+// The sentence with every name replaced by “…”.
 std::string without_names(std::string_view sentence);
 
-// True where every byte belongs to a character in UTF-8 (RFC 3629).
+// True if the text is valid UTF-8 (RFC 3629).
 bool is_utf8(std::string_view text);
 
-// The same text with U+FFFD for each byte that does not.
+// The text with U+FFFD for each invalid byte.
 std::string as_utf8(std::string_view text);
 
 }  // namespace hepatica

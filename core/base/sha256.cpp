@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The compression function and padding of FIPS 180-4, by section.
 #include "core/base/sha256.h"
 
 #include <bit>

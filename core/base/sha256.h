@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SHA-256 (FIPS 180-4): the digest of a file that any machine can check with `sha256sum`.
+// SHA-256 (FIPS 180-4): the digest of a file, which any machine can check with `sha256sum`.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace hepatica {
 
-// Digests a stream of bytes fed in pieces; where the pieces end makes no difference. Not
+// Digests a stream of bytes fed in pieces; the result does not depend on how it is divided. Not
 // thread-safe.
 class Sha256 {
   public:
@@ -25,12 +25,12 @@ class Sha256 {
     std::array<std::uint32_t, 8> state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
                                         0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
     std::array<std::uint8_t, 64> block_{};
-    std::size_t filled_ = 0;    // bytes of the block
-    std::uint64_t length_ = 0;  // bytes in all
+    std::size_t filled_ = 0;    // bytes in the block
+    std::uint64_t length_ = 0;  // bytes in total
 };
 
-// Digest of a file's bytes, as `sha256sum FILE` prints it. Throws InputError where it cannot be
-// read.
+// Digest of a file's bytes, as `sha256sum FILE` prints it. Throws InputError if it cannot be
+// opened.
 std::string sha256_of_file(const std::filesystem::path& file);
 
 }  // namespace hepatica

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Three-vectors and 3x3 matrices for code that runs on the host and on a CUDA device alike: plain
+// 3-vectors and 3x3 matrices for code that runs both on the host and on a CUDA device: plain
 // arrays, no allocation, no exceptions, templated on the scalar (float or double).
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between the host's vectors and those of the element functions. Host only.
+// Conversion between Eigen's vectors and matrices and those of small_matrix.h. Host only.
 #pragma once
 
 #include "core/base/small_matrix.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long work inside a step hears that it is to end: whoever begins it hands in a
-// std::stop_token, and it looks there between its iterations. A token without a source never asks
-// to stop.
+// Cancellation inside a time step: the caller passes a std::stop_token, which is checked between
+// iterations. A token without a source never requests a stop.
 #pragma once
 
 #include <stop_token>
@@ -10,8 +9,8 @@
 
 namespace hepatica {
 
-// Throws Cancelled where a stop has been asked for. Costs a read of memory, so that it may stand in
-// any loop whose body takes more than some hundred operations. Any thread.
+// Throws Cancelled if a stop has been requested. Costs one read of memory, so it is suitable for
+// any loop whose body takes more than some hundred operations. Thread-safe.
 inline void throw_if_stopped(const std::stop_token& stop) {
     if (stop.stop_requested()) throw Cancelled();
 }

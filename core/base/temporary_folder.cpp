@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// mkdtemp in the system's folder for temporary files (TMPDIR, else /tmp).
 #include "core/base/temporary_folder.h"
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A new folder among the system's temporary files, removed with all that is in it at the end.
+// A new folder among the system's temporary files, removed with its content by the destructor.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@ namespace hepatica {
 
 class TemporaryFolder {
   public:
-    // Throws InputError where none can be made.
+    // Throws InputError if no folder can be created.
     TemporaryFolder();
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads a file into a string.
 #include "core/base/text_file.h"
 
 #include <fstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Units everywhere in the program: millimetre, gram, second. Pressure and stress are then in pascal
-// exactly (1 g/(mm s2) = 1 Pa), viscosity in Pa s = g/(mm s), density in g/mm3, volume flow in
+// The units of the whole program: millimetre, gram, second. Pressure and stress are then exactly in
+// pascal (1 g/(mm s2) = 1 Pa), viscosity in Pa s = g/(mm s), density in g/mm3, volume flow in
 // mm3/s, mass flow in g/s and force in micronewton (g mm/s2).
 #pragma once
 

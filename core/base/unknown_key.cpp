@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The nearest known key by prefix or edit distance.
 #include "core/base/unknown_key.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 namespace hepatica {
 namespace {
 
-// One row of the table of distances between all beginnings of the two at a time.
+// Levenshtein distance, with one row of the table of prefix distances at a time.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What to say of a key that nobody knows: it is most likely misspelt.
+// The message for an unknown, most likely misspelt key.
 #pragma once
 
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace hepatica {
 
-// `is not known; the nearest key is "over_s"`: the first that begins with it, else the nearest by
-// edit distance (Levenshtein), the first of several. Where more than half of the letters would have
-// to change it lists them all.
+// `is not known; the nearest key is "over_s"`: the first known key that begins with `key` (three
+// letters or more), else the nearest by edit distance (Levenshtein), the first of several. If more
+// than half of the letters differ, all known keys are listed.
 std::string unknown_key(std::string_view key, std::span<const std::string> known);
 
 }  // namespace hepatica

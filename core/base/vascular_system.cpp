@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Names and numbers of the systems.
 #include "core/base/vascular_system.h"
 
 #include <algorithm>

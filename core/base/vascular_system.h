@@ -18,7 +18,7 @@ enum class VascularSystem : std::uint8_t {
     portal = 1,
     hepatic = 2,
     artery = 3,
-    unknown = 255,  // a vessel of which nobody said what it is
+    unknown = 255,  // a vessel that has not been assigned
 };
 
 inline constexpr std::array vascular_systems{VascularSystem::portal, VascularSystem::hepatic,
@@ -28,12 +28,12 @@ constexpr int number_of(VascularSystem system) {
     return static_cast<int>(system);
 }
 
-// In files and on the command line: portal, hepatic, artery or unknown.
+// The name in files and on the command line: portal, hepatic, artery or unknown.
 std::string name_of(VascularSystem system);
-// On the screen: portal vein, hepatic veins, artery or unknown system.
+// The name on the screen: portal vein, hepatic veins, artery or unknown system.
 std::string title_of(VascularSystem system);
 
-// The system of a number or of a name; none where there is no such system. A text may hold either.
+// The system of a number or of a name; none if there is no such system. A text may be either.
 std::optional<VascularSystem> system_numbered(int number);
 std::optional<VascularSystem> system_named(std::string_view name_or_number);
 

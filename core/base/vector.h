@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vector types of the whole program. Lengths are millimetres unless a name says otherwise.
+// The vector types of the whole program. Lengths are in millimetres unless a name says otherwise.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Visits the voxels in the bounding box of each straight piece of the path.
 #include "core/image/brush.h"
 
 #include <algorithm>

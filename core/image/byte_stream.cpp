@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Raw reads of a file, or zlib inflation through a 64 KiB input buffer.
 #include "core/image/byte_stream.h"
 
 #include <zlib.h>
@@ -45,7 +46,8 @@ struct ByteStream::State {
         inflater.avail_out = wanted;
         while (inflater.avail_out > 0 && refill()) {
             if (member_ended) {
-                // gzip allows members in a row; anything else behind the first is padding.
+                // gzip allows several members in a row; anything else after the first one is
+                // padding.
                 if (encoding == Encoding::bare_deflated || inflater.next_in[0] != 0x1f) break;
                 inflateReset(&inflater);
                 member_ended = false;
@@ -76,7 +78,7 @@ ByteStream::ByteStream(const std::filesystem::path& file, std::uint64_t offset, 
     state_->in.seekg(static_cast<std::streamoff>(offset));
     if (encoding != Encoding::raw) {
         state_->input.resize(1 << 16);
-        // 32: tells gzip from zlib by its header; negative: there is none.
+        // +32: detect gzip or zlib by the header; negative: no header.
         inflateInit2(&state_->inflater, encoding == Encoding::deflated ? 15 + 32 : -15);
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes of a file from some place on, inflated on the way where they are gzip or zlib data.
+// The bytes of a file from an offset on, inflated while reading where they are compressed.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,8 @@ enum class Encoding {
     bare_deflated  // deflate data (RFC 1951) without header and checksum
 };
 
-// Not thread-safe. Throws InputError that names the file.
+// Not thread-safe. All members that read throw InputError that names the file, where it cannot be
+// opened or read, or its compressed data are damaged.
 class ByteStream {
   public:
     ByteStream(const std::filesystem::path& file, std::uint64_t offset, Encoding encoding);
@@ -22,7 +23,7 @@ class ByteStream {
     ByteStream(const ByteStream&) = delete;
     ByteStream& operator=(const ByteStream&) = delete;
 
-    // Fills the buffer. Throws InputError where the file ends before or its data are damaged.
+    // Fills the buffer. Throws InputError also where the data end before it is full.
     void read(void* buffer, std::size_t bytes);
     void skip(std::uint64_t bytes);
     // Reads up to `bytes` bytes, fewer at the end; returns how many.

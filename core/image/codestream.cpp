@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Parses only the markers up to the size of the picture; nothing is decoded.
 #include "core/image/codestream.h"
 
 #include <cstddef>
@@ -10,7 +11,7 @@ namespace {
 
 using Bytes = std::span<const unsigned char>;
 
-// Big-endian numbers, 0 beyond the end.
+// A big-endian number of `count` bytes; bytes beyond the end count as 0.
 std::uint32_t number(Bytes bytes, std::size_t at, int count) {
     std::uint32_t value = 0;
     for (int i = 0; i < count; ++i)
@@ -19,7 +20,7 @@ std::uint32_t number(Bytes bytes, std::size_t at, int count) {
 }
 
 std::optional<CodestreamSize> jpeg_2000_size(Bytes bytes) {
-    // Start of codestream, then at once the size marker.
+    // The start of the codestream, immediately followed by the size marker.
     if (number(bytes, 2, 2) != 0xff51 || bytes.size() < 45) return std::nullopt;
     const std::uint32_t right = number(bytes, 8, 4);
     const std::uint32_t bottom = number(bytes, 12, 4);
@@ -33,17 +34,18 @@ std::optional<CodestreamSize> jpeg_2000_size(Bytes bytes) {
 }
 
 bool is_frame_marker(unsigned marker) {
-    const bool other = marker == 0xc4 || marker == 0xc8 || marker == 0xcc;  // tables
+    // Huffman tables, reserved, arithmetic coding conditions.
+    const bool other = marker == 0xc4 || marker == 0xc8 || marker == 0xcc;
     return (marker >= 0xc0 && marker <= 0xcf && !other) || marker == 0xf7;
 }
 
-// GDCM ends the program where the JPEG library warns about the JFIF version.
+// GDCM terminates the program where the JPEG library warns about the JFIF version.
 bool is_unknown_jfif(Bytes bytes, std::size_t at) {
     return bytes[at + 1] == 0xe0 && number(bytes, at + 4, 4) == 0x4a464946 && bytes[at + 9] != 1;
 }
 
-// Walks from segment to segment, each of which has to follow the one before at once (GDCM ends the
-// program otherwise), to the start of the pixels.
+// Walks from segment to segment to the start of the pixels. Each segment must follow the one before
+// immediately, because GDCM terminates the program otherwise.
 std::optional<CodestreamSize> jpeg_size(Bytes bytes) {
     constexpr unsigned start_of_pixels = 0xda;
     std::optional<CodestreamSize> size;

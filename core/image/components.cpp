@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Connected components by runs along x and union-find, linear in the number of voxels.
 #include <algorithm>
 #include <functional>
 #include <vector>
@@ -22,7 +23,7 @@ constexpr std::size_t rows_between_looks = 1024;
 // Runs of every row, numbered in the order of the voxels.
 struct RunTable {
     std::vector<Run> runs;
-    std::vector<std::size_t> first_of_row;  // one more than there are rows
+    std::vector<std::size_t> first_of_row;  // one entry more than there are rows
 
     RunTable(const Mask& mask, bool object, const Job& job) {
         const auto nx = static_cast<std::size_t>(mask.grid.dims[0]);
@@ -43,7 +44,7 @@ struct RunTable {
     }
 };
 
-// Joins the touching runs of two rows; reach 1 lets diagonal neighbours touch.
+// Unites the touching runs of two rows; with reach 1 diagonal neighbours touch.
 void join_rows(const RunTable& table, std::size_t row, std::size_t other, int reach,
                DisjointSets& sets) {
     std::size_t i = table.first_of_row[row];
@@ -80,7 +81,7 @@ DisjointSets joined_runs(const RunTable& table, const Grid& grid, Connectivity c
     return sets;
 }
 
-// For each set: its voxels; indexed by the set's first run, 0 for other runs.
+// Number of voxels of each set, indexed by the set's first run; 0 for other runs.
 std::vector<std::size_t> set_sizes(const RunTable& table, DisjointSets& sets) {
     std::vector<std::size_t> sizes(table.runs.size(), 0);
     for (std::size_t i = 0; i < table.runs.size(); ++i)
@@ -141,7 +142,8 @@ Mask fill_holes(const Mask& mask, const Job& job) {
     const Grid& grid = mask.grid;
     const RunTable table(mask, false, job);
     DisjointSets sets = joined_runs(table, grid, Connectivity::faces6, job);
-    std::vector<char> open(table.runs.size(), 0);  // by first run: reaches the border
+    // By first run of a set: whether the set reaches the border.
+    std::vector<char> open(table.runs.size(), 0);
     const int ny = grid.dims[1];
     for_each_run(table, grid, job, [&](std::uint32_t run, std::size_t begin, std::size_t) {
         const auto row = static_cast<int>(begin / grid.dims[0] % ny);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the helper on an enhanced file and reads the slices that it writes to a temporary folder.
 #include "core/image/dicom_frames.h"
 
 #include <algorithm>
@@ -47,8 +48,8 @@ ChildLimits limits_for(std::uint64_t file_bytes) {
     return {(std::uint64_t{1} << 30) + file_bytes, 60 + static_cast<int>(file_bytes >> 20)};
 }
 
-// The frames take about as much as the file, those of a segmentation two bytes a pixel, and a
-// header each.
+// The frames take about as much space as the file (those of a segmentation two bytes a pixel), plus
+// a header each.
 void require_room(const fs::path& folder, const DicomSlice& file, std::uint64_t file_bytes) {
     constexpr std::uint64_t header_bytes = 4096;
     const std::uint64_t label_bytes =
@@ -66,7 +67,7 @@ void require_room(const fs::path& folder, const DicomSlice& file, std::uint64_t 
                          "with more");
 }
 
-// What the helper said of a file that it refused: the problem and the remedy, a line each.
+// The helper's message for a refused file: the problem on the first line, the remedy on the second.
 std::optional<InputError> told_refusal(const std::string& errors, const fs::path& file) {
     std::istringstream lines(as_utf8(errors));
     std::string problem, remedy, more;

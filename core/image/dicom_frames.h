@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Enhanced multi-frame CT (DICOM PS3.3 A.38, A.70) and segmentations (A.51), a series in one file.
-// A helper, hepatica-dicom-frames (app/dicom_frames), writes their frames as classic slices: a
-// child process under limits, because it reads them by DCMTK's parser.
+// Splits multi-frame DICOM files into slices: enhanced CT (DICOM PS3.3 A.38, A.70) and
+// segmentations (A.51), which hold a whole series in one file. A helper program,
+// hepatica-dicom-frames (app/dicom_frames), writes their frames as classic slices. It runs as a
+// child process with limits, because it uses DCMTK's parser.
 #pragma once
 
 #include <filesystem>
@@ -15,15 +16,14 @@ namespace hepatica {
 
 class SplitFrames {
   public:
-    // `program` stands in for the helper that came with the program.
+    // `program` replaces the helper that comes with the program; empty: that helper.
     explicit SplitFrames(std::filesystem::path program = {});
     ~SplitFrames();
 
-    // The slices with one of each frame in the place of every enhanced file: called "FILE (frame
-    // N)", and to be read for as long as this object lives. Throws Cancelled; InputError that names
-    // the file, where the helper is missing, refuses the file, crashes, or takes more than its
-    // limits of memory (1 GiB and the file's size) and time (a minute, and a second for each
-    // megabyte).
+    // The slices, with every enhanced file replaced by one slice per frame, named "FILE (frame N)".
+    // Their pixels can be read as long as this object lives. Throws Cancelled; InputError that
+    // names the file where the helper is missing, refuses the file, crashes or exceeds its limits
+    // of memory (1 GiB plus the file's size) and time (a minute plus a second per megabyte).
     std::vector<DicomSlice> split(std::vector<DicomSlice> slices, const Job& job);
 
   private:
@@ -31,7 +31,7 @@ class SplitFrames {
 
     std::filesystem::path program_;  // empty: the helper that came with the program
     struct Folders;
-    std::unique_ptr<Folders> folders_;  // with the frames, one of each enhanced file
+    std::unique_ptr<Folders> folders_;  // temporary folders with the frames, one per enhanced file
 };
 
 }  // namespace hepatica

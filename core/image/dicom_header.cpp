@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A parser for explicit and implicit VR, both byte orders, nested sequences, fragments and deflated
+// data sets.
 #include "core/image/dicom_header.h"
 
 #include <algorithm>
@@ -25,18 +27,18 @@ constexpr std::uint32_t pixel_data = 0x7fe00010;
 constexpr std::uint32_t transfer_syntax_uid = 0x00020010;
 constexpr std::uint32_t modality_lut = 0x00283000;
 constexpr std::uint32_t contrast_agents = 0x00180012;
-// Functional groups (PS3.3 C.7.6.16), the sequences within them that are looked into, and what is
-// taken out of those.
+// Functional groups (PS3.3 C.7.6.16), the sequences within them that are parsed, and the values
+// that are kept from those.
 constexpr std::array<std::uint32_t, 2> functional_groups{0x52009229, 0x52009230};
 constexpr std::array<std::uint32_t, 4> described_in{0x00209113, 0x00209116, 0x00289110, 0x00189314};
 constexpr std::array<std::uint32_t, 4> group_values_kept{0x00200032, 0x00200037, 0x00280030,
                                                          0x00181210};
-constexpr std::size_t most_group_values = 100'000;  // of one kind: no scan has as many frames
+constexpr std::size_t most_group_values = 100'000;  // per tag; no scan has that many frames
 constexpr std::uint32_t item = 0xfffee000;
 constexpr std::uint32_t item_end = 0xfffee00d;
 constexpr std::uint32_t sequence_end = 0xfffee0dd;
 
-// The file is not what it claims to be.
+// Thrown where the bytes contradict the format.
 struct Damaged {};
 
 struct DataEncoding {
@@ -56,7 +58,7 @@ class Parser {
   public:
     Parser(std::istream& in, std::uint64_t size) : in_(in), size_(size) {}
 
-    // The file meta group, and where the rest is not deflated, that too.
+    // Parses the file meta group, and the rest unless it is deflated.
     DicomHeader parse() {
         DicomHeader header;
         const DataEncoding encoding = begin(header);
@@ -124,9 +126,9 @@ class Parser {
         return head;
     }
 
-    // Keeps short values, steps over the rest.
+    // Keeps short values and skips the rest.
     void take(const ElementHead& head, const DataEncoding& encoding, DicomHeader& header) {
-        // A sequence of unknown kind is encoded without value representations.
+        // A sequence with VR UN is encoded without value representations (PS3.5 6.2.2).
         const DataEncoding within{encoding.explicit_vr && head.vr[0] != 'U', encoding.big_endian};
         if (std::ranges::count(functional_groups, head.tag) > 0) {
             return look_into(head.length, within, 0, header);
@@ -145,14 +147,16 @@ class Parser {
         if (head.tag == contrast_agents && !empty) header.has_contrast_agents = true;
     }
 
-    // Where what begins here and has this length ends; the file's end where it does not say.
+    // Where an element that begins here with this length ends; the end of the file if the length is
+    // undefined.
     std::uint64_t end_of(std::uint32_t length) const {
         if (length == undefined_length) return size_;
         if (length > size_ - position_) throw Damaged();
         return position_ + length;
     }
 
-    // Calls `each` for the heads of what a sequence or an item holds, up to its end.
+    // Calls `each` for the head of every element of a sequence or an item, up to its end. `last` is
+    // the tag that ends one of undefined length.
     template <typename Each>
     void for_each(std::uint32_t length, std::uint32_t last, const DataEncoding& encoding,
                   const Each& each) {
@@ -165,7 +169,7 @@ class Parser {
         }
     }
 
-    // A sequence of items that describe frames.
+    // Parses a sequence whose items describe frames.
     void look_into(std::uint32_t length, const DataEncoding& encoding, int depth,
                    DicomHeader& header) {
         if (depth > deepest_nesting) throw Damaged();
@@ -195,7 +199,7 @@ class Parser {
         header.group_values[head.tag].push_back(std::move(value));
     }
 
-    // One of undefined length; returns how many items it holds.
+    // Skips a sequence of undefined length; returns its number of items.
     std::size_t skip_sequence(const DataEncoding& encoding, int depth) {
         if (depth > deepest_nesting) throw Damaged();
         for (std::size_t items = 0;; ++items) {
@@ -220,7 +224,7 @@ class Parser {
         }
     }
 
-    // Reads the file meta group, if there is one, and tells how the rest is encoded.
+    // Reads the file meta group, if there is one; returns the encoding of the rest.
     DataEncoding begin(DicomHeader& header) {
         std::array<char, 132> head{};
         if (size_ >= head.size()) read(head.data(), head.size());
@@ -239,7 +243,8 @@ class Parser {
         return {syntax != "1.2.840.10008.1.2", syntax == "1.2.840.10008.1.2.2"};
     }
 
-    // Old files do not say: two capital letters after the tag are a value representation.
+    // For old files without a meta group: two capital letters after the first tag are a value
+    // representation.
     DataEncoding guessed_encoding() {
         const std::uint64_t start = position_;
         std::array<char, 6> bytes{};
@@ -347,8 +352,8 @@ std::optional<DicomHeader> parse_dicom_header(std::istream& in, std::uint64_t si
 
 namespace {
 
-// What follows the file meta group of a deflated file (PS3.5 A.5), inflated; nothing where it is
-// damaged or longer than any slice.
+// The inflated data after the file meta group of a deflated file (PS3.5 A.5); nothing if they are
+// damaged or longer than 256 MiB.
 std::optional<std::string> inflated_data(const fs::path& file, std::uint64_t from) {
     constexpr std::size_t most = std::size_t{1} << 28, part = std::size_t{1} << 20;
     try {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Stored values to Hounsfield units, and slices to a volume. Compressed pixels are handed to GDCM's
+// decoders without its file parser.
 #include "core/image/dicom_reader.h"
 
 #include <gdcmBitmap.h>
@@ -43,7 +45,7 @@ std::size_t pixels_in(const DicomSlice& slice) {
     return static_cast<std::size_t>(slice.rows) * slice.columns;
 }
 
-// Bits that are stored, from the high bit down, without what overlays may have put around them.
+// The stored bits, from the high bit down, without overlay bits around them.
 template <class Word>
 double stored_value(Word word, const DicomSlice& slice) {
     const int word_bits = static_cast<int>(8 * sizeof(Word));
@@ -54,7 +56,7 @@ double stored_value(Word word, const DicomSlice& slice) {
     return static_cast<double>(static_cast<Signed>(shifted) >> unused);
 }
 
-constexpr double padded = std::numeric_limits<double>::quiet_NaN();  // instead of a value
+constexpr double padded = std::numeric_limits<double>::quiet_NaN();  // marks padding
 
 template <class Word>
 std::vector<double> to_hu(const std::vector<char>& bytes, const DicomSlice& slice, bool swap) {
@@ -95,7 +97,8 @@ std::vector<Fragment> read_fragments(const DicomSlice& slice) {
     return fragments;
 }
 
-// Refuses a picture whose own size is not the header's, which a decoder might write beyond.
+// Refuses a picture whose own size differs from the header's: a decoder might write beyond the
+// buffer.
 void require_stated_size(const DicomSlice& slice, const Fragment& first_fragment) {
     const std::optional<CodestreamSize> size = codestream_size(first_fragment);
     if (!size || size->columns != slice.columns || size->rows != slice.rows ||
@@ -103,8 +106,8 @@ void require_stated_size(const DicomSlice& slice, const Fragment& first_fragment
         reject(slice.file, "has compressed pixels of another size than its header");
 }
 
-// The pixels as GDCM's decoders want them, without its parser of whole files, which ends the
-// program on some damaged ones.
+// The pixels as input for GDCM's decoders. This avoids its parser of whole files, which terminates
+// the program on some damaged ones.
 gdcm::Bitmap bitmap_of(const DicomSlice& slice, const std::vector<Fragment>& fragments,
                        gdcm::TransferSyntax::TSType syntax) {
     const gdcm::SmartPointer<gdcm::SequenceOfFragments> sequence = new gdcm::SequenceOfFragments();
@@ -211,7 +214,7 @@ void require_equal_repeats(const OrderedSeries& series, ReadRemarks& remarks) {
                           " slices stood there twice and were read once");
 }
 
-// Decoding needs a few copies of one slice, whose header may claim any size.
+// Decoding needs a few copies of one slice; the size in its header may be false.
 void require_room(const DicomSlice& slice) {
     const std::uint64_t pixels = bytes_of(slice.rows, slice.columns, 1, slice.bits_allocated / 8);
     if (!slice.compressed && pixels > slice.pixel_bytes)
@@ -219,13 +222,13 @@ void require_room(const DicomSlice& slice) {
     require_memory(8 * pixels, slice.file.string());
 }
 
-// What the reader made of headers that leave a choice.
+// Remarks on headers that can be read in two ways.
 void remark_on_values(const std::vector<DicomSlice>& slices, ReadRemarks& remarks) {
     if (std::ranges::any_of(slices, &DicomSlice::inverted_display))
         remarks.push_back(
             "The series is stored for display with low values bright (MONOCHROME1): its values "
             "were read as Hounsfield units all the same, as the standard has it");
-    // Without rescale unsigned values have air at 0 rather than at -1000.
+    // Unsigned values without rescale may have air at 0 instead of -1000.
     const auto unscaled = std::ranges::count_if(
         slices, [](const DicomSlice& s) { return !s.has_rescale && !s.is_signed; });
     if (unscaled > 0)
@@ -240,8 +243,8 @@ std::string degrees(double angle) {
     return text.data();
 }
 
-// The standard (PS3.3 C.8.2.1) wants the tilt to be computed from positions and orientations, not
-// taken from its tag, which some scanners keep in series that they have straightened.
+// The standard (PS3.3 C.8.2.1) requires the tilt to be computed from positions and orientations,
+// not taken from its tag, which some scanners keep in series that they have straightened.
 void remark_on_tilt(const OrderedSeries& series, ReadRemarks& remarks) {
     constexpr double noticeable_degrees = 1.0;
     const double stated = std::abs(series.slices.front().stated_tilt_degrees);
@@ -267,7 +270,7 @@ PlacedGrid place(const OrderedSeries& series, const UprightStack& stack) {
         stack.origin_mm(), first.file.parent_path().string());
 }
 
-// Puts the values of slice z where they belong.
+// Writes the values of slice z into the volume.
 void fill_slice(Volume& volume, const PlacedGrid& placed, const UprightStack& stack, std::size_t z,
                 const std::vector<double>& hu, std::int16_t padding_value) {
     std::size_t i = 0;
@@ -278,7 +281,7 @@ void fill_slice(Volume& volume, const PlacedGrid& placed, const UprightStack& st
                 std::isnan(hu[i]) ? padding_value : clamped(hu[i]);
 }
 
-// GDCM would write about every damaged file to the terminal.
+// Keeps GDCM from writing messages about damaged files to the terminal.
 void silence_gdcm() {
     gdcm::Trace::WarningOff();
     gdcm::Trace::ErrorOff();
@@ -318,7 +321,7 @@ OrderedSeries find_series(const fs::path& path, int series, Job& job) {
 
 Volume read_dicom(const fs::path& folder, const DicomWish& wish, Job& job, ReadRemarks& remarks) {
     silence_gdcm();
-    SplitFrames split;  // holds the frames of enhanced files until they are read
+    SplitFrames split;  // keeps the frames of enhanced files until they are read
     const OrderedSeries series = order_slices(split.split(
         choose_series(find_dicom_slices(folder, job, remarks), wish.series, folder, remarks), job));
     remark_on_values(series.slices, remarks);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A CT series from a DICOM folder, decoded by GDCM (JPEG, JPEG-LS, JPEG 2000, RLE included).
+// Reads a CT series from a DICOM folder. Compressed pixels (JPEG, JPEG-LS, JPEG 2000) are decoded
+// by GDCM, RLE by dicom_rle.h.
 #pragma once
 
 #include <filesystem>
@@ -15,35 +16,36 @@
 
 namespace hepatica {
 
-// One slice in Hounsfield units, row by row; NaN where it is padded. Throws InputError that names
-// the file where its pixels are damaged or of a kind that is not read.
+// One slice in Hounsfield units, row by row; NaN at padding. Throws InputError that names the file
+// where its pixels are damaged or in an unsupported format. Thread-safe.
 std::vector<double> read_pixels(const DicomSlice& slice);
 
-// What read_volume and read_mask want of a series.
+// The options of read_volume() and read_mask() for a series.
 struct DicomWish {
     SeriesWish series;
-    std::int16_t padding_value = 0;  // what padding (0028,0120) becomes, and what was not scanned
-    BetweenPixels between = BetweenPixels::linear;  // where a tilted gantry is put upright
+    // Value of padding (0028,0120) and of voxels that were not scanned.
+    std::int16_t padding_value = 0;
+    BetweenPixels between = BetweenPixels::linear;  // for straightening a tilted gantry
 };
 
-// A DICOM folder and the file in it that is meant, from what read_volume() takes: a folder, one
-// file of a series, or a DICOMDIR; the file is empty where none is meant.
+// The DICOM folder and the selected file in it, from a path as read_volume() takes it: a folder,
+// one file of a series, or a DICOMDIR. `member` is empty if no file is selected.
 struct DicomPlace {
     std::filesystem::path folder, member;
 };
 DicomPlace dicom_place(const std::filesystem::path& path);
 
-// The slices that read_volume() reads of `path` and `series`, in order, one of each place; an
-// enhanced file stands for all of its frames and is alone then. Throws InputError as read_volume()
-// does, and where `path` is no DICOM image.
+// The slices that read_volume() reads for `path` and `series`, in order, one per position. An
+// enhanced file represents all its frames; it is then returned unsplit and unordered. Throws
+// InputError as read_volume() does, and where `path` is not a DICOM image; Cancelled.
 OrderedSeries find_series(const std::filesystem::path& path, int series, Job& job);
 
-// The CT series that the caller asks for, see choose_series. For the rest see read_volume.
+// The CT series that the caller asks for, see choose_series(). For the rest see read_volume().
 Volume read_dicom(const std::filesystem::path& folder, const DicomWish& wish, Job& job,
                   ReadRemarks& remarks);
 
-// The same of a slice that nobody has checked; its geometry is not asked for. Throws InputError,
-// also where it holds several frames.
+// read_pixels() for a slice that has not been checked; its geometry is not needed. Throws
+// InputError, also where the slice holds several frames.
 std::vector<double> slice_hu(const DicomSlice& slice);
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The header of 16 words and one PackBits run per byte plane.
 #include "core/image/dicom_rle.h"
 
 #include <algorithm>
@@ -10,15 +11,16 @@ namespace {
 
 using Bytes = std::span<const unsigned char>;
 
-constexpr std::size_t header_bytes = 64;  // the number of planes and where each begins
+constexpr std::size_t header_bytes = 64;  // the number of planes and the offset of each
 
 std::uint32_t header_word(Bytes frame, std::size_t index) {
     const Bytes word = frame.subspan(4 * index, 4);
     return word[0] | word[1] << 8 | word[2] << 16 | static_cast<std::uint32_t>(word[3]) << 24;
 }
 
-// PackBits: a count below 128 is followed by that many bytes and one more, a count above 128 by
-// one byte that stands 257 - count times. Writes every stride-th byte; false where data are short.
+// PackBits: a count n below 128 is followed by n + 1 literal bytes, a count above 128 by one byte
+// that is repeated 257 - n times; 128 is skipped. Writes every stride-th byte; false if data are
+// missing.
 bool unpack(Bytes packed, char* out, std::size_t pixels, std::size_t stride) {
     std::size_t done = 0;
     std::size_t at = 0;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Orders the frames of all segments by their position along the normal and merges them into one
+// label map.
 #include "core/image/dicom_segmentation.h"
 
 #include <algorithm>
@@ -22,8 +24,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double same_level_mm = 1e-3;
-constexpr double uneven = 0.1;             // of a step; positions are rounded
-constexpr double sideways_of_pixel = 0.2;  // that a slice may lie off the line through the first
+constexpr double uneven = 0.1;  // in steps; positions are rounded
+// How far a slice may lie off the normal through the first, in pixels.
+constexpr double sideways_of_pixel = 0.2;
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& what) {
     throw InputError(what, file.string(), "Export the segmentation as NIfTI or NRRD");
@@ -36,7 +39,7 @@ std::string in_mm(double value) {
     return text.str();
 }
 
-// Distances along the normal at which there are slices, each once, in order.
+// Distances along the normal at which there are slices, ascending, without repeats.
 std::vector<double> levels_of(const std::vector<DicomSlice>& frames) {
     std::vector<double> levels, once;
     for (const DicomSlice& frame : frames)
@@ -47,7 +50,7 @@ std::vector<double> levels_of(const std::vector<DicomSlice>& frames) {
     return once;
 }
 
-// The first gap that is no whole multiple of the step.
+// The first gap that is not a whole multiple of the step.
 std::optional<double> odd_gap_mm(const std::vector<double>& levels, double step_mm) {
     for (std::size_t i = 1; i < levels.size(); ++i) {
         const double gap_mm = levels[i] - levels[i - 1];
@@ -57,8 +60,8 @@ std::optional<double> odd_gap_mm(const std::vector<double>& levels, double step_
     return std::nullopt;
 }
 
-// What the file says lies between slices, if its gaps are whole multiples of that, for slices
-// without anything of a segment may be left out; else the least gap.
+// The step between slices: the stated spacing if all gaps are whole multiples of it, because slices
+// without any segment may be missing; else the smallest gap.
 double step_of(const std::vector<double>& levels, double stated_mm, const fs::path& file) {
     if (stated_mm > 0.0 && !odd_gap_mm(levels, stated_mm)) return stated_mm;
     if (levels.size() < 2) refuse(file, "has one slice and no spacing of slices (0018,0088)");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The checks of size, orientation, spacing, tilt and gaps, each with an error that names the file.
 #include "core/image/dicom_series.h"
 
 #include <algorithm>
@@ -20,8 +21,8 @@ namespace {
 
 constexpr double axis_tolerance = 1e-3;  // of a direction cosine, between slices
 constexpr double same_place_mm = 1e-3;
-constexpr double gap_tolerance = 0.1;       // of the slice spacing; positions are rounded
-constexpr double sideways_tolerance = 0.2;  // of a pixel
+constexpr double gap_tolerance = 0.1;       // in slice spacings; positions are rounded
+constexpr double sideways_tolerance = 0.2;  // in pixels
 constexpr double tilt_tolerance_degrees = 0.1;
 constexpr double largest_tilt_degrees = 45.0;  // gantries tilt by up to 30 degrees
 
@@ -77,8 +78,8 @@ double sideways_mm(const DicomSlice& slice, const Vec3& from, const Vec3& along)
     return (offset - along * along.dot(offset)).norm();
 }
 
-// The tilt of the gantry, 0 where it moves the slices by less than a pixel in all. Every slice must
-// lie on the line from the first to the last.
+// The tilt of the gantry in degrees; 0 if it shifts the slices by less than a pixel in total. Every
+// slice must lie on the line from the first to the last.
 double tilt_of_stack(const std::vector<DicomSlice>& slices) {
     const DicomSlice& first = slices.front();
     const Vec3 stack = (slices.back().position_mm - first.position_mm).normalized();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Turns parsed headers into records of slices, and searches a folder for them.
 #include "core/image/dicom_slices.h"
 
 #include <Eigen/Geometry>
@@ -39,9 +40,9 @@ void read_geometry(const DicomHeader& header, DicomSlice& slice) {
                  header.numbers(0x0028, 0x0030), slice);
 }
 
-// An enhanced file says of its frames in functional groups what a classic slice says of itself.
-// What frames share and what is the first one's stands for all; they are ordered once they are
-// split.
+// An enhanced file describes its frames in functional groups, with the values that a classic slice
+// has at the top level. Here the first value is taken for all frames; the exact values are read
+// after splitting.
 void read_functional_groups(const DicomHeader& header, DicomSlice& slice) {
     if (slice.kernel.empty()) slice.kernel = header.group_text(0x0018, 0x1210);
     slice.contrast_agent = slice.contrast_agent || header.has_contrast_agents;
@@ -59,7 +60,8 @@ void read_functional_groups(const DicomHeader& header, DicomSlice& slice) {
     }
 }
 
-// A number that changes every Hounsfield unit: absent, or sound, or the slice cannot be read.
+// A number that affects every Hounsfield unit. It may be absent; if it is present but invalid, the
+// slice cannot be read.
 double rescale_value(const DicomHeader& header, std::uint16_t element, const char* name,
                      double otherwise, std::string& problem) {
     const auto values = header.numbers_if_sound(0x0028, element);
@@ -91,7 +93,7 @@ void read_photometric(const DicomHeader& header, DicomSlice& slice) {
         slice.problem = "is a colour picture (0028,0004 is \"" + kind + "\")";
 }
 
-// PS3.3 C.7.5.1.1.2: padding stands for "nothing measured here", outside the round field of view.
+// PS3.3 C.7.5.1.1.2: padding means "not measured", outside the round field of view.
 void read_padding(const DicomHeader& header, DicomSlice& slice) {
     if (!header.has(0x0028, 0x0120)) return;
     const auto stored = [&](std::uint16_t element, int otherwise) {
@@ -121,8 +123,8 @@ void read_pixel_format(const DicomHeader& header, DicomSlice& slice) {
     read_padding(header, slice);
 }
 
-// Anonymised series may have lost their UID: whatever else is the same throughout a series then
-// tells examinations and series apart.
+// Anonymised series may have lost their UID. Then all other values that are constant within a
+// series distinguish examinations and series.
 std::string series_key(const DicomHeader& header, const DicomSlice& slice) {
     const std::string uid = header.text(0x0020, 0x000e);
     if (!uid.empty()) return uid;
@@ -150,7 +152,7 @@ std::string description_of(const DicomHeader& header) {
     return text;
 }
 
-// Segments as bits or fractions, or as label maps, which are refused with that word later.
+// Segmentation Storage, and Label Map Segmentation Storage, which the helper refuses later.
 bool is_segmentation(const std::string& sop_class) {
     return sop_class == "1.2.840.10008.5.1.4.1.1.66.4" ||
            sop_class == "1.2.840.10008.5.1.4.1.1.66.7";
@@ -161,7 +163,7 @@ bool is_enhanced_ct(const std::string& sop_class) {
     return sop_class == "1.2.840.10008.5.1.4.1.1.2.1" || sop_class == "1.2.840.10008.5.1.4.1.1.2.2";
 }
 
-// 0 where it is missing or no number.
+// 0 if it is missing or not a number.
 double one_number(const DicomHeader& header, std::uint16_t group, std::uint16_t element) {
     const std::vector<double> values = header.numbers(group, element);
     return values.size() == 1 && std::isfinite(values[0]) ? values[0] : 0.0;
@@ -194,15 +196,15 @@ DicomSlice slice_of(const fs::path& file, const DicomHeader& header) {
     return slice;
 }
 
-// A damaged slice would only show as a gap, so it is named; other files without an image (reports,
-// a DICOMDIR) are passed over.
+// Files that were not used. Damaged slices are named, because they would only show as a gap; other
+// files without an image (reports, a DICOMDIR) are only counted.
 struct Passed {
     std::size_t without_image = 0;
     std::vector<std::string> damaged;
 };
 
-// Collects the files below a folder. What cannot be listed is named in the remarks, and the search
-// goes on.
+// Collects the files below a folder. Anything that cannot be listed is named in the remarks, and
+// the search continues.
 class FileScan {
   public:
     explicit FileScan(ReadRemarks& remarks) : remarks_(remarks) {}

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Each slice is shifted within its plane by bilinear or nearest interpolation.
 #include "core/image/dicom_stack.h"
 
 #include <algorithm>
@@ -9,13 +10,13 @@ namespace hepatica {
 
 namespace {
 
-// Positions are rounded when they are written: less than this is no shift.
+// Positions are rounded in the file, so smaller fractions of a pixel are no shift.
 constexpr double steps_per_pixel = 1024.0;
 
-// Along one axis: a moved pixel is made of the pixels `whole` and `whole` + 1 before it.
+// Along one axis: a shifted pixel is a mixture of the pixels `whole` and `whole` + 1 before it.
 struct Shift {
     int whole = 0;
-    double part = 0.0;  // of the one farther before, in [0, 1)
+    double part = 0.0;  // weight of the one farther away, in [0, 1)
 };
 
 Shift shift_by(double pixels) {
@@ -63,7 +64,7 @@ std::vector<double> UprightStack::moved(std::size_t z, std::vector<double> value
     const DicomSlice& first = series_.slices.front();
     const Pixels offset = offset_of(z);
     const Shift right = shift_by(offset[0] - first_[0]), down = shift_by(offset[1] - first_[1]);
-    // 0 times NaN is NaN: what has no weight is not looked at.
+    // 0 times NaN is NaN, so pixels of weight 0 are not read.
     const auto value_at = [&](int x, int y, double weight) {
         if (weight == 0.0) return 0.0;
         if (x < 0 || y < 0 || x >= first.columns || y >= first.rows)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CT Image Storage (DICOM PS3.3 A.3), written through GDCM.
+// Writes CT Image Storage (DICOM PS3.3 A.3) through GDCM.
 #include <gdcmAttribute.h>
 #include <gdcmDataSet.h>
 #include <gdcmFileMetaInformation.h>
@@ -24,14 +24,14 @@ namespace {
 
 constexpr const char* ct_image_storage = "1.2.840.10008.5.1.4.1.1.2";
 
-// A decimal string of at most 16 characters, as the standard wants.
+// A decimal string of at most 16 characters, as the standard requires.
 std::string decimal(double value) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.10g", value == 0.0 ? 0.0 : value);
     return text.data();
 }
 
-// Values as text, padded to an even length: by a null for UIDs, else by a blank.
+// Sets a text value, padded to an even length by a null for UIDs, else by a space.
 void set(gdcm::DataSet& data, std::uint16_t group, std::uint16_t element, const gdcm::VR& vr,
          std::string value) {
     if (value.size() % 2 != 0) value += vr == gdcm::VR::UI ? '\0' : ' ';
@@ -50,7 +50,8 @@ void set_short(gdcm::DataSet& data, std::uint16_t group, std::uint16_t element,
     data.Replace(item);
 }
 
-// A UID below 2.25, the root that needs no registration: 2.25.<a number of up to 128 bits>.
+// UIDs under 2.25, the root that needs no registration: 2.25.<a number of up to 128 bits>, here a
+// hash of the image and its description.
 class UidMaker {
   public:
     UidMaker(const Volume& volume, const DicomSeriesInfo& info) {
@@ -69,7 +70,7 @@ class UidMaker {
             hasher.add(std::span<const std::uint32_t>(key));
             words[half] = hasher.value();
         }
-        // The bits that mark a name-based UUID of no registered scheme (RFC 9562, version 8).
+        // The bits that mark a UUID of version 8 (RFC 9562).
         words[0] = (words[0] & ~0xf000ULL) | 0x8000ULL;
         words[1] = (words[1] & ~(3ULL << 62)) | (1ULL << 63);
         return "2.25." + decimal_digits(words);

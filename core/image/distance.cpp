@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Felzenszwalb and Huttenlocher, "Distance transforms of sampled functions", Theory of Computing
-// 8:415 (2012): exact squared distances, one axis after the other, as lower envelopes of parabolas.
+// Exact Euclidean distance transforms and the morphology based on them. Felzenszwalb and
+// Huttenlocher, "Distance transforms of sampled functions", Theory of Computing 8:415 (2012):
+// squared distances, one axis after the other, as lower envelopes of parabolas. Linear in the
+// voxels.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -21,13 +23,14 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-// Sums of squares of spacings are rounded: a voxel at exactly the radius belongs to the ball.
+// Sums of squared spacings are rounded; the tolerance includes voxels at exactly the radius.
 double squared_limit(double radius_mm) {
     return radius_mm * radius_mm * (1.0 + 1e-6);
 }
 
-// One row of a mask: for each place the squared distance to the nearest wanted voxel of the row.
-// The places begin `first` voxels from the row's first one and may lie beside it.
+// One row of a mask: for each place the squared distance to the nearest voxel of the row whose
+// state is `wanted`. The places begin `first` voxels after the row's first voxel and may lie
+// outside the row.
 void row_distances(std::span<const std::uint8_t> row, bool wanted, int first, double square,
                    std::span<float> places) {
     const int size = static_cast<int>(row.size()), count = static_cast<int>(places.size());
@@ -49,14 +52,14 @@ void row_distances(std::span<const std::uint8_t> row, bool wanted, int first, do
     }
 }
 
-// Scratch memory of one line.
+// The lower envelope of the parabolas of one line; holds its scratch memory.
 class Envelope {
   public:
     Envelope(std::size_t size, double most)
         : value_(size), apex_(size), border_(size + 1), most_(most) {}
 
-    // In one lane, place k becomes the least over j of sample j + (spacing (first + k - j))^2.
-    // Samples above the most that is of interest may count as infinite.
+    // In one lane, place k becomes the minimum over j of sample j + (spacing (first + k - j))^2.
+    // Samples above `most` may count as infinite.
     void transform(const std::vector<Lanes>& line, int lane, double spacing, int first,
                    std::vector<Lanes>& places) {
         const double square = spacing * spacing;
@@ -79,8 +82,9 @@ class Envelope {
     }
 
   private:
-    // The parabolas of the envelope, in order; returns how many there are. One between two others
-    // whose apex is 0 as its own is the lowest nowhere but there.
+    // Finds the parabolas of the envelope, in order; returns their number. A parabola with apex 0
+    // between two neighbours with apex 0 is lowest only at its own apex and is left out;
+    // transform() handles such places directly.
     int lowest(const std::vector<Lanes>& line, int lane, double square) {
         const int size = static_cast<int>(line.size());
         for (int i = 0; i < size; ++i) {
@@ -109,19 +113,19 @@ class Envelope {
         return count;
     }
 
-    std::vector<double> value_;   // squared distance before
+    std::vector<double> value_;   // squared distance before this axis
     std::vector<int> apex_;       // of the parabolas in the envelope
-    std::vector<double> border_;  // where each parabola begins to be the lowest
+    std::vector<double> border_;  // where each parabola becomes the lowest
     double most_;
 };
 
-// Squared distances on a grid whose first voxel lies at `first` among those of the mask.
+// Squared distances on a grid whose first voxel has the index `first` in the mask.
 struct PlacedSquares {
     Index3 first{0, 0, 0};
     FloatVolume squares;
 };
 
-// Along one axis, for the places from `begin` to `end` among the voxels of the mask.
+// The transform along one axis, for the places from `begin` to `end` in indices of the mask.
 PlacedSquares transformed(PlacedSquares before, int axis, int begin, int end, double most,
                           Job& job) {
     const Grid& old = before.squares.grid;
@@ -147,7 +151,7 @@ PlacedSquares transformed(PlacedSquares before, int axis, int begin, int end, do
     return after;
 }
 
-// In the rows of `rows`, from where.begin to where.end along them.
+// The distances along x, in the rows of `rows`, from where.begin[0] to where.end[0].
 PlacedSquares squares_in_rows(const Mask& mask, bool wanted, const IndexBox& where,
                               const IndexBox& rows, Job& job) {
     PlacedSquares placed{{where.begin[0], rows.begin[1], rows.begin[2]}, {}};
@@ -172,7 +176,7 @@ IndexBox whole(const Grid& grid) {
     return {{0, 0, 0}, grid.dims};
 }
 
-// By as many voxels on each side as cover the distance.
+// The box widened on each side by enough voxels to cover the distance; not clipped.
 IndexBox widened(const IndexBox& box, const Grid& grid, double distance_mm) {
     IndexBox wide;
     for (int a = 0; a < 3; ++a) {
@@ -193,7 +197,7 @@ IndexBox common(const IndexBox& a, const IndexBox& b) {
 }
 
 // Squared distance to the nearest voxel whose object state is `wanted`, for the places of a box of
-// indices that may reach beyond the mask; exact up to the square of most_mm, above it at least
+// indices that may reach beyond the mask. Exact up to most_mm squared; larger ones are at least
 // that.
 FloatVolume squared_distance(const Mask& mask, bool wanted, const IndexBox& where, double most_mm,
                              Job& job) {
@@ -219,7 +223,7 @@ void change_each(FloatVolume& image, const Change& change) {
     });
 }
 
-// Voxels whose squared distance is at most (or more than) the radius squared.
+// Voxels whose squared distance is at most (`within`) or more than the radius squared.
 Mask threshold(const FloatVolume& squares, double radius_mm, bool within, Job& job) {
     const double limit = squared_limit(radius_mm);
     Mask mask(squares.grid);
@@ -263,7 +267,7 @@ Mask close(const Mask& mask, double radius_mm, Job& job) {
 }
 
 Mask close_in(const Mask& mask, double radius_mm, const IndexBox& where, Job& job) {
-    const Grid part = crop(mask.grid, where);  // clipped, or refused
+    const Grid part = crop(mask.grid, where);  // clipped; throws InputError if empty
     const IndexBox box = common(where, whole(mask.grid));
     const IndexBox room = widened(box, mask.grid, radius_mm);
     const Mask dilated =

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Boxes of voxels and crops. See resample.cpp and gaussian.cpp for the other filters of the header.
 #include "core/image/filters.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Gaussian smoothing, one axis after the other, 32 lines at a time.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,10 +15,11 @@ namespace hepatica {
 
 namespace {
 
-constexpr int lanes = line_lanes;  // the recursion runs along the lines and vectorises across
+// The recursion runs along the lines and is vectorised across them.
+constexpr int lanes = line_lanes;
 
-// Deriche, INRIA report 1893 (1993), order 4: for x >= 0 the Gaussian is near
-// sum over k of (a_k cos(w_k x/s) + b_k sin(w_k x/s)) exp(-c_k x/s).
+// Deriche, INRIA report 1893 (1993), order 4: for x >= 0 the Gaussian is approximated by the sum
+// over k of (a_k cos(w_k x/s) + b_k sin(w_k x/s)) exp(-c_k x/s).
 struct DericheTerm {
     double a, b, c, w;
 };
@@ -25,17 +27,17 @@ constexpr std::array<DericheTerm, 2> deriche_terms{
     {{1.6800, 3.7350, 1.7830, 0.6318}, {-0.6803, -0.2598, 1.7230, 1.9970}}};
 constexpr double smallest_recursive_sigma = 2.0;  // in voxels
 
-// y[i] = sum n[k] x[i-k] - sum d[k] y[i-k], run from both ends and added.
+// y[i] = sum n[k] x[i-k] - sum d[k] y[i-k], run from both ends; the two results are added.
 struct Recursion {
     std::array<double, 4> forward{};   // of x[i], x[i-1], x[i-2], x[i-3]
     std::array<double, 4> backward{};  // of x[i+1] ... x[i+4]
-    std::array<double, 4> feedback{};  // of y[i-1] ... y[i-4] (y[i+1] ... y[i+4])
-    double forward_gain = 0.0;         // answer to a constant 1
+    std::array<double, 4> feedback{};  // of y[i-1] ... y[i-4] (backward: y[i+1] ... y[i+4])
+    double forward_gain = 0.0;         // response to a constant 1
     double backward_gain = 0.0;
 };
 
 Recursion deriche(double sigma) {
-    // Each damped wave is (p + q/z) / (1 + r/z + s/z^2); the two are brought to one denominator.
+    // Each damped wave is (p + q/z) / (1 + r/z + s/z^2); both are brought to a common denominator.
     std::array<std::array<double, 2>, 2> numerator{};
     std::array<std::array<double, 3>, 2> denominator{};
     for (int k = 0; k < 2; ++k) {
@@ -79,7 +81,7 @@ std::vector<float> sampled_kernel(double sigma) {
     return kernel;
 }
 
-// One of both filters, for lines of one axis.
+// One of the two filters, for the lines of one axis.
 class LineSmoother {
   public:
     explicit LineSmoother(double sigma)
@@ -114,7 +116,7 @@ class LineSmoother {
         }
     }
 
-    // In double precision where the poles come near 1 and float would lose the constant part.
+    // In double precision where the poles are close to 1 and float would lose the constant part.
     void run_recursion(const std::vector<Lanes>& line, std::vector<Lanes>& out) const {
         if (sigma_ < 6.0)
             run_recursion<float>(line, out);

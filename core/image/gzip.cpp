@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// zlib with a sync flush after each block of 1 MiB; the checksums are combined.
 #include "core/image/gzip.h"
 
 #include <zlib.h>
@@ -14,8 +15,8 @@ namespace hepatica {
 namespace {
 
 constexpr std::size_t block_bytes = 1 << 20;
-constexpr std::size_t batch_blocks = 64;  // compressed at a time, so that memory stays small
-constexpr int level = 4;                  // CT noise hardly shrinks further, but takes far longer
+constexpr std::size_t batch_blocks = 64;  // compressed at a time, to limit the memory
+constexpr int level = 4;  // higher levels take far longer for hardly smaller CT images
 
 struct Block {
     std::span<const std::byte> plain;
@@ -23,7 +24,7 @@ struct Block {
     uLong checksum = 0;
 };
 
-// Raw deflate data that end at a byte border without ending the stream.
+// Compresses a block to raw deflate data that end at a byte boundary without ending the stream.
 void deflate_block(Block& block) {
     z_stream stream{};
     deflateInit2(&stream, level, Z_DEFLATED, -15, 8, Z_DEFAULT_STRATEGY);
@@ -75,7 +76,7 @@ void write_gzip(std::ostream& out, const std::vector<std::span<const std::byte>>
             block.deflated = {};
         }
     }
-    constexpr std::array<unsigned char, 2> end_of_stream{3, 0};  // an empty last block
+    constexpr std::array<unsigned char, 2> end_of_stream{3, 0};  // an empty final block
     put_bytes(out, end_of_stream.data(), end_of_stream.size());
     put_word(out, checksum);
     put_word(out, total);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Number and word parsing that does not depend on the locale's decimal point.
 #include "core/image/header_text.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Small helpers for image headers that are text.
+// Helpers for image headers that are text.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,14 @@
 
 namespace hepatica {
 
+// Without leading and trailing white space and nulls.
 std::string trimmed(std::string_view text);
 std::string lower_case(std::string_view text);
-// Words between white space.
+// The words separated by white space.
 std::vector<std::string> words(std::string_view text);
-// A number with a decimal point whatever the user's language; nothing where it is none.
+// A number with a decimal point, independent of the locale; nothing if the text is not one number.
 std::optional<double> number(std::string_view text);
-// As many numbers as there are words; nothing where one of them is none.
+// One number per word; nothing if a word is not a number.
 std::optional<std::vector<double>> numbers(std::string_view text);
 
 }  // namespace hepatica

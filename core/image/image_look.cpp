@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Reads only the header.
 #include "core/image/image_look.h"
 
 #include "core/image/dicom_header.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A look at an image before anything depends on it: what its header alone tells.
+// A first check of an image file by its header alone.
 #pragma once
 
 #include <filesystem>
 
 namespace hepatica {
 
-// Throws InputError, as read_volume() does, where the header of a file says that it is no image
-// that can be read. Of a DICOM file it looks at nothing else: its series is in its folder.
+// Throws InputError, as read_volume() does, if the header of the file shows that it is not a
+// readable image. DICOM files are accepted unchecked: their series is in the folder.
 void look_at_image(const std::filesystem::path& file);
 
 }  // namespace hepatica

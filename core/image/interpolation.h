@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values between voxels.
+// Interpolation between voxels.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,8 @@
 
 namespace hepatica {
 
-// Trilinear interpolation at a position in mm; beyond the grid the nearest voxels' values go on.
+// Trilinear interpolation at a position in mm; outside the grid the border values are repeated. The
+// image must not be empty.
 template <class T>
 double interpolate(const Image<T>& image, const Vec3& position_mm) {
     const Vec3 index = image.grid.to_index(position_mm);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Line-by-line filters at the speed of memory: neighbouring lines along one axis are gathered side
-// by side, filtered together, and put back.
+// by side, filtered together and written back.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace hepatica {
 inline constexpr int line_lanes = 32;
 using Lanes = std::array<float, line_lanes>;  // one sample of each of the lines
 
-// The lines along `axis`, in bundles of neighbours along the axis that runs across them. Lanes
-// beyond the border of the image hold what they held before.
+// The lines along `axis`, in bundles of neighbouring lines. Lanes beyond the border of the image
+// keep their previous content.
 class LineBundles {
   public:
     LineBundles(FloatVolume& image, int axis)
@@ -47,7 +47,7 @@ class LineBundles {
         const int width = std::min(line_lanes, image_.grid.dims[across_] - first);
         float* start =
             image_.voxels.data() + first * strides_[across_] + bundle / per_row_ * strides_[rest_];
-        if (axis_ == 0) {  // along memory: one lane after the other
+        if (axis_ == 0) {  // contiguous in memory: one lane after the other
             for (int l = 0; l < width; ++l)
                 for (std::size_t i = 0; i < line.size(); ++i)
                     move(start[l * strides_[1] + i], line[i][l]);
@@ -65,10 +65,10 @@ class LineBundles {
     std::array<std::size_t, 3> strides_;
 };
 
-// Calls filter(line, filtered) on every bundle of `from` along the axis, in parallel, and stores in
-// the same bundle of `to` what it leaves in `filtered`; `to` may have lines of another length.
-// make_filter() makes one filter, with its scratch memory, per block of bundles. Reports the
-// progress of this axis as the axis-th third of the stage.
+// Calls filter(line, filtered) for every bundle of `from` along the axis, in parallel, and stores
+// `filtered` in the same bundle of `to`, whose lines may have another length. make_filter() makes
+// one filter, with its scratch memory, per block of bundles. Reports the progress of this axis as
+// the axis-th third of the stage.
 template <class MakeFilter>
 void filter_lines(FloatVolume& from, FloatVolume& to, int axis, Job& job,
                   const MakeFilter& make_filter) {
@@ -89,7 +89,7 @@ void filter_lines(FloatVolume& from, FloatVolume& to, int axis, Job& job,
     });
 }
 
-// The same in place: filter(line) on every bundle.
+// The same in place: filter(line) for every bundle.
 template <class MakeFilter>
 void filter_lines(FloatVolume& image, int axis, Job& job, const MakeFilter& make_filter) {
     filter_lines(image, image, axis, job, [&] {

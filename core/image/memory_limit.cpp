@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Available memory from /proc/meminfo and the process limit.
 #include "core/image/memory_limit.h"
 
 #include <sys/resource.h>
@@ -18,8 +19,8 @@ namespace {
 
 constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
 
-// What the process may still map under its own limit (ulimit -v). Beyond that limit the stack
-// cannot grow either, and the system ends the process without a message.
+// The memory that the process may still map under its own limit (ulimit -v). Beyond that limit the
+// stack cannot grow either, and the system terminates the process without a message.
 std::uint64_t bytes_below_own_limit() {
     rlimit limit{};
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return most;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MetaImage (.mha, .mhd with its .raw or .zraw), positions in LPS as ITK writes them.
+// Header of MetaImage (.mha, .mhd with its .raw or .zraw); positions in LPS as ITK writes them.
 #include <fstream>
 #include <map>
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// NIfTI-1 and NIfTI-2 (https://nifti.nimh.nih.gov), single file, both byte orders. Positions on
-// disk are RAS: x and y change their sign.
+// Header of NIfTI-1 and NIfTI-2 (https://nifti.nimh.nih.gov), single file, both byte orders.
+// Positions on disk are RAS, so x and y change sign.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ namespace {
     throw InputError(what, file.string(), "Choose a NIfTI file that another viewer opens");
 }
 
-// Fields by their place in the header, in the file's byte order.
+// Fields by their offset in the header, in the file's byte order.
 class HeaderBytes {
   public:
     HeaderBytes(const std::array<unsigned char, 544>& bytes, bool swap)
@@ -42,7 +42,7 @@ class HeaderBytes {
     bool swap_;
 };
 
-// The fields that both versions have.
+// The fields that both versions share.
 struct Nifti {
     std::array<std::int64_t, 8> dim{};
     std::array<double, 8> pixdim{};
@@ -143,7 +143,7 @@ void place_by_quaternion(const Nifti& n, VoxelFile& file) {
     file.origin_mm = n.quaternion_offset;
 }
 
-// Without qform and sform the standard leaves orientation open; RAS is what its tools assume.
+// Without qform and sform the standard leaves the orientation open; RAS is what its tools assume.
 void place(const Nifti& n, VoxelFile& file) {
     if (n.sform > 0)
         place_by_affine(n, file);

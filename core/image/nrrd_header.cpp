@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// NRRD (https://teem.sourceforge.net/nrrd/format.html) and with it 3D Slicer's .seg.nrrd: one
-// three-dimensional volume, raw or gzip, data behind the header or in one file beside it.
+// Header of NRRD (https://teem.sourceforge.net/nrrd/format.html), including 3D Slicer's .seg.nrrd:
+// one three-dimensional volume, raw or gzip, data after the header or in one separate file.
 #include <fstream>
 #include <map>
 #include <optional>
@@ -23,7 +23,7 @@ namespace {
 
 using Fields = std::map<std::string, std::string>;
 
-// Field names in lower case; the stream stands behind the blank line afterwards.
+// Field names in lower case. Afterwards the stream is positioned after the blank line.
 Fields read_fields(std::ifstream& in, const fs::path& file) {
     Fields fields;
     std::string line;
@@ -79,7 +79,7 @@ std::optional<Vec3> vector_of(std::string text) {
     return Vec3((*values)[0], (*values)[1], (*values)[2]);
 }
 
-// "(1,0,0) (0, 1,0) (0,0,1)": one text for each vector.
+// "(1,0,0) (0, 1,0) (0,0,1)": one string per vector.
 std::vector<std::string> vectors_in(const std::string& text) {
     std::vector<std::string> parts;
     for (std::size_t at = 0; (at = text.find('(', at)) != std::string::npos;) {
@@ -91,7 +91,7 @@ std::vector<std::string> vectors_in(const std::string& text) {
     return parts;
 }
 
-// Signs that turn the file's space into LPS.
+// Signs that convert the file's space to LPS.
 Vec3 to_lps(const std::string& space, const fs::path& file) {
     const std::string name = lower_case(space);
     if (name == "left-posterior-superior" || name == "lps") return {1, 1, 1};

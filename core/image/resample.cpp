@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Separable interpolation with nearest, linear or Catmull-Rom weights, in parallel over slices.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -16,7 +17,7 @@ namespace hepatica {
 
 namespace {
 
-// The neighbours along one axis that a value is mixed from.
+// The neighbours along one axis and their weights.
 struct Taps {
     std::array<int, 4> index{};
     std::array<float, 4> weight{};
@@ -61,11 +62,11 @@ float value_at(const Image<T>& image, const Taps& x, const Taps& y, const Taps& 
     return sum;
 }
 
-// Where the voxels of the target lie among the voxels of the source: index = first + step * i.
+// Source index of each target voxel: index = first + step * i.
 struct IndexMap {
     Vec3 first;
     Mat3 step;
-    bool aligned;  // each target axis runs along the same source axis
+    bool aligned;  // each target axis runs along the source axis of the same number
 
     IndexMap(const Grid& source, const Grid& target) {
         first = source.to_index(target.origin_mm);
@@ -85,7 +86,7 @@ Image<T> resample_image(const Image<T>& source, const Grid& target, Interpolatio
     Image<T> result = filled_image(target, T{}, job);
     const IndexMap map(source.grid, target);
     const Index3& size = source.grid.dims;
-    std::vector<Taps> columns;  // of an aligned target: the same for every row
+    std::vector<Taps> columns;  // for an aligned target, the same for every row
     for (int x = 0; map.aligned && x < target.dims[0]; ++x)
         columns.push_back(taps_at(map.first[0] + x * map.step(0, 0), size[0], how));
     std::atomic<int> done{0};
@@ -151,7 +152,7 @@ FloatVolume resample(const FloatVolume& volume, const Grid& target, Interpolatio
 }
 
 Mask resample(const Mask& mask, const Grid& target, Interpolation how, Job& job) {
-    // The number of a label must not move its border.
+    // The value of a label must not influence its border.
     Mask inside = filled_image(mask.grid, std::uint8_t{0}, job);
     for_each_voxel(mask.voxels.size(), job,
                    [&](std::size_t i) { inside.voxels[i] = mask.voxels[i] != 0 ? 1 : 0; });

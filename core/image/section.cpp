@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Connected patches of the object's voxels that touch the other mask.
 #include "core/image/section.h"
 
 #include <cmath>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where an object is cut off: the section at which a vessel leaves the region that is looked at.
+// The section at which an object is cut off, for example where a vessel leaves the region under
+// study.
 #pragma once
 
 #include <optional>
@@ -9,12 +10,13 @@
 namespace hepatica {
 
 struct Section {
+    // Mean of the centres of its voxels.
     Vec3 middle_mm = Vec3::Zero();
-    double area_mm2 = 0.0;  // about: its voxels' number times their mean face
+    double area_mm2 = 0.0;  // approximate: number of voxels times their mean face
 };
 
-// The largest 26-connected patch of voxels of `object` that have a face in common with one of
-// `beyond`; both on one grid, and a voxel of both counts as object. None where they do not meet.
+// The largest 26-connected patch of voxels of `object` that share a face with a voxel of `beyond`.
+// Both masks lie on one grid; a voxel of both counts as object. None if they do not touch.
 std::optional<Section> largest_section(const Mask& object, const Mask& beyond);
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Samples the label maps at the pixels of the CT's slices and passes the frames to the helper.
 #include "core/image/segmentation_writer.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ constexpr ChildLimits helper_limits{std::uint64_t{2} << 30, 120};
 
 using Pixels = std::vector<std::uint8_t>;
 
-// The pixels of each segment in one slice; empty where it has none.
+// The pixels of each segment in one slice; empty if the segment has none.
 std::vector<Pixels> segments_in(const DicomSlice& slice, std::size_t segments,
                                 std::span<const SegmentLayer> layers) {
     std::vector<Pixels> found(segments);
@@ -58,7 +59,7 @@ struct FoundFrame {
     Pixels pixels;
 };
 
-// Segment by segment, as the standard wants frames to be ordered.
+// Segment by segment, the order of frames that the standard requires.
 std::vector<FoundFrame> frames_of(const std::vector<DicomSlice>& slices, std::size_t segments,
                                   std::span<const SegmentLayer> layers, Job& job) {
     std::vector<std::vector<Pixels>> by_slice(slices.size());
@@ -91,8 +92,8 @@ void write_bytes(const fs::path& file, const std::string& bytes) {
     require_written(out, file);
 }
 
-// What the helper reads (app/dicom_segmentation/order.h): segments that have a frame, numbered from
-// 1, and their frames.
+// Writes the input of the helper (app/dicom_segmentation/order.h): the segments that have a frame,
+// numbered from 1, and their frames.
 void write_order(const fs::path& folder, std::span<const SegmentMeaning> segments,
                  const std::vector<DicomSlice>& slices, const std::vector<FoundFrame>& frames) {
     std::string files, meanings;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Ranks the series by eight criteria, of which the first difference decides.
 #include "core/image/series_choice.h"
 
 #include <algorithm>
@@ -25,17 +26,19 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double thickest_good_mm = 3.0;     // between slices; beyond it thin vessels are lost
-constexpr double least_axial_cosine = 0.86;  // with the body's axis: gantries tilt by 30 degrees
-constexpr double enough_of_longest = 0.5;  // of the longest series: shorter ones are bolus tracking
+constexpr double thickest_good_mm = 3.0;  // between slices; above it thin vessels are lost
+// Of the normal with the body's axis; gantries tilt by up to 30 degrees.
+constexpr double least_axial_cosine = 0.86;
+// Share of the longest series; shorter ones are bolus tracking.
+constexpr double enough_of_longest = 0.5;
 
 bool holds_any(const std::string& text, std::initializer_list<const char*> parts) {
     return std::ranges::any_of(
         parts, [&](const char* part) { return text.find(part) != std::string::npos; });
 }
 
-// Kernels that sharpen for lungs and bones, whose noise drowns vessels of the liver: GE's by name,
-// Siemens' (B70f, Br64) and Canon's (FC52) by number, others by what the series is called.
+// Sharp kernels for lungs and bones, whose noise hides vessels of the liver: GE's by name, Siemens'
+// (B70f, Br64) and Canon's (FC52) by number, others by the description of the series.
 bool is_sharp_kernel(const std::string& kernel, const std::string& description) {
     const std::string name = lower_case(kernel);
     if (holds_any(name, {"lung", "bone", "edge", "chst", "sharp"})) return true;
@@ -48,13 +51,13 @@ bool is_sharp_kernel(const std::string& kernel, const std::string& description) 
     return holds_any(lower_case(description), {"lung", "pulm", "poumon", "bone", "knochen"});
 }
 
-// Ordered by how well portal and hepatic veins stand out.
+// In ascending order of the contrast of portal and hepatic veins.
 enum class Phase { without_contrast, unknown, arterial, late, portal_venous };
 
-// The words that radiologists name series by.
+// Recognised by the words that radiologists use in series descriptions.
 Phase phase_of(const std::string& description) {
     std::string name = lower_case(description);
-    for (const char* way : {"intravenous", "intraven"})  // how the contrast went in, not when
+    for (const char* way : {"intravenous", "intraven"})  // route of the contrast, not its phase
         if (const std::size_t at = name.find(way); at != std::string::npos)
             name.erase(at, std::string(way).size());
     if (holds_any(name, {"portal", "venous", "venos", "venös", "veineux", "porto", "pv phase"}))
@@ -88,7 +91,7 @@ const char* name_of(Phase phase) {
 struct Series {
     std::vector<DicomSlice> slices;
     double spacing_mm = 0.0;  // between neighbouring slices; 0 where unknown
-    double extent_mm = 0.0;   // from the first to the last
+    double extent_mm = 0.0;   // from the first slice to the last
     bool covers = true;       // about as much as the longest series
 
     const DicomSlice& first() const { return slices.front(); }
@@ -97,7 +100,7 @@ struct Series {
         for (const DicomSlice& slice : slices) count += static_cast<std::size_t>(slice.frames);
         return count;
     }
-    // A file of many frames that does not say where all of them lie.
+    // A multi-frame file that does not state the positions of all frames.
     bool hides_extent() const {
         return std::ranges::any_of(slices, [](const DicomSlice& slice) {
             return slice.enhanced && slice.frame_positions_mm.empty();
@@ -116,7 +119,7 @@ struct Series {
     bool is_thin() const { return spacing_mm > 0.0 && spacing_mm <= thickest_good_mm; }
 };
 
-// Bigger is better, the first difference decides.
+// Larger is better; the first difference decides.
 constexpr std::size_t criteria = 8;
 using Rank = std::array<double, criteria>;
 
@@ -166,7 +169,8 @@ void measure_extent(Series& series) {
     series.spacing_mm = series.extent_mm / static_cast<double>(places.size() - 1);
 }
 
-// Two phases that lost their identifiers lie in the same places; their acquisitions part them.
+// Two phases that lost their identifiers have the same positions; then their acquisition numbers
+// separate them.
 bool lie_in_one_place(const std::vector<DicomSlice>& slices) {
     std::set<std::tuple<double, double, double>> places;
     for (const DicomSlice& slice : slices) {
@@ -188,7 +192,7 @@ std::map<std::string, std::vector<DicomSlice>> grouped(const std::vector<DicomSl
     return parted;
 }
 
-// CT first, the best first; equal ones in the order of their keys.
+// CT first, best first; equal ones in the order of their keys.
 std::vector<Series> ranked(const std::vector<DicomSlice>& slices) {
     std::vector<Series> all;
     double longest_mm = 0.0;
@@ -204,7 +208,7 @@ std::vector<Series> ranked(const std::vector<DicomSlice>& slices) {
     return all;
 }
 
-// The file of the slice that has as many on its one side as on the other.
+// The file of the middle slice along the normal.
 fs::path middle_slice(const Series& series) {
     std::vector<std::pair<double, std::size_t>> places;
     for (std::size_t i = 0; i < series.slices.size(); ++i) {
@@ -220,7 +224,7 @@ fs::path middle_slice(const Series& series) {
 std::vector<std::string> warnings_of(const Series& series) {
     if (!series.is_ct()) return {"it is no CT"};
     std::vector<std::string> warnings;
-    const bool known =  // an enhanced file's frames are not, until it is split
+    const bool known =  // the frames of an enhanced file are unknown until it is split
         std::ranges::none_of(series.slices, &DicomSlice::enhanced);
     try {
         if (known) order_slices(series.slices);
@@ -230,7 +234,7 @@ std::vector<std::string> warnings_of(const Series& series) {
     }
     if (series.spacing_mm > thickest_good_mm)
         warnings.push_back("its slices lie far apart: thin vessels are lost");
-    constexpr double least_height_mm = 100.0;  // of an adult's liver it is 150 or more
+    constexpr double least_height_mm = 100.0;  // an adult's liver is 150 mm high or more
     const double height_mm = series.extent_mm + series.spacing_mm;
     if (height_mm > 0.0 && height_mm < least_height_mm)
         warnings.push_back("it is " + number_text(std::round(height_mm)) +
@@ -259,7 +263,7 @@ std::string text_of(const Series& series) {
     return text.str();
 }
 
-// The place in the list, or nothing where there is no such series.
+// The index in the list; nothing if there is no such series.
 std::optional<std::size_t> wished(const std::vector<Series>& all, const SeriesWish& wish) {
     const auto number = static_cast<std::size_t>(wish.number);
     if (wish.number != 0)

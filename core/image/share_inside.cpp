@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The indicator function of a mask, smoothed and resampled.
 #include "core/image/share_inside.h"
 
 #include <algorithm>

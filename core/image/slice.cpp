@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Maps picture coordinates to the axes of a grid that are nearest to the patient's axes.
 #include "core/image/slice.h"
 
 #include <algorithm>
@@ -9,8 +10,8 @@
 namespace hepatica {
 namespace {
 
-// Of the patient's axes (x to the left, y to the back, z to the head): along columns, rows and
-// slices of a picture, and whether they run against them.
+// The patient's axes (x to the left, y to the back, z to the head) along columns, rows and slices
+// of a picture, and whether the picture runs against them.
 struct PictureAxes {
     std::array<int, 3> axis;
     std::array<bool, 3> backwards;
@@ -28,8 +29,7 @@ PictureAxes picture_axes(SliceDirection direction) {
     return {{1, 2, 0}, {false, true, false}};
 }
 
-// The grid's axis nearest to each of the patient's: of all ways to pair them the one with the
-// largest sum of cosines.
+// The grid's axis nearest to each of the patient's: the assignment with the largest sum of cosines.
 std::array<int, 3> nearest_axes(const Mat3& direction) {
     std::array<int, 3> order{0, 1, 2}, best = order;
     double most = -1.0;
@@ -45,10 +45,10 @@ std::array<int, 3> nearest_axes(const Mat3& direction) {
     return best;
 }
 
-// The pixels of a picture among the voxels of a grid, in its continuous indices.
+// The pixels of a picture in continuous indices of a grid.
 struct PlaneOfPixels {
-    Vec3 begin;                      // of the first pixel
-    Vec3 along_columns, along_rows;  // from one to the next
+    Vec3 begin;                      // the first pixel
+    Vec3 along_columns, along_rows;  // from one pixel to the next
     int columns, rows;
 };
 
@@ -56,9 +56,9 @@ int nearest(double index) {
     return static_cast<int>(std::floor(index + 0.5));
 }
 
-// The axes of the grid along which columns and rows run, where each runs along one alone.
+// The axes of the grid along which columns and rows run; nothing if one of them is oblique.
 std::optional<std::array<int, 2>> axes_of(const PlaneOfPixels& plane) {
-    constexpr double most_off = 1e-6;  // voxels over the whole picture: rounding
+    constexpr double most_off = 1e-6;  // in voxels over the whole picture; allows for rounding
     const auto axis_of = [](const Vec3& step, int pixels) {
         int axis = 0;
         step.cwiseAbs().maxCoeff(&axis);
@@ -74,8 +74,8 @@ std::optional<std::array<int, 2>> axes_of(const PlaneOfPixels& plane) {
 
 constexpr std::ptrdiff_t outside = -1;
 
-// How far each of evenly spaced indices along an axis of the grid is from its first voxel in
-// memory, or that it lies outside.
+// Offsets in memory of evenly spaced indices along an axis of the grid; `outside` for those
+// outside.
 std::vector<std::ptrdiff_t> offsets_along(const Grid& grid, int axis, double begin, double step,
                                           int count) {
     std::vector<std::ptrdiff_t> offsets;
@@ -93,7 +93,7 @@ std::vector<std::uint8_t> no_labels(const PlaneOfPixels& plane) {
                                      static_cast<std::size_t>(plane.rows));
 }
 
-// Each axis is gone through once: some eight times as fast as place by place.
+// Offsets are computed once per axis, some eight times as fast as pixel by pixel.
 std::vector<std::uint8_t> labels_along_axes(const Mask& labels, const PlaneOfPixels& plane,
                                             const std::array<int, 2>& axes) {
     auto found = no_labels(plane);
@@ -184,7 +184,7 @@ std::vector<std::uint8_t> grey_slice(const Volume& ct, const SliceStack& stack, 
                                      const GreyWindow& window) {
     const double black = window.level_hu - 0.5 * window.width_hu;
     const double steps = 255.0 / window.width_hu;
-    // A picture's columns and rows run along the grid's axes: even steps through its voxels.
+    // Columns and rows run along the grid's axes, so the offsets are evenly spaced.
     const auto offset_of = [&](int column, int row) {
         const auto [x, y, z] = stack.voxel(column, row, slice);
         return static_cast<std::ptrdiff_t>(ct.grid.offset(x, y, z));

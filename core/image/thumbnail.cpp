@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Averages of the windowed grey values under each pixel.
 #include "core/image/thumbnail.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ double grey_of(double hu, const GreyWindow& window) {
     return std::clamp(255.0 * (hu - black) / window.width_hu, 0.0, 255.0);
 }
 
-// The rows or columns under pixel `i` of `pixels`: one at least.
+// The rows or columns under pixel `i` of `pixels`, at least one.
 std::pair<int, int> under(int i, int pixels, int count) {
     const auto edge = [&](int k) {
         return static_cast<int>(static_cast<std::int64_t>(k) * count / pixels);
@@ -60,7 +61,7 @@ Thumbnail thumbnail_of(const std::filesystem::path& dicom_file, int side, Job& j
     const std::optional<DicomSlice> slice = read_dicom_slice(dicom_file);
     if (!slice)
         throw InputError("holds no DICOM image", dicom_file.string(), "Choose another series");
-    SplitFrames split;  // holds the frames until they are read
+    SplitFrames split;  // keeps the frames until they are read
     const std::vector<DicomSlice> frames = split.split({*slice}, job);
     const DicomSlice& middle = frames[frames.size() / 2];
     const std::vector<double> hu = slice_hu(middle);

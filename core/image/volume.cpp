@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Positions to voxels, and the comparison of grids.
 #include "core/image/volume.h"
 
 #include <algorithm>

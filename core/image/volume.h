@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Voxels in patient space: LPS axes (x to the left, y to the back, z to the head), millimetres.
+// Grids of voxels in patient space: LPS axes (x to the left, y to the back, z to the head),
+// millimetres.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +13,7 @@
 
 namespace hepatica {
 
-// Where a grid of voxels lies. Index (0,0,0) is the centre of the first voxel; x runs fastest.
+// A grid of voxels in space. Index (0,0,0) is the centre of the first voxel; x runs fastest.
 struct Grid {
     Index3 dims{0, 0, 0};
     Vec3 spacing_mm{1, 1, 1};           // all > 0
@@ -72,7 +73,7 @@ struct Image {
     const T& at(int x, int y, int z) const { return voxels[grid.offset(x, y, z)]; }
 
   private:
-    // Before the first voxel is written.
+    // Must be called before the first voxel is written.
     void make_room(std::size_t count) {
         voxels.reserve(count);
         prefer_large_pages(voxels.data(), count * sizeof(T));
@@ -84,27 +85,28 @@ using FloatVolume = Image<float>;    // filtered intensities, distances
 using Mask = Image<std::uint8_t>;    // 0 background, anything else object
 using LabelMap = Image<std::uint16_t>;
 
-// The voxel that a place lies in, the outer faces of the grid included; nothing beside the grid and
-// for what is not finite.
+// The voxel that contains a position, outer faces of the grid included; nothing outside the grid
+// and for positions that are not finite.
 std::optional<Index3> voxel_at(const Grid& grid, const Vec3& position_mm);
 
-// The voxel whose centre is nearest to a finite place, which may lie beside the grid. The grid has
-// voxels.
+// The voxel whose centre is nearest to a finite position, which may lie outside the grid. The grid
+// must not be empty.
 Index3 nearest_voxel(const Grid& grid, const Vec3& position_mm);
 
-// Whether a place lies in one of the voxels.
+// Whether a position lies in one of the voxels.
 inline bool holds(const Grid& grid, const Vec3& position_mm) {
     return voxel_at(grid, position_mm).has_value();
 }
 
-// The value of the voxel that a place lies in; T{} beside the image.
+// The value of the voxel that contains a position; T{} outside the image.
 template <class T>
 T value_at(const Image<T>& image, const Vec3& position_mm) {
     const std::optional<Index3> voxel = voxel_at(image.grid, position_mm);
     return voxel ? image.at((*voxel)[0], (*voxel)[1], (*voxel)[2]) : T{};
 }
 
-// True where both grids have the same dims and agree in space to a hundredth of a voxel.
+// True if both grids have the same dims and their corners agree to a hundredth of the smallest
+// spacing.
 bool same_grid(const Grid& a, const Grid& b);
 
 }  // namespace hepatica

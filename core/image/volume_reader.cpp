@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Dispatch by file format, conversion to the type of voxel, and the checks of masks and CTs.
 #include "core/image/volume_reader.h"
 
 #include <algorithm>
@@ -33,9 +34,9 @@ void require_existing(const fs::path& path) {
         throw InputError("does not exist", path.string(), "Check the path");
 }
 
-// Sets each voxel marked in `missing` to the mean of its neighbours where at least half of them
-// have values, and returns how many voxels it set. Scattered holes are damage, large ones are
-// padding around the scan.
+// Sets each voxel marked in `missing` to the mean of its neighbours if at least half of them have
+// values; returns the number of voxels set. Scattered holes are damage, large ones are padding
+// around the scan.
 std::size_t fill_from_neighbours(Volume& volume, const std::vector<std::uint8_t>& missing,
                                  const Job& job) {
     std::size_t filled = 0;
@@ -67,7 +68,7 @@ Volume read_volume_file(const fs::path& path, Job& job, ReadRemarks& remarks) {
     const PlacedGrid placed = placed_grid(file.dims, file.axes, file.origin_mm, path.string());
     Volume volume = filled_image(placed.grid, std::int16_t{0}, job);
     std::size_t not_numbers = 0;
-    std::vector<std::uint8_t> missing;  // empty where there is none
+    std::vector<std::uint8_t> missing;  // empty if every value is a number
     std::size_t clamped = 0;
     read_values(
         file, placed,
@@ -111,7 +112,7 @@ Volume read_dicom_at(const fs::path& path, DicomWish wish, Job& job, ReadRemarks
     return read_dicom(place.folder, wish, job, remarks);
 }
 
-// Which values belong to a mask.
+// Tells which values belong to a mask.
 class Wanted {
   public:
     explicit Wanted(std::span<const int> labels) : labels_(labels) {}
@@ -247,7 +248,8 @@ void require_same_grid(const Grid& mask, const Grid& volume, const std::string& 
 
 namespace {
 
-// Where a grid begins in another of the same voxels; nothing where it does not lie in it.
+// The index at which a grid begins in another with the same voxels; nothing if it does not lie in
+// it.
 std::optional<Index3> place_in(const Grid& volume, const Grid& box) {
     Grid corner = volume;
     corner.dims = box.dims;
@@ -290,7 +292,7 @@ namespace {
 struct Values {
     std::int16_t low = std::numeric_limits<std::int16_t>::max();
     std::int16_t high = std::numeric_limits<std::int16_t>::min();
-    std::size_t soft = 0;  // of soft tissue
+    std::size_t soft = 0;  // voxels of soft tissue
 };
 
 Values values_of(const Volume& volume, const Job& job) {

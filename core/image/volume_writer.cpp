@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// NIfTI-1 headers by byte offset and NRRD headers as text.
 #include "core/image/volume_writer.h"
 
 #include <Eigen/Geometry>
@@ -46,7 +47,7 @@ void put_float(NiftiHeader& header, std::size_t offset, double value) {
     put(header, offset, static_cast<float>(value));
 }
 
-// Both forms of the position: a rotation for programs that want one, the affine map for the rest.
+// Writes both forms of the position: a quaternion (qform) and an affine map (sform).
 void put_place(NiftiHeader& header, const Grid& grid) {
     const Vec3 to_ras(-1, -1, 1);
     const Mat3 direction = to_ras.asDiagonal() * grid.direction;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Grid placement, size checks and decoding that all three formats share.
 #include "core/image/voxel_file.h"
 
 #include <algorithm>
@@ -20,8 +21,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double greatest_axis_cosine = 0.0087;  // half a degree from a right angle
-constexpr std::uint64_t deflate_limit = 1032;    // no deflated byte becomes more than these
+constexpr double greatest_axis_cosine = 0.0087;  // half a degree off a right angle
+constexpr std::uint64_t deflate_limit = 1032;    // largest expansion of deflate, per byte
 
 [[noreturn]] void reject_geometry(const std::string& what, const std::string& place) {
     throw InputError(what, place, "Export the image again, with its spacing and orientation");
@@ -33,7 +34,8 @@ std::string short_text(double value) {
     return text.str();
 }
 
-// Nearest rotation-with-flips to three almost orthogonal unit vectors.
+// Gram-Schmidt: an orthonormal basis close to three almost orthogonal unit vectors; mirrored ones
+// stay mirrored.
 Mat3 orthonormal(const Mat3& m) {
     Mat3 q = m;
     q.col(1) -= q.col(0) * q.col(0).dot(q.col(1));
@@ -43,7 +45,7 @@ Mat3 orthonormal(const Mat3& m) {
     return q;
 }
 
-// For each file axis, the patient axis it runs along: the largest components first.
+// For each file axis, the patient axis it is assigned to, by the largest components first.
 std::array<int, 3> patient_axes(const Mat3& direction) {
     std::array<int, 3> axes{-1, -1, -1};
     std::array<bool, 3> taken{};
@@ -155,7 +157,7 @@ PlacedGrid placed_grid(const std::array<std::int64_t, 3>& dims, const Mat3& axes
         const double sign = flipped[a] ? -1.0 : 1.0;
         placed.grid.dims[along[a]] = static_cast<int>(dims[a]);
         placed.grid.spacing_mm[along[a]] = spacing[a];
-        // Adding zero turns minus zero into zero.
+        // Adding zero turns -0 into 0.
         placed.grid.direction.col(along[a]) = sign * direction.col(a) + Vec3::Zero();
         if (flipped[a])
             placed.grid.origin_mm +=
@@ -202,7 +204,7 @@ void read_values(const VoxelFile& file, const PlacedGrid& placed, const ValueSin
     stream.skip(file.skip_bytes);
     const int size = bytes_per_value(file.type);
     const auto row = static_cast<std::size_t>(file.dims[0]);
-    // A row may be as long as a damaged header likes: it is read in parts.
+    // A damaged header may claim any length of a row, so rows are read in parts.
     const std::size_t part = std::min<std::size_t>(row, 1 << 16);
     std::vector<unsigned char> bytes(part * size);
     std::vector<double> values(part);
@@ -228,7 +230,7 @@ void read_values(const VoxelFile& file, const PlacedGrid& placed, const ValueSin
                             static_cast<double>(file.dims[2]));
             }
         }
-    // Reading on to the end of the compressed data is what checks their checksum.
+    // Reading to the end of the compressed data makes zlib check their checksum.
     if (file.encoding == Encoding::deflated) stream.read_some(bytes.data(), 1);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loops over all voxels of an image that hear a cancel: a reconstruction goes through tens of
-// millions of voxels many times, and a pass in one piece takes longer than a user should wait.
+// Loops over all voxels of an image that can be cancelled: a reconstruction passes over tens of
+// millions of voxels many times, and one uninterrupted pass takes longer than a user should wait.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace hepatica {
 
 inline constexpr std::size_t voxels_between_looks = std::size_t{1} << 20;
 
-// Calls body(i) for each i below count, on several threads and in any order: it may write what
-// belongs to voxel i alone. Throws Cancelled.
+// Calls body(i) for each i < count, on several threads and in any order; it may write only data of
+// voxel i. Throws Cancelled.
 template <class Body>
 void for_each_voxel(std::size_t count, const Job& job, const Body& body) {
     parallel_blocks(count, voxels_between_looks, [&](std::size_t begin, std::size_t end) {
@@ -25,7 +25,7 @@ void for_each_voxel(std::size_t count, const Job& job, const Body& body) {
     });
 }
 
-// The same one after the other on the caller's thread: the body may write what it likes.
+// The same in order on the calling thread; body may write anything.
 template <class Body>
 void for_each_voxel_in_order(std::size_t count, const Job& job, const Body& body) {
     for (std::size_t begin = 0; begin < count; begin += voxels_between_looks) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Checks of indices; a new state is complete before it replaces the old one.
 #include "core/mesh/body_topology.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Vertices on a lattice, x fastest.
 #include "core/mesh/brick_mesh.h"
 
 #include <cmath>

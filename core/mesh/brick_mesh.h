@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boxes cut into regular elements: the bodies of tests, benchmarks and the trade-off, whose exact
-// answers are known.
+// Boxes of regular elements: bodies for tests, benchmarks and the trade-off, with known exact
+// solutions.
 #pragma once
 
 #include "core/base/vector.h"
@@ -10,15 +10,15 @@
 namespace hepatica {
 
 // The box [0, size] in cells of equal size, each cut into six tetrahedra around its main diagonal
-// (Kuhn 1960), which conform from cell to cell. Vertices run fastest along x, then y, then z.
-// size_mm > 0 and cells >= 1 in every direction, otherwise InputError.
+// (Kuhn 1960); they conform from cell to cell. Vertices run fastest along x, then y, then z. Throws
+// InputError unless size_mm is positive and finite and cells >= 1 along every axis.
 TetMesh kuhn_brick(const Vec3& size_mm, const Index3& cells);
 
-// The same box as one hexahedron a cell; the same vertices.
+// The same box as one hexahedron per cell, with the same vertices and errors.
 HexMesh hexahedral_brick(const Vec3& size_mm, const Index3& cells);
 
-// The box bent into an arc of the given angle (radians, > 0) around an axis along z beside it; the
-// length along the middle stays. For slender curved bodies.
+// Bends the box into an arc of the given angle (radians, > 0) around an axis along z beside it; the
+// length of the line y = middle_y_mm is preserved. For slender curved bodies.
 void bend_along_x(std::vector<Vec3>& vertices_mm, double length_mm, double middle_y_mm,
                   double angle_rad);
 

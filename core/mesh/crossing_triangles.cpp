@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Sweep along x over bounding boxes, then CGAL's exact intersection predicates.
 #include "core/mesh/crossing_triangles.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -20,7 +21,7 @@ Kernel::Triangle_3 triangle(const std::array<int, 3>& corners, std::span<const V
     return {point(x[corners[0]]), point(x[corners[1]]), point(x[corners[2]])};
 }
 
-// The corners of `a` that `b` has not.
+// The corners of `a` that are not corners of `b`.
 std::vector<int> beside(const std::array<int, 3>& a, const std::array<int, 3>& b) {
     std::vector<int> corners;
     for (const int v : a)
@@ -28,8 +29,8 @@ std::vector<int> beside(const std::array<int, 3>& a, const std::array<int, 3>& b
     return corners;
 }
 
-// Two triangles with one common corner meet elsewhere only where the edge across from it meets the
-// other triangle.
+// Two triangles with one common corner share another point only if the edge opposite that corner,
+// of one of them, meets the other triangle.
 bool edge_meets(const std::vector<int>& edge, const std::array<int, 3>& other,
                 std::span<const Vec3> x) {
     return CGAL::do_intersect(Kernel::Segment_3(point(x[edge[0]]), point(x[edge[1]])),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which triangles of a surface cross each other, by exact predicates.
+// Finds the triangles of a surface that cross each other, with exact predicates.
 #pragma once
 
 #include <array>
@@ -11,9 +11,10 @@
 namespace hepatica {
 
 // Pairs (a < b), ascending, of triangles that share a point other than a common corner or a common
-// edge. Touching counts; the answer is exact for the coordinates as they are. Two with a common
-// edge, and triangles without an area, never count. Positions are finite. Pure function; costs a
-// sort along x and a test for each pair of boxes that meet.
+// edge. Touching counts; the result is exact for the given coordinates, which must be finite.
+// Triangles with a common edge, and those without area, never count. Thread-safe. Cost: a sort
+// along x, a comparison for each pair whose boxes overlap in x, and an exact test for each pair
+// whose boxes overlap.
 std::vector<std::array<int, 2>> crossing_triangles(std::span<const std::array<int, 3>> triangles,
                                                    std::span<const Vec3> positions_mm);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Four sizes of elements, and the message if none of them helps.
 #include "core/mesh/manifold_attempts.h"
 
 #include "core/base/error.h"

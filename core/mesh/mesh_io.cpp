@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Written by VTK, read by the parser of core/tree/files/vtk_file.h.
 #include "core/mesh/mesh_io.h"
 
 #include <vtkCallbackCommand.h>
@@ -50,7 +51,7 @@ vtkNew<vtkCellArray> cells_of(const std::vector<std::array<int, N>>& cells) {
     return array;
 }
 
-// VTK prints its errors unless somebody listens; here they become the exception's.
+// Records VTK's errors, which it would otherwise print; the caller turns them into an exception.
 vtkSmartPointer<vtkCallbackCommand> error_listener(bool& failed) {
     auto listener = vtkSmartPointer<vtkCallbackCommand>::New();
     listener->SetClientData(&failed);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Dihedral angles from face normals; topology from the Euler characteristic of the boundary.
 #include "core/mesh/quality.h"
 
 #include <algorithm>
@@ -26,7 +27,7 @@ int components_of(std::size_t vertices, const Cells& cells) {
             used[vertex] = 1;
             sets.unite(static_cast<std::uint32_t>(cell[0]), static_cast<std::uint32_t>(vertex));
         }
-    // A vertex of no cell is a set of its own.
+    // A vertex without a cell is a set of its own and does not count.
     return static_cast<int>(sets.count()) - static_cast<int>(std::ranges::count(used, 0));
 }
 

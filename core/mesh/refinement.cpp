@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// An implicit domain for CGAL's Mesh_3, seeded with surface points, refined, then cleared of
+// slivers.
 #include "core/mesh/refinement.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -30,7 +32,7 @@ Vec3 to_vec3(const Kernel::Point_3& point) {
     return {point.x(), point.y(), point.z()};
 }
 
-// Local radius times a factor, as CGAL asks for it.
+// The size field for CGAL: local radius times a factor.
 struct SizeByRadius {
     using FT = Kernel::FT;
     using Point_3 = Kernel::Point_3;
@@ -45,7 +47,7 @@ struct SizeByRadius {
 };
 
 // CGAL's measure of slivers, the smallest dihedral angle. While vertices are moved it is evaluated
-// far more often than the field, so that progress is reported from here, too.
+// far more often than the field, so progress is reported from here as well.
 class WatchedCriterion : public CGAL::Mesh_3::Min_dihedral_angle_criterion<Triangulation> {
     using Base = CGAL::Mesh_3::Min_dihedral_angle_criterion<Triangulation>;
 
@@ -73,12 +75,12 @@ void remove_slivers(Complex& complex, const Domain& domain,
     CGAL::perturb_mesh_3(complex, domain, parameters::sliver_criterion = criterion);
     on_calls(0);
     CGAL::Mesh_3::Slivers_exuder<Complex, WatchedCriterion> exuder(complex, criterion);
-    exuder.set_time_limit(0.0);  // none
+    exuder.set_time_limit(0.0);  // no limit
     exuder();
 }
 
-// Without these starting points refinement may never notice a thin vessel: it only sees what the
-// edges of its Voronoi diagram happen to cross.
+// Inserts starting points on the surface. Without them refinement may miss a thin vessel: it only
+// detects what the edges of its Voronoi diagram cross.
 void insert_surface_points(Complex& complex, const Domain& domain, const TubeField& field,
                            const std::function<void(int)>& on_calls) {
     unsigned inserted = 0;
@@ -118,7 +120,7 @@ TetMesh to_tet_mesh(const Complex& complex) {
 
 TetMesh refine_tetrahedra(const TubeField& field, const RefinementOptions& options,
                           const std::function<void(int)>& on_calls) {
-    // CGAL's own generator is seeded by the clock; the result must not depend on it.
+    // CGAL's default generator is seeded by the clock; the result must not depend on it.
     CGAL::get_default_random() = CGAL::Random(0);
     CGAL::Random random(0);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Delaunay refinement of one implicit tube body by CGAL's Mesh_3: this is the only room of the
-// program that compiles CGAL.
+// Delaunay refinement of an implicit tube body by CGAL's Mesh_3. No other room than core/mesh
+// compiles CGAL.
 #pragma once
 
 #include <functional>
@@ -16,9 +16,9 @@ struct RefinementOptions {
     bool optimise = true;              // perturb and exude slivers
 };
 
-// on_calls(n) is called after every n evaluations of the field, to report progress; what it throws
-// (Cancelled) ends the meshing. Vertices that no tetrahedron uses are dropped; tetrahedra are
-// right-handed. Deterministic. Thread safety: any number of calls at once.
+// on_calls(n) is called after every n evaluations of the field, or with 0 in between, to report
+// progress; an exception from it (Cancelled) ends the meshing. Vertices without a tetrahedron are
+// dropped; tetrahedra are right-handed. Deterministic and thread-safe.
 TetMesh refine_tetrahedra(const TubeField& field, const RefinementOptions& options,
                           const std::function<void(int)>& on_calls);
 

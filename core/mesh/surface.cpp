@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Renumbering of the boundary and tests on its directed edges.
 #include "core/mesh/surface.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The boundary of a body as a triangle mesh of its own.
+// The boundary of a body as a triangle mesh of its own, and tests of surfaces.
 #pragma once
 
 #include <vector>
@@ -9,17 +9,18 @@
 namespace hepatica {
 
 struct BodySurface {
-    TriangleMesh mesh;             // only the vertices that lie on the boundary, in their order
-    std::vector<int> body_vertex;  // per vertex of `mesh`: its number in the body
+    TriangleMesh mesh;             // only the vertices on the boundary, in their order
+    std::vector<int> body_vertex;  // per vertex of `mesh`: its index in the body
 };
 
 BodySurface surface_of(const TetMesh& body);
 
-// Every edge between two triangles with opposite directions, and one fan around each vertex.
+// Whether every edge lies between exactly two triangles with opposite directions, and the triangles
+// around each vertex form one fan. Indices must be valid.
 bool is_closed_manifold(const TriangleMesh& surface);
 
-// Throws InputError where the surface is not closed and consistently oriented: names the edge. A
-// surface that touches itself along an edge is closed.
+// Throws InputError, naming the edge, if the surface is not closed and consistently oriented, or if
+// an index is invalid. A surface that touches itself along an edge counts as closed.
 void validate_closed(const TriangleMesh& surface);
 
 // Volume enclosed by a closed surface, positive if it is oriented outwards.

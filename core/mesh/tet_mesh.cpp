@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Volumes, boundary faces by sorting, and validation.
 #include "core/mesh/tet_mesh.h"
 
 #include <Eigen/Geometry>
@@ -10,6 +11,7 @@
 
 namespace hepatica {
 
+// Positive for a right-handed tetrahedron.
 double signed_volume_mm3(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return (b - a).cross(c - a).dot(d - a) / 6.0;
 }

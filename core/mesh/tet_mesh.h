@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A body as linear tetrahedra, and its boundary. Plain data.
+// A body as linear tetrahedra, and its boundary. Plain data; all functions are thread-safe.
 #pragma once
 
 #include <array>
@@ -21,15 +21,16 @@ struct TriangleMesh {
     std::vector<std::array<int, 3>> triangles;
 };
 
+// Positive for a right-handed tetrahedron.
 double signed_volume_mm3(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 double volume_mm3(const TetMesh& mesh);
 
-// Faces that belong to one tetrahedron only, counter-clockwise seen from outside, in the order of
-// the tetrahedra. Indices are those of mesh.vertices_mm.
+// The faces that belong to only one tetrahedron, counter-clockwise seen from outside, in the order
+// of the tetrahedra. Indices refer to mesh.vertices_mm.
 std::vector<std::array<int, 3>> boundary_triangles(const TetMesh& mesh);
 
-// Checks indices, finite positions and orientation; throws InputError that names the tetrahedron.
-// Flat or inverted tetrahedra are rejected with their number and volume.
+// Throws InputError, naming the vertex or tetrahedron, if an index is invalid, a position is not
+// finite, or a tetrahedron is flat or inverted.
 void validate(const TetMesh& mesh);
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Meshes each connected component in parallel and orders the result along the vessels.
 #include "core/mesh/tetrahedralize.h"
 
 #include <algorithm>
@@ -22,13 +23,14 @@ namespace hepatica {
 namespace {
 
 constexpr double calls_per_radius_of_length = 2000.0;
-constexpr double longest_in_radii = 1e6;  // some 1e7 tetrahedra; a liver's vessels have 1e4
+constexpr double longest_in_radii = 1e6;  // about 1e7 tetrahedra; a liver's vessels have 1e4 radii
 constexpr double finest_in_radii = 0.3;
-constexpr double coarsest_in_radii = 1.0;  // above it cross-sections are triangles and tubes tear
+// Above it cross-sections become triangles and tubes break.
+constexpr double coarsest_in_radii = 1.0;
 
-// A polyhedron inscribed in a tube holds less than the tube. The tube is widened by this factor so
-// that the polyhedron has the right volume, by facet size in radii: measured on branching trees
-// without compensation (the tests hold what comes out to a few per cent).
+// A polyhedron inscribed in a tube has less volume than the tube. The tube is widened by this
+// factor, depending on the facet size in radii, so that the polyhedron has the right volume.
+// Measured on branching trees without compensation; the tests check the volume to a few per cent.
 double radius_factor(double facet_size_in_radii) {
     constexpr std::array<std::pair<double, double>, 8> measured{{{0.3, 1.012},
                                                                  {0.4, 1.020},
@@ -45,7 +47,7 @@ double radius_factor(double facet_size_in_radii) {
     return factor_a + (factor_b - factor_a) * (facet_size_in_radii - size_a) / (size_b - size_a);
 }
 
-// Segments that hang together through nodes, links of loops included; sorted by smallest id.
+// Segments connected through nodes, links of loops included; sorted by smallest id.
 std::vector<std::vector<int>> connected_components(const VesselTree& tree) {
     DisjointSets nodes(tree.nodes.size());
     for (const VesselSegment& segment : tree.segments)
@@ -94,13 +96,14 @@ void check(const VesselTree& tree, const MeshOptions& options) {
                              "mesh options", "Choose a size from 0.3 to 1 radius");
 }
 
-// A rough estimate of how often refinement evaluates the distance: progress is measured by it.
+// A rough estimate of the number of distance evaluations, for the progress.
 double expected_calls(const VesselTree& tree, const MeshOptions& options) {
     return calls_per_radius_of_length * length_in_radii(tree, options) /
            (options.facet_size_in_radii * options.facet_size_in_radii);
 }
 
-// Neighbours in space become neighbours in memory: vertices run along the vessels from the root.
+// Sorts vertices along the vessels from the root, so that neighbours in space are neighbours in
+// memory.
 void sort_along(const TubeField& field, TetMesh& mesh, const std::function<void(int)>& on_calls) {
     std::vector<double> position(mesh.vertices_mm.size());
     for (std::size_t v = 0; v < position.size(); ++v) {
@@ -140,7 +143,7 @@ ManifoldMesh mesh_component(const TubeField& field, const MeshOptions& options,
 
 struct WholeMesh {
     TetMesh mesh;
-    int unclosed = 0;  // components whose boundary is no closed manifold
+    int unclosed = 0;  // components whose boundary is not a closed manifold
 };
 
 WholeMesh mesh_once(const VesselTree& tree, const std::vector<std::vector<int>>& components,
@@ -175,7 +178,7 @@ TetMesh tetrahedralize(const VesselTree& tree, const MeshOptions& options, Job& 
     check(tree, options);
     const std::vector<std::vector<int>> components = connected_components(tree);
     MeshOptions sized = options;
-    // Few tries suffice: the number of tetrahedra falls like a power of the size.
+    // Few attempts suffice, because the number of tetrahedra is about a power of the size.
     for (int attempt = 0; options.target_tetrahedra > 0 && attempt < 3; ++attempt) {
         sized.optimise = false;
         const std::size_t count = mesh_once(tree, components, sized, job).mesh.tetrahedra.size();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Distances to round cones in closed form, looked up through a regular grid of cells.
 #include "core/mesh/tube_field.h"
 
 #include <algorithm>
@@ -66,9 +67,10 @@ double TubeField::distance_to(const Cone& cone, const Vec3& point_mm) {
     const Vec3 from_a = point_mm - cone.a;
     const double length = axis.norm();
     const double shrink = cone.radius_a - cone.radius_b;
-    if (std::abs(shrink) >= length)  // one ball holds the other
+    if (std::abs(shrink) >= length)  // one ball contains the other
         return std::min(from_a.norm() - cone.radius_a, (point_mm - cone.b).norm() - cone.radius_b);
-    // In the half plane through the axis: along the generatrix that touches both balls.
+    // In the half plane through the axis, in coordinates along the generatrix that touches both
+    // balls.
     const double along = from_a.dot(axis) / length;
     const double across = std::sqrt(std::max(0.0, from_a.squaredNorm() - along * along));
     const double sine = shrink / length;
@@ -230,7 +232,7 @@ std::vector<Vec3> TubeField::surface_points_mm() const {
 
 void TubeField::add_surface_point(const Vec3& centre, const Vec3& direction, double radius,
                                   std::vector<Vec3>& points) const {
-    // Where a ray leaves this vessel inside another one there is no surface.
+    // There is no surface where a ray leaves this vessel inside another one.
     const Vec3 point = centre + radius * direction;
     if (std::abs(distance_mm(point)) < 0.05 * radius) points.push_back(point);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lumen of a vessel tree as an implicit body: each stretch of centreline is a round cone (the
-// hull of two balls), stretches of one vessel are united, and vessels that meet in a node are
-// blended (polynomial smooth minimum) so that the crotch of a bifurcation is rounded. Vessels that
-// merely pass close to each other are not blended.
+// The lumen of a vessel tree as an implicit body: each piece of centreline is a round cone (the
+// convex hull of two balls), the pieces of one vessel are united, and vessels that meet in a node
+// are blended (polynomial smooth minimum), which rounds the crotch of a bifurcation. Vessels that
+// only pass close to each other are not blended.
 #pragma once
 
 #include <limits>
@@ -15,59 +15,61 @@
 namespace hepatica {
 
 struct TubeFieldOptions {
-    double radius_factor = 1.0;      // every radius is multiplied by it, > 0
-    double minimum_radius_mm = 0.0;  // before the factor
-    double blend_in_radii = 0.3;     // width of the blend at a node, in its smallest radius
+    double radius_factor = 1.0;      // factor of every radius, > 0
+    double minimum_radius_mm = 0.0;  // lower bound of every radius, before the factor
+    double blend_in_radii = 0.3;     // width of the blend at a node, in the node's smallest radii
 };
 
 // Immutable after construction: const access from any number of threads.
 class TubeField {
   public:
-    // Takes the segments named in `segments` (ids in the tree).
+    // Takes the segments named in `segments` (ids in the tree), at least one.
     TubeField(const VesselTree& tree, const std::vector<int>& segments,
               const TubeFieldOptions& options);
 
-    // Signed distance to the body's surface [mm], negative inside: exact near a single vessel, a
-    // smooth approximation in a blend, infinity further than a radius or so outside.
+    // Signed distance to the body's surface in mm, negative inside: exact near a single vessel, a
+    // smooth approximation in a blend. Infinity where no cone is near, which is always farther
+    // outside than the widest blend.
     double distance_mm(const Vec3& point_mm) const;
 
-    // Radius of the vessel nearest to the point; the smallest of the tree where none is near.
+    // Radius of the vessel nearest to the point; the smallest of the tree if none is near.
     double radius_mm(const Vec3& point_mm) const;
 
-    // Grows along each vessel from root to ends, vessel after vessel; 0 where none is near. An
-    // order for vertices, not a length.
+    // A number that increases along each vessel from its proximal to its distal end, vessel after
+    // vessel; 0 if none is near. It orders vertices and is not a length.
     double position_along(const Vec3& point_mm) const;
 
-    // Bounding box of the body.
+    // Bounding box of the body, enlarged by the widest blend (at least a quarter of the smallest
+    // radius).
     const Vec3& lower_mm() const { return lower_mm_; }
     const Vec3& upper_mm() const { return upper_mm_; }
     double smallest_radius_mm() const { return smallest_radius_mm_; }
 
-    // Points on the surface around every stretch of centreline and at every end, so that a mesher
-    // that starts from them misses no vessel.
+    // Points on the surface around every piece of centreline and at every end, from which a mesher
+    // can start without missing a vessel.
     std::vector<Vec3> surface_points_mm() const;
 
   private:
     struct Cone {
         Vec3 a, b;
         double radius_a, radius_b;
-        int vessel;  // index into vessels_; cones stand in the order of their vessels
+        int vessel;  // index into vessels_; cones are in the order of their vessels
     };
     struct Vessel {
         int proximal_node, distal_node;
     };
     void add_vessel(const VesselTree& tree, int segment, const TubeFieldOptions& options);
     void build_grid();
-    // Calls visit(cell, index of a cone) for every cell that the cone reaches into.
+    // Calls visit(cell) for every cell that the cone reaches into.
     template <class Visit>
     void for_each_cell(const Cone& cone, const Visit& visit) const;
-    // Nearest cone (-1 where none is near) and how far along its axis the point lies, in [0, 1].
+    // Nearest cone (-1 if none is near) and the position along its axis, in [0, 1].
     struct Foot {
         int cone = -1;
         double share = 0.0;
     };
     Foot foot_of(const Vec3& point_mm) const;
-    // Cones near a point; empty where there are none.
+    // Cones near a point; may be empty.
     std::span<const int> cones_near(const Vec3& point_mm) const;
     void add_surface_point(const Vec3& centre, const Vec3& direction, double radius,
                            std::vector<Vec3>& points) const;
@@ -77,13 +79,13 @@ class TubeField {
 
     std::vector<Cone> cones_;
     std::vector<Vessel> vessels_;
-    std::vector<double> node_blend_mm_;  // by node id; 0 where no blend
+    std::vector<double> node_blend_mm_;  // by node id; 0 if not blended
     Vec3 lower_mm_ = Vec3::Constant(std::numeric_limits<double>::infinity());
     Vec3 upper_mm_ = Vec3::Constant(-std::numeric_limits<double>::infinity());
     double smallest_radius_mm_ = std::numeric_limits<double>::infinity();
 
-    // Which cones reach into each cell of a regular grid.
-    double reach_mm_ = 0.0;  // how far outside a cone it is still looked at
+    // The cones that reach into each cell of a regular grid.
+    double reach_mm_ = 0.0;  // distance outside a cone up to which it is considered
     double cell_mm_ = 1.0;
     Index3 grid_dims_{0, 0, 0};
     std::vector<int> cell_begin_;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// For each candidate voxel, rays along the 26 grid directions are followed until they meet the
+// organ, fat, gas or bone. Cost: 26 rays of up to 60 mm per candidate, in parallel over slices.
 #include "core/segmentation/enclosed_tissue.h"
 
 #include <vector>
@@ -14,7 +16,7 @@ constexpr double way_mm = 60.0;
 constexpr double least_share = 0.65;
 constexpr int least_ways = 9;
 constexpr float tissue_from_hu = -10.0f, tissue_to_hu = 250.0f;
-constexpr float fat_below_hu = -40.0f;  // lower than where a voxel may begin: noise on the way
+constexpr float fat_below_hu = -40.0f;  // below tissue_from_hu, so that noise does not end a ray
 constexpr double thinnest_radius_mm = 4.0;
 
 struct Way {
@@ -77,8 +79,7 @@ Mask enclosed_tissue(const FloatVolume& smooth, const Mask& organ, Job& job) {
                     enclosed.at(x, y, z) = 1;
             }
     });
-    // Opened together with the organ: what only looks thin, because it is the rest of a wide piece,
-    // stays.
+    // The opening includes the organ, so that the rim of a wide piece is not removed as thin.
     enclosed = open(enclosed, thinnest_radius_mm, job);
     for (std::size_t i = 0; i < enclosed.voxels.size(); ++i)
         if (organ.voxels[i] != 0) enclosed.voxels[i] = 0;

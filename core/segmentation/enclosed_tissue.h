@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an organ encloses without looking like it: tumours, cysts and wide vessels in a liver.
+// Tissue that an organ encloses but that does not look like it: tumours, cysts and wide vessels in
+// a liver.
 #pragma once
 
 #include "core/base/job.h"
@@ -7,10 +8,11 @@
 
 namespace hepatica {
 
-// Voxels of -10 to 250 HU outside of `organ` from which at least 65 of 100 ways, along the grid's
-// axes and diagonals, reach it within 60 mm and meet no fat, gas or bone before; ways that leave
-// the image at its top or bottom are not counted. Pieces thinner than 8 mm are left out. Both on
-// one grid. Throws Cancelled.
+// Voxels of -10 to 250 HU outside `organ` that it encloses: of the rays along the grid's axes and
+// diagonals (26 directions), at least 65 % reach the organ within 60 mm without meeting fat (below
+// -40 HU), gas or bone (above 250 HU). A ray with a component along z that leaves the image is not
+// counted; at least 9 rays must be counted. Pieces thinner than 8 mm are left out. `smooth` (HU,
+// smoothed) and `organ` lie on the same grid. Throws Cancelled.
 Mask enclosed_tissue(const FloatVolume& smooth, const Mask& organ, Job& job);
 
 }  // namespace hepatica

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Histograms of the line strength of the image and of its negative, accumulated from the strongest
+// lines downwards.
 #include "core/segmentation/false_line_threshold.h"
 
 #include <algorithm>
@@ -15,7 +17,8 @@ constexpr double false_share = 0.02;
 constexpr std::size_t bins_per_deviation = 20;
 constexpr std::size_t most_bins = 4 * bins_per_deviation;
 
-// Voxels of `where` by the strength of the lines through them; the last bin holds all above.
+// Number of voxels of `where` by the strength of the line through them; the last bin holds all
+// stronger ones.
 std::vector<std::size_t> histogram_of_lines(const FloatVolume& values, double deviation,
                                             const Mask& liver, const Mask& where, Job& job) {
     Mask candidates(values.grid);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Fast marching on a grid with anisotropic spacing: a priority queue of arrivals and the upwind
+// quadratic of Sethian, O(n log n) in the number of voxels reached.
 #include "core/segmentation/fast_marching.h"
 
 #include <algorithm>
@@ -16,8 +18,8 @@ namespace {
 
 constexpr float never = std::numeric_limits<float>::infinity();
 
-// One front on one grid. Values are exact where they were set before the march; all others follow
-// in the order of their arrival, ties by index, so that the result is the same every time.
+// One front on one grid. Voxels that are set before the march are its starting values. Voxels are
+// settled in the order of their arrival, ties by index, so the result is deterministic.
 class Front {
   public:
     Front(const Grid& grid, MarchingOrder order)
@@ -31,7 +33,8 @@ class Front {
         queue_.push({time, voxel});
     }
 
-    // slowness(voxel) = 1 / speed; infinity closes the voxel. stop(voxel) is asked at each arrival.
+    // slowness(voxel) = 1 / speed; infinity closes the voxel. stop(voxel) is asked when a voxel is
+    // settled. `expected`: number of voxels, for the progress only.
     template <class Slowness, class Stop>
     void march(const Slowness& slowness, const Stop& stop, std::size_t expected, Job& job) {
         std::size_t arrived = 0;
@@ -62,7 +65,7 @@ class Front {
         }
     }
 
-    // Forgets what was only tried, never reached.
+    // The arrival times; tentative values of voxels that were not settled are reset to infinity.
     FloatVolume take() {
         for (std::size_t i = 0; i < known_.size(); ++i)
             if (!known_[i]) time_.voxels[i] = never;
@@ -77,7 +80,7 @@ class Front {
             return time != other.time ? time > other.time : voxel > other.voxel;
         }
     };
-    // weight (T - value)^2 is one axis' share of |grad T|^2.
+    // weight (T - value)^2 is the contribution of one axis to |grad T|^2.
     struct Term {
         double value;
         double weight;
@@ -101,7 +104,7 @@ class Front {
         const bool inside = from_before ? at[axis] > 1 : at[axis] + 2 < grid_.dims[axis];
         if (!inside) return true;
         const float far = value_if_known(from_before ? voxel - 2 * step : voxel + 2 * step);
-        // (3 T - 4 near + far) / 2h, trusted only where the front came straight along the axis.
+        // Second order: (3 T - 4 near + far) / 2h, used only where the front came along the axis.
         if (far <= near) term = {(4.0 * near - far) / 3.0, 9.0 / (4.0 * h * h)};
         return true;
     }
@@ -118,7 +121,8 @@ class Front {
                 terms[place] = terms[place - 1];
             terms[place] = term;
         }
-        // Axes join in while the front has already passed their neighbour.
+        // Solves sum of weight (T - value)^2 = slowness^2, adding the axes in the order of their
+        // values as long as T is above the next one.
         double a = 0.0;
         double b = 0.0;
         double c = -slowness * slowness;
@@ -143,15 +147,16 @@ class Front {
     std::priority_queue<Arrival> queue_;
 };
 
-// Distance to a boundary that is gap[axis] mm away along each axis (infinity: not that way).
+// Distance to the plane that crosses the axes gap[axis] mm away (infinity: it does not cross that
+// axis).
 float distance_to_plane(const std::array<double, 3>& gap) {
     double sum = 0.0;
     for (const double g : gap) sum += 1.0 / (g * g);
     return static_cast<float>(1.0 / std::sqrt(sum));
 }
 
-// Marches inwards; gap_to(voxel, neighbour, spacing) is the distance to the boundary towards a
-// neighbour outside the object.
+// Marches from the boundary of the object inwards; gap_to(voxel, neighbour, spacing) is the
+// distance in mm from the voxel to the boundary, towards a neighbour outside the object.
 template <class Inside, class Gap>
 FloatVolume march_inwards(const Grid& grid, MarchingOrder order, const Inside& inside,
                           const Gap& gap_to, Job& job) {
@@ -244,7 +249,8 @@ Mask front_collisions(const FloatVolume& distance, double slope) {
                 double squared = 0.0;
                 for (std::size_t axis = 0; axis < 3; ++axis) {
                     if (grid.dims[axis] == 1) continue;
-                    // One-sided at the boundary: the front came from there with slope 1.
+                    // One-sided at the boundary, because the distance outside is 0 and not
+                    // negative.
                     const auto value = [&](bool exists, std::size_t neighbour) {
                         return exists ? distance.voxels[neighbour] : 0.0f;
                     };

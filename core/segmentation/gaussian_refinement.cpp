@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Repeated Gaussian smoothing of the mask and its level set; the surface area by Cauchy-Crofton.
 #include "core/segmentation/gaussian_refinement.h"
 
 #include <algorithm>
@@ -35,7 +36,7 @@ void check(const RefinementOptions& options) {
                          "Use a level between 0 and 1.");
 }
 
-// The box of the object with room for the surface to move in.
+// The bounding box of the object with room for the surface to move.
 IndexBox working_box(const Mask& mask, const RefinementOptions& options) {
     const double reach = 3.0 * options.sigma_mm * std::sqrt(options.recursions);
     return grow_box(bounding_box(mask), mask.grid, reach + mask.grid.spacing_mm.maxCoeff());
@@ -53,7 +54,7 @@ Mask level_set(const Mask& object, const RefinementOptions& options, Job& job) {
     return inside;
 }
 
-// The mask's own label where it has only one, else that of an unknown system.
+// The label of the mask if it has only one, else that of an unknown system.
 std::uint8_t label_of_islands(const Mask& labels) {
     std::uint8_t only = 0;
     for (const std::uint8_t label : labels.voxels) {
@@ -64,8 +65,8 @@ std::uint8_t label_of_islands(const Mask& labels) {
     return only;
 }
 
-// Every voxel of the surface takes its old label, new ones the smallest label around them, layer
-// by layer.
+// Voxels of the surface keep their label; new ones take the smallest label among their neighbours,
+// layer by layer.
 Mask labelled(const Mask& surface, const Mask& labels) {
     const Grid& grid = surface.grid;
     Mask result(grid);
@@ -90,7 +91,7 @@ Mask labelled(const Mask& surface, const Mask& labels) {
                 still.push_back(i);
         }
         for (const auto& [voxel, label] : found) result.voxels[voxel] = label;
-        if (found.empty()) {  // an island without a neighbour that has a label
+        if (found.empty()) {  // pieces that touch no labelled voxel
             for (const std::size_t i : still) result.voxels[i] = label_of_islands(labels);
             break;
         }
@@ -99,11 +100,12 @@ Mask labelled(const Mask& surface, const Mask& labels) {
     return result;
 }
 
-// The share of the sphere that is nearest to each of the 13 directions (counted both ways).
+// The share of the sphere whose directions are nearest to each of the 13 axes; opposite directions
+// count as the same axis.
 std::array<double, 13> direction_shares(const std::array<Vec3, 13>& directions) {
     constexpr int samples = 20000;
     std::array<double, 13> shares{};
-    for (int k = 0; k < samples; ++k) {  // Fibonacci's spiral covers the sphere evenly
+    for (int k = 0; k < samples; ++k) {  // a Fibonacci spiral covers the sphere evenly
         const double z = 1.0 - (2.0 * k + 1.0) / samples;
         const double turn = k * std::numbers::pi * (1.0 + std::sqrt(5.0));
         const double r = std::sqrt(1.0 - z * z);
@@ -176,7 +178,8 @@ SurfaceMeasure measure_surface(const Mask& mask) {
                         crossings[d] += !object(x + sign * steps[d][0], y + sign * steps[d][1],
                                                 z + sign * steps[d][2]);
             }
-    // Cauchy: the area is twice the mean, over all directions, of the crossings per unit area.
+    // Cauchy-Crofton: the area is twice the mean, over all directions, of the number of crossings
+    // per unit of area normal to the direction.
     for (std::size_t d = 0; d < 13; ++d)
         measure.area_mm2 += 2.0 * shares[d] * static_cast<double>(crossings[d]) * cell / lengths[d];
     measure.volume_mm3 = static_cast<double>(voxels) * cell;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Closing of the liver, threshold on the smoothed intensity, opening, and reconstruction from the
+// liver's own vessels, all in a box around the hilum.
 #include "core/segmentation/hilum_vessels.h"
 
 #include <algorithm>
@@ -13,16 +15,17 @@ namespace hepatica {
 
 namespace {
 
-// The trunk, 10 to 16 mm wide, with the fat and the ducts around it.
+// The fissure holds the trunk, 10 to 16 mm wide, with the fat and the bile ducts around it.
 constexpr double fissure_mm = 30.0, reach_mm = 30.0;
 constexpr double narrowest_mm = 1.5;
 constexpr double vessel_smoothing_mm = 0.8;
-// Twice the radius of the opening, and eight deviations of the smoothing.
+// How far outside the box a voxel can influence the result: twice the radius of the opening plus
+// eight standard deviations of the smoothing.
 constexpr double local_mm = 2.0 * narrowest_mm + 8.0 * vessel_smoothing_mm;
-// Of a vessel's rise over the tissue; above the second lie bone and contrast medium in bowels.
-// Where fat lies around a vessel, the first draws its wall some 0.6 mm too far inside.
+// Shares of a vessel's rise over the tissue. Bone and contrast medium in the bowel lie above
+// most_rise. Where fat surrounds a vessel, least_rise places its wall some 0.6 mm too far inside.
 constexpr double least_rise = 0.5, most_rise = 2.0;
-constexpr double least_section_mm2 = 10.0;  // of a trunk
+constexpr double least_section_mm2 = 10.0;  // the smallest cross-section of a trunk
 
 bool nearer_than_cava(const Vec3& p, const Hilum& hilum) {
     const double away = (p - hilum.at_mm).norm();
@@ -31,8 +34,8 @@ bool nearer_than_cava(const Vec3& p, const Hilum& hilum) {
     return away < reach_mm && away < (p - beside).norm();
 }
 
-// The voxels about the hilum among which vessels are looked for, and one more on each side, in
-// which those of the liver begin.
+// The voxels around the hilum in which vessels are sought, plus one on each side, so that adjacent
+// vessels of the liver are included.
 IndexBox box_about(const Hilum& hilum, const Grid& grid) {
     const Vec3 middle = grid.to_index(hilum.at_mm);
     IndexBox box;
@@ -45,8 +48,8 @@ IndexBox box_about(const Hilum& hilum, const Grid& grid) {
     return box;
 }
 
-// What of an image lies about the hilum, with so much around it that smoothing and opening are the
-// same there as in the whole image.
+// The images cropped around the hilum, with enough margin for smoothing and opening to give the
+// same result as in the whole image.
 struct Surroundings {
     Mask liver, vessels, fissures, bright;
 };
@@ -81,7 +84,7 @@ Surroundings surroundings_in(const IndexBox& box, const LiverFrame& frame, const
             as_bright_as_vessels(crop(frame.intensity, box), hilum, job)};
 }
 
-// Those of the fissures that are wide and connected with vessels of the liver.
+// Voxels of the fissures in wide vessels that are connected with vessels of the liver.
 Mask wide_vessels(const Surroundings& near, Job& job) {
     Mask wide(near.vessels.grid);
     for (std::size_t i = 0; i < wide.voxels.size(); ++i)

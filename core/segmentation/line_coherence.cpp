@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Sums along evenly spread half-lines from each candidate voxel, combined in nearly opposite pairs.
+// Cost: directions x half-length reads and about 0.05 directions^2 pairs per candidate.
 #include "core/segmentation/line_coherence.h"
 
 #include <algorithm>
@@ -18,7 +20,7 @@ namespace {
 
 std::vector<Vec3> even_directions(int count) {
     std::vector<Vec3> directions;
-    for (int k = 0; k < count; ++k) {  // Fibonacci's spiral
+    for (int k = 0; k < count; ++k) {  // a Fibonacci spiral
         const double z = 1.0 - (2.0 * k + 1.0) / count;
         const double turn = (k + 0.5) * std::numbers::pi * (1.0 + std::sqrt(5.0));
         const double r = std::sqrt(1.0 - z * z);
@@ -27,7 +29,7 @@ std::vector<Vec3> even_directions(int count) {
     return directions;
 }
 
-// The voxels along every direction, as index steps and as steps in memory.
+// The voxels along every direction, as index steps and as offsets in memory.
 struct Rays {
     Rays(const Grid& grid, const LineOptions& options)
         : reach(std::max(
@@ -55,7 +57,7 @@ struct Rays {
     std::vector<std::pair<std::size_t, std::size_t>> pairs;  // nearly opposite directions
 };
 
-// Sums along every direction; outside the grid the border value continues.
+// Sums along every direction; outside the grid the border value is repeated.
 void sum_rays(const FloatVolume& values, const Rays& rays, const Index3& at,
               std::vector<float>& sums) {
     const Grid& grid = values.grid;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Crop, anti-aliasing blur, linear resampling to cubes, and closing of the liver mask.
 #include "core/segmentation/liver_frame.h"
 
 #include <algorithm>
@@ -15,10 +16,10 @@ namespace hepatica {
 namespace {
 
 constexpr double margin_mm = 6.0;
-// Expert masks leave out the portal vein's main branches and part of the vena cava.
+// Expert masks leave out the main branches of the portal vein and part of the vena cava.
 constexpr double closing_mm = 8.0;
 
-// The voxels of the CT that the liver covers, with the margin.
+// The box of CT voxels that contains the liver, with a margin.
 IndexBox box_in(const Grid& ct, const Mask& liver) {
     const IndexBox box = bounding_box(liver);
     if (box.empty())
@@ -68,7 +69,7 @@ LiverFrame make_liver_frame(const Volume& ct, const Mask& liver, double spacing_
                          "segmentation", "Use 0.3 to 1.5 mm.");
     FloatVolume part = part_of(ct, box_in(ct.grid, liver), job);
     job.advance(0.1);
-    Vec3 blur = Vec3::Zero();  // against aliasing where the cubes are coarser than the voxels
+    Vec3 blur = Vec3::Zero();  // prevents aliasing where the cubes are coarser than the voxels
     for (Eigen::Index a = 0; a < 3; ++a) {
         const double ratio = spacing_mm / part.grid.spacing_mm[a];
         if (ratio > 1.01) blur[a] = 0.4 * part.grid.spacing_mm[a] * std::sqrt(ratio * ratio - 1.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of a CT that vessels are looked for in: the closed liver with a margin, on cubic voxels.
-// Intensities are resampled, never masks of vessels: slices of 3 mm break thin branches otherwise.
+// The part of a CT in which vessels are sought: the closed liver with a margin, on cubic voxels.
+// Intensities are resampled, not vessel masks: in 3 mm slices a mask would break thin branches.
 #pragma once
 
 #include "core/base/job.h"
@@ -14,7 +14,7 @@ struct LiverFrame {
 };
 
 // spacing_mm: edge of the cubes, 0.3 to 1.5. `liver` may lie on any grid. Throws InputError where
-// liver and CT do not overlap or the spacing is outside its range; Cancelled.
+// the mask is empty, liver and CT do not overlap or the spacing is out of range; Cancelled.
 LiverFrame make_liver_frame(const Volume& ct, const Mask& liver, double spacing_mm, Job& job);
 
 }  // namespace hepatica

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Lobes judged by size and position relative to the right lobe, then thin parts found by an
+// opening.
 #include "core/segmentation/liver_neighbours.h"
 
 #include <vector>
@@ -10,14 +12,14 @@ namespace hepatica {
 
 namespace {
 
-// Found on synthetic bodies (tests/segmentation/random_abdomen.h).
+// Tuned on synthetic bodies (tests/segmentation/random_abdomen.h).
 constexpr double smallest_ml = 8.0;
 constexpr double left_mm = 40.0;
 constexpr double lobe_behind_below_mm = 15.0;
 constexpr double thin_behind_below_mm = 25.0;
 constexpr double heart_left_mm = 20.0, heart_above_mm = 55.0;
 constexpr double thin_radius_mm = 14.0;
-constexpr double thin_margin_mm = 3.0;  // what an opening rounds off is not thin
+constexpr double thin_margin_mm = 3.0;  // corners that the opening rounds off are not thin
 constexpr double crumb_radius_mm = 4.0;
 
 Vec3 centre_of(const Mask& mask) {
@@ -36,7 +38,7 @@ bool behind_or_below(const Vec3& from_seat, double by_mm) {
     return from_seat.x() > left_mm && from_seat.y() - from_seat.z() > by_mm;
 }
 
-// For each lobe, whether it is another organ.
+// For each lobe, whether it belongs to another organ.
 std::vector<char> foreign_lobes(const Lobes& found, const Vec3& seat_mm) {
     const double voxel_ml = found.labels.grid.spacing_mm.prod() / 1000.0;
     std::vector<char> foreign(found.lobes.size(), 0);
@@ -47,7 +49,8 @@ std::vector<char> foreign_lobes(const Lobes& found, const Vec3& seat_mm) {
             foreign[k] = behind_or_below(at, lobe_behind_below_mm) ||
                          (at.x() > heart_left_mm && at.z() > heart_above_mm);
     }
-    for (std::size_t pass = 0; pass < foreign.size(); ++pass)  // the longest chain of parents
+    // As many passes as the longest chain of parents can need.
+    for (std::size_t pass = 0; pass < foreign.size(); ++pass)
         for (std::size_t k = 0; k < foreign.size(); ++k) {
             const Lobe& lobe = found.lobes[k];
             if (lobe.parent >= 0 && foreign[static_cast<std::size_t>(lobe.parent)] != 0 &&
@@ -57,7 +60,7 @@ std::vector<char> foreign_lobes(const Lobes& found, const Vec3& seat_mm) {
     return foreign;
 }
 
-// What an opening by thin_radius_mm removes of the places where the liver is never so thin.
+// Parenchyma that an opening by thin_radius_mm removes, where the liver is never that thin.
 Mask thin_parts(const Mask& region, const Mask& parenchyma, const Vec3& seat_mm, Job& job) {
     const Mask thick = dilate(open(region, thin_radius_mm, job), thin_margin_mm, job);
     Mask thin(region.grid);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Coarsening, soft organ, parenchyma, neighbours, border and closing, one after the other.
 #include "core/segmentation/liver_region.h"
 
 #include <algorithm>
@@ -23,24 +24,25 @@ namespace {
 
 constexpr double organ_smoothing_mm = 3.0;   // to find the organ
 constexpr double border_smoothing_mm = 2.0;  // to find its border
-constexpr double beyond_core_mm = 60.0;      // of the liver beyond its core
+constexpr double beyond_core_mm = 60.0;      // how far the liver may extend beyond its core
 constexpr double smallest_core_ml = 40.0;
 constexpr double vessel_closing_mm = 9.0;
 
-// The border's costs were found on synthetic bodies (tests/segmentation/random_abdomen.h). A voxel
-// of the parenchyma's intensity is worth 0.6 faces of surface.
+// Costs of the border, tuned on synthetic bodies (tests/segmentation/random_abdomen.h). A voxel of
+// the parenchyma's intensity is worth 0.6 faces of surface.
 constexpr double data_weight = 0.6;
-constexpr double even_spreads = 2.4;  // where inside and outside are as likely
+constexpr double even_spreads = 2.4;  // where inside and outside are equally likely
 constexpr double most_dark = 2.0;
-constexpr double most_bright = 0.6;  // vessels are bright, too
+constexpr double most_bright = 0.6;  // low, because vessels are bright too
 constexpr double foreign_cost = 2.0;
 constexpr double supported_from = 0.01;
 constexpr double edge_hu_per_mm = 4.0;
 constexpr double least_area = 0.02;
-// Within these the intensity of a slope is a mixture that says nothing.
+// Between these differences from the parenchyma a voxel on a slope may be a mixture of two tissues,
+// so its intensity counts less.
 constexpr double mixture_from_hu = -80.0, mixture_to_hu = 100.0;
-constexpr double bright_spreads = 4.0, bright_radius_mm = 8.0;  // kidneys, chambers of the heart
-constexpr double leash_mm = 8.0;  // the border stays so near to the parenchyma
+constexpr double bright_spreads = 4.0, bright_radius_mm = 8.0;  // kidneys, heart chambers
+constexpr double leash_mm = 8.0;  // largest distance of the border from the parenchyma
 constexpr double neighbour_rim_mm = 3.0;
 constexpr int border_iterations = 80;
 constexpr std::size_t cost_block = 8192;
@@ -55,7 +57,7 @@ void unite(Mask& mask, const Mask& with) {
         if (with.voxels[i]) mask.voxels[i] = 1;
 }
 
-// Bodies that are brighter than the liver and wider than its vessels.
+// Regions brighter than the liver and wider than its vessels.
 Mask bright_bodies(const FloatVolume& smooth, const Parenchyma& tissue, Job& job) {
     Mask bright(smooth.grid);
     const auto rise = static_cast<float>(bright_spreads * tissue.spread_hu);
@@ -64,7 +66,8 @@ Mask bright_bodies(const FloatVolume& smooth, const Parenchyma& tissue, Job& job
     return open(bright, bright_radius_mm, job);
 }
 
-// What one voxel gains or costs inside: by its intensity, the less the steeper the image is there.
+// Cost of taking a voxel inside (negative: gain), by its intensity. It counts less the steeper the
+// image is there (`edge` is 1 where flat, towards 0 at an edge).
 double inside_cost(double above_hu, double support, double spread_hu, double edge) {
     const double spreads = above_hu / (even_spreads * spread_hu);
     double cost = support < supported_from ? foreign_cost
@@ -100,7 +103,7 @@ BorderCost border_cost(const FloatVolume& smooth, const Parenchyma& tissue, cons
     return cost;
 }
 
-// The liver about its core, all on one grid.
+// The liver around its core, all on one grid.
 Mask liver_about(const Mask& core, const FloatVolume& smooth, Job& job) {
     const Mask seat = seat_of(core, job);
     Parenchyma tissue = grow_parenchyma(smooth, seat, job);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The liver, and the region that its vessels are looked for in: found in a CT without any mask
-// (parenchyma grown from the deepest part of the largest soft organ, parted from its neighbours,
-// with a border of least weighted area), or closed where one is given.
+// The liver, and the region in which its vessels are sought. Either found in a CT without a mask
+// (parenchyma grown from the deepest part of the largest soft organ, separated from its neighbours,
+// with a border of least weighted area), or closed where a mask is given.
 #pragma once
 
 #include "core/base/job.h"
@@ -11,24 +11,25 @@ namespace hepatica {
 
 // Both on the grid of the CT.
 struct FoundLiver {
-    // With the vessels and tumours that it encloses; how good it is on synthetic and on real
-    // patients says docs/accuracy.md. It may take in the parts of pancreas, cava and heart that
-    // touch it without an edge, and miss tumours at its surface and the tip of a left lobe that
-    // bends round the spleen.
+    // With the vessels and tumours that it encloses. docs/accuracy.md gives its accuracy on
+    // synthetic and real patients. It may include parts of pancreas, cava and heart that touch it
+    // without an edge, and miss tumours at its surface and the tip of a left lobe that bends round
+    // the spleen.
     Mask liver;
-    // Where its vessels are looked for: the largest soft organ with all tissue that touches it and
-    // looks like it, spleen and pancreas among it. The level above which a line is a vessel
-    // (false_line_threshold.h) follows what else is in the region; on real patients more of the
-    // liver's vessels were found in this one than in the liver alone (docs/accuracy.md).
+    // Where its vessels are sought: the largest soft organ with all adjacent tissue that looks like
+    // it, including spleen and pancreas. The threshold for lines (false_line_threshold.h) depends
+    // on the contents of the region; on real patients more of the liver's vessels were found in
+    // this region than in the liver alone (docs/accuracy.md).
     Mask vessel_region;
 };
 
-// Works on voxels of about 3 mm. Throws InputError if the CT shows no organ of that kind, or one
-// that bone or lungs enclose (organ_surroundings.h); Cancelled.
+// Works on voxels of about 3 mm; the result is resampled to the grid of the CT. Throws InputError
+// if the CT shows no such organ, or one enclosed by bone or lungs (organ_surroundings.h);
+// Cancelled.
 FoundLiver find_liver(const Volume& ct, Job& job);
 
-// Expert liver masks often have their vessels carved out: closes channels up to twice radius_mm
-// wide and fills cavities. Same grid; a superset of the mask.
+// Closes channels up to twice radius_mm wide and fills cavities, because expert liver masks often
+// have their vessels carved out. Same grid; a superset of the mask. Throws Cancelled.
 Mask close_liver(const Mask& liver, double radius_mm, Job& job);
 
 }  // namespace hepatica

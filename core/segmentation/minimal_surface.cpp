@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The primal-dual iteration of Chambolle and Pock on the voxels near the vessels only.
 #include "core/segmentation/minimal_surface.h"
 
 #include <algorithm>
@@ -16,16 +17,17 @@ namespace hepatica {
 namespace {
 
 constexpr std::size_t block = 8192;
-constexpr float outside_cost = 2.0f;  // more than the surface of a voxel can be worth
-constexpr float primal_step = 0.28f;  // step sizes' product times the norm 12 stays below 1
+constexpr float outside_cost = 2.0f;  // keeps a voxel outside whatever surface it would save
+// Converges: 12, the squared norm of the gradient, times both steps is below 1.
+constexpr float primal_step = 0.28f;
 constexpr float dual_step = 0.28f;
 
-// The voxels of the vessels and two layers around: all others are outside for certain.
+// The voxels of the vessels and two layers around them; all other voxels are outside.
 struct Band {
     std::vector<std::size_t> voxels;
-    // Place in the band of the neighbours at +x, +y, +z and -x, -y, -z; -1 outside the band.
+    // Index in the band of the neighbours at +x, +y, +z and -x, -y, -z; -1 outside the band.
     std::vector<std::array<std::int32_t, 6>> neighbours;
-    std::vector<std::uint8_t> free;  // in the vessels or next to them, and in the liver
+    std::vector<std::uint8_t> free;  // in the liver, and in the vessels or next to them
 };
 
 Band band_around(const Mask& vessels, const Mask& liver, Job& job) {
@@ -59,7 +61,7 @@ Band band_around(const Mask& vessels, const Mask& liver, Job& job) {
     return band;
 }
 
-// The highest rise inside the vessels within the reach of a voxel.
+// The highest rise inside the vessels within `ball` around a voxel.
 float peak_near(const FloatVolume& rise, const Mask& vessels, std::size_t voxel,
                 const std::vector<Index3>& ball) {
     const Grid& grid = rise.grid;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Bilateral filter (OpenCV), threshold, fast marching and discs of the centreline, layer by layer.
 #include "core/segmentation/multi_layer.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 constexpr int bilateral_diameter = 7;           // pixels
 constexpr double bilateral_sigma_pixels = 1.5;  // in space
 constexpr double bilateral_deviations = 2.5;    // in intensity, of the noise
-constexpr double section_deviations = 3.0;      // above the parenchyma, after the filter
+constexpr double section_deviations = 3.0;      // above the median, after the filter
 constexpr double shortest_chain_mm = 10.0;
 constexpr double smallest_chain_mm3 = 60.0;
 
@@ -26,7 +27,7 @@ FloatVolume smoothed_layers(const TissueContrast& tissue, Job& job) {
     const Index3& dims = smooth.grid.dims;
     for (int z = 0; z < dims[2]; ++z) {
         job.advance(0.4 * z / dims[2]);
-        // OpenCV takes no const data, but only reads it.
+        // cv::Mat takes no const data; the filter only reads it.
         const cv::Mat layer(dims[1], dims[0], CV_32F,
                             const_cast<float*>(&tissue.excess.voxels[smooth.grid.offset(0, 0, z)]));
         cv::Mat out(dims[1], dims[0], CV_32F, &smooth.voxels[smooth.grid.offset(0, 0, z)]);
@@ -49,8 +50,8 @@ Mask sections_of(const FloatVolume& smooth, const Mask& liver, int z, double thr
     return sections;
 }
 
-// Paints the disc of every centreline point into the volume: the layer as its centreline and radii
-// describe it, without the fringe that no inscribed disc reaches.
+// Draws the inscribed disc of every centreline point into the volume: the layer as its centreline
+// and radii describe it, without the fringe that no inscribed disc reaches.
 void assemble(const Mask& centreline, const FloatVolume& distance, int z, Mask& volume) {
     const Grid& grid = centreline.grid;
     const double h = grid.spacing_mm[0];
@@ -58,7 +59,7 @@ void assemble(const Mask& centreline, const FloatVolume& distance, int z, Mask& 
         for (int x = 0; x < grid.dims[0]; ++x) {
             const std::size_t i = grid.offset(x, y, 0);
             if (!centreline.voxels[i]) continue;
-            // A pixel belongs to the disc if its centre does; the boundary runs between pixels.
+            // A pixel belongs to the disc if its centre does; the boundary lies between pixels.
             const double radius = distance.voxels[i] / h;
             const int reach = static_cast<int>(radius);
             for (int dy = -reach; dy <= reach; ++dy)
@@ -68,7 +69,7 @@ void assemble(const Mask& centreline, const FloatVolume& distance, int z, Mask& 
         }
 }
 
-// Chains of cross-sections, layer on layer, that are long enough to be a vessel.
+// Connected chains of cross-sections that are long and large enough to be a vessel.
 Mask long_chains(const Mask& volume) {
     const Components chains = connected_components(volume, Connectivity::all26);
     const Grid& grid = volume.grid;

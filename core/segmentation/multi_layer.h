@@ -11,8 +11,10 @@
 namespace hepatica {
 
 // Layers are the planes z = constant of the grid (cubes, so that neighbouring layers overlap). Each
-// is smoothed by a bilateral filter, which keeps edges, and cut at a multiple of the deviation that
-// is left. A chain of cross-sections shorter than about 10 mm is dropped. Throws Cancelled.
+// is smoothed by a bilateral filter, which keeps edges, and thresholded at tissue.threshold_hu, or
+// else at the median plus three standard deviations of the remaining noise. Chains of
+// cross-sections with an extent below 10 mm or a volume below 60 mm^3 are dropped. `liver` lies on
+// the grid of `tissue`. Throws Cancelled.
 Detection detect_by_layers(const TissueContrast& tissue, const Mask& liver, Job& job);
 
 }  // namespace hepatica

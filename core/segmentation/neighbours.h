@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The voxels around a voxel.
+// The 26-neighbourhood of a voxel.
 #pragma once
 
 #include <cstddef>

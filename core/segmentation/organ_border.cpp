@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The primal-dual iteration of Chambolle and Pock on the whole grid, in parallel over slices.
 #include "core/segmentation/organ_border.h"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ class Solver {
                         });
     }
 
-    // The dual field of one slice, held within the weight of the area.
+    // Gradient ascent of the dual field of one slice, projected onto |p| <= weight of the area.
     void ascend(int z) {
         const auto& [nx, ny, nz] = grid_.dims;
         const std::size_t row = grid_.offset(0, 1, 0), slice = grid_.offset(0, 0, 1);
@@ -70,6 +71,7 @@ class Solver {
             }
     }
 
+    // Gradient descent of the primal field of one slice, clamped to [0, 1], with over-relaxation.
     void descend(int z) {
         const auto& [nx, ny, nz] = grid_.dims;
         const std::size_t row = grid_.offset(0, 1, 0), slice = grid_.offset(0, 0, 1);

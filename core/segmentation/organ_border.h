@@ -9,14 +9,16 @@
 
 namespace hepatica {
 
-// What a border costs. All on one grid.
+// The two costs of a border, on one grid. The unit is the area of one face of a cube with the
+// volume of a voxel.
 struct BorderCost {
-    FloatVolume inside;  // of taking a voxel in, against the area of one face; negative: gained
-    FloatVolume area;    // > 0: of a voxel face of surface there, small where the image has an edge
+    FloatVolume inside;  // of a voxel that lies inside; negative: a gain
+    FloatVolume area;    // > 0, of a voxel face of surface there; small at edges of the image
 };
 
-// Minimises the sum of both over all masks, beginning at `start`; about so after 80 iterations.
-// Throws Cancelled.
+// The mask that minimises the sum of both costs, starting from `start`; 80 iterations come close to
+// the minimum. The border of the image costs nothing. `start` lies on the grid of the costs. Throws
+// Cancelled.
 Mask fit_border(const BorderCost& cost, const Mask& start, int iterations, Job& job);
 
 }  // namespace hepatica

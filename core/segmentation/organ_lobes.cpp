@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Watershed by flooding of the depth (distance transform), O(n log n) in the number of voxels, then
+// a maximum spanning tree over the necks.
 #include "core/segmentation/organ_lobes.h"
 
 #include <algorithm>
@@ -15,7 +17,7 @@ namespace hepatica {
 namespace {
 
 constexpr double least_rise_mm = 2.0;
-constexpr double widest_neck = 0.9;  // of the shallower basin's depth
+constexpr double widest_neck = 0.9;  // as a share of the shallower basin's depth
 constexpr float bottomless_mm = 1000.0f;
 constexpr std::size_t voxels_a_check = 65536;
 
@@ -24,8 +26,8 @@ struct Neck {
     double depth_mm = 0.0;
 };
 
-// Grows basins from the deepest voxel to the surface (Vincent and Soille's flooding, upside down)
-// and joins those whose neck is hardly one.
+// Grows basins from the deepest voxel to the surface (flooding after Vincent and Soille, upside
+// down) and merges two basins whose neck is shallow or nearly as wide as they are.
 class Flood {
   public:
     explicit Flood(const FloatVolume& depth) : depth_(depth), labels_(depth.grid) {}
@@ -46,8 +48,10 @@ class Flood {
         labels_.voxels[voxel] = static_cast<std::uint32_t>(root_of(deepest) + 1);
     }
 
-    // The basins that are left, in the order of their first voxel, with the ways between them.
+    // The remaining basins, numbered by their first voxel. Moves the labels out: call it once, at
+    // the end.
     Lobes result();
+    // The necks between the lobes, deepest first. Only after result(), which numbers the lobes.
     std::vector<Neck> necks() {
         std::vector<Neck> between;
         for (const Neck& neck : necks_) {
@@ -85,7 +89,8 @@ class Flood {
     void meet(std::size_t first, std::size_t second, double neck_mm) {
         const std::size_t a = root_of(first), b = root_of(second);
         if (a == b) return;
-        // Basins are added from the deepest on, so that the root of two, the first, is the deeper.
+        // Basins are added from the deepest on and the smaller index becomes the root, so the root
+        // of a merged basin is its deepest.
         const double peak_mm = std::min(peak_mm_[a], peak_mm_[b]);
         if (peak_mm - neck_mm < least_rise_mm || neck_mm > widest_neck * peak_mm)
             basins_.unite(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
@@ -97,7 +102,7 @@ class Flood {
     Image<std::uint32_t> labels_;
     DisjointSets basins_;
     std::vector<double> peak_mm_;
-    std::vector<int> number_;  // of the lobe, by root
+    std::vector<int> number_;  // number of the lobe, by root; -1 for others
     std::vector<Neck> necks_;
 };
 
@@ -123,7 +128,7 @@ Lobes Flood::result() {
     return found;
 }
 
-// Hangs every lobe on the deepest one by the widest ways, one after the other (Prim).
+// Attaches every lobe to the tree of the deepest one by the widest necks (Prim's algorithm).
 void hang(const std::vector<Neck>& necks, std::vector<Lobe>& lobes) {
     if (lobes.empty()) return;
     std::vector<char> hangs(lobes.size(), 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lobes of a region: the basins of its depth, parted at their necks, as several organs that
-// touch form them.
+// The lobes of a region: basins of its depth below the surface, separated at their necks, as
+// touching organs form them.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,21 @@
 namespace hepatica {
 
 struct Lobe {
-    double depth_mm = 0.0;  // of its deepest voxel below the surface
-    double neck_mm = 0.0;   // the depth of the widest way to its parent; 0 without one
-    int parent = -1;        // the lobe it hangs on; -1 of the deepest, and of other pieces
+    double depth_mm = 0.0;  // of its deepest voxel, below the surface
+    double neck_mm = 0.0;   // depth of the widest neck to its parent; 0 without one
+    int parent = -1;        // -1 for the deepest lobe and for lobes not connected with it
     std::size_t voxels = 0;
-    Vec3 centre_mm = Vec3::Zero();  // of its voxels
+    Vec3 centre_mm = Vec3::Zero();  // mean of its voxels
 };
 
 struct Lobes {
-    Image<std::uint32_t> labels;  // 0 outside of the region, else number of the lobe + 1
+    Image<std::uint32_t> labels;  // 0 outside the region, else number of the lobe + 1
     std::vector<Lobe> lobes;
 };
 
-// A basin is a lobe of its own where its neck is at least 2 mm less deep than it is, and at most
-// 0.9 of that. Outside of the image the region goes on. Throws Cancelled.
+// Two basins are separate lobes where the depth of the neck between them is at least 2 mm less than
+// that of the shallower one, and at most 0.9 of it. The border of the image is not a surface of the
+// region. Throws Cancelled.
 Lobes lobes_of(const Mask& region, Job& job);
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Shares of bone and lung in a shell around the organ, and the limits for a liver.
 #include "core/segmentation/organ_surroundings.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What lies around a soft organ, which tells a liver from a brain in its skull and from a heart
-// between the lungs.
+// The tissue around a soft organ, which distinguishes a liver from a brain in its skull and from a
+// heart between the lungs.
 #pragma once
 
 #include "core/base/job.h"
@@ -8,17 +8,17 @@
 
 namespace hepatica {
 
-// Shares of what lies within 12 mm around the organ, inside the image.
+// Shares of the voxels within 12 mm around the organ, inside the image.
 struct OrganSurroundings {
     double bone = 0.0;  // above 250 HU
     double lung = 0.0;  // -950 to -400 HU
 };
 
-// `hu`: the scan, smoothed or not, on the organ's grid. 0 of everything around an organ that fills
-// the image. Throws Cancelled, and InputError where there is no organ.
+// `hu`: the scan, smoothed or not, on the organ's grid. Both shares are 0 for an organ that fills
+// the image. Throws InputError where the organ is empty; Cancelled.
 OrganSurroundings surroundings_of(const Mask& organ, const FloatVolume& hu, Job& job);
 
-// Throws InputError that says what the scan seems to show instead, where it is no liver.
+// Throws InputError where the organ is not a liver; the error names what the scan seems to show.
 void require_surroundings_of_liver(const OrganSurroundings& around);
 
 }  // namespace hepatica

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Alternates between a local mean of the parenchyma (normalised convolution with a Gaussian) and
+// the voxels that resemble it, until the region hardly grows.
 #include "core/segmentation/parenchyma.h"
 
 #include <algorithm>
@@ -17,17 +19,18 @@ namespace hepatica {
 namespace {
 
 constexpr double seat_depth_share = 0.5;
-constexpr double field_mm = 10.0;  // deviation of the Gaussian that says what is near
+constexpr double field_mm = 10.0;  // sigma of the Gaussian of the local mean
 constexpr double least_support = 0.03;
 constexpr double widest_field_hu = 35.0;  // from the seat's mean
-// Brighter neighbours (heart, spleen, cava) are more often as smooth as the liver than darker ones.
+// Neighbours that are brighter than the liver (heart, spleen, cava) are more often as smooth as it
+// than darker ones are.
 constexpr double spreads_above = 2.4;
 constexpr double spreads_below = 2.7;
-// Texture and vessels widen the spread, a liver of one's own makes it narrow: neither may decide
+// Texture and vessels widen the measured spread, a very even liver narrows it; neither may decide
 // alone.
 constexpr double least_spread_hu = 7.0;
 constexpr double most_spread_hu = 9.0;
-constexpr double neck_mm = 7.0;  // radius of what parenchyma does not grow through
+constexpr double neck_mm = 7.0;  // radius; parenchyma does not grow through anything narrower
 constexpr int most_rounds = 12;
 constexpr double still_growing = 1.003;
 constexpr std::size_t tissue_block = 8192;
@@ -43,7 +46,7 @@ double mean_in(const FloatVolume& hu, const Mask& mask) {
     return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
-// Mean of the parenchyma's voxels near each place, far from any of them `far_hu`.
+// Local mean and share of the parenchyma's voxels; `far_hu` where none is near.
 void measure_field(const FloatVolume& smooth, double far_hu, Parenchyma& grown, Job& job) {
     constexpr float far_support = 1e-3f;
     grown.hu = FloatVolume(smooth.grid);
@@ -62,7 +65,8 @@ void measure_field(const FloatVolume& smooth, double far_hu, Parenchyma& grown, 
     }
 }
 
-// 1.4826 times the median absolute deviation from the field.
+// 1.4826 times the median absolute deviation from the local mean (the standard deviation of normal
+// noise), clamped.
 double spread_of(const FloatVolume& smooth, const Parenchyma& grown) {
     std::vector<float> deviations;
     for (std::size_t i = 0; i < smooth.voxels.size(); ++i)
@@ -88,7 +92,8 @@ Mask like_parenchyma(const FloatVolume& smooth, const Parenchyma& grown, double 
     return alike;
 }
 
-// The piece that holds most of the seat, of what is wider than a neck; empty where there is none.
+// Of the voxels of `alike`, the piece wider than a neck that holds most of the seat; empty where
+// there is none.
 Mask without_necks(const Mask& alike, const Mask& seat, Job& job) {
     const Mask core = erode(alike, neck_mm, job);
     job.throw_if_cancelled();
@@ -148,7 +153,7 @@ Parenchyma grow_parenchyma(const FloatVolume& smooth, const Mask& seat, Job& job
         grown.spread_hu = spread_of(smooth, grown);
         Mask next = without_necks(like_parenchyma(smooth, grown, seat_hu), seat, job);
         const std::size_t size = size_of(next);
-        if (size == 0) break;  // an organ of its neck's size: its seat is all that is sure
+        if (size == 0) break;  // nothing is wider than a neck: the result of the round before stays
         grown.voxels = std::move(next);
         if (static_cast<double>(size) <= still_growing * static_cast<double>(before)) break;
         before = size;

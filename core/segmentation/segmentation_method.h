@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ways to find the vessels' voxels that stand side by side and are measured against each other.
+// The methods of vessel segmentation that are offered side by side and compared.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ namespace hepatica {
 enum class SegmentationMethod {
     multi_layer,  // 2-D cross-sections, layer by layer, assembled along their centreline
     vesselness,   // 3-D multi-scale Hessian, hysteresis, growth
-    coherent,  // rise above the local parenchyma, kept where it goes on along a line: the default
+    coherent,     // rise above the local parenchyma that continues along a line: the default
 };
 
-// As files and tables name it.
+// The name used in files and tables.
 inline std::string name_of(SegmentationMethod method) {
     switch (method) {
         case SegmentationMethod::multi_layer:

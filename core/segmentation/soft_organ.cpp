@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Histogram of voxels with a small gradient, its peaks, and the eroded band of intensities around
+// each peak.
 #include "core/segmentation/soft_organ.h"
 
 #include <algorithm>
@@ -19,12 +21,12 @@ constexpr double organ_spacing_mm = 3.0;
 constexpr double homogeneous_hu_per_mm = 3.5;  // steeper slopes are borders between organs
 constexpr int histogram_bin_hu = 2;
 // Half the band of intensities of an organ, in standard deviations of its peak in the smoothed
-// histogram: narrow enough to leave out a heart that is 20 HU brighter, where the noise permits it.
+// histogram: narrow enough to exclude a heart that is 20 HU brighter, where the noise permits it.
 constexpr double band_deviations = 2.2;
 constexpr double narrowest_band_hu = 12.0;
 constexpr double widest_band_hu = 24.0;
-constexpr double neck_radius_mm = 6.0;  // organs that touch through less are cut apart
-constexpr double rim_mm = 4.0;  // lost to the smoothing at the surface, where fat pulls it down
+constexpr double neck_radius_mm = 6.0;  // organs that touch through less are separated
+constexpr double rim_mm = 4.0;          // lost at the surface, where smoothing mixes it with fat
 constexpr double rim_below_hu = 90.0;
 constexpr double rim_above_hu = 30.0;
 
@@ -34,7 +36,7 @@ struct TissueMode {
     double half_band_hu = 0.0;
 };
 
-// Half the width of a peak at half its height, towards the side where that is narrower.
+// Half the width of a peak at half its height, on its narrower side.
 double half_width_hu(const std::vector<double>& histogram, std::size_t peak) {
     std::size_t reach = 1;
     while (peak >= reach && peak + reach < histogram.size() &&

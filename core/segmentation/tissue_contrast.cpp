@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The local level of the parenchyma by normalised convolution on a coarse grid, repeated with
+// outliers rejected.
 #include "core/segmentation/tissue_contrast.h"
 
 #include <algorithm>
@@ -18,15 +20,14 @@ namespace {
 
 constexpr double level_sigma_mm = 8.0;
 constexpr double coarse_spacing_mm = 3.2;
-constexpr double noise_smoothing_mm = 1.0;  // before a voxel is judged to be parenchyma
+constexpr double noise_smoothing_mm = 1.0;  // before voxels are classified as parenchyma
 constexpr double outlier_deviations = 2.0;
 constexpr double rim_mm = 3.0;
 constexpr int rounds = 3;
-// Weight of the level of the round before against the voxels around: it decides where hardly any
-// voxel counts.
+// Weight of the liver's median against the voxels around: it decides where hardly any voxel counts.
 constexpr float prior_weight = 0.02f;
 
-// Robust statistics need no more than a sample: every n-th object voxel.
+// Robust statistics need only a sample: every n-th object voxel.
 std::vector<float> sample(const FloatVolume& values, const Mask& where, const Job& job) {
     constexpr std::size_t enough = 400000;
     std::size_t objects = 0;
@@ -42,7 +43,7 @@ std::vector<float> sample(const FloatVolume& values, const Mask& where, const Jo
     return chosen;
 }
 
-// Sums over blocks of voxels: the normalised convolution is wide, so a coarse grid carries it.
+// Sums over blocks of voxels: the convolution is wide, so a coarse grid is enough.
 class CoarseLevel {
   public:
     explicit CoarseLevel(const Grid& fine)
@@ -58,7 +59,8 @@ class CoarseLevel {
         weight_ = FloatVolume(coarse);
     }
 
-    // Mean around each coarse voxel of the fine values that count(i) lets through.
+    // Local mean, around each coarse voxel, of the fine values for which count(i) holds;
+    // `otherwise` where there are hardly any.
     template <class Count>
     FloatVolume mean(const FloatVolume& values, const Count& count, double otherwise, Job& job) {
         const Grid& fine = values.grid;

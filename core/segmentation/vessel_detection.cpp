@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// From the contrast to vessel voxels: lines or tubes as seeds, growth in weaker voxels, a minimal
+// surface as the wall, and broken branches rejoined.
 #include "core/segmentation/vessel_detection.h"
 
 #include <algorithm>
@@ -23,19 +25,19 @@ namespace hepatica {
 
 namespace {
 
-// Deviations are those left after smoothing by surface_sigma_mm.
+// "Deviations" are standard deviations of the noise after smoothing by surface_sigma_mm.
 constexpr double surface_sigma_mm = 0.6;
 constexpr double candidate_deviations = 1.5;
-constexpr double weak_deviations = 3.0;  // of the vesselness; coherent lines have their own
-// Noise is measured this far from whatever may be a vessel.
+constexpr double weak_deviations = 3.0;  // for `vesselness`; `coherent` uses weak_share instead
+// Noise is measured at a distance from everything that may be a vessel.
 constexpr double suspect_deviations = 2.0;
 constexpr double smallest_suspect_mm3 = 20.0;
 constexpr double suspect_reach_mm = 2.0;
 constexpr double least_deviation_hu = 0.3;  // a CT is stored in whole Hounsfield units
-// Thickness up to which slices do not dim thin vessels, and from which on they dim them fully.
+// Slice thickness up to which thin vessels are not dimmed, and from which on they are dimmed fully.
 constexpr double undimmed_slices_mm = 1.5;
 constexpr double dimming_slices_mm = 3.0;
-// Between thick slices the organs around shine this far into the liver.
+// In thick slices the organs around mix into the liver this far.
 constexpr double dimmed_rim_mm = 1.8;
 constexpr double tubular_deviations = 1.5;
 // Limits of the excess of one voxel, so that a single bright voxel is not taken for a line.
@@ -43,16 +45,17 @@ constexpr double clip_below_deviations = 3.0;
 constexpr double clip_above_deviations = 8.0;
 constexpr double line_sigma_mm = 0.7;
 constexpr double surroundings_sigma_mm = 3.0;
-// Edge of the cube that has a voxel's volume, for a CT of fine voxels and for one of coarse voxels.
+// Edge of the cube with a voxel's volume, for a CT of fine and for one of coarse voxels.
 constexpr double fine_voxel_mm = 0.8;
 constexpr double coarse_voxel_mm = 1.15;
-// In multiples of the strength of a line that noise can make.
+// In multiples of false_line_hu.
 constexpr double strong_share = 1.384;
 constexpr double weak_share = 1.12;
 constexpr double coarse_strong_share = 1.1;
 constexpr double coarse_weak_share = 1.0;
-constexpr double thick_slices_share = 0.12;  // less of both between thick slices
-// Of coarse voxels the blur is as wide as a thin vessel: its wall lies high on its lowered peak.
+constexpr double thick_slices_share = 0.12;  // how much both are lowered for thick slices
+// With coarse voxels the blur is as wide as a thin vessel, which lowers its peak; the wall then
+// lies at a larger share of that peak.
 constexpr double coarse_level_share = 0.5;
 constexpr double coarse_data_weight = 0.75;
 constexpr double smallest_strong_mm3 = 8.0;
@@ -61,10 +64,10 @@ constexpr double kept_branch_mm = 4.0;
 constexpr double growth_mm = 1.6;
 const std::vector<double> tube_sigmas_mm{0.8, 1.2, 1.8, 2.7};
 
-// How much the CT's voxel size degrades thin vessels, each from 0 to 1.
+// How much the CT's voxel size degrades thin vessels, each from 0 (not) to 1 (fully).
 struct Sampling {
-    double thick;   // slices: the organs around shine into the next one
-    double coarse;  // voxels: what is thin is dim, and looks wide at half of its peak
+    double thick;   // slices: organs above and below mix into the liver
+    double coarse;  // voxels: thin vessels are dim, and look wide at half of their peak
 };
 
 double ramp(double value, double from, double to) {
@@ -103,7 +106,7 @@ RobustSpread spread_away_from_vessels(const FloatVolume& rise, const Mask& inter
             std::max(away.deviation, least_deviation_hu)};
 }
 
-// No lines have been measured yet.
+// The smoothed excess with its median at 0, and its noise; false_line_hu is not measured yet.
 LineEvidence smoothed(const TissueContrast& tissue, Job& job) {
     LineEvidence evidence;
     evidence.rise = copied_image(tissue.excess, job);
@@ -118,7 +121,7 @@ LineEvidence smoothed(const TissueContrast& tissue, Job& job) {
     return evidence;
 }
 
-// Excess clipped to what one voxel may say, smoothed by sigma_mm.
+// Excess clipped to the limits for one voxel, then smoothed by sigma_mm.
 FloatVolume clipped(const TissueContrast& tissue, double deviation, double sigma_mm, Job& job) {
     FloatVolume values = copied_image(tissue.excess, job);
     const auto low = static_cast<float>(-clip_below_deviations * deviation);
@@ -130,6 +133,8 @@ FloatVolume clipped(const TissueContrast& tissue, double deviation, double sigma
     return values;
 }
 
+// The voxels of `lines` in `weak` seed the growth within `weak`; small seeds and small results are
+// dropped.
 Mask grown_from(const Mask& lines, const Mask& weak, Job& job) {
     Mask strong = lines;
     for_each_voxel(strong.voxels.size(), job, [&](std::size_t i) {
@@ -148,7 +153,7 @@ double share_of(double fine, double coarse, const Sampling& sampling) {
     return std::lerp(fine, coarse, sampling.coarse) - thick_slices_share * sampling.thick;
 }
 
-// The rise of the tissue becomes that of the lines.
+// The lines and their threshold; `evidence` is completed and moved into the result.
 MeasuredLines lines_of(const TissueContrast& tissue, const Mask& liver, LineEvidence evidence,
                        const Sampling& sampling, double line_share, Job& job) {
     const double deviation = evidence.deviation_hu;
@@ -173,7 +178,7 @@ MeasuredLines lines_of(const TissueContrast& tissue, const Mask& liver, LineEvid
     return lines;
 }
 
-// As the user has set it, whatever the noise.
+// Voxels above the user's threshold, whatever the noise.
 Mask within_window(const FloatVolume& rise, double threshold_hu, const Mask& liver, Job& job) {
     const Mask bright = above(rise, threshold_hu, liver);
     return grown_from(bright, bright, job);

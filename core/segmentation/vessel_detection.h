@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The three ways from contrast to vessel voxels; vessel_segmentation.h says which is for what.
+// The three methods from contrast to vessel voxels. vessel_segmentation.h (in core/reconstruction)
+// says which one suits which purpose.
 #pragma once
 
 #include <optional>
@@ -12,56 +13,59 @@
 
 namespace hepatica {
 
-// Less is dropped as a crumb.
+// Smaller pieces are dropped.
 inline constexpr double smallest_vessel_mm3 = 200.0;
 
-// What coherent lines were told from noise by.
+// The measurements that separate coherent lines from noise.
 struct LineEvidence {
     FloatVolume rise;            // smoothed excess over the tissue, in HU
-    double deviation_hu = 0.0;   // of the noise in it, > 0
-    double false_line_hu = 0.0;  // the strength of a line that noise can make, > 0
+    double deviation_hu = 0.0;   // standard deviation of its noise, > 0
+    double false_line_hu = 0.0;  // strength above which hardly a line is noise, > 0
 };
 
-// What `coherent` without a window measures of a liver, before it believes any line.
+// Measurements of `coherent` without a window, before any line is accepted.
 struct MeasuredLines {
-    FloatVolume strength;       // of the line through each voxel, in HU; 0 where none may be
-    LineEvidence evidence;      // same grid
-    Mask liver;                 // in which lines are looked for; same grid
-    double strong_share = 0.0;  // of a false line's strength: a line that is believed,
-    double weak_share = 0.0;    // and the rise of a voxel that hangs on to one
+    FloatVolume strength;   // of the line through each voxel, in HU; 0 where no line is possible
+    LineEvidence evidence;  // same grid
+    Mask liver;             // where lines are sought; same grid
+    // Multiples of false_line_hu: the least strength of an accepted line, and the least rise of a
+    // voxel that is joined to one.
+    double strong_share = 0.0;
+    double weak_share = 0.0;
 };
 
 struct DetectionOptions {
     SegmentationMethod method = SegmentationMethod::coherent;
-    // Of the strength from which on `coherent` believes a line; 1 is right where nothing else
-    // chooses among the lines, less finds more of the vessels and more of what is none.
+    // Factor of the strength from which on `coherent` accepts a line. 1 suits where no later step
+    // selects among the lines; a lower value finds more vessels and more false ones.
     double line_share = 1.0;
 };
 
 struct Detection {
     Mask vessels;                               // 0 or 1
     Mask centreline;                            // multi_layer only, else empty
-    std::optional<LineEvidence> evidence = {};  // of `coherent` without a window of the user's
+    std::optional<LineEvidence> evidence = {};  // of `coherent` without a window
 };
 
 // Thresholds are multiples of the noise that is left after smoothing, measured in this liver; for
-// `coherent` they follow from the strength of lines darker than their surroundings, which no
-// vessel is. ct_spacing_mm is that of the CT itself, all > 0: coarse voxels dim and blur what is
-// thin. Throws Cancelled.
+// `coherent` they follow from the strength of lines darker than their surroundings, which are not
+// vessels. `liver` lies on the grid of `tissue`, of cubes. ct_spacing_mm is that of the CT itself,
+// all > 0: coarse voxels dim and blur thin vessels. Throws Cancelled.
 Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const Vec3& ct_spacing_mm,
                          const DetectionOptions& options, Job& job);
 
-// The lines that may be believed at line_share (> 0) or more, for believed_lines().
-// tissue.threshold_hu must be empty. Throws Cancelled.
+// The candidates for lines at line_share (> 0) or more, for believed_lines(). tissue.threshold_hu
+// must be empty. Throws Cancelled.
 MeasuredLines measure_lines(const TissueContrast& tissue, const Mask& liver,
                             const Vec3& ct_spacing_mm, double line_share, Job& job);
 
-// The voxels that detect_vessels() finds at this share, before their walls are fitted; line_share
-// is at least that which was measured. Throws Cancelled.
+// The voxels that detect_vessels() finds at this share, before their walls are fitted. line_share
+// must be at least the one given to measure_lines(). Throws Cancelled.
 Mask believed_lines(const MeasuredLines& lines, double line_share, Job& job);
 
-// Uses the window that the user has set: vessels have intensities between low and high. The excess
-// is then measured from one level for the whole liver. Throws InputError unless low < high.
+// Applies the user's window to `tissue`: vessels have intensities between low and high (HU). The
+// excess is then measured from one level for the whole liver and is 0 above high. Throws InputError
+// unless low < high.
 void apply_window(const LiverFrame& frame, const std::pair<double, double>& window_hu,
                   TissueContrast& tissue);
 

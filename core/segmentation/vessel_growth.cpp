@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Connected components and breadth-first growth on masks.
 #include "core/segmentation/vessel_growth.h"
 
 #include <cmath>
@@ -81,7 +82,8 @@ void rejoin(const Mask& skeleton, double kept_mm, Mask& surface, const Job& job)
     });
     const Components pieces = connected_components(outside, Connectivity::all26, job);
     const Components parts = connected_components(surface, Connectivity::all26, job);
-    std::vector<std::uint32_t> touched(pieces.sizes.size() + 1, 0);  // first part met
+    // The first part of the surface that a piece touches.
+    std::vector<std::uint32_t> touched(pieces.sizes.size() + 1, 0);
     std::vector<std::uint8_t> kept(pieces.sizes.size() + 1, 0);
     const double step = grid.spacing_mm.mean();
     for (std::size_t p = 0; p < pieces.sizes.size(); ++p)

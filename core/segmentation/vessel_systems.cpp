@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// One Dijkstra search from all seeds at once, with a cost per mm of 1 / (distance from the wall)^2.
 #include "core/segmentation/vessel_systems.h"
 
 #include <algorithm>
@@ -24,7 +25,8 @@ std::string in_words(const Vec3& position) {
            std::to_string(position[2]) + " mm";
 }
 
-// The object voxel nearest to a position, within seed_reach_mm; ties by index.
+// The object voxel nearest to a position, within seed_reach_mm; ties by index. Throws InputError
+// where there is none.
 std::size_t voxel_near(const Mask& vessels, const VesselSeed& seed) {
     const Grid& grid = vessels.grid;
     if (!seed.position_mm.allFinite())
@@ -58,7 +60,8 @@ std::size_t voxel_near(const Mask& vessels, const VesselSeed& seed) {
 
 constexpr auto unknown = static_cast<std::uint8_t>(VascularSystem::unknown);
 
-// Time that a front needs per millimetre. It is fastest in the middle of wide vessels.
+// Time that a front needs per millimetre: 1 / (distance from the wall)^2, so it is fastest in the
+// middle of wide vessels.
 FloatVolume slowness_in(const Mask& vessels, Job& job) {
     FloatVolume slowness = distance_from_boundary(vessels, MarchingOrder::first, job);
     for_each_voxel(slowness.voxels.size(), job, [&](std::size_t i) {
@@ -83,8 +86,8 @@ std::vector<Step> steps_to_neighbours(const Grid& grid) {
     return steps;
 }
 
-// Fronts of all systems in one queue. Of two that arrive at the same time the one from the voxel
-// with the smaller index goes first, so that the result is the same every time.
+// Fronts of all systems in one queue. Voxels are settled by time, then by index, and of two fronts
+// that reach a voxel at the same time the first keeps it, so the result is deterministic.
 class Fronts {
   public:
     Fronts(const Mask& vessels, Job& job)
@@ -105,7 +108,7 @@ class Fronts {
         while (!queue_.empty()) {
             const auto [time, voxel] = queue_.top();
             queue_.pop();
-            if (time > time_.voxels[voxel]) continue;  // a faster front was there before
+            if (time > time_.voxels[voxel]) continue;  // reached earlier by another path
             if (++settled % 16384 == 0) job.throw_if_cancelled();
             spread(voxel);
         }

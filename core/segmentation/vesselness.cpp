@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Gaussian smoothing at each scale, central second differences, and closed-form eigenvalues.
 #include "core/segmentation/vesselness.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 namespace hepatica {
 
 std::array<float, 3> eigenvalues(const Symmetric3& matrix) {
-    // Smith (1961), with the deviator scaled to unit size so that float carries it.
+    // Smith (1961), with the deviator scaled to unit size to suit float precision.
     const auto [xx, yy, zz, xy, xz, yz] = matrix;
     const float mean = (xx + yy + zz) / 3.0f;
     const float dx = xx - mean;
@@ -40,8 +41,8 @@ std::array<float, 3> eigenvalues(const Symmetric3& matrix) {
 
 namespace {
 
-// The strength of a bright tube: the weaker of the two cross-sectional curvatures, so that a sheet
-// counts little, times the lack of a third one, so that a blob does.
+// The strength of a bright tube: the weaker of the two cross-sectional curvatures, which is small
+// for a sheet, lowered by a curvature along the third axis, which a blob has.
 float tube_response(const Symmetric3& hessian) {
     const auto [strong, weak, along] = eigenvalues(hessian);
     if (weak >= 0.0f) return 0.0f;
@@ -49,7 +50,7 @@ float tube_response(const Symmetric3& hessian) {
     return -weak * std::sqrt(std::max(0.0f, 1.0f - blob));
 }
 
-// Adds the response at one scale to the maximum so far. Border voxels, where no curvature can be
+// Raises the maximum so far to the response at one scale. Border voxels, where no curvature can be
 // measured, are left alone.
 void add_scale(const FloatVolume& smooth, float gain, FloatVolume& response, Job& job) {
     const Grid& grid = smooth.grid;
@@ -69,8 +70,7 @@ void add_scale(const FloatVolume& smooth, float gain, FloatVolume& response, Job
                         const float xx = p[1] - twice + p[-1];
                         const float yy = p[sy] - twice + p[-sy];
                         const float zz = p[sz] - twice + p[-sz];
-                        if (xx + yy + zz >= 0.0f)
-                            continue;  // no bright tube without a falling trace
+                        if (xx + yy + zz >= 0.0f) continue;  // a bright tube has a negative trace
                         const float xy = 0.25f * (p[1 + sy] - p[1 - sy] - p[sy - 1] + p[-1 - sy]);
                         const float xz = 0.25f * (p[1 + sz] - p[1 - sz] - p[sz - 1] + p[-1 - sz]);
                         const float yz =

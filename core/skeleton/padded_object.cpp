@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The padded copy of a mask, its neighbourhoods and its lists of voxels.
 #include "core/skeleton/padded_object.h"
 
 #include <algorithm>
@@ -12,10 +13,10 @@ constexpr int margin = 2;
 
 struct Box {
     Index3 low;
-    Index3 high;  // inclusive; below `low` where nothing was found
+    Index3 high;  // inclusive; below `low` for an empty mask
 };
 
-// First and last object voxel of a row; {n, -1} where there is none.
+// First and last object voxel of a row; {n, -1} if there is none. Skips zeros eight at a time.
 std::pair<int, int> extent_of_row(const std::uint8_t* row, int n) {
     int first = 0;
     while (first + 8 <= n) {
@@ -71,7 +72,7 @@ std::uint32_t PaddedObject::neighbourhood(std::size_t p) const {
     int shift = 0;
     for (int dz = -1; dz <= 1; ++dz)
         for (int dy = -1; dy <= 1; ++dy, shift += 3) {
-            // The box's margin makes the fourth byte readable.
+            // Reads four bytes; the margin of the box makes the fourth one readable.
             std::uint32_t row;
             std::memcpy(&row, &voxels_[p + step(-1, dy, dz)], sizeof row);
             row &= 0x010101u;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bounding box of a mask's object with a margin of two background voxels, as bytes whose lowest
-// bit says "object": neighbourhoods of 27 bits can then be read anywhere without a test for
-// borders.
+// The bounding box of a mask's object with a margin of two background voxels, one byte per voxel.
+// The lowest bit means "object". Neighbourhoods of 27 bits can be read without tests for borders.
 #pragma once
 
 #include <array>
@@ -18,8 +17,11 @@ constexpr int neighbour_bit(int dx, int dy, int dz) {
 }
 inline constexpr std::uint32_t centre_bit = 1u << neighbour_bit(0, 0, 0);
 
+// A voxel `p` is an offset in the padded box. Not thread-safe for writing; several threads may
+// read.
 class PaddedObject {
   public:
+    // Any nonzero voxel of the mask is object.
     explicit PaddedObject(const Mask& mask);
 
     bool empty() const { return dims_[0] == 0; }
@@ -49,15 +51,16 @@ class PaddedObject {
     // Those of them with background among their six face neighbours.
     std::vector<std::size_t> border_voxels() const;
 
+    // Index and offset of the voxel on the grid of the mask.
     Index3 index_in_mask(std::size_t p) const;
     std::size_t offset_in_mask(std::size_t p) const;
-    // The object as a mask of 0 and 1 on the grid it came from.
+    // The object as a mask of 0 and 1 on the original grid.
     Mask to_mask() const;
 
   private:
     Grid grid_;
-    Index3 dims_{0, 0, 0};    // of the padded box
-    Index3 corner_{0, 0, 0};  // index in the mask of the padded box's first voxel
+    Index3 dims_{0, 0, 0};    // size of the padded box
+    Index3 corner_{0, 0, 0};  // index, in the mask, of the first voxel of the padded box
     std::vector<std::uint8_t> voxels_;
 };
 

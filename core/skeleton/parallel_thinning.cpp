@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Repeats parallel passes over the border voxels until no template matches.
 #include "core/skeleton/parallel_thinning.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ bool is_deleted(const PaddedObject& object, std::size_t p,
            });
 }
 
-// The marked voxels that match a template, judged all on the same object.
+// For each border voxel, whether a template matches; all are tested on the same object.
 std::vector<std::uint8_t> matching(const PaddedObject& object,
                                    const std::vector<std::size_t>& border,
                                    const std::vector<ThinningTemplate>& templates) {
@@ -41,7 +42,8 @@ std::vector<std::uint8_t> matching(const PaddedObject& object,
     return match;
 }
 
-// Deletes matching voxels of the border, all at once, until none matches; returns their number.
+// Deletes the matching voxels of the border, all at once, until none matches; returns their number.
+// Voxels that become border in between are not considered.
 std::size_t peel(PaddedObject& object, std::vector<std::size_t>& border,
                  const std::vector<ThinningTemplate>& templates, Job& job) {
     std::size_t deleted = 0;

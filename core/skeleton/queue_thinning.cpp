@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Directional sub-iterations over the border voxels.
 #include "core/skeleton/queue_thinning.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace {
 
 struct Candidate {
     std::size_t voxel;
-    int degree;  // when the voxel was chosen
+    int degree;  // at the time the voxel was chosen
 };
 
 class Queue {
@@ -24,7 +25,7 @@ class Queue {
     // One sub-iteration per direction; returns how many voxels were deleted.
     std::size_t iterate() {
         std::size_t deleted = 0;
-        // Opposite directions follow each other, so that the skeleton stays in the middle.
+        // Opposite directions alternate, so that the skeleton stays in the middle.
         for (const std::ptrdiff_t direction : faces_) {
             choose_candidates(direction);
             deleted += delete_candidates();
@@ -52,8 +53,8 @@ class Queue {
             const std::size_t p = candidate.voxel;
             const std::uint32_t neighbourhood = object_.neighbourhood(p);
             if (!is_deletable(neighbourhood)) continue;
-            // A voxel that became almost a line end just now waits for the next sub-iteration;
-            // otherwise a line two voxels wide would be eaten up from its end.
+            // A voxel that has just lost neighbours and is almost a line end waits for the next
+            // sub-iteration; otherwise a line two voxels wide would be removed from its end.
             if (degree(neighbourhood) <= 2 && degree(neighbourhood) < candidate.degree) continue;
             object_.remove(p);
             ++deleted;
@@ -81,7 +82,8 @@ void thin_by_queue(PaddedObject& object, Job& job) {
     Queue queue(object, job);
     const std::size_t before = queue.border_size();
     while (queue.iterate() > 0) {
-        // The border shrinks towards the skeleton; how far is known only at the end.
+        // An estimate: the border shrinks towards the skeleton, whose size is known only at the
+        // end.
         job.advance(1.0 - static_cast<double>(queue.border_size()) /
                               static_cast<double>(std::max(before, queue.border_size()) + 1));
     }

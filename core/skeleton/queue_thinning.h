@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Thinning by a queue of border voxels in six directional sub-iterations (in the manner of Palagyi
-// and Kuba 1998): candidates are chosen together, then each is tested again before it is deleted,
-// so that the topology is kept by construction.
+// and Kuba 1998). Candidates are chosen together, and each is tested again before it is deleted, so
+// the topology is preserved by construction.
 #pragma once
 
 #include "core/base/job.h"

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Connected components inside a 27-bit neighbourhood by bitwise dilation.
 #include "core/skeleton/simple_point.h"
 
 namespace hepatica {
 
 namespace {
 
-// Bits of the neighbourhood whose offset fulfils a predicate.
+// Bits of the neighbours whose offset satisfies a predicate.
 template <class Predicate>
 constexpr std::uint32_t bits_where(Predicate predicate) {
     std::uint32_t bits = 0;
@@ -32,6 +33,7 @@ constexpr std::uint32_t nearest_18 = bits_where([](int x, int y, int z) {
     return distance == 1 || distance == 2;
 });
 
+// The set shifted by one voxel in both directions along an axis.
 constexpr std::uint32_t spread_x(std::uint32_t set) {
     return (set & not_high_x) << 1 | (set & not_low_x) >> 1;
 }

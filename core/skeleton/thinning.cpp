@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Dispatch to the two thinning methods.
 #include "core/skeleton/thinning.h"
 
 #include "core/skeleton/parallel_thinning.h"

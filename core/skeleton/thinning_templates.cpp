@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The 62 templates, built by symmetry from one of each class.
 #include "core/skeleton/thinning_templates.h"
 
 #include "core/skeleton/simple_point.h"
@@ -28,7 +29,7 @@ class Builder {
   public:
     explicit Builder(const PaddedObject& object) : object_(object) {}
 
-    // A: one face is background, the voxel opposite to it is object.
+    // A: one face is background, the voxel opposite is object.
     void add_class_a() {
         for (int axis = 0; axis < 3; ++axis)
             for (const int sign : {-1, 1}) {
@@ -39,7 +40,7 @@ class Builder {
             }
     }
 
-    // B: the edge between directions s and t is background, the voxels opposite are object.
+    // B: the edge between directions s and t is background, the two voxels opposite are object.
     void add_class_b() {
         for (int a = 0; a < 3; ++a)
             for (int b = a + 1; b < 3; ++b)
@@ -70,8 +71,8 @@ class Builder {
                 }
     }
 
-    // D: the voxel hangs on an edge neighbour in the plane normal to an axis; of its two neighbours
-    // along the axis at most one is object.
+    // D: the voxel is joined to an edge neighbour in the plane normal to an axis; of its two
+    // neighbours along that axis at most one is object.
     void add_class_d() {
         for (int axis = 0; axis < 3; ++axis)
             for (const int s : {-1, 1})
@@ -91,7 +92,8 @@ class Builder {
         return object_.step(factor * o[0], factor * o[1], factor * o[2]);
     }
 
-    // Requires the face neighbour in a direction, and the voxel behind it where that is W, S or D.
+    // Requires the face neighbour in a direction, and the voxel behind it if the direction is W, S
+    // or D.
     void require(ThinningTemplate& t, int axis, int sign) const {
         const Offset o = unit(axis, sign);
         t.object |= bit_of(o);

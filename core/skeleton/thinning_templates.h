@@ -13,8 +13,8 @@ namespace hepatica {
 struct ThinningTemplate {
     std::uint32_t object = 0;      // neighbours that must be object
     std::uint32_t background = 0;  // neighbours that must be background
-    // Voxels two steps away. All of `followed` must be object; so must one of `any_of`, unless it
-    // is empty.
+    // Offsets in memory of voxels up to two steps away. All of `followed` must be object, and at
+    // least one of `any_of`, unless that is empty.
     std::vector<std::ptrdiff_t> followed;
     std::vector<std::ptrdiff_t> any_of;
 };

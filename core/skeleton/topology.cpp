@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Components by runs and union-find, the Euler number by a table of the 2 x 2 x 2 neighbourhoods.
 #include "core/skeleton/topology.h"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ struct Run {
     std::uint32_t set;
 };
 
-// Unites the runs of two rows that overlap once widened by `reach` voxels on both sides.
+// Unites the runs of two rows that overlap after widening by `reach` voxels on both sides.
 void unite_rows(const std::vector<Run>& a, const std::vector<Run>& b, int reach,
                 DisjointSets& sets) {
     std::size_t i = 0, j = 0;
@@ -69,7 +70,8 @@ void unite_rows(const std::vector<Run>& a, const std::vector<Run>& b, int reach,
     }
 }
 
-// Components of the voxels equal to `value`, by the 26 neighbours or by the 6 face neighbours.
+// Number of components of the voxels equal to `value`, by the 26 neighbours or by the 6 face
+// neighbours.
 long long count_components(const BoxedMask& box, std::uint8_t value, bool by_26) {
     DisjointSets sets;
     const auto [nx, ny, nz] = box.dims;
@@ -96,8 +98,9 @@ long long count_components(const BoxedMask& box, std::uint8_t value, bool by_26)
     return static_cast<long long>(sets.count());
 }
 
-// What one corner of the voxel grid, with the edges, faces and cube that start there, adds to the
-// Euler number, for each of the 256 states of the eight voxels around it (bit dx + 2 dy + 4 dz).
+// Contribution to the Euler number of one corner of the voxel grid, with the edges, faces and cube
+// that start there, for each of the 256 states of the eight voxels around it (bit dx + 2 dy + 4
+// dz).
 std::array<int, 256> euler_table() {
     const auto any = [](int state, int need) {
         for (int bit = 0; bit < 8; ++bit)

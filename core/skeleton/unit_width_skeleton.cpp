@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Crowded regions by flood fill, their centre, and A* paths from the centre to the exits.
 #include "core/skeleton/unit_width_skeleton.h"
 
 #include <algorithm>
@@ -22,6 +23,7 @@ double squared_distance(const Index3& a, const Index3& b) {
     return sum;
 }
 
+// Degrees, crowded regions, centres and paths on a skeleton.
 class Valence {
   public:
     explicit Valence(PaddedObject& object) : object_(object), steps_(object.neighbour_steps()) {}
@@ -34,8 +36,8 @@ class Valence {
                });
     }
 
-    // The 26-components of the crowded points, each ascending, in the order of their first voxel.
-    // Leaves them marked.
+    // The 26-connected components of the crowded points, each ascending, in the order of their
+    // first voxel. Leaves them marked.
     std::vector<Voxels> regions(const Voxels& skeleton) {
         Voxels crowded_points;
         std::ranges::copy_if(skeleton, std::back_inserter(crowded_points),
@@ -60,7 +62,8 @@ class Valence {
         return found;
     }
 
-    // The voxel that minimises the sum of squared distances to the region's voxels over its degree.
+    // The voxel that minimises the sum of squared distances to the region's voxels, divided by its
+    // degree; ties by the first.
     std::size_t centre(const Voxels& region) const {
         std::vector<Index3> places;
         for (const std::size_t p : region) places.push_back(object_.index_in_mask(p));
@@ -88,8 +91,8 @@ class Valence {
         return region[best];
     }
 
-    // Shortest path from `from` to `exit` over the region's voxels (A*, Euclidean step lengths,
-    // ties broken by voxel). Empty where the exit cannot be reached.
+    // Shortest path from `from` to `exit` through the region's voxels (A*, Euclidean step lengths
+    // in voxels, ties by voxel). Empty if the exit cannot be reached.
     Voxels shortest_path(std::size_t from, std::size_t exit, const Voxels& region) const;
 
   private:
@@ -117,7 +120,7 @@ Voxels Valence::shortest_path(std::size_t from, std::size_t exit, const Voxels& 
         std::size_t before;
         bool closed;
     };
-    using Open = std::tuple<double, std::size_t>;  // estimate of the whole length, voxel
+    using Open = std::tuple<double, std::size_t>;  // estimated total length, voxel
     std::map<std::size_t, Reached> reached;
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
     const Index3 goal = object_.index_in_mask(exit);
@@ -155,7 +158,7 @@ Voxels Valence::shortest_path(std::size_t from, std::size_t exit, const Voxels& 
     return path;
 }
 
-// Deletes removable voxels among `voxels` until none is left; `keep` marks those that must stay.
+// Deletes removable voxels among `voxels` until none is left; those with keep(p) stay.
 template <class Keep>
 void delete_removable(PaddedObject& object, const Voxels& voxels, const Keep& keep) {
     for (bool changed = true; changed;) {
