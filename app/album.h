@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pictures of a headless session: drawn into one folder, and remembered with what they show.
+// The pictures of a headless session: drawn into one folder, and listed with their captions.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace hepatica {
 
-// Percents of the time after which most vessels are reached, at which an injection is shown: large
-// vessels fill in the first few.
+// The moments at which an injection is shown, in percent of the time after which most vessels are
+// reached; large vessels fill within the first few percent.
 inline constexpr std::array<int, 4> drug_moments_percent{2, 10, 30, 100};
 
 struct AlbumPicture {
@@ -23,10 +23,10 @@ struct AlbumPicture {
 
 class Album {
   public:
-    // Every picture of a frame is drawn with these options, unless it has its own.
+    // Options of every picture of a frame that is added without its own. The folder must exist.
     Album(std::filesystem::path folder, PictureOptions options);
 
-    // Write NAME.png, and of a chart NAME.csv. Throw InputError where it cannot be written.
+    // Write NAME.png, and NAME.csv for a chart. Throw InputError where that fails.
     AlbumPicture add(const Frame& frame, const std::string& name, const std::string& caption);
     AlbumPicture add(const Frame& frame, const PictureOptions& options, const std::string& name,
                      const std::string& caption);

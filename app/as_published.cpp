@@ -10,7 +10,7 @@
 namespace hepatica {
 namespace {
 
-// The action by which a command would leave the published body and step; empty: it does not.
+// The name of an action that would change the published body or step; otherwise empty.
 std::string other_setting(const Command& command) {
     if (std::holds_alternative<SetQuality>(command)) return "set_quality";
     if (std::holds_alternative<SetAutomaticQuality>(command)) return "set_automatic_quality";

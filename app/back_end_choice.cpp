@@ -13,7 +13,8 @@
 namespace hepatica {
 namespace {
 
-// Once in the same words: each change of the setting makes a new back end, which says them again.
+// Reports each message once: each change of the setting makes a new back end, which would repeat
+// it.
 SayOfBackEnd once(const SayOfBackEnd& say) {
     return [say, said = std::make_shared<std::set<std::string>>()](const std::string& what) {
         if (said->insert(what).second) say(what);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which back end computes the body: the processor, a CUDA device, or the device's kernels emulated
-// on the processor (for tests and for counting what a device would do; slow).
+// Selects the back end that computes the body: the processor, a CUDA device, or the device's
+// kernels emulated on the processor (slow; for tests and for counting a device's work).
 #pragma once
 
 #include <memory>
@@ -20,13 +20,14 @@ struct BackEndChoice {
     std::shared_ptr<gpu::StepShare> share = std::make_shared<gpu::StepShare>();
 };
 
-// Takes "cpu", "cuda", "cuda-emulated" or "auto": the device where there is one, and on the dial
-// settings of the processor beside those of the device. Why steps are made by the processor is
-// said, each reason once. Throws InputError where "cuda" finds no device, and for any other name.
+// `name` is "cpu", "cuda", "cuda-emulated" or "auto". "auto" takes the device where there is one,
+// and then offers the dial's settings of the processor beside those of the device. `say` receives
+// the reason when the processor makes steps, each reason once. Throws InputError where "cuda" finds
+// no device, and for any other name.
 BackEndChoice choose_back_end(const std::string& name, const SayOfBackEnd& say = warn_of_back_end);
 
-// What was chosen and who made the steps: {name, device, steps_on_device, steps_on_processor,
-// device_bytes}; null where the processor was chosen.
+// The choice and the numbers of steps: {name, device, steps_on_device, steps_on_processor,
+// device_bytes}; null for the processor.
 nlohmann::ordered_json facts_of(const BackEndChoice& choice);
 
 }  // namespace hepatica

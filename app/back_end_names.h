@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The back ends by the names that the command line takes, without anything of a device: what is
-// compiled together with Qt cannot read the device's code.
+// Names of the back ends on the command line, without including device code, because Qt's macros do
+// not compile together with it.
 #pragma once
 
 #include <functional>
@@ -13,11 +13,11 @@ namespace hepatica {
 
 const std::vector<std::string>& back_end_names();
 
-// Is told what a person should know, on whatever thread makes steps.
+// Receives messages for the user, on the thread that makes the steps.
 using SayOfBackEnd = std::function<void(const std::string&)>;
-void warn_of_back_end(const std::string& what);  // in the log
+void warn_of_back_end(const std::string& what);  // writes to the log
 
-// choose_back_end() of back_end_choice.h, as far as a play needs it.
+// The back end of choose_back_end() in back_end_choice.h.
 DeformBackEnd back_end_named(const std::string& name, const SayOfBackEnd& say = warn_of_back_end);
 
 }  // namespace hepatica

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A case at rest as a picture, without any display.
+// A picture of a case at rest, without a display.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +13,13 @@ namespace hepatica {
 class World;
 struct PictureOptions;
 
-// What a picture says of each vertex: its vessel's system and, where asked, the liver's segment.
+// Sets the picture's data for each vertex: its vessel's system and, on request, its liver segment.
 // Throws InputError where there are no segments.
 void colour_vessels(const World& world, const PatientCase& patient, bool by_segment,
                     PictureOptions& picture);
 
-// From the front, with the gaps that are offered. Returns false, and writes nothing, in a program
-// that was built without pictures. Throws InputError where the file cannot be written, Cancelled.
+// Draws the case from the front, with the gaps that are offered. Returns false, and writes nothing,
+// in a build without pictures. Throws InputError where the file cannot be written; Cancelled.
 bool write_case_picture(const std::shared_ptr<const PatientCase>& patient,
                         const std::filesystem::path& file, Job& job);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A chart as a file that a verb was asked for.
+// Writes a chart to a file that the user named.
 #pragma once
 
 #include <filesystem>
@@ -8,11 +8,11 @@
 
 namespace hepatica {
 
-// By the extension: .png draws the chart, .csv writes its curves. Throws UsageError for any other,
-// and for .png where the program was built without pictures; InputError where it cannot be written.
+// By the extension: .png draws the chart, .csv writes its curves. Throws UsageError for any other
+// extension, and for .png in a build without pictures; InputError where the file cannot be written.
 void write_chart(const std::filesystem::path& file, const Chart& chart);
 
-// The same refusals, before any work is done.
+// Throws the same UsageErrors, before any work is done.
 void require_chart_file(const std::filesystem::path& file);
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Entry point of hepatica-cli.
 #include "app/command_line.h"
 #include "app/verbs/verbs.h"
 

@@ -38,8 +38,8 @@ int report(const Error& error, int code) {
     return code;
 }
 
-// What strtod takes for a number and no option means: every comparison with it is false, so that
-// no check of a range finds it. A file of that name is ./nan.
+// Refuses NaN and infinity, which parse as numbers but no option accepts; comparisons with NaN are
+// false, so range checks would miss it. A file called nan can be given as ./nan.
 void refuse_non_numbers(int argc, const char* const* argv) {
     for (int i = 1; i < argc; ++i) {
         std::string values = argv[i];
@@ -77,7 +77,7 @@ int report_usage(const CLI::App& program, int argc, const char* const* argv,
     return exit_bad_usage;
 }
 
-// The log goes to standard error, so that standard output holds the answer alone.
+// The log goes to standard error, so that standard output holds only the answer.
 void set_up_log(bool quiet) {
     auto sink = std::make_shared<spdlog::sinks::stderr_sink_mt>();
     auto logger = std::make_shared<spdlog::logger>("hepatica", sink);
@@ -126,14 +126,14 @@ CLI::App& CommandLine::add_to(CLI::App& parent, const std::string& name,
 
 int CommandLine::run(int argc, const char* const* argv) {
     set_up_log(false);
-    // Writing beyond a limit on the size of files shall fail like a full disk, not kill the
-    // program.
+    // Exceeding the limit on file sizes must fail like a full disk, not kill the program; likewise
+    // a closed pipe.
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
     try {
         program_.parse(argc, argv);
     } catch (const CLI::Success& success) {
-        return program_.exit(success);  // --help and --version
+        return program_.exit(success);
     } catch (const CLI::ParseError& error) {
         return report_usage(program_, argc, argv, error);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frame that every verb of hepatica-cli stands in: options, JSON or readable output, progress,
-// Ctrl-C, and the exit codes (0 done, 1 bad input, 2 bad usage, 3 internal error, 130 interrupted).
+// Common frame of all verbs of hepatica-cli: options, JSON or readable output, progress, Ctrl-C,
+// and the exit codes (0 done, 1 bad input, 2 bad usage, 3 internal error, 130 interrupted).
 //
 // A verb is one file with one function add_NAME(CommandLine&), listed in verbs/verbs.h:
 //     void add_pressure_drop(CommandLine& line) {
@@ -26,26 +26,26 @@ using Json = nlohmann::ordered_json;
 
 class CommandLine {
   public:
-    // What a verb does: works under the job (which Ctrl-C cancels, and whose progress is shown on
-    // standard error) and returns what it found. Throws Error for whatever the user can mend.
+    // The work of a verb, under a job that Ctrl-C cancels and whose progress is shown on standard
+    // error; returns the answer. Throws Error for whatever the user can correct.
     using Run = std::function<Json(Job&)>;
-    // What the readable lines show instead of the whole answer, where that is too long to read.
+    // Shortens an answer for readable output, where it is too long to read.
     using Summary = std::function<Json(const Json&)>;
 
     CommandLine();
     CommandLine(const CommandLine&) = delete;
     CommandLine& operator=(const CommandLine&) = delete;
 
-    // Adds `hepatica-cli NAME`, with --json and --quiet; the caller adds the verb's own options.
+    // Adds `hepatica-cli NAME` with --json and --quiet; the caller adds the verb's own options.
     CLI::App& add_verb(const std::string& name, const std::string& description, Run run,
                        Summary summary = nullptr);
 
-    // A group of verbs, as in `hepatica-cli bench iterations`: give its name as `group` below.
+    // Adds a verb to a group, as `hepatica-cli bench iterations`; `group` is the group's name.
     CLI::App& add_verb(const std::string& group, const std::string& group_description,
                        const std::string& name, const std::string& description, Run run);
 
-    // Parses, runs the verb and prints: JSON on standard output and nothing else there with
-    // --json, else the same facts in readable lines. Returns the exit code.
+    // Parses the arguments, runs the verb and prints its answer on standard output: as JSON with
+    // --json, otherwise as readable lines. Returns the exit code.
     int run(int argc, const char* const* argv);
 
   private:
@@ -61,7 +61,7 @@ class CommandLine {
     bool quiet_ = false;
 };
 
-// Parses "1,2,3" given to `option` into three values. Throws UsageError that names the option.
+// Parses "1,2,3", given to `option`, into three values. Throws UsageError that names the option.
 std::array<double, 3> parse_triple(const std::string& option, const std::string& text);
 
 }  // namespace hepatica

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// hepatica: the window. Opens what it is given, or waits for a drop.
+// hepatica: the window. Opens what the command line names, or waits for a file to be dropped.
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QIcon>
@@ -32,8 +32,7 @@
 
 namespace {
 
-// What no part of the window has caught ends the window's work no more than it must: it is said,
-// and all goes on.
+// Exceptions that no part of the window has caught are reported, and the event loop continues.
 class Application : public QApplication {
   public:
     using QApplication::QApplication;
@@ -59,7 +58,7 @@ struct Options {
     bool quit_after_start = false;
     bool diagnose = false;
     bool json = false;
-    QString back_end;  // empty: as it was chosen last
+    QString back_end;  // empty: the last choice
 };
 
 Options parse(const QCoreApplication& application) {
@@ -105,7 +104,7 @@ void print_report(double window_ready_s, const std::string& renderer, bool json)
     std::fflush(stdout);
 }
 
-// One window after another: a change of language makes the window anew.
+// Runs windows one after another, because a change of language creates the window anew.
 int run_windows(Application& application, hepatica::Settings& settings,
                 const hepatica::MainWindow::Patients& patients, const Options& options) {
     using namespace hepatica;
@@ -141,7 +140,7 @@ int run_windows(Application& application, hepatica::Settings& settings,
     }
 }
 
-// Of the display, too, which this program needs and hepatica-cli does not.
+// Also reports on the display, which this program needs and hepatica-cli does not.
 int print_diagnosis(const QString& display_problem, bool json) {
     nlohmann::ordered_json answer = hepatica::diagnosis();
     answer["display"] = display_problem.isEmpty() ? "there" : display_problem.toStdString();
@@ -163,17 +162,17 @@ int main(int argc, char** argv) {
     if (const QString problem = display_problem(); !problem.isEmpty()) {
         const QCoreApplication without_window(argc, argv);
         QCoreApplication::setApplicationVersion(HEPATICA_VERSION);
-        const Options options = parse(without_window);  // --help and --version need no display
+        const Options options = parse(without_window);
         if (options.diagnose) return print_diagnosis(problem, options.json);
         return refuse(problem);
     }
     Application application(argc, argv);
     QApplication::setApplicationName("Hepatica");
     QApplication::setApplicationVersion(HEPATICA_VERSION);
-    // By these the desktop knows which of its entries the window belongs to.
+    // These tell the desktop which of its entries the window belongs to.
     QGuiApplication::setDesktopFileName("org.hepatica.Hepatica");
     QApplication::setWindowIcon(QIcon::fromTheme("hepatica"));
-    // Qt takes the user's locale; with a decimal comma in it, numbers in files and shaders break.
+    // Qt sets the user's locale; with a decimal comma, numbers in files and shaders would break.
     std::setlocale(LC_NUMERIC, "C");
     const Options options = parse(application);
     if (options.diagnose) return print_diagnosis({}, options.json);

@@ -21,7 +21,7 @@ std::string processor_name() {
     return "unknown";
 }
 
-// "name version" joined by commas, as CMake found them.
+// Parses "name version" entries joined by commas, as CMake found them.
 Json library_versions() {
     Json versions = Json::object();
     const std::string list = HEPATICA_VERSIONS;
@@ -39,7 +39,7 @@ Json text_or_null(const std::string& text) {
     return text.empty() ? Json(nullptr) : Json(text);
 }
 
-// What can be had of CUDA here; without a device, `reason` says why in words.
+// The state of CUDA; without a device, `reason` says why in words.
 Json cuda() {
     const gpu::DeviceInfo info = gpu::device_info();
     return {{"compiled", info.compiled},
@@ -50,7 +50,7 @@ Json cuda() {
             {"reason", text_or_null(info.reason)}};
 }
 
-// Where the program's own files are.
+// The folder of the program's own files.
 Json own_files() {
     try {
         return asset("scripts").parent_path().string();

@@ -27,7 +27,7 @@ constexpr int pull_steps = 60;
 constexpr int hold_steps = 60;
 constexpr int settle_steps = 240;
 
-// Steps a session and keeps account of what its steps cost.
+// Steps a session and records the cost of its steps.
 class Player {
   public:
     Player(Session& session, Job& job) : session_(session), job_(job) {}
@@ -48,12 +48,12 @@ class Player {
     StepTimes times_;
 };
 
-// Towards the viewer of the anterior picture's upper left, so that the pull is seen.
+// Towards the upper left of the anterior picture, so that the pull is visible.
 Vec3 pull_way_mm() {
     return Vec3(-1.0, 0.0, 1.0).normalized() * pull_mm;
 }
 
-// Around the tree at rest and the place that the hand goes to.
+// Box around the tree at rest and the target of the hand.
 std::array<Vec3, 2> box_of_play(const Frame& rest, const Vec3& held) {
     Eigen::AlignedBox3d box(held + pull_way_mm());
     for (std::size_t i = 0; i + 2 < rest.positions_mm.size(); i += 3)
@@ -112,7 +112,7 @@ Chart curve_over_time(const InjectionResult& injection, const std::string& title
     return chart;
 }
 
-// The injection of the pictures once more, with its curves up to the last of them.
+// Computes the injection of the pictures again, with its curves up to the last picture.
 Json injection_facts(const VesselTree& tree, const Injection& made, double end_s, Album& album,
                      Job& job) {
     InjectionOptions options = injection_options(made, tree);
@@ -153,7 +153,7 @@ HeadlessPlay play_headless(std::shared_ptr<const PatientCase> patient,
     job.begin_stage("Playing");
     player.step(1);
     const Vec3 held = point_on_longest_path(patient->tree, 0.5);
-    // All pictures show one box, whatever the tree does, so that they can be compared.
+    // All pictures show the same box, so that they can be compared.
     PictureOptions pictures{.fitted_box_mm = box_of_play(player.frame(), held)};
     colour_vessels(session.world(), *patient, false, pictures);
     Album album(folder, std::move(pictures));

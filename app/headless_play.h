@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tour that a trainee would make at the window, played without one: look, pull a vessel, let
-// go, inject, watch the front. Leaves pictures, curves and the facts behind a report.
+// Plays a trainee's tour of the window without a window: look, pull a vessel, let go, inject, watch
+// the front. Produces the pictures, curves and facts of a report.
 #pragma once
 
 #include <filesystem>
@@ -17,14 +17,14 @@ namespace hepatica {
 
 struct HeadlessPlay {
     std::vector<AlbumPicture> pictures;
-    // Steps, how many of them the body slept through, times of the others, forces.
+    // Steps, how many the body slept through, times of the others, forces.
     nlohmann::ordered_json simulation;
-    nlohmann::ordered_json injection;  // the drug, pressure, volumes
+    nlohmann::ordered_json injection;  // the drug, its pressure, its masses
 };
 
-// Plays on the patient and writes the pictures and curves into `folder`, which must exist.
-// Begins three stages of the job. Throws InputError (a folder that cannot be written, a case
-// without a body), Cancelled.
+// Plays on the patient and writes the pictures and curves into `folder`, which must exist. Begins
+// three stages of the job. Throws InputError where the folder cannot be written or the case has no
+// body; Cancelled.
 HeadlessPlay play_headless(std::shared_ptr<const PatientCase> patient,
                            const std::filesystem::path& folder, Job& job,
                            const DeformBackEnd& back_end = cpu_back_end());

@@ -88,7 +88,7 @@ void HtmlReport::add_pictures(
 void HtmlReport::add_table(const Json& facts) {
     body_ += "<table>\n";
     if (is_table(facts)) {
-        body_ += "<thead><tr>";  // comes again on paper after a page's end
+        body_ += "<thead><tr>";  // repeated on each printed page
         for (const auto& [key, value] : facts.front().items())
             body_ += "<th>" + words(key) + "</th>";
         body_ += "</tr></thead>\n";

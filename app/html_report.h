@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A self-contained page of pictures and tables that any browser opens: what a headless session
-// leaves behind for a person to look at.
+// An HTML page of pictures and tables, the report of a headless session. Its pictures are files
+// beside it.
 #pragma once
 
 #include <filesystem>
@@ -13,21 +13,22 @@ namespace hepatica {
 
 class HtmlReport {
   public:
-    // `language`: of its words, as in HTML: "en".
+    // `language`: language of its text, as in HTML: "en".
     explicit HtmlReport(std::string title, std::string language = "en")
         : title_(std::move(title)), language_(std::move(language)) {}
 
     void add_heading(const std::string& text);
     void add_paragraph(const std::string& text);
-    // `file` is named relative to the page and not copied.
+    // `file` is relative to the page and not copied.
     void add_picture(const std::filesystem::path& file, const std::string& caption);
-    // Several beside each other, two in a row.
+    // Several pictures, two in a row.
     void add_pictures(const std::vector<std::pair<std::filesystem::path, std::string>>& pictures);
-    // An object becomes rows of key and value; an array of objects a table with a column per key.
+    // An object becomes rows of key and value; an array of objects becomes a table with a column
+    // per key.
     void add_table(const nlohmann::ordered_json& facts);
 
     std::string text() const;
-    // Throws InputError where the page cannot be written.
+    // Writes atomically. Throws InputError where the page cannot be written.
     void write(const std::filesystem::path& file) const;
 
   private:

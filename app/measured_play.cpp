@@ -24,7 +24,7 @@ bool is_finite(const World& world) {
     return true;
 }
 
-// The first steps' states, for the regression of eq. (11).
+// Collects the states of the first steps for the regression of eq. (11).
 class MotionRecorder {
   public:
     void keep(const DeformPart& deform) {

@@ -14,7 +14,7 @@ namespace hepatica {
 double seconds_since_process_start() {
     std::ifstream file("/proc/self/stat");
     const std::string stat{std::istreambuf_iterator<char>(file), {}};
-    // The program's name, field 2, stands in parentheses and may hold blanks; field 22 is the start
+    // Field 2, the program's name, is in parentheses and may contain blanks. Field 22 is the start
     // in clock ticks since boot.
     const std::size_t name_end = stat.rfind(')');
     if (name_end == std::string::npos) return -1.0;

@@ -12,10 +12,10 @@ namespace {
 struct Feature {
     const char* name;
     unsigned ProcessorWords::*word;
-    unsigned bits;  // all of them
+    unsigned bits;  // all must be set
 };
 
-// x86-64 psABI, table 3.1, up to level 3. XCR0 must keep the registers of SSE and of AVX.
+// x86-64 psABI, table 3.1, up to level 3. XCR0 must enable the registers of SSE and of AVX.
 const Feature needed[] = {
     {"SSE4.2", &ProcessorWords::leaf_1_ecx, 1U << 20U},
     {"POPCNT", &ProcessorWords::leaf_1_ecx, 1U << 23U},
@@ -37,7 +37,8 @@ void append(char* text, std::size_t size, const char* more) {
     std::strncat(text, more, size - used - 1);
 }
 
-// In .preinit_array: neither C++'s library nor streams are set up yet; only system calls are.
+// Runs in .preinit_array, before the C++ library and streams are set up; it may only make system
+// calls.
 void check_processor(int /*argc*/, char** argv, char** /*environment*/) {
     char names[160] = "";
     if (missing_features(this_processor(), names, sizeof names) == 0) return;
@@ -65,7 +66,7 @@ ProcessorWords this_processor() {
     if (__get_cpuid(1, &eax, &ebx, &ecx, &edx) != 0) words.leaf_1_ecx = ecx;
     if (__get_cpuid_count(7, 0, &eax, &ebx, &ecx, &edx) != 0) words.leaf_7_ebx = ebx;
     if (__get_cpuid(0x80000001U, &eax, &ebx, &ecx, &edx) != 0) words.extended_leaf_ecx = ecx;
-    // The instruction that reads XCR0 is there where this bit is.
+    // The instruction that reads XCR0 exists where this bit is set.
     if ((words.leaf_1_ecx & osxsave) != 0)
         __asm__("xgetbv" : "=a"(words.saved_state), "=d"(edx) : "c"(0));
     return words;

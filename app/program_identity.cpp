@@ -12,7 +12,8 @@
 namespace hepatica {
 namespace {
 
-// The note NT_GNU_BUILD_ID among the notes of one segment, in hexadecimal digits.
+// The note NT_GNU_BUILD_ID among the notes of one segment, in hexadecimal digits; "" where there is
+// none.
 std::string build_id_among(const char* notes, std::size_t size) {
     while (size >= sizeof(ElfW(Nhdr))) {
         ElfW(Nhdr) head;
@@ -37,7 +38,7 @@ std::string build_id_among(const char* notes, std::size_t size) {
     return {};
 }
 
-// The first object that is listed is the program itself.
+// The first object listed is the program itself; returning 1 ends the iteration.
 int find_build_id(dl_phdr_info* program, std::size_t /*size*/, void* found) {
     for (int i = 0; i < program->dlpi_phnum; ++i) {
         const ElfW(Phdr)& segment = program->dlpi_phdr[i];

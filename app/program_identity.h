@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which program this is, to the build: what it keeps for itself is not taken for that of another.
+// Identifies this build of the program, so that caches of different builds are kept apart.
 #pragma once
 
 #include <string>
 
 namespace hepatica {
 
-// The version, and the build ID that the linker made of all its code (or, where there is none, size
-// and time of the program's file).
+// The version, and the build ID that the linker computed from the code, or, without one, size and
+// time of the program's file.
 std::string program_identity();
 
 }  // namespace hepatica

@@ -14,7 +14,7 @@ namespace hepatica {
 
 namespace {
 
-// A signal handler may touch nothing but this; the watching thread passes it on to the job.
+// The only variable that the signal handler touches; the watching thread passes it on to the job.
 volatile std::sig_atomic_t interrupted = 0;
 
 void on_interrupt(int) {
@@ -55,7 +55,7 @@ void ProgressDisplay::watch() {
         if (interrupted != 0) job_.cancel();
         if (!quiet_) show();
     }
-    if (!quiet_ && !terminal_) show();  // work may end before this thread has begun
+    if (!quiet_ && !terminal_) show();  // the work may have ended before this thread began
     if (line_open_) std::fputs("\n", stderr);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shows a job's stages on standard error while it runs, and turns Ctrl-C into a cancel.
+// Shows a job's stages on standard error while it runs, and cancels it on Ctrl-C.
 #pragma once
 
 #include <condition_variable>
@@ -12,9 +12,9 @@
 
 namespace hepatica {
 
-// Lives as long as the work does. On a terminal one line is rewritten ten times a second; in a log
-// file each stage gets a line, also one that was over between two looks. One at a time in a
-// program: it owns the handler of SIGINT.
+// Must live as long as the work. On a terminal one line is rewritten ten times a second; in a log
+// file each stage gets a line, even a very short one. Only one may exist at a time, because it owns
+// the handlers of SIGINT and SIGTERM.
 class ProgressDisplay {
   public:
     ProgressDisplay(Job& job, bool quiet);

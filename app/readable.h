@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A JSON answer in lines that a person reads.
+// Formats a JSON answer as lines for people.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,8 +7,8 @@
 
 namespace hepatica {
 
-// Nested objects are indented, arrays of plain values stand on one line, arrays of equal objects
-// become a table with one column per key.
+// Nested objects are indented, arrays of plain values are on one line, and arrays of objects become
+// a table with a column per key of the first.
 std::string readable(const nlohmann::ordered_json& answer);
 
 }  // namespace hepatica

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A recording names its patient by a hash alone: finds the case that it was made of.
+// Finds the case of a recording, which names its patient only by a hash.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,11 @@
 
 namespace hepatica {
 
-// The case `given`, or where that is empty the first beside the recording's file that has its
-// patient, or the built-in patient where it is that. Without voxels. Reading a case costs a second
-// at most; making the built-in patient, which is tried last and only where `built_in` says
-// where it may be kept, some twenty. Announces the stages of that and `following_stages` of the
-// caller's. Throws InputError where none is it, Cancelled.
+// Returns the case `given`; where that is empty the first case beside the recording's file with its
+// patient; or else the built-in patient if it is that one. Without voxels. Reading a case takes up
+// to a second, making the built-in patient about twenty; the latter is tried last, and only where
+// `built_in` (the place of its cache) is not null. Announces the stages of this and
+// `following_stages` of the caller's. Throws InputError where no case fits; Cancelled.
 PatientCase recorded_patient(const Recording& recording, const std::filesystem::path& file,
                              const std::filesystem::path& given, const BuiltInCache* built_in,
                              int following_stages, Job& job);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One line of comma separated values for each step of a play: what it took, and what it did.
+// A table of comma-separated values with one line for each step of a play: its cost and its work.
 #pragma once
 
 #include <sstream>

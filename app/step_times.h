@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the steps of a play cost. A body that nothing moves sleeps through its steps, in no time at
-// all: quantiles are over the others, and the sleeping ones are counted.
+// Times of the steps of a play. A body at rest sleeps through its steps at no cost, so quantiles
+// are over the other steps, and sleeping ones are counted.
 #pragma once
 
 #include <cstddef>
@@ -18,9 +18,9 @@ class StepTimes {
     std::size_t steps() const { return awake_ms_.size() + asleep_; }
     std::size_t asleep() const { return asleep_; }
     double wall_ms() const { return wall_ms_; }  // of all steps
-    // Over the steps that were awake, `share` from 0 to 1; null where there was none.
+    // Quantile in ms over the awake steps, `share` from 0 to 1; null where there are none.
     nlohmann::ordered_json quantile(double share) const;
-    // Of the same steps, the share that took at most 1/60 s; null where there was none.
+    // Share of the awake steps that took at most 1/60 s; null where there are none.
     nlohmann::ordered_json frames_in_time() const;
 
   private:

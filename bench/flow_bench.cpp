@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long the flow through a tree takes: build/release/bin/flow_bench. Linear in segments.
+// Times of the flow through a tree: build/release/bin/flow_bench. The cost is linear in the number
+// of segments.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -23,7 +24,7 @@ FlowConditions injected(int node, double mass_flow_g_s, PressureLaw law = Pressu
     return conditions;
 }
 
-// One solve from nothing: circuit, elimination order, Newton.
+// One solve from scratch: circuit, elimination order, Newton iterations.
 void solve_tree(benchmark::State& state) {
     Random random(1);
     const FlowNetwork network = random_tree(random, static_cast<int>(state.range(0)));
@@ -41,7 +42,8 @@ BENCHMARK(solve_tree)
     ->ArgsProduct({{10'000, 100'000, 1'000'000}, {0, 1, 2}})
     ->Unit(benchmark::kMillisecond);
 
-// A patient's tree: the catheter moves to another segment; everything is solved anew.
+// The catheter moves to another segment of a tree of a patient's size, and everything is solved
+// anew.
 void move_catheter(benchmark::State& state) {
     Random random(2);
     const FlowNetwork whole = random_tree(random, 500);
@@ -58,7 +60,8 @@ void move_catheter(benchmark::State& state) {
 }
 BENCHMARK(move_catheter)->Unit(benchmark::kMillisecond);
 
-// One step of the front, up to the next event; 0: drug like blood, 1: lipiodol (two solves a step).
+// One step of the front, up to the next event; 0: a drug like blood, 1: lipiodol (two solves a
+// step).
 void front_event(benchmark::State& state) {
     Random random(4);
     const FlowNetwork network = random_tree(random, static_cast<int>(state.range(0)));
@@ -74,7 +77,7 @@ BENCHMARK(front_event)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(10);
 
-// A whole injection of lipiodol into a patient's tree, until every vessel is full.
+// A whole injection of lipiodol into a tree of a patient's size, until every vessel is full.
 void whole_injection(benchmark::State& state) {
     Random random(5);
     const FlowNetwork network = random_tree(random, 500);
@@ -90,9 +93,9 @@ void whole_injection(benchmark::State& state) {
 }
 BENCHMARK(whole_injection)->Unit(benchmark::kMillisecond);
 
-// The trade of accuracy for speed: the largest error of any segment's arrival time, as a share of
-// the time in which the tree is filled, against the tolerance of a step. The yardstick is a run
-// with a hundredth of the finest tolerance.
+// Accuracy against speed: the largest error of any segment's first arrival time, relative to the
+// time in which the tree is filled, over the tolerance of a step. The reference is a run with a
+// hundredth of the finest tolerance.
 void step_tolerance(benchmark::State& state) {
     Random random(6);
     const FlowNetwork network = random_tree(random, 500);
@@ -121,7 +124,7 @@ void step_tolerance(benchmark::State& state) {
 }
 BENCHMARK(step_tolerance)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
 
-// What hovering over a patient's tree costs.
+// Cost of hovering over a tree of a patient's size: the territory of a point.
 void hover(benchmark::State& state) {
     Random random(3);
     const FlowNetwork network = random_tree(random, 500);

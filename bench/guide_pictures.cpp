@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes the pictures of the guide from the window itself, with the built-in patient:
+// Takes the pictures of the guide from the window, with the built-in patient:
 //
 //     xvfb-run -s "-screen 0 1280x820x24" build/release/bin/guide_pictures assets/guide/pictures
 //
-// A second argument is the language that the window speaks there, such as "de".
+// A second argument is the language of the window, such as "de".
 #include <QComboBox>
 #include <QSlider>
 
@@ -14,7 +14,7 @@
 namespace hepatica {
 namespace {
 
-constexpr int picture_width = 680;  // of the guide's page
+constexpr int picture_width = 680;  // width on the guide's page
 
 class GuidePictures : Photographer {
   public:
@@ -32,7 +32,7 @@ class GuidePictures : Photographer {
         window().actions()[ActionId::reset].trigger();
         settle();
         QTest::mouseDClick(&window().view(), Qt::LeftButton, {}, on_vessel(0.02));
-        QTest::qWait(6000);  // of the drug's way
+        QTest::qWait(6000);  // lets the drug flow
         window().actions()[ActionId::play_pause].trigger();
         settle();
         save("drug");
@@ -72,12 +72,13 @@ class GuidePictures : Photographer {
         paint(axial, [&](int step) {
             return Vec3(begin + Vec3(-10.0 - 2.0 * step, 6.0 + 1.5 * step, 0));
         });
-        for (int k = 0; k < 2; ++k) QTest::keyClick(&axial, Qt::Key_Escape);  // stroke, then brush
+        for (int k = 0; k < 2; ++k)
+            QTest::keyClick(&axial, Qt::Key_Escape);  // first the stroke, then the brush
         try_threshold();
         tumour(axial, begin + Vec3(-26.0, -16.0, 0));
     }
 
-    // A branch that is painted, while the mouse still leads the brush.
+    // Paints a branch, and takes the picture while the mouse still leads the brush.
     void paint(SliceView& axial, const std::function<Vec3(int step)>& place) {
         emit window().findChild<QComboBox*>("measure")->activated(6);
         QTest::mousePress(&axial, Qt::LeftButton, {}, axial.place_of(place(0)).toPoint());
@@ -87,7 +88,7 @@ class GuidePictures : Photographer {
         QTest::mouseRelease(&axial, Qt::LeftButton, {}, axial.place_of(place(12)).toPoint());
     }
 
-    // Another threshold that is tried.
+    // Tries another threshold.
     void try_threshold() {
         window().actions()[ActionId::choose_threshold].trigger();
         ThresholdDialog& dialog = window().view_layout().threshold();
@@ -100,7 +101,7 @@ class GuidePictures : Photographer {
         dialog.hide();
     }
 
-    // As wide as a small metastasis.
+    // Paints a tumour as wide as a small metastasis.
     void tumour(SliceView& axial, const Vec3& middle) {
         emit window().findChild<QComboBox*>("measure")->activated(8);
         window().view_layout().slices().brush().set_radius(7.0);

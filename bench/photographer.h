@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Takes pictures of the window while somebody clicks in it: what those of the guide and those of
-// the README have in common. Needs a display.
+// Common parts of the programs that take the pictures of the guide and of the README: they operate
+// the window like a user and save what it shows. Needs a display.
 #pragma once
 
 #include <QApplication>
@@ -39,14 +39,17 @@ class Photographer {
         constexpr int patience_ms = 300000;
         if (!QTest::qWaitFor(condition, patience_ms)) throw std::runtime_error("it took too long");
     }
-    void settle() { QTest::qWait(2500); }  // until the picture is smoothed and panels follow
+    void settle() {
+        QTest::qWait(2500);
+    }  // until the picture is smoothed and the panels have followed
 
     QPoint pixel_of(const Vec3& place_mm) {
         return point_at(window_.view().scene().pixel_of(place_mm),
                         window_.view().devicePixelRatioF())
             .toPoint();
     }
-    // Along the first branch; beyond its middle along the one that is longest.
+    // A pixel on the first branch, or, for a share above one half, on the branch with the most
+    // points.
     QPoint on_vessel(double share) {
         const VesselTree& tree = window_.workspace().patient()->tree;
         const VesselSegment* longest = &tree.segments.front();
@@ -57,7 +60,7 @@ class Photographer {
             static_cast<std::size_t>(share * static_cast<double>(longest->points_mm.size() - 1));
         return pixel_of(longest->points_mm[index]);
     }
-    // From one point of the view to another, with the button that is down or none.
+    // Moves the mouse from one point of the view to another, with or without a pressed button.
     void lead(const QPoint& from, const QPoint& to, int moves, int wait_ms) {
         for (int i = 1; i <= moves; ++i) {
             QTest::mouseMove(&window_.view(), from + (to - from) * i / moves);
@@ -76,7 +79,7 @@ class Photographer {
         if (!picture.save(file)) throw std::runtime_error("cannot write " + file.toStdString());
         std::printf("%s\n", file.toStdString().c_str());
     }
-    // With the dialog in front, in the middle of the view.
+    // With the dialog, if any, in front in the middle of the view.
     void save_window(const QString& name, int width, QWidget* dialog = nullptr) {
         QPixmap shown = window_.grab();
         if (dialog != nullptr)
@@ -94,7 +97,8 @@ class Photographer {
     QString folder_;
 };
 
-// What such a program does: `take` in a window of its own settings, which speaks the language.
+// Main function of such a program: calls `take` with a window that has its own settings and this
+// language. Returns the exit code.
 inline int take_pictures(int& argc, char** argv, const char* language,
                          const std::function<void(MainWindow&)>& take) {
     try {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes the README's pictures of the window, with the built-in patient:
+// Takes the README's pictures of the window, with the built-in patient:
 //
 //     xvfb-run -s "-screen 0 1280x820x24" build/release/bin/readme_pictures docs/images
 //
-// Beside other work the real-time factor in the status line is low: take them on an idle machine.
+// Take them on an idle machine: beside other work the real-time factor in the status line is low.
 #include <QComboBox>
 #include <algorithm>
 
@@ -41,7 +41,7 @@ class ReadmePictures : Photographer {
         return pixel_of(point_on_longest_path(window().workspace().patient()->tree, share));
     }
 
-    // Taken in hand beside the longest branch, closed where it has jaws, and led.
+    // Takes a tool in hand beside the longest branch, closes it if it has jaws, and moves it.
     void tool(
         Qt::Key key, const QString& name, const QPoint& by,
         const std::function<void()>& then = [] {}) {
@@ -67,7 +67,7 @@ class ReadmePictures : Photographer {
 
     void play_drug() {
         QTest::mouseDClick(&window().view(), Qt::LeftButton, {}, on_vessel(0.02));
-        QTest::qWait(6000);  // of the drug's way
+        QTest::qWait(6000);  // lets the drug flow
         window().actions()[ActionId::play_pause].trigger();
     }
 
@@ -89,7 +89,7 @@ class ReadmePictures : Photographer {
         settle();
     }
 
-    // In the middle of the pull that it asks for.
+    // Plays a lesson and takes the picture in the middle of its pull.
     void lesson() {
         begin_lesson("gentle_pull");
         VtkWidget& view = window().view();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window costs on a screen: processor time while nothing moves, before and after an
-// injection that has run out, and where a cut vessel bleeds, and pictures a second, counted when
-// they are swapped onto the screen, while the patient is turned and while a hand pulls a vessel.
-// The whole window, with its mouse events, on whatever display there is:
+// Cost of the window on a screen: processor time while nothing moves (before and after an injection
+// that has run out, and while a cut vessel bleeds), and pictures per second, counted when they are
+// swapped onto the screen, while the patient is turned and while a hand pulls a vessel. It runs the
+// whole window with mouse events on any display:
 //
 //     xvfb-run -s "-screen 0 1280x800x24" build/release/bin/window_bench CASE
 #include <malloc.h>
@@ -47,7 +47,7 @@ constexpr double idle_s = 20.0;
 constexpr double patience_s = 300.0;
 constexpr double frame_ms = 1e3 / 60.0;
 constexpr int mouse_period_ms = 8;
-// Of one leg of the hand's way, which leads through these places and back, again and again.
+// Duration of one leg of the hand's path, which leads through these places in a cycle.
 constexpr double leg_s = 0.5;
 const std::array<Vec3, 3> hand_mm{Vec3(0, 0, 0), Vec3(30, 20, 0), Vec3(0, -20, 10)};
 constexpr int rounds = 8;
@@ -59,7 +59,7 @@ double process_s() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// What the system says, once the allocator has given back what it kept for later.
+// Resident memory after the allocator has returned unused memory.
 double memory_in_use_mb() {
     malloc_trim(0);
     long pages = 0, resident = 0;
@@ -89,7 +89,7 @@ double quantile(std::vector<double> values, double share) {
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
-// Each picture of the view, from the moment it is drawn until it is on the screen.
+// Time of each picture of the view, from the start of drawing until it is on the screen.
 struct Pictures {
     explicit Pictures(VtkWidget& view) {
         view.on_picture([this](const PictureTime& time) { times_ms.push_back(time.on_screen_ms); });
@@ -116,7 +116,8 @@ class WindowBench {
         std::fflush(stdout);
     }
 
-    // A double click on the root, and a clock that runs ten times as fast.
+    // Double-clicks on the root with a clock that runs ten times as fast. False where the drug does
+    // not arrive.
     bool inject() {
         window_.findChild<QDoubleSpinBox*>("speed")->setValue(10.0);
         mouse(QEvent::MouseButtonDblClick, on_vessel(0.1));
@@ -126,7 +127,7 @@ class WindowBench {
         });
     }
 
-    // A blade across the longest branch. False where nothing bleeds then.
+    // Cuts across the longest branch with a blade. False where nothing bleeds afterwards.
     bool cut() {
         window_.actions()[ActionId::cut_mode].trigger();
         VtkWidget& view = window_.view();
@@ -146,7 +147,7 @@ class WindowBench {
         });
     }
 
-    // Drags beside the vessels, so that nothing but the picture is at work.
+    // Drags beside the vessels, so that only the picture is at work.
     void turn() {
         VtkWidget& view = window_.view();
         const QPointF corner(0.9 * view.width(), 0.9 * view.height());
@@ -175,7 +176,7 @@ class WindowBench {
         view.draw_again();
     }
 
-    // A probe beside the vessels: its ghost behind them and how far it is from them cost something.
+    // Turns without and with a probe beside the vessels, whose ghost and distance line cost time.
     bool turn_with_a_probe() {
         turn_and_rest("without a tool");
         window_.actions()[ActionId::sphere_tool].trigger();
@@ -189,14 +190,14 @@ class WindowBench {
         return run_until([this] { return !window_.frame().tool.has_value(); });
     }
 
-    // The wheel turns one notch after another over the axial slice, and each notch is painted
-    // before the next, through all slices and back. False where the CT is not his.
+    // Turns the wheel notch by notch over the axial slice, painting each before the next, through
+    // all slices and back. False where the CT does not belong to the patient.
     bool scroll(const std::filesystem::path& ct) {
         ViewLayout& views = window_.view_layout();
         views.show_patient(window_.workspace().patient(), window_.workspace().folder(), ct);
         views.set_slices_visible(true);
         if (!run_until([&] { return !views.slices().empty(); })) return false;
-        run_for(idle_s);  // the dial is measured beside the window, once
+        run_for(idle_s);  // the dial is measured once beside the window
         SliceView& axial = views.slice_view(SliceDirection::axial);
         const Index3& dims = views.slices().ct().grid.dims;
         const int slices = dims[2];
@@ -210,7 +211,7 @@ class WindowBench {
                              QPoint(0, notch < slices ? -120 : 120), Qt::NoButton, {},
                              Qt::NoScrollPhase, false);
             QCoreApplication::sendEvent(&axial, &turn);
-            if (axial.slice() == painted) continue;  // the end of the stack
+            if (axial.slice() == painted) continue;  // end of the stack
             painted = axial.slice();
             QCoreApplication::processEvents();
             times_ms.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
@@ -225,12 +226,12 @@ class WindowBench {
         return true;
     }
 
-    // Turned and at rest without the CT, with it as a volume in both presets, and without it again.
-    // False where the CT is not his.
+    // Turns and rests without the CT, with it as a volume in both presets, and without it again.
+    // False where the CT does not belong to the patient.
     bool volume(const std::filesystem::path& ct) {
         window_.volume().show_patient(window_.workspace().patient(), window_.workspace().folder(),
                                       ct);
-        run_for(idle_s);  // the dial is measured beside the window, once
+        run_for(idle_s);  // the dial is measured once beside the window
         turn_and_rest("without the CT");
         window_.actions()[ActionId::toggle_volume].trigger();
         const auto* bar = window_.findChild<QWidget*>("volumeBar");
@@ -245,7 +246,7 @@ class WindowBench {
         return true;
     }
 
-    // A brush is led in circles through the axial slice, and each move is painted before the next.
+    // Leads a brush in circles through the axial slice, painting each move before the next.
     void paint(ViewLayout& views) const {
         views.slices().set_crosshair(on_vessel(0.5));
         SliceView& axial = views.slice_view(SliceDirection::axial);
@@ -325,7 +326,7 @@ class WindowBench {
     }
 
   private:
-    // The last picture after a change is the one that stays.
+    // Turns, then measures the picture at rest: the last one after a change.
     void turn_and_rest(const char* what) {
         std::printf("%s: ", what);
         turn();
@@ -430,7 +431,7 @@ int main(int argc, char** argv) {
     bench.pull();
     if (only_pull) return 0;
     if (!bench.cut()) return 1;
-    run_for(idle_s);  // the stump swings back
+    run_for(idle_s);  // while the stump swings back
     bench.idle("while a cut vessel bleeds");
     return 0;
 }

@@ -12,12 +12,15 @@
 namespace hepatica::gpu {
 namespace {
 
-// A diameter between nodes takes no more iterations than half of one (docs/gpu.md).
+// With one diameter between nodes, solves take no more iterations than with half of one
+// (docs/gpu.md).
 constexpr double spacing_diameters = 1.0;
-// Of a node's twelve vectors and its vertices' three numbers each, the former must be fewer by far.
+// A node adds 12 unknowns to the coarse space. With at least 16 vertices, which have 48 unknowns,
+// the coarse space is much smaller than the body.
 constexpr int least_vertices = 16;
 
-// Empty for block-jacobi. A body with kernels has tetrahedra alone.
+// Empty for block-jacobi. A body with kernels has tetrahedra alone, so its mesh can replace a
+// missing skeleton.
 CoarseSkeleton skeleton_for(const BodyDescription& description, const StepperOptions& options) {
     if (options.solver == LinearSolverKind::block_jacobi) return {};
     return thinned(description.skeleton.size() > 0
@@ -68,7 +71,8 @@ class CudaBackEnd final : public StepBackEnd {
     }
 
     bool set_options(const StepperOptions& options) override {
-        // Whether the device has a body depends on them.
+        // These options decide whether the device has a body. Where that would change, a new back
+        // end is needed.
         const bool here = !why_not_on_device(cpu_->body(), options);
         if (here == (device_ == nullptr) || !cpu_->set_options(options)) return false;
         options_ = options;
@@ -92,7 +96,8 @@ class CudaBackEnd final : public StepBackEnd {
         return true;
     }
 
-    // Stress is the processor's, and so is which joints part; the device follows the torn body.
+    // Stress and the choice of the joints that part are computed on the processor; the device
+    // follows the torn body.
     void find_stress(std::vector<Mat3>& stress_pa, std::vector<double>& energy_nj) override {
         cpu_->find_stress(stress_pa, energy_nj);
     }
@@ -118,7 +123,7 @@ class CudaBackEnd final : public StepBackEnd {
     double contact_energy() const override { return cpu_->contact_energy(); }
     double kinetic_energy() const override { return cpu_->kinetic_energy(); }
 
-    // The CPU's solver, and at the end of its memory that of the device's.
+    // The CPU's solver memory, with the device's appended at the end.
     SolverCheckpoint checkpoint() const override {
         SolverCheckpoint kept = cpu_->checkpoint();
         kept.memory.push_back(device_ ? device_->solver_memory() : 0.0);
@@ -133,7 +138,7 @@ class CudaBackEnd final : public StepBackEnd {
     }
 
   private:
-    // Where the device fails, the processor goes on alone.
+    // If the device fails, the processor continues alone.
     template <class Work>
     void guarded(const Work& work) {
         try {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The GPU's back end. It makes the steps that its kernels know; behind it stands the CPU's, which
-// keeps everything else (what is searched, checkpoints, the repair of inverted elements) and makes
-// the steps that the GPU leaves: those that would make energy if taken whole, and those with
-// something that has no kernels yet. So nothing is left out, only slower; why, is said in words.
+// The GPU's back end. It makes the steps that its kernels support. A CPU back end behind it does
+// everything else (contact search, checkpoints, the repair of inverted elements) and makes the
+// steps that the GPU rejects: those whose full Newton direction would increase the energy, and
+// those with features that have no kernels yet. Every step is made, some more slowly; the reason is
+// reported in words.
 #pragma once
 
 #include <functional>
@@ -16,25 +17,25 @@
 
 namespace hepatica::gpu {
 
-// How many steps either has made.
+// Number of steps that the device and the processor made.
 struct StepShare {
     long device = 0;
     long processor = 0;
-    SolveCost solves{};  // of the device's steps, added up
+    SolveCost solves{};  // sum over the device's steps
 };
 
 struct CudaOptions {
     Precision precision = Precision::single_precision;
     std::shared_ptr<StepShare> share = std::make_shared<StepShare>();
-    // Told why steps are made by the processor, each reason once.
+    // Called with the reason why the processor makes steps, once per reason.
     std::function<void(const std::string&)> say = [](const std::string&) {};
 };
 
-// Why steps of such a body are made by the processor throughout; none where they are not.
+// The reason why the processor makes all steps of such a body; none where the device makes them.
 std::optional<std::string> why_not_on_device(const Body& body, const StepperOptions& options);
 
-// As make_cpu_back_end. The machine is shared with other back ends of the same thread. Where the
-// device fails, the body goes on from its last step on the processor.
+// As make_cpu_back_end(). The machine may be shared with other back ends of the same thread. If the
+// device fails, the body continues from its last step on the processor.
 std::unique_ptr<StepBackEnd> make_cuda_back_end(const BodyDescription& body,
                                                 const StepperOptions& options,
                                                 std::shared_ptr<Machine> machine,

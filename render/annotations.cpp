@@ -134,7 +134,7 @@ void Annotations::update(const PictureSize& size, vtkCamera& camera, const Legen
     update_scale_bar(size, camera);
 }
 
-// Cut with an ellipsis where the picture is too narrow for it.
+// Shortens the caption with an ellipsis where the picture is too narrow for it.
 void Annotations::write_caption(const PictureSize& size) {
     const double margin = margin_pt * size.pixel_ratio;
     std::string text = visible_ ? caption_text_ : std::string();
@@ -144,7 +144,7 @@ void Annotations::write_caption(const PictureSize& size) {
     };
     write(text);
     while (text.size() > 1 && caption_width() > size.width - 2.0 * margin) {
-        for (bool whole = false; !whole && !text.empty();) {  // a letter in UTF-8
+        for (bool whole = false; !whole && !text.empty();) {  // removes one UTF-8 character
             whole = (static_cast<unsigned char>(text.back()) & 0xC0) != 0x80;
             text.pop_back();
         }
@@ -164,7 +164,7 @@ double Annotations::caption_width() {
 }
 
 bool Annotations::has_room(vtkTextActor& text, const PictureSize& size) {
-    double extent[4];  // left, right, bottom, top, from its place
+    double extent[4];  // left, right, bottom, top, relative to its position
     text.GetBoundingBox(&renderer_, extent);
     const double* place = text.GetPosition();
     const PictureBox box{place[0] + extent[0], place[1] + extent[2], place[0] + extent[1],
@@ -188,8 +188,8 @@ void Annotations::update_scale_bar(const PictureSize& size, vtkCamera& camera) {
     const double x = 0.5 * (size.width - width), y = size.covered_bottom + margin_pt * r;
     draw_scale_bar(x, y, width, r);
     const std::string length = formatted(length_mm, length_mm < 1.0 ? 1 : 0);
-    // Nearer things look larger: the bar holds where the camera turns about. A narrow picture has
-    // no room to say so.
+    // With perspective the bar's length holds only at the depth of the focal point. The label says
+    // so, unless the picture is too narrow for it.
     for (const char* unit : {" mm at the depth of the view's centre", " mm"}) {
         place_text(*bar_label_, said(words_, length + unit), 0.5 * size.width, y + 8.0 * r,
                    annotation_letters_pt * size.letter_point, look_.text);

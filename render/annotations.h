@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two-dimensional marks over the picture: the legend, a scale bar of a round length, and a
-// caption. Sizes are in points and follow the screen's pixel ratio.
+// The two-dimensional annotations over the picture: the legend, a scale bar of a round length, and
+// a caption. Sizes are in points and follow the screen's pixel ratio.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -19,20 +19,23 @@ class vtkTextActor;
 
 namespace hepatica {
 
-// Size of the picture in device pixels, and of one point of the annotations in pixels: of those
-// that shrink in small pictures, of the legend, which shrinks less, and of letters, which do not.
+// Size of the picture in device pixels, and the size of one point in pixels for each kind of
+// annotation: `pixel_ratio` for lengths, which shrink in small pictures; `legend_point` for the
+// legend, which shrinks less; `letter_point` for letters, which do not shrink.
 struct PictureSize {
     int width = 0;
     int height = 0;
     double pixel_ratio = 1.0;
     double legend_point = 1.0;
     double letter_point = 1.0;
-    // Pixels at the top and at the foot over which something else lies: no mark stands there.
+    // Heights in pixels at the top and bottom that something else covers; annotations keep clear of
+    // them.
     double covered_top = 0.0;
     double covered_bottom = 0.0;
 };
 
-// Of the caption and the scale: 9 points of print. What has no room in that size is left out.
+// Letter size of the caption and the scale bar: 12 points of the screen, which are 9 points of
+// print. Text that does not fit at this size is left out.
 inline constexpr double annotation_letters_pt = 12.0;
 
 // Draws into the two-dimensional layer of one renderer; not thread-safe.
@@ -40,19 +43,20 @@ class Annotations {
   public:
     explicit Annotations(vtkRenderer& renderer);
 
-    // Places every mark for the next picture; call before each. Costs nothing where all is as it
-    // was and no `count` is given, with which the legend looks for a corner (Legend::update()).
+    // Places every annotation for the next picture; call before each. Costs nothing where nothing
+    // has changed and no `count` is given. With `count` the legend chooses its corner
+    // (Legend::update()).
     void update(const PictureSize& size, vtkCamera& camera, const LegendContent& legend,
                 const Legend::Count& count);
     const PictureBox& legend_box() const { return legend_.box(); }
     bool shows_caption() const;
-    bool set_caption(const std::string& text);  // true if it was another
+    bool set_caption(const std::string& text);  // true if the text changed
     void set_visible(bool visible) { visible_ = visible; }
     void set_look(const ViewLook& look);
-    void set_words(PictureWords words);  // of all but the caption; English at first
+    void set_words(PictureWords words);  // for all texts but the caption; English by default
 
   private:
-    // Everything that the marks show or depend on.
+    // Everything that the annotations show or depend on.
     struct Shown {
         int width = 0, height = 0;
         double pixel_ratio = 0.0, legend_point = 0.0, letter_point = 0.0;
@@ -67,7 +71,8 @@ class Annotations {
     double caption_width();  // in pixels
     void update_scale_bar(const PictureSize& size, vtkCamera& camera);
     void draw_scale_bar(double x, double y, double width, double point);
-    // Whether a text that has been placed has room there, and lies on nothing else.
+    // Whether a text, as placed, fits into the picture and overlaps neither the legend nor the
+    // orientation marker.
     bool has_room(vtkTextActor& text, const PictureSize& size);
 
     vtkRenderer& renderer_;
@@ -83,8 +88,9 @@ class Annotations {
     vtkSmartPointer<vtkTextActor> caption_;
 };
 
-// The largest of 1, 2, 5 times a power of ten that is at most `length` > 0. (That set is closed
-// under reciprocals: 1 / round_length_below(1 / x) is the smallest of it that is at least x.)
+// The largest number of the form 1, 2 or 5 times a power of ten that is at most `length`, which
+// must be > 0. The set is closed under reciprocals: 1 / round_length_below(1 / x) is the smallest
+// such number that is at least x.
 double round_length_below(double length);
 
 }  // namespace hepatica

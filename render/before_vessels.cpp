@@ -7,7 +7,7 @@
 namespace hepatica {
 
 void draw_before_vessels(vtkActor& actor) {
-    // Depth in the nearest hundredth of what the picture has.
+    // Maps the depth into the nearest hundredth of the depth range.
     actor.GetShaderProperty()->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true,
                                                           R"(//VTK::PositionVC::Impl
   gl_Position.z = mix(-gl_Position.w, gl_Position.z, 0.01);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is seen through everything that is drawn: the tool where vessels or blood hide it.
+// Makes an actor visible through everything else. Used to show the tool where vessels or blood hide
+// it.
 #pragma once
 
 class vtkActor;
 
 namespace hepatica {
 
-// From now on the actor lies in front of all that is drawn after it, its own parts in their order.
+// From now on the actor is in front of everything that is drawn after it. The depth order of its
+// own parts is kept.
 void draw_before_vessels(vtkActor& actor);
 
 }  // namespace hepatica

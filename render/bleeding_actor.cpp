@@ -14,8 +14,8 @@
 namespace hepatica {
 namespace {
 
-constexpr double pool_opacity = 0.55;  // the stump in it stays to be found
-// Less is not seen, and where only blood runs no picture is drawn for it.
+constexpr double pool_opacity = 0.55;  // low enough that the stump inside remains visible
+// Changes below this are invisible; where only blood runs, no new picture is drawn for them.
 constexpr double seen_mm = 0.1;
 
 vtkSmartPointer<vtkActor> new_pool() {
@@ -30,8 +30,8 @@ vtkSmartPointer<vtkActor> new_pool() {
     const Colour& colour = palette::bleeding;
     pool->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
     pool->GetProperty()->SetOpacity(pool_opacity);
-    pool->ForceOpaqueOn();  // blended over the vessels, which are drawn before, without a pass of
-                            // its own
+    pool->ForceOpaqueOn();  // blended over the vessels, which are drawn before it, without a
+                            // separate translucent pass
     pool->GetProperty()->BackfaceCullingOn();
     pool->SetPickable(false);
     return pool;

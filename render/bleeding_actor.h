@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blood at the open ends of torn vessels: a translucent pool at each, the larger the more has been
-// lost there. Not to scale: a hundred grams would hide all vessels.
+// Blood at the open ends of torn vessels: one translucent sphere at each, whose radius grows with
+// the cube root of the blood lost there. Not to scale: a hundred grams would hide all vessels.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -15,7 +15,7 @@ class vtkRenderer;
 
 namespace hepatica {
 
-// 0 where nothing was lost.
+// Radius of the sphere for a blood loss in grams; 0 where nothing was lost.
 double radius_of_pool_mm(double lost_g);
 
 // Draws into one renderer, which must outlive it; not thread-safe.
@@ -26,8 +26,8 @@ class BleedingActor {
     BleedingActor(const BleedingActor&) = delete;
     BleedingActor& operator=(const BleedingActor&) = delete;
 
-    // Costs nothing where nothing bleeds. Returns true if the picture is another now: a pool that
-    // grew by less than can be seen is drawn as it was.
+    // Costs nothing where nothing bleeds. Returns true if the picture changed; a sphere that grew
+    // or moved by less than 0.1 mm is not redrawn.
     bool update(const std::optional<TearView>& tear);
 
   private:

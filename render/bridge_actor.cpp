@@ -43,7 +43,7 @@ Vec3 point_along(const std::vector<Vec3>& path, double along) {
     return path.back();
 }
 
-// Straight pieces of `dash_mm` along the path, `pause_mm` apart.
+// Straight dashes of `dash_mm` along the path, `pause_mm` apart.
 vtkSmartPointer<vtkPolyData> dashes(const std::vector<Vec3>& path) {
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> lines;
@@ -88,7 +88,7 @@ void BridgeActor::set_bridges(std::vector<BridgeView> bridges) {
     bridges_ = std::move(bridges);
     for (const BridgeView& bridge : bridges_) {
         const Colour& colour = bridge.chosen ? text_colour_ : palette::bridge;
-        // Tubes, because not every driver draws lines wider than a pixel.
+        // Tubes, because not every driver draws lines wider than one pixel.
         vtkNew<vtkTubeFilter> rods;
         rods->SetInputData(dashes(bridge.path_mm));
         rods->SetRadius(bridge.chosen ? chosen_radius_mm : radius_mm);

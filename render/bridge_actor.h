@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gaps that might be bridged: dashed lines from vessel to vessel, each with the confidence that it
-// is one vessel. They stand where the vessels are at rest.
+// Gaps that might be bridged: dashed lines from vessel to vessel, each labelled with the confidence
+// that both ends belong to one vessel. They are drawn at the vessels' rest positions.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -27,6 +27,7 @@ struct BridgeView {
     bool chosen = false;  // brighter and wider than the others
 };
 
+// One view per bridge, labelled with its confidence in percent; none is chosen.
 std::vector<BridgeView> views_of(const std::vector<Bridge>& bridges);
 
 // Draws into one renderer, which must outlive it; not thread-safe.
@@ -37,13 +38,13 @@ class BridgeActor {
     BridgeActor(const BridgeActor&) = delete;
     BridgeActor& operator=(const BridgeActor&) = delete;
 
-    // The colour of one that is chosen.
+    // Colour of a chosen bridge.
     void set_text_colour(const Colour& colour);
-    // From the next bridges on; English at first.
+    // Takes effect with the next set_bridges(); English by default.
     void set_words(PictureWords words) { words_ = std::move(words); }
     void set_bridges(std::vector<BridgeView> bridges);
     const std::vector<BridgeView>& bridges() const { return bridges_; }
-    // Of the letters; follows the screen.
+    // Scales the letters and their offset.
     void set_pixel_ratio(double pixel_ratio);
 
   private:

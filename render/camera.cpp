@@ -13,7 +13,8 @@ namespace hepatica {
 namespace {
 
 using std::numbers::pi;
-constexpr double view_angle_deg = 24.0;  // narrow: little perspective, lengths stay comparable
+constexpr double view_angle_deg =
+    24.0;  // narrow, so that there is little perspective and lengths remain comparable
 
 struct Side {
     ViewDirection direction;
@@ -38,7 +39,8 @@ const Side& side_of(ViewDirection direction) {
     return sides()[static_cast<std::size_t>(direction)];
 }
 
-// `from`: towards the eye, `up` across it; both of unit length.
+// Places the camera so that the box fits. `from` points towards the eye, `up` is perpendicular to
+// it; both have unit length.
 void fit(vtkCamera& camera, const Vec3& from, const Vec3& up, const Vec3& lower_mm,
          const Vec3& upper_mm, double aspect) {
     const Vec3 centre = 0.5 * (lower_mm + upper_mm);

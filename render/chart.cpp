@@ -44,8 +44,8 @@ bool drawable(const Chart& chart, double x, double y) {
            (!chart.logarithmic_y || y > 0.0);
 }
 
-// VTK's own logarithmic axes take the logarithm twice once a plot was updated, so the plots get
-// logarithms and the axes name the decades.
+// VTK's logarithmic axes take the logarithm twice once a plot was updated. So the plots are given
+// logarithms, and the axes are labelled with the decades.
 double on_axis(double value, bool logarithmic) {
     return logarithmic ? std::log10(value) : value;
 }
@@ -126,7 +126,7 @@ struct Corner {
     int up;      // its vertical one
 };
 
-// The corner that the fewest points of the curves lie in: there the legend hides least.
+// The corner with the fewest points of the curves, where the legend hides least.
 Corner emptiest_corner(const Chart& chart) {
     constexpr double width = 0.45, height = 0.35;  // share of the plot that a legend may cover
     const auto share = [](double value, const Range& range, bool logarithmic) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A plot of curves over one axis: as data, as CSV, and as a picture by VTK's chart.
+// A chart of curves with one pair of axes: its data, its export as CSV, and its picture, drawn by
+// VTK.
 #pragma once
 
 #include <string>
@@ -14,7 +15,7 @@ namespace hepatica {
 struct Curve {
     std::string name;
     std::vector<double> x;
-    std::vector<double> y;  // as many as x; those that are not finite are left out
+    std::vector<double> y;  // as many as x; points that are not finite are left out
     bool points_only = false;
 };
 
@@ -23,18 +24,20 @@ struct Chart {
     std::string x_label;  // with its unit: "Time (s)"
     std::string y_label;
     std::vector<Curve> curves;
-    bool logarithmic_x = false;  // all values > 0
+    bool logarithmic_x = false;  // points with a value <= 0 are left out
     bool logarithmic_y = false;
 };
 
-// Colour of the curve with this index: Okabe and Ito's set, told apart by colour-blind readers.
+// Colour of the curve with this index, from the palette of Okabe and Ito, which colour-blind
+// readers can tell apart. It repeats after 7.
 Colour curve_colour(std::size_t index);
 
-// One row per point: curve, x, y. Decimal points, 17 significant digits.
+// One row per point: curve, x, y. Decimal points, 17 significant digits. Points that are not finite
+// are kept.
 std::string to_csv(const Chart& chart);
 
-// Draws the chart, black on white, into the whole window, whose context must be current. The window
-// must hold nothing else.
+// Draws the chart on white into the whole window, whose context must be current and which must hold
+// nothing else.
 void draw_chart(vtkRenderWindow& window, const Chart& chart);
 
 }  // namespace hepatica

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Three short lines along the patient's axes through a point: where the slices cross.
+// Three short lines along the patient's axes through the point where the slices cross.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -16,7 +16,7 @@ class CrosshairActor {
   public:
     CrosshairActor();
 
-    // Returns true if the picture is another now.
+    // None hides it. Returns true if the picture changed.
     bool show(const std::optional<Vec3>& position_mm);
 
     vtkActor* actor() const { return actor_; }

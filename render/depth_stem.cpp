@@ -16,8 +16,8 @@
 namespace hepatica {
 namespace {
 
-constexpr double touching_mm = 1.0;   // nearer than this it is as good as there
-constexpr double farthest_mm = 80.0;  // beyond it is nowhere near
+constexpr double touching_mm = 1.0;   // nearer than this, the tool counts as arrived
+constexpr double farthest_mm = 80.0;  // beyond this, no distance to the vessels is shown
 
 Vec3 nearest_to(const Vec3& point, const std::vector<float>& positions_mm) {
     Vec3 nearest = point;
@@ -32,9 +32,9 @@ Vec3 nearest_to(const Vec3& point, const std::vector<float>& positions_mm) {
     return nearest;
 }
 
-// Seen from where the picture is seen from.
+// Relative to the viewing direction.
 const char* way_to_mark(double deeper_mm, double away_mm) {
-    constexpr double hardly = 0.5;  // of the whole way
+    constexpr double hardly = 0.5;  // share of the whole distance
     if (std::abs(deeper_mm) < hardly * away_mm) return " to the mark";
     return deeper_mm > 0.0 ? " to the mark, deeper" : " to the mark, nearer";
 }
@@ -81,7 +81,8 @@ bool DepthStem::update(const std::optional<ToolView>& tool, const std::vector<fl
         mark = nearest_waiting(tool->tip_mm, marks);
         end = mark != nullptr ? mark->place_mm : nearest_to(tool->tip_mm, positions_mm);
         away_mm = (end - tool->tip_mm).norm();
-        // Goals ask for the distance of the tip; vessels are met by the surface around it.
+        // A lesson's goals measure from the tip; vessels are met by the surface of the sphere
+        // around it.
         if (mark == nullptr) away_mm -= tool->parts.front().radius_mm;
     }
     const bool shows = away_mm >= touching_mm && (mark != nullptr || away_mm <= farthest_mm);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a tool has to go: a line from its tip to the nearest mark that is not reached yet, or,
-// where there is none, to the nearest place of the vessels' surface, with the distance in
-// millimetres. Seen from anywhere, it says what the depth of a picture does not.
+// Shows how far a tool has to go: a line from its tip to the nearest mark that is not reached yet,
+// or, where there is none, to the nearest vertex of the vessels' surface, labelled with the
+// distance in millimetres. It conveys the depth that a perspective picture does not show.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -30,15 +30,16 @@ class DepthStem {
     DepthStem(const DepthStem&) = delete;
     DepthStem& operator=(const DepthStem&) = delete;
 
-    // From the next update on; English at first.
+    // Takes effect with the next update(); English by default.
     void set_words(PictureWords words) { words_ = std::move(words); }
     // `positions_mm`: x, y, z of each vertex of the vessels. Costs one pass over them while a tool
-    // is there and no mark waits for it, and nothing without a tool. Returns true if the picture is
-    // another now.
-    // `forward`: into the picture, of length 1; the words say whether a mark lies deeper or nearer.
+    // is present and no mark is waiting, and nothing without a tool. Only tools that touch nothing
+    // have a line. `forward`: unit vector into the picture, by which the label says whether a mark
+    // lies deeper or nearer. Returns true if the picture changed.
     bool update(const std::optional<ToolView>& tool, const std::vector<float>& positions_mm,
                 const std::vector<MarkView>& marks, const Vec3& forward);
-    // Its number keeps clear of a mark that lies straight behind the tool.
+    // Places the number; call before each picture. It keeps clear of a mark straight behind the
+    // tool.
     void place(double pixel_ratio) {
         constexpr double beside_mark_points = 18.0;
         label_.place(pixel_ratio, beside_mark_points);

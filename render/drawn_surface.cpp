@@ -42,8 +42,8 @@ DrawnSurface::DrawnSurface()
     polydata_->GetPointData()->AddArray(arrival_);
     mapper_->SetInputData(polydata_);
     mapper_->SetColorModeToDirectScalars();
-    // VTK would shift and scale positions for precision, at the cost of a pass over them; floats of
-    // a patient's size in mm are precise to 0.03 micrometres without it.
+    // By default VTK shifts and scales positions for precision, which costs a pass over them.
+    // Without it, floats of a patient's size in mm are still precise to 0.03 micrometres.
     mapper_->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
     actor_->SetMapper(mapper_);
     vtkProperty& look = *actor_->GetProperty();

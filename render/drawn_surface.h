@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A triangle surface on the graphics card: each of its arrays is uploaded when it was given anew
-// and at no other time. Colours are kept with an alpha of 255, because VTK would make such an array
-// of any other one for every picture in which the points have moved.
+// A triangle surface on the graphics card: each of its arrays is uploaded only when it was set
+// anew. Colours have an alpha of 255, because VTK would otherwise convert the array to four
+// components for every picture in which the points have moved.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -23,19 +23,21 @@ class vtkUnsignedCharArray;
 
 namespace hepatica {
 
-// Belongs to one OpenGL context; not thread-safe. Closed surfaces only: what faces away from the
-// eye is not drawn, unless the surface is cut open.
+// Belongs to one OpenGL context; not thread-safe. For closed surfaces only: back faces are culled
+// unless the surface is cut open by a clip plane.
 class DrawnSurface {
   public:
     DrawnSurface();
 
-    // What comes after has one value, or three, or four, per vertex.
+    // Call set_triangles() first. The others take one value (arrival), three (positions, normals)
+    // or four (colours) per vertex.
     void set_triangles(std::span<const std::array<int, 3>> triangles, std::size_t vertex_count);
     void set_positions(std::span<const float> positions_mm, std::span<const float> normals);
     void set_colours(std::span<const std::uint8_t> rgba);
     void set_arrival(std::span<const float> arrival_s);
 
-    // Draws only what is on the plane's positive side, and the inside that it lays open; null: all.
+    // Draws only the part on the plane's positive side, and the inside that it exposes; null draws
+    // all. The plane must outlive its use.
     void set_clip(vtkPlane* plane);
 
     vtkActor* actor() const;

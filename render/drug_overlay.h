@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The drug front as an addition to the vessel's fragment shader: each fragment compares its own
-// arrival time with the time since the injection began. To advance the front costs one uniform a
-// frame; no geometry is uploaded for it, at rest or while the vessel moves.
+// Draws the drug front in the vessel's fragment shader: each fragment compares its interpolated
+// arrival time with the time since the injection began. Advancing the front costs one uniform a
+// frame; no geometry is uploaded for it.
 #pragma once
 
 #include "render/palette.h"
@@ -13,23 +13,23 @@ namespace hepatica {
 
 struct DrugView;
 
-// The place on the colour map is the square root of arrival time over end: the large vessels fill
-// in the first few percent of the time, which a linear map would show in one colour.
+// The position on the colour map is sqrt(arrival time / end time): the large vessels fill in the
+// first few percent of the time, which a linear map would show in one colour.
 namespace drug_overlay {
 
-// Point data array that holds the arrival time in seconds of each vertex.
+// Name of the point data array with the arrival time of each vertex in seconds.
 inline constexpr const char* arrival_array = "arrival_s";
-// Stands for "never reached" on the graphics card, where infinity would spoil interpolation.
+// Stands for "never reached" on the graphics card, where infinity would corrupt the interpolation.
 inline constexpr float never_s = 1e9f;
 
-// Adds the overlay to the actor's shader. Call once.
+// Adds the overlay to the actor's shaders. Call once per actor.
 void attach(vtkActor& actor, vtkOpenGLPolyDataMapper& mapper);
 
-// Sets time and range of the map, which ends at `least_end_s` or later. Call every frame; costs
-// nothing.
+// Sets the time and the end of the colour map, which is at least `least_end_s`. Call every frame;
+// it sets two uniforms.
 void set_time(vtkActor& actor, const DrugView& drug, double least_end_s = 0.0);
 
-// Depths (mm before the camera) between which colours fade into the background.
+// Distances from the camera in mm between which colours fade into the background.
 void set_fade(vtkActor& actor, double near_mm, double far_mm);
 // The colour into which they fade.
 void set_distance(vtkActor& actor, const Colour& colour);

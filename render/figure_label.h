@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A number with its unit beside a point of the patient, in front of all and never beyond the
-// picture's edge.
+// A number with its unit beside a point of the patient. It is drawn over everything else and kept
+// within the picture.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -25,12 +25,12 @@ class FigureLabel {
     FigureLabel(const FigureLabel&) = delete;
     FigureLabel& operator=(const FigureLabel&) = delete;
 
-    // An empty text shows nothing. Returns true if the picture is another now.
+    // An empty text shows nothing. Returns true if the picture changed.
     bool show(const std::string& text, const Vec3& at_mm);
-    // To be called before each picture: the camera may have moved. `below` points of the screen
-    // below the point, and as many to its right.
+    // Call before each picture, because the camera may have moved. The label is `below_points`
+    // screen points below the point and as many to its right.
     void place(double pixel_ratio, double below_points = 0.0);
-    // Where it stands in the picture, in its pixels; none: it is not shown.
+    // The label's rectangle in the picture in pixels; none where it is not shown.
     std::optional<PictureBox> box() const;
 
   private:

@@ -17,7 +17,7 @@
 namespace hepatica {
 namespace {
 
-// Opacity rises towards the silhouette: the outline shows the shape, and the vessels inside stay
+// Opacity rises towards the silhouette: the outline shows the shape, and the vessels inside remain
 // visible.
 std::string shader_of(const GhostLook& look) {
     std::ostringstream code;
@@ -40,7 +40,7 @@ GhostActor::GhostActor(const GhostLook& ghost)
     actor_->SetMapper(mapper_);
     vtkProperty& look = *actor_->GetProperty();
     look.SetColor(ghost.colour[0], ghost.colour[1], ghost.colour[2]);
-    look.SetOpacity(0.5);  // below 1, so that VTK draws it in the pass for translucent surfaces
+    look.SetOpacity(0.5);  // below 1, so that VTK draws it in its translucent pass
     look.BackfaceCullingOn();
     actor_->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
                                                               shader_of(ghost), false);

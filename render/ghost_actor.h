@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An organ around its vessels, or a tumour among them: a translucent surface that does not move,
-// more opaque at its outline than where it faces the eye, so that it hides nothing.
+// more opaque at its outline than where it faces the eye, so that vessels remain visible through
+// it.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -17,7 +18,7 @@ namespace hepatica {
 struct GhostLook {
     Colour colour{};
     double facing = 0.0;  // opacity where the surface faces the eye
-    double rim = 0.0;     // so much more at the outline
+    double rim = 0.0;     // added at the outline
 };
 
 inline constexpr GhostLook liver_ghost{palette::liver, 0.03, 0.30};
@@ -29,7 +30,7 @@ class GhostActor {
 
     void set_surface(const TriangleMesh& surface);  // an empty one shows nothing
     void set_visible(bool visible);
-    // Draws only what is on the plane's positive side; null: all.
+    // Draws only the part on the plane's positive side; null draws all.
     void set_clip(vtkPlane* plane);
     bool shows() const { return visible_ && !empty_; }
     vtkActor* actor() const { return actor_; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pull as a line from the held point of the vessel to the mouse, with a bead where it holds.
+// A pull, drawn as a line from the grabbed point of the vessel to its target under the mouse, with
+// a small sphere at the target.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -17,9 +18,10 @@ class GrabActor {
   public:
     GrabActor();
 
-    // Returns true if the picture is another now.
+    // None hides it. Returns true if the picture changed.
     bool update(const std::optional<GrabView>& grab);
-    // Size of one screen point at the focal plane, so that line and bead look alike at any zoom.
+    // Size of one screen point at the focal plane, so that the sphere has one size on the screen at
+    // any zoom.
     void set_scale(double mm_per_point);
 
     vtkActor* line() const { return line_; }

@@ -33,7 +33,7 @@ HaloActor::HaloActor(vtkPolyData& surface)
       actor_(vtkSmartPointer<vtkActor>::New()) {
     mapper_->SetInputData(&surface);
     mapper_->ScalarVisibilityOff();
-    // As DrawnSurface has it, or the arrays would be uploaded twice.
+    // Must equal the setting in DrawnSurface, or the arrays would be uploaded twice.
     mapper_->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
     actor_->SetMapper(mapper_);
     actor_->GetProperty()->FrontfaceCullingOn();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A thin rim of the background's colour around each vessel, seen only where it passes in front of
-// another: which of two crossing vessels is nearer. It is the surface's back drawn once more, a
-// little wider: before the background it has the background's own colour, and the vessel itself
-// covers the rest of it.
+// A thin rim of the background's colour around each vessel, visible only where it passes in front
+// of another, so that one sees which of two crossing vessels is nearer. It is drawn as the back
+// faces of the surface, moved outward along the normals: over the background it has the
+// background's colour, and elsewhere the vessel itself covers it.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -20,14 +20,14 @@ namespace hepatica {
 // Belongs to one OpenGL context; not thread-safe.
 class HaloActor {
   public:
-    // Of a closed surface with outward normals, whose arrays on the card are shared with whoever
-    // else draws it.
+    // `surface` must be closed, with outward normals. Its arrays on the card are shared with other
+    // actors that draw it.
     explicit HaloActor(vtkPolyData& surface);
 
-    // Its width in mm for each mm of depth, so that it is the same everywhere on the screen, and by
-    // what it is moved away from the eye, so that a vessel has none on itself.
+    // `mm_per_depth`: width in mm for each mm of depth, which makes it constant on the screen.
+    // `behind_mm`: shift away from the eye, so that a vessel casts no rim on itself.
     void set_place(double mm_per_depth, const Vec3& behind_mm);
-    // The colours of the background at the picture's upper and lower edge, and the picture's height
+    // The background's colours at the upper and lower edge of the picture, and the picture's height
     // in pixels.
     void set_background(const Colour& top, const Colour& bottom, int height);
     void set_clip(vtkPlane* plane);

@@ -23,7 +23,7 @@ namespace {
 
 // In points.
 constexpr double margin = 18.0;
-constexpr double line = 22.0;  // from one line of text to the next
+constexpr double line = 22.0;  // between lines of text
 constexpr double bar = 10.0, gap = 5.0;
 constexpr double swatch = 13.0;
 constexpr double text_after_swatch = 21.0;
@@ -87,7 +87,7 @@ void Legend::add_quad(const PictureBox& box, const Colour& colour) {
 
 void Legend::write(const std::string& text, double x, double y, int justification,
                    const Colour& colour, double size) {
-    if (text.empty()) return;  // VTK warns about empty ones
+    if (text.empty()) return;  // VTK warns about empty texts
     if (texts_used_ == texts_.size()) {
         texts_.push_back(vtkSmartPointer<vtkTextActor>::New());
         renderer_.AddActor2D(texts_.back());
@@ -105,7 +105,7 @@ void Legend::write(const std::string& text, double x, double y, int justificatio
 void Legend::draw_row(const LegendRow& row, double left, double top, double width, double point,
                       const ViewLook& look) {
     const double size = legend_letters_pt * point;
-    const double base = top - 16.0 * point;  // on which the letters stand
+    const double base = top - 16.0 * point;  // baseline of the letters
     const bool swatched = row.colours.size() == 1;
     write(row.text, left + (swatched ? text_after_swatch * point : 0.0), base, VTK_TEXT_LEFT,
           row.faint ? look.faint_text : look.text, size);
@@ -115,7 +115,7 @@ void Legend::draw_row(const LegendRow& row, double left, double top, double widt
     if (row.colours.size() < 2) return;
     const double upper = top - line * point, lower = upper - bar * point;
     draw_bar(row, {left, lower, left + width, upper}, point, look.text);
-    // A narrow bar has room for every second label.
+    // A narrow bar has room for every other label only.
     const bool narrow = width < 180.0 * point;
     for (std::size_t t = 0; t < row.ticks.size(); ++t) {
         const auto& [place, label] = row.ticks[t];
@@ -128,7 +128,7 @@ void Legend::draw_row(const LegendRow& row, double left, double top, double widt
     }
 }
 
-// Nothing lies over anything else: which of two flat things is seen is for VTK's version to decide.
+// Quads must not overlap: which of two coplanar quads is visible depends on VTK's version.
 void Legend::draw_bar(const LegendRow& row, const PictureBox& bar, double point,
                       const Colour& mark) {
     const double width = bar.right - bar.left;
@@ -171,7 +171,7 @@ void Legend::update(const std::vector<LegendRow>& wanted, const Room& room, cons
     ground_ = look.bottom;
     const double widest = room.width - 2.0 * margin * room.point;
     const std::vector<LegendRow> rows = fitting(wanted, widest, room.point);
-    // Letters shrink before they are cut.
+    // Letters shrink before anything is cut off.
     const double r = room.point;
     const double needed = width_of(rows, r);
     const double p = r * std::clamp(widest / std::max(needed, 1.0), least_shrunk, 1.0);
@@ -182,13 +182,13 @@ void Legend::update(const std::vector<LegendRow>& wanted, const Room& room, cons
         const double right = room.width - margin * r,
                      top = room.height - room.covered_top - margin * r;
         const double below_caption = top - line * r;
-        // Not over the caption, where both have no room beside each other.
+        // Below the caption where there is no room beside it.
         const bool beside_caption = room.caption + width + 3.0 * margin * r <= room.width;
         const double right_top = beside_caption ? top : below_caption;
-        // In a narrow picture the scale bar stands below it.
+        // In a narrow picture the legend goes above the scale bar.
         const double foot =
             room.covered_bottom + (room.width < 640.0 * r ? (margin + 36.0) * r : margin * r);
-        // Right below, right above, left above: left below stands the cube.
+        // Lower right, upper right, upper left; the orientation cube is in the lower left corner.
         const std::vector<PictureBox> corners{
             {right - width, foot, right, foot + height},
             {right - width, right_top - height, right, right_top},

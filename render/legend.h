@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draws the legend (legend_rows.h) in a corner of the picture that holds no vessels, with letters
-// of at least 12 points of print, which are 16 of the screen's.
+// Draws the legend (legend_rows.h) in the corner of the picture that covers the fewest vessels.
+// Letters have 16 points of the screen, which are 12 points of print; they shrink in thumbnails and
+// where a row would not fit.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -29,32 +30,32 @@ class Legend {
     explicit Legend(vtkRenderer& renderer);
 
     struct Room {
-        int width = 0, height = 0;  // of the picture, in device pixels
-        double point = 1.0;         // one of the legend's points in device pixels
-        double caption = 0.0;       // width of what stands left above
-        // Pixels at the top and at the foot over which something else lies.
+        int width = 0, height = 0;  // size of the picture in device pixels
+        double point = 1.0;         // one point of the legend in device pixels
+        double caption = 0.0;       // width of the caption in the upper left corner
+        // Heights in pixels at the top and bottom that something else covers.
         double covered_top = 0.0, covered_bottom = 0.0;
     };
-    // How many vertices of vessels lie in each of the boxes.
+    // The number of vessel vertices in each of the boxes.
     using Count = std::function<std::vector<int>(const std::vector<PictureBox>&)>;
 
-    // Lays everything out anew; no rows: nothing is drawn. Without `count` the legend stays in the
-    // corner where it was.
+    // Lays out everything anew; without rows nothing is drawn. With `count` it moves to the corner
+    // that covers the fewest vertices; without, it stays in its corner.
     void update(const std::vector<LegendRow>& rows, const Room& room, const ViewLook& look,
                 const Count& count);
-    const PictureBox& box() const { return box_; }  // in which it was drawn last
+    const PictureBox& box() const { return box_; }  // where it was drawn last
 
   private:
     void add_quad(const PictureBox& box, const Colour& colour);
     void write(const std::string& text, double x, double y, int justification, const Colour& colour,
                double size);
-    // Of a text in pixels, in letters of so many.
+    // Width of a text in pixels at a letter size in pixels.
     double width_of(const std::string& text, double size);
-    // What stands at the right of a line that has no room for it gets a line of its own.
+    // Moves text at the right end of a row to a row of its own where it does not fit.
     std::vector<LegendRow> fitting(const std::vector<LegendRow>& rows, double widest, double point);
-    // What all rows need, in pixels.
+    // Width in pixels that all rows need.
     double width_of(const std::vector<LegendRow>& rows, double point);
-    // A bar of colours, with the mark across it.
+    // A bar of colours with the marker across it.
     void draw_bar(const LegendRow& row, const PictureBox& bar, double point, const Colour& mark);
     void draw_row(const LegendRow& row, double left, double top, double width, double point,
                   const ViewLook& look);
@@ -68,8 +69,8 @@ class Legend {
     vtkSmartPointer<vtkPolyData> polydata_;
     vtkSmartPointer<vtkActor2D> actor_;
     Colour ground_{};
-    bool covers_ = false;  // vessels are in every corner: the letters have a ground
-    vtkSmartPointer<vtkTextActor> measure_;  // never drawn
+    bool covers_ = false;  // vessels lie in every corner, so letters get a background
+    vtkSmartPointer<vtkTextActor> measure_;  // measures texts; never drawn
     std::vector<vtkSmartPointer<vtkTextActor>> texts_;
     std::size_t texts_used_ = 0;
 };

@@ -33,7 +33,7 @@ std::string with_capital(std::string text) {
     return text;
 }
 
-// The map goes with the square root of time (drug_overlay.h), and its axis says so.
+// The colour map follows the square root of time (drug_overlay.h), and a row says so.
 void add_drug(const LegendContent& content, std::vector<LegendRow>& rows) {
     LegendRow ramp;
     const int decimals = decimals_for(content.drug_end_s);
@@ -62,7 +62,8 @@ void add_segments(const LegendContent& content, std::vector<LegendRow>& rows) {
         bar.ticks.emplace_back((static_cast<double>(s) + 0.5) / count,
                                segment_name(content.segments[s]));
     }
-    // One colour alone would stand before the text.
+    // A row with one colour shows it as a swatch before the text, so the segment's name goes into
+    // the text.
     if (bar.colours.size() == 1) {
         bar.text += " " + bar.ticks[0].second;
         bar.ticks.clear();
@@ -71,7 +72,7 @@ void add_segments(const LegendContent& content, std::vector<LegendRow>& rows) {
 }
 
 void add_warnings(std::vector<LegendRow>& rows) {
-    constexpr double from = 0.5;  // of the limit: below it a vessel has its own colour
+    constexpr double from = 0.5;  // share of the limit below which a vessel keeps its own colour
     LegendRow ramp;
     ramp.text = "Load (% of what tears)";
     const Colour own = palette::vessel_system(VascularSystem::unknown);
@@ -85,7 +86,7 @@ void add_warnings(std::vector<LegendRow>& rows) {
 
 void set_colours_shown(LegendContent& content, const std::vector<VascularSystem>& systems,
                        const std::vector<std::uint8_t>& segments, const DrugView& drug) {
-    // Arrays, because this is asked of every vertex in every frame while a drug runs.
+    // Arrays instead of sets, because this runs for every vertex in every frame while a drug flows.
     std::array<bool, 256> system_shown{}, segment_shown{};
     const auto place = [](VascularSystem system) { return static_cast<std::size_t>(system); };
     const std::size_t arrivals = drug.arrival_s ? drug.arrival_s->size() : 0;

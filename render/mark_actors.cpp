@@ -24,8 +24,9 @@ namespace {
 constexpr double radius_points = 13.0;
 constexpr double opacity = 0.35;
 constexpr int text_size = 19;
-constexpr double before_radii = 4.0;   // of its ball, to the eye
-constexpr double nearest_share = 0.2;  // of the way to the eye that a number keeps from it
+constexpr double before_radii = 4.0;  // radii of the sphere that it is moved towards the eye
+constexpr double nearest_share =
+    0.2;  // least distance of a number from the eye, as a share of the mark's depth
 
 vtkSmartPointer<vtkActor> new_ball() {
     vtkNew<vtkSphereSource> sphere;
@@ -75,9 +76,10 @@ bool MarkActors::update(std::vector<MarkView> marks) {
     return true;
 }
 
-// To the right of the ball, or to its left where the picture ends.
+// Horizontal offset of the number in pixels: to the right of the sphere, or to its left near the
+// picture's right edge.
 int MarkActors::beside(const Vec3& at, const MarkView& mark, double pixel_ratio) const {
-    constexpr double widest_letter = 0.9;  // of its height
+    constexpr double widest_letter = 0.9;  // of the letters' height
     const std::size_t letters = mark.number.size() + (mark.reached ? 1 : 0);
     const double away = 0.8 * radius_points * pixel_ratio;
     const double width = widest_letter * text_size * pixel_ratio * static_cast<double>(letters);
@@ -89,7 +91,8 @@ int MarkActors::beside(const Vec3& at, const MarkView& mark, double pixel_ratio)
     return static_cast<int>(std::lround(fits ? away : -away - width));
 }
 
-// On the line from the eye through the place, before all that may cover it.
+// The point on the line from the eye through the place that lies in front of everything that may
+// hide the place.
 Vec3 MarkActors::before_all(const Vec3& place_mm, double reach_mm) const {
     vtkCamera& camera = *renderer_.GetActiveCamera();
     const Vec3 eye(camera.GetPosition()), forward(camera.GetDirectionOfProjection());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places that a lesson speaks of, as translucent balls of one size on the screen, through which the
-// vessel is seen, each with its number, which is seen even where vessels or blood hide the place.
-// One that is done with is green and ticked. Another place, such as a branch that is too short to
-// be found, has a ball of the colour of words, nearer to the eye.
+// Places that a lesson refers to: translucent spheres of constant size on the screen, through which
+// the vessel is visible, each with its number. The number is visible even where vessels or blood
+// hide the place. A place that is done is green and ticked. Other places, such as a branch that is
+// too short to be found, have a sphere in the text's colour, moved towards the eye.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -21,7 +21,7 @@ namespace hepatica {
 
 struct MarkView {
     Vec3 place_mm = Vec3::Zero();
-    std::string number;  // beside it; may be empty
+    std::string number;  // shown beside it; may be empty
     bool reached = false;
     bool of_lesson = true;
     bool operator==(const MarkView&) const = default;
@@ -32,13 +32,14 @@ class MarkActors {
     // The renderer must outlive it.
     explicit MarkActors(vtkRenderer& renderer) : renderer_(renderer) {}
 
-    // Returns true if the picture is another now.
+    // Returns true if the picture changed.
     bool update(std::vector<MarkView> marks);
     const std::vector<MarkView>& shown() const { return shown_; }
-    // Size of one screen point at the focal plane, and how many pixels it has; nothing that is
-    // drawn reaches nearer to the eye than `reach_mm` before the focal point.
+    // Call before each picture. `mm_per_point`: size of one screen point at the focal plane;
+    // `pixel_ratio`: pixels of a point; `reach_mm`: nothing drawn is nearer to the eye than this
+    // distance in front of the focal point.
     void set_scale(double mm_per_point, double pixel_ratio, double reach_mm);
-    // Of the numbers, and of what is no place of a lesson.
+    // Colour of the numbers, and of the spheres that are not places of a lesson.
     void set_text_colour(const Colour& colour) { text_colour_ = colour; }
 
   private:

@@ -51,7 +51,8 @@ bool MeasureMarks::show(std::vector<MeasureView> measures) {
     return true;
 }
 
-// Of rectangles, because not every driver draws lines wider than a pixel; a point is a square.
+// Lines are rectangles, because not every driver draws lines wider than one pixel; points are
+// squares.
 void MeasureMarks::add_line(const std::vector<Place2>& line, double width) {
     const auto add = [&](const std::array<Place2, 4>& corners) {
         std::array<vtkIdType, 4> ids{};
@@ -97,7 +98,7 @@ void MeasureMarks::update(const Place& place, double point) {
         vtkTextActor& text = *texts_[used++];
         style_text(*text.GetTextProperty(), static_cast<int>(std::lround(16.0 * point)),
                    lines_colour_);
-        // Readable before vessels, too.
+        // A background keeps the text readable in front of vessels.
         text.GetTextProperty()->SetBackgroundColor(ground_colour_[0], ground_colour_[1],
                                                    ground_colour_[2]);
         text.GetTextProperty()->SetBackgroundOpacity(0.7);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was measured, over the picture: a line through its points, wherever vessels lie, and the
-// value beside the last of them.
+// Measurements drawn over the picture: a line through the measured points, visible through vessels,
+// and the value beside the last point.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -25,7 +25,7 @@ namespace hepatica {
 
 struct MeasureView {
     std::vector<Vec3> points_mm;
-    std::string text;  // empty: none stands beside it
+    std::string text;  // empty: no text
     bool operator==(const MeasureView&) const = default;
 };
 
@@ -34,16 +34,17 @@ class MeasureMarks {
   public:
     explicit MeasureMarks(vtkRenderer& renderer);
 
-    // The colours of lines and letters, and of the ground behind the letters.
+    // Colours of lines and letters, and of the background behind the letters.
     void set_colours(const Colour& lines, const Colour& ground);
-    // True if the picture is another now.
+    // Returns true if the picture changed.
     bool show(std::vector<MeasureView> measures);
     const std::vector<MeasureView>& shown() const { return measures_; }
 
-    // x and y of a point of the patient in device pixels, y upwards; nothing behind the eye.
+    // Projects a point of the patient to device pixels, y upwards; nothing for a point behind the
+    // eye.
     using Place = std::function<std::optional<std::array<double, 2>>(const Vec3& position_mm)>;
-    // For the next picture; call before each. What has a point behind the eye is left out. `point`:
-    // one of the screen's in device pixels.
+    // Places the lines for the next picture; call before each. Measurements with a point behind the
+    // eye are left out. `point`: size of one screen point in device pixels.
     void update(const Place& place, double point);
 
   private:

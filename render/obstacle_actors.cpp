@@ -13,7 +13,7 @@
 namespace hepatica {
 namespace {
 
-// All of one kind as one surface.
+// All obstacles of one kind, merged into one surface.
 TriangleMesh all_of(const Obstacles& obstacles, SurfaceKind kind) {
     TriangleMesh all;
     for (const Obstacle& obstacle : obstacles.all) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What of the patient stands in the way of vessels and tools: tumours, which nothing enters, as
-// solid as they are, and the liver's wall, which only holds what is in it, as faint as an organ.
+// The obstacles to vessels and tools: tumours, which nothing can enter, drawn opaque, and the
+// liver's wall, which keeps everything inside, drawn as translucent as the organ.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -23,11 +23,11 @@ class ObstacleActors {
     ObstacleActors(const ObstacleActors&) = delete;
     ObstacleActors& operator=(const ObstacleActors&) = delete;
 
-    // Null: none. Returns true if the picture is another now; costs nothing for the same ones.
+    // Null shows none. Returns true if the picture changed; costs nothing for the same pointer.
     bool update(const std::shared_ptr<const Obstacles>& obstacles);
-    // Where the liver is drawn as an organ, its wall need not be seen twice.
+    // Hides the wall where the liver is already drawn as an organ.
     void set_wall_visible(bool visible) { wall_.set_visible(visible); }
-    // Draws only what is on the plane's positive side; null: all.
+    // Draws only the part on the plane's positive side; null draws all.
     void set_clip(vtkPlane* plane);
     bool has_solids() const { return has_solids_; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures without any display, for headless programs: one call each. Linked only where
-// hepatica_use_osmesa() was called.
+// Pictures without a display, for headless programs: one call makes one picture. Only targets for
+// which hepatica_use_osmesa() was called contain it.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@
 
 namespace hepatica {
 
-// What a figure points at, drawn over everything else.
+// Marks of a figure, drawn over everything else.
 struct LineMark {
     std::vector<Vec3> points_mm{};
     Colour colour = palette::text;
@@ -39,20 +39,21 @@ struct PictureOptions {
     int width = 1280;
     int height = 960;
     ViewDirection view = ViewDirection::anterior;
-    // Corners of the box that fits at zoom 1, so that pictures of a moving tree share one camera;
-    // none: the tree's own, as it is in the frame.
+    // Opposite corners of the box that fits at zoom 1, so that pictures of a moving tree share one
+    // camera; none takes the box of the frame's tree.
     std::optional<std::array<Vec3, 2>> fitted_box_mm{};
     double zoom = 1.0;
-    double turn_right_deg = 0.0;  // away from the view, as by the mouse
+    double turn_right_deg = 0.0;  // turned away from the view, as with the mouse
     double turn_up_deg = 0.0;
     std::string caption{};
     bool annotations = true;                       // legend, scale bar, orientation
     std::vector<VascularSystem> vertex_systems{};  // one per vertex; empty: all unknown
-    std::vector<std::uint8_t> vertex_segments{};  // Couinaud's, 1 to 8; 0 or missing: as its system
-    std::vector<BridgeView> bridges{};            // gaps that might be bridged
-    TriangleMesh liver{};                         // drawn as a ghost; may be empty
-    TriangleMesh tumours{};                       // likewise
-    std::shared_ptr<const Volume> ct{};  // drawn as a volume around the vessels; may be null
+    std::vector<std::uint8_t>
+        vertex_segments{};               // Couinaud's, 1 to 8; 0 or missing: the system's colour
+    std::vector<BridgeView> bridges{};   // gaps that might be bridged
+    TriangleMesh liver{};                // drawn translucent; may be empty
+    TriangleMesh tumours{};              // the same
+    std::shared_ptr<const Volume> ct{};  // volume rendering around the vessels; may be null
     VolumeLook ct_look{};
     std::vector<LineMark> lines{};
     std::vector<CircleMark> circles{};
@@ -63,7 +64,8 @@ struct OffscreenPicture {
     std::string renderer;  // name of the OpenGL renderer
 };
 
-// Throws UsageError where the size makes no sense, Error where there is no OpenGL.
+// Throws UsageError where the size is not 1 to 16384 pixels each way, and Error where no OpenGL
+// context can be made.
 OffscreenPicture draw_frame(const Frame& frame, const PictureOptions& options);
 OffscreenPicture draw_chart(const Chart& chart, int width = 960, int height = 640);
 

@@ -24,7 +24,8 @@ struct Coarseness {
 };
 
 constexpr Coarseness of_organ{2.0, 2.0}, of_tumour{0.8, 1.0};
-constexpr double reach = 4.0;  // of the smoothing: nothing of the surface is cut off
+constexpr double reach =
+    4.0;  // margin in units of the smoothing length, so that nothing of the surface is cut off
 
 FloatVolume share_of(const Mask& part, const Coarseness& coarse, Job& job) {
     return share_inside(part, coarse.smoothing_mm,
@@ -38,7 +39,8 @@ double signed_volume(const TriangleMesh& mesh) {
     return six_volumes / 6.0;
 }
 
-// Each piece that hangs together, 1 in its own grid, with so much around it.
+// Each connected component (26 neighbours) as a mask in a grid of its own with this margin around
+// it.
 std::vector<Mask> pieces_of(const Mask& mask, double margin_mm, const Job& job) {
     const Components found = connected_components(mask, Connectivity::all26, job);
     const Grid& grid = mask.grid;
@@ -74,7 +76,8 @@ void append(const TriangleMesh& more, TriangleMesh& all) {
         all.triangles.push_back({a + first, b + first, c + first});
 }
 
-// Where the share of the object is a half, triangles counter-clockwise from outside.
+// The surface where the share of the object is one half, triangles counter-clockwise seen from
+// outside.
 TriangleMesh closed_surface(const FloatVolume& inner) {
     const FloatVolume share = with_border(inner);
     const Index3& dims = share.grid.dims;
@@ -124,7 +127,7 @@ TriangleMesh tumour_surface(const Mask& tumours, Job& job) {
     TriangleMesh all;
     for (const Mask& piece : pieces_of(tumours, reach * of_tumour.smoothing_mm, job)) {
         TriangleMesh surface = closed_surface(share_of(piece, of_tumour, job));
-        if (surface.triangles.empty()) {  // too small to be smoothed
+        if (surface.triangles.empty()) {  // too small to survive smoothing
             FloatVolume plain(piece.grid);
             std::ranges::copy(piece.voxels, plain.voxels.begin());
             surface = closed_surface(plain);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surface of an organ, or of tumours, from their voxels, to be looked at: an organ's is
-// smoothed by two millimetres, which takes the steps between slices away, and no finer than that.
-// It is no measure of the organ.
+// The surface of an organ, or of tumours, from their voxels, for display only. An organ is smoothed
+// by a Gaussian of 2 mm, which removes the steps between slices, and sampled no finer than 2 mm.
+// Not meant for measuring.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,15 @@
 
 namespace hepatica {
 
-// The closed surface, in mm, of the voxels that hold `label`, triangles counter-clockwise from
-// outside; empty where none does. Where the organ reaches the edge of the grid it is closed there.
-// Any thread. Costs some 0.2 s for the liver of a CT. Throws Cancelled.
+// The closed surface in mm of the voxels that hold `label`, triangles counter-clockwise seen from
+// outside; empty where no voxel does. Where the organ reaches the edge of the grid, the surface is
+// closed there. Callable from any thread. Costs about 0.2 s for the liver of a CT. Throws
+// Cancelled.
 TriangleMesh organ_surface(const Mask& organs, std::uint8_t label, Job& job);
 
-// The same of every voxel that is not 0, each piece by itself: smoothed by 0.8 mm and no finer than
-// one, as tumours are small; what would vanish by that has the surface of its voxels.
+// The same for all voxels that are not 0, each connected component by itself. Because tumours are
+// small, smoothing is 0.8 mm and sampling no finer than 1 mm; a component that smoothing would
+// remove keeps the surface of its voxels.
 TriangleMesh tumour_surface(const Mask& tumours, Job& job);
 
 }  // namespace hepatica

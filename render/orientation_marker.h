@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A small cube in the corner whose faces say which way the patient lies: L left, R right, A front,
-// P back, S head, I feet.
+// A small cube in the corner whose faces name the patient's directions: L left, R right, A
+// anterior, P posterior, S superior, I inferior.
 #pragma once
 
 #include <vtkNew.h>
@@ -13,16 +13,16 @@ class vtkRenderWindow;
 
 namespace hepatica {
 
-// A layer of its own over the window's first renderer; the window must outlive it.
+// Uses a layer of its own over the window's first renderer; the window must outlive it.
 class OrientationMarker {
   public:
     explicit OrientationMarker(vtkRenderWindow& window);
     ~OrientationMarker();
 
-    // Turns the cube as the camera looks.
+    // Turns the cube to match the camera and places it in the lower left corner.
     void update(vtkCamera& camera, const PictureSize& size);
     void set_visible(bool visible) { renderer_->SetDraw(visible); }
-    // Of the cube in a picture of that size, in its pixels.
+    // Distance of the cube from the picture's edge, and its right edge, in pixels.
     static double inset(const PictureSize& size);
     static double right_edge(const PictureSize& size);
 

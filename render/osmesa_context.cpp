@@ -9,8 +9,8 @@
 
 #include "core/base/error.h"
 
-// VTK finds OpenGL through the system's GLEW, which asks GLX. These entry points, found before
-// those of libGL and libGLEW because they stand in the executable, send it to OSMesa instead.
+// VTK resolves OpenGL through the system's GLEW, which asks GLX. These entry points in the
+// executable take precedence over those of libGL and libGLEW and redirect the look-up to OSMesa.
 extern "C" {
 
 using GlFunction = void (*)();
@@ -60,7 +60,8 @@ OsmesaContext::OsmesaContext(int width, int height) : buffer_(std::make_unique<B
                               3,
                               0};
     buffer_->context = OSMesaCreateContextAttribs(attributes, nullptr);
-    // VTK draws into framebuffers of its own; OSMesa only needs somewhere to be current.
+    // VTK draws into framebuffers of its own; OSMesa only needs a buffer to make the context
+    // current.
     buffer_->pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
     if (!buffer_->context || !OSMesaMakeCurrent(buffer_->context, buffer_->pixels.data(),
                                                 GL_UNSIGNED_BYTE, width, height)) {

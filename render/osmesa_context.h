@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OpenGL without any display: a software context for programs that make pictures on servers. Only
-// programs that link hepatica_osmesa have it; it takes over the look-up of OpenGL's functions, so
-// the desktop program must not.
+// OpenGL without a display: a software context for programs that make pictures on servers. Only
+// programs that call hepatica_use_osmesa() in CMake contain it. It replaces the look-up of OpenGL
+// functions, so the desktop program must not use it.
 #pragma once
 
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -11,10 +11,11 @@
 
 namespace hepatica {
 
-// A picture of fixed size in memory. The thread that made it must use and destroy it.
+// An OpenGL context of fixed size in memory. The thread that made it must use and destroy it.
 class OsmesaContext {
   public:
-    // 1 to 16384 pixels each way; throws Error (naming the driver) where none can be made.
+    // Throws UsageError unless both sizes are 1 to 16384 pixels, and Error where OSMesa cannot make
+    // an OpenGL 3.3 context.
     OsmesaContext(int width, int height);
     ~OsmesaContext();
     OsmesaContext(const OsmesaContext&) = delete;

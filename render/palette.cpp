@@ -8,8 +8,8 @@
 namespace hepatica::palette {
 namespace {
 
-// From deep red-brown to pale yellow: the sequential "YlOrBr" ramp of Brewer turned round, which
-// stands out against blue vessels for normal and for red-green-blind eyes alike.
+// From deep red-brown to pale yellow: Brewer's sequential "YlOrBr" ramp reversed, which stands out
+// against blue vessels both for normal and for red-green-blind eyes.
 constexpr std::array<Colour, 6> drug_stops{{{0.60, 0.20, 0.016},
                                             {0.80, 0.30, 0.008},
                                             {0.925, 0.44, 0.078},
@@ -33,10 +33,10 @@ Colour vessel_system(VascularSystem system) {
     return {0.58, 0.60, 0.72};
 }
 
-// Without blue, violet and red, which are the systems', and the light green of tumours. Found by a
-// search for the largest least distance between any two of them, and of each from those, in the
-// OKLab space (Ottosson 2020) as seen by normal and by colour-blind eyes (Machado et al. 2009).
-// Neighbours in the liver have colours far apart.
+// Excludes blue, violet and red, which belong to the systems, and the light green of tumours. Found
+// by a search that maximises the least distance between any two of these colours, and from each to
+// those excluded, in the OKLab space (Ottosson 2020) as seen by normal and by colour-blind eyes
+// (Machado et al. 2009). Segments that are neighbours have very different colours.
 Colour liver_segment(int segment) {
     constexpr std::array<Colour, 8> colours{{{0.50, 0.27, 0.36},
                                              {1.00, 0.49, 0.01},

@@ -17,7 +17,7 @@
 namespace hepatica {
 namespace {
 
-// VTK counts rows from the bottom.
+// VTK stores rows from the bottom upwards.
 std::size_t bottom_up_row(const Picture& picture, int row) {
     return static_cast<std::size_t>(picture.height - 1 - row) *
            static_cast<std::size_t>(picture.width) * 3;

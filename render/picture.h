@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A picture in memory, read from a render window, written to and read from PNG.
+// A picture in memory, read from a render window, and written to and read from PNG files.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,12 @@ struct Picture {
     std::vector<std::uint8_t> rgb;
 };
 
-// What the window shows since its last Render(); its context must be current.
+// The result of the window's last Render(); its context must be current.
 Picture read_picture(vtkRenderWindow& window);
 
-// Atomic. Throws InputError, naming the file, where it cannot be written.
+// Writes atomically. Throws InputError, naming the file, where it cannot be written.
 void write_png(const std::filesystem::path& file, const Picture& picture);
-// Throws InputError, naming the file, where it is missing or no PNG.
+// Throws InputError, naming the file, where it is missing or not a PNG of 8-bit RGB.
 Picture read_png(const std::filesystem::path& file);
 
 }  // namespace hepatica

@@ -17,8 +17,8 @@ double distance_to_stretch(const Point& p, const Point& a, const Point& b) {
     return std::hypot(p[0] - a[0] - share * dx, p[1] - a[1] - share * dy);
 }
 
-// The colour covers each pixel of the box by how much of it lies within `half_width` of the mark:
-// `distance` gives that of a pixel's centre.
+// Blends the colour into each pixel of the box by how much of the pixel lies within `half_width` of
+// the mark. `distance` gives the distance of a pixel's centre from the mark.
 template <class Distance>
 void paint(Picture& picture, Point low, Point high, double half_width, const Colour& colour,
            const Distance& distance) {

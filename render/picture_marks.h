@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines and circles drawn over a finished picture, with smooth edges: what a figure points at. No
-// toolkit.
+// Anti-aliased lines and circles drawn over a finished picture, to point something out in a figure.
+// Depends on no toolkit.
 #pragma once
 
 #include <array>
@@ -12,8 +12,9 @@
 
 namespace hepatica {
 
-// Places are pixels from the upper left corner, x to the right and y down; what lies outside of the
-// picture is left out. Widths in pixels, > 0. Costs the pixels of the lines' boxes.
+// Positions are pixels from the upper left corner, x to the right and y down; parts outside of the
+// picture are left out. Widths are in pixels, > 0. Costs one visit of each pixel in the bounding
+// boxes of the segments.
 void draw_line(Picture& picture, std::span<const std::array<double, 2>> points, double width,
                const Colour& colour);
 void draw_circle(Picture& picture, const std::array<double, 2>& centre, double radius, double width,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words that are drawn into pictures: legend, scale bar, forces, gaps. They are English unless
-// whoever draws says how they are said in another language.
+// Translation of the words that are drawn into pictures: legend, scale bar, forces, gaps. Without
+// it they are English.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,8 @@
 
 namespace hepatica {
 
-// Of an English text with its numbers, such as "12.5 mN" or "Drug arrival (s)"; empty: as it is.
+// Translates an English text with its numbers, such as "12.5 mN" or "Drug arrival (s)"; an empty
+// function leaves it as it is.
 using PictureWords = std::function<std::string(const std::string& english)>;
 
 inline std::string said(const PictureWords& words, const std::string& english) {

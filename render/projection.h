@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the pixels of a picture to lines of sight into the scene, and back, as a camera's
-// perspective has it. A value: it holds for the camera as it was when it was taken.
+// Perspective projection of a camera: from the pixels of a picture to viewing rays, and from points
+// to pixels. It is a copy of the camera's state when it was constructed.
 #pragma once
 
 #include "core/base/vector.h"
@@ -9,7 +9,7 @@ class vtkCamera;
 
 namespace hepatica {
 
-// Device pixels, from the picture's upper left corner, as screens count them.
+// Device pixels from the upper left corner of the picture, y down.
 struct Pixel {
     double x = 0.0;
     double y = 0.0;
@@ -21,7 +21,7 @@ struct ViewRay {
     Vec3 direction = Vec3::UnitZ();
 };
 
-// The picture's directions, of unit length, and the point that it is about.
+// The picture's directions, of unit length, and the camera's focal point.
 struct ViewAxes {
     Vec3 right = Vec3::UnitX();
     Vec3 up = Vec3::UnitZ();
@@ -33,7 +33,7 @@ ViewAxes axes_of(vtkCamera& camera);
 
 class Projection {
   public:
-    // `width`, `height`: of the picture in pixels.
+    // `width`, `height`: size of the picture in pixels.
     Projection(vtkCamera& camera, int width, int height);
 
     ViewRay ray_through(const Pixel& pixel) const;
@@ -45,7 +45,7 @@ class Projection {
     ViewAxes axes_;
     Vec3 eye_mm_;
     double width_, height_;
-    double per_pixel_;  // the length of a pixel at a distance of 1
+    double per_pixel_;  // size of a pixel at distance 1
 };
 
 }  // namespace hepatica

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Name of the OpenGL renderer in use, declared in scene_view.h.
 #include <vtkRenderWindow.h>
 
 #include "render/scene_view.h"

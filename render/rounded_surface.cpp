@@ -11,8 +11,8 @@ using Vec3f = Eigen::Vector3f;
 
 // Share of the way from the middle of an edge to the mean of its projections onto the tangent
 // planes at its ends. On a circle of radius r the middle of a chord of length c lies c^2/8r below
-// the arc and c^2/4r below those planes, so that a half puts it onto a sphere or tube to second
-// order in c.
+// the arc and c^2/4r below the tangent planes, so a share of one half puts it onto a sphere or tube
+// to second order in c.
 constexpr float roundness = 0.5f;
 
 struct EdgeUse {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rounder picture of a coarse surface: every triangle becomes four, and the new vertices in the
-// middle of the edges are moved onto the curved surface that the normals describe (Phong
-// tessellation, Boubekeur and Alexa 2008). The body itself stays as it is. No toolkit.
+// Draws a coarse surface rounder: every triangle becomes four, and the new vertices in the middle
+// of the edges move onto the curved surface that the normals describe (Phong tessellation,
+// Boubekeur and Alexa 2008). Only the picture changes, not the body. Depends on no toolkit.
 #pragma once
 
 #include <array>
@@ -13,18 +13,19 @@
 
 namespace hepatica {
 
-// The first vertices are those of the surface; one per edge follows. Not thread-safe.
+// The surface's own vertices come first, then one per edge. Not thread-safe.
 class RoundedSurface {
   public:
     void set_topology(const std::vector<std::array<int, 3>>& triangles, std::size_t vertex_count);
-    // Positions and normals of the surface, as many as set_topology() was told.
+    // Takes the positions and normals of the surface, which must have the vertex count given to
+    // set_topology().
     void update(const SurfaceGeometry& surface);
 
     std::size_t vertex_count() const { return corner_count_ + edges_.size(); }
     const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
     const std::vector<float>& positions_mm() const { return positions_mm_; }
     const std::vector<float>& normals() const { return normals_; }
-    // The two surface vertices between which each new vertex lies.
+    // The two surface vertices of the edge of each new vertex.
     const std::vector<std::array<int, 2>>& edges() const { return edges_; }
 
   private:

@@ -24,8 +24,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double halo_points = 2.5;     // its width on the screen
-constexpr double halo_behind_mm = 1.5;  // its vessel, so that bends have none
+constexpr double halo_points = 2.5;     // width on the screen
+constexpr double halo_behind_mm = 1.5;  // shift behind its vessel, so that bends show none
 
 vtkSmartPointer<vtkLight> add_light(vtkRenderer& renderer, const Vec3& from, const Colour& colour,
                                     double intensity) {
@@ -56,8 +56,8 @@ SceneView::SceneView(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(w
     parts_->find_colours_shown();
     renderer.AutomaticLightCreationOff();
     // Three lights that move with the camera: a warm one from the upper left, a cooler and weaker
-    // one from the right, and a weak one from below, which keeps undersides readable where a card
-    // can afford it.
+    // one from the right, and a weak one from below, which keeps undersides visible and is on only
+    // for `best`.
     add_light(renderer, {-0.6, 0.9, 1.0}, {1.0, 0.98, 0.95}, 0.85);
     add_light(renderer, {1.0, 0.1, 0.8}, {0.80, 0.88, 1.0}, 0.35);
     parts_->light_from_below = add_light(renderer, {-0.2, -1.0, 0.4}, {0.9, 0.85, 1.0}, 0.18);
@@ -122,7 +122,7 @@ void SceneView::render(double pixel_ratio) {
                        : 1.0 / pixel_ratio;
         parts_->grab.set_scale(per_pixel * pixel_ratio);
         parts_->stroke.set_scale(per_pixel * pixel_ratio);
-        // The body lies about the focal point, or one has moved along it by no more than its size.
+        // The body lies around the focal point, or panning has moved it by no more than its size.
         parts_->marks.set_scale(per_pixel * pixel_ratio, pixel_ratio, 2.0 * reach);
         parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
         parts_->stem.place(pixel_ratio);
@@ -146,7 +146,7 @@ void SceneView::render(double pixel_ratio) {
     renderer.ResetCameraClippingRange();
     parts_->annotations.set_visible(parts_->annotated && !surface.triangles().empty());
     parts_->orientation.set_visible(parts_->annotated && !surface.triangles().empty());
-    // While it moves the legend stays where it is, unless one looks from elsewhere at once.
+    // While the scene moves the legend keeps its corner, unless a new view was chosen.
     parts_->annotations.update(
         parts_->picture_size(), eye, parts_->legend,
         std::exchange(parts_->turned, false) || parts_->at_rest
@@ -298,7 +298,7 @@ void SceneView::set_smoothing(Smoothing smoothing) {
                                                               : VolumeDetail::best);
 }
 
-// Of those that are in front of the eye.
+// Counts only vertices in front of the eye.
 std::vector<int> SceneView::vertices_within(const std::vector<PictureBox>& boxes) const {
     const PictureSize size = parts_->picture_size();
     const ViewAxes view = axes();
@@ -328,8 +328,8 @@ PictureBox SceneView::legend_box() const {
     return parts_->annotations.legend_box();
 }
 
-// What was in sight stays in sight when the picture gets narrower, and comes back when it gets
-// wider again.
+// Zooms so that what was visible stays visible when the picture gets narrower, and zooms back when
+// it gets wider.
 void SceneView::keep_in_sight() {
     const SurfaceGeometry& surface = parts_->tree.surface();
     const double aspect = parts_->aspect();

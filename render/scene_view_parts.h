@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a scene view is made of: the actors, and what of the newest frame and of the user's choices
-// they show. Known to scene_view.cpp alone.
+// The parts of a SceneView: its actors, the data of the newest frame and the user's choices.
+// Included by scene_view.cpp alone.
 #pragma once
 
 #include <vtkLight.h>
@@ -42,7 +42,8 @@ struct SceneView::Parts {
         const int* size = window.GetSize();
         // In small pictures the annotations shrink, so that they do not cover the patient.
         const double room = std::clamp(size[1] / (600.0 * pixel_ratio), 0.6, 1.0);
-        // The legend's letters shrink in thumbnails alone, and to 9 points of print at most.
+        // The legend's letters shrink in thumbnails alone, to three quarters at least, which are 9
+        // points of print.
         const double legend_room = std::clamp(size[1] / (300.0 * pixel_ratio), 0.75, 1.0);
         return {size[0],
                 size[1],
@@ -52,15 +53,15 @@ struct SceneView::Parts {
                 pixel_ratio * covered[0],
                 pixel_ratio * covered[1]};
     }
-    // What stands in the way is drawn once: as an obstacle where it is a tumour, as an organ where
-    // the liver is shown.
+    // Draws each thing once: a tumour as an obstacle where it is one, the liver's wall as an organ
+    // where the liver is shown.
     void fit_organs_to_obstacles() {
         obstacles.set_wall_visible(!liver.shows());
         tumours.set_visible(!obstacles.has_solids());
         legend.tumours = tumours.shows() || obstacles.has_solids();
     }
     void find_colours_shown() { set_colours_shown(legend, systems, segments, drug); }
-    // The driver is asked once, when a volume is shown first.
+    // The driver's name is read once, when a volume is first shown.
     void prepare_volume() {
         if (!volume.empty() && !by_card) by_card = !is_software_renderer(renderer_name(window));
         volume.prepare(by_card.value_or(false));
@@ -100,19 +101,19 @@ struct SceneView::Parts {
     std::optional<ClipPlane> clip;
     std::vector<VascularSystem> systems;
     std::vector<std::uint8_t> segments;
-    DrugView drug;  // of the newest frame
+    DrugView drug;  // from the newest frame
     LegendContent legend;
     ViewLook look = dark_look;
     double pixel_ratio = 1.0;
-    std::array<int, 2> covered{};   // points at the top and at the foot
-    std::optional<bool> by_card;    // a graphics card draws; none: not asked yet
-    double least_drug_end_s = 0.0;  // of the colours' scale
+    std::array<int, 2> covered{};   // covered heights in points at the top and bottom
+    std::optional<bool> by_card;    // whether a graphics card draws; none: not known yet
+    double least_drug_end_s = 0.0;  // least end of the drug's colour scale
     bool annotated = true;
     bool warned = false;
-    bool at_rest = true;        // nothing is saved on pictures
+    bool at_rest = true;        // pictures need not be fast
     bool looked = false;        // a camera was chosen for the present tree
-    bool turned = false;        // since the last picture, to a view that was chosen
-    double shown_aspect = 0.0;  // of the picture for which the camera was chosen or kept; 0: none
+    bool turned = false;        // a new view was chosen since the last picture
+    double shown_aspect = 0.0;  // aspect for which the camera was chosen or adapted; 0: none
 };
 
 }  // namespace hepatica

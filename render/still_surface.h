@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A surface that does not move, as VTK draws it: with smooth normals.
+// Converts a surface that does not move to VTK polygons with smooth normals.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -10,7 +10,7 @@ class vtkPolyData;
 
 namespace hepatica {
 
-// Triangles counter-clockwise from outside.
+// Triangles must be counter-clockwise seen from outside.
 vtkSmartPointer<vtkPolyData> still_surface(const TriangleMesh& surface);
 
 }  // namespace hepatica

@@ -16,7 +16,7 @@ Eigen::Map<const Vec3f> vertex(const std::vector<float>& values, int index) {
     return Eigen::Map<const Vec3f>(values.data() + 3 * static_cast<std::size_t>(index));
 }
 
-// Distances along a ray between which it runs through what a plane leaves.
+// The interval of distances along a ray on the drawn side of the clip plane.
 struct Stretch {
     double begin = 0.0;
     double end = std::numeric_limits<double>::infinity();
@@ -31,7 +31,7 @@ Stretch stretch_drawn(const Vec3& origin_mm, const Vec3& direction,
     if (approach > 0.0)
         drawn.begin = std::max(0.0, -inside_mm / approach);
     else if (approach < 0.0)
-        drawn.end = -inside_mm / approach;  // below 0 where nothing is left
+        drawn.end = -inside_mm / approach;  // below 0 where nothing is drawn
     else if (inside_mm < 0.0)
         drawn.end = 0.0;
     return drawn;
@@ -89,7 +89,8 @@ void SurfaceGeometry::compute_normals() {
     std::fill(normals_.begin(), normals_.end(), 0.0f);
     for (const auto& [a, b, c] : triangles_) {
         const Vec3f origin = vertex(positions_mm_, a);
-        // Its length is twice the triangle's area, so that normals are weighted by area.
+        // The cross product's length is twice the triangle's area, which weights the normals by
+        // area.
         const Vec3f normal =
             (vertex(positions_mm_, b) - origin).cross(vertex(positions_mm_, c) - origin);
         for (const int corner : {a, b, c}) {

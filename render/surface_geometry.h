@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vessel's surface as a picture needs it: only the vertices that triangles use, with smooth
-// normals, brought up to date every frame in one pass over vertices and triangles. No toolkit.
+// The vessel's surface as needed for drawing: only the vertices that triangles use, with smooth
+// normals, updated every frame in one pass over vertices and triangles. Depends on no toolkit.
 #pragma once
 
 #include <array>
@@ -19,17 +19,18 @@ class SurfaceGeometry {
   public:
     enum class Change { none, positions, topology };
 
-    // Takes the frame's positions; rebuilds the list of surface vertices when the frame's topology
-    // differs from the last one's. Says what is new. A frame without surface gives none.
+    // Takes the frame's positions, and rebuilds the list of surface vertices when the frame's
+    // topology differs from the last one's. Returns what changed. A frame without a surface makes
+    // it empty.
     Change update(const Frame& frame);
 
     const std::vector<std::array<int, 3>>& triangles() const { return triangles_; }
     const std::vector<float>& positions_mm() const { return positions_mm_; }
     const std::vector<float>& normals() const { return normals_; }  // unit length, outward
-    // Index into the frame's vertices, per surface vertex.
+    // For each surface vertex, its index among the frame's vertices.
     const std::vector<int>& frame_vertices() const { return frame_vertices_; }
 
-    // Smallest box around all surface vertices; lower > upper where there are none.
+    // Bounding box of all surface vertices; lower > upper where there are none.
     Vec3 lower_mm() const { return lower_mm_; }
     Vec3 upper_mm() const { return upper_mm_; }
 
@@ -40,25 +41,26 @@ class SurfaceGeometry {
     std::shared_ptr<const std::vector<std::array<int, 3>>> source_;
     std::uint64_t topology_version_ = 0;
     std::vector<int> frame_vertices_;
-    std::vector<std::array<int, 3>> triangles_;  // over the surface vertices
+    std::vector<std::array<int, 3>> triangles_;  // indices of surface vertices
     std::vector<float> positions_mm_;
     std::vector<float> normals_;
     Vec3 lower_mm_ = Vec3::Constant(1);
     Vec3 upper_mm_ = Vec3::Constant(-1);
 };
 
-// Where a ray first meets the surface.
+// The first intersection of a ray with the surface.
 struct SurfacePick {
     int triangle = -1;
     std::array<int, 3> vertices{-1, -1, -1};  // of the frame
     std::array<double, 3> weights{0, 0, 0};   // barycentric, sum 1
-    int nearest_vertex = -1;                  // of the frame: the one of largest weight
+    int nearest_vertex = -1;                  // of the frame: the one with the largest weight
     Vec3 position_mm = Vec3::Zero();
-    double distance = 0.0;  // along the direction, in its lengths
+    double distance = 0.0;  // in units of the direction's length
 };
 
-// Tests every triangle (about a millisecond for 100,000); triangle -1 where nothing is hit in
-// front of the origin. Both sides of a triangle count. With a plane only what it leaves is met.
+// Tests every triangle (about a millisecond for 100,000) from both sides (Moeller and Trumbore
+// 1997). `triangle` is -1 where nothing is hit in front of the origin. With a clip plane, only the
+// part that it leaves can be hit.
 SurfacePick pick_surface(const SurfaceGeometry& surface, const Vec3& origin_mm,
                          const Vec3& direction,
                          const std::optional<ClipPlane>& clip = std::nullopt);

@@ -32,7 +32,8 @@ void style_text(vtkTextProperty& text, int size, const Colour& colour) {
 }
 
 void stand_inside(vtkTextActor& text, vtkRenderer& renderer, double x, double y) {
-    // Free beside the label, where a window may draw its frame: 4 pixels, 8 on a dense screen.
+    // Margin to the picture's edge, where a window may draw its frame: 4 pixels, 8 on a dense
+    // screen.
     const double edge_pixels = 0.3 * text.GetTextProperty()->GetFontSize();
     std::array<double, 2> size{};
     text.GetSize(&renderer, size.data());

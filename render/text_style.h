@@ -10,11 +10,11 @@ class vtkTextProperty;
 
 namespace hepatica {
 
-// `size` in pixels.
+// Sets typeface, size in pixels and colour, without bold, italics or shadow.
 void style_text(vtkTextProperty& text, int size, const Colour& colour);
 
-// Puts the lower left corner of a text, whose position is given in pixels, there; or as near as all
-// of it lies within the picture.
+// Places the lower left corner of a text at (x, y) in pixels, or as near to it as the text fits
+// into the picture. The text's position must be in display coordinates.
 void stand_inside(vtkTextActor& text, vtkRenderer& renderer, double x, double y);
 
 }  // namespace hepatica

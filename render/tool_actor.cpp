@@ -25,10 +25,10 @@ namespace hepatica {
 namespace {
 
 constexpr int around = 32;
-constexpr int bands = 8;  // of each end, from its pole
+constexpr int bands = 8;  // from pole to equator of each hemisphere
 constexpr double least_un = 50.0;
 constexpr double points_a_decade = 34.0;
-constexpr double seen_through = 0.3;  // opacity of what vessels hide of the tool
+constexpr double seen_through = 0.3;  // opacity of the parts that vessels hide
 
 vtkSmartPointer<vtkPolyData> capsule(const ToolView::Part& part) {
     const Vec3 along = part.to_mm - part.from_mm;
@@ -116,15 +116,15 @@ void ToolActor::add_part() {
     part.solid->GetProperty()->SetSpecular(0.5);
     part.solid->GetProperty()->SetSpecularPower(40.0);
     part.ghost->GetProperty()->SetOpacity(seen_through);
-    // Blended over what was drawn before it: the pass for translucent surfaces, which sorts them by
-    // itself, takes software as long as the vessels.
+    // Blended over what was drawn before it. VTK's pass for translucent surfaces, which sorts them,
+    // takes a software renderer as long as the vessels.
     part.ghost->ForceOpaqueOn();
     part.ghost->GetProperty()->SetLighting(false);
-    part.ghost->GetProperty()->BackfaceCullingOn();  // or it would be blended twice
+    part.ghost->GetProperty()->BackfaceCullingOn();  // otherwise it would be blended twice
     part.ghost->SetPickable(false);
     draw_before_vessels(*part.ghost);
     parts_.push_back(part);
-    // Ghosts come last: they lie in front of all that is drawn after them.
+    // Ghosts are added last, because they are in front of everything drawn after them.
     for (const Part& each : parts_) renderer_.RemoveActor(each.ghost);
     for (const Part& each : parts_) renderer_.AddActor(each.ghost);
 }
@@ -158,7 +158,7 @@ void ToolActor::set_scale(double mm_per_point, double pixel_ratio) {
     label_.place(pixel_ratio);
 }
 
-// From the tool's other side, away from what presses it.
+// The arrow starts on the side of the tool away from what presses on it and points along the force.
 void ToolActor::place_arrow() {
     const double force_un = shown_ ? shown_->force_un.norm() : 0.0;
     const std::string force = force_text(force_un);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tool as the capsules that it is made of, and the force on it as an arrow with its number, and
-// that of its grip. The
-// arrow's length goes with the logarithm of the force, in points of the screen, so that a touch and
-// a push can both be seen.
+// A tool, drawn as its capsules, with the force on it as an arrow and a label that gives the force
+// and the grip's force. The arrow's length in screen points grows with the logarithm of the force,
+// so that both a touch and a push are visible.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -23,7 +22,7 @@ class vtkRenderer;
 
 namespace hepatica {
 
-// "12 mN", "0.4 mN"; empty below a twentieth of a millinewton, which counts as no force.
+// "12.0 mN", "0.4 mN"; empty below 0.05 mN, which counts as no force.
 std::string force_text(double force_un);
 
 // Draws into one renderer, which must outlive it; not thread-safe.
@@ -34,17 +33,18 @@ class ToolActor {
     ToolActor(const ToolActor&) = delete;
     ToolActor& operator=(const ToolActor&) = delete;
 
-    // From the next update on; English at first.
+    // Takes effect with the next update(); English by default.
     void set_words(PictureWords words) { words_ = std::move(words); }
-    // Returns true if the picture is another now.
+    // None hides the tool. Returns true if the picture changed.
     bool update(const std::optional<ToolView>& tool);
-    // Size of one point of the screen at the focal plane, and its pixels.
+    // Call before each picture. `mm_per_point`: size of one screen point at the focal plane;
+    // `pixel_ratio`: pixels of a point.
     void set_scale(double mm_per_point, double pixel_ratio);
-    // Where the number stands in the picture, in its pixels; none: it is not shown.
+    // The label's rectangle in the picture in pixels; none where it is not shown.
     std::optional<PictureBox> label_box() const { return label_.box(); }
 
   private:
-    // A capsule where it is seen, and faintly where vessels hide it.
+    // The visible part of a capsule, and a faint copy of it where vessels hide it.
     struct Part {
         vtkSmartPointer<vtkActor> solid, ghost;
     };

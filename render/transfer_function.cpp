@@ -8,21 +8,21 @@
 namespace hepatica {
 namespace {
 
-constexpr int steps = 64;  // across the window
+constexpr int steps = 64;  // intervals across the window
 
 struct Step {
     double at;
     double value;
 };
 
-// Opacity of a millimetre across the window, from black to white, at density 0.5. With the window
-// that is made for vessels (100, 300): nothing below muscle, liver a haze, enhanced blood
-// translucent, bone solid.
+// Opacity of one millimetre across the window, from black (0) to white (1), at density 0.5. With
+// the window intended for vessels (100, 300) tissue below muscle is invisible, liver a haze,
+// enhanced blood translucent and bone opaque.
 constexpr std::array composite{Step{0.42, 0.0},   Step{0.50, 0.022}, Step{0.62, 0.030},
                                Step{0.72, 0.060}, Step{0.88, 0.180}, Step{1.00, 0.600}};
 constexpr std::array maximum{Step{0.30, 0.0}, Step{0.60, 0.20}, Step{1.00, 0.80}};
-// The greys of a maximum go on beyond the window's white, so that bones keep their shape; they end
-// below the writing, so that the vessels stand out.
+// The greys of a maximum intensity projection continue beyond the window's white, so that bones
+// keep their shape. They end below the brightness of the text, so that the vessels stand out.
 constexpr std::array greys{Step{0.0, 0.0}, Step{1.0, 0.50}, Step{3.0, 0.80}};
 
 struct Tissue {
@@ -64,7 +64,7 @@ Colour tissue_at(double hu) {
     return tissues.back().colour;
 }
 
-// As if the layer were thicker or thinner by this factor, a quarter to four times.
+// The opacity of a layer that is thicker by 16^(density - 0.5), a quarter to four times.
 double thickened(double opacity, double density) {
     const double factor = std::pow(16.0, std::clamp(density, 0.0, 1.0) - 0.5);
     return 1.0 - std::pow(1.0 - opacity, factor);
@@ -83,7 +83,7 @@ std::vector<TransferPoint> transfer_function(const VolumeLook& look, const ViewL
     };
     std::vector<TransferPoint> points;
     for (int i = 0; i <= steps; ++i) points.push_back(point_at(static_cast<double>(i) / steps));
-    // Colours go on beyond the window's white.
+    // Colours continue beyond the window's white.
     if (grey) points.push_back(point_at(greys.back().at));
     for (const Tissue& tissue : tissues)
         if (!grey && tissue.hu > points.back().hu)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From Hounsfield units to colour and opacity, by which a CT is drawn as a volume. Opacity follows
-// the grey window of the slices. Colours are those of the tissue and stay where they are: fat,
-// liver brown-red, enhanced blood reddish, bone ivory; a maximum intensity is grey.
+// Transfer function from Hounsfield units to colour and opacity, by which a CT is rendered as a
+// volume. Opacity follows the grey window of the slices. Colours are fixed per tissue (fat
+// yellowish, liver brown-red, enhanced blood reddish, bone ivory); a maximum intensity projection
+// is grey.
 #pragma once
 
 #include <vector>
@@ -18,19 +19,19 @@ struct TransferPoint {
     Colour colour{};
 };
 
-// Between its points linear, beyond them as at the nearest. Hounsfield units rise from point to
-// point, and opacity never falls; it rises with the density, whose values outside of [0, 1] are
-// clamped. Of the room's look depend the greys alone: the brighter, the nearer to its writing.
+// Piecewise linear, constant beyond the first and last point. Hounsfield units ascend; opacity
+// never falls, and rises with the density, which is clamped to [0, 1]. `room` determines the greys
+// alone, which range from its background to its text colour.
 std::vector<TransferPoint> transfer_function(const VolumeLook& look, const ViewLook& room);
 
 struct GradientPoint {
     double hu_per_mm = 0.0;
-    double share = 0.0;  // of the opacity, 0 to 1
+    double share = 0.0;  // factor of the opacity, 0 to 1
 };
 
-// What is left of the opacity where Hounsfield units hardly change: of an organ its surface is
-// seen, its inside and the noise in it hardly. Linear as above, rising. Not for a maximum
-// intensity.
+// Factor of the opacity by the gradient. It suppresses regions where Hounsfield units hardly
+// change, so that of an organ the surface is seen, and hardly its inside and the noise in it.
+// Piecewise linear, ascending. Not for a maximum intensity projection.
 std::vector<GradientPoint> gradient_function();
 
 }  // namespace hepatica

@@ -14,7 +14,8 @@
 namespace hepatica {
 namespace {
 
-// Values of the surface's vertices, then of the middles of its edges: the means of their ends.
+// Appends to the values of the surface's vertices those of the edges' middles, which are the means
+// of both ends.
 template <class T>
 std::vector<T> with_middles(std::vector<T> values, std::size_t components,
                             const std::vector<std::array<int, 2>>& edges) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vessel surface in the picture, rounded or plain: the plain one has a quarter of the triangles
-// and is for pictures that must be quick. Positions and normals of the one that is shown are
-// uploaded in every frame in which they change, triangles and colours only when they change; the
-// drug's arrival times are uploaded once an injection, and its clock is one uniform.
+// The vessel surface in the picture, rounded or plain; the plain one has a quarter of the triangles
+// and serves pictures that must be fast. Positions and normals of the visible one are uploaded in
+// every frame in which they change, triangles and colours only when they change, and the drug's
+// arrival times once an injection; the drug's clock is one uniform.
 #pragma once
 
 #include <array>
@@ -25,37 +25,38 @@ class TreeActor {
   public:
     TreeActor();
 
-    // Returns true if the picture is another now. What a tool touches is lit up.
+    // Takes over a frame and highlights the vertices that a tool touches. Returns true if the
+    // picture changed.
     bool update(const Frame& frame);
 
-    // Whether the surface is drawn rounded (rounded_surface.h), as it is at first.
+    // Whether the surface is drawn rounded (rounded_surface.h); on by default.
     void set_rounded(bool rounded);
 
-    // Vascular system of each vertex of the frame (see palette::vessel_system); those missing at
-    // the end count as unknown.
+    // Vascular system of each vertex of the frame (palette::vessel_system); those missing at the
+    // end count as unknown.
     void set_vertex_systems(std::vector<VascularSystem> systems);
-    // Couinaud's segment of each vertex of the frame, 1 to 8, whose colour stands in for its
-    // system's; 0, and those missing at the end, show the system.
+    // Couinaud's segment of each vertex of the frame, 1 to 8, whose colour replaces its system's;
+    // 0, and those missing at the end, show the system.
     void set_vertex_segments(std::vector<std::uint8_t> segments);
-    // Vertices of the frame to light up, 1 or 0 each; empty lights none.
+    // 1 for each vertex of the frame to brighten, 0 for others; empty brightens none.
     void set_highlight(std::vector<std::uint8_t> highlight);
     // See SceneView::set_drug_scale().
     void set_drug_scale(double least_end_s) { least_drug_end_s_ = least_end_s; }
-    // Whether what is near its limit is coloured (palette::warning); not at first.
+    // Whether vessels near their limit are coloured (palette::warning); off by default.
     void set_warnings(bool shown);
-    // Depths (mm from the camera) between which the tree fades into the background.
+    // Distances from the camera in mm between which the tree fades into the background.
     void set_fade(double near_mm, double far_mm);
 
     // The colour into which it fades.
     void set_distance(const Colour& colour);
     // See DrawnSurface::set_clip().
     void set_clip(vtkPlane* plane);
-    // Whether the rounded surface has a halo (halo_actor.h), as it has at first. The plain one, for
-    // pictures that must be quick, has none.
+    // Whether the rounded surface has a halo (halo_actor.h); on by default. The plain surface has
+    // none.
     void set_halo(bool shown);
     HaloActor& halo() { return rounded_.halo(); }
 
-    // One of them is visible at a time.
+    // The plain and the rounded surface; one of them is visible at a time.
     std::array<vtkActor*, 2> actors() const { return {plain_.actor(), rounded_.actor()}; }
     const SurfaceGeometry& surface() const { return surface_; }
 
@@ -64,9 +65,9 @@ class TreeActor {
     void take_topology();
     void take_colours();
     void take_arrival(const DrugView& drug);
-    // Returns true where other vertices are touched than before.
+    // Returns true if the touched vertices changed.
     bool take_touched(const std::optional<ToolView>& tool);
-    // Of the surface that is shown.
+    // Uploads the positions of the visible surface if they are outdated.
     void take_positions();
     void show_one();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The room around the patient in the three-dimensional view: background and writing.
+// Colours of the background and the text of the three-dimensional view.
 #pragma once
 
 #include "render/palette.h"
@@ -7,10 +7,10 @@
 namespace hepatica {
 
 struct ViewLook {
-    Colour top{}, bottom{};  // of the background
-    Colour distance{};       // into which what is far away fades
+    Colour top{}, bottom{};  // upper and lower edge of the background
+    Colour distance{};       // colour into which distant vessels fade
     Colour text{}, faint_text{};
-    Colour measure = palette::measure;  // what was measured
+    Colour measure = palette::measure;  // measurements
 };
 
 inline constexpr ViewLook dark_look{palette::background_top, palette::background_bottom,

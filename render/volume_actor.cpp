@@ -24,7 +24,8 @@
 namespace hepatica {
 namespace {
 
-// Of the processor's caster: between samples along a ray, in voxels, and between rays, in pixels.
+// Sampling of the ray caster on the processor, by VolumeDetail: distance between samples along a
+// ray in voxels, and between rays in pixels.
 struct Sampling {
     double step;
     double rays_px;
@@ -32,10 +33,10 @@ struct Sampling {
 constexpr std::array samplings{Sampling{2.0, 5.0}, Sampling{0.75, 2.0}, Sampling{0.5, 1.0}};
 constexpr double card_step = 0.5;
 
-// The same voxels, not a copy; the image must not outlive them.
+// Wraps the voxels without copying them; they must outlive the image.
 vtkSmartPointer<vtkImageData> image_of(const Volume& voxels) {
     vtkNew<vtkShortArray> values;
-    constexpr int keep = 1;  // VTK does not free them, and only reads them
+    constexpr int keep = 1;  // VTK does not free the voxels, and only reads them
     values->SetArray(const_cast<std::int16_t*>(voxels.voxels.data()),
                      static_cast<vtkIdType>(voxels.voxels.size()), keep);
     auto image = vtkSmartPointer<vtkImageData>::New();
@@ -45,7 +46,7 @@ vtkSmartPointer<vtkImageData> image_of(const Volume& voxels) {
     return image;
 }
 
-// Where the grid lies: the mappers do not read an image's directions.
+// Direction and origin of the grid as a matrix, because the mappers ignore an image's direction.
 vtkSmartPointer<vtkMatrix4x4> placement_of(const Grid& grid) {
     auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
     for (int row = 0; row < 3; ++row) {
@@ -56,7 +57,7 @@ vtkSmartPointer<vtkMatrix4x4> placement_of(const Grid& grid) {
     return matrix;
 }
 
-// VTK's gradients are differences from voxel to voxel.
+// VTK's gradients are differences between neighbouring voxels, hence the factor of the spacing.
 vtkSmartPointer<vtkPiecewiseFunction> gradient_opacity(const Volume& voxels) {
     auto function = vtkSmartPointer<vtkPiecewiseFunction>::New();
     for (const GradientPoint& point : gradient_function())
@@ -64,9 +65,9 @@ vtkSmartPointer<vtkPiecewiseFunction> gradient_opacity(const Volume& voxels) {
     return function;
 }
 
-// VTK 9.1 compares a viewport's size with one that it never set, and keeps an aspect of 1 where
-// they happen to be the same; of all that is drawn, the processor's caster alone asks for that
-// aspect. After two other shapes of a pixel it is computed whatever was there.
+// Works around VTK 9.1, which compares the viewport's size with one that it never set, and keeps an
+// aspect of 1 where they happen to be equal; only the ray caster on the processor reads that
+// aspect. Setting two different pixel aspects forces it to be computed.
 void compute_aspect(vtkRenderer& renderer) {
     for (const double pixel : {2.0, 1.0}) {
         renderer.SetPixelAspect(pixel, 1.0);
@@ -77,10 +78,12 @@ void compute_aspect(vtkRenderer& renderer) {
 }  // namespace
 
 struct VolumeActor::Drawn {
-    std::shared_ptr<const Volume> voxels;  // before all that reads them
+    std::shared_ptr<const Volume>
+        voxels;  // first, so that it is destroyed after everything that reads it
     vtkNew<vtkVolume> volume;
     vtkSmartPointer<vtkVolumeMapper> mapper;
-    vtkSmartPointer<vtkFixedPointVolumeRayCastMapper> by_processor;  // null on a card
+    vtkSmartPointer<vtkFixedPointVolumeRayCastMapper>
+        by_processor;  // null where a graphics card draws
 };
 
 VolumeActor::VolumeActor(vtkRenderer& renderer) : renderer_(renderer) {}
@@ -114,7 +117,7 @@ void VolumeActor::set_detail(VolumeDetail detail) {
 
 void VolumeActor::prepare(bool by_card) {
     if (drawn_ && drawn_->voxels != voxels_) {
-        renderer_.RemoveVolume(drawn_->volume);  // gives back what the card holds
+        renderer_.RemoveVolume(drawn_->volume);  // frees memory of the graphics card
         drawn_.reset();
     }
     if (!drawn_ && voxels_) build(by_card);
@@ -128,7 +131,7 @@ void VolumeActor::build(bool by_card) {
         mapper->AutoAdjustSampleDistancesOff();
         mapper->SetSampleDistance(
             static_cast<float>(card_step * voxels_->grid.spacing_mm.minCoeff()));
-        mapper->UseJitteringOn();  // no rings where samples of neighbouring rays lie side by side
+        mapper->UseJitteringOn();  // avoids rings where samples of neighbouring rays line up
         drawn_->mapper = mapper;
     } else {
         drawn_->by_processor = vtkSmartPointer<vtkFixedPointVolumeRayCastMapper>::New();

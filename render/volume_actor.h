@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A CT as a volume around the vessels: rays through its voxels, composed with light or searched for
-// their maximum, hidden by what stands in front and hiding what lies behind. Without a graphics
-// card VTK's fixed-point caster draws it, a coarse picture while anything moves.
+// Volume rendering of a CT around the vessels by ray casting, composited with shading or as a
+// maximum intensity projection; vessels and CT hide each other correctly. Without a graphics card
+// VTK's fixed-point ray caster draws it, coarsely while anything moves.
 #pragma once
 
 #include <memory>
@@ -15,11 +15,11 @@ class vtkRenderer;
 
 namespace hepatica {
 
-// How much is spent on a picture: a few rays while anything moves, more at rest, one a pixel for
-// pictures that are kept. A graphics card always spends the most.
+// How much a picture may cost: few rays while anything moves, more at rest, one a pixel for
+// pictures that are kept. A graphics card always uses the finest sampling.
 enum class VolumeDetail { coarse, fine, best };
 
-// Belongs to the thread whose OpenGL context is the renderer's; the renderer must outlive it.
+// Use it only from the thread whose OpenGL context is the renderer's; the renderer must outlive it.
 class VolumeActor {
   public:
     explicit VolumeActor(vtkRenderer& renderer);
@@ -27,17 +27,19 @@ class VolumeActor {
     VolumeActor(const VolumeActor&) = delete;
     VolumeActor& operator=(const VolumeActor&) = delete;
 
-    // Voxels in Hounsfield units, which are kept, not copied; null: none.
+    // Voxels in Hounsfield units, shared, not copied; null removes the volume. Takes effect with
+    // prepare().
     void show(std::shared_ptr<const Volume> voxels);
     bool empty() const { return voxels_ == nullptr; }
-    bool set_look(const VolumeLook& look);  // true if the picture is another now
+    bool set_look(const VolumeLook& look);  // true if a volume is shown
     void set_room(const ViewLook& room);
-    // Draws only what is on the plane's positive side; null: all.
+    // Draws only the part on the plane's positive side; null draws all. The plane must outlive its
+    // use.
     void set_clip(vtkPlane* plane);
-    void set_detail(VolumeDetail detail);  // `best` at first
+    void set_detail(VolumeDetail detail);  // `best` by default
 
-    // Before each picture, with the context current: what was shown since the last one is built,
-    // and what is not shown any more gives its memory back. `by_card`: by a graphics card.
+    // Call before each picture with the context current: builds a volume that was newly shown, and
+    // frees the memory of one that is not shown any more. `by_card`: use the graphics card.
     void prepare(bool by_card);
 
   private:
@@ -49,7 +51,7 @@ class VolumeActor {
 
     vtkRenderer& renderer_;
     std::shared_ptr<const Volume> voxels_;
-    std::unique_ptr<Drawn> drawn_;  // null while nothing is shown
+    std::unique_ptr<Drawn> drawn_;  // null while no volume is drawn
     VolumeLook look_;
     ViewLook room_ = dark_look;
     vtkPlane* clip_ = nullptr;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a CT is drawn as a volume around the vessels: what stands out, how dense it is, and which
-// Hounsfield units count.
+// How a CT is rendered as a volume around the vessels: preset, density, and window of Hounsfield
+// units.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace hepatica {
 
 enum class VolumePreset { vessels_and_bones, maximum_intensity };
 
-// In the order of VolumePreset; as settings and the command line have them.
+// In the order of VolumePreset; used in settings and on the command line.
 inline constexpr std::array<std::string_view, 2> volume_preset_names{"vessels-and-bones",
                                                                      "maximum-intensity"};
 
@@ -30,8 +30,9 @@ inline std::optional<VolumePreset> volume_preset_named(std::string_view name) {
 
 struct VolumeLook {
     VolumePreset preset = VolumePreset::vessels_and_bones;
-    double density = 0.5;  // 0: hardly there, 1: nearly solid
-    // That of the slices: what they show black is clear, and what they show white is dense.
+    double density = 0.5;  // 0: nearly transparent, 1: nearly solid
+    // The grey window of the slices: what they show black is transparent, and what they show white
+    // is dense.
     GreyWindow window{};
 };
 

@@ -32,7 +32,7 @@ class Canvas {
         picture.rgb.assign(3 * static_cast<std::size_t>(picture.width) * picture.height, 255);
     }
 
-    // The three faces that look towards the viewer: +x, +y and +z.
+    // Draws the three faces towards the viewer: +x, +y and +z.
     void cube(const Index3& v, const Rgb& colour) {
         const double x = v[0], y = v[1], z = v[2];
         const Vec3 far(x + 1, y + 1, z + 1);
@@ -62,8 +62,8 @@ class Canvas {
                     set(x, y, colour, depth < 1.0 ? 0.45 * light : light);
     }
 
-    // Distance in pixels from a point to the nearest edge of a convex quadrilateral; not above 0
-    // outside of it.
+    // Distance in pixels from a point inside a convex quadrilateral to its nearest edge; not
+    // positive outside.
     static double inside(const std::array<Point, 4>& p, double x, double y) {
         double least = 1e9, sign = 0.0;
         for (int i = 0; i < 4; ++i) {
@@ -92,7 +92,7 @@ class Canvas {
 
 Picture draw_voxels(const std::vector<VoxelGroup>& groups, const Index3& low, const Index3& high,
                     int pixels) {
-    // Back to front: the viewer looks against +x, +y and +z.
+    // Sorted from back to front; the viewer looks along (-1, -1, -1).
     std::map<std::tuple<int, int, int, int>, std::pair<Index3, Rgb>> sorted;
     for (const VoxelGroup& group : groups)
         for (const Index3& v : group.voxels) {

@@ -17,7 +17,7 @@
 namespace hepatica {
 namespace {
 
-constexpr float pause = 0.18f;  // of an edge, at each of its ends
+constexpr float pause = 0.18f;  // share of an edge left free at each of its ends
 constexpr double line_points = 4.5;
 constexpr double lift_mm = 1.0;
 

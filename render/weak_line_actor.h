@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cut lines that have not torn yet: where a weakened joint still holds, a dash on each edge of the
-// surface, so that the line that was drawn stays in the picture.
+// Cut lines that have not torn yet: a dash on each surface edge whose weakened joint still holds,
+// so that the drawn line remains visible.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -18,15 +18,15 @@ class WeakLineActor {
   public:
     WeakLineActor();
 
-    // Returns true if the picture is another now.
+    // Returns true if the picture changed.
     bool update(const Frame& frame);
-    // Towards the eye, so that the surface, which is drawn rounded, does not cover it; and the
-    // pixels of a point.
+    // Moves the dashes 1 mm towards the eye, so that the rounded surface does not cover them, and
+    // sets the line width for the pixels of a point.
     void set_place(const Vec3& to_eye, double pixel_ratio);
     vtkActor* actor() const { return actor_; }
 
   private:
-    std::vector<float> shown_;  // ends of the dashes [mm]
+    std::vector<float> shown_;  // ends of the dashes in mm
     vtkSmartPointer<vtkPolyData> dashes_;
     vtkSmartPointer<vtkActor> actor_;
 };

@@ -20,7 +20,7 @@ namespace {
 constexpr std::array<std::string_view, 7> endings{".nii.gz", ".nii",  ".mha", ".mhd",
                                                   ".nrrd",   ".nhdr", ".dcm"};
 
-// The name without a volume's ending; none where it has no such ending.
+// The name without the ending of a volume file; none where it has no such ending.
 std::optional<std::string> stem_of_volume(const std::string& name) {
     for (const std::string_view ending : endings)
         if (name.size() > ending.size() && name.ends_with(ending))
@@ -40,7 +40,7 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
     return entries;
 }
 
-// By the name of the patient they belong to; the first of several.
+// Volumes by patient name; of several with one name the first.
 std::map<std::string, fs::path> volumes_by_name(const fs::path& folder) {
     std::map<std::string, fs::path> volumes;
     for (const fs::path& entry : entries_of(folder))

@@ -29,7 +29,7 @@ Json read_json(const fs::path& file) {
 void open_batch(const fs::path& out, const Json& options) {
     const fs::path mark = out / batch_mark;
     Json begun = read_json(mark);
-    // Batches of older versions called patients as their scans.
+    // Older versions always used the scans' names.
     if (begun.is_object() && !begun.contains("keep_names")) begun["keep_names"] = true;
     if (fs::exists(mark) && nlohmann::json(begun) != nlohmann::json(options))
         throw InputError("was begun with other options", out.string(),

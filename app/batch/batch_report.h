@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table and the page of a batch: summary.csv and index.html, made anew from the records.
+// The table and the page of a batch, summary.csv and index.html, generated from its records.
 #pragma once
 
 #include <filesystem>
@@ -10,11 +10,11 @@
 
 namespace hepatica {
 
-// A line for each patient (RFC 4180): patient, state (done, failed or to do), seconds, vessels_mm,
-// liver_ml, doubts in words, reason of a failure.
+// One line per patient (CSV, RFC 4180): patient, state (done, failed or to do), seconds,
+// vessels_mm, liver_ml, doubts in words, reason of a failure.
 std::string batch_table(const std::filesystem::path& out, const std::vector<std::string>& patients);
 
-// Writes both, each whole. Several programs may do so at once: the last one wins.
+// Writes both files atomically. Several programs may do so at once; the last one wins.
 void write_batch_report(const std::filesystem::path& out, const std::vector<std::string>& patients);
 
 }  // namespace hepatica

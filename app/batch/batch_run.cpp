@@ -25,7 +25,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-// The place of an error is most often a path, which is called after the scan.
+// The place of an error is usually a path, which may contain the scan's name.
 std::string in_words(const Error& error, bool with_place) {
     const std::string where = !with_place || error.place().empty() ? "" : error.place() + ": ";
     return without_names(where + error.problem() + ". " + error.remedy());
@@ -46,8 +46,8 @@ BatchRecord made(const BatchOptions& batch, const BatchInput& input, Job& job) {
     return record;
 }
 
-// A failure becomes the patient's record, so that the batch goes on with the others. Throws
-// Cancelled alone.
+// Turns a failure into the patient's record, so that the batch continues with the others. Throws
+// only Cancelled.
 BatchRecord made_or_failed(const BatchOptions& batch, const BatchInput& input, Job& job) {
     BatchRecord failed;
     failed.patient = input.patient;
@@ -61,7 +61,7 @@ BatchRecord made_or_failed(const BatchOptions& batch, const BatchInput& input, J
     } catch (const std::bad_alloc&) {
         failed.reason = "Not enough memory.";
     } catch (const std::exception& error) {
-        // Its words may hold a path, which is called after the scan.
+        // Its text may hold a path that contains the scan's name.
         spdlog::error("{}: internal error: {}", input.patient, error.what());
         failed.reason = "Internal error.";
     }
@@ -70,8 +70,8 @@ BatchRecord made_or_failed(const BatchOptions& batch, const BatchInput& input, J
     return failed;
 }
 
-// The options that a later call must repeat. The folder of scans is not among them: it may have
-// moved.
+// The options that a later call must repeat. The folder of scans is not among them, because it may
+// have moved.
 Json beginning(const BatchOptions& options) {
     return {{"format", "hepatica-batch"},
             {"liver_masks", !options.liver_masks.empty()},

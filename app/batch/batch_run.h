@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many CTs one after the other: each becomes a case, a picture and a record; one that fails does
-// not stop the rest; a batch that was stopped goes on with the patients that have no record.
+// Reconstructs many CTs one after another: each yields a case, a picture and a record. A failure
+// does not stop the rest, and an interrupted batch resumes with the patients without a record.
 #pragma once
 
 #include <filesystem>
@@ -16,13 +16,13 @@ struct BatchOptions {
     std::filesystem::path liver_masks;  // a folder; empty: none
     int task = 1;                       // this program's share of `tasks`
     int tasks = 1;
-    bool retry = false;              // those that failed, too
-    bool keep_names = false;         // call patients as their scans are called, not by pseudonyms
-    ReconstructOptions reconstruct;  // of each; ct and liver_mask are not read
+    bool retry = false;              // also retry those that failed
+    bool keep_names = false;         // name patients by their scans, not by pseudonyms
+    ReconstructOptions reconstruct;  // for each patient; ct and liver_mask are not read
 };
 
-// {out, patients, done, failed, made_now, summary, page}. Throws InputError where nothing can be
-// begun; Cancelled, with the records of all that was finished and a table that says so.
+// Returns {out, patients, done, failed, made_now, summary, page}. Throws InputError where the batch
+// cannot begin, and Cancelled after writing the records of all that was finished and the summary.
 nlohmann::ordered_json run_batch(const BatchOptions& options, Job& job);
 
 }  // namespace hepatica

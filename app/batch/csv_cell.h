@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A text as a cell of a CSV table (RFC 4180).
+// Quotes a text as a cell of a CSV table (RFC 4180).
 #pragma once
 
 #include <string>

@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* heading = "patient,scan";
 
-// A cell that csv_cell has written, from `at` on, which then stands behind it.
+// Reads a cell written by csv_cell() at `at`, and moves `at` behind it.
 std::optional<std::string> cell_from(const std::string& text, std::size_t& at) {
     if (at >= text.size() || text[at] != '"') return std::nullopt;
     std::string cell;
@@ -36,7 +36,7 @@ std::optional<std::string> cell_from(const std::string& text, std::size_t& at) {
     return std::nullopt;
 }
 
-// Pseudonyms and scans of those that stand there; names may hold line breaks.
+// The pseudonyms and scans in the file; names may hold line breaks.
 std::map<std::string, std::string> read_names(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -75,7 +75,7 @@ void write_names(const fs::path& out, const std::vector<BatchInput>& inputs) {
         table += csv_cell(patient) + "," + csv_cell(scan) + "\n";
     write_file_atomically(file, [&](const fs::path& temporary) {
         std::ofstream created(temporary, std::ios::binary);
-        std::error_code ignored;  // some file systems know no owners
+        std::error_code ignored;  // some file systems have no owners
         fs::permissions(temporary, fs::perms::owner_read | fs::perms::owner_write, ignored);
         created << table;
         if (!created.flush())

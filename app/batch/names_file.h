@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which pseudonym of a batch is which scan: the one file of its folder that is not to be shared.
+// The table that resolves a batch's pseudonyms to scans, the one file of its folder that must not
+// be shared.
 #pragma once
 
 #include <filesystem>
@@ -9,9 +10,9 @@
 
 namespace hepatica {
 
-// Adds them to OUT/names.csv, which only its owner may read; who stands there already stays, also
-// where the folder of scans has changed since. Every task of a batch writes the same. Throws
-// InputError where it cannot be read or written, or calls two scans by one name.
+// Adds the inputs to OUT/names.csv, which only its owner may read; existing entries are kept, even
+// if the folder of scans has changed. Every task of a batch writes the same content. Throws
+// InputError where the file cannot be read or written, or would give two scans one name.
 void write_names(const std::filesystem::path& out, const std::vector<BatchInput>& inputs);
 
 }  // namespace hepatica

@@ -15,7 +15,7 @@ struct MovedValue {
     DcmTagKey element;
 };
 
-// From the functional groups to the top level of a classic slice, where they keep their tags.
+// Values moved from the functional groups to the top level, where a classic slice has them.
 const std::vector<MovedValue>& moved_values() {
     static const std::vector<MovedValue> values{
         {DCM_PlanePositionSequence, DCM_ImagePositionPatient},
@@ -29,7 +29,7 @@ const std::vector<MovedValue>& moved_values() {
     return values;
 }
 
-// The same of every frame, and at the top level already.
+// Values common to all frames, which are at the top level already.
 const std::vector<DcmTagKey>& copied_elements() {
     static const std::vector<DcmTagKey> elements{DCM_SpecificCharacterSet,
                                                  DCM_Modality,

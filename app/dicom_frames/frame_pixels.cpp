@@ -12,7 +12,8 @@ namespace hepatica::dicom_frames {
 
 namespace {
 
-constexpr std::uint64_t most_bytes = std::numeric_limits<Uint32>::max();  // of a DICOM element
+constexpr std::uint64_t most_bytes =
+    std::numeric_limits<Uint32>::max();  // limit of a DICOM element
 
 std::uint64_t number_at(DcmDataset& file, const DcmTagKey& element) {
     Uint16 number = 0;
@@ -20,8 +21,8 @@ std::uint64_t number_at(DcmDataset& file, const DcmTagKey& element) {
     return number;
 }
 
-// The offsets of the first item of compressed pixels: where each frame's first fragment begins,
-// counted from the end of that item. Little endian, four bytes each.
+// The offset table in the first item of compressed pixels: where each frame's first fragment
+// begins, counted from the end of that item. Little endian, four bytes each.
 std::vector<std::uint64_t> offset_table(DcmPixelItem& item) {
     Uint8* bytes = nullptr;
     std::vector<std::uint64_t> offsets;
@@ -112,7 +113,7 @@ void FramePixels::copy_plain(std::size_t frame, DcmDataset& slice) {
 void FramePixels::copy_fragments(std::size_t frame, DcmDataset& slice) {
     const DcmTag pixel_tag(DCM_PixelData, EVR_OB), item_tag(DCM_Item, EVR_OB);
     auto sequence = std::make_unique<DcmPixelSequence>(pixel_tag);
-    sequence->insert(new DcmPixelItem(item_tag));  // an empty table of offsets
+    sequence->insert(new DcmPixelItem(item_tag));  // an empty offset table
     for (std::size_t i = first_fragment_[frame]; i < first_fragment_[frame + 1]; ++i) {
         Uint8* bytes = nullptr;
         const Uint32 length = fragments_[i]->getLength();
@@ -122,7 +123,7 @@ void FramePixels::copy_fragments(std::size_t frame, DcmDataset& slice) {
         auto item = std::make_unique<DcmPixelItem>(item_tag);
         if (item->putUint8Array(bytes, length).bad()) throw std::bad_alloc();
         sequence->insert(item.release());
-        fragments_[i]->compact();  // its bytes are read again from the file if need be
+        fragments_[i]->compact();  // frees the bytes, which can be read again from the file
     }
     auto pixels = std::make_unique<DcmPixelData>(pixel_tag);
     pixels->putOriginalRepresentation(syntax_, nullptr, sequence.release());

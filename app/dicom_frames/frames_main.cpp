@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // hepatica-dicom-frames FILE FOLDER: splits an enhanced multi-frame CT, or a segmentation, into
-// classic CT slices, frame_000001.dcm and so on, which core/image reads as it reads any others. A
-// program of its own, started by core/image/dicom_frames.cpp under limits of memory and time: its
-// library's parser reads files that may come from anybody. On failure two lines on standard error:
-// the problem, the remedy.
+// classic CT slices frame_000001.dcm and so on, which core/image reads like any others. It is a
+// separate program, which core/image/dicom_frames.cpp starts under limits of memory and time,
+// because its library parses files from untrusted sources. On failure it writes two lines to
+// standard error: the problem and the remedy.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/oflog/oflog.h>
@@ -27,9 +27,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Uint32 longest_in_memory = 4096;  // longer values stay in the file until they are wanted
+constexpr Uint32 longest_in_memory = 4096;  // longer values stay in the file until needed
 
-// Writes one slice after the other, filled by `fill(frame, slice)`.
+// Writes the slices one after another, each filled by `fill(frame, slice)`.
 void write_slices(const FrameHeaders& headers, E_TransferSyntax syntax, const fs::path& folder,
                   const std::function<void(std::size_t, DcmDataset&)>& fill) {
     for (std::size_t i = 0; i < headers.count(); ++i) {
@@ -58,7 +58,7 @@ void split(const fs::path& from, const fs::path& folder) {
     const FrameHeaders headers(data);
     OFString kind;
     data.findAndGetOFString(DCM_SOPClassUID, kind);
-    // DCMTK 3.6.7 has no name for label maps yet.
+    // DCMTK 3.6.7 has no constant for label maps.
     if (kind == UID_SegmentationStorage || kind == "1.2.840.10008.5.1.4.1.1.66.7") {
         SegmentPixels pixels(data, headers.count());
         write_slices(headers, EXS_LittleEndianExplicit, folder, [&](std::size_t i, DcmDataset& to) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Why a file cannot be split into its frames, and what its owner can do about it: the two lines
-// that the helper leaves on standard error.
+// Why a file cannot be split into frames, and what the user can do: the two lines that the helper
+// writes to standard error.
 #pragma once
 
 #include <string>

@@ -43,7 +43,7 @@ SegmentPixels::SegmentPixels(DcmDataset& file, std::size_t frames) {
     frame_pixels_ =
         static_cast<std::size_t>(short_at(file, DCM_Rows)) * short_at(file, DCM_Columns);
     if (frame_pixels_ == 0) throw Refusal{"has frames without rows or columns", mask_remedy};
-    // Frames follow one another bit by bit, without any room between them.
+    // Frames follow one another without padding, even within a byte.
     const std::size_t wanted = (frame_pixels_ * frames + pixels_per_byte_ - 1) / pixels_per_byte_;
     if (wanted > std::numeric_limits<Uint32>::max() || pixels_->getLength() < wanted)
         throw Refusal{"holds " + std::to_string(pixels_->getLength()) + " bytes of pixels, but " +

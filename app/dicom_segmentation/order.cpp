@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Zero bytes end each value, so that any file name and any label can be told.
+// Values end with a zero byte, so that any file name and label can be passed.
 std::vector<std::string> values_of(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::vector<std::string> values;

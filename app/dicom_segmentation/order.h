@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What core/image/segmentation_writer.cpp leaves in a folder for this helper: which slices of a CT
-// were segmented, which segments there are, and their pixels.
+// The order that core/image/segmentation_writer.cpp leaves in a folder for this helper: the CT
+// slices that were segmented, the segments, and their pixels.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace hepatica::dicom_segmentation {
 
-// Why no segmentation can be written, and what its owner can do about it.
+// Why no segmentation can be written, and what the user can do.
 struct Refusal {
     std::string problem;
     std::string remedy;
@@ -20,15 +20,15 @@ struct Refusal {
 
 struct Segment {
     std::string label;                    // shown by viewers
-    std::string category_code, category;  // SNOMED CT, and its meaning
-    std::string type_code, type;          // likewise
+    std::string category_code, category;  // SNOMED CT code and its meaning
+    std::string type_code, type;          // the same
     std::array<int, 3> colour{};          // sRGB, 0 to 255
 };
 
-// One pixel is one where the segment is.
+// One slice of one segment; pixels are 1 where the segment is.
 struct Frame {
-    std::uint16_t segment = 0;  // from 1
-    std::uint32_t slice = 0;    // from 0
+    std::uint16_t segment = 0;  // counted from 1
+    std::uint32_t slice = 0;    // counted from 0
     std::vector<std::uint8_t> pixels;
 };
 
@@ -37,11 +37,11 @@ class Order {
     // Throws Refusal where the folder does not hold an order.
     explicit Order(const std::filesystem::path& folder);
 
-    const std::vector<std::string>& slices() const { return slices_; }  // files, from the first on
+    const std::vector<std::string>& slices() const { return slices_; }  // files, in order
     const std::vector<Segment>& segments() const { return segments_; }
 
-    // The next frame of so many pixels; false where there is none. Throws Refusal where it is cut
-    // off.
+    // Reads the next frame of `pixels` pixels; false at the end. Throws Refusal where the file is
+    // truncated or inconsistent.
     bool next(std::size_t pixels, Frame& frame);
 
   private:

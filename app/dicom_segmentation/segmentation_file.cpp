@@ -78,7 +78,7 @@ void add_segments(DcmSegmentation& file, const std::vector<Segment>& segments) {
     }
 }
 
-// What all frames have in common.
+// Sets what all frames have in common.
 void describe_frames(DcmSegmentation& file, const SourceSlices& source) {
     const auto axis = [&](unsigned long i) {
         return source.number(DCM_ImageOrientationPatient, i);
@@ -136,8 +136,8 @@ void add_frame(DcmSegmentation& file, const SourceSlice& slice, Frame& frame) {
     require(file.addFrame(frame.pixels.data(), frame.segment, groups), "a frame");
 }
 
-// One bit a pixel, the lowest first, frame after frame without a gap (PS3.5 8.1.1). DCMTK 3.6.7
-// shifts frames whose pixels do not fill whole bytes, so that its own are replaced by these.
+// Pixels as one bit each, lowest bit first, frame after frame without a gap (PS3.5 8.1.1). DCMTK
+// 3.6.7 misplaces frames whose pixels do not fill whole bytes, so its pixels are replaced by these.
 class PackedPixels {
   public:
     void add(const std::vector<std::uint8_t>& pixels) {
@@ -167,15 +167,15 @@ void refer_to(DcmSegmentation& file, SourceSlices& source) {
     file.getCommonInstanceReference().addReferences(references, source.text(DCM_StudyInstanceUID));
 }
 
-// DCMTK closes a file without asking whether the last of it was written; without a buffer each
-// write says so itself.
+// DCMTK closes a file without checking whether the last bytes were written. Without a buffer each
+// write reports its own failure.
 void save(DcmFileFormat& format, const std::filesystem::path& file) {
     const Refusal refusal{"cannot be written: the disk takes no more",
                           "Free some space there, or choose another folder"};
     std::FILE* const out = std::fopen(file.c_str(), "wb");
     if (out == nullptr) throw refusal;
     std::setvbuf(out, nullptr, _IONBF, 0);
-    DcmOutputFileStream stream(out);  // closes it
+    DcmOutputFileStream stream(out);  // closes the file
     DcmWriteCache cache;
     format.transferInit();
     const OFCondition saved =

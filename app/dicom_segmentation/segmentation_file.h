@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A binary DICOM segmentation (PS3.3 A.51) by DCMTK: a frame for each segment and slice in which it
-// has pixels. Patient, study and frame of reference are those of the CT, of which it becomes a
-// series.
+// Writes a binary DICOM segmentation (PS3.3 A.51) with DCMTK: one frame for each segment and slice
+// with pixels. Patient, study and frame of reference are those of the CT; the segmentation becomes
+// a new series of that study.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@
 
 namespace hepatica::dicom_segmentation {
 
-// `version` is the program's. Throws Refusal where the source lacks what a segmentation needs, the
-// order is cut off or the file cannot be written.
+// `version`: the program's version. Throws Refusal where the source lacks required values, the
+// order is truncated, or the file cannot be written.
 void write_segmentation(Order& order, SourceSlices& source, const std::string& version,
                         const std::filesystem::path& file);
 

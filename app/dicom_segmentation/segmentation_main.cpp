@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// hepatica-dicom-segmentation FOLDER VERSION FILE: writes the segments that FOLDER describes
-// (order.h) as a DICOM segmentation of the CT slices it names. A program of its own, started by
-// core/image/segmentation_writer.cpp under limits, because DCMTK reads the CT's headers, which may
-// come from anybody. On failure two lines on standard error: the problem, the remedy.
+// hepatica-dicom-segmentation FOLDER VERSION FILE: writes the segments described in FOLDER
+// (order.h) as a DICOM segmentation of the CT slices named there. It is a separate program, which
+// core/image/segmentation_writer.cpp starts under limits, because DCMTK parses CT headers from
+// untrusted sources. On failure it writes two lines to standard error: the problem and the remedy.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/oflog/oflog.h>

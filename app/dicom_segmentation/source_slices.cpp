@@ -41,8 +41,8 @@ SourceSlice described(DcmDataset& data, const std::string& file) {
     return slice;
 }
 
-// Anonymisers leave words where the standard has codes and dates, which DCMTK then does not write:
-// of patient and examination what is malformed is left empty.
+// Anonymisers leave text where the standard requires codes and dates, which DCMTK then refuses to
+// write. Malformed values of patient and examination are removed.
 void drop_malformed(DcmDataset& data) {
     for (unsigned long i = data.card(); i-- > 0;) {
         DcmElement* const element = data.getElement(i);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a segmentation says of the CT slices that it was drawn on: where each lies, and by which
-// identifiers it refers to it.
+// The CT slices to which a segmentation refers: their positions and identifiers.
 #pragma once
 
 #include <dcmtk/config/osconfig.h>
@@ -15,28 +14,29 @@ namespace hepatica::dicom_segmentation {
 
 struct SourceSlice {
     OFString sop_class, sop_instance;
-    std::array<OFString, 3> position;  // centre of the first pixel, LPS mm
+    std::array<OFString, 3> position;  // centre of the first pixel [mm, LPS]
 };
 
-// A decimal string of at most 16 characters, as the standard wants; some scanners write longer
+// A decimal string of at most 16 characters, as the standard requires; some scanners write longer
 // ones.
 OFString decimal(double value);
 
 class SourceSlices {
   public:
-    // The header of each file, without pixels. Throws Refusal where one cannot be read or does not
-    // say what every CT slice says.
+    // Reads the header of each file, without pixels. Throws Refusal where one cannot be read or
+    // lacks required values.
     explicit SourceSlices(const std::vector<std::string>& files);
 
     const std::vector<SourceSlice>& all() const { return slices_; }
     DcmDataset& first() { return *first_.getDataset(); }
-    // Of the first slice; "" where it does not stand there.
+    // A value of the first slice as text; "" where it is missing.
     OFString text(const DcmTagKey& element, unsigned long index = 0) const;
-    // The same of a number, in 16 characters.
+    // The same for a number, as a decimal string.
     OFString number(const DcmTagKey& element, unsigned long index = 0) const;
     Uint16 rows() const { return rows_; }
     Uint16 columns() const { return columns_; }
-    // Between the first and the last slice along their normal, over the steps between [mm].
+    // Mean spacing [mm]: the distance between the first and the last slice along their normal,
+    // divided by the number of steps. Needs two slices.
     double spacing_mm() const;
 
   private:

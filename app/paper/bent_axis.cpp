@@ -10,9 +10,9 @@
 namespace hepatica {
 namespace {
 
-constexpr double share_a_point = 0.005;  // of the longest path
-constexpr double radii_around = 0.6;     // along the vessel, to both sides
-constexpr int smoothings = 12;           // passes of the mean of neighbours
+constexpr double share_a_point = 0.005;  // spacing of points as a share of the longest path
+constexpr double radii_around = 0.6;     // in local radii, along the vessel to both sides
+constexpr int smoothings = 12;           // passes of averaging with the neighbours
 
 }  // namespace
 

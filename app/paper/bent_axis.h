@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The axis of a stretch of vessel as the body carries it along: the red line of the paper's Fig. 3.
+// The deformed axis of a stretch of vessel: the red line of the paper's Fig. 3.
 #pragma once
 
 #include <span>
@@ -13,17 +13,17 @@ namespace hepatica {
 
 class BentAxis {
   public:
-    // Along the longest path of the tree between two shares of it (see point_on_longest_path).
-    // `places` are those of the whole body's vertices.
+    // The stretch lies along the longest path of the tree between two shares of its length (see
+    // point_on_longest_path()). `places` must hold all vertices of the body.
     BentAxis(const VesselTree& tree, double from_share, double to_share,
              std::span<const VertexPlace> places);
 
-    // Its points lie amidst the vertices around them; the line is smoothed. Empty where the vessel
-    // is too thin for any.
+    // The smoothed line through the mean positions of the vertices around each of its points. Empty
+    // where no vertices are near.
     std::vector<Vec3> in(const Frame& frame) const;
 
   private:
-    std::vector<std::vector<int>> around_;  // vertices of each point, at least one
+    std::vector<std::vector<int>> around_;  // vertices around each point, at least one
 };
 
 }  // namespace hepatica

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's results made anew on one patient, as a page: its three figures and its contact
-// points, ours beside what the paper prints.
+// The paper's results on one patient as a page: its three figures and its table of contact points,
+// ours beside the paper's.
 #pragma once
 
 #include <filesystem>
@@ -16,15 +16,16 @@
 namespace hepatica {
 
 struct PaperOptions {
-    std::string title;  // what the page calls the patient
-    Script cut_line;    // of Fig. 3, see play_tear_figure
+    std::string title;  // name of the patient on the page
+    Script cut_line;    // of Fig. 3, see play_tear_figure()
     ContactStudyOptions contact;
 };
 
 inline constexpr int paper_stage_count = 8;
 
-// Writes index.html and its pictures into `folder`, which must exist; gives the page's figures.
-// `patient` has its voxels. Throws InputError for a case without skeleton or body, Cancelled.
+// Writes index.html and its pictures into `folder`, which must exist, and returns the page's
+// numbers. Begins paper_stage_count stages. `patient` must have its voxels. Throws InputError for a
+// case without a skeleton or a body; Cancelled.
 nlohmann::ordered_json write_paper(const std::shared_ptr<const PatientCase>& patient,
                                    const std::filesystem::path& folder, const PaperOptions& options,
                                    Job& job);

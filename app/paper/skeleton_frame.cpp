@@ -6,8 +6,9 @@
 namespace hepatica {
 namespace {
 
-constexpr double reach = 0.9;  // of a bead to each side, in voxels
-// Vertices 2 a and 2 a + 1 lie before and behind along axis a. Counter-clockwise from outside.
+constexpr double reach = 0.9;  // half the size of a bead in voxels
+// Vertices 2 a and 2 a + 1 are on the negative and positive side along axis a. Counter-clockwise
+// seen from outside.
 constexpr std::array<std::array<int, 3>, 8> faces{
     {{1, 3, 5}, {3, 0, 5}, {0, 2, 5}, {2, 1, 5}, {3, 1, 4}, {0, 3, 4}, {2, 0, 4}, {1, 2, 4}}};
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The unit-width skeleton as a picture shows it: a bead for each of its voxels.
+// The unit-width skeleton for display: one bead for each of its voxels.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,8 @@ struct SkeletonFrame {
     int voxels = 0;
 };
 
-// An octahedron a little larger than a voxel at each that is not 0, so that neighbours touch.
+// An octahedron, slightly larger than a voxel so that neighbours touch, at each voxel that is not
+// 0.
 SkeletonFrame frame_of_skeleton(const Mask& skeleton);
 
 }  // namespace hepatica

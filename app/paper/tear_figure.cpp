@@ -16,9 +16,9 @@
 namespace hepatica {
 namespace {
 
-constexpr double shares_beside = 0.1;  // of the longest path, shown beyond the cut lines
-constexpr double room_mm = 12.0;       // around what is shown
-constexpr int steps_after = 8;         // from where a section comes apart until it is shown
+constexpr double shares_beside = 0.1;  // share of the longest path shown beyond the cut lines
+constexpr double room_mm = 12.0;       // margin around the picture's content
+constexpr int steps_after = 8;         // steps between the separation of a section and its picture
 
 struct Step {
     double time_s = 0.0;
@@ -46,7 +46,7 @@ int steps_until_release(const Script& script) {
     return static_cast<int>(until_s / script.scene->dt_s);
 }
 
-// The axis in pieces that end at the cut lines, and in one as long as nothing is torn through.
+// The axis in pieces that end at the cut lines; joined into one while nothing is torn through.
 class Axis {
   public:
     Axis(const VesselTree& tree, const std::vector<double>& cuts, const DeformPart& deform) {
@@ -81,7 +81,7 @@ double radius_at(const VesselTree& tree, const Vec3& point_mm) {
     return places_of({point_mm}, tree).front().radius_mm;
 }
 
-// A ring around the vessel where it is to be cut.
+// A ring around the vessel at a cut line.
 LineMark ring_at(const VesselTree& tree, double share) {
     const Vec3 centre = point_on_longest_path(tree, share);
     const Vec3 along =
@@ -103,7 +103,7 @@ Vec3 position_in(const Frame& frame, int vertex) {
             frame.positions_mm[3 * vertex + 2]};
 }
 
-// Around the rims at each cut line that the hand has not taken with it.
+// Circles around the torn rims at each cut line, on the part that the hand does not hold.
 std::vector<CircleMark> torn_places(const VesselTree& tree, const std::vector<double>& cuts,
                                     const DeformPart& deform, const Frame& frame) {
     if (!frame.tear || !frame.tear->rims || !frame.grab) return {};
@@ -133,7 +133,7 @@ std::vector<CircleMark> torn_places(const VesselTree& tree, const std::vector<do
     return circles;
 }
 
-// The steps that are shown, ascending.
+// Indices of the steps that are shown, ascending.
 std::array<std::size_t, 4> moments_of(const std::vector<Step>& steps) {
     const std::size_t last = steps.size() - 1;
     const auto first_with = [&](const auto& holds) {

@@ -16,7 +16,7 @@ namespace hepatica {
 
 namespace {
 
-// Bullet is in metres, kilograms, seconds.
+// Bullet uses metres, kilograms and seconds.
 constexpr double metre_mm = 1000.0;
 constexpr double kilogram_g = 1000.0;
 
@@ -59,7 +59,7 @@ BulletWorld::BulletWorld(const Vec3& gravity_mm_s2) : world_(std::make_unique<Wo
     w.world.getWorldInfo().m_gravity = w.gravity;
     w.world.setImplicit(true);
     w.world.setLineSearch(false);
-    w.world.setUseProjection(true);  // conjugate gradients, with held vertices projected out
+    w.world.setUseProjection(true);  // conjugate gradients with fixed vertices projected out
 }
 
 BulletWorld::~BulletWorld() = default;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies in Bullet's deformable world with its implicit corotational force, as a peer to measure
-// against. (btDeformableCorotatedForce has no force differential in Bullet 3 and is hence explicit;
-// btDeformableLinearElasticityForce is the corotational force that Bullet can step implicitly.)
+// Bodies in Bullet's deformable world with its implicit corotational force, as a peer for
+// benchmarks. btDeformableCorotatedForce has no force differential in Bullet 3 and is therefore
+// explicit; btDeformableLinearElasticityForce is the corotational force that Bullet can step
+// implicitly.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,8 @@ class BulletWorld {
     explicit BulletWorld(const Vec3& gravity_mm_s2);
     ~BulletWorld();
 
-    // Lumped masses; fixed vertices (nonzero) have none, which is how Bullet holds them.
+    // Masses are lumped. Fixed vertices (nonzero) have mass 0, by which Bullet holds them; `fixed`
+    // may be empty.
     void add_body(const TetMesh& mesh, const std::vector<std::uint8_t>& fixed,
                   const Material& material);
 

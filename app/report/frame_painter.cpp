@@ -25,7 +25,8 @@ QColor to_qt(const Colour& colour, double light = 1.0) {
                             static_cast<float>(light * colour[2]));
 }
 
-// In LPS the patient's left is to the right and the head up, where one looks from the front.
+// Orthographic projection from the front: in LPS the patient's left is on the right and the head is
+// up.
 class FrontView {
   public:
     explicit FrontView(const FramePainting& how) {
@@ -64,7 +65,7 @@ Colour colour_of(const Frame& frame, const FramePainting& how, int vertex) {
                   : own;
 }
 
-// Far ones first: the back has the larger y.
+// Paints far triangles first; the back has the larger y.
 void paint_surface(QPainter& painter, const Frame& frame, const FramePainting& how,
                    const FrontView& view) {
     const auto& triangles = *frame.surface;
@@ -88,7 +89,7 @@ void paint_surface(QPainter& painter, const Frame& frame, const FramePainting& h
     }
 }
 
-// As in the window: not to scale, and what lies in it stays to be seen.
+// As in the window: not to scale, and translucent.
 void paint_blood(QPainter& painter, const TearView& tear, const FrontView& view) {
     constexpr float opacity = 0.55F;
     QColor colour = to_qt(palette::bleeding);
@@ -102,7 +103,7 @@ void paint_blood(QPainter& painter, const TearView& tear, const FrontView& view)
 }
 
 void paint_hand(QPainter& painter, const Frame& frame, const FrontView& view) {
-    // Twice: on paper a bright tool needs an outline.
+    // Drawn twice, because a bright tool needs an outline on paper.
     const auto draw_tool = [&](const QColor& colour, double around_px) {
         for (const ToolView::Part& part : frame.tool->parts) {
             const double width = 2.0 * (view.px(part.radius_mm) + around_px);

@@ -43,13 +43,14 @@ QString in_words(Quantity quantity, double value, FlowUnits units = FlowUnits::c
     return translated(to_words(quantity, value, units));
 }
 
-// A moment worth a picture.
+// A moment shown as a picture.
 struct Moment {
     QString caption;
     Frame frame;
 };
 
-// Before it begins, at the largest force, where each step was reached, and at the end.
+// Collects the moments before the beginning, at the largest force, at each step reached, and at the
+// end.
 class Moments {
   public:
     void see(const Frame& frame, const LessonStanding& standing) {
@@ -84,7 +85,7 @@ class Moments {
     static constexpr std::size_t most = 8;
     std::vector<Moment> list_;
     std::optional<Moment> peak_, end_;
-    double peak_mn_ = 0.0, last_s_ = 0.0, step_s_ = -1.0;  // of the last step reached
+    double peak_mn_ = 0.0, last_s_ = 0.0, step_s_ = -1.0;  // step_s_: time of the last step reached
     std::size_t step_ = 0;
 };
 
@@ -103,7 +104,7 @@ Chart chart_over_time(const std::vector<LessonSample>& samples, const std::strin
     return chart;
 }
 
-// What happened when, for the plots.
+// Events for the plots.
 std::vector<PlotEvent> events_of(const LessonStanding& standing) {
     std::vector<PlotEvent> events;
     for (std::size_t i = 0; i < standing.steps.size(); ++i)
@@ -166,7 +167,8 @@ bool asks_for(const Lesson& lesson, Quantity quantity) {
            });
 }
 
-// That nothing of it happened is a result where it could have, and says nothing else.
+// Whether a quantity is worth a row: a value of zero is shown only if the lesson asks for it or its
+// tools and scene allow other values.
 bool means_something(Quantity quantity, double value, const Lesson& lesson) {
     if (asks_for(lesson, quantity)) return true;
     if (!std::isfinite(value)) return false;
@@ -190,8 +192,8 @@ Json table_of_metrics(const LessonMetrics& metrics, const Lesson& lesson, FlowUn
     return rows;
 }
 
-// The lesson that a play was of: the one named, or the built-in one with the recorded scene, or
-// none; with the pass marks of the course that it was begun from.
+// The lesson of a play: the one named, or the built-in one with the recorded scene, or none; with
+// the pass marks of the course from which it was begun.
 std::optional<Lesson> lesson_of_play(const ReportRequest& request, const Recording& recording) {
     std::optional<Lesson> lesson = request.lesson.empty()
                                        ? built_in_lesson_of(recording)
@@ -201,7 +203,7 @@ std::optional<Lesson> lesson_of_play(const ReportRequest& request, const Recordi
     return lesson;
 }
 
-// A step that nobody reaches, so that all of the play is measured.
+// A lesson whose one step is never reached, so that the whole play is measured.
 Lesson free_play(const Recording& recording) {
     Lesson lesson;
     lesson.name = Words::id("Free play");
@@ -258,7 +260,7 @@ void add_verdict(HtmlReport& page, const Parts& parts) {
     if (!standing.limits.empty()) page.add_heading(key(Words::tr("Limits")));
     if (!standing.limits.empty())
         page.add_table(table_of_bounds(standing.limits, marks, units, true));
-    // Of who did not reach the end no pass mark is looked at.
+    // Pass marks are judged only if the end was reached.
     const bool reached = standing.step == parts.lesson.steps.size();
     if (!standing.pass.empty()) page.add_heading(key(Words::tr("Pass marks")));
     if (!standing.pass.empty())
@@ -291,7 +293,7 @@ WrittenReport write_report(const ReportRequest& request, Job& job) {
     const std::optional<Lesson> played = lesson_of_play(request, recording);
     const Lesson lesson = played.value_or(free_play(recording));
     constexpr int replaying_and_writing = 3;
-    // Free play and the lessons that come with the program name no case.
+    // Free play and the lessons of the program name no case.
     const auto patient = std::make_shared<const PatientCase>(recorded_patient(
         recording, request.recording, case_of_lesson(lesson, request.lesson, request.patient),
         &request.cache, replaying_and_writing, job));

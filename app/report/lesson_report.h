@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report of a play: what was asked and reached, the metrics, pictures, plots over time, the
-// limits, and the recording itself, as HTML, PDF and tables in one folder.
+// The report of a play: what was asked and reached, metrics, limits, pictures, plots over time, and
+// the recording itself, as HTML, PDF and tables in one folder.
 #pragma once
 
 #include <filesystem>
@@ -15,23 +15,23 @@ namespace hepatica {
 
 struct ReportRequest {
     std::filesystem::path recording;
-    std::filesystem::path out;  // a folder; others' files in it stay
+    std::filesystem::path out;  // a folder; other files in it are kept
     std::string lesson;         // file or name; empty: the built-in one that was played, or none
-    std::string name;           // of the trainee; empty: not said
+    std::string name;           // of the trainee; empty: not stated
     std::filesystem::path patient;          // a case; empty: see recorded_patient()
     BuiltInCache cache;                     // of the built-in patient
-    FlowUnits units = FlowUnits::computed;  // on the pages; tables keep what is computed in
-    std::string patient_name;     // as the pages call him; empty: as the case does, or not at all
-    std::string language = "en";  // of the pages, which use_language() was told
+    FlowUnits units = FlowUnits::computed;  // on the pages; tables keep computed units
+    std::string patient_name;               // on the pages; empty: the case's name, or none
+    std::string language = "en";            // of the pages; must be the one given to use_language()
 };
 
 struct WrittenReport {
     bool passed = false;
-    std::vector<std::filesystem::path> files;  // that stand in the folder now
+    std::vector<std::filesystem::path> files;  // all files in the folder
 };
 
 // Writes report.html, report.pdf, metrics.csv, plots.csv, pictures and recording.hrec, all of them
-// or none. Needs a QApplication, and no display. Throws InputError, Cancelled.
+// or none. Needs a QApplication, but no display. Throws InputError, Cancelled.
 WrittenReport write_report(const ReportRequest& request, Job& job);
 
 }  // namespace hepatica

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Qt's text knows neither figures nor the units of the page's style sheet.
+// QTextDocument supports neither figures nor the units of the page's style sheet.
 QString in_plain_html(QString html) {
     static const QRegularExpression style_sheet("<style>.*</style>",
                                                 QRegularExpression::DotMatchesEverythingOption);
@@ -39,8 +39,8 @@ QString in_plain_html(QString html) {
     return html;
 }
 
-// As wide as the text on paper. Qt's text keeps room for a picture's own height otherwise, whatever
-// its width becomes.
+// Makes pictures as wide as the text on paper, and sets their heights: otherwise QTextDocument
+// reserves the original height at any width.
 void fit_pictures(QTextDocument& document, const fs::path& folder) {
     constexpr double width = 600.0;
     struct Place {
@@ -72,16 +72,17 @@ bool holds_picture(const QTextBlock& block) {
     return false;
 }
 
-// What a heading is to stand beside: the block after it, or the picture that a line of text between
-// them is about.
+// The block that must be on a heading's page: the next one, or the picture after a single line of
+// text.
 QTextBlock what_follows(const QTextBlock& heading) {
     const QTextBlock next = heading.next(), after = next.next();
     return after.isValid() && !holds_picture(next) && holds_picture(after) ? after : next;
 }
 
-// The first heading that ends its page, laid out as QTextDocument::print() does it; -1: none.
+// The first heading separated from what follows by a page break, in the layout of
+// QTextDocument::print(); -1: none.
 int lonely_heading(const QTextDocument& document, QPdfWriter& writer) {
-    // Its margins are 2 cm in dots of the screen, which the layout then scales to the paper.
+    // print() uses margins of 2 cm in screen dots, which the layout scales to the paper.
     constexpr double margin_inch = 2.0 / 2.54;
     const double screen_dots = QGuiApplication::primaryScreen()->logicalDotsPerInchY();
     const std::unique_ptr<QTextDocument> laid_out(document.clone());

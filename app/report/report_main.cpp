@@ -36,7 +36,7 @@ void print(const WrittenReport& written, bool json) {
     std::printf("%s\n", QJsonDocument(answer).toJson(QJsonDocument::Compact).constData());
 }
 
-// A line for each stage and each hundredth of it.
+// Prints a line for each stage and each percent of it.
 void print_progress(const Job& job) {
     static std::pair<int, int> last{0, 0};
     const JobProgress now = job.progress();
@@ -54,7 +54,7 @@ int refuse(const std::string& problem, int code) {
     return code;
 }
 
-// In the language of the report, which is that of the window that asked for it.
+// In the language of the report, which is that of the window that requested it.
 std::string words_of(const Error& error) {
     QStringList lines{translated(error.problem())};
     if (!error.place().empty()) lines << translated(error.place());

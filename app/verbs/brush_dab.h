@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A ball of voxels as the command line names it: for remake and edit.
+// A ball of voxels as given on the command line, for remake and edit.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace hepatica {
 
-// X,Y,Z,RADIUS in mm, the radius above 0 and up to 50. Throws UsageError that names the option.
+// Parses X,Y,Z,RADIUS in mm, the radius above 0 and up to 50. Throws UsageError that names the
+// option.
 BrushStroke dab(const std::string& option, const std::string& text, bool erases);
 
 }  // namespace hepatica

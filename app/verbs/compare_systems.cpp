@@ -39,7 +39,7 @@ void unite(Mask& mask, const Mask& with) {
     for (std::size_t i = 0; i < mask.voxels.size(); ++i) mask.voxels[i] |= with.voxels[i];
 }
 
-// Several masks of one system are one truth.
+// Several masks of one system are united.
 std::vector<SystemTruth> read_truths(const std::vector<NamedMask>& masks,
                                      const PatientCase& patient, const fs::path& place, Job& job) {
     std::vector<SystemTruth> truths;

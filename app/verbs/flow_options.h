@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Options that the verbs about flow share: the tree they run on, the fluids, the pressure law.
+// Options shared by the verbs about flow: the tree, the fluids, the pressure law.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -15,7 +15,6 @@
 
 namespace hepatica {
 
-// --model, --void-fraction, --phase and the properties of both phases.
 struct FluidOptions {
     std::string model = default_injection::pressure_model;
     std::optional<double> void_fraction;
@@ -27,9 +26,9 @@ struct FluidOptions {
 
     void add_to(CLI::App& verb);
     PressureLaw law() const { return pressure_law(model); }
-    // What was given, else 0.40 under `published` (the paper's figure) and the default injection's.
+    // The value given, or 0.40 with `published` (the paper's value), or the default injection's.
     double share() const;
-    // What was given, else gas under `published` (the paper's) and lipiodol else.
+    // The phase given, or gas with `published` (the paper's), or lipiodol.
     Phase second() const;
     Phase liquid() const;
     Fluid fluid() const { return mixture(liquid(), second(), share()); }
@@ -37,23 +36,23 @@ struct FluidOptions {
 
 Json to_json(const Fluid& fluid);
 
-// --tree-space and --radius-mm: what a tree's file of another program leaves open.
 struct TreeFileOptions {
-    std::string space;  // lps, ras, or "" where it is not stated
+    std::string space;  // lps, ras, or "" where not stated
     std::optional<double> radius_mm;
 
     void add_to(CLI::App& verb);
     TreeFileFacts facts() const;
 };
 
-// A case's folder, or a tree of its own in a file (.vtp, .swc, .json). Throws InputError.
+// Reads a case or a tree file (.vtp, .swc, .json). Throws InputError.
 VesselTree read_any_tree(const std::filesystem::path& place, const TreeFileOptions& options);
 
-// The point of the tree nearest to "X,Y,Z" (mm, LPS) given to `option`.
+// The point of the tree nearest to "X,Y,Z" (mm, LPS), given to `option`. Throws UsageError for
+// malformed text, and as point_of_vessel().
 TreePoint parse_point(const std::string& option, const std::string& text, const VesselTree& tree);
 
-// The point of the tree nearest to a position that was given to `option`. Throws InputError where
-// the nearest vessel is more than 10 mm away.
+// The point of the tree nearest to a position given to `option`. Throws InputError where the
+// nearest vessel is more than 10 mm away.
 TreePoint point_of_vessel(const std::string& option, const Vec3& position_mm,
                           const VesselTree& tree);
 

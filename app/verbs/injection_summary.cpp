@@ -42,7 +42,7 @@ Json outlets(const Json& outlet_g) {
     return {{"outlets", outlet_g.size()}, {"supplied", supplied}};
 }
 
-// Evenly spaced, the last one included.
+// Ten rows, evenly spaced, the last one included.
 Json thinned_out(const Json& rows) {
     if (rows.size() <= most_rows) return rows;
     Json some = Json::array();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What reconstruct and edit both report of a case.
+// The parts of the answer that reconstruct, edit and remake share.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace hepatica {
 
 Json to_json(const VesselTree& tree);
 Json to_json(const TetMesh& mesh);
-// Confidence, length, ends, and whether they are built already.
+// Confidence, length and ends of each bridge, and whether it is built already.
 Json to_json(const std::vector<Bridge>& bridges);
 
 }  // namespace hepatica

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a truth lies where the case lies that it shall judge.
+// Checks whether a truth is in the same place as the case to be judged.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,13 +14,13 @@ namespace hepatica {
 using BoxMm = Eigen::AlignedBox3d;
 
 BoxMm box_of(const VesselTree& tree);
-BoxMm box_of(const Mask& mask);  // of the centres of its voxels that are not zero
+BoxMm box_of(const Mask& mask);  // of the centres of its nonzero voxels
 
-// Whole millimetres in words.
+// Rounded to whole millimetres, with the unit.
 std::string text_of(double millimetres);
 
-// Vessels of one patient's scan share a place, however badly they were found. Throws InputError
-// where these do not; nothing where either is empty.
+// The bounding boxes of vessels of the same scan overlap, however badly the vessels were found.
+// Throws InputError where these do not; accepts anything where either is empty.
 void require_overlap(const BoxMm& of_case, const std::filesystem::path& patient,
                      const BoxMm& of_truth, const std::filesystem::path& truth);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// bench contacts: steps with growing numbers of contacts (core/study/contact_study.h).
 #include <memory>
 
 #include "app/verbs/verbs.h"

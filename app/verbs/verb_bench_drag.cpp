@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// bench drag: motions of a hand on a patient's body, the times of the frames and the error of the
+// motion (core/study/drag_study.h).
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -61,7 +63,7 @@ SceneSpec scene_of(const BenchDragChoices& options, const std::optional<Script>&
     return scene;
 }
 
-// Of the centreline, from the reference, in one frame after the other; empty without a reference.
+// RMS distance of the centreline from the reference for each frame; empty without a reference.
 std::vector<double> missed_mm(const CentrelineMotion& motion, const CentrelineMotion& reference,
                               std::size_t frames) {
     std::vector<double> missed;
@@ -128,7 +130,8 @@ struct Study {
         "asleep,degraded,error_rms_mm,message\n";
 };
 
-// Without the swing after it has let go, which frames of a sixtieth of a second do not follow.
+// The error while the hand holds the vessel, without the swing afterwards, which frames of 1/60 s
+// cannot resolve.
 double error_held(const CentrelineMotion& motion, const CentrelineMotion& reference,
                   const HandMotion& played) {
     const std::size_t vectors = motion.size() / static_cast<std::size_t>(played.steps) *

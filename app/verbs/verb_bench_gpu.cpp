@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// bench gpu: the cost of a step on a CUDA device, measured or planned (gpu/study/gpu_study.h).
 #include <memory>
 
 #include "app/verbs/verbs.h"

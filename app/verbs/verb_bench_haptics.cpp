@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// bench haptics: processor time of the haptic loop's periods beside a play
+// (core/study/haptic_study.h).
 #include <filesystem>
 #include <memory>
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// bench iterations: iterations of each linear solver to a given true error
+// (core/study/iteration_study.h).
 #include <memory>
 
 #include "app/verbs/case_tree.h"

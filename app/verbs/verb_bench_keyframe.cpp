@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// bench keyframe: the cost that a keyframe adds to a step of a recording.
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -32,8 +33,8 @@ Json row_of(const StepTimes& times) {
             {"longest", times.quantile(1.0)}};
 }
 
-// Every step is timed without a keyframe and together with one that is taken at its end: in play
-// only every 60th step takes one.
+// Times every step without a keyframe and with one taken at its end; in play only every 60th step
+// takes one.
 Json run_bench_keyframe(const BenchKeyframeChoices& options, Job& job) {
     job.expect_stages(3);
     job.begin_stage("Reading the case");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The clamped beam of docs/solver.md in this program and in Bullet, side by side: the same mesh,
-// material, step and weight, from straight to rest.
+// bench peers: the clamped beam of docs/solver.md in this program and in Bullet, side by side, with
+// the same mesh, material, time step and gravity, from the straight shape to rest.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,7 +19,8 @@ namespace {
 
 struct Beam {
     Index3 cells;
-    double same_mesh_fem_mm;  // tip, CalculiX, linear tetrahedra, large deformation
+    double same_mesh_fem_mm;  // deflection of the tip by CalculiX, linear tetrahedra, large
+                              // deformation
 };
 
 constexpr std::array<Beam, 3> beams{
@@ -48,7 +49,7 @@ BodyDescription beam_body(const Beam& beam) {
     return body;
 }
 
-// How far the free face has sunk, on average.
+// Mean deflection of the free face.
 double sag_mm(const BodyDescription& body, std::span<const Vec3> positions_mm) {
     double sum = 0.0;
     int count = 0;
@@ -60,7 +61,7 @@ double sag_mm(const BodyDescription& body, std::span<const Vec3> positions_mm) {
     return sum / count;
 }
 
-// The beam in this program, stepped with so many threads.
+// The beam in this program, stepped with this many threads.
 struct Ours {
     std::unique_ptr<Stepper> stepper;
     int threads;
@@ -77,8 +78,8 @@ struct Ours {
     }
 };
 
-// Some steps of each in turn, so that what disturbs one disturbs the others, and none finds the
-// caches always emptied by another.
+// Runs some steps of each in turn, so that disturbances affect all alike, and none always finds its
+// caches emptied by another.
 Json measure(const Beam& beam, const PeerOptions& options, Job& job) {
     const BodyDescription body = beam_body(beam);
     const Vec3 gravity(0.0, 0.0, -9810.0);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// bench reconstruct: time, responsiveness to cancelling and peak memory of a reconstruction, stage
+// by stage (core/study/job_watch.h).
 #include <spawn.h>
 #include <sys/wait.h>
 
@@ -31,7 +33,7 @@ struct BenchReconstructChoices {
     int seed = 1;
 };
 
-// In a process of its own, so that this one's peak memory is the reconstruction's.
+// Runs in a separate process, so that this one's peak memory is that of the reconstruction.
 void make_phantom_elsewhere(const BenchReconstructChoices& options) {
     std::vector<std::string> words{"hepatica-cli",
                                    "phantom",

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// bench refinement: how many recursions of the Gaussian refinement (II.A.1) to use, by the noise of
+// the surface and the volume lost on a synthetic patient.
 #include <cmath>
 
 #include "app/verbs/verbs.h"
@@ -17,8 +19,8 @@ struct BenchRefinementChoices {
     int generations = 4;
 };
 
-// What a threshold half-way between parenchyma and vessel makes of the CT within two voxels of the
-// true vessels: their surface with the noise of the scan on it.
+// Thresholds the CT half-way between parenchyma and vessel, within two voxels of the true vessels:
+// their surface with the noise of the scan.
 Mask thresholded(const Phantom& phantom, const PhantomOptions& made, Job& job) {
     const double half_hu = made.parenchyma_hu + 0.5 * made.contrast_hu;
     Mask mask = dilate(phantom.vessels, 2.0 * made.spacing_mm.minCoeff(), job);
@@ -27,8 +29,8 @@ Mask thresholded(const Phantom& phantom, const PhantomOptions& made, Job& job) {
     return mask;
 }
 
-// Where the surface of a mask lies from the true one, by its outermost voxels: outwards on average,
-// and the standard deviation about that, which is its noise.
+// The signed distance of a mask's outermost voxels from the true surface: its mean, outwards, and
+// its standard deviation, the noise.
 struct SurfacePlace {
     double shift_mm = 0.0;
     double noise_mm = 0.0;

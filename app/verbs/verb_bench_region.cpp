@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// bench region: cost of a frame that computes only the live region, in a small and a large tree
+// (core/study/region_study.h).
 #include <memory>
 
 #include "app/verbs/verbs.h"

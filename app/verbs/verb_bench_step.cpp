@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// bench step: time, error and energy ledger of a step on one and several threads
+// (core/study/step_study.h).
 #include <memory>
 
 #include "app/verbs/case_tree.h"

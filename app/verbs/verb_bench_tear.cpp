@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// bench tear: force, work and entropy of tearing a notched bar, or the cost of a step in which
+// joints break (core/study/tear_study.h).
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -13,7 +15,7 @@ namespace hepatica {
 namespace {
 
 struct TearPlots {
-    std::filesystem::path entropy, force;  // empty: not asked for
+    std::filesystem::path entropy, force;  // empty: not requested
 };
 
 std::string name_of(const char* what, const TearRow& row) {
@@ -32,7 +34,7 @@ Curve curve_of(const TearRow& row, const std::string& name, double TearRow::Samp
     return curve;
 }
 
-// Of the bars that nothing stops: entropy and what of it was produced, with a fracture energy.
+// Entropy, and entropy produced, of the bars with a fracture energy and no stop.
 Chart entropy_chart(const std::vector<TearRow>& rows) {
     Chart chart{
         "Entropy while a bar is torn, by the mesh's edge", "Pulled by (mm)", "Entropy (nats)", {}};
@@ -46,7 +48,7 @@ Chart entropy_chart(const std::vector<TearRow>& rows) {
     return chart;
 }
 
-// Of the same, and of those with a bare limit.
+// Force on all bars without a stop: with a fracture energy, and with a bare limit.
 Chart force_chart(const std::vector<TearRow>& rows) {
     Chart chart{"Force that tears a bar, by the mesh's edge", "Pulled by (mm)", "Force (N)", {}};
     for (const TearRow& row : rows)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// compare: judges a case by a known truth of the same patient (core/accuracy).
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -23,14 +24,14 @@ namespace {
 struct CompareChoices {
     std::filesystem::path patient;
     std::filesystem::path truth_tree;
-    TreeFileOptions tree_file;  // of the truth
+    TreeFileOptions tree_file;  // for the truth
     std::vector<std::string> truth_masks;
-    std::filesystem::path liver_mask, cava_mask;  // where each system has its own mask
+    std::filesystem::path liver_mask, cava_mask;  // only where each system has its own mask
 };
 
-// Nothing where the two trees may well be one patient's. In a liver the vessels of any two patients
-// lie near each other here and there, so that the median is asked and not the least distance; and
-// the smaller of the two, since a truth may hold one system of two, and a case half of a truth.
+// A warning if the two trees are probably not of one patient. The vessels of any two livers come
+// near each other in places, so the median distance decides, not the least one; and the smaller of
+// both medians, because a truth may hold one of two systems, and a case half of a truth.
 std::vector<std::string> doubts(const CompareChoices& options, const Accuracy& found) {
     constexpr double same_vessels_mm = 5.0;
     if (!found.centreline_median_mm || !found.truth_median_mm) return {};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// copy: copies a case between the forms NAME.hep and NAME.hepz.
 #include <filesystem>
 #include <memory>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// diagnose: what this computer offers the program (app/diagnosis.h).
 #include "app/diagnosis.h"
 #include "app/verbs/verbs.h"
 

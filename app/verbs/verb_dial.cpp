@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// dial: measures cost and error of the dial's settings on a patient's body and stores them in the
+// case (core/study/dial_study.h).
 #include <spdlog/spdlog.h>
 
 #include <filesystem>
@@ -35,7 +37,7 @@ Json json_row(const QualityPoint& point) {
             {"error_relative", point.error_relative}};
 }
 
-// The dial that is left in the case is never without what was measured last.
+// Writes the dial to the case after every measurement, so that it always holds the latest.
 Json run_dial(const DialChoices& options, Job& job) {
     DeformBackEnd back_end = choose_back_end(options.backend).back_end;
     const std::filesystem::path file =

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// edit: corrects a case: links, branches, roots and systems of its tree, its bridges and its
+// tumours (core/patient/corrections.h).
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -27,14 +29,14 @@ struct EditChoices {
     fs::path patient;
     fs::path edits;
     fs::path out;
-    std::vector<double> places;  // of a vessel to draw, three numbers each
+    std::vector<double> places;  // points of a vessel to draw, three numbers each
     fs::path ct;
     std::vector<std::string> seeds;  // X,Y,Z,SYSTEM
     double accept = std::numeric_limits<double>::infinity();
     double refuse_below = -1.0;
-    std::vector<int> accepted, refused, offered;  // numbers of bridges, from 1
-    std::vector<std::string> painted, erased;     // of tumours, X,Y,Z,RADIUS
-    int tumour = 0;                               // that these are of; 0: a new one, or any
+    std::vector<int> accepted, refused, offered;  // numbers of bridges, counted from 1
+    std::vector<std::string> painted, erased;     // strokes on tumours, X,Y,Z,RADIUS
+    int tumour = 0;  // tumour of these strokes; 0: a new one to paint, any to erase
     int undo = 0;
     bool list = false;
 
@@ -50,7 +52,7 @@ std::vector<TreeEdit> edits_in(const fs::path& file) {
                            file.string());
 }
 
-// Positions in corrections.bridges of those that an option names.
+// Indices in corrections.bridges of the numbers given to an option.
 std::vector<std::size_t> bridges_named(const std::string& option, const std::vector<int>& numbers,
                                        const PatientCase& patient) {
     std::vector<std::size_t> indices;
@@ -74,7 +76,7 @@ void require_state(const PatientCase& patient, std::size_t index, const std::str
                                                     : "See what can be decided: --list");
 }
 
-// Refuses by confidence, then offers again, accepts and refuses what was named.
+// Refuses by confidence, then offers again, accepts and refuses the named bridges.
 void decide_bridges(const EditChoices& options, PatientCase& patient,
                     std::vector<TreeEdit>& edits) {
     std::vector<Bridge>& bridges = patient.corrections.bridges;
@@ -98,7 +100,7 @@ void decide_bridges(const EditChoices& options, PatientCase& patient,
     }
 }
 
-// Along the places that were given.
+// The edit that draws a vessel along the given places.
 TreeEdit drawn_vessel(const EditChoices& options, const PatientCase& patient, Job& job) {
     if (options.places.size() % 3 != 0)
         throw UsageError(std::to_string(options.places.size()) + " numbers are no places", "--draw",
@@ -110,7 +112,7 @@ TreeEdit drawn_vessel(const EditChoices& options, const PatientCase& patient, Jo
     return drawing_of(traced_vessel(ct, places, blood_contrast_hu(ct, patient.tree), job));
 }
 
-// X,Y,Z,SYSTEM
+// Parses X,Y,Z,SYSTEM.
 TreeEdit seed_in(const std::string& text) {
     const auto comma = text.find_last_of(',');
     if (comma == std::string::npos)
@@ -128,7 +130,7 @@ TreeEdit seed_in(const std::string& text) {
     return edit;
 }
 
-// Balls at tumours, on top of the edits so far: what is painted, then what is erased.
+// Adds the strokes on tumours to the edits: what is painted, then what is erased.
 void add_tumour_strokes(const EditChoices& options, const PatientCase& patient,
                         std::vector<TreeEdit>& edits) {
     if (options.tumour != 0 && options.painted.empty() && options.erased.empty())
@@ -152,8 +154,8 @@ void add_tumour_strokes(const EditChoices& options, const PatientCase& patient,
                          "Reconstruct the case from its CT");
 }
 
-// What the case's edits become: some of the last taken back, then the file's, then vessels, tumours
-// and bridges.
+// The case with its new edits: the last ones undone if requested, then those of the file, drawn
+// vessels, seeds, tumours and bridges.
 PatientCase corrected(const EditChoices& options, PatientCase patient, Job& job) {
     std::vector<TreeEdit> edits = patient.corrections.edits;
     if (options.undo > static_cast<int>(edits.size()))
@@ -179,7 +181,7 @@ PatientCase corrected(const EditChoices& options, PatientCase patient, Job& job)
     return with_edits(patient, edits, job);
 }
 
-// All that were ever found, by number.
+// All bridges ever found, by number.
 Json bridges_of(const PatientCase& patient) {
     Json list = to_json(patient.corrections.bridges);
     for (std::size_t i = 0; i < list.size(); ++i) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// embolize: injects beads until the flow stops (core/flow/embolization.h).
 #include <filesystem>
 #include <memory>
 #include <numeric>
@@ -30,7 +31,7 @@ struct EmbolizeChoices {
     std::filesystem::path plot;
 };
 
-// A pressure at the tip, and beds beyond the outlets that let the given flow of blood through.
+// A pressure at the tip, and terminal resistances that let the given flow of blood through.
 FlowConditions conditions_of(const EmbolizeChoices& options, const FlowNetwork& network, int tip) {
     FlowConditions conditions;
     conditions.law = options.fluid.law();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// export: writes a case's vessels and organs as a DICOM segmentation of its CT
+// (core/opening/case_segmentation.h).
 #include <filesystem>
 #include <memory>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// extremes: the stability suite and its campaigns, one row per case (core/study/extremes.h).
 #include <spdlog/spdlog.h>
 
 #include <memory>
@@ -42,7 +43,7 @@ struct ExtremesChoices {
     bool verify = false;
 };
 
-// As a scene has his vessels.
+// The body that a scene makes of the patient.
 std::shared_ptr<const BodyDescription> body_of_case(const std::string& place) {
     const DeformPart part(read_case_without_voxels(place), DeformSpec{});
     return std::make_shared<const BodyDescription>(part.body());

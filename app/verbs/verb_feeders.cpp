@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a planner asks before an injection: through which branches blood reaches a tumour.
+// feeders: the branches through which blood reaches a tumour, for planning an injection
+// (core/tree/territories/feeders.h).
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -18,12 +19,12 @@ namespace {
 
 struct FeedersChoices {
     std::filesystem::path patient;
-    int tumour = 0;  // from 1; 0: all
+    int tumour = 0;  // counted from 1; 0: all
     std::string at_mm;
     double radius_mm = 10.0;
 };
 
-// Labels in organs of the tumour that is asked for, or of all.
+// Labels of the requested tumour, or of all, in the organs.
 std::vector<std::uint8_t> wanted_tumours(const FeedersChoices& options, const Mask& organs) {
     const std::vector<Tumour> all = tumours_in(organs);
     if (all.empty())
@@ -40,7 +41,7 @@ std::vector<std::uint8_t> wanted_tumours(const FeedersChoices& options, const Ma
     return labels;
 }
 
-// What of the liver lies about a place counts as the tumour.
+// Labels the liver within a ball as the only tumour.
 std::vector<std::uint8_t> mark_ball(const FeedersChoices& options, Mask& organs) {
     const auto [x, y, z] = parse_triple("--at-mm", options.at_mm);
     const Vec3 at(x, y, z);

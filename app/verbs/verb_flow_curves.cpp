@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// flow-curves: compares the forms of the pressure law over the Reynolds number and for the hepatic
+// arteries (core/flow/pressure_drop.h).
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -22,7 +24,7 @@ struct FlowCurvesChoices {
     std::string format = "png";
 };
 
-// One way of computing the drop, as a curve of the plots.
+// A form of the pressure law with a fluid, drawn as one curve.
 struct Form {
     const char* name;
     PressureLaw law;
@@ -37,7 +39,7 @@ std::vector<Form> forms() {
              mixture(blood(), gas(), published_void_fraction)}};
 }
 
-// Drops against the Reynolds number of blood at the same mass flow.
+// Draws the drops over the Reynolds number of blood at the same mass flow.
 void draw_forms(const FlowCurvesChoices& options) {
     Chart drops{"Drop of total pressure along one vessel",
                 "Reynolds number of blood at the inlet",
@@ -78,7 +80,8 @@ void draw_forms(const FlowCurvesChoices& options) {
 }
 
 // Diameters: Bilir 2021 (computed tomography, 500 adults). Flow at rest: hepatic artery 245, portal
-// vein 945 mL/min (Carlisle 1992, at 70 kg); right and left share it by the cube of the radius.
+// vein 945 mL/min (Carlisle 1992, at 70 kg); right and left hepatic artery share it by the cube of
+// the radius.
 struct Vessel {
     const char* name;
     double proximal_diameter_mm;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// inject: injects a drug and follows its front through the tree (core/flow/injection.h).
 #include <spdlog/spdlog.h>
 
 #include <cmath>
@@ -43,7 +44,7 @@ Json number_or_null(double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-// Pressure at the tip and where the drug is, over time.
+// Pressure at the tip, vessels filled and drug delivered, over time.
 Chart chart_of(const InjectionResult& result) {
     Chart chart{"Injection", "Time (s)", "Share", {}};
     Curve pressure{"inlet pressure / highest", {}, {}};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// lesson: scores a recording of a lesson (core/lesson/score.h).
 #include <spdlog/spdlog.h>
 
 #include <filesystem>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// paper: makes the paper's figures and table anew, as a page (app/paper/paper_page.h).
 #include <spdlog/spdlog.h>
 
 #include <filesystem>
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct PaperChoices {
-    fs::path patient;  // empty: the built-in one
+    fs::path patient;  // empty: the built-in patient
     fs::path out;
     int threads = 2;
 };
@@ -38,11 +39,11 @@ Json run_paper(const PaperChoices& options, Job& job) {
         job.expect_stages(1 + paper_stage_count);
         job.begin_stage("Reading the case");
         patient = std::make_shared<const PatientCase>(read_case(options.patient));
-        // No file or folder is named: it may be called after the patient.
+        // Files and folders are not named, because their names may contain the patient's.
         paper.title = patient->source.name.empty() ? "a patient" : patient->source.name;
     }
     Json facts;
-    // What an older page had and this one has not does no harm.
+    // Files of an older page that this one lacks are kept.
     renew_folder_atomically(
         options.out,
         [&](const fs::path& folder) { facts = write_paper(patient, folder, paper, job); },

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// phantom: makes a synthetic patient, a CT with its true vessel tree and masks
+// (core/phantom/phantom.h).
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -19,13 +21,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A patient whose vessels cannot be seen has no truth that a reconstruction could be held against.
+// A patient whose vessels are invisible is no truth for a reconstruction.
 constexpr double least_contrast_hu = 1.0;
 
 struct PhantomChoices {
     fs::path out;
     PhantomOptions phantom;
-    std::int64_t seed = 1;  // signed, so that a minus is seen
+    std::int64_t seed = 1;  // signed, so that negative numbers are detected
     std::string dims;
     std::string spacing;
     std::vector<std::string> formats{"dicom", "nifti"};
@@ -55,7 +57,8 @@ void parse(PhantomChoices& options) {
                              "Choose dicom, nifti or both: dicom,nifti");
 }
 
-// Of another phantom, which this one replaces. Whatever else lies in the folder stays.
+// Whether a file belongs to an earlier phantom, which this one replaces. Other files in the folder
+// are kept.
 bool is_of_a_phantom(const fs::path& file) {
     constexpr std::array<const char*, 4> names{"ct.nii.gz", "truth_mask.nii.gz", "liver.nii.gz",
                                                "truth_tree.vtp"};

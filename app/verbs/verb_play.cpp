@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// play: plays a session without a window and writes pictures and a report (app/headless_play.h).
 #include <spdlog/spdlog.h>
 
 #include <filesystem>
@@ -52,14 +53,15 @@ OpenRequest request_of(const PlayChoices& options) {
     return request;
 }
 
-// Opening, the truth where it is known, building, playing, injecting.
+// Stages: opening, the truth where known, building, playing, injecting.
 int stage_count_of(const OpenRequest& request) {
     constexpr int truth = 3, building_playing_injecting = 3;
     return opening_stage_count(request) + (request.built_in ? truth : 0) +
            building_playing_injecting;
 }
 
-// No file or folder is named: it may be called after the patient, and a report is passed on.
+// Files and folders are not named, because their names may contain the patient's and reports are
+// passed on.
 std::string title_of(const PlayChoices& options, const PatientCase& patient) {
     if (options.patient.empty()) return "the built-in patient";
     if (!options.name.empty()) return options.name;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// pressure-drop: loss of pressure along one conical vessel segment (core/flow/pressure_drop.h).
 #include <memory>
 
 #include "app/verbs/flow_options.h"

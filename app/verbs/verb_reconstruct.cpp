@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// reconstruct: makes a patient's case from a contrast CT (core/reconstruction/reconstruct.h), or
+// cases from many (app/batch/batch_run.h).
 #include <spdlog/spdlog.h>
 
 #include <charconv>
@@ -46,7 +48,7 @@ VascularSystem parse_system(const std::string& option, const std::string& text) 
                      "Choose a name or a number: " + list_of_systems());
 }
 
-// "LABEL=SYSTEM", or "LABEL" for vessels of an unknown system.
+// Parses "LABEL=SYSTEM", or "LABEL" for vessels of an unknown system.
 VesselLabel parse_vessel_label(const std::string& text) {
     VesselLabel named;
     const std::size_t equals = text.find('=');
@@ -72,7 +74,7 @@ std::vector<VesselLabel> parse_vessel_labels(const std::vector<std::string>& tex
     return labels;
 }
 
-// "X,Y,Z" or "X,Y,Z,SYSTEM".
+// Parses "X,Y,Z" or "X,Y,Z,SYSTEM".
 VesselSeed parse_seed(const std::string& text) {
     VesselSeed seed;
     std::string position = text;
@@ -86,7 +88,7 @@ VesselSeed parse_seed(const std::string& text) {
     return seed;
 }
 
-// "none", "shipped" or a file.
+// The model's file: nothing for "none", the program's own for "shipped".
 std::optional<fs::path> parse_model(const ReconstructChoices& options) {
     if (options.model == "none") return std::nullopt;
     if (options.method != "coherent" || options.as_published || !options.window.empty() ||
@@ -128,7 +130,7 @@ Json to_json(const VoxelCounts& counts) {
             {"cavities", counts.cavities}};
 }
 
-// Many CTs: --batch stands in for the one, and --liver-mask names a folder of masks.
+// Reconstructs many CTs: --batch replaces the CT, and --liver-mask names a folder of masks.
 Json run_many(const ReconstructChoices& options, Job& job) {
     BatchOptions batch = options.batch;
     if (batch.task > batch.tasks)
@@ -197,7 +199,7 @@ CLI::Option* add_batch_options(CLI::App& verb, BatchOptions& batch) {
     return folder;
 }
 
-// Returns that of the CT.
+// Returns the option of the CT.
 CLI::Option* add_images(CLI::App& verb, ReconstructChoices& options) {
     ReconstructOptions& reconstruct = options.reconstruct;
     CLI::Option* ct =

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// remake: makes a case anew from other voxels of its vessels: given, painted, or found with another
+// threshold (core/reconstruction/remade_case.h).
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -35,7 +37,7 @@ struct RemakeChoices {
     ThresholdChoice threshold;
 };
 
-// In the order in which they act: what is painted, then what is erased.
+// Strokes in the order of their effect: what is painted, then what is erased.
 std::vector<BrushStroke> dabs(const RemakeChoices& options) {
     std::vector<BrushStroke> strokes;
     for (const std::string& text : options.painted) strokes.push_back(dab("--paint", text, false));
@@ -45,12 +47,12 @@ std::vector<BrushStroke> dabs(const RemakeChoices& options) {
 
 constexpr auto unknown = static_cast<std::uint8_t>(number_of(VascularSystem::unknown));
 
-// Another threshold than the one by which the case's vessels were found, or a smoother surface.
+// Whether the vessels are searched anew, with another threshold or a smoother surface.
 bool searches(const RemakeChoices& options) {
     return options.threshold.line_share != 1.0 || options.threshold.refinement_recursions != 0;
 }
 
-// Those of the file, else the case's.
+// The vessels of the file, or else the case's.
 Mask wanted_vessels(const RemakeChoices& options, const PatientCase& patient, const Grid& ct_grid,
                     std::vector<std::string>& warnings, Job& job) {
     Mask vessels = patient.mask;
@@ -58,7 +60,7 @@ Mask wanted_vessels(const RemakeChoices& options, const PatientCase& patient, co
         const LabelMap labels = read_label_map(options.vessels, job);
         if (same_grid(labels.grid, patient.mask.grid)) {
             vessels = systems_of_labels(labels, {}, options.vessels.string(), warnings);
-            vessels.grid = patient.mask.grid;  // the file keeps it in single precision
+            vessels.grid = patient.mask.grid;  // the file stores it in single precision
         } else {
             vessels = read_given_vessels(options.vessels, {}, ct_grid, warnings, job);
         }
@@ -96,7 +98,8 @@ Json run_remake(const RemakeChoices& options, Job& job) {
                          "Leave --line-share and --refine out, or --vessels");
     const fs::path& out = options.out.empty() ? options.patient : options.out;
     if (!options.out.empty()) require_case_place(options.out);
-    const std::vector<BrushStroke> strokes = dabs(options);  // refused before the long work
+    const std::vector<BrushStroke> strokes =
+        dabs(options);  // parsed first, so that errors precede the long work
     job.expect_stages(remade_stages + 3 + (searches(options) ? preview_stages : 0));
     job.begin_stage("Reading the case");
     const PatientCase patient = read_case(options.patient);
@@ -106,7 +109,7 @@ Json run_remake(const RemakeChoices& options, Job& job) {
     if (searches(options))
         vessels = VesselPreview(ct, unpainted_organs(patient), job)
                       .vessels(vessels, options.threshold, unknown, job);
-    paint(strokes, vessels, warnings);  // last: what is erased stays away
+    paint(strokes, vessels, warnings);  // last, so that what is erased stays away
     RemadeCase made = remade(patient, std::move(vessels), ct, job);
     note_rebuilding(patient, strokes.size(), made.patient);
     warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());

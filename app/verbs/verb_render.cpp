@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// render: a picture of a case or of a recorded play, without a display
+// (render/offscreen_picture.h).
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -99,7 +101,7 @@ PictureOptions picture_options(const RenderChoices& options) {
     return picture;
 }
 
-// Where the drug goes in: the place asked for, else the root of the first system.
+// Where the drug is injected: the given place, or the root of the first segment.
 Vec3 injection_point(const RenderChoices& options, const VesselTree& tree) {
     if (options.at_mm.empty()) return tree.segments.front().points_mm.front();
     const auto [x, y, z] = parse_triple("--at-mm", options.at_mm);
@@ -178,7 +180,7 @@ Json run_render(const RenderChoices& options, Job& job) {
             : played(options, read_recording(options.recording), patient, job);
     session->update_frame();
     const Frame& frame = session->frame();
-    // What a step of a recorded play says of itself is no reason not to show it.
+    // Messages of a recorded play's steps do not prevent the picture.
     if (options.recording.empty() && !frame.statistics.message.empty())
         throw InputError(frame.statistics.message, options.patient.string(),
                          "check the options of the injection");

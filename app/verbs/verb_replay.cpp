@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// replay: plays a recording again and compares the state of every step (core/session/replay.h).
 #include <spdlog/spdlog.h>
 
 #include <filesystem>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// review: lists what happened in a recording, and when (core/lesson/review.h).
 #include <spdlog/spdlog.h>
 
 #include <filesystem>
@@ -28,7 +29,7 @@ struct ReviewChoices {
 
 Json run_review(const ReviewChoices& options, Job& job) {
     const Recording recording = read_recording(options.recording);
-    // Before the replay, which takes long: notes that cannot be read are told at once.
+    // Notes are read before the long replay, so that errors appear at once.
     const std::vector<PlayNote> read = read_notes(options.recording);
     for (const std::string& warning : recording.warnings) spdlog::warn("{}", warning);
     const auto lesson = options.lesson.empty() ? built_in_lesson_of(recording)
@@ -37,7 +38,7 @@ Json run_review(const ReviewChoices& options, Job& job) {
     const BuiltInCache no_cache;
     const auto patient = std::make_shared<const PatientCase>(recorded_patient(
         recording, options.recording, options.patient, &no_cache, building_and_replaying, job));
-    ReviewTape tape(0);  // the events alone
+    ReviewTape tape(0);  // events only
     const Review found =
         review(recording, lesson, patient, tape, job, choose_back_end(recording.back_end).back_end);
     if (found.diverged_at) spdlog::warn("diverged at step {}", *found.diverged_at);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// scene: the parts that a scene builds, their memory, and their cost per frame.
 #include <algorithm>
 #include <filesystem>
 
@@ -19,13 +20,13 @@ struct SceneChoices {
     std::string backend = "cpu";
 };
 
-// A scene file names its case; a case alone stands for the default scene.
+// Reads a scene file, which names its case; a case alone means the default scene.
 SceneFile scene_of(const std::filesystem::path& file) {
     return is_case(file) ? SceneFile{default_scene(), file} : read_scene(file);
 }
 
-// What tools and tears need is built with the body: it weighs what the body weighs more than
-// without. What it adds to a frame is in the body's.
+// Builds the world to measure its body. Tools and tears are built with the body, so their cost is
+// the difference to a body without them; their cost per frame is included in the body's.
 PartCost weigh_body(const std::shared_ptr<const PatientCase>& patient, const SceneSpec& spec,
                     const DeformBackEnd& back_end) {
     Job job;
@@ -40,7 +41,7 @@ Json part_of_body(const char* name, const PartCost& heavy, const PartCost& light
             {"build_ms", std::max(0.0, heavy.build_ms - light.build_ms)}};
 }
 
-// Parts are weighed at work: a branch is pulled and a drug runs, as far as the scene has them.
+// Measures the parts while a branch is pulled and a drug flows, as far as the scene has them.
 Json run_scene(const SceneChoices& options, Job& job) {
     const BackEndChoice back_end = choose_back_end(options.backend);
     const SceneFile scene = scene_of(options.file);

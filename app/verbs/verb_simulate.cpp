@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// simulate: plays a script on a case and measures (app/measured_play.h).
 #include <spdlog/spdlog.h>
 
 #include <filesystem>
@@ -61,7 +62,7 @@ SceneSpec scene_of(const SimulateChoices& options, const Script& script,
     return spec;
 }
 
-// What each step is to do. A lesson begins with a step of its own, its setup's, so that the
+// The commands of each step. A lesson begins with an extra step for its setup, so that the
 // recording can be scored.
 std::vector<std::vector<Command>> commands_of(const SimulateChoices& options, const Script& script,
                                               const std::optional<Lesson>& lesson, double dt_s,
@@ -72,8 +73,8 @@ std::vector<std::vector<Command>> commands_of(const SimulateChoices& options, co
     return commands;
 }
 
-// The dial has as many settings as were measured: the one that is used seldom has the very quality
-// that was asked for.
+// Explains which setting is used: the dial has only as many settings as were measured, so the
+// requested quality is rarely met exactly.
 void explain_quality(double wanted, const SceneSpec& spec, const PatientCase& patient,
                      const DeformBackEnd& back_end) {
     if (spec.deform->setting) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// skeleton: thins a vessel mask and shows how it becomes one voxel wide
+// (core/skeleton/unit_width_skeleton.h).
 #include <algorithm>
 #include <filesystem>
 #include <limits>
@@ -39,7 +41,8 @@ std::vector<Index3> places(const Grid& grid, const std::vector<std::size_t>& off
     return found;
 }
 
-// Crowded points, regions, exits, centres, paths and the result around the largest region.
+// Draws the stages around the largest crowded region: crowded regions, exits, centres, paths,
+// result.
 void draw_stages(const SkeletonChoices& options, const Mask& thinned,
                  const UnitWidthStages& stages) {
     const auto largest = std::ranges::max_element(
@@ -63,7 +66,7 @@ void draw_stages(const SkeletonChoices& options, const Mask& thinned,
         for (const auto& path : region.paths) append(paths, path);
     }
     const VoxelGroup skeleton{voxels_of(thinned), grey};
-    Mask open = thinned;  // without the crowded voxels, which would hide what lies inside them
+    Mask open = thinned;  // without the crowded voxels, which would hide what is inside them
     for (const CrowdedRegion& region : stages.regions)
         for (const std::size_t offset : region.voxels) open.voxels[offset] = 0;
     const VoxelGroup lines{voxels_of(open), grey};

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// tradeoff: error against cost of the solver's settings, on a beam with a known answer or on a
+// patient (core/study/tradeoff.h).
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -52,8 +54,8 @@ Json json_row(const TradeoffPoint& point) {
     return json;
 }
 
-// The patient in tissue as scenes begin, on the case's own mesh and on one of half as many again
-// (it is as coarse as the mesher makes them).
+// The patient's body in tissue, as scenes have it, on the case's mesh and on one with half as many
+// tetrahedra again. (The case's mesh is as coarse as the mesher makes them.)
 std::vector<BodyDescription> bodies_of(PatientCase patient, Job& job) {
     std::vector<BodyDescription> bodies{DeformPart(patient, {}).body()};
     job.begin_stage("Making a finer mesh");

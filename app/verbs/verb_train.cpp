@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// train: learns on synthetic patients which lines of a CT are vessels
+// (core/training/link_training.h).
 #include <cstdint>
 #include <filesystem>
 
@@ -13,7 +15,7 @@ namespace {
 
 struct TrainChoices {
     std::filesystem::path out;
-    std::int64_t seed = 1;  // signed, so that a minus is seen
+    std::int64_t seed = 1;  // signed, so that negative numbers are detected
     TrainingOptions training;
 };
 

@@ -26,7 +26,7 @@ void add_play(CommandLine& line);    // only where the window is built
 void add_render(CommandLine& line);  // only where the window is built
 void add_paper(CommandLine& line);   // only where the window is built
 void add_scene(CommandLine& line);
-void add_skeleton(CommandLine& line);
+void add_skeleton(CommandLine& line);  // only where the window is built
 void add_bench_gpu(CommandLine& line);
 void add_bench_haptics(CommandLine& line);
 void add_bench_drag(CommandLine& line);
@@ -45,7 +45,7 @@ void add_tradeoff(CommandLine& line);
 void add_dial(CommandLine& line);
 void add_train(CommandLine& line);
 
-// All of them, in the order in which --help lists them.
+// Adds all verbs, in the order in which --help lists them.
 void add_all_verbs(CommandLine& line);
 
 }  // namespace hepatica

@@ -20,7 +20,7 @@ LessonTool tool_of(const AddTool& tool) {
     return LessonTool::capsule;
 }
 
-// What it is called in the window.
+// Name of the tool in the window.
 const char* words_of(LessonTool tool) {
     switch (tool) {
         case LessonTool::pull:

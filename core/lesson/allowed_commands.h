@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which of a lesson's tools a command takes in hand.
+// Which commands a trainee may give in a lesson.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,10 @@
 
 namespace hepatica {
 
-// Why a trainee may not give this command in the lesson; empty: he may. Commands that move, turn,
-// open or put away what is in hand, hold the clock, and set the solver's accuracy may always be
-// given.
+// Returns why a trainee may not give this command in the lesson; empty: allowed. Commands that take
+// a tool, pull, cut, inject or change settings need the lesson's permission. ResetWorld and
+// RestoreSnapshot are never allowed. All others always are; they move, turn, open or release what
+// is held, pause, control a running injection, or set the solver's accuracy.
 std::string objection_to(const Command& command, const Lesson& lesson);
 
 }  // namespace hepatica

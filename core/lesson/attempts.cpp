@@ -39,7 +39,8 @@ bool truth_from(const LessonFields& field) {
 
 namespace {
 
-// Whether only the last ones of the pass marks, so many, kept it from being passed.
+// Returns true if the attempt passed, or failed by the last `marks` pass marks alone (those of a
+// course).
 bool passed_but_for(std::size_t marks, const LessonStanding& standing) {
     if (standing.outcome == LessonOutcome::passed) return true;
     const auto own_end =
@@ -160,8 +161,7 @@ std::vector<std::string> names_in(const std::vector<Attempt>& attempts) {
 
 namespace {
 
-// Of the result beside the recording; without one, or where it cannot be read, what nobody has
-// filled.
+// The result beside the recording; an empty attempt if there is none or it cannot be read.
 Attempt attempt_beside(const fs::path& recording) {
     const fs::path file = result_file_of(recording);
     try {

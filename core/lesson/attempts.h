@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The results of attempts at lessons, each in a small file beside its recording
-// (NAME.result.json beside NAME.hrec), for a learning curve and for comparing with an instructor.
+// Results of attempts at lessons, each in a file beside its recording (NAME.result.json beside
+// NAME.hrec), for learning curves and comparison with an instructor.
 //   {"format": "hepatica-result", "version": 1, "lesson": "Gentle pull",
 //    "ended_at": "2026-11-23T13:20:05Z", "passed": false, "reasons": ["limit broken: ..."],
 //    "reference": false, "metrics": {"time_s": 12.5, ..., "dose_target_share": null}}
-// Where the trainee gave a name or a number, "name": "..." stands beside them; a result of who gave
-// none names nobody. Of a lesson that was begun from a course with pass marks of its own,
-// "course_pass": [{"what": "time_s", "at_most": 60}] and "passed_lesson": true, the verdict
-// without them.
+// "name" is added if the trainee gave a name or a number. Attempts begun from a course with its own
+// pass marks also have "course_pass": [{"what": "time_s", "at_most": 60}] and "passed_lesson", the
+// verdict without them.
 #pragma once
 
 #include <array>
@@ -20,58 +19,58 @@
 
 namespace hepatica {
 
-// The quantities that grow over a lesson, those of the moment left out.
+// The metrics of a whole attempt: quantities before step_time_s; those of a moment come after it.
 inline constexpr std::size_t metric_count = static_cast<std::size_t>(Quantity::step_time_s);
 
 struct Attempt {
     std::filesystem::path recording;
-    std::string lesson;                  // its name
-    std::string name;                    // of the trainee, as he gave it; empty: nobody is named
-    std::string ended_at;                // UTC, as in ISO 8601, so that texts sort as times
-    bool passed = false;                 // by all marks it was played under
-    std::vector<Predicate> course_pass;  // those of a course among them
-    bool passed_lesson = false;          // by the lesson's own alone
-    std::vector<std::string> reasons;    // why it was not passed
-    bool reference = false;              // others are measured by it, as by an instructor's
-    std::array<double, metric_count> metrics{};  // by quantity; NaN: not known
+    std::string lesson;                          // name of the lesson
+    std::string name;                            // of the trainee; empty: not given
+    std::string ended_at;                        // UTC in ISO 8601, so that texts sort as times
+    bool passed = false;                         // by the lesson's and the course's marks
+    std::vector<Predicate> course_pass;          // the marks of the course
+    bool passed_lesson = false;                  // by the lesson's own marks alone
+    std::vector<std::string> reasons;            // why it failed
+    bool reference = false;                      // a reference for others, such as an instructor's
+    std::array<double, metric_count> metrics{};  // by Quantity; NaN: unknown
 
     double value(Quantity quantity) const { return metrics[static_cast<std::size_t>(quantity)]; }
 };
 
-// The attempt that ended like this; `course_pass`: the last ones of the standing's pass marks, of
-// the course that it was begun from.
+// The attempt with this final standing. `course_pass`: the pass marks of the course that it was
+// begun from, which must be the last ones of the standing.
 Attempt attempt_of(const std::filesystem::path& recording, const std::string& lesson,
                    const LessonStanding& standing, const std::string& ended_at,
                    std::vector<Predicate> course_pass = {});
 
 std::filesystem::path result_file_of(const std::filesystem::path& recording);
-// Whole or not at all. Throws InputError where it cannot be written.
+// Writes result_file_of(attempt.recording) atomically. Throws InputError where that fails.
 void write_attempt(const Attempt& attempt);
-// Throws InputError that names the file, the place in it and what is wrong.
+// Parses the text of a result file. Throws InputError with the file (`place`), the place in it and
+// the problem.
 Attempt attempt_from(const std::string& text, const std::filesystem::path& recording,
                      const std::string& place);
 
 struct Attempts {
-    std::vector<Attempt> list;             // in the order of time
-    std::vector<std::string> passed_over;  // files that cannot be read, and why, in words
+    std::vector<Attempt> list;             // sorted by time
+    std::vector<std::string> passed_over;  // unreadable files, with the reason in words
 };
-// Those whose results lie in this folder; none where it cannot be read.
+// All attempts with results in this folder; empty if it cannot be read.
 Attempts all_attempts(const std::filesystem::path& folder);
-// Those among them at one lesson.
+// Those at the lesson with this name.
 Attempts attempts_at(const std::string& lesson, const std::filesystem::path& folder);
 
-// The names among them, each once, in the order of the alphabet.
+// The distinct non-empty names, sorted bytewise.
 std::vector<std::string> names_in(const std::vector<Attempt>& attempts);
-// Whom the result beside this recording names; empty: nobody, or there is none that can be read.
+// The trainee's name in the result beside this recording; empty if it has none or cannot be read.
 std::string name_beside(const std::filesystem::path& recording);
-// The same of the pass marks of a course under which it was played; none: of none.
+// The course's pass marks in that result; empty if it has none or cannot be read.
 std::vector<Predicate> course_pass_beside(const std::filesystem::path& recording);
-// Names the trainee of the attempt whose result lies beside this recording; empty: nobody. Throws
-// InputError where there is none that can be read and written.
+// Sets the trainee's name (empty: none) in the result beside this recording. Throws InputError
+// where it cannot be read or written.
 void name_attempt(const std::filesystem::path& recording, const std::string& name);
 
-// The least and the most of a quantity among the attempts that others are measured by; none where
-// there are none, or where it is not known of any.
+// Range of a quantity over the reference attempts; nullopt where it is known of none.
 struct Band {
     double least = 0.0;
     double most = 0.0;
@@ -79,8 +78,8 @@ struct Band {
 };
 std::optional<Band> band_of(const std::vector<Attempt>& attempts, Quantity quantity);
 
-// "attempt,ended_at,passed,reference,time_s,..." and one row each, with all digits. Where any of
-// them is named, "name" comes last.
+// CSV: the header "attempt,ended_at,passed,reference,time_s,..." and one row per attempt, with all
+// digits. A last column "name" is added if any attempt has one.
 std::string to_csv(const std::vector<Attempt>& attempts);
 
 }  // namespace hepatica

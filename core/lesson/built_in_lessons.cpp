@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The lessons and the course that are compiled into the program, see lesson_file.h.
 #include <array>
 
 #include "core/lesson/lesson_file.h"
@@ -7,7 +8,7 @@ namespace hepatica {
 
 namespace {
 
-// The course first; CMake writes the list from assets/lessons.
+// The course, then its lessons; CMake generates the list from assets/lessons.
 constexpr BuiltInLesson texts[] = {
 #include "built_in_lesson_texts.inc"
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who passed what: all trainees by the lessons of a course, from the attempts that are kept.
+// Results of all trainees in the lessons of a course, computed from their stored attempts.
 #pragma once
 
 #include <filesystem>
@@ -15,25 +15,26 @@ namespace hepatica {
 struct LessonResult {
     int attempts = 0;
     bool passed = false;
-    std::optional<double> best_s;  // the shortest time of those that passed
+    std::optional<double> best_s;  // shortest time of a passed attempt
     bool operator==(const LessonResult&) const = default;
 };
 
 struct TraineeResults {
-    std::string name;                   // empty: those who gave none
-    std::vector<LessonResult> lessons;  // one for each of the course
+    std::string name;                   // empty: attempts without a name
+    std::vector<LessonResult> lessons;  // as in CourseResults::lessons
 };
 
 struct CourseResults {
     std::vector<std::string> lessons;      // titles
-    std::vector<TraineeResults> trainees;  // by name, the nameless last
+    std::vector<TraineeResults> trainees;  // sorted by name, the nameless last
 };
 
-// With the course's own pass marks. Throws InputError where a lesson cannot be read.
+// Includes the course's own pass marks. `folder`: where the course's file lies. Throws InputError
+// where a lesson cannot be read.
 CourseResults results_of(const Course& course, const std::filesystem::path& folder,
                          const std::vector<Attempt>& attempts);
 
-// "name,lesson,passed,attempts,best_s" and a row for each trainee and lesson.
+// CSV: "name,lesson,passed,attempts,best_s" and a row for each trainee and lesson.
 std::string to_csv(const CourseResults& results);
 
 }  // namespace hepatica

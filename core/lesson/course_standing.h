@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far somebody has come in a course: which of its lessons one of his attempts has passed, the
-// course's own pass marks included.
+// Progress in a course: which of its lessons the attempts have passed, including the course's own
+// pass marks.
 #pragma once
 
 #include <filesystem>
@@ -15,22 +15,23 @@ namespace hepatica {
 struct CourseLine {
     std::string lesson;  // as find_lesson() takes it
     std::string title;
-    std::vector<Predicate> pass;  // of the course, beside the lesson's own
+    std::vector<Predicate> pass;  // the course's, in addition to the lesson's
     int attempts = 0;
     bool passed = false;
 };
 
-// What an entry of a course in this folder names, as find_lesson() takes it: the id of a lesson
-// that comes with the program, or a file relative to the folder.
+// The lesson of a course's entry, as find_lesson() takes it: the id of a built-in lesson, or the
+// path of a file, resolved against the course's folder.
 std::string lesson_named_by(const std::string& entry, const std::filesystem::path& folder);
-// Back again: how a course in this folder names a lesson.
+// The inverse: the entry for a lesson in a course in this folder.
 std::string entry_naming(const std::string& lesson, const std::filesystem::path& folder);
 
-// An attempt that passed the lesson and meets these marks. A quantity that is not known meets none.
+// Returns true if the attempt passed the lesson and meets these marks. Unknown quantities and those
+// of a moment meet none.
 bool passes(const Attempt& attempt, const std::vector<Predicate>& marks);
 
-// A line for each lesson of the course, in its order. Lessons that are files lie relative to
-// `folder`. Throws InputError where a lesson cannot be read.
+// One line per lesson, in order. `folder`: where the course's file lies. Throws InputError where a
+// lesson cannot be read.
 std::vector<CourseLine> standing_of(const Course& course, const std::filesystem::path& folder,
                                     const std::vector<Attempt>& attempts);
 

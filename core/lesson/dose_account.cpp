@@ -21,7 +21,7 @@ double between(double a, double b, double share) {
     return a + share * (b - a);
 }
 
-// Per outlet: 1 where the vessel that ends there does so in the region.
+// Per outlet: 1 where the segment that ends there ends inside the region.
 std::vector<char> outlets_in(const VesselTree& tree, const FlowNetwork& network,
                              const TargetRegion& region) {
     std::vector<char> node(tree.nodes.size(), 0);

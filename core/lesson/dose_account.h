@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the drug of a play has gone: what was injected, what left through the ends of the vessels,
-// and through whose. Delivered is delivered in the target plus elsewhere; reflux is the part of it
-// that left through vessels which do not begin at the catheter's tip.
+// Mass balance of the drug in a play: injected, delivered through the outlets of the vessels, and
+// delivered through which outlets. Delivered = target + elsewhere. Reflux is what left through
+// outlets that do not lie downstream of the catheter's tip.
 #pragma once
 
 #include <memory>
@@ -24,15 +24,15 @@ struct Dose {
     double elsewhere_g() const { return delivered_g - target_g; }
 };
 
-// One injection over time, as core/flow computes it at rest (as all of the window's curves), linear
-// between samples.
+// One injection over time, computed by core/flow on the tree at rest, as for the window's curves,
+// and interpolated linearly.
 class DoseCurve {
   public:
-    // Costs a tenth of a second for a drug that flows like blood, seconds for another. Throws
-    // InputError where nothing can flow.
+    // Costs 0.1 s for a drug with the viscosity of blood, seconds for others. `end_s` > 0: end of
+    // the run. Throws InputError where nothing can flow.
     DoseCurve(const VesselTree& tree, const InjectionOptions& options, double end_s,
               const std::optional<TargetRegion>& target);
-    // Clamped to the run.
+    // `time_s` is clamped to the run.
     Dose at(double time_s) const;
 
   private:
@@ -40,12 +40,14 @@ class DoseCurve {
     std::vector<Dose> dose_;
 };
 
-// Of all injections of a play: one that is replaced or removed counts as far as it went.
+// Sum over all injections of a play; one that is replaced or removed counts up to that moment.
+// Keeps a reference to the tree. Not thread-safe.
 class DoseAccount {
   public:
     DoseAccount(const VesselTree& tree, const std::optional<TargetRegion>& target)
         : tree_(tree), target_(target) {}
 
+    // Call with every frame. Throws InputError where a new injection cannot flow.
     void see(const DrugView& drug);
     Dose total() const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A lesson: a patient, a scene, what has happened before it begins, tools, and steps with goals and
-// limits. Plain data; lesson_file.h reads it, LessonRun measures a play by it.
+// A lesson: a patient, a scene, a setup, the tools allowed, and steps with goals and limits. Plain
+// data: lesson_file.h reads it and LessonRun scores a play by it.
 #pragma once
 
 #include <optional>
@@ -14,23 +14,23 @@
 
 namespace hepatica {
 
-// Where a place lay on its patient's vessels when the lesson was saved; see lesson_ties.h.
+// Where a place lay on the patient's vessels when the lesson was saved, see lesson_ties.h.
 struct PlaceTie {
     Vec3 at_mm = Vec3::Zero();  // on the centreline
     double radius_mm = 0.0;
-    double beyond_mm = 0.0;  // of a target: length of all vessels beyond it
+    double beyond_mm = 0.0;  // of a target: total length of the vessels beyond it
     bool operator==(const PlaceTie&) const = default;
 };
 
-// One place of a setup, as it is given there, and its tie: so it keeps it whatever is put before
-// it.
+// One place of a setup with its tie. The place identifies the tie, so that actions inserted before
+// it do not shift it.
 using SetupPlace = std::variant<ScriptPlace, Blade>;
 struct SetupTie {
     SetupPlace of;
     std::optional<PlaceTie> tie;
 };
 
-// A place on the vessels that goals speak of; it moves with them.
+// A named place on the vessels that goals refer to; it moves with the vessels.
 struct LessonMark {
     std::string name;
     ScriptPlace place;
@@ -40,12 +40,12 @@ struct LessonMark {
 struct LessonStep {
     std::string text;
     std::string hint;             // may be empty
-    std::vector<Predicate> goal;  // all at once; not empty
-    double hold_s = 0.0;          // without a break for so long
+    std::vector<Predicate> goal;  // must hold simultaneously; not empty
+    double hold_s = 0.0;          // for so long without interruption
     std::vector<Predicate> limits;
 };
 
-// What a trainee may use. Beside it only what moves, turns, opens and puts away what is in hand.
+// What a trainee may use, see objection_to() for what is always allowed.
 enum class LessonTool {
     pull,
     sphere,
@@ -55,25 +55,25 @@ enum class LessonTool {
     blade,
     cut_line,
     inject,
-    settings,  // gravity, tissue, wall, tearing, the drug's clock and speed
+    settings,  // gravity, tether, wall, tearing, contact, the drug's time and speed
 };
 const char* name_of(LessonTool tool);
 
 struct Lesson {
     std::string name;
-    std::string about;            // for the trainee, before it begins; may be empty
-    std::string patient = "any";  // "built-in", "any", or a case (relative: to the lesson's file)
+    std::string about;            // shown before the lesson begins; may be empty
+    std::string patient = "any";  // or "built-in", or a case, relative to the lesson's file
     SceneSpec scene;              // of the play
-    Script setup;                 // done in the first step
-    std::string setup_json;       // its actions as they were given, a JSON array; may be empty
+    Script setup;                 // applied in the first step
+    std::string setup_json;       // its actions as written, a JSON array; may be empty
     std::vector<SetupTie> setup_ties{};
     std::vector<LessonTool> tools;  // empty: none
     std::vector<LessonMark> marks;
-    std::string drug;                   // second phase of what is injected; empty: any
-    std::optional<ScriptPlace> target;  // of the drug: the vessels from there on
+    std::string drug;                   // name of the injected second phase; empty: any
+    std::optional<ScriptPlace> target;  // of the drug: this place and all vessels beyond it
     std::optional<PlaceTie> target_tie;
-    std::vector<LessonStep> steps;  // in this order; not empty
-    std::vector<Predicate> limits;  // all the time
+    std::vector<LessonStep> steps;  // in order; not empty
+    std::vector<Predicate> limits;  // during the whole lesson
     std::vector<Predicate> pass;    // at the end
 
     std::vector<std::string> mark_names() const;

@@ -42,7 +42,7 @@ std::string name_of(Part part) {
     return "";
 }
 
-// The part without which a tool does nothing; settings need none of their own.
+// The part that a tool needs to have an effect; settings need none.
 std::optional<Part> part_of(LessonTool tool) {
     switch (tool) {
         case LessonTool::pull:
@@ -63,8 +63,8 @@ std::optional<Part> part_of(LessonTool tool) {
     return std::nullopt;
 }
 
-// The part without which a quantity never leaves its first value. How far a tool's tip goes needs
-// none.
+// The part that a quantity needs to change from its initial value. Paths and distances of a tool's
+// tip need none.
 std::optional<Part> part_of(Quantity quantity) {
     using enum Quantity;
     switch (quantity) {
@@ -114,7 +114,7 @@ struct NamedPoint {
     Vec3 at_mm;
 };
 
-// The marks and the target that are points, not shares.
+// The marks and the target given as points, not as shares of the longest path.
 std::vector<NamedPoint> points_of(const Lesson& lesson) {
     std::vector<NamedPoint> points;
     for (const LessonMark& mark : lesson.marks)
@@ -201,7 +201,7 @@ class Doubter {
             doubt(bound, where, "is never decided: it is 1 at most. Give a bound from 0 to 1.");
     }
 
-    // One doubt of a goal is enough: where its part is missing so is the tool.
+    // Skipped where the scene lacks the part or no tool is allowed: other doubts say so already.
     void look_at_goal(const Predicate& goal, const std::string& where) {
         const auto part = part_of(goal.quantity);
         if ((part && !has(lesson_.scene, *part)) || lesson_.tools.empty()) return;
@@ -214,7 +214,8 @@ class Doubter {
             doubt(limit, where, "is broken at once, before anything is done.");
     }
 
-    // The goals cannot be reached in less than `least_s` from the beginning, `step_s` of the step.
+    // `least_s`: least time from the beginning to the last goal that counts; `step_s`: of the step
+    // alone.
     void look_at_time(const Predicate& bound, const std::string& where, double least_s,
                       double step_s) {
         const bool of_step = bound.quantity == Quantity::step_time_s;
@@ -246,7 +247,7 @@ std::vector<std::string> doubts_about(const Lesson& lesson, const std::filesyste
 }
 
 std::vector<std::string> doubts_about_places(const Lesson& lesson, const VesselTree& tree) {
-    constexpr double beside_mm = 1.0;  // the wall is not where the radius says to the hair
+    constexpr double beside_mm = 1.0;  // the radius describes the wall only approximately
     std::vector<std::string> doubts;
     for (const auto& [name, at] : points_of(lesson)) {
         const TreePoint nearest = nearest_point(tree, at);
@@ -263,7 +264,7 @@ std::vector<std::string> doubts_about_places(const Lesson& lesson, const VesselT
 }
 
 std::vector<std::string> doubts_about_another(const Lesson& lesson, const VesselTree& shown) {
-    constexpr double rounding_mm = 0.1;  // places are kept to a tenth in each direction
+    constexpr double rounding_mm = 0.1;  // places are rounded to 0.1 mm in each coordinate
     std::vector<std::string> doubts;
     for (const auto& [name, at] : points_of(lesson))
         if (nearest_point(shown, at).distance_mm <= rounding_mm)

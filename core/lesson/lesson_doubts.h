@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is allowed in a lesson's file and yet can hardly be meant: a tool that the scene has no part
-// for, a goal that nothing in the scene can move, a limit that is broken at once, a point that lies
-// on another patient.
+// Finds what a lesson's file may contain but hardly intends: a tool without the part of the scene
+// that it needs, a goal that nothing in the scene can reach, a limit that is broken at once, a
+// point on another patient's vessels.
 #pragma once
 
 #include <filesystem>
@@ -13,16 +13,17 @@
 
 namespace hepatica {
 
-// A sentence each, with what would help; none where nothing is doubtful. `folder`: where the
-// lesson's file lies, from which its patient's path starts. Of any lesson, one with gaps too.
+// One sentence per doubt, with advice; empty if there is none. `folder`: of the lesson's file, from
+// which the patient's path is resolved. The lesson may have gaps.
 std::vector<std::string> doubts_about(const Lesson& lesson,
                                       const std::filesystem::path& folder = {});
 
-// Points of the lesson that are not on the vessels of the patient on whom it is to be played.
+// Points that lie off the vessels of the lesson's patient. Throws InputError if the tree is empty
+// and the lesson has points.
 std::vector<std::string> doubts_about_places(const Lesson& lesson, const VesselTree& tree);
 
-// Points that were clicked on the patient with this tree (they lie on its centreline), while the
-// lesson is for another one.
+// Points that lie on this tree's centreline, so were clicked on its patient, although the lesson is
+// for another one. Throws InputError as above.
 std::vector<std::string> doubts_about_another(const Lesson& lesson, const VesselTree& shown);
 
 }  // namespace hepatica

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One value of a lesson's JSON with its place in the file, so that whatever is wrong with it is
-// said with both.
+// Typed access to one JSON value of a lesson's file. Errors name the file and the place in it.
 #pragma once
 
 #include <initializer_list>
@@ -13,14 +12,14 @@
 
 namespace hepatica {
 
-// A view: the JSON must outlive it. Everything throws InputError where the value is of another
-// kind.
+// A view: the JSON must outlive it. Every accessor throws InputError where the value has another
+// type.
 class LessonFields {
   public:
     using Json = nlohmann::ordered_json;
 
-    // `where`: the value's place in the file; empty: the file itself. `unfinished`: of a lesson
-    // that is being made, in which texts may be empty.
+    // `where`: place in the file; empty: the whole file. `unfinished`: the lesson is being edited,
+    // and texts may be empty.
     LessonFields(const Json& json, std::string file, std::string where, bool unfinished = false)
         : json_(json), file_(std::move(file)), where_(std::move(where)), unfinished_(unfinished) {}
     bool unfinished() const { return unfinished_; }
@@ -29,16 +28,16 @@ class LessonFields {
     bool has(const char* key) const;
     LessonFields need(const char* key) const;
     std::vector<std::pair<std::string, LessonFields>> entries() const;
-    // Refuses every other key, so that a misspelt one is not silently ignored.
+    // Throws for any other key, so that a misspelt one is not ignored.
     void know(std::initializer_list<const char*> keys) const;
 
-    // Refuses a file of another format or version than {"format": `format`, "version": 1}.
+    // Throws unless the file has {"format": `format`, "version": 1}.
     void require_format(const char* format, const char* remedy) const;
     // --- of a list
     std::vector<LessonFields> list() const;
 
     // --- of a value
-    std::string text() const;  // not empty, see `unfinished`
+    std::string text() const;  // not empty unless unfinished()
     double number() const;     // finite
     Vec3 vector() const;
     std::string dump() const { return json_.dump(); }

@@ -83,7 +83,8 @@ LessonStep step_from(const LessonFields& fields, const std::vector<std::string>&
     return step;
 }
 
-// Those without "of" went by their order, which a setup that is changed by hand does not keep.
+// Entries without "of", of earlier versions, are ignored: they refer to an order of actions that an
+// edited setup does not keep.
 std::vector<SetupTie> setup_ties_from(const LessonFields& fields) {
     std::vector<SetupTie> ties;
     for (const LessonFields& tie : fields.list()) {
@@ -101,7 +102,7 @@ std::vector<SetupTie> setup_ties_from(const LessonFields& fields) {
     return ties;
 }
 
-// What is done before the lesson begins: in one step, so that a recording shows that it was done.
+// The setup is applied in one step, so that a recording shows it.
 Script setup_from(const LessonFields& fields) {
     const Json script{{"name", "setup"}, {"actions", fields.json()}};
     Script setup = script_of(script.dump(), fields.place());
@@ -115,7 +116,7 @@ Script setup_from(const LessonFields& fields) {
 SceneSpec scene_of(const LessonFields& fields) {
     if (!fields.unfinished() || fields.has("deform") || fields.has("flow"))
         return scene_from_json(fields.json());
-    Json with_flow = fields.json();  // for no scene is of nothing
+    Json with_flow = fields.json();  // scene_from_json() refuses an empty scene
     with_flow["flow"] = Json::object();
     SceneSpec scene = scene_from_json(with_flow);
     scene.flow.reset();
@@ -176,7 +177,7 @@ Course course_from(const LessonFields& fields) {
     return course;
 }
 
-// Reads a text by `from`; what other rooms refuse gets the file's name.
+// Parses a text with `from`. Errors of other rooms get the file's name.
 template <class From>
 auto parsed(const std::string& text, const std::string& place, const From& from,
             bool unfinished = false) {

@@ -5,7 +5,7 @@ namespace hepatica {
 
 namespace {
 
-// The beginning of a text, on one line, up to the end of a word.
+// The first words of a text, on one line.
 std::string beginning_of(std::string text) {
     constexpr std::size_t most = 48;  // bytes
     for (char& letter : text)
@@ -15,7 +15,7 @@ std::string beginning_of(std::string text) {
     if (end == std::string::npos || end == 0) {
         end = most;
         const auto continues = [&] { return (static_cast<unsigned char>(text[end]) >> 6) == 2; };
-        while (end > 0 && continues()) --end;  // a letter of more bytes than one stays whole
+        while (end > 0 && continues()) --end;  // keeps UTF-8 sequences whole
     }
     return text.substr(0, end) + "…";
 }

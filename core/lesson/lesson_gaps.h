@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What keeps a lesson that is being made from being played, in a person's words: the steps by
-// number and title, as the editor shows them.
+// Finds what keeps a lesson that is being edited from being played, in sentences for its author.
 #pragma once
 
 #include <string>
@@ -10,12 +9,13 @@
 
 namespace hepatica {
 
-// 'Step 2 "Pull the vessel at the mark"', of a step that the lesson has.
+// E.g. 'Step 2 "Pull the vessel at the mark"'; throws std::out_of_range for a step that does not
+// exist.
 std::string step_in_words(const Lesson& lesson, std::size_t step);
 
-// A sentence each, with what would help: empty texts, a goal without a bound, a bound that has lost
-// its mark, a scene of nothing. None where lesson_of() would read the lesson's text, but for what
-// no editor changes.
+// One sentence per gap, with advice: empty texts, a goal without a bound, a bound that has lost its
+// mark, an empty scene. If there is none, lesson_of() accepts the lesson's text, except for values
+// that the editor cannot change.
 std::vector<std::string> gaps_in(const Lesson& lesson);
 
 }  // namespace hepatica

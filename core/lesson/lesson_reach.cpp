@@ -10,7 +10,7 @@ namespace hepatica {
 
 namespace {
 
-// Before anything is done. NaN: not known, which breaks no limit.
+// Initial value; NaN: unknown, which breaks no limit.
 double first_value_of(const Lesson& lesson, const Predicate& bound) {
     if (words_of(bound.quantity).of_mark && bound.mark < 0) return std::nan("");
     LessonMoment moment;
@@ -18,12 +18,12 @@ double first_value_of(const Lesson& lesson, const Predicate& bound) {
     return value_of(bound, {}, moment, 0.0);
 }
 
-// They begin far away, and come nearer; all others begin with their least value.
+// Begins at infinity and decreases; all others begin at their minimum.
 bool begins_far(Quantity quantity) {
     return quantity == Quantity::distance_mm || quantity == Quantity::touch_mm;
 }
 
-// The tools by which a quantity can leave its first value; empty: it does so by itself.
+// The tools that can change a quantity; empty: it changes by itself.
 std::vector<LessonTool> tools_that_move(Quantity quantity) {
     using enum Quantity;
     using enum LessonTool;
@@ -56,7 +56,7 @@ std::vector<LessonTool> tools_that_move(Quantity quantity) {
         case blood_lost_g:
         case leak_g_s:
             return {pull, sphere, capsule, forceps, hook, blade, cut_line, settings};
-        default:  // the hand and what it holds
+        default:  // quantities of the hand and of tools
             return {pull, sphere, capsule, forceps, hook};
     }
 }
@@ -66,7 +66,7 @@ std::vector<LessonTool> tools_that_move(Quantity quantity) {
 bool breaks_at_once(const Lesson& lesson, const Predicate& limit, bool first) {
     const double value = first_value_of(lesson, limit);
     if (std::isnan(value)) return false;
-    // The clock has run a little before the first look at it.
+    // The clock has already advanced at the first check.
     if (limit.quantity == Quantity::step_time_s || (first && limit.quantity == Quantity::time_s))
         return limit.at_least ? limit.bound > 0.0 : limit.bound <= 0.0;
     if (!limit.at_least && !begins_far(limit.quantity)) return limit.bound < value;

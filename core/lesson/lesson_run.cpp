@@ -54,8 +54,8 @@ void LessonRun::fail(const std::string& reason) {
         standing_.reasons.push_back(reason);
 }
 
-// The setup comes first; beside it there may be what the program itself sets, and nothing of the
-// trainee's.
+// The first step must contain the setup. Other commands in it may only be those that need no
+// permission (the program's own settings).
 void LessonRun::check_setup(std::span<const Command> commands) {
     std::size_t done = 0;
     for (const Command& command : commands) {
@@ -80,7 +80,7 @@ void LessonRun::check_limits() {
         if (of_earlier_step) continue;
         BoundStanding& limit = standing_.limits[i];
         const double now = value_of(limit.predicate);
-        if (now != now) continue;  // a share of nothing breaks no limit
+        if (now != now) continue;  // unknown: breaks no limit
         limit.value = limit.value == limit.value ? limit.predicate.worse(limit.value, now) : now;
         limit.kept = limit.predicate.holds(limit.value);
         if (!limit.kept) fail(reason_of_limit(limit, marks));
@@ -95,7 +95,8 @@ void LessonRun::check_goal() {
         all = all && goal.kept;
     }
     StepStanding& step = standing_.steps[standing_.step];
-    // The moment at which it begins to hold has no duration yet.
+    // The first step after which the goal holds counts in full. `rounding` allows for the sum's
+    // error.
     constexpr double rounding = 1e-9;
     if (!all) {
         step.held_s = 0.0;
@@ -112,7 +113,7 @@ void LessonRun::check_goal() {
         finish();
 }
 
-// How they stand while it runs; only who reaches the end is judged by them.
+// Updates the pass marks while the attempt runs. They decide only at the end of the last step.
 void LessonRun::see_pass_marks() {
     const bool running = standing_.outcome == LessonOutcome::running;
     const bool reached = standing_.step == lesson_.steps.size();

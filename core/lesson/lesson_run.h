@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One attempt at a lesson: fed with every step of a play, live or replayed, it says which step is
-// reached, which limit is broken, and whether the attempt is passed. It ends with the last step
-// reached or the first limit broken; what comes later changes nothing.
+// One attempt at a lesson. Fed with every step of a play, live or replayed, it tells which step is
+// reached, which limit is broken, and whether the attempt is passed. It ends when the last step is
+// reached or a limit is broken; later steps change nothing.
 #pragma once
 
 #include <memory>
@@ -19,8 +19,8 @@ namespace hepatica {
 
 enum class LessonOutcome { running, passed, failed };
 
-// How a bound stands. Of a goal and of a pass mark `value` is the present one, of a limit the worst
-// so far; NaN: not yet known, and of a pass mark that the attempt ended before it was asked for.
+// State of a bound. `value`: of goals and pass marks the present one, of limits the worst so far.
+// NaN: unknown, also of pass marks after an attempt that did not reach the end.
 struct BoundStanding {
     Predicate predicate;
     double value = 0.0;
@@ -29,23 +29,23 @@ struct BoundStanding {
 
 struct StepStanding {
     std::optional<double> reached_s;  // metric time
-    double held_s = 0.0;              // of its hold_s, of the present step
+    double held_s = 0.0;              // how long its goal has held
 };
 
-// A value: what a panel shows and a report prints.
+// State of an attempt, as panels and reports show it.
 struct LessonStanding {
     LessonOutcome outcome = LessonOutcome::running;
-    std::vector<std::string> reasons;  // why it failed
-    std::size_t step = 0;              // the present one; the number of steps once all are reached
+    std::vector<std::string> reasons;  // why it failed, in words
+    std::size_t step = 0;  // index of the present step; steps.size() when all are reached
     std::vector<StepStanding> steps;
     std::vector<BoundStanding> goal;    // of the present step
-    std::vector<BoundStanding> limits;  // the lesson's, then each step's as far as it began
+    std::vector<BoundStanding> limits;  // the lesson's, then those of each step begun so far
     std::vector<BoundStanding> pass;
     LessonMetrics metrics;
     LessonMoment moment;
 };
 
-// One point for each step, for plots.
+// One sample per step that is not paused, for plots.
 struct LessonSample {
     double time_s = 0.0;
     double force_mn = 0.0;
@@ -56,24 +56,24 @@ struct LessonSample {
 // Not thread-safe.
 class LessonRun {
   public:
-    // `more_pass`: pass marks beside the lesson's own, of a course. Throws InputError where the
-    // lesson names a place that the patient has not.
+    // `more_pass`: additional pass marks of a course; duplicates are dropped. Throws InputError
+    // where the setup or a place does not fit the patient.
     LessonRun(Lesson lesson, const std::shared_ptr<const PatientCase>& patient,
               std::vector<Predicate> more_pass = {});
 
     const Lesson& lesson() const { return lesson_; }
-    // What is to be posted before the first step: the lesson's setup on this patient.
+    // The commands to post before the first step: the lesson's setup on this patient.
     const std::vector<Command>& setup() const { return setup_; }
 
-    // After every step of the play from its first on: the commands applied before it, and its
-    // frame. The first step is the setup's. Throws InputError where an injection cannot flow.
+    // Call after every step from the first: the commands applied before the step, and its frame.
+    // The first step is that of the setup. Throws InputError where an injection cannot flow.
     void see(std::span<const Command> commands, const Frame& frame);
-    // No more steps come: what is still running has failed.
+    // Call after the last step: an attempt that is still running has failed.
     void end();
 
     const LessonStanding& standing() const { return standing_; }
     const std::vector<LessonSample>& samples() const { return samples_; }
-    // Where the lesson's marks are in a frame.
+    // Positions of the lesson's marks in mm, see PlayMeter.
     std::vector<Vec3> marks_in(const Frame& frame) const { return meter_.marks_in(frame); }
 
   private:
@@ -99,12 +99,12 @@ class LessonRun {
     std::vector<LessonSample> samples_;
 };
 
-// Why an attempt fails: the limit that it broke, or the pass mark that it missed.
+// Sentences for a broken limit and a missed pass mark.
 std::string reason_of_limit(const BoundStanding& limit, std::span<const std::string> mark_names);
 std::string reason_of_pass_mark(const BoundStanding& mark, std::span<const std::string> mark_names);
 
-// {"lesson", "passed", "reasons", "steps", "limits", "pass_marks", "metrics"}: nothing of wall
-// time, so that a live play and its replay give the same text.
+// {"lesson", "passed", "reasons", "steps", "limits", "pass_marks", "metrics"}. Contains no wall
+// time, so that a play and its replay give the same text.
 nlohmann::ordered_json to_json(const LessonStanding& standing, const Lesson& lesson);
 
 }  // namespace hepatica

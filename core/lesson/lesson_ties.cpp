@@ -14,13 +14,13 @@ namespace hepatica {
 
 namespace {
 
-// Nearer than that, or within the lumen, a place is where it was: a rebuilt centreline is not the
-// same to the hair.
+// A place has not moved if it is off by at most this or the radius: rebuilt centrelines differ
+// slightly.
 constexpr double same_place_mm = 1.0;
-// What beyond a target may become longer or shorter for the same reason.
+// Tolerated change of the length beyond a target.
 constexpr double same_length_mm = 2.0, same_length_share = 0.01;
 
-// One place of a lesson with its tie.
+// One place of a lesson, and its tie in the lesson.
 struct TiedPlace {
     using OnTree = std::function<TreePoint(const VesselTree&)>;
     std::string name;
@@ -35,7 +35,7 @@ TreePoint on_tree(const ScriptPlace& place, const VesselTree& tree) {
                                    : point_on_longest_path(tree, *place.share_of_longest_path));
 }
 
-// Where a blade comes nearest to a centreline.
+// The sample on the blade nearest to a centreline.
 TreePoint on_tree(const Blade& blade, const VesselTree& tree) {
     constexpr int samples = 32;
     TreePoint nearest;
@@ -58,7 +58,7 @@ bool same(const SetupPlace& a, const SetupPlace& b) {
            place.share_of_longest_path == other.share_of_longest_path;
 }
 
-// The places at which a setup does something, in its order.
+// The places of a setup's actions, in order.
 std::vector<SetupPlace> places_of(const Script& setup) {
     std::vector<SetupPlace> places;
     for (const ScriptAction& action : setup.actions) {
@@ -71,7 +71,7 @@ std::vector<SetupPlace> places_of(const Script& setup) {
     return places;
 }
 
-// An entry for each place of the setup, with the tie that was noted for that very place.
+// One entry per place of the setup, with the tie that was stored for that place.
 std::vector<SetupTie> in_order_of_setup(const Lesson& lesson) {
     std::vector<SetupTie> ties;
     for (const SetupPlace& place : places_of(lesson.setup)) {
@@ -82,7 +82,7 @@ std::vector<SetupTie> in_order_of_setup(const Lesson& lesson) {
     return ties;
 }
 
-// All places, with room for a tie of each.
+// All places of the lesson, with pointers to their ties.
 std::vector<TiedPlace> places_of(Lesson& lesson) {
     std::vector<TiedPlace> places;
     const auto at = [](const auto& place) {
@@ -107,7 +107,7 @@ Station station_of(const TreePoint& point, const VesselTree& tree) {
     return station_at(tree.segments[static_cast<std::size_t>(point.segment)], point.arclength_mm);
 }
 
-// Of all vessels beyond the place, by the anatomy.
+// Total length of the vessels beyond the place, including the rest of its own segment.
 double beyond_mm(const TreePoint& from, const VesselTree& tree) {
     const TargetRegion region(tree, from);
     double sum = -from.arclength_mm;
@@ -135,7 +135,7 @@ std::string in_mm(double mm) {
     return text;
 }
 
-// Empty: it is where it was.
+// Empty: the place has not moved.
 std::string misfit_of(const TiedPlace& place, const VesselTree& tree) {
     const PlaceTie &then = **place.tie, now = tie_of(place, tree);
     const double moved_mm = (now.at_mm - then.at_mm).norm();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ties the places of a lesson (marks, the drug's target, where its setup cuts) to the vessels that
-// it was made on. Who corrects a patient afterwards is told by the ties which places are elsewhere
-// now, and no trainee plays a lesson whose goal has moved.
+// Ties the places of a lesson (marks, the drug's target, places of the setup) to the vessels of its
+// patient. If the patient is corrected afterwards, misfits() lists the places that have moved, so
+// that no trainee plays a lesson with a displaced goal.
 #pragma once
 
 #include <string>
@@ -12,21 +12,21 @@
 
 namespace hepatica {
 
-// It is for one case: a lesson for any patient has no vessels of its own, and those of the built-in
-// one are never corrected.
+// True for lessons for one case. A lesson for any patient has no vessels of its own, and those of
+// the built-in patient never change.
 bool can_be_tied(const Lesson& lesson);
 
-// Every place of it is tied.
+// True if every place is tied.
 bool is_tied(const Lesson& lesson);
 
-// Ties what is not tied yet to these vessels, which are its patient's; nothing where it cannot be.
+// Ties the untied places to the vessels of the lesson's patient; does nothing if can_be_tied() is
+// false. Throws InputError if the tree is empty.
 void tie(Lesson& lesson, const VesselTree& tree);
 
-// Lets go of all ties: its patient is another one, or his vessels are right as they are.
+// Removes all ties: for another patient, or to accept the vessels as they are.
 void untie(Lesson& lesson);
 
-// A sentence for each place that is elsewhere on these vessels than where it was tied; none for
-// places that were never tied.
+// One sentence for each place that has moved since it was tied; untied places are skipped.
 std::vector<std::string> misfits(const Lesson& lesson, const VesselTree& tree);
 
 }  // namespace hepatica

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lessons and courses back into the files that lesson_file.h reads.
+// Writes lessons and courses in the format of lesson_file.h.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +10,15 @@
 
 namespace hepatica {
 
-// The file's text, which reads as the same lesson again; the scene with all its settings. Any
-// lesson, one that could not be read (a step without a goal) too.
+// The text of the lesson's file, including all settings of the scene. Unfinished lessons are
+// allowed.
 std::string text_of(const Lesson& lesson);
 
-// The text, whole or not at all. Throws InputError where lesson_of() would refuse it, saying what
-// is missing, or where the file cannot be written.
+// Writes the text atomically. Throws InputError where lesson_of() would refuse it, where two marks
+// have the same name, or where the file cannot be written.
 void write_lesson(const std::filesystem::path& file, const Lesson& lesson);
 
-// The same of a course. Its lessons that are files lie relative to the course's own folder.
+// Same for courses. Lessons that are files are relative to the course's folder.
 std::string text_of(const Course& course);
 void write_course(const std::filesystem::path& file, const Course& course);
 

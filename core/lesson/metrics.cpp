@@ -10,7 +10,7 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-// The metrics in the order in which they are shown.
+// In the order of display.
 constexpr Quantity shown[] = {
     Quantity::time_s,          Quantity::path_mm,          Quantity::peak_force_mn,
     Quantity::impulse_mn_s,    Quantity::contacts,         Quantity::contact_s,

@@ -15,8 +15,8 @@ struct Words {
     std::string text;
 };
 
-// What a command is called where it is worth a place on the time line. The hand's and the tool's
-// ways are not: they come with every step.
+// The text of commands that appear on the time line. Motions of the hand and of tools do not: they
+// come with every step.
 struct WordsOfCommand {
     std::optional<Words> operator()(const ReleaseGrab&) const {
         return Words{PlayEventKind::hand, "Let go"};
@@ -100,7 +100,7 @@ std::vector<PlayEvent> PlayEvents::see(double at_s, std::span<const Command> com
                                        const Frame& frame, const LessonStanding* standing) {
     at_s_ = at_s;
     found_.clear();
-    if (!begun_ && frame.tear) tear_ = *frame.tear;  // what was torn before was so from the start
+    if (!begun_ && frame.tear) tear_ = *frame.tear;  // tears before the first step are no events
     see_commands(commands, frame);
     see_contact(frame);
     if (frame.tear) see_tear(*frame.tear);
@@ -116,7 +116,7 @@ void PlayEvents::see_commands(std::span<const Command> commands, const Frame& fr
         const bool empty_hand = std::holds_alternative<ReleaseGrab>(command) && !held_;
         if (words && !empty_hand) note(words->kind, words->text);
     }
-    // Only what a hand really took: a click beside the vessel takes nothing.
+    // A click beside the vessel grabs nothing.
     if (frame.grab && !held_) note(PlayEventKind::hand, "Took hold");
     held_ = frame.grab.has_value();
 }
@@ -144,7 +144,7 @@ void PlayEvents::see_tear(const TearView& now) {
 
 void PlayEvents::see_trouble(const Frame& frame) {
     const FrameStatistics& said = frame.statistics;
-    // A degraded step says how it was helped: nothing that a person did, and often.
+    // Degraded steps are frequent, and no act of the trainee.
     if (said.message != message_ && !said.message.empty() && !said.degraded)
         note(PlayEventKind::trouble, said.message);
     else if (said.diverged && !diverged_)

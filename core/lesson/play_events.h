@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What happened in a play, read off its commands and frames one step after another: for the time
-// line of a review.
+// Derives the events of a play from its commands and frames, step by step, for the time line of a
+// review.
 #pragma once
 
 #include <cstddef>
@@ -23,16 +23,16 @@ enum class PlayEventKind {
     near_tear,
     tear,
     blood,
-    lesson,      // a step reached, or all of it passed
-    not_passed,  // and why
+    lesson,      // a step reached, or the lesson passed
+    not_passed,  // with the reason
     trouble
 };
 const char* name_of(PlayEventKind kind);
 
 struct PlayEvent {
-    double at_s = 0.0;  // since the play began, without the time during which the clock was held
+    double at_s = 0.0;  // since the play began, without pauses
     PlayEventKind kind = PlayEventKind::hand;
-    std::string text;  // for a person
+    std::string text;  // shown to the user
     bool operator==(const PlayEvent&) const = default;
 };
 
@@ -42,15 +42,15 @@ nlohmann::ordered_json to_json(const PlayEvent& event);
 // Not thread-safe.
 class PlayEvents {
   public:
-    // A joint at this share of its limit is near to tearing; the next warning needs it to fall
-    // below `eased_load` first.
+    // A joint at this share of its limit is about to tear. The next warning comes only after all
+    // loads have fallen below `eased_load`.
     static constexpr float near_load = 0.8F;
     static constexpr float eased_load = 0.6F;
-    // A tool that lets go for less than this and touches again has touched once, as in a score.
+    // Contacts with a shorter gap count as one, as in PlayMeter.
     static constexpr double same_contact_s = 0.1;
 
-    // What a step brought: the commands before it and its frame, in order. `standing`: how the
-    // lesson stands after it; null where no lesson is played.
+    // Returns the events of one step: the commands before it and its frame. Call in order.
+    // `standing`: of the lesson after this step; null if none is played.
     std::vector<PlayEvent> see(double at_s, std::span<const Command> commands, const Frame& frame,
                                const LessonStanding* standing);
 
@@ -69,7 +69,7 @@ class PlayEvents {
     double touched_s_ = -1e9;  // when a tool touched last
     bool near_ = false;        // to tearing
     bool diverged_ = false;
-    TearView tear_;  // its counts in the frame before
+    TearView tear_;  // of the frame before
     std::string message_;
     std::size_t lesson_step_ = 0;
     bool lesson_ended_ = false;

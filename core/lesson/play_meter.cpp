@@ -37,7 +37,7 @@ std::vector<int> surface_vertices(const PatientCase& patient, bool deforms) {
     return vertices;
 }
 
-// The middle of some vertices.
+// Mean position of the vertices.
 template <class PlaceOf>
 Vec3 middle_of(const std::vector<int>& vertices, const PlaceOf& place) {
     Vec3 sum = Vec3::Zero();
@@ -45,7 +45,7 @@ Vec3 middle_of(const std::vector<int>& vertices, const PlaceOf& place) {
     return sum / static_cast<double>(vertices.size());
 }
 
-// `vertices`: ascending, of the whole body.
+// `vertices`: sorted, indices in the untorn body.
 bool is_touched(const Frame& frame, const std::vector<int>& vertices) {
     return std::ranges::any_of(frame.tool->touched, [&](int touched) {
         return std::ranges::binary_search(vertices, frame.origin_of(touched));
@@ -107,7 +107,7 @@ void PlayMeter::place_marks(const Lesson& lesson, const std::vector<VertexPlace>
 }
 
 std::vector<Vec3> PlayMeter::marks_in(const Frame& frame) const {
-    assert(frame.positions_mm.size() >= 3 * rest_mm_.size());  // what is torn has more
+    assert(frame.positions_mm.size() >= 3 * rest_mm_.size());  // a torn body has more vertices
     std::vector<Vec3> places;
     for (const std::vector<int>& around : marks_)
         places.push_back(middle_of(around, [&](int v) {
@@ -174,7 +174,8 @@ void PlayMeter::see_marks(const Frame& frame) {
         mark.distance_mm = frame.tool   ? (frame.tool->tip_mm - place).norm()
                            : frame.grab ? (frame.grab->point_mm - place).norm()
                                         : far;
-        // Who touches the vessel there is near, however thick it is and whatever touches it.
+        // Touching the vessel at the mark counts as distance 0, whatever its thickness and the
+        // tool.
         if (touches && is_touched(frame, marks_[i])) mark.distance_mm = 0.0;
         mark.touch_mm = touches      ? (frame.tool->at_mm - place).norm()
                         : frame.grab ? (frame.grab->point_mm - place).norm()
@@ -195,7 +196,7 @@ void PlayMeter::see_tear(const Frame& frame) {
     raise(metrics_.blood_lost_g, frame.tear->leaked_g - before_.leaked_g);
 }
 
-// Sorted once for an injection, so that a step costs two searches.
+// Sorted once per injection, so that each step costs two binary searches.
 void PlayMeter::take_arrivals(const Frame& frame) {
     drug_version_ = frame.drug.version;
     target_arrivals_.clear();

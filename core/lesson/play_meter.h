@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures a play by its frames alone: whoever shows it the same frames, live or of a replay, gets
-// the same numbers to the last bit. Wall time has no influence.
+// Measures a play from its frames alone, so that a play and its replay give identical numbers to
+// the last bit. Wall time has no influence.
 #pragma once
 
 #include <memory>
@@ -21,23 +21,23 @@ namespace hepatica {
 // Not thread-safe.
 class PlayMeter {
   public:
-    // Throws InputError where a mark or the target finds no place on the patient.
+    // Throws InputError where the patient has no surface or no vessel tree. O(vertices).
     PlayMeter(const Lesson& lesson, std::shared_ptr<const PatientCase> patient);
 
-    // The frame before the first that counts: what is torn in it was so before.
+    // The frame before the first that counts; tears in it are not counted.
     void begin(const Frame& frame);
-    // Every later frame, in order, each after a step of the scene's dt_s; one during which the
-    // clock was held counts for nothing. Throws InputError where an injection cannot flow.
+    // Call with every later frame in order, each one step of the scene's dt_s; paused frames are
+    // ignored. Throws InputError where an injection cannot flow.
     void see(const Frame& frame);
 
     const LessonMetrics& metrics() const { return metrics_; }
     const LessonMoment& moment() const { return moment_; }
-    // Where each mark is at rest: the middle of the vessel's surface about a radius along it.
+    // Marks at rest: mean of the surface vertices of the mark's segment within one radius along it.
     const std::vector<Vec3>& marks_mm() const { return marks_rest_mm_; }
-    // Where they are in a frame of the lesson's own scene: in another one the vertices are others.
+    // Marks in a frame. It must be of the lesson's scene and patient: the vertices are indexed.
     std::vector<Vec3> marks_in(const Frame& frame) const;
 
-    // A tool that lets go for less than this and touches again has touched once.
+    // Contacts with a shorter gap in s count as one.
     static constexpr double same_contact_s = 0.1;
     // Forces are means over this time, the integral excepted: a hand is judged by what it would
     // feel, not by the jump of a single step.
@@ -55,18 +55,18 @@ class PlayMeter {
     std::shared_ptr<const PatientCase> patient_;
     double dt_s_;
     const std::vector<Vec3>& rest_mm_;
-    std::vector<int> on_surface_;          // vertices of the surface at rest
-    std::vector<char> in_target_;          // of each of these
+    std::vector<int> on_surface_;          // sorted vertices of the surface at rest
+    std::vector<char> in_target_;          // per vertex of on_surface_; empty without flow
     std::vector<std::vector<int>> marks_;  // the vertices around each mark
     std::vector<Vec3> marks_rest_mm_;
     SurfaceStretch surface_;
-    std::optional<DoseAccount> dose_;  // where the lesson asks for one
+    std::optional<DoseAccount> dose_;  // if the scene has flow
     LessonMetrics metrics_;
     LessonMoment moment_;
     MovingMean felt_force_mn_;
     std::optional<Vec3> tip_, hand_;  // of the frame before
     double since_touch_s_ = 1e9;
-    TearView before_;  // its counts
+    TearView before_;  // of the first frame
     std::uint64_t drug_version_ = 0;
     std::vector<float> target_arrivals_, other_arrivals_;  // ascending
 };

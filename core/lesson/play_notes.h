@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an instructor writes beside a recording: notes at moments of it, in NAME.notes.json beside
-// NAME.hrec. The recording itself is never changed.
+// An instructor's notes on moments of a recording, in NAME.notes.json beside NAME.hrec. The
+// recording itself is never changed.
 //   {"format": "hepatica-notes", "version": 1, "notes": [{"at_s": 12.5, "text": "Slower here"}]}
 #pragma once
 
@@ -18,12 +18,12 @@ struct PlayNote {
 
 std::filesystem::path notes_file_of(const std::filesystem::path& recording);
 
-// In the order of time; none where there is no such file. Throws InputError that names the file,
-// the place in it and what is wrong.
+// Sorted by time; empty if there is no file. Throws InputError with the file, the place in it and
+// the problem.
 std::vector<PlayNote> read_notes(const std::filesystem::path& recording);
 std::vector<PlayNote> notes_of(const std::string& text, const std::string& place);
 
-// Whole or not at all; no notes remove the file. Throws InputError where it cannot be written.
+// Writes atomically; an empty list removes the file. Throws InputError where that fails.
 void write_notes(const std::filesystem::path& recording, const std::vector<PlayNote>& notes);
 
 }  // namespace hepatica

@@ -58,7 +58,7 @@ const QuantityWords& words_of(Quantity quantity) {
 std::string to_words(Quantity quantity, double value, int digits) {
     const QuantityWords& words = words_of(quantity);
     if (!std::isfinite(value)) return "none";
-    constexpr double unnoticed = 5e-4;  // in every unit; what rests still trembles by rounding
+    constexpr double unnoticed = 5e-4;  // in every unit: hides rounding noise of a body at rest
     if (std::abs(value) < unnoticed) value = 0.0;
     char text[64];
     std::snprintf(text, sizeof text, "%.*g%s%s", digits, value, *words.unit ? " " : "", words.unit);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a lesson asks of a play, as bounds on quantities: a goal is a list of them that hold at
-// once, a limit one that always holds, a pass mark one that holds at the end. Every lesson is made
-// of these; none has code of its own.
+// Bounds on the quantities of a play. A goal is a list of bounds that must hold simultaneously, a
+// limit must always hold, a pass mark at the end. All lessons consist of these; none has code of
+// its own.
 #pragma once
 
 #include <span>
@@ -10,8 +10,9 @@
 
 namespace hepatica {
 
-// What can be asked for. The first ones have grown since the lesson began, the middle ones are of
-// the moment, the last ones of the moment and of a mark.
+// Measured quantities: up to dose_target_share accumulated since the lesson began, then of the
+// present moment, from distance_mm on of the moment and a mark. Order and names are part of the
+// file formats.
 enum class Quantity {
     time_s,
     path_mm,
@@ -47,38 +48,38 @@ enum class Quantity {
 struct QuantityWords {
     Quantity quantity;
     const char* name;   // in files
-    const char* words;  // for a person, without the unit
-    const char* unit;   // may be empty
+    const char* words;  // shown to the user, without unit
+    const char* unit;   // empty: none
     bool of_mark;
 };
 
-// All of them, in the order of the enumeration.
+// In the order of the enumeration.
 std::span<const QuantityWords> quantities();
 const QuantityWords& words_of(Quantity quantity);
 
-// A quantity is at least, or at most, a number.
+// Bound: a quantity is at least, or at most, a number.
 struct Predicate {
     Quantity quantity = Quantity::time_s;
-    int mark = -1;  // index into the lesson's marks, of quantities that have one
+    int mark = -1;  // index of the lesson's mark, for quantities of a mark; -1: none
     bool at_least = true;
     double bound = 0.0;
 
-    // NaN, which an unknown quantity is, keeps no bound.
+    // NaN (unknown) never holds.
     bool holds(double value) const { return at_least ? value >= bound : value <= bound; }
     // The worse of two values, for a limit.
     double worse(double a, double b) const { return (a < b) == at_least ? a : b; }
     bool operator==(const Predicate&) const = default;
 };
 
-// Appends those that are not among them yet.
+// Appends those that `predicates` does not contain yet.
 void add_new(const std::vector<Predicate>& more, std::vector<Predicate>& predicates);
 
 // "force at most 600 mN", "distance of the tip to the first mark at most 5 mm"; of a bound whose
 // mark is gone (-1) "... to no mark ...".
 std::string to_words(const Predicate& predicate, std::span<const std::string> mark_names);
-// "12.5 mN".
+// "12.5 mN"; "none" if not finite.
 std::string to_words(Quantity quantity, double value, int digits = 4);
-// With as many digits as it takes to be told apart from the bound that it broke.
+// With as many digits as needed to differ from the bound that it broke (4 to 12).
 std::string to_words_beside(const Predicate& predicate, double value);
 
 }  // namespace hepatica

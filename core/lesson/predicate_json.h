@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds on quantities as files of lessons, courses and results have them:
+// Bounds on quantities in the files of lessons, courses and results:
 //   [{"what": "moved_mm", "mark": "the mark", "at_least": 10}, {"what": "time_s", "at_most": 60}]
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace hepatica {
 
-// Those under this key; none where it is not there. Throws InputError as LessonFields does, and for
-// a quantity that is not measured or a mark that is none of these.
+// The bounds under this key; empty if it is missing. `marks`: the lesson's mark names. Throws
+// InputError as LessonFields does, and for unknown quantities and marks.
 std::vector<Predicate> predicates_from(const LessonFields& fields, const char* key,
                                        const std::vector<std::string>& marks);
 nlohmann::ordered_json json_of(const std::vector<Predicate>& bounds,

@@ -22,7 +22,7 @@ Review review(const Recording& recording, const std::optional<Lesson>& lesson,
         run.emplace(*lesson, patient);
     }
     PlayEvents events;
-    std::vector<double> ends_s;  // of the steps
+    std::vector<double> ends_s;  // per step
     double now_s = 0.0;
     const ReplayResult result =
         replay(recording, patient, job, 0, back_end,

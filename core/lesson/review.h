@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Goes through a recording once more and puts every frame, and what happened, onto a tape on which
-// a person can look back.
+// Replays a recording and puts its frames and events on a tape for review.
 #pragma once
 
 #include <memory>
@@ -15,14 +14,14 @@
 namespace hepatica {
 
 struct Review {
-    std::optional<LessonStanding> standing;    // where a lesson was given
-    std::optional<std::uint64_t> diverged_at;  // the first step that is not what was recorded
+    std::optional<LessonStanding> standing;    // if a lesson was given
+    std::optional<std::uint64_t> diverged_at;  // first step (from 1) that differs
 };
 
 // With a lesson its steps and its end are events, too. A recording that does not replay to the same
-// bits is gone through as well; where it begins to differ is an event. Throws InputError where the
-// recording is of another patient or back end, of another scene than the lesson's, or holds no
-// step; Cancelled. Begins two stages of the job.
+// bits is still reviewed; the first difference is an event. Throws InputError where the recording
+// belongs to another patient or back end, has another scene than the lesson, or no steps;
+// Cancelled. Begins two stages of the job.
 Review review(const Recording& recording, const std::optional<Lesson>& lesson,
               std::shared_ptr<const PatientCase> patient, ReviewTape& tape, Job& job,
               const DeformBackEnd& back_end = cpu_back_end());

@@ -8,7 +8,7 @@ namespace hepatica {
 
 namespace {
 
-// What a frame owns alone; triangles and arrival times are shared by many.
+// Memory owned by the frame alone; triangles and arrival times are shared.
 std::size_t bytes_of(const Frame& frame) {
     std::size_t bytes = sizeof(Frame) + frame.positions_mm.size() * sizeof(float);
     if (frame.tool) bytes += frame.tool->touched.size() * sizeof(int);
@@ -24,7 +24,7 @@ void ReviewTape::add(double at_s, Frame frame) {
     const std::lock_guard lock(mutex_);
     const bool same_time = !kept_.empty() && kept_.back().at_s == at_s;
     if (same_time) --frames_;
-    // The newest frame is always there; the next takes its place where it is none that stays.
+    // The newest frame is always kept; the next one replaces it unless its number fits the stride.
     if (same_time || (!kept_.empty() && !stays(kept_.back()))) {
         bytes_ -= bytes_of(*kept_.back().frame);
         kept_.pop_back();

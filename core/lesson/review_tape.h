@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frames of a play, kept so that any moment of it can be shown at once, within a bound of
-// memory: where they get too many, every second one is let go of and the later ones are kept half
-// as often. Filled by one thread while others look at it.
+// Frames and events of a play within a memory limit, for immediate display of any moment. When the
+// limit is reached, every second frame is dropped and later ones are kept half as often. One thread
+// fills the tape while others read it.
 #pragma once
 
 #include <cstddef>
@@ -17,22 +17,22 @@ namespace hepatica {
 // Thread-safe.
 class ReviewTape {
   public:
-    // A frame takes 12 bytes a vertex and more where it shows a tear. 256 MB hold 2,700 frames of
-    // 8,200 vertices, as the built-in patient has: three quarters of a minute at 60 a second.
+    // A frame takes 12 bytes per vertex, more if torn. 256 MB hold 2,700 frames of 8,200 vertices
+    // (the built-in patient): 45 s at 60 frames per second.
     explicit ReviewTape(std::size_t most_bytes = std::size_t{256} << 20);
 
-    // The next frame, not earlier than the one before. Of frames of one time (the clock was held)
-    // the last stays.
+    // Adds the next frame; `at_s` must not decrease. Of frames with equal time (paused) the last is
+    // kept.
     void add(double at_s, Frame frame);
     void note(PlayEvent event);
 
-    // The newest kept frame that is not later; the first where there is none. Null while empty.
+    // The last kept frame at or before `at_s`; the first if there is none. Null while empty.
     std::shared_ptr<const Frame> at(double at_s) const;
-    // When the newest frame was, 0 while empty.
+    // Time of the newest frame; 0 while empty.
     double end_s() const;
-    // In the order of time.
+    // Sorted by time.
     std::vector<PlayEvent> events() const;
-    // How many frames are kept, and of how many frames one.
+    // Number of frames kept; one of every stride() frames is kept.
     std::size_t size() const;
     std::size_t stride() const;
 
@@ -45,11 +45,11 @@ class ReviewTape {
     bool stays(const Kept& one) const { return one.number % stride_ == 0; }
     void keep_half();
 
-    mutable std::mutex mutex_;  // guards all below
+    mutable std::mutex mutex_;  // guards all members below
     std::size_t most_bytes_;
     std::size_t bytes_ = 0;
     std::size_t stride_ = 1;
-    std::size_t frames_ = 0;  // that came, at different times
+    std::size_t frames_ = 0;  // frames added with distinct times
     std::vector<Kept> kept_;
     std::vector<PlayEvent> events_;
 };

@@ -5,7 +5,7 @@ namespace hepatica {
 
 namespace {
 
-// The one that was taken out comes back, else a new one.
+// Restores the removed part, or inserts a default one.
 template <class Part>
 void put_in(std::optional<Part>& part, const std::optional<Part>& taken_out) {
     if (!part) part = taken_out.value_or(Part{});

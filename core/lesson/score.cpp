@@ -20,7 +20,7 @@ nlohmann::ordered_json what_must_agree(SceneSpec scene) {
     return to_json(scene);
 }
 
-// "deform.material is "a", not "b"" of each value that differs, by its place in the scene.
+// Lists each value that differs by its path in the scene: deform.material is "a", not "b".
 std::string differences(const nlohmann::ordered_json& recorded,
                         const nlohmann::ordered_json& wanted) {
     const auto a = recorded.flatten(), b = wanted.flatten();

@@ -8,7 +8,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr double least_area_mm2 = 1e-6;  // a triangle without area has no stretch
+constexpr double least_area_mm2 = 1e-6;  // triangles below it are ignored
 
 Vec3 place_of(const Frame& frame, int vertex) {
     const auto i = 3 * static_cast<std::size_t>(vertex);
@@ -40,13 +40,13 @@ void SurfaceStretch::take_surface(const Frame& frame) {
 
 void SurfaceStretch::see(const Frame& frame) {
     if (frame.surface != surface_) take_surface(frame);
-    double most = 1.0;  // of squares
+    double most = 1.0;  // squared stretch
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
         const Rest& rest = triangles_[i];
         const std::array<int, 3>& t = (*surface_)[i];
         const Vec3 p = place_of(frame, t[0]);
         const Vec3 d1 = place_of(frame, t[1]) - p, d2 = place_of(frame, t[2]) - p;
-        // Columns of F: the images of the plane's two unit vectors.
+        // Columns of F: images of the plane's orthonormal basis.
         const Vec3 f1 = rest.a * d1, f2 = rest.b * d1 + rest.c * d2;
         const double xx = f1.squaredNorm(), yy = f2.squaredNorm(), xy = f1.dot(f2);
         most = std::max(most, 0.5 * (xx + yy + std::hypot(xx - yy, 2.0 * xy)));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far the surface of a play is stretched and torn: the largest principal stretch of its
-// triangles, sqrt of the largest eigenvalue of F'F in the triangle's plane, and the area of the
-// faces that came apart.
+// Largest principal stretch of a deforming surface, sqrt(lambda_max(F'F)) over its triangles with
+// the in-plane deformation gradient F, and the area of the faces separated by tearing.
 #pragma once
 
 #include <array>
@@ -16,19 +15,19 @@ namespace hepatica {
 
 class SurfaceStretch {
   public:
-    // Of the whole body, in mm.
+    // Rest positions of the untorn body's vertices.
     explicit SurfaceStretch(std::vector<Vec3> rest_mm) : rest_mm_(std::move(rest_mm)) {}
 
-    // O(triangles). The frames of one play, in order.
+    // Call with the frames of one play in order. O(triangles).
     void see(const Frame& frame);
 
     double largest() const { return largest_; }  // 1 at rest
-    // Half of what the surface has grown by since the first frame, both at rest: each face that
-    // came apart has two sides now.
+    // Half the growth of the surface's rest area since the first frame: a separated face has two
+    // sides. Before the first frame meaningless.
     double torn_area_mm2() const { return 0.5 * (area_mm2_ - whole_mm2_); }
 
   private:
-    // Of a triangle at rest with edges e1, e2: the inverse of the upper triangular R with
+    // Of a triangle with rest edges e1, e2: the inverse [a, b; 0, c] of the upper triangular R with
     // R'R = [e1.e1, e1.e2; e1.e2, e2.e2].
     struct Rest {
         double a = 0.0, b = 0.0, c = 0.0;

@@ -7,7 +7,7 @@
 
 namespace hepatica {
 
-// Parents stand before their children, so that one pass is enough.
+// Parents precede their children, so one pass suffices.
 TargetRegion::TargetRegion(const VesselTree& tree, const TreePoint& from)
     : from_(from), beyond_(tree.segments.size(), 0) {
     if (from.segment < 0 || from.segment >= static_cast<int>(tree.segments.size()))

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A place on the tree and all that branches off beyond it, by the anatomy: what an injection is
-// aimed at.
+// The part of the vessel tree distal to a place, that is, the target of an injection.
 #pragma once
 
 #include <vector>
@@ -11,16 +10,16 @@ namespace hepatica {
 
 class TargetRegion {
   public:
-    // Throws InputError where the tree has no such segment.
+    // Throws InputError if the tree has no such segment.
     TargetRegion(const VesselTree& tree, const TreePoint& from);
 
     bool contains(const TreePoint& point) const;
-    // The segment's distal node lies in it.
+    // True if the segment's distal node lies in the region.
     bool contains_end_of(int segment) const;
 
   private:
     TreePoint from_;
-    std::vector<char> beyond_;  // per segment: 1 where the whole of it lies beyond from_
+    std::vector<char> beyond_;  // per segment: 1 if all of it lies beyond from_'s segment
 };
 
 }  // namespace hepatica

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Error against cost of the solver's settings on a given body: measure_body_tradeoff() of
+// tradeoff.h.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -59,7 +61,7 @@ StepperOptions solved_by(LinearSolverKind kind, double tolerance, int most) {
     return options;
 }
 
-// Cheap ones first, so that a budget that runs out runs out at the costly end.
+// Cheap settings first, so that an exhausted budget only omits costly ones.
 std::vector<Setting> settings_of(std::size_t meshes, bool device) {
     using Kind = LinearSolverKind;
     using Model = ElementModel;
@@ -90,7 +92,7 @@ std::vector<Setting> settings_of(std::size_t meshes, bool device) {
     return settings;
 }
 
-// The same pull on every mesh, seen by the same points of the centreline.
+// The same pull on every mesh, observed at the same points of the centreline.
 struct Scene {
     const std::vector<BodyDescription>& meshes;
     Pull pull;
@@ -131,14 +133,14 @@ std::unique_ptr<Stepper> reference_stepper(const BodyDescription& body, ElementO
 struct ReferenceChoice {
     ElementOrder order;
     int most_substeps, least_substeps;
-    double share;  // of the budget, that may have passed when it is done
+    double share;  // share of the budget that may have passed when it is done
 };
 constexpr ReferenceChoice reference_choices[] = {{ElementOrder::quadratic, 8, 8, 0.4},
                                                  {ElementOrder::linear, 32, 8, 0.6},
                                                  {ElementOrder::linear, 4, 0, 1e9}};
 
-// The most substeps, of powers of two, whose motion fits into `seconds` by the measure of two
-// steps; 0: not even the least.
+// The largest power of two of substeps for which the motion fits into `seconds`, estimated from two
+// steps; 0 if not even the least fits.
 int substeps_within(const Scene& scene, const ReferenceChoice& choice, double seconds,
                     const Job& job) {
     const auto stepper = reference_stepper(scene.meshes.front(), choice.order);
@@ -153,7 +155,7 @@ int substeps_within(const Scene& scene, const ReferenceChoice& choice, double se
     return fits ? substeps : 0;
 }
 
-// Empty where it does not end before the clock has passed `end_s`.
+// Empty where it does not end before the clock passes `end_s`.
 CentrelineMotion reference_motion(const Scene& scene, ElementOrder order, int substeps,
                                   const Clock& clock, double end_s, Job& job) {
     const BodyDescription& body = scene.meshes.front();
@@ -179,7 +181,7 @@ std::string words_of_reference(const BodyDescription& body, const StepperOptions
            (linear ? " (the mesh's own error is not in it)" : "");
 }
 
-// The first choice that the clock allows; the last one whatever it takes.
+// Measures the first choice that the budget allows; the last one in any case.
 Reference measure_reference(const Scene& scene, const Clock& clock, double budget_s, Job& job) {
     Reference reference;
     for (const ReferenceChoice& choice : reference_choices) {
@@ -202,7 +204,7 @@ std::unique_ptr<Stepper> new_stepper(const BodyDescription& body, const Setting&
         return setting.live ? make_live_stepper(body, options, how.region)
                             : make_cpu_stepper(body, options);
     LiveRegionOptions region = how.region;
-    if (!setting.live) region.still_radii_per_s = 0.0;  // nothing freezes
+    if (!setting.live) region.still_radii_per_s = 0.0;  // so that nothing freezes
     return how.device->make(body, options, region);
 }
 
@@ -217,11 +219,11 @@ std::unique_ptr<Stepper> stepper_for(const BodyDescription& body, const Setting&
         return stepper;
     }
     StepperOptions options = setting.options;
-    options.substeps = 1;  // the meter takes them one by one
+    options.substeps = 1;  // the meter makes the substeps one by one
     return new_stepper(body, setting, options, how);
 }
 
-// Empty where the whole motion was measured, else why not.
+// Empty where the whole motion was measured; otherwise the reason.
 std::string measure_motion(const Scene& scene, const Setting& setting,
                            const TradeoffOptions& options, const Clock& clock, Job& job,
                            const std::function<void(double)>& progress, FrameMeter& meter,

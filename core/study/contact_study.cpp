@@ -15,7 +15,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr int cells = 24;  // of the lower block: 10,368 tetrahedra
+constexpr int cells = 24;  // cells across the slab: 10,368 tetrahedra
 constexpr int rows_of_a_self_contact = 1, rows_of_a_tool_contact = 3;
 constexpr int most_settling = 60;
 
@@ -29,7 +29,7 @@ Setup self_setup(int across) {
     return {.kind = "self", .body = block_on_slab(cells, across).body};
 }
 
-// A slab lies on a ball: the wider, the more of it.
+// A slab lies on a ball; the wider the ball, the more contacts.
 Setup tool_setup(double ball_mm) {
     Setup setup{.kind = "tool", .body = slab_held_at_rim(cells), .ball_mm = ball_mm};
     setup.body.touchable = true;
@@ -84,7 +84,7 @@ ContactRow measure(const Setup& setup, const ContactStudyOptions& options, Job& 
     return row;
 }
 
-// Of one kind, the least contacts first.
+// Measures the setups of one kind, with ascending numbers of contacts.
 void measure(const std::vector<Setup>& setups, const ContactStudyOptions& options, Job& job,
              std::vector<ContactRow>& rows) {
     for (std::size_t i = 0; i < setups.size(); ++i) {

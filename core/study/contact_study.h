@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's table of contacts: how long a step takes with more and more of them. A block rests on
-// another (self), or a slab on a ball (tool), under its weight; the touching area grows from row to
-// row, the tetrahedra do not.
+// The paper's table of contacts: time of a step over the number of contacts. A block rests on a
+// slab (self), or a slab on a ball (tool), under gravity. The touching area grows from row to row;
+// the tetrahedra stay the same against the tool, and grow with the block in the other rows.
 #pragma once
 
 #include <string>
@@ -12,30 +12,30 @@
 namespace hepatica {
 
 struct ContactStudyOptions {
-    int steps = 30;  // measured, after the bodies have come to rest
+    int steps = 30;  // measured, after 60 steps in which the bodies come to rest
     int threads = 2;
-    double budget_ms = 16.7;  // of a step in time
-    bool to_budget = false;   // each kind ends with its first row that is not in time
+    double budget_ms = 16.7;  // limit of a step in time
+    bool to_budget = false;   // stop each kind at its first row that is not in time
 };
 
 struct ContactRow {
     std::string kind;      // "self" or "tool"
-    int contacts = 0;      // points in a tool's pad, or pairs of features of surfaces
-    int rows = 0;          // of constraint: the normal, and against a tool two of friction
+    int contacts = 0;      // contact points in a tool's pad, or pairs of surface features
+    int rows = 0;          // constraint rows: the normal one, and against a tool two of friction
     double step_ms = 0.0;  // median; see FrameTime::cost_ms
     double step_ms_p95 = 0.0;
     double linear_iterations = 0.0;
-    bool in_time = false;  // the median step is
+    bool in_time = false;  // whether the median step is
     int tetrahedra = 0;
 
-    // Six constraints a point, as the paper counts them.
+    // Six constraints per contact point, as the paper counts them.
     int rows_as_published() const { return 6 * contacts; }
 };
 
 // Begins two stages of the job. Throws Cancelled.
 std::vector<ContactRow> study_contacts(const ContactStudyOptions& options, Job& job);
 
-// The row with the most contacts in time; all 0 where none is. `kind` as above.
+// The row of this kind with the most contacts among those in time; all 0 where there is none.
 ContactRow most_in_time(const std::vector<ContactRow>& rows, const std::string& kind);
 
 }  // namespace hepatica

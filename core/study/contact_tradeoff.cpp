@@ -18,9 +18,10 @@ namespace hepatica {
 
 namespace {
 
-// A tenth of the earth's: a block that slides stays on its slab.
+// A tenth of the earth's gravity, so that the sliding block stays on its slab.
 constexpr double gravity_mm_per_s2 = 0.1 * units::standard_gravity;
-// More than two of the thickest pads: what begins nearer has thinner ones there (SurfacePairs).
+// More than twice the thickest pad, because surfaces that begin closer get thinner pads there
+// (SurfacePairs).
 constexpr double gap_mm = 2.0;
 constexpr double slope_rad = 0.26;  // steeper than a friction of 0.2 holds
 
@@ -39,7 +40,7 @@ ContactSetting tight() {
     return setting;
 }
 
-// One coordinate at a time, from what a scene has.
+// Varies one parameter at a time from a scene's setting.
 std::vector<ContactSetting> settings() {
     std::vector<ContactSetting> all(1);
     const auto add = [&](const std::string& name) -> ContactSetting& {
@@ -60,13 +61,13 @@ std::vector<ContactSetting> settings() {
     return all;
 }
 
-// Of the block's vertices, frame by frame.
+// Displacements of the block's vertices, frame by frame.
 CentrelineMotion play(TouchingBlocks blocks, const ContactSetting& setting, int frames,
                       FrameMeter& meter, const Job& job) {
     blocks.body.self->thickness_edges = setting.pad_edges;
     blocks.body.self->friction = setting.friction;
     StepperOptions options = setting.options;
-    options.substeps = 1;  // the meter takes them one by one
+    options.substeps = 1;  // the meter makes the substeps one by one
     const auto stepper = make_cpu_stepper(blocks.body, options);
     stepper->set_gravity(gravity_mm_per_s2 * Vec3(std::sin(slope_rad), 0.0, -std::cos(slope_rad)));
     const auto first = static_cast<std::size_t>(blocks.first_of_block);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Error against cost over what contact adds to the dial: the thickness of the pad, how far the
-// linear solve and Newton's method go, the length of a step, and friction or none. A block slides
-// down a slab that leans, against the same play with a thin pad, solved tightly in short steps.
+// Error against cost over the parameters that contact adds: the thickness of the pad, the tolerance
+// of the linear solve, Newton iterations, the length of a step, and friction or none. A block
+// slides down an inclined slab; the reference is the same motion with a thin pad, solved tightly in
+// short steps.
 #pragma once
 
 #include <string>
@@ -12,9 +13,9 @@
 
 namespace hepatica {
 
-// A setting of contact, and its figures: those of a tradeoff's point.
+// A setting with contact, and its measurements.
 struct ContactPoint {
-    std::string name;        // what is other than in a scene
+    std::string name;        // how it differs from a scene's setting
     double pad_edges = 0.1;  // see SelfPad
     double friction = 0.2;
     TradeoffPoint point;
@@ -26,15 +27,15 @@ struct ContactTradeoff {
 };
 
 struct ContactTradeoffOptions {
-    int slab_cells = 16, block_cells = 6;  // across
+    int slab_cells = 16, block_cells = 6;  // cells across
     int frames = 24;
 };
 
-// Its points in the order of the settings; the front is marked. Throws Cancelled, after a substep
-// at most.
+// Points are in the order of the settings, with the front marked. Begins two stages of the job.
+// Throws Cancelled, after a substep at most.
 ContactTradeoff measure_contact_tradeoff(const ContactTradeoffOptions& options, Job& job);
 
-// Under the settings' names in the place of elements', to be written as others are.
+// As a Tradeoff whose elements are named by the settings, for write_tradeoff().
 Tradeoff as_tradeoff(const ContactTradeoff& tradeoff);
 
 }  // namespace hepatica

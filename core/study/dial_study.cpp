@@ -48,7 +48,7 @@ std::optional<StepperOptions> setting_in_a_gap(std::span<const QualityPoint> mea
 
 SceneSpec scene_as_played() {
     SceneSpec scene = default_scene();
-    scene.flow.reset();  // nothing of it moves
+    scene.flow.reset();  // flow is not needed
     scene.deform->setting = in_substeps(1);
     return scene;
 }
@@ -108,10 +108,10 @@ bool DialStudy::measure_next(Job& job) {
                              "Measure again, or with --backend cpu");
         point.back_end = back_end_.name;
         point.device = back_end_.device;
-        // While a device works the processor does not, or little.
+        // While a device computes, the processor is idle, so its time says nothing.
         if (!point.device.empty()) point.frame_ms = cost.wall_ms.p95;
     }
-    point.options.on_processor = false;  // its back end says that
+    point.options.on_processor = false;  // the point's back end says that
     points_.push_back(std::move(point));
     return true;
 }

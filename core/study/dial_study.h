@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The dial of a patient's own body: what each setting costs and misses in a pull by 30 mm within
+// Measures the dial of a patient's body: cost and error of each setting in a pull by 30 mm within
 // half a second and back, in the scene as it is played. Settings are measured one at a time, the
-// most useful first, so that there is a dial early and the rest can be measured later.
+// most useful first, so that a dial is available early.
 #pragma once
 
 #include <memory>
@@ -16,35 +16,36 @@
 
 namespace hepatica {
 
-// Settings that follow each other on a filled front differ in cost by this factor at most, where
-// there is a number of substeps between theirs.
+// Neighbouring settings on a complete front differ in cost by at most this factor, unless no number
+// of substeps lies between theirs.
 constexpr double widest_cost_ratio = 2.5;
 
-// Most useful next after those measured: one substep, two, one that is solved to a tenth, four,
-// three, eight; then numbers of substeps between those of neighbours on the front that are further
-// apart than widest_cost_ratio. None where the front is filled.
+// The most useful setting to measure next: one substep, two, one with a tolerance of a tenth, four,
+// three, eight; then numbers of substeps between neighbours on the front whose costs differ by more
+// than widest_cost_ratio. None where the front is complete.
 std::optional<StepperOptions> next_dial_setting(std::span<const QualityPoint> measured);
-// Of the points measured with a back end, and then, where it stands beside the processor, of the
-// processor's. The options are as the back end is to be given them.
+// The same for a back end, from the points measured with it; then, where it is offered beside the
+// processor, for the processor. The options are as the back end takes them.
 std::optional<StepperOptions> next_dial_setting(std::span<const QualityPoint> measured,
                                                 const DeformBackEnd& back_end);
 
 // Not thread-safe.
 class DialStudy {
   public:
-    // Goes on behind what was measured before on this body, with any back end. The patient has a
-    // mesh.
+    // Continues from what was measured before on this body, with any back end. The patient must
+    // have a mesh.
     explicit DialStudy(std::shared_ptr<const PatientCase> patient,
                        std::vector<QualityPoint> measured = {},
                        DeformBackEnd back_end = cpu_back_end());
 
-    // Measures the next setting; the first call builds the body and measures the reference as well.
-    // False, without any work, where none is left. A setting's cost is what 95 of 100 of its frames
-    // take at most; its error is the root mean square over the pull and the centreline, relative
-    // to the motion of the same elements on the same mesh, all computed, in eight substeps a frame,
-    // solved exactly. What the mesh itself misses is not in it. Looks at the job after every step;
-    // throws Cancelled, after which the setting under way is measured anew by the next call, and
-    // InputError where a device left the motion to the processor: that is no measure of it.
+    // Measures the next setting; the first call also builds the body and measures the reference.
+    // Returns false, without any work, where none is left. A setting's cost is the 95th percentile
+    // of its frame times. Its error is the root mean square over the pull and the centreline,
+    // relative to the motion of the same elements on the same mesh, all of them computed with eight
+    // substeps a frame and solved exactly; the mesh's own error is not included. Checks the job
+    // after every step. Throws Cancelled, after which the next call measures the same setting
+    // again, and InputError where a device left the motion to the processor, because that would not
+    // measure the device.
     bool measure_next(Job& job);
 
     const std::vector<QualityPoint>& points() const { return points_; }

@@ -11,7 +11,7 @@ namespace hepatica {
 DialWorker::DialWorker(std::shared_ptr<const PatientCase> patient,
                        std::vector<QualityPoint> measured, Tell tell, DeformBackEnd back_end)
     : tell_(std::move(tell)) {
-    // The study looks at its job between two steps: that is where it waits.
+    // The study checks its job between steps; that is where it waits.
     job_.observe([this](JobEvent) { wait_until_allowed(); });
     thread_ = std::jthread([this, body = std::move(patient), known = std::move(measured),
                             by = std::move(back_end)]() mutable {

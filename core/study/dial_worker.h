@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures a patient's dial on a thread of its own, and only while nobody plays: it runs once for a
-// body, and stands still between two steps as soon as somebody does.
+// Measures a patient's dial on its own thread, only while nobody plays: it pauses between two steps
+// as soon as somebody does.
 #pragma once
 
 #include <condition_variable>
@@ -16,27 +16,27 @@ namespace hepatica {
 
 class DialWorker {
   public:
-    // On the worker's thread, after each setting: all points so far. It must not throw.
+    // Receives all points so far, on the worker's thread after each setting. Must not throw.
     using Tell = std::function<void(const std::vector<QualityPoint>&)>;
 
-    // Goes on behind what was measured before. Waits until it is allowed to run. A body that cannot
-    // be measured is given up without a word: it has the dial it had. The back end is used by the
-    // worker's thread alone.
+    // Continues from what was measured before, once it is allowed to run. A body that cannot be
+    // measured is silently given up and keeps its dial. Only the worker's thread uses the back end.
     DialWorker(std::shared_ptr<const PatientCase> patient, std::vector<QualityPoint> measured,
                Tell tell, DeformBackEnd back_end = cpu_back_end());
-    // Ends within the step under way; `tell` is not called any more.
+    // Ends after the current step at the latest; `tell` is not called afterwards.
     ~DialWorker();
     DialWorker(const DialWorker&) = delete;
     DialWorker& operator=(const DialWorker&) = delete;
 
-    // Whether nobody plays. Any thread; returns at once. At first somebody does.
+    // Allows it to run (nobody plays) or not; not at first. Callable from any thread; returns at
+    // once.
     void allow(bool allowed);
 
-    // What its thread is at. Any thread.
+    // State of its thread. Callable from any thread.
     enum class State {
-        waits,     // stands still until it is allowed to run
-        measures,  // or is about to stand still
-        ended      // has measured all, or given up
+        waits,     // pauses until it is allowed to run
+        measures,  // measures, or is about to pause
+        ended      // has measured everything, or given up
     };
     State state() const;
 
@@ -50,9 +50,9 @@ class DialWorker {
     mutable std::mutex mutex_;
     std::condition_variable changed_;
     bool allowed_ = false;
-    bool waiting_ = false;  // its thread does
-    bool ended_ = false;    // its thread has
-    std::jthread thread_;   // last: it uses the others
+    bool waiting_ = false;  // whether its thread waits
+    bool ended_ = false;    // whether its thread has ended
+    std::jthread thread_;   // last, because it uses the others
 };
 
 }  // namespace hepatica

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Rows of the stability suite: a clamped beam over modulus, time step, Poisson's ratio and element,
+// judged by beam theory.
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -19,8 +21,8 @@ struct BeamRow {
     int newton = 1;
 };
 
-// Gravity grows with the modulus, so that every beam has the same shape at rest, sunk by 8 % of its
-// length, and one closed form judges all of them.
+// Gravity is proportional to the modulus, so that all beams have the same shape at rest, with the
+// tip 8 % of the length lower, and one closed form judges all of them.
 BeamSpec spec_of(const BeamRow& row, const Discretisation& d) {
     BeamSpec spec;
     spec.cells = d.order == ElementOrder::quadratic ? Index3{10, 1, 1}
@@ -36,8 +38,8 @@ BeamSpec spec_of(const BeamRow& row, const Discretisation& d) {
     return spec;
 }
 
-// Linear tetrahedra are too stiff on so few cells and springs are no exact solid: they are held to
-// sink, but not further than theory has it (springs: than twice that).
+// Linear tetrahedra are too stiff with so few cells, and springs are no exact solid. They must
+// sink, but not further than theory says (springs: not further than twice that).
 void judge_rest(const BeamSpec& spec, const Discretisation& d, double tip, Trial& trial) {
     const double theory = timoshenko_tip_mm(spec);
     if (d.order == ElementOrder::quadratic || d.hexahedra)
@@ -63,7 +65,7 @@ ExtremeRow run_beam(const BeamRow& what, const ExtremeRun& how) {
     if (!trial.run(steps, dt)) return row;
     const double tip = tip_deflection_mm(spec, body.mesh.vertices_mm, stepper->positions_mm());
     const double time = steps * dt, theory = timoshenko_tip_mm(spec);
-    if (time < 0.03 * period)  // no wave has come from the clamp yet
+    if (time < 0.03 * period)  // no wave has arrived from the clamp yet
         trial.require_close(tip, 0.5 * spec.gravity_mm_s2 * time * (time + dt), 0.05, "free fall");
     else if (time > 4.9 * period)
         judge_rest(spec, d, tip, trial);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Rows of the stability suite: long runs at rest, in flight and spinning, tiny and disconnected
+// bodies, overflow, and input that must be refused.
 #include <cmath>
 #include <limits>
 
@@ -72,7 +74,7 @@ ExtremeRow fly_for_long(double dt, const ExtremeRun& how) {
     return row;
 }
 
-// Backward Euler brakes a spin by its own law, d omega/dt = -dt omega^3, and nothing else may.
+// Backward Euler slows a spin by d omega/dt = -dt omega^3; nothing else may slow it.
 ExtremeRow spin_for_long(double dt, double omega, const ExtremeRun& how) {
     ExtremeRow row;
     const BodyDescription body = small_body();
@@ -120,7 +122,7 @@ BodyDescription one_element() {
     return body;
 }
 
-// The first clamped, the second beside it and free.
+// The first body is clamped, the second beside it is free.
 BodyDescription two_bodies() {
     BodyDescription body = small_body();
     const TetMesh other = body.mesh;
@@ -169,7 +171,7 @@ ExtremeRow overflow(double size_mm, double speed_mm_s, const ExtremeRun& how) {
     return row;
 }
 
-// Passes only where `attempt` throws InputError.
+// Passes only if `attempt` throws InputError.
 ExtremeCase refusal(const std::string& name, const std::function<void()>& attempt) {
     return {"refuse " + name, [attempt](const ExtremeRun&) {
                 ExtremeRow row;
@@ -200,7 +202,7 @@ void refuse_call(std::vector<ExtremeCase>& cases, const std::string& name,
         try {
             call(*stepper);
         } catch (const InputError&) {
-            stepper->step(0.01);  // what was refused has left no trace
+            stepper->step(0.01);  // the refused call must have had no effect
             for (const Vec3& x : stepper->positions_mm())
                 if (!x.allFinite()) return;
             throw;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Rows of the stability suite: contrasts of stiffness and density along a beam, slivers, and starts
+// far from rest.
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -15,8 +17,8 @@ namespace {
 
 using AlongBeam = std::function<double(double x_mm)>;
 
-// Tip of a cantilever whose modulus and weight vary along it: the unit-load theorem, by Simpson's
-// rule, bending and shear.
+// Tip deflection of a cantilever whose modulus and weight vary along it: the unit-load theorem with
+// bending and shear, integrated by the midpoint rule.
 double beam_tip_mm(const BeamSpec& spec, const AlongBeam& stiffness, const AlongBeam& weight) {
     const int n = 4000;
     const double length = spec.length_mm, h = length / n, nu = spec.material.poisson_ratio;
@@ -56,7 +58,8 @@ ExtremeRow run_contrast(const std::string& element, LinearSolverKind solver, dou
     const Discretisation d = discretisation_of(element);
     BeamSpec spec;
     spec.cells = d.hexahedra ? Index3{20, 2, 2} : Index3{16, 2, 2};
-    // Sinks by 0.5 % of its length, so that linear theory holds for the short flexible part, too.
+    // The tip sinks by 0.5 % of the length, so that linear theory also holds for the short flexible
+    // part.
     spec.gravity_mm_s2 *= 1.0 / beam_tip_mm(spec, stiffness, weight);
     BodyDescription body = clamped_beam(spec, d);
     for (std::size_t e = 0; e < body.mesh.tetrahedra.size() + body.hexahedra.size(); ++e) {
@@ -69,7 +72,7 @@ ExtremeRow run_contrast(const std::string& element, LinearSolverKind solver, dou
         body, {.model = d.model, .order = d.order, .solver = solver, .audit = true});
     stepper->set_gravity(Vec3(0, 0, -spec.gravity_mm_s2));
     // Rounding errors of a stiff tip's forces do work in proportion to the motion that a soft clamp
-    // allows; the energies fall with its square.
+    // allows, whereas the energies fall with its square.
     const bool stiff_tip = stiffness(spec.length_mm) > 1e3 * stiffness(0.0);
     Trial trial(*stepper, row, how, stiff_tip ? 1.0 : 0.0);
     if (!trial.run(static_cast<int>(std::max(150.0, 20.0 / dt)), dt)) return row;
@@ -110,7 +113,7 @@ void add_contrasts(std::vector<ExtremeCase>& cases) {
                 }
 }
 
-// One layer of cells squeezed until its tetrahedra have dihedral angles of the given size.
+// One layer of cells is squeezed until its tetrahedra have dihedral angles of the given size.
 ExtremeRow run_sliver(const std::string& element, double angle_deg, double dt,
                       const ExtremeRun& how) {
     ExtremeRow row;
@@ -148,7 +151,7 @@ double random_between(std::mt19937_64& random, double low, double high) {
     return low + (high - low) * static_cast<double>(random() >> 11) * 0x1.0p-53;
 }
 
-// Starts bent out of all shape and must find back to rest by itself.
+// Starts from a severely deformed shape and must return to rest by itself.
 ExtremeRow run_broken_start(const std::string& element, double dt, const Deform& deform,
                             const ExtremeRun& how) {
     ExtremeRow row;

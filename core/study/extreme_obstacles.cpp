@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Obstacles at the edge: a clamped beam whose tip is torn against a block by a hand that jumps, or
-// out of a box that holds it, at any step. Block and box have their sides along the axes, so that
-// where a vertex stands is told by its coordinates alone.
+// Rows of the stability suite with obstacles: a hand that jumps pulls the tip of a clamped beam
+// against a block, or out of a box that contains it, at any time step. Block and box are
+// axis-aligned, so that coordinates alone tell on which side a vertex is.
 #include <memory>
 #include <sstream>
 
@@ -28,9 +28,9 @@ struct Block {
     }
 };
 
-constexpr double back_mm = 80.0;         // of the hand, from the tip towards the clamp
-constexpr double allowed_back_mm = 0.2;  // of a beam of 100 mm that was let go
-// A little above the short beam's outer half; or all about it.
+constexpr double back_mm = 80.0;         // movement of the hand from the tip towards the clamp
+constexpr double allowed_back_mm = 0.2;  // tolerance after release, for a beam of 100 mm
+// The block is a little above the short beam's outer half; the box contains all of it.
 const Block block{{50, -20, 21}, {110, 40, 61}};
 const Block box{{-10, -1, -1}, {101, 21, 21}};
 
@@ -44,7 +44,8 @@ BodyDescription beam_beside(const Discretisation& how, SurfaceKind kind) {
 
 bool stays_out(const Stepper& stepper, const BodyDescription& body, SurfaceKind kind) {
     const std::span<const Vec3> x = stepper.positions_mm();
-    // Vertices of the mesh: middles of edges of quadratic elements are no corners of the surface.
+    // Only vertices of the mesh: mid-edge nodes of quadratic elements are no corners of the
+    // surface.
     return std::ranges::all_of(x.first(body.mesh.vertices_mm.size()), [&](const Vec3& at) {
         return kind == SurfaceKind::shell ? box.holds(at) : !block.holds(at);
     });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tears at the edge: random vessel trees that are pulled, pressed, twisted and cut until they come
-// apart, by any law. After every transaction in which something split, all that must hold is looked
-// at (split_check.h).
+// The tear campaign of the stability suite: random vessel trees are pulled, pressed, twisted and
+// cut until they come apart, under random laws. After every transaction that splits something,
+// SplitCheck checks the body (split_check.h).
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -68,8 +68,9 @@ class TearTrial {
             reach_mm_ = std::max(reach_mm_, (x - middle_mm_).norm());
     }
 
-    // Of the works of forces on the way of a step, which are as large as modulus times volume and
-    // nearly cancel: what lies in many pieces handles a few nanojoules, and they are rounded.
+    // Rounding error of the forces' work along a step, whose terms are as large as modulus times
+    // volume and nearly cancel. A body in many pieces handles only a few nanojoules, so this
+    // matters.
     double rounding_nj() const {
         return std::numeric_limits<double>::epsilon() * body_.material.young_modulus_pa *
                volume_mm3(body_.mesh);
@@ -105,7 +106,7 @@ class TearTrial {
         return x[static_cast<std::size_t>(uniform(random_, 0.0, static_cast<double>(x.size())))];
     }
 
-    // What a cut line would have left of the strength of some joints.
+    // Weakens some joints, as a cut line would.
     void weaken_some() {
         const auto joints = static_cast<int>(stepper_->tearing()->topology().joints().size());
         std::vector<int> some;
@@ -126,8 +127,7 @@ class TearTrial {
                                    hand_strain * body_.material.young_modulus_pa));
     }
 
-    // A new place to go to, and what is held on the way there; or a cut, which is a
-    // transaction.
+    // Chooses a new goal and what is held on the way there; sometimes cuts, which is a transaction.
     bool begin_goal(Trial& trial, SplitCheck& check) {
         const Vec3 at = vertex();
         goal_mm_ = at + uniform(random_, 0.2, 1.0) * reach_mm_ * random_direction(random_);
@@ -195,7 +195,7 @@ class TearTrial {
 
 }  // namespace
 
-// Each trial has numbers of its own: a row can be run alone.
+// Each trial has its own random numbers, so that a row can be run alone.
 std::vector<ExtremeCase> tear_cases(const Campaign& campaign) {
     std::vector<ExtremeCase> cases;
     for (int t = 0; t < campaign.trials; ++t) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Rows of the stability suite: grabs that jump by a metre, and a thousandfold gravity.
 #include <cmath>
 #include <sstream>
 
@@ -10,7 +11,7 @@
 namespace hepatica {
 namespace {
 
-// The tip is held by a strong spring whose target jumps by a metre, there and back, then let go.
+// A strong spring holds the tip; its target jumps by a metre, there and back, and is released.
 ExtremeRow run_jump(const std::string& element, double dt, double force_limit_un, int newton,
                     const ExtremeRun& how) {
     ExtremeRow row;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Touch at the edge: random vessel trees that tools and vessels are driven through at any speed,
-// are squeezed, wrapped around themselves, and pulled into knots.
+// The touch campaign of the stability suite: tools and vessels are driven through random vessel
+// trees at any speed, and vessels are squeezed, dragged and pulled into knots. Nothing may cross.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -83,7 +83,7 @@ class TouchTrial {
         return d.normalized();
     }
 
-    // A tool stands beside the body; or a vessel is grabbed by its end.
+    // Places a tool beside the body, or grabs a vessel by its end.
     void begin() {
         if (play_ == Play::drag || play_ == Play::knot) {
             grab_.vertices[0] = furthest_vertex(body_);
@@ -106,7 +106,7 @@ class TouchTrial {
                                    hand_strain * body_.material.young_modulus_pa));
     }
 
-    // A vessel, or a place beyond it; forceps open and close by turns.
+    // Chooses a vessel, or a place beyond it, as goal; forceps open and close in turn.
     void choose_goal() {
         goal_mm_ = vertex() + uniform(random_, 0.0, 0.3) * reach_mm_ * direction();
         ++goals_;
@@ -164,7 +164,7 @@ BodyDescription random_body(Play play, std::mt19937_64& random, int tetrahedra) 
     BodyDescription body = play == Play::knot
                                ? body_of(open_knot(uniform(random, 0.8, 1.6)), tetrahedra, job)
                                : body_of(random_study_tree(random), tetrahedra, job);
-    // A mesh of branches that pass close by may cross itself before anything has moved.
+    // Meshes of branches that pass close to each other may intersect themselves at rest.
     if (!crossing_triangles(boundary_triangles(body.mesh), body.mesh.vertices_mm).empty())
         throw InputError("crosses itself at rest", "the mesh of the tree", "Take another seed");
     return body;
@@ -195,7 +195,7 @@ ExtremeCase on_patient(const TouchCampaign& campaign, int t, std::mt19937_64 ran
 
 }  // namespace
 
-// Each trial has numbers of its own: a row can be run alone.
+// Each trial has its own random numbers, so that a row can be run alone.
 std::vector<ExtremeCase> touch_cases(const TouchCampaign& campaign) {
     std::vector<ExtremeCase> cases;
     for (int t = 0; t < campaign.trials; ++t) {

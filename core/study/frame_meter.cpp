@@ -13,7 +13,7 @@ void FrameMeter::step(Stepper& stepper, int parts, const Job& job) {
     }
     const FrameTime time = timer.passed();
     last_wall_ms_ = time.wall_ms;
-    // While a device works the processor does not, or little.
+    // While a device computes, the processor is idle, so its time says nothing.
     frame_ms_.push_back(stepper.on_device() ? time.wall_ms : time.cost_ms());
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps a body a frame of 1/60 s at a time and keeps what that costs: wall time, or the processor's
-// where that is less, which it is only where other programs made the frame wait; on a device the
+// Steps a body frame by frame (1/60 s) and records the cost: wall time, or processor time where
+// that is less, which happens only where other programs made the frame wait; on a device always
 // wall time.
 #pragma once
 
@@ -14,13 +14,13 @@ namespace hepatica {
 
 class FrameMeter {
   public:
-    // One frame in `parts` equal steps. Throws Cancelled soon after the job was cancelled.
+    // Makes one frame in `parts` equal steps. Throws Cancelled soon after the job was cancelled.
     void step(Stepper& stepper, int parts, const Job& job);
 
     int frames() const { return static_cast<int>(frame_ms_.size()); }
     double last_wall_ms() const { return last_wall_ms_; }
-    // Cost (what 95 of 100 frames take at most) and mean iterations of the frames so far, which are
-    // one or more.
+    // Writes the cost (95th percentile) and the mean iterations of the frames so far, at least one,
+    // into the point.
     void book(TradeoffPoint& point) const;
 
   private:

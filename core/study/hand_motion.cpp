@@ -12,7 +12,7 @@
 namespace hepatica {
 namespace {
 
-constexpr double watched_s = 1.0;  // after the last action, where it is let go
+constexpr double watched_s = 1.0;  // watched after the last action if the vessel is released
 
 int steps_in(double seconds) {
     return static_cast<int>(std::lround(seconds / frame_s));
@@ -26,7 +26,7 @@ Script held_vessel() {
     return script;
 }
 
-// Returns when the move ends.
+// Appends a move; returns when it ends.
 double move(Script& script, double at_s, const Vec3& by_mm, double over_s) {
     script.actions.push_back({.at_s = at_s, .what = "move", .by_mm = by_mm, .over_s = over_s});
     return at_s + over_s;

@@ -57,7 +57,7 @@ class HandTrial::WatchedBackEnd {
     WatchedBackEnd(const WatchedBackEnd&) = delete;
     WatchedBackEnd& operator=(const WatchedBackEnd&) = delete;
 
-    // Must not be used longer than this object lives.
+    // Must not outlive this object.
     DeformBackEnd back_end() {
         DeformBackEnd watched = maker_;
         watched.make = [this](const BodyDescription& body, const StepperOptions& options,
@@ -87,7 +87,7 @@ HandTrial::HandTrial(std::shared_ptr<const PatientCase> patient, const SceneSpec
       scene_(validated(scene)),
       watched_(std::make_unique<WatchedBackEnd>(region, back_end)),
       probes_({}, {}) {
-    Job building;  // its stages are none of the caller's
+    Job building;  // separate job, because its stages are not the caller's
     session_ = std::make_unique<Session>(patient_, scene_, building, watched_->back_end());
     const DeformPart& deform = *session_->world().deform();
     setting_ = deform.setting();
@@ -137,7 +137,7 @@ HandPlay HandTrial::play(const HandMotion& motion, const StepperOptions& setting
     return played;
 }
 
-// Its substeps are steps of the session, so that one can stop between two of them.
+// Substeps are steps of the session, so that it can be stopped between two of them.
 SceneSpec HandTrial::reference_scene(int substeps) const {
     StepperOptions exact;
     exact.model = setting_.model;

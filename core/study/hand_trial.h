@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A motion of the hand played on a patient as a session plays it: what every frame costs and where
-// the centreline goes; and the same motion of the whole body in short steps, solved exactly, which
-// that is compared with.
+// Plays a motion of the hand on a patient as a session does, and records the cost of every frame
+// and the path of the centreline; and the same motion of the whole body in short steps, solved
+// exactly, as reference.
 #pragma once
 
 #include <filesystem>
@@ -25,21 +25,21 @@ class DeformPart;
 class Session;
 
 struct HandFrame {
-    FrameTime time;  // of the commands, the world's step and the frame that is shown
+    FrameTime time;  // of commands, the world's step and the frame shown
     int newton_iterations = 0;
     int linear_solves = 0;
     int linear_iterations = 0;
-    int live_elements = 0;  // computed after the step
-    bool asleep = false;    // nothing moved: the step was skipped
+    int live_elements = 0;  // computed, after the step
+    bool asleep = false;    // nothing moved, so the step was skipped
     bool degraded = false;  // as in StepReport, or the session had to stop
-    std::string message;    // what the frame tells the user
+    std::string message;    // the frame's message to the user
 };
 
 struct HandPlay {
     std::vector<HandFrame> frames;
-    CentrelineMotion motion;  // in them
+    CentrelineMotion motion;  // in these frames
     int elements = 0;         // of the whole body
-    std::string device;       // that made its last step; empty: the processor did
+    std::string device;       // that made the last step; empty: the processor
 };
 
 enum class PlayedRegion {
@@ -50,32 +50,32 @@ enum class PlayedRegion {
 // Not thread-safe.
 class HandTrial {
   public:
-    // Builds a session of the scene (at 1/60 s a step) and lets it fall asleep. Throws InputError
-    // where case or scene cannot be played with; Cancelled. A whole body and the reference are the
-    // processor's.
+    // Builds a session of the scene with steps of 1/60 s and lets it fall asleep. A whole body and
+    // the reference are always computed on the processor. Throws InputError where case or scene
+    // cannot be played; Cancelled.
     HandTrial(std::shared_ptr<const PatientCase> patient, const SceneSpec& scene,
               PlayedRegion region, Job& job, const DeformBackEnd& back_end = cpu_back_end());
     ~HandTrial();
     HandTrial(const HandTrial&) = delete;
     HandTrial& operator=(const HandTrial&) = delete;
 
-    // The setting that the scene begins with.
+    // The scene's initial setting.
     const StepperOptions& setting() const { return setting_; }
 
-    // How the hand is heard in the plays to come; the reference hears it in every frame.
+    // How later plays hear the hand; the reference hears it in every frame.
     void hear(const HeardHand& hand) { hand_ = hand; }
 
-    // From rest, asleep. Looks at the job after every step; throws Cancelled.
+    // Plays from rest, asleep. Checks the job after every step; throws Cancelled.
     HandPlay play(const HandMotion& motion, const StepperOptions& setting, Job& job);
     HandPlay play(const HandMotion& motion, Job& job) { return play(motion, setting_, job); }
 
-    // The same hand on the same mesh and element, all of it computed in `substeps` substeps a
-    // frame, each solved to 1e-8 in the energy norm: what a setting's error is measured against.
-    // What the mesh itself misses is not in it. Looks at the job after every substep.
+    // The reference of a setting's error: the same motion on the same mesh and element, all of it
+    // computed in `substeps` substeps a frame, each solved to 1e-8 in the energy norm. The mesh's
+    // own error is not included. Checks the job after every substep.
     CentrelineMotion reference(const HandMotion& motion, int substeps, Job& job) const;
-    // The same, kept in `folder`, which must exist, and read from there the next time. A file of
-    // another patient, scene, element or motion is left alone; one that is damaged is made anew.
-    // Files know nothing of the program: remove them when elements or potentials change.
+    // The same, stored in `folder`, which must exist, and read from there the next time. The file's
+    // name depends on patient, scene, element and motion; a damaged file is replaced. It does not
+    // depend on the program: remove the files when elements or potentials change.
     CentrelineMotion kept_reference(const HandMotion& motion, int substeps,
                                     const std::filesystem::path& folder, Job& job) const;
 

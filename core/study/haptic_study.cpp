@@ -32,7 +32,7 @@ double processor_us() {
     return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
-// Sees every tick on the loop's thread; read once that has ended.
+// Records every tick on the loop's thread; read it after the loop has ended.
 class TickMeter {
   public:
     explicit TickMeter(double seconds) {
@@ -86,7 +86,7 @@ std::shared_ptr<const PatientCase> own_patient(Job& job) {
     return made;
 }
 
-// The middle of the longest branch.
+// The middle of the longest branch, and the direction there.
 std::pair<Vec3, Vec3> place_and_way(const VesselTree& tree) {
     const auto& longest = *std::ranges::max_element(
         tree.segments, {}, [](const auto& segment) { return segment.points_mm.size(); });
@@ -95,7 +95,7 @@ std::pair<Vec3, Vec3> place_and_way(const VesselTree& tree) {
     return {longest.points_mm[middle], along.normalized()};
 }
 
-// Forceps close around the vessel, across it.
+// Closes forceps around the vessel, across it.
 void hold(Session& session, const VesselTree& tree, const Job& job) {
     const auto [place, along] = place_and_way(tree);
     const Vec3 down = along.unitOrthogonal();
@@ -114,7 +114,7 @@ void hold(Session& session, const VesselTree& tree, const Job& job) {
     for (int i = 0; i < 60; ++i) session.step(job);
 }
 
-// A hand that leads what it holds around, and turns it.
+// A hand that leads what it holds around a path, and turns it.
 SimulatedHand leading() {
     SimulatedHand hand{.encoder_mm = 0.02};
     hand.path = [](double t) {

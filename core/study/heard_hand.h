@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A hand as a window hears it: not in every frame, because pictures take their time.
+// A hand as a window hears it: not in every frame, because pictures take time.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 namespace hepatica {
 
 struct HeardHand {
-    int every = 1;         // frames from one report to the next
-    bool at_once = false;  // what it holds is there at every report, else as HandPace has it
+    int every = 1;         // frames between two reports
+    bool at_once = false;  // jump to each report; otherwise move as HandPace does
 };
 
-// Of the commands of each frame those that are heard: of the moves of a grab only the ones in every
-// so many frames, all others as they are.
+// The commands that are heard in each frame: moves of a grab only every `every` frames, all others
+// as they are.
 std::vector<std::vector<Command>> heard(const std::vector<std::vector<Command>>& commands,
                                         const HeardHand& hand);
 

@@ -47,7 +47,8 @@ std::vector<Vec3> stopped_after(LinearSolver& solver, const StudySystem& system,
     return x;
 }
 
-// Least number of iterations whose error is at most `error`; the energy norm falls monotonically.
+// Number of iterations after which the error is at most `error`, to about 1/64; the energy norm
+// falls monotonically.
 int iterations_to(double error, LinearSolver& solver, const StudySystem& system) {
     constexpr int most = 40000;
     int enough = 1;
@@ -70,7 +71,7 @@ struct StudyCase {
     std::function<BodyDescription(Job&)> make;
 };
 
-// From the clamp to the furthest end along x, so that `bent` bends it.
+// Turns the body so that the line from its clamp to its furthest end is along x, for bent().
 void lay_along_x(BodyDescription& body) {
     const Vec3 clamp = clamp_mm(body);
     const Vec3 end = body.mesh.vertices_mm[static_cast<std::size_t>(furthest_vertex(body))];
@@ -80,7 +81,7 @@ void lay_along_x(BodyDescription& body) {
     for (Vec3& x : body.skeleton.positions_mm) x = turn * (x - clamp);
 }
 
-// Longest way from a root over the diameter there.
+// Longest path from a root, over the diameter at the root.
 double slenderness_of(const VesselTree& tree) {
     std::vector<double> way(tree.segments.size()), diameter(tree.segments.size());
     double most = 0.0;
@@ -112,7 +113,8 @@ std::vector<StudyCase> cases_of(bool quick) {
                          [=](Job&) { return study_bar(slenderness, across); }});
     };
     const auto tree = [&](int tetrahedra) {
-        const auto meshed = std::make_shared<BodyDescription>();  // by whichever comes first
+        const auto meshed =
+            std::make_shared<BodyDescription>();  // meshed by whichever case comes first
         const auto make = [=](Job& job) {
             if (meshed->mesh.tetrahedra.empty())
                 *meshed = body_of(study_tree(6, 6.0), tetrahedra, job);
@@ -195,7 +197,7 @@ IterationRow measure_iterations(const std::string& name, const BodyDescription& 
         row.iterations_10pct = iterations_to(0.1, *solver, system);
         row.iterations_1pct = iterations_to(0.01, *solver, system);
     }
-    // Alternating with another matrix, so that a solver that keeps its factor must factor again.
+    // Alternates with another matrix, so that a solver that keeps its factor must factor again.
     BlockMatrix other = system.matrix;
     for (Mat3& block : other.block) block *= 2.0;
     row.prepare_ms = std::numeric_limits<double>::infinity();

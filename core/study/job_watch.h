@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long a user who wants to stop a job, or to see it move, may have to wait: the longest time
-// between two of the worker's looks at its job, stage by stage.
+// Measures how long a user who wants to cancel a job, or to see its progress, may have to wait: the
+// longest time between two checks of the job by its worker, stage by stage.
 #pragma once
 
 #include <mutex>
@@ -12,8 +12,7 @@
 namespace hepatica {
 
 // Wall time is what a user waits, and grows when other programs are busy. Processor time, of all
-// threads of this program together, does not; where one thread works, it is what an idle machine
-// would take.
+// threads of this program, does not; where one thread works, it is the time on an idle machine.
 struct WatchedTime {
     double wall_s = 0.0;
     double cpu_s = 0.0;
@@ -22,13 +21,13 @@ struct WatchedTime {
 struct WatchedStage {
     std::string name;
     WatchedTime whole;
-    WatchedTime longest_check;     // between two moments at which a cancel would have been heard
+    WatchedTime longest_check;     // between two moments at which a cancel would be noticed
     WatchedTime longest_progress;  // between two reports of progress
     std::size_t checks = 0;
     std::size_t reports = 0;
 };
 
-// Watches a job from its making on; the job must outlive it and run nothing before.
+// Watches a job from now on; the job must outlive it and must not have run before.
 class JobWatch {
   public:
     explicit JobWatch(Job& job);
@@ -36,7 +35,7 @@ class JobWatch {
     JobWatch(const JobWatch&) = delete;
     JobWatch& operator=(const JobWatch&) = delete;
 
-    // The stages so far; the last one reaches until now. Any thread.
+    // The stages so far; the last one lasts until now. Callable from any thread.
     std::vector<WatchedStage> stages() const;
 
   private:
@@ -51,7 +50,7 @@ class JobWatch {
     WatchedTime last_progress_;
 };
 
-// The most memory that this process has held so far, in bytes.
+// Peak resident memory of this process in bytes.
 std::size_t peak_memory_bytes();
 
 }  // namespace hepatica

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A motion of the centreline in a file of raw numbers, so that a reference that took minutes need
-// not be computed again on the same machine.
+// Stores a motion of the centreline in a file of raw numbers, so that a slow reference need not be
+// computed again on the same machine.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +10,10 @@
 
 namespace hepatica {
 
-// Throws InputError where it cannot be written.
+// Writes atomically. Throws InputError where it cannot be written.
 void write_motion(const std::filesystem::path& file, const CentrelineMotion& motion);
 
-// Empty where there is no such file or it does not hold exactly `vectors` finite vectors.
+// Empty where the file is missing or does not hold exactly `vectors` finite vectors.
 std::optional<CentrelineMotion> read_motion(const std::filesystem::path& file, std::size_t vectors);
 
 }  // namespace hepatica

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double share_of_the_way = 0.6;  // from the root to the furthest tip
 constexpr int frames_out = Pull::frames / 2;
-constexpr double reach_radii = 1.5;  // of the hand, so that it holds whole cross-sections
+constexpr double reach_radii = 1.5;  // reach of the hand, so that it holds whole cross-sections
 
 std::vector<double> distances_from_roots(const CoarseSkeleton& skeleton) {
     std::vector<double> distance(skeleton.size(), 0.0);
@@ -29,7 +29,7 @@ std::vector<double> distances_from_roots(const CoarseSkeleton& skeleton) {
     return distance;
 }
 
-// The root of the tree that each node belongs to.
+// The root of each node's tree.
 std::vector<int> roots_of(const CoarseSkeleton& skeleton) {
     std::vector<int> root(skeleton.size());
     for (int n = 0; n < skeleton.size(); ++n)
@@ -45,7 +45,7 @@ std::vector<char> trees_that_are_fixed(const BodyDescription& body, const std::v
     return fixed;
 }
 
-// A quarter of each tetrahedron for each of its corners.
+// A quarter of each tetrahedron's volume for each of its corners.
 std::vector<double> lumped_volumes(const TetMesh& mesh) {
     std::vector<double> volume(mesh.vertices_mm.size(), 0.0);
     for (const auto& t : mesh.tetrahedra) {

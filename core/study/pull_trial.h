@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One short pull as a trainee makes it, the same on every mesh of a body, and where the centreline
-// goes meanwhile: what the settings of the dial are compared by.
+// A short pull by a trainee, the same on every mesh of a body, and the motion of the centreline
+// meanwhile. The dial's settings are compared by it.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace hepatica {
 
-// The hand takes the vessel three fifths of the way from a fixed root to the furthest tip and moves
+// The hand holds the vessel three fifths of the way from a fixed root to the furthest tip, moves
 // sideways by 30 mm within half a second, and back in another.
 class Pull {
   public:
@@ -23,9 +23,9 @@ class Pull {
     // Throws InputError where the body has no skeleton or nothing of it is fixed.
     explicit Pull(const BodyDescription& body);
 
-    // The hand's springs on any mesh of the same body at the end of a frame (from 0): together as
-    // stiff as a piece of the vessel one radius long, shared among the vertices within one and a
-    // half radii by the volume around them, so that the mesh does not matter.
+    // The hand's springs on any mesh of the same body at the end of a frame, counted from 0.
+    // Together they are as stiff as a piece of the vessel one radius long, distributed over the
+    // vertices within one and a half radii by their volume, so that the mesh does not matter.
     std::vector<Grab> grabs(const BodyDescription& body, int frame) const;
 
     const Vec3& place_mm() const { return place_mm_; }
@@ -35,10 +35,10 @@ class Pull {
     double radius_mm_ = 0.0;
 };
 
-// Points of a body's centreline, found again in each of its meshes.
+// Points of a body's centreline, located in one of its meshes.
 class CentrelineProbes {
   public:
-    // Each point in the tetrahedron that holds it, or holds it most nearly.
+    // Locates each point in the tetrahedron that contains it, or comes closest to it.
     CentrelineProbes(const std::vector<Vec3>& points_mm, const TetMesh& mesh);
 
     std::vector<Vec3> places_mm(std::span<const Vec3> vertices_mm) const;
@@ -51,7 +51,7 @@ class CentrelineProbes {
     std::vector<Probe> probes_;
 };
 
-// Displacement of every probe after every frame, one frame after the other.
+// Displacements of all probes after each frame, frame by frame.
 using CentrelineMotion = std::vector<Vec3>;
 
 struct MotionDifference {
@@ -60,10 +60,9 @@ struct MotionDifference {
     double largest_mm = 0.0;  // of any probe in any frame
 };
 
-// Of two motions with as many frames and probes, of which the reference is not at rest all the
-// time.
+// Both motions must have the same number of frames and probes; the reference must move.
 MotionDifference motion_difference(std::span<const Vec3> motion, std::span<const Vec3> reference);
-// The relative one.
+// MotionDifference::relative.
 double motion_error(const CentrelineMotion& motion, const CentrelineMotion& reference);
 
 }  // namespace hepatica

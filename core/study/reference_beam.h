@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A clamped beam of square section under its own weight: the body whose answer is known from beam
-// theory (Timoshenko 1921, with Cowper's 1966 shear coefficient), for every study of error.
+// A clamped beam of square section under its own weight, whose deflection is known from beam theory
+// (Timoshenko 1921, with Cowper's 1966 shear coefficient), for the studies of error.
 #pragma once
 
 #include "core/deform/body/body.h"
@@ -8,7 +8,7 @@
 
 namespace hepatica {
 
-// How a study cuts a body: the dial's coordinates that concern the mesh.
+// How a study discretises a body.
 struct Discretisation {
     ElementModel model = ElementModel::corotated;
     ElementOrder order = ElementOrder::linear;
@@ -17,7 +17,7 @@ struct Discretisation {
 
 // "spring", "corotated", "neohookean", with "-10" for quadratic order; "hexahedron".
 std::string name_of(const Discretisation& discretisation);
-// Throws UsageError for a name that is none of these.
+// Throws UsageError for any other name.
 Discretisation discretisation_of(const std::string& name);
 
 struct BeamSpec {
@@ -29,18 +29,18 @@ struct BeamSpec {
     double gravity_mm_s2 = 9810.0;  // along -z
 };
 
-// One of 100 mm by 20 mm, coarse: for what is tried at many steps and elements.
+// A coarse beam of 100 mm by 20 mm, for tests with many time steps and elements.
 BeamSpec short_beam(const Discretisation& discretisation);
 
-// The beam as a body. Kuhn bricks, or one hexahedron a cell.
+// The beam as a body, of Kuhn bricks or of one hexahedron per cell.
 BodyDescription clamped_beam(const BeamSpec& spec, const Discretisation& discretisation);
 
-// How far the tip sinks by linear theory: bending and shear.
+// Tip deflection by linear theory: bending and shear.
 double timoshenko_tip_mm(const BeamSpec& spec);
-// Period of the first bending mode, Euler and Bernoulli.
+// Period of the first bending mode (Euler-Bernoulli).
 double first_period_s(const BeamSpec& spec);
 
-// Mean height lost over the end face.
+// Mean deflection of the end face.
 double tip_deflection_mm(const BeamSpec& spec, std::span<const Vec3> rest_mm,
                          std::span<const Vec3> positions_mm);
 

@@ -24,7 +24,7 @@ struct Played {
     Motion motion;
 };
 
-// The twig's tip led around, then let go.
+// Leads the twig's tip around, then lets it go.
 template <class AfterFrame>
 Played play(Stepper& stepper, const BodyDescription& body, const RegionStudyOptions& options,
             const Job& job, const AfterFrame& after_frame) {
@@ -78,7 +78,8 @@ RegionRow measure(int generations, const RegionStudyOptions& options, Job& job) 
 
     RegionRow row;
     row.tetrahedra = static_cast<int>(body.mesh.tetrahedra.size());
-    // One after the other: the whole body's step would empty the caches of the live part's.
+    // Played one after the other, because a step of the whole body would empty the caches of the
+    // live part.
     const Played part = play(*live, body, options, job, [&](double share) {
         row.live_tetrahedra = std::max(row.live_tetrahedra, live->extent().live_elements);
         job.advance(0.5 * share);

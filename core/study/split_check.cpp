@@ -20,7 +20,7 @@ constexpr double split_rounding = 1e-12;
 
 struct WholeMotion {
     double mass = 0.0, kinetic = 0.0;
-    double moved = 0.0, turned = 0.0;  // sizes of what is summed below
+    double moved = 0.0, turned = 0.0;  // sums of the magnitudes of what is summed below
     Vec3 momentum = Vec3::Zero(), spin = Vec3::Zero();
 };
 
@@ -40,7 +40,7 @@ WholeMotion motion_of(const std::vector<double>& mass_g, const BodyState& state)
     return motion;
 }
 
-// Empty unless more is stored after than before; names the terms.
+// Empty unless the stored energy grew; names the terms.
 std::string energy_made(const EnergyLedger& before, const EnergyLedger& after) {
     const double stored = stored_energy(before);
     if (stored_energy(after) - stored <= 1e-9 * std::abs(stored)) return {};
@@ -66,7 +66,7 @@ std::array<int, 3> sorted(int a, int b, int c) {
 }
 
 std::vector<std::array<int, 3>> in_order(std::vector<std::array<int, 3>> triangles) {
-    // The smallest corner first, turned and not mirrored.
+    // Rotates each triangle so that its smallest corner is first, keeping its orientation.
     for (auto& triangle : triangles)
         std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
     std::ranges::sort(triangles);
@@ -76,7 +76,7 @@ std::vector<std::array<int, 3>> in_order(std::vector<std::array<int, 3>> triangl
 }  // namespace
 
 bool fans_connected(const TetMesh& mesh) {
-    // A corner of a tetrahedron is 4 t + i; those of one vertex are joined across common faces.
+    // Corner i of tetrahedron t is 4 t + i; corners at one vertex are united across common faces.
     DisjointSets corners(4 * mesh.tetrahedra.size());
     std::map<std::array<int, 3>, std::size_t> faces;
     const auto corner_at = [&](std::size_t t, int vertex) {
@@ -123,7 +123,7 @@ std::string SplitCheck::conserved(const Stepper& stepper, const EnergyLedger& en
     const std::vector<double> mass_g =
         build_body(torn(whole_, torn_body_of(*stepper.tearing())), options_.model, options_.order)
             .mass_g;
-    // Vertices keep their velocity, and new ones have that of the vertex that they were.
+    // Vertices keep their velocity, and new ones have that of their origin.
     const WholeMotion before = motion_of(mass_g_, state), after = motion_of(mass_g, state);
     mass_g_ = mass_g;
     if (std::abs(after.mass - before.mass) > split_rounding * before.mass) return "mass changed";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What must hold after every transaction in which a body was split, whatever was done to it.
-// Counted by code of its own, from the torn body alone: nothing that splits is asked.
+// Checks what must hold after every transaction that split a body. The checks use only the torn
+// body and none of the code that splits.
 #pragma once
 
 #include <string>
@@ -13,22 +13,22 @@ namespace hepatica {
 
 class SplitCheck {
   public:
-    // Of a body that is whole, stepped with these options.
+    // `whole`: the untorn body, kept as a reference; `options`: those of its stepper.
     SplitCheck(const BodyDescription& whole, const StepperOptions& options);
 
-    // What does not hold; empty: everything does. Called after every step and cut, in order;
-    // `before` holds the energies just before anything was split. Where nothing was, it costs
-    // nothing. Holds:
-    // - mass, momentum, angular momentum and kinetic energy are those of before, to 1e-12;
-    //   what is stored is not more
-    // - positions are finite, and the split itself turned no tetrahedron inside out
-    // - the tetrahedra around every vertex hang together by faces
-    // - the surface is closed, and the one that the topology tells
+    // Returns what does not hold, or an empty text. Call after every step and cut, in order;
+    // `before` holds the energies just before the split. Costs nothing where nothing was split.
+    // Checks that
+    // - mass, momentum, angular momentum and kinetic energy are unchanged to 1e-12, and the stored
+    //   energy did not grow
+    // - positions are finite
+    // - the tetrahedra around every vertex are connected by faces
+    // - the surface is closed, and equals the surface of the topology.
     std::string after_step(const Stepper& stepper, const EnergyLedger& before);
 
     int splits() const { return splits_; }
-    // Transactions after which a tetrahedron was inside out, pulled so by a tool or a hand; and
-    // after which the surface touched itself along an edge.
+    // Transactions after which a tetrahedron was inverted (by a tool or a hand, as a split moves
+    // nothing); and after which the surface touched itself along an edge.
     int with_inverted() const { return with_inverted_; }
     int with_touching_edges() const { return with_touching_edges_; }
 
@@ -38,11 +38,11 @@ class SplitCheck {
 
     const BodyDescription& whole_;
     StepperOptions options_;
-    std::vector<double> mass_g_;  // of the nodes, before
+    std::vector<double> mass_g_;  // of the nodes before the split
     int splits_ = 0, with_inverted_ = 0, with_touching_edges_ = 0;
 };
 
-// Whether the tetrahedra around every vertex hang together by faces.
+// Whether the tetrahedra around every vertex are connected by faces.
 bool fans_connected(const TetMesh& mesh);
 
 }  // namespace hepatica

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int frames_per_batch = 20;
 
-// One stepper that is always stepped with the same number of threads.
+// One stepper with a fixed number of threads.
 struct Run {
     StepRow row;
     std::unique_ptr<Stepper> stepper;
@@ -47,8 +47,8 @@ void advance(Run& run, const Grab& grab, const Job& job) {
     run.handled_nj.push_back(energy_handled(report.energy));
 }
 
-// Largest of any step, of the energies it handled. Steps in which next to nothing has moved yet
-// handle rounding errors alone.
+// Largest imbalance of any step, relative to the energies it handled. Steps in which next to
+// nothing has moved are left out, because they handle only rounding errors.
 double largest_imbalance(const Run& run) {
     const double most = *std::max_element(run.handled_nj.begin(), run.handled_nj.end());
     double largest = 0.0;
@@ -61,7 +61,7 @@ double largest_imbalance(const Run& run) {
 }  // namespace
 
 std::vector<StepRow> study_steps(const StepStudyOptions& options, Job& job) {
-    Job meshing;  // its stages are none of the caller's
+    Job meshing;  // separate job, because its stages are not the caller's
     BodyDescription body =
         body_of(options.tree.segments.empty() ? study_tree(6, 6.0) : options.tree,
                 options.tetrahedra, meshing);

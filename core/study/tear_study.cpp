@@ -152,7 +152,7 @@ std::vector<int> nearest_joints(const Tearing& tearing, const Vec3& place_mm) {
 }
 
 BreakingRow measure_breaking(int tetrahedra, int tries, const Job& job) {
-    Job meshing;  // its stages are none of the caller's
+    Job meshing;  // separate job, because its stages are not the caller's
     BodyDescription body = body_of(study_tree(6, 6.0), tetrahedra, meshing);
     body.tether_pa_per_mm2 = 20.0;
     body.tear = TearLaw{.bare_limit = true};

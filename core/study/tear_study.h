@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What tearing a bar takes, on meshes of several sizes: by a bare force limit and with a fracture
-// energy, to the end and with each stop.
+// Force, work and entropy of tearing a bar, on meshes of several sizes: with a bare force limit and
+// with a fracture energy, without and with each stop.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct TearStudyOptions {
     std::vector<double> tear_factors{0.5, 1.0, 2.0};
     double entropy_budget_nats = 0.3;
     int vertex_budget = 20;
-    double step_mm = 0.05;  // by which the end is pulled in a step
+    double step_mm = 0.05;  // by which each step pulls the end
 };
 
 struct TearRow {
@@ -28,7 +28,7 @@ struct TearRow {
     double edge_mm = 0.0;
     int tetrahedra = 0;
     double force_max_un = 0.0;  // on the pulled end
-    double work_nj = 0.0;       // of fracture, or of what a bare limit lets go
+    double work_nj = 0.0;       // energy of fracture, or released by a bare limit
     double opened_mm2 = 0.0;    // of joints that came apart
     int vertices_split = 0;
     int pieces = 1;
@@ -43,22 +43,23 @@ struct TearRow {
     std::vector<Sample> samples{};  // after each step
 };
 
-// A bar of 20 x 4 x 4 mm with a notch of a quarter of its section in its middle, pulled by 10 mm.
-// Throws InputError for values out of range, Cancelled.
+// Tears a bar of 20 x 4 x 4 mm with a notch of a quarter of its section in its middle, pulled by 10
+// mm. Begins one stage of the job. Throws InputError for values out of range, Cancelled.
 std::vector<TearRow> study_tear(const TearStudyOptions& options, Job& job);
 
-// Medians over the frames; of each the wall time, or the processor's where that is less.
+// Medians over the frames; each time is wall time, or processor time where that is less.
 struct BreakingRow {
     int tetrahedra = 0;
-    double joints = 0.0;     // that broke in a frame
-    double awake_ms = 0.0;   // a frame in which none does
-    double breaks_ms = 0.0;  // the one in which they break
-    double after_ms = 0.0;   // the one behind it, the first of the torn body
+    double joints = 0.0;     // broken in a frame
+    double awake_ms = 0.0;   // of a frame in which none breaks
+    double breaks_ms = 0.0;  // of the frame in which they break
+    double after_ms = 0.0;   // of the next frame, the first of the torn body
 };
 
-// The symmetric tree of 63 branches, of about so many tetrahedra each row, its far end led around
-// by 2 mm, all of it awake. Around a place that is another in every try, the hundred joints that
-// are nearest lose their strength and break at once. Throws Cancelled.
+// Leads the far end of the symmetric tree of 63 branches around a circle of 2 mm radius, all of it
+// awake, with about `tetrahedra` tetrahedra in each row. In every try the hundred joints nearest to
+// another place lose their strength and break at once. Begins one stage of the job. Throws
+// Cancelled.
 std::vector<BreakingRow> study_breaking(const std::vector<int>& tetrahedra, int tries, Job& job);
 
 }  // namespace hepatica

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Times of repeated work, for the benchmarks.
+// Timers and quantiles of repeated work, for the benchmarks.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace hepatica {
 
-// What a frame took. Of the two only processor time, of all threads of this program, does not grow
-// while other programs have the cores.
+// Time of a frame. Only processor time, of all threads of this program, does not grow while other
+// programs use the cores.
 struct FrameTime {
     double wall_ms = 0.0;
     double processor_ms = 0.0;
@@ -19,7 +19,7 @@ struct FrameTime {
     double cost_ms() const { return std::min(wall_ms, processor_ms); }
 };
 
-// Runs from its making on.
+// Starts when it is constructed.
 class FrameTimer {
   public:
     FrameTime passed() const {
@@ -34,7 +34,7 @@ class FrameTimer {
     std::clock_t processor_start_ = std::clock();
 };
 
-// Wall-clock time of one call.
+// Wall time of one call.
 template <class Work>
 double timed_ms(const Work& work) {
     const auto start = std::chrono::steady_clock::now();
@@ -43,8 +43,8 @@ double timed_ms(const Work& work) {
         .count();
 }
 
-// The value that `share` of the values are below; 0.5 is the median: neither a cold first call nor
-// a disturbed one counts. At least one value.
+// The quantile at `share` in [0, 1], rounded down to a value; 0.5 is the median, which a cold first
+// call or a disturbed one hardly affects. Requires at least one value.
 inline double quantile(std::vector<double> values, double share) {
     const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), values.begin() + place, values.end());

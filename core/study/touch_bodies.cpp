@@ -11,7 +11,8 @@ namespace {
 
 constexpr int waves = 3;
 
-// Moves by at most `steepness` for each millimetre between two points: nothing folds over.
+// A displacement whose gradient is at most `steepness`, so that nothing folds over for values below
+// 1.
 class Waves {
   public:
     Waves(std::mt19937_64& random, double length_mm, double steepness) {

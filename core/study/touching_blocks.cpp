@@ -43,7 +43,7 @@ TouchingBlocks block_on_slab(int slab_cells, int block_cells, double gap_mm) {
     for (const Vec3& x : body.mesh.vertices_mm) body.fixed.push_back(x.z() < 1e-9 ? 1 : 0);
     blocks.first_of_block = static_cast<int>(body.mesh.vertices_mm.size());
     TetMesh block = brick(block_cells);
-    // Beside the vertices below, as no two meshes fit.
+    // Shifted against the vertices below, as the meshes of real surfaces do not match.
     const double from = 0.5 * (slab_cells - block_cells) * study_cell_mm;
     for (Vec3& x : block.vertices_mm)
         x += Vec3(from + 0.31 * study_cell_mm, from + 0.17 * study_cell_mm, layers_mm + gap_mm);

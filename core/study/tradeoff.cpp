@@ -35,7 +35,7 @@ std::vector<Setting> beam_settings(bool quick) {
     std::vector<Setting> meshes{
         {"corotated", {20, 3, 3}}, {"corotated-10", {10, 2, 2}}, {"hexahedron", {16, 3, 3}}};
     if (!quick) meshes.push_back({"corotated", {35, 7, 7}});
-    // Frames that end up in substeps: the length of the step decides the error of motion.
+    // Coarse meshes with several substeps: there the time step dominates the error of motion.
     for (const auto& [element, cells] :
          {std::pair<const char*, Index3>{"hexahedron", {5, 1, 1}}, {"corotated-10", {8, 1, 1}}})
         for (const int substeps : {2, 4, 8})
@@ -90,7 +90,7 @@ double rest_tip(BeamSpec spec, const Index3& cells, const char* element, Job& jo
                                                  .linear = {.energy_tolerance = 1e-4},
                                                  .newton_iterations = 30});
     stepper->set_gravity(Vec3(0, 0, -spec.gravity_mm_s2));
-    constexpr int long_steps = 6;  // in which backward Euler forgets the motion
+    constexpr int long_steps = 6;  // in which backward Euler damps all motion
     for (int i = 0; i < long_steps; ++i) {
         job.advance((1.0 + i) / (1.0 + long_steps));
         stepper->step(100.0, job.stop_token());
@@ -98,7 +98,8 @@ double rest_tip(BeamSpec spec, const Index3& cells, const char* element, Job& jo
     return tip_deflection_mm(spec, body.mesh.vertices_mm, stepper->positions_mm());
 }
 
-// The tip's fall over the first frames with steps so short that backward Euler no longer brakes.
+// The tip's fall over the first frames, with steps so short that backward Euler's damping is
+// negligible.
 std::vector<double> reference_motion(BeamSpec spec, Job& job) {
     spec.cells = {10, 2, 2};
     const BodyDescription body = clamped_beam(spec, discretisation_of("corotated-10"));
@@ -154,7 +155,7 @@ TradeoffPoint measure_beam(BeamSpec spec, const Setting& setting, const BeamRefe
     point.options = options_of(setting, d);
     point.error_relative = point.rest_error_relative = std::numeric_limits<double>::quiet_NaN();
     StepperOptions options = point.options;
-    options.substeps = 1;  // the meter takes them one by one
+    options.substeps = 1;  // the meter makes the substeps one by one
     const auto stepper = make_cpu_stepper(body, options);
     stepper->set_gravity(Vec3(0, 0, -spec.gravity_mm_s2));
     FrameMeter meter;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Writes a Tradeoff as CSV and SVG: write_tradeoff() of tradeoff.h.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +13,7 @@
 namespace hepatica {
 namespace {
 
-// Words may hold commas; they hold no quotation marks.
+// Texts may hold commas but no quotation marks.
 std::string csv_of(const Tradeoff& tradeoff) {
     std::ostringstream out;
     out << "element,elements,region,back_end,device,solver,energy_tolerance,max_iterations,newton_"
@@ -94,7 +95,7 @@ std::string words_of(const TradeoffPoint& point) {
     return words.str();
 }
 
-// Full circle: the body's own mesh, whole; square: only the live region; ring: another mesh.
+// Filled circle: the body's own mesh, whole; square: only the live region; ring: another mesh.
 void draw_point(std::ostream& out, const TradeoffPoint& p, double x, double y, const char* colour) {
     const double r = p.on_front ? 6.0 : 4.0;
     const std::string opacity = p.on_front ? "1" : "0.45";

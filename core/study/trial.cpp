@@ -39,19 +39,20 @@ bool Trial::judge(const StepReport& report) {
     return check_energy(report);
 }
 
-// Earlier losses must not hide a later gain, so every step is judged alone.
+// Every step is judged alone, so that earlier losses cannot hide a later gain.
 bool Trial::check_energy(const StepReport& report) {
     const EnergyLedger& e = report.energy;
     const double stored = stored_energy(e), work = work_put_in(e);
-    // What the books explain, with the nonlinear loss by the energies: the audit is judged apart.
+    // The change that the ledger explains, with the nonlinear loss taken from the energies; the
+    // audit is judged separately.
     const double change = explained_change(e) - report.audit_gap_nj;
-    // The energy at the start is from the first step's ledger.
+    // The energy at the start is reconstructed from the first step's ledger.
     const double before = started_ ? stored_ : stored - change - e.imbalance - report.audit_gap_nj;
     started_ = true;
     stored_ = stored;
     const double in_step = std::abs(before) + energy_handled(e);
     handled_ = std::max(handled_, in_step);
-    // What is left of a body's energies when it rests is rounding errors of those it had.
+    // The energies left in a body at rest are rounding errors of those it had.
     const double size = std::max(in_step, rounding * handled_);
     if (!(size > 0.0)) return true;
     row_.energy_made = std::max(row_.energy_made, (stored - before - work) / size);
@@ -63,12 +64,12 @@ bool Trial::check_energy(const StepReport& report) {
     return require(open < ledger_tolerance, what.str()) && check_audit(report, size);
 }
 
-// A law's energy is the difference of terms as large as modulus times volume (unlike its forces),
-// whose rounding weighs the more the less strain is left: a step is judged against a millionth, at
-// least, of the most that any has handled.
+// A law's energy is a difference of terms as large as modulus times volume (its forces are not), so
+// rounding weighs more the less strain is left. A step is therefore judged against at least a
+// millionth of the most that any step has handled.
 bool Trial::check_audit(const StepReport& report, double in_step) {
-    // A body of this suite that moves handles more than a nanojoule; one that has not moved yet
-    // has rounding errors alone.
+    // Any moving body of this suite handles more than a nanojoule; one that has not moved yet has
+    // only rounding errors.
     constexpr double least_nj = 1e-3;
     const double size = std::max({in_step, 1e-6 * handled_, least_nj});
     if (report.audit_error_nj > 1e-3 * size) {

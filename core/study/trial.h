@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps a body and watches what no body may do: leave the finite numbers, or make energy.
+// Steps a body and checks that its state stays finite and no energy is created.
 #pragma once
 
 #include <span>
@@ -15,8 +15,9 @@ namespace hepatica {
 class Trial {
   public:
     static constexpr double ledger_tolerance = 1e-9;
-    // What the ledger leaves open is judged against what the step handled, but at least against
-    // this share of the most that any step has handled, and against `least_nj`.
+    // The ledger's imbalance is judged relative to the energy that the step handled, but at least
+    // to `ledger_share` of the most that any step has handled, and to `least_nj`. Keeps references
+    // to stepper and row.
     Trial(Stepper& stepper, ExtremeRow& row, ExtremeRun how, double ledger_share = 0.0,
           double least_nj = 0.0)
         : stepper_(stepper),
@@ -25,26 +26,28 @@ class Trial {
           ledger_share_(ledger_share),
           least_nj_(least_nj) {}
 
-    // Steps, as often as it may; false as soon as something is wrong, which the row then says.
+    // Makes up to `steps` steps; returns false as soon as something is wrong, which the row's note
+    // then says.
     bool run(int steps, double dt_s);
 
-    // What run() asks of each step, of one that was just made.
+    // The checks of run(), for one step that was just made.
     bool judge(const StepReport& report);
 
-    // Fails the row unless `good`.
+    // Fails the row unless `good`; returns `good`.
     bool require(bool good, const std::string& what);
-    // Books the error and fails the row where it is larger than allowed or not a number.
+    // Records the relative error, and fails the row where it is larger than allowed or not a
+    // number.
     bool require_close(double value, double expected, double allowed, const std::string& reference);
 
-    // No element of the body, tetrahedron or hexahedron, is flat or inside out at a corner or an
-    // integration point. Body, model and order are those the stepper was made with.
+    // Requires that no element of the body, tetrahedron or hexahedron, is flat or inverted at a
+    // corner or an integration point. Body, model and order must be those of the stepper.
     bool require_positive_volumes(const BodyDescription& body, ElementModel model,
                                   ElementOrder order);
-    // No vertex further from its place than allowed.
+    // Requires that no vertex is further from its place than allowed.
     bool require_back_at(std::span<const Vec3> places_mm, double allowed_mm);
 
-    // Of the next step, as run() asks of every step: nothing more is stored than before and put in,
-    // the ledger says where the rest went, and what is stored fell by the work of the forces.
+    // Checks the energies of a step, as run() does: no more is stored than before plus what was put
+    // in, the ledger explains the rest, and the stored energy fell by the work of the forces.
     bool check_energy(const StepReport& report);
 
   private:

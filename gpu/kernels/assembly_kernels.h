@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Assembly by nonzero entries in global memory: one thread a node, and one a nonzero block, adds up
-// the slots that its list names. No two threads write one place.
+// Assembly of forces and stiffness by gathering: one thread per node, and one per upper block of
+// the matrix, adds up the slots named in its list. No two threads write to the same place.
 #pragma once
 
 #include "gpu/kernels/element_kernels.h"
@@ -8,15 +8,15 @@
 
 namespace hepatica::gpu {
 
-// Lists over slots, as GatherLists.
+// Lists of slots in compressed form, as GatherLists.
 struct ListsView {
     View<const int> begin, place;
     std::size_t bytes() const { return bytes_of(begin, place); }
 };
 
-// Elastic force and energy of each node.
+// Sums the elastic force [uN] and energy [nJ] of each node.
 struct GatherForces {
-    ListsView lists;  // one a node
+    ListsView lists;  // one list per node
     View<const ForceSlot> slot;
     View<Vector3<double>> force;
     View<double> energy;
@@ -36,11 +36,12 @@ struct GatherForces {
     }
 };
 
-// The blocks of K beside the diagonal: each upper one is added up and written to its two places.
+// Sums the off-diagonal blocks of K: each upper block is written to its place, and transposed to
+// its mirror.
 template <class Real>
 struct GatherStiffness {
-    View<const int> place, mirror;          // of each upper block in `block`
-    ListsView factors, blocks, transposed;  // one list an upper block
+    View<const int> place, mirror;          // indices of each upper block and its mirror in `block`
+    ListsView factors, blocks, transposed;  // one list per upper block
     View<const Aligned3<Real>> turned;
     View<const Matrix3<Real>> slot;
     Real lambda_over_mu;

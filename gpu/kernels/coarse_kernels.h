@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The coarse space of the vessel tree's own centreline (AffineCoarseSpace of core/deform): two
-// nodes move a vertex, each by four vectors. P maps their motions to the vertices. Nodes have the
-// numbers of their slots (CoarsePlan).
+// Kernels of the coarse space built on the vessel tree's centreline (AffineCoarseSpace of
+// core/deform): each vertex follows two nodes, and each node has four vectors. P maps the nodes'
+// motion to the vertices. Nodes are numbered by their slots (CoarsePlan).
 #pragma once
 
 #include "gpu/kernels/cut_kernels.h"
@@ -10,8 +10,8 @@
 
 namespace hepatica::gpu {
 
-// Row of P: both nodes of a vertex and its weights in their vectors, which a device fetches four at
-// once where a kernel takes the whole row.
+// A row of P: both nodes of a vertex, and its weights in their vectors. Aligned so that a device
+// loads four numbers at once when a kernel reads the whole row.
 template <class Real>
 struct alignas(16) VertexModes {
     Real weight[2][coarse_vectors];
@@ -25,13 +25,13 @@ struct alignas(16) VertexModes {
     }
 };
 
-// One of the two nodes of a vertex and its share of it, which sum to 1 (SkeletonBinding).
+// The two nodes of a vertex and its shares of them, which sum to 1 (SkeletonBinding).
 struct VertexShares {
     int node[2];
     double share[2];
 };
 
-// Sums w x and w over the vertices of each node, w being their shares of it.
+// Sums w x and w over the vertices of each node, where w is the vertex's share of the node.
 struct CentreOfNode {
     static constexpr int width = 4;
     View<const VertexShares> shares;
@@ -57,7 +57,7 @@ struct KeepCentre {
     }
 };
 
-// The rows of P at this shape, as AffineCoarseSpace::set_shape.
+// Computes the rows of P at the present shape, as AffineCoarseSpace::set_shape().
 template <class Real>
 struct ShapeModes {
     View<const VertexShares> shares;
@@ -82,38 +82,39 @@ struct ShapeModes {
     }
 };
 
-// Two nodes, and where their part of P^T A P lies: the block of the factor, and the first row and
-// column in it.
+// Two nodes and the position of their entry of P^T A P: the block of the factor, and the first row
+// and column in it.
 struct NodePair {
     int own, other;
     int block, row, column;
 };
 
-// What a few vertices between the same two nodes hold of
+// The contribution of a few vertices between the same two nodes to
 //   P^T A P = sum_i P_i (m_i P_i + sum_j A_ij (P_j - P_i)),
-// which is taken by differences, as A itself. Its parts are 144 numbers each, of one of its own two
-// nodes and another one that moves these vertices or their neighbours: by the own node's vector,
-// the other one's, and the rows of 3 x 3 blocks.
+// evaluated by differences, as A itself is. It consists of parts of 144 numbers, one per pair of an
+// own node and another node that moves these vertices or their neighbours, ordered by the own
+// node's vector, the other node's vector, and the rows of the 3 x 3 blocks.
 struct CoarseElement {
     static constexpr int most_vertices = 32, most_others = 4;
     static constexpr int part_numbers = 9 * coarse_vectors * coarse_vectors;
 
-    int first, vertices;  // places in the list of vertices
+    int first, vertices;  // range in the list of vertices
     int own[2];
-    int other[most_others];  // -1: none
-    unsigned wanted;         // parts that a pair of nodes asks for, a bit each
+    int other[most_others];
+    unsigned wanted;  // one bit for each part that a pair of nodes uses
 
     HEPATICA_HOST_DEVICE bool wants(int side, int k) const {
         return (wanted >> (side * most_others + k) & 1u) != 0;
     }
-    // The number of a part among those of all elements.
+    // Index of a part among those of all elements.
     HEPATICA_HOST_DEVICE static int part(int element, int side, int other) {
         return (2 * element + side) * most_others + other;
     }
 };
 
-// One block of threads an element: at first a thread is a vertex and a vector of the other nodes,
-// then both nodes with a vector of each. Grabs are left out.
+// One block of threads per element. In the first phase a thread is a vertex and a vector of the
+// other nodes; in the second, a pair of nodes with a vector of each. Grabs and touches are left
+// out.
 template <class Real>
 struct ProjectElements {
     static constexpr int others = CoarseElement::most_others;
@@ -137,7 +138,7 @@ struct ProjectElements {
     }
 
   private:
-    // A P of a vertex for one vector of every other node; numbers lie `threads` apart.
+    // A P of a vertex for one vector of every other node; consecutive numbers are `threads` apart.
     HEPATICA_HOST_DEVICE void apply(const CoarseElement& at, int thread, double* image) const {
         const int vector = thread % coarse_vectors;
         if (thread / coarse_vectors >= at.vertices) return;
@@ -182,13 +183,13 @@ struct ProjectElements {
     }
 };
 
-// P^T A P from its parts: a block of threads a pair of nodes, a thread a number.
+// Gathers P^T A P from its parts: one block of threads per pair of nodes, one thread per number.
 struct GatherProjected {
     static constexpr int threads = CoarseElement::part_numbers, shared = 1;
     View<const NodePair> pair;
     View<const int> part_begin, parts;
     View<const double> part;
-    View<double> matrix;  // blocks of the factor
+    View<double> matrix;  // in blocks of the factor
 
     int blocks() const { return pair.size; }
     HEPATICA_HOST_DEVICE int phases() const { return 1; }
@@ -208,7 +209,7 @@ struct GatherProjected {
     }
 };
 
-// P^T r, added up over the vertices of each node: entry k of them is vertex[k].
+// P^T r, summed over the vertices of each node; entry k of the sum is vertex[k] of node[k].
 template <class Real>
 struct RestrictResidual {
     static constexpr int width = 3 * coarse_vectors;

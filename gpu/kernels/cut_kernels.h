@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The factor N D N^T of the coarse matrix by cuts of two nodes (CoarsePlan), N inverted, and the
-// solve. One block of threads eliminates a cut: blocks are dense, gathered by lists, and no two
-// blocks of threads of a level write one place.
+// Block factorisation N D N^T of the coarse matrix P^T A P by cuts of two nodes each (CoarsePlan),
+// the inversion of N, and the solve. One block of threads eliminates a cut: blocks are dense and
+// gathered by lists, and no two blocks of threads of a level write to the same place.
 #pragma once
 
 #include "gpu/kernels/planes.h"
@@ -13,18 +13,19 @@ constexpr int node_rows = 3 * coarse_vectors;
 constexpr int cut_rows = 2 * node_rows;
 constexpr int cut_entries = cut_rows * cut_rows;
 
-// By columns, so that threads of neighbouring rows read neighbouring entries.
+// Column-major, so that threads of neighbouring rows read neighbouring entries.
 HEPATICA_HOST_DEVICE int entry_of_cut(int row, int column) {
     return column * cut_rows + row;
 }
 
-// What moves a node, which a device fetches four numbers at once.
+// The motion of a node, aligned so that a device loads four numbers at once.
 template <class Real>
 struct alignas(16) NodeMotion {
     Real number[node_rows];
 };
 
-// The lists of CoarsePlan: the blocks of N, column by column, and what elimination takes from each.
+// Lists of CoarsePlan: the blocks of N column by column, and the updates that elimination subtracts
+// from each block.
 struct CutListsView {
     struct Update {
         int left, right;
@@ -34,43 +35,46 @@ struct CutListsView {
     View<const Update> update;
 };
 
-// The blocks of N^-1 beside its diagonal, row by row: those of a cut and all that stand below it.
+// The off-diagonal blocks of N^-1 row by row: one for each cut and each cut below it.
 struct InverseListsView {
-    // The block in the column of a cut and the row of another one.
+    // A block, and the cut of its row.
     struct Above {
         int block, cut;
     };
-    // What a block is minus the sum of: a product of one of N^-1 (-1: its diagonal) and one of N.
+    // A block is minus the sum of such products of a block of N^-1 (-1: its diagonal, the identity)
+    // and a block of N.
     struct Product {
         int inverse, factor;
     };
-    View<const int> by_level;  // blocks, those first whose columns stand highest
+    View<const int> by_level;  // blocks, highest column cut first
     View<const int> column;    // of each block
     View<const int> product_begin;
     View<const Product> product;
     View<const int> chunk_begin,
-        first_chunk;  // blocks of each chunk, which is of one row; its chunks
+        first_chunk;  // blocks of each chunk, which belong to one row; chunks of each row
     View<const int> above_begin;
     View<const Above> above;
 };
 
-// A pivot that elimination has lowered to this share of what it was is rounding: its vector is left
-// out of the coarse space. So are those that move nothing, whose pivots are zero from the start.
+// A pivot that elimination has reduced to this share of its initial value is rounding error; its
+// vector is dropped from the coarse space. So are vectors that move nothing, whose pivots are zero
+// from the start.
 constexpr double least_pivot = 1e-10;
 
-// Cuts of one level: C_ip = A_ip - sum_k C_ik N_pk^T, D_p = C_pp inverted, N_ip = C_ip D_p^-1. A
-// thread has one entry of every block.
+// Eliminates the cuts of one level: C_ip = A_ip - sum_k C_ik N_pk^T, D_p^-1 = (C_pp)^-1, N_ip =
+// C_ip D_p^-1. A thread has one entry of every block.
 template <class Real>
 struct EliminateCuts {
     static constexpr int threads = cut_entries;
-    // C_pp before and after a pivot; its diagonal before all; one over this pivot and the next
+    // C_pp before and after a pivot; its initial diagonal; the reciprocals of this pivot and the
+    // next
     static constexpr int shared = 2 * cut_entries + cut_rows + 2;
     CutListsView lists;
     int first, cuts;
     View<const double> matrix;
     View<double> reduced, multiplier;  // C, N
     View<double> pivot;                // D_p^-1 of each cut
-    View<Real> factor;                 // N, rounded
+    View<Real> factor;                 // N, rounded to Real
 
     int blocks() const { return cuts; }
     HEPATICA_HOST_DEVICE int phases() const { return 2 + cut_rows; }
@@ -90,9 +94,10 @@ struct EliminateCuts {
 
   private:
     static constexpr int diagonal = 2 * cut_entries, scales = diagonal + cut_rows;
-    static_assert(cut_rows % 2 == 0);  // the last pivot leaves C_pp at the front
+    static_assert(cut_rows % 2 == 0);  // so that the last pivot leaves C_pp in the first half
 
-    // What pivot k, as elimination has left it, is divided by. One thread has it for all others.
+    // Reciprocal of pivot k after elimination, or 0 where it is dropped. One thread computes it for
+    // all others.
     HEPATICA_HOST_DEVICE void set_scale(int k, double value, double* own) const {
         const bool alive = value > least_pivot * own[diagonal + k] && value > 0.0;
         own[scales + k % 2] = alive ? 1.0 / value : 0.0;
@@ -117,7 +122,7 @@ struct EliminateCuts {
             if (block == begin && entry == 0) set_scale(0, sum, own);
         }
     }
-    // A step of Gauss and Jordan's inversion, from one half of the memory into the other.
+    // One step of Gauss-Jordan inversion, from one half of the memory into the other.
     HEPATICA_HOST_DEVICE void turn_pivot(int k, int entry, double* own) const {
         const double* const before = own + k % 2 * cut_entries;
         double& after = own[(1 - k % 2) * cut_entries + entry];
@@ -149,8 +154,8 @@ struct EliminateCuts {
     }
 };
 
-// Blocks of N^-1 whose columns are of one level, from the level above on: a thread has a row and a
-// few columns.
+// Computes the blocks of N^-1 whose columns are of one level, after those of the levels above. A
+// thread has one row and a few columns.
 template <class Real>
 struct InvertFactor {
     static constexpr int parts = 4, columns = cut_rows / parts;
@@ -184,7 +189,7 @@ struct InvertFactor {
     }
 
   private:
-    // A row of the left factor times columns of the right one.
+    // Subtracts a row of the left factor times columns of the right one.
     HEPATICA_HOST_DEVICE static void subtract(const Real* left, const Real* right, Real* sum) {
         HEPATICA_UNROLL
         for (int c = 0; c < cut_rows; ++c) {
@@ -194,15 +199,15 @@ struct InvertFactor {
     }
 };
 
-// A solve is x = N^-T D^-1 N^-1 b, in three kernels of many threads each: substitution would go
-// through the levels one after the other, and wait for each. Here eight threads have three rows or
-// columns of a block each, and one adds up what they found.
+// A solve is x = N^-T D^-1 N^-1 b, in three kernels with many threads each. Substitution would need
+// one dependent launch per level instead. Eight threads share a row or column of a block, with
+// three entries each, and one of them adds up the results.
 struct CutThreads {
     static constexpr int parts = 8, each = cut_rows / parts;
     static constexpr int threads = cut_rows * parts, shared = threads;
     static_assert(each * parts == cut_rows);
 
-    // The sum of a row's parts, which lie cut_rows apart.
+    // Sum of a row's parts, which are cut_rows apart.
     HEPATICA_HOST_DEVICE static double add_up(const double* of_row) {
         double sum = 0.0;
         for (int part = 0; part < parts; ++part) sum += of_row[part * cut_rows];
@@ -210,14 +215,14 @@ struct CutThreads {
     }
 };
 
-// N^-1 b beside the diagonal, by chunks.
+// The off-diagonal part of N^-1 b, by chunks.
 template <class Real>
 struct SumBelow : CutThreads {
-    static constexpr int most_blocks = 8;  // of a chunk
+    static constexpr int most_blocks = 8;  // blocks of a chunk
     InverseListsView lists;
     View<const Real> inverse;
-    View<const double> load;  // cut_rows for each cut, as in what follows
-    View<double> partial;     // cut_rows for each chunk
+    View<const double> load;  // cut_rows numbers for each cut, as in the following kernels
+    View<double> partial;     // cut_rows numbers for each chunk
 
     int blocks() const { return lists.chunk_begin.size - 1; }
     HEPATICA_HOST_DEVICE int phases() const { return 2; }
@@ -240,12 +245,13 @@ struct SumBelow : CutThreads {
     }
 };
 
-// D^-1 of what chunks and diagonal of N^-1 give.
+// D^-1 times N^-1 b, whose off-diagonal part is the sum of the chunks and whose diagonal part is b.
 template <class Real>
 struct DivideByPivots : CutThreads {
     static constexpr int shared = threads + cut_rows;
     InverseListsView lists;
-    View<const double> pivot;  // D^-1: rounded to float it would not always be positive definite
+    View<const double>
+        pivot;  // D^-1 in double: rounded to float it would not always be positive definite
     View<const double> load, partial;
     View<double> divided;
 
@@ -277,7 +283,7 @@ struct DivideByPivots : CutThreads {
     }
 };
 
-// N^-T of that.
+// N^-T times that result.
 template <class Real>
 struct SumAbove : CutThreads {
     InverseListsView lists;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One thread an element: its forces and stiffness into slots of its own, laid out by the
-// AssemblyPlan of core/deform, by the element functions that the CPU uses. All is computed in
-// double and the stiffness rounded to Real: forces rounded to float would hide what moves little
-// beside something stiff.
+// One thread per element: its forces and stiffness are written to slots of its own, laid out by the
+// AssemblyPlan of core/deform and computed by the element functions that the CPU uses. All is
+// computed in double, and only the stiffness is rounded to Real: forces rounded to float would hide
+// slow motion beside stiff elements.
 #pragma once
 
 #include "core/deform/elements/spring_element.h"
@@ -14,7 +14,7 @@ namespace hepatica::gpu {
 using small::Matrix3;
 using small::Vector3;
 
-// Three numbers that a device moves as four at once.
+// Three numbers, padded so that a device moves four at once.
 template <class T>
 struct alignas(4 * sizeof(T)) Aligned3 : Vector3<T> {
     Aligned3() = default;
@@ -25,7 +25,7 @@ struct alignas(4 * sizeof(T)) Aligned3 : Vector3<T> {
 };
 static_assert(sizeof(Aligned3<float>) == 4 * sizeof(float));
 
-// What an element does to one of its nodes: a force [uN], and an equal share of its energy [nJ].
+// The force of an element on one of its nodes [uN], and an equal share of its energy [nJ].
 struct alignas(16) ForceSlot {
     Vector3<double> force;
     double energy;
@@ -43,12 +43,12 @@ HEPATICA_HOST_DEVICE void round_to(const Matrix3<double>& from, Matrix3<Real>& t
         for (int c = 0; c < 3; ++c) to(r, c) = Real(from(r, c));
 }
 
-// The elements of one group, and where they are.
+// The elements of one group and the positions of the nodes.
 struct GroupViews {
     View<const int> connectivity;
-    View<const Vector3<double>> position;  // of every node, mm
-    View<ForceSlot> slot;                  // of every group
-    int first_slot = 0;                    // of this group's
+    View<const Vector3<double>> position;  // of every node [mm]
+    View<ForceSlot> slot;                  // of all groups
+    int first_slot = 0;                    // first slot of this group
 
     std::size_t bytes() const {
         const std::size_t slots = static_cast<std::size_t>(connectivity.size);
@@ -65,13 +65,13 @@ struct GroupViews {
     }
 };
 
-// Linear corotated elements of one ratio lambda / mu: the stiffness in factors, see
-// evaluate_turned_gradients.
+// Linear corotated elements with one ratio lambda / mu; their stiffness is stored in factors, see
+// evaluate_turned_gradients().
 template <class Real>
 struct EvaluateTurned {
     GroupViews group;
     TetrahedronRests rest;
-    View<Aligned3<Real>> turned;  // as the slots
+    View<Aligned3<Real>> turned;  // laid out as the slots
 
     HEPATICA_HOST_DEVICE int count() const { return rest.size; }
     std::size_t bytes() const { return group.bytes() + bytes_of(rest) + bytes_of(turned); }
@@ -85,7 +85,8 @@ struct EvaluateTurned {
     }
 };
 
-// Tetrahedra of any law that write their blocks; without room for blocks, their forces alone.
+// Tetrahedra of any law that write their stiffness blocks; without room for blocks, the forces
+// alone.
 template <class Real, int Nodes, small::Tangent tangent, template <class> class Law>
 struct EvaluateTetrahedra {
     static constexpr int pairs = small::pair_count<Nodes>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Grabs on the device, with the equations of GrabSprings: a spring of limited force between a
-// weighted mean of up to four nodes and a target. Every node knows its grabs, so that its row of
-// the matrix and its force are added up by its own thread.
+// target and a weighted mean of up to four nodes. Every node has a list of its grabs, so that one
+// thread per node computes its matrix row and its force.
 #pragma once
 
 #include "gpu/kernels/element_kernels.h"
@@ -14,18 +14,18 @@ struct GrabSpring {
     double weight[4];
     Vector3<double> target;
     double stiffness, limit;  // uN/mm, uN
-    // Bit 4 a + b: the matrix of elements has a block of nodes a and b. Where it has none, their
-    // stiffness goes to the diagonal, as GrabSprings has it.
+    // Bit 4 a + b: the elements' matrix has a block for nodes a and b. Without one, the pair's
+    // stiffness is added to the diagonal, as in GrabSprings.
     unsigned stored;
 };
 
 struct GrabPull {
     double energy;
-    Vector3<double> force;      // on the held point, uN
+    Vector3<double> force;      // on the held point [uN]
     Matrix3<double> stiffness;  // uN/mm
 };
 
-// One thread a grab.
+// Computes force, energy and stiffness of each grab; one thread per grab.
 struct PullGrabs {
     View<const GrabSpring> grab;
     View<const Vector3<double>> position;
@@ -54,9 +54,10 @@ struct PullGrabs {
     }
 };
 
-// All grabs, by node: entries first[i], next[first[i]], ... are 4 g + a for node a of grab g.
+// All grabs by node, as linked lists: entries first[i], next[first[i]], ... are 4 g + a for node a
+// of grab g.
 struct GrabsView {
-    View<const int> first, next;  // -1: no more; `first` is empty where there is no grab
+    View<const int> first, next;
     View<const GrabSpring> grab;
     View<const GrabPull> pull;
 
@@ -73,13 +74,13 @@ struct GrabsView {
         for_each(i, [&](int g, int a) { sum = sum + grab[g].weight[a] * pull[g].force; });
         return sum;
     }
-    // A grab's energy is booked at its first node.
+    // The energy of a grab counts at its first node.
     HEPATICA_HOST_DEVICE double energy(int i) const {
         double sum = 0.0;
         for_each(i, [&](int g, int a) { sum += a == 0 ? pull[g].energy : 0.0; });
         return sum;
     }
-    // Row i of their stiffness times p.
+    // Row i of the grabs' stiffness times p.
     template <class Field>
     HEPATICA_HOST_DEVICE Vector3<double> product(int i, const Field& p) const {
         Vector3<double> sum{{0.0, 0.0, 0.0}};

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a kernel is. Its work is cut into blocks of `threads` threads that share a few numbers; a
-// barrier stands between its phases, so that a thread sees in one phase what the threads of its
-// block wrote in the phase before. Blocks run in any order and know nothing of each other, and so
-// do the threads of a block within a phase. Written so, one source runs as a CUDA kernel and, to
-// the last bit the same, in two loops on the host (see emulator.h). A kernel has
+// The concept of a kernel. Its work is divided into blocks of `threads` threads that share a few
+// numbers. A barrier separates its phases, so that in each phase a thread sees what the threads of
+// its block wrote in the phase before. Blocks run in any order and independently of each other, and
+// so do the threads of a block within a phase. Thus one source runs both as a CUDA kernel and, with
+// bitwise equal results, in two loops on the host (see emulator.h). A kernel has
 //   static constexpr int threads, shared;             shared: numbers (double) of a block
 //   int blocks() const, phases() const;
 //   std::size_t bytes() const;                        see bytes_of
 //   void operator()(int phase, int block, int thread, double* shared) const;
-// and may go on alone in the block that ends last, which sees what all of them wrote:
+// and optionally a continuation in the block that ends last, which sees what all of them wrote:
 //   int end_phases() const;
 //   void end(int phase, int blocks, int thread, double* shared) const;
-// A device can be asked to have room for so many of its blocks at once on each multiprocessor:
+// and optionally the least number of blocks that each multiprocessor should hold at once:
 //   static constexpr int least_blocks;
 #pragma once
 
@@ -22,7 +22,7 @@
 
 namespace hepatica::gpu {
 
-// The kernel that calls item(i) for every i in [0, item.count()): one thread an item.
+// Kernel that calls item(i) for every i in [0, item.count()), one thread per item.
 template <class Item>
 struct ForEach {
     static constexpr int threads = 128, shared = 1;
@@ -52,7 +52,7 @@ constexpr int least_blocks<Kernel, std::void_t<decltype(Kernel::least_blocks)>> 
 
 }  // namespace detail
 
-// Whether the block that ends last goes on.
+// Whether the kernel has a continuation in the block that ends last.
 template <class Kernel>
 constexpr bool has_end = detail::has_end<Kernel>;
 template <class Kernel>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every kernel there is, so that one file compiles them for the device: float for use, double so
-// that a test can tell a wrong step from a rounded one.
+// The list of all kernels, so that one file compiles them for the device: in float for use, and in
+// double so that tests can tell a wrong step from rounding.
 #pragma once
 
 #include "gpu/kernels/assembly_kernels.h"

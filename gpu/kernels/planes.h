@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An array of small structures laid out by parts: all first sixteen bytes of theirs, then all
-// second ones, and last, number by number, what is left. Threads that take one structure after the
-// other then read neighbouring places, sixteen bytes at once, which costs a device a fraction of
-// what it costs to pick numbers out of whole structures.
+// An array of small structures in planes: first the first 16 bytes of every structure, then the
+// second 16 bytes, and so on; the remainder follows number by number. Threads that read consecutive
+// structures then read neighbouring memory, 16 bytes at once, which costs a device a fraction of
+// reading numbers out of whole structures.
 #pragma once
 
 #include <cstring>
@@ -11,7 +11,7 @@
 
 #include "gpu/kernels/view.h"
 
-// Loops whose loads a device has under way at once.
+// Unrolls a loop so that a device has all its loads in flight at once.
 #ifdef __CUDACC__
 #define HEPATICA_UNROLL _Pragma("unroll")
 #else
@@ -20,8 +20,8 @@
 
 namespace hepatica::gpu {
 
-// T consists of numbers of one type alone; Number is that type, const where they are only read. The
-// array begins at a multiple of sixteen bytes.
+// T consists of numbers of one type, which is Number; const where they are only read. The array
+// must be aligned to 16 bytes.
 template <class T, class Number>
 struct Planes {
     static constexpr int numbers = static_cast<int>(sizeof(T) / sizeof(Number));
@@ -33,7 +33,7 @@ struct Planes {
     int size = 0;  // structures
 
     Planes() = default;
-    // Of an array of so many numbers.
+    // From an array of their numbers.
     explicit Planes(const View<Number>& view) : data(view.data), size(view.size / numbers) {}
 
     HEPATICA_HOST_DEVICE bool empty() const { return size == 0; }
@@ -75,7 +75,7 @@ std::size_t bytes_of(const Planes<T, Number>& planes) {
     return static_cast<std::size_t>(planes.size) * sizeof(T);
 }
 
-// The numbers of an array of structures in this order.
+// The numbers of an array of structures in this layout.
 template <class Number, class T>
 std::vector<Number> in_planes(const std::vector<T>& values) {
     using Layout = Planes<T, Number>;

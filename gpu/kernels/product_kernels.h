@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Products of the matrix with a vector. A block of threads takes a chunk of rows: at first its
-// threads are the blocks of the matrix in the order in which they lie, so that neighbours read
-// neighbouring numbers, then the rows, each of which adds up its own.
+// Products of the matrix with a vector. A block of threads has a chunk of rows: in the first phase
+// its threads are the blocks of the matrix in memory order, so that neighbours read neighbouring
+// numbers; in the second they are rows, each of which adds up its own products.
 #pragma once
 
 #include <cstring>
@@ -11,16 +11,17 @@
 
 namespace hepatica::gpu {
 
-// Row: static constexpr int width; std::size_t bytes() const;
+// The concept of a Row: static constexpr int width; std::size_t bytes() const;
 //   void operator()(int i, const Vector3<V>& row, const Vector3<V>& own, double* sum) const
-// is given (A p)_i and p_i, and adds `width` numbers that are summed over all rows, as SumWhole.
+// receives row = (A p)_i and own = p_i, and adds `width` numbers that are summed over all rows, as
+// in SumWhole.
 template <class Real, class Field, class Row, class Then>
 struct SumRows {
     using V = NumberOf<Field>;
     static constexpr int rows = RowChunksView::most_rows, entries = RowChunksView::most_entries;
     static constexpr int width = Row::width, threads = 256, least_blocks = 5;
     static_assert(width == Then::width && 3 * rows <= threads && sum_threads <= threads);
-    // Numbers (V) of what the entries, and then the rows, have in common.
+    // Numbers of type V that entries, and then rows, share.
     static constexpr int of_entries = 3 * entries, of_rows = 3 * rows;
     static constexpr int common = (of_entries + of_rows) * int(sizeof(V)) / int(sizeof(double));
     static constexpr int shared = common + detail::sum_shared<width>;
@@ -28,7 +29,7 @@ struct SumRows {
     Field p;
     Row row;
     Then then;
-    View<double> partial;  // of each chunk, `width` numbers
+    View<double> partial;  // `width` numbers for each chunk
 
     int blocks() const { return system.chunks.chunks(); }
     HEPATICA_HOST_DEVICE int phases() const { return 2 + detail::sum_phases; }
@@ -77,7 +78,7 @@ struct SumRows {
     HEPATICA_HOST_DEVICE void multiply(int chunk, int first, int thread, double* memory) const {
         const int begin = system.chunks.entry[chunk], count = entries_of(chunk);
         if (count > entries) return;
-        // Two entries at once: a thread then waits half as often for what it reads.
+        // Two entries at once halve the time that a thread waits for its loads.
         for (int e = thread; e < count; e += 2 * threads) {
             const int next = e + threads < count ? e + threads : e;
             const Vector3<V> one = product(first, begin + e);
@@ -86,7 +87,7 @@ struct SumRows {
             for (int c = 0; c < 3 && next > e; ++c) keep(memory, c * entries + next, other[c]);
         }
     }
-    // A thread is a row and one of its three numbers.
+    // A thread is a row and one of its three components.
     HEPATICA_HOST_DEVICE void add_up(int chunk, int first, int past, int thread,
                                      double* memory) const {
         const int c = thread / rows, i = first + thread % rows;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vectors that a device fetches at once, by one load of 16 bytes where their numbers are float:
-// three numbers after one another take three loads, each of which costs as much where neighbouring
-// threads read at places far apart.
+// Vectors padded to four numbers, which a device loads with one access of 16 bytes where they are
+// float. Three separate numbers take three loads, which matters where neighbouring threads read
+// distant places.
 #pragma once
 
 #include "gpu/kernels/view.h"

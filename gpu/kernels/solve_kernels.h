@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Conjugate gradients wholly on the device: their scalars lie there, too. Vectors are Real, sums
-// double, and so is the solution that their answers are added up to. The host hears of an iteration
-// only through its record, some time later.
+// Preconditioned conjugate gradients (Hestenes and Stiefel 1952) on the device, scalars included.
+// Vectors are Real; sums, and the solution that corrections are added to, are double. The host
+// learns of an iteration only later, from its record.
 #pragma once
 
 #include "gpu/kernels/product_kernels.h"
 
 namespace hepatica::gpu {
 
-// Of one iteration, for the error bound.
+// Record of one iteration, for the error bound.
 struct IterationRecord {
     double step, ratio;             // alpha, beta
     double work, residual_squared;  // (r, z) and (r, r) after it
@@ -17,7 +17,7 @@ struct IterationRecord {
 struct SolveScalars {
     double step, ratio, work, residual_squared;
     int iterations;  // since the last reset
-    int broken;      // no direction of positive curvature, or not finite: x stays as it is
+    int broken;      // no positive curvature, or not finite: x stays as it is
 };
 
 // x = 0, r = b; sums r . r.
@@ -55,7 +55,7 @@ struct BeginRound {
     }
 };
 
-// After r . z and r . r of the start.
+// Resets the scalars from r . z and r . r at the start.
 struct StartIteration {
     static constexpr int width = 2;
     View<SolveScalars> scalars;
@@ -92,7 +92,7 @@ struct TurnDirection {
     }
 };
 
-// After p . A p.
+// Computes alpha from p . A p.
 struct ChooseStep {
     static constexpr int width = 1;
     View<SolveScalars> scalars;
@@ -128,7 +128,7 @@ struct TakeStep {
     }
 };
 
-// After these.
+// Computes beta from r . z and r . r, and records the iteration.
 struct EndIteration {
     static constexpr int width = 2;
     View<SolveScalars> scalars;

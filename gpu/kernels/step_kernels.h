@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a step of backward Euler does to nodes beside its linear system: places and velocities,
-// forces, energies and works, as IncrementalPotential and StepBooks of core/deform have them. All
-// in double.
+// The node-wise parts of a backward Euler step besides its linear system: positions and velocities,
+// forces, energies and work, as in IncrementalPotential and StepBooks of core/deform. All in
+// double.
 #pragma once
 
 #include "gpu/kernels/grab_kernels.h"
@@ -10,8 +10,8 @@
 
 namespace hepatica::gpu {
 
-// Where nodes are and what pulls at them besides the elements; the step began at `start` with
-// velocity `before` and is now at `position` with `velocity`.
+// The state of the nodes and the forces on them besides those of elements. The step began at
+// `start` with velocity `before` and is now at `position` with `velocity`.
 struct NodeViews {
     View<const Vector3<double>> start, before, position, velocity, rest;
     View<const Vector3<double>> elastic_force;
@@ -27,14 +27,14 @@ struct NodeViews {
                         mass, tether, held) +
                grabs.bytes() + touches.bytes();
     }
-    // Elastic and of the potentials, uN.
+    // Elastic force plus that of the potentials [uN].
     HEPATICA_HOST_DEVICE Vector3<double> force(int i) const {
         return elastic_force[i] + mass[i] * gravity + tether[i] * (rest[i] - position[i]) +
                grabs.force(i) + touches.force(i);
     }
 };
 
-// w = share * v_n + change, x = x_n + dt w. Held nodes have v_n = 0 and no change.
+// w = share v_n + change, x = x_n + dt w. Held nodes have v_n = 0 and no change.
 struct PlaceNodes {
     View<const Vector3<double>> start, before;
     View<const Vector3<double>> change;  // empty: none
@@ -81,8 +81,8 @@ struct Subtract {
     HEPATICA_HOST_DEVICE void operator()(int i) const { a[i] = a[i] - b[i]; }
 };
 
-// The stiffness of friction: what slips is about to stick where the other forces on it fall short
-// of friction, as CoulombFriction::foresee has it. Touch first_rub + k is rub k.
+// Computes the stiffness of friction. A slipping contact is about to stick where the other forces
+// on it fall short of friction, as in CoulombFriction::foresee(). Touch first_rub + k is rub k.
 struct ForeseeSlips {
     NodeViews nodes;
     View<const RubPoint> rub;
@@ -91,7 +91,7 @@ struct ForeseeSlips {
 
     HEPATICA_HOST_DEVICE int count() const { return rub.size; }
     std::size_t bytes() const { return nodes.bytes() + bytes_of(rub, pull); }
-    // What friction of this kind can bear of the forces on a node.
+    // The friction limit of this kind of contact on a node [uN].
     HEPATICA_HOST_DEVICE double limit_of(int node, int kind) const {
         double limit = 0.0;
         nodes.touches.for_each(node, [&](int t, int a) {
@@ -116,7 +116,7 @@ struct ForeseeSlips {
     }
 };
 
-// Forces where a step starts, for the work along it.
+// Stores the forces at the start of a step, for the work along it.
 struct KeepForces {
     NodeViews nodes;
     View<Vector3<double>> force;
@@ -126,8 +126,8 @@ struct KeepForces {
     HEPATICA_HOST_DEVICE void operator()(int i) const { force[i] = nodes.force(i); }
 };
 
-// Energies [nJ]: kinetic, elastic, of grabs, of the tether, less the work of weight since x_n,
-// |w - v_n|_M^2 / 2, of pads, what friction takes, and of what binds parted joints.
+// Energies [nJ]: kinetic, elastic, of grabs, of the tether, minus the work of gravity since x_n, |w
+// - v_n|_M^2 / 2, of contact pads, dissipated by friction, and of ties between parted joints.
 struct Energies {
     static constexpr int width = 9;
     enum { kinetic, elastic, grab, tether, weight, inertial, contact, friction, cohesion };
@@ -147,7 +147,7 @@ struct Energies {
     }
 };
 
-// With d the direction that was taken, change + share * v_n:  steepest . d  and  residual . d.
+// With the direction taken, d = change + share v_n, sums steepest . d and residual . d.
 struct AlongDirection {
     static constexpr int width = 2;
     View<const Vector3<double>> steepest, residual, change;
@@ -162,7 +162,7 @@ struct AlongDirection {
     }
 };
 
-// Works along the motion dt w: of the forces at the start and at the end; and w . descent.
+// Sums the work along the motion dt w of the forces at the start and at the end, and w . descent.
 struct Works {
     static constexpr int width = 3;
     Descent end;

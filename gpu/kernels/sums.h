@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sums over nodes, in double and in a fixed order. Over all nodes in one kernel: blocks of threads
-// add up chunks of nodes, and the block that ends last the chunks. Over many segments, such as the
-// pieces of a body, in one kernel where no segment is long, else in two.
+// sum chunks of nodes, and the last block sums the chunks. Over many segments, such as the pieces
+// of a body: in one kernel where no segment is long, otherwise in two.
 #pragma once
 
 #include "gpu/kernels/view.h"
@@ -11,20 +11,21 @@ namespace hepatica::gpu {
 constexpr int sum_threads = 128;
 constexpr int nodes_per_chunk = sum_threads;
 
-// Term: static constexpr int width; std::size_t bytes() const;
+// The concept of a Term: static constexpr int width; std::size_t bytes() const;
 //   void operator()(int node, double* sum) const   adds `width` numbers; may write node's values
-// Then: static constexpr int width; void operator()(int segment, const double* sum) const
+// The concept of a Then: static constexpr int width;
+//   void operator()(int segment, const double* sum) const   receives the sum
 namespace detail {
 
-// What the threads of a block have is added up by so many of them for each number, then by one.
+// The sums of a block's threads are added up by this many threads per number, then by one.
 constexpr int sum_lanes = 8;
 constexpr int sum_phases = 4;
-// Numbers that the threads of a block share for it.
+// Shared numbers of a block that this takes.
 template <int Width>
 constexpr int sum_shared = Width*(sum_threads + sum_lanes + 1);
 
-// A phase of adding up what the threads of a block have: put(sum) adds what this one has, and at
-// last take(sum) has it all.
+// One phase of a sum over the threads of a block: put(sum) adds this thread's value, and in the
+// last phase take(sum) receives the total.
 template <int Width, class Put, class Take>
 HEPATICA_HOST_DEVICE void sum_over_threads(int phase, int thread, double* shared, const Put& put,
                                            const Take& take) {
@@ -47,7 +48,7 @@ HEPATICA_HOST_DEVICE void sum_over_threads(int phase, int thread, double* shared
     }
 }
 
-// A phase of adding up chunks [begin, end).
+// One phase of a sum over chunks [begin, end).
 template <class Then>
 HEPATICA_HOST_DEVICE void sum_chunks(int phase, int thread, double* shared,
                                      const View<const double>& partial, int begin, int end,
@@ -64,7 +65,7 @@ HEPATICA_HOST_DEVICE void sum_chunks(int phase, int thread, double* shared,
 
 }  // namespace detail
 
-// Calls a term for every node; its sums are lost.
+// Calls a term for every node and discards its sums.
 template <class Term>
 struct Unsummed {
     Term term;
@@ -78,7 +79,7 @@ struct Unsummed {
     }
 };
 
-// Over all nodes.
+// Sum over all nodes.
 template <class Term, class Then>
 struct SumWhole {
     static constexpr int width = Term::width, threads = sum_threads,
@@ -111,15 +112,15 @@ struct SumWhole {
     }
 };
 
-// Which nodes are added up together.
+// Division of the nodes into segments, and of segments into chunks.
 struct PartitionView {
-    View<const int> order;          // nodes by segment; empty: 0, 1, 2, ...
-    View<const int> chunk_begin;    // places in the order, and the end of the last chunk
-    View<const int> segment_begin;  // chunks, and the end of the last segment
+    View<const int> order;        // nodes by segment; empty: 0, 1, 2, ...
+    View<const int> chunk_begin;  // first place of each chunk in the order, and the end of the last
+    View<const int> segment_begin;  // first chunk of each segment, and the end of the last
 
     HEPATICA_HOST_DEVICE int chunks() const { return chunk_begin.size - 1; }
     HEPATICA_HOST_DEVICE int segments() const { return segment_begin.size - 1; }
-    // A phase of adding up the term over places [begin, end), with any number of them.
+    // One phase of a sum of the term over places [begin, end), of any number.
     template <class Term, class Take>
     HEPATICA_HOST_DEVICE void sum_places(int phase, int thread, double* shared, const Term& term,
                                          int begin, int end, const Take& take) const {
@@ -133,7 +134,7 @@ struct PartitionView {
     }
 };
 
-// The chunks of segments.
+// First of two kernels: sums chunks.
 template <class Term>
 struct SumChunks {
     static constexpr int threads = sum_threads, shared = detail::sum_shared<Term::width>;
@@ -156,7 +157,7 @@ struct SumChunks {
     }
 };
 
-// And the segments of chunks.
+// Second of two kernels: sums the chunks of each segment.
 template <class Then>
 struct FinishSum {
     static constexpr int threads = sum_threads, shared = detail::sum_shared<Then::width>;
@@ -175,7 +176,7 @@ struct FinishSum {
     }
 };
 
-// Both at once where no segment is long: one block of threads a segment.
+// One kernel for both where no segment is long: one block of threads per segment.
 template <class Term, class Then>
 struct SumSegments {
     static constexpr int threads = sum_threads, shared = detail::sum_shared<Term::width>;
@@ -195,7 +196,7 @@ struct SumSegments {
     }
 };
 
-// Leaves the sums of each segment where the host finds them.
+// Stores the sums of each segment for the host.
 template <int Width>
 struct KeepSums {
     static constexpr int width = Width;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The matrix of eq. (12) without its diagonal: blocks of K beside it, and what stands on it in
-// numbers. A row is y_i = m_i p_i + sum_j A_ij (p_j - p_i), so that a rigid translation costs
-// nothing to the last digit, which a stored diagonal in float would not give.
+// The system matrix of eq. (12) without a stored diagonal: off-diagonal blocks of K, and scalars
+// per node for the rest. A row is y_i = m_i p_i + sum_j A_ij (p_j - p_i), so that a rigid
+// translation yields no elastic force to the last digit; a diagonal stored in float could not
+// achieve that.
 #pragma once
 
 #include "gpu/kernels/grab_kernels.h"
@@ -11,18 +12,19 @@
 
 namespace hepatica::gpu {
 
-// mass M + tether T + stiffness K + grab G + touch C. The matrix of the step, its damping and the
-// stiffness of everything differ in these alone.
+// The system mass M + tether T + stiffness K + grab G + touch C. The matrix of the step, its
+// damping matrix and the stiffness of everything differ in these factors alone.
 struct SystemFactors {
     double mass = 0.0, tether = 0.0, stiffness = 0.0, grab = 0.0, touch = 0.0;
 };
 
-// Rows that a block of threads takes at once, so many at most, and with so many blocks of the
-// matrix unless a single row has more.
+// Chunks of rows for a block of threads: at most this many rows, and at most this many blocks of
+// the matrix unless a single row has more.
 struct RowChunksView {
     static constexpr int most_rows = 64, most_entries = 1024;
-    View<const int> begin, entry;      // its first row and entry, and the ends of the last chunk
-    View<const unsigned char> row_of;  // of each block of the matrix, in its chunk
+    View<const int> begin, entry;  // first row and entry of each chunk, and the ends of the last
+    View<const unsigned char>
+        row_of;  // row of each block of the matrix, counted from its chunk's first
 
     HEPATICA_HOST_DEVICE int chunks() const { return begin.size - 1; }
     std::size_t bytes() const { return bytes_of(begin, entry, row_of); }
@@ -30,7 +32,7 @@ struct RowChunksView {
 
 template <class Real>
 struct SystemView {
-    View<const int> row_begin, column;  // blocks beside the diagonal
+    View<const int> row_begin, column;  // off-diagonal blocks
     RowChunksView chunks;
     MatrixPlanes<Real> block;
     View<const double> mass, tether;
@@ -46,7 +48,7 @@ struct SystemView {
     HEPATICA_HOST_DEVICE double on_diagonal(int i) const {
         return factors.mass * mass[i] + factors.tether * tether[i];
     }
-    // A_ij (p_j - p_i) of block k, which stands in row i; p is zero at held nodes.
+    // A_ij (p_j - p_i) of block k, which is in row i; p is zero at held nodes.
     template <class Field>
     HEPATICA_HOST_DEVICE auto difference(int k, int i, const Field& p) const {
         using V = NumberOf<Field>;
@@ -57,7 +59,7 @@ struct SystemView {
             product[r] = V(b(r, 0)) * d[0] + V(b(r, 1)) * d[1] + V(b(r, 2)) * d[2];
         return product;
     }
-    // Row i times p from the sum of its differences.
+    // Row i times p, from the sum of its differences.
     template <class Field, class V>
     HEPATICA_HOST_DEVICE Vector3<V> row(int i, const Field& p, const Vector3<V>& sum) const {
         if (held[i] != 0) return {{V(0), V(0), V(0)}};
@@ -75,7 +77,8 @@ struct SystemView {
     }
 };
 
-// The inverse of each diagonal block; zero where a node is held or the block not positive definite.
+// Inverts the diagonal blocks; zero where a node is held or the block's determinant is not
+// positive.
 template <class Real>
 struct InvertDiagonal {
     SystemView<Real> system;

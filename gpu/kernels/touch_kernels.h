@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What touches on the device: points in the pad of a tool, pairs of features of surfaces, and
-// Coulomb's friction, with the functions of core/deform/potentials that the CPU uses. One thread a
-// touch computes what it does; every node knows its touches, so that its force and its row of the
-// matrix are added up by its own thread, in the order of the lists.
+// Contacts on the device: points in the pad of a tool, pairs of surface features, Coulomb friction,
+// and ties of parted joints, computed by the functions of core/deform/potentials that the CPU uses.
+// One thread per touch computes its force; every node has a list of its touches, so that one thread
+// per node adds up its force and matrix row, in the order of the lists.
 #pragma once
 
 #include "core/deform/potentials/pad_pair.h"
@@ -12,17 +12,18 @@
 
 namespace hepatica::gpu {
 
-// What a touch does to the weighted sum of its nodes' places.
+// The effect of a touch on the weighted sum of its nodes' positions.
 struct TouchPull {
     double weight[4];
-    double energy;               // nJ
-    Vector3<double> force;       // uN
-    Vector3<double> turning[2];  // of two edges: minus on the beginning, plus on the end of each
-    Matrix3<double> stiffness;   // uN/mm
-    int active;                  // 0: nothing, and the rest is not set
+    double energy;          // nJ
+    Vector3<double> force;  // uN
+    Vector3<double>
+        turning[2];  // couples on two edges [uN]: minus at the beginning, plus at the end of each
+    Matrix3<double> stiffness;  // uN/mm
+    int active;                 // 0: no effect, and the other members are not set
 };
 
-// Nodes from `position` on stand still.
+// Positions by node number; numbers beyond `position` are points that do not move.
 struct PlacesView {
     View<const Vector3<double>> position, standing;
 
@@ -92,7 +93,7 @@ HEPATICA_HOST_DEVICE Vector3<double> slip_at(const RubPoint& rub, const PlacesVi
     return slip_of(moved - rub.anchor, rub.normal);
 }
 
-// Energy and force; ForeseeSlips has the stiffness.
+// Computes energy and force of friction; ForeseeSlips computes its stiffness.
 struct RubPoints {
     View<const RubPoint> rub;
     PlacesView place;
@@ -139,17 +140,17 @@ struct PullTies {
     }
 };
 
-// All touches, by node. First those of pads, then those of friction, then ties.
+// All touches by node: first those of pads, then friction, then ties.
 struct TouchesView {
-    View<const int> row;           // of every node, -1: it touches nothing; empty: nothing does
-    View<const int> begin, entry;  // of each row: 4 t + a for node a of touch t
-    View<const int> node;          // four a touch; -1: none, or one that does not move
+    View<const int> row;           // of every node; -1: it touches nothing; empty: nothing touches
+    View<const int> begin, entry;  // list of each row: 4 t + a for node a of touch t
+    View<const int> node;          // four per touch; -1: none, or one that does not move
     View<const TouchPull> pull;
     int first_rub = 0, first_tie = 0;
 
     std::size_t bytes() const { return bytes_of(row, begin, entry, node, pull); }
 
-    // Calls visit(t, a) for every touch that node i has a part in.
+    // Calls visit(t, a) for every active touch of node i.
     template <class Visit>
     HEPATICA_HOST_DEVICE void for_each(int i, const Visit& visit) const {
         if (row.empty() || row[i] < 0) return;
@@ -165,7 +166,8 @@ struct TouchesView {
         });
         return sum;
     }
-    // A touch's energy is booked at the first of its nodes that moves. Adds to one of them.
+    // Adds the energies of touches to one of the sums. The energy of a touch counts at the first of
+    // its nodes that moves.
     HEPATICA_HOST_DEVICE void add_energy(int i, double& pads, double& friction,
                                          double& cohesion) const {
         for_each(i, [&](int t, int a) {
@@ -174,7 +176,7 @@ struct TouchesView {
             (t < first_rub ? pads : (t < first_tie ? friction : cohesion)) += pull[t].energy;
         });
     }
-    // Row i of their stiffness times p.
+    // Row i of the touches' stiffness times p.
     template <class Field>
     HEPATICA_HOST_DEVICE Vector3<double> product(int i, const Field& p) const {
         Vector3<double> sum{{0.0, 0.0, 0.0}};
@@ -201,8 +203,8 @@ struct TouchesView {
     }
 };
 
-// row[node[k]] = begin + k * step: where the lists of these nodes are, or, with begin -1 and step
-// 0, that there are none.
+// row[node[k]] = begin + k * step: sets the list of each node, or, with begin -1 and step 0,
+// removes it.
 struct SetRows {
     View<const int> node;
     int begin, step;

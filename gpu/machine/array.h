@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An array that lies on a machine. It belongs to one owner and must not outlive its machine.
+// An array in a machine's memory. It has one owner and must not outlive its machine. Functions
+// throw DeviceError where the device fails.
 #pragma once
 
 #include <span>
@@ -15,7 +16,7 @@ template <class T>
 class Array {
   public:
     Array() = default;
-    // All zero.
+    // Zero-initialised.
     Array(Machine& machine, std::size_t size)
         : machine_(&machine),
           view_{size > 0 ? static_cast<T*>(machine.allocate(size * sizeof(T))) : nullptr,
@@ -41,11 +42,11 @@ class Array {
     View<T> view() const { return view_; }
     View<const T> read() const { return view_; }
 
-    // As many values as the array has.
+    // Expects as many values as the array has.
     void upload(std::span<const T> values) {
         if (!values.empty()) machine_->upload(view_.data, values.data(), values.size_bytes());
     }
-    // The first values of the array.
+    // Copies the first values of the array.
     void download(std::span<T> values) const {
         if (!values.empty()) machine_->download(values.data(), view_.data, values.size_bytes());
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A device that fails: lost, out of memory, a driver too old. What was on it is lost; a body goes
-// on from its last state on the host.
+// Failure of a device: lost, out of memory, or a driver too old. Its contents are lost; a body
+// continues from its last state on the host.
 #pragma once
 
 #include <stdexcept>

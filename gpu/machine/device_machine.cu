@@ -15,7 +15,7 @@ void require(cudaError_t status, const char* what) {
     throw DeviceError(std::string(what) + ": " + cudaGetErrorString(status));
 }
 
-// A multiprocessor holds so many threads at least.
+// Threads that every supported multiprocessor can hold.
 #if defined(__CUDA_ARCH__) && __CUDA_ARCH__ < 800
 constexpr int held_threads = 1024;
 #else
@@ -26,8 +26,8 @@ constexpr int asked_blocks =
     least_blocks<Kernel>* Kernel::threads <= held_threads ? least_blocks<Kernel>
                                                           : held_threads / Kernel::threads;
 
-// Kernels of compute capability 9.0 come to their places while the one before still runs, and wait
-// here until all that it wrote is there.
+// On compute capability 9.0 and later a kernel may be launched while the one before still runs; it
+// waits here until everything written by that one is visible.
 __device__ void wait_for_the_kernel_before() {
 #if __CUDA_ARCH__ >= 900
     cudaTriggerProgrammaticLaunchCompletion();
@@ -35,10 +35,10 @@ __device__ void wait_for_the_kernel_before() {
 #endif
 }
 
-// Whether all other blocks of the kernel have ended; the last one sees what they wrote. `ended` is
-// zero before the first one ends and after the last. One thread releases what its block wrote, and
-// only the last block acquires: a fence of every thread would empty the multiprocessor's cache as
-// often as there are warps.
+// True in the block that ends last, which then sees what all blocks wrote. `ended` is zero before
+// the first block ends and after the last. One thread releases its block's writes, and only the
+// last block acquires: a fence in every thread would flush the multiprocessor's cache once per
+// warp.
 __device__ bool is_last_block(unsigned* ended) {
     __shared__ bool last;
     __syncthreads();
@@ -115,7 +115,7 @@ class DeviceMachine final : public MachineBy<DeviceMachine> {
 
     void pin(void* memory, std::size_t bytes) override {
         if (cudaHostRegister(memory, bytes, cudaHostRegisterDefault) != cudaSuccess)
-            cudaGetLastError();  // forgotten: pinning is for speed alone
+            cudaGetLastError();  // clears the error: pinning is only an optimisation
     }
     void unpin(void* memory) noexcept override {
         if (cudaHostUnregister(memory) != cudaSuccess) cudaGetLastError();
@@ -147,9 +147,9 @@ class DeviceMachine final : public MachineBy<DeviceMachine> {
     }
 
     bool overlap_;
-    unsigned* ended_ = nullptr;  // blocks of the kernel that runs
+    unsigned* ended_ = nullptr;  // blocks of the running kernel that have ended
     cudaStream_t copies_ = nullptr;
-    cudaEvent_t written_ = nullptr;  // all that was launched before a copy
+    cudaEvent_t written_ = nullptr;  // marks everything launched before a copy
 };
 
 std::string version_text(int version) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Downloads that were begun and go on beside other work (Machine::begin_download): they are over
-// when this ends, however it ends, so that nothing is copied to or from memory that is gone.
+// Scope of asynchronous downloads (Machine::begin_download). They are finished when the scope ends,
+// by whatever path, so that nothing is copied to or from freed memory.
 #pragma once
 
 #include <exception>
@@ -17,7 +17,7 @@ class DownloadsUnderWay {
         try {
             machine_.finish_downloads();
         } catch (const std::exception&) {
-            // The device failed, and what brought the step here says so.
+            // The device failed; the error that ended the scope already reports it.
         }
     }
     DownloadsUnderWay(const DownloadsUnderWay&) = delete;

@@ -11,8 +11,7 @@
 namespace hepatica::gpu {
 namespace {
 
-// visit(i) for every i in [0, count), in an order that changes from loop to loop where it is
-// shuffled.
+// Calls visit(i) for every i in [0, count); the shuffled order changes from loop to loop.
 class Loops {
   public:
     explicit Loops(BlockOrder order) : order_(order) {}
@@ -24,7 +23,7 @@ class Loops {
     }
 
   private:
-    // A stride without a common divisor reaches every number once.
+    // A stride that is coprime to the count reaches every number once.
     template <class Visit>
     void shuffled(int count, const Visit& visit) {
         state_ = state_ * 6364136223846793005u + 1442695040888963407u;
@@ -41,7 +40,8 @@ class Loops {
     unsigned long state_ = 1;
 };
 
-// Compiled once for each kernel, not once for each order of blocks and of threads.
+// Not inlined, so that each kernel is compiled once and not once for each order of blocks and
+// threads.
 template <class Kernel>
 [[gnu::noinline]] void run_thread(const Kernel& kernel, int phase, int block, int thread,
                                   double* shared) {
@@ -93,7 +93,7 @@ class Emulator final : public MachineBy<Emulator> {
         std::memcpy(to, from, bytes);
         under_way_.push_back({to, from, bytes});
     }
-    // A device may copy at any time between the two.
+    // A device may copy at any time between the two calls, so the source must not have changed.
     void finish_copies() override {
         const std::vector<Copy> copies = std::exchange(under_way_, {});
         for (const Copy& copy : copies)

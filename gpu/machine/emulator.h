@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs every kernel on the host, on one thread: what a device would compute, without one. Neither
-// rounds otherwise than the other, since neither fuses products.
+// Runs every kernel on the host in one thread: it computes what a device would. Results are bitwise
+// equal, because neither uses fused multiply-add.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace hepatica::gpu {
 
-// In which order blocks, and threads within a phase, are run. No result depends on it.
+// The order in which blocks, and threads within a phase, are run. Results must not depend on it.
 enum class BlockOrder { ascending, descending, shuffled };
 
 std::unique_ptr<Machine> make_emulator(BlockOrder order = BlockOrder::ascending);

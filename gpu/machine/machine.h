@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where kernels run and their arrays lie: a CUDA device, or the emulator on the host. It counts
-// what a step costs. Kernels of one machine run one after another. Not thread-safe.
+// A machine runs kernels and holds their arrays: a CUDA device, or the emulator on the host. It
+// counts the costs. Kernels of one machine run one after another. Not thread-safe.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace hepatica::gpu {
 
-// Since the machine was made. A barrier is one between two phases of a kernel; the end of a kernel
-// is none.
+// Costs since the machine was made. Barriers are those between phases of a kernel; the end of a
+// kernel is none.
 struct Traffic {
     long launches = 0;
     long barriers = 0;
@@ -36,12 +36,12 @@ class RunsAll<KernelList<Kernel...>> : public Runs<Kernel>... {
     using Runs<Kernel>::run...;
 };
 
-// The functions that allocate, copy or launch throw DeviceError where the device fails.
+// Functions that allocate, copy or launch throw DeviceError where the device fails.
 class Machine : public RunsAll<AllKernels> {
   public:
     virtual std::string name() const = 0;
 
-    // Of so many bytes, all zero.
+    // Allocates zero-initialised memory.
     void* allocate(std::size_t bytes) {
         held_bytes_ += bytes;
         return take(bytes);
@@ -50,11 +50,11 @@ class Machine : public RunsAll<AllKernels> {
         held_bytes_ -= bytes;
         give_back(memory);
     }
-    // Memory of the host that is often copied from or to: a device copies it some times faster. To
-    // be released before it is freed; where that cannot be had, copies are merely slower.
+    // Page-locks host memory that is often copied, which makes copies several times faster. Unpin
+    // it before freeing it. Where pinning fails, copies are merely slower.
     virtual void pin(void*, std::size_t) {}
     virtual void unpin(void*) noexcept {}
-    // Both wait until the machine is done with what was launched before.
+    // Both wait until the machine has finished everything launched before.
     void upload(void* to, const void* from, std::size_t bytes) {
         count_copy(bytes);
         copy_in(to, from, bytes);
@@ -63,15 +63,16 @@ class Machine : public RunsAll<AllKernels> {
         count_copy(bytes);
         copy_out(to, from, bytes);
     }
-    // Copies what was launched before has left, beside what is launched from now on, which must not
-    // write to it. What is copied is there once finish_downloads() has returned.
+    // Starts an asynchronous copy of the results of everything launched before. Kernels launched
+    // afterwards must not write to the source. The data are complete once finish_downloads() has
+    // returned.
     void begin_download(void* to, const void* from, std::size_t bytes) {
         count_copy(bytes);
         begin_copy_out(to, from, bytes);
     }
     void finish_downloads() { finish_copies(); }
 
-    // Kernels without a block do nothing.
+    // Kernels without blocks do nothing.
     template <class Kernel>
     void launch(const Kernel& kernel) {
         if (kernel.blocks() == 0) return;

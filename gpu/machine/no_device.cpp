@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of device_machine.cu where this build knows no CUDA.
+// Replaces device_machine.cu where this build has no CUDA.
 #include "core/base/error.h"
 #include "gpu/machine/device_machine.h"
 

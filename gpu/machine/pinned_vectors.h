@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vectors of the host whose memory stays where it is while it is copied to and from a machine again
-// and again (Machine::pin). They keep their length; two of one length may be swapped.
+// Page-locks the memory of host vectors that are repeatedly copied to and from a machine
+// (Machine::pin). The vectors must keep their length; two of equal length may be swapped.
 #pragma once
 
 #include <initializer_list>
@@ -18,7 +18,7 @@ class PinnedVectors {
     PinnedVectors(const PinnedVectors&) = delete;
     PinnedVectors& operator=(const PinnedVectors&) = delete;
 
-    // Gives all vectors this length, all zero, and pins them instead of those of before.
+    // Resizes the vectors, sets them to zero, and pins them instead of those pinned before.
     void resize(std::initializer_list<std::vector<Vec3>*> vectors, std::size_t size) {
         release();
         for (std::vector<Vec3>* vector : vectors) {

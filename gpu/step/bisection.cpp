@@ -33,7 +33,7 @@ class Bisection {
   private:
     static constexpr int gone = -1;
 
-    // Takes out of a part what separates its halves; what is left waits.
+    // Removes the separator of a part as cuts of two nodes, and queues the remaining pieces.
     void divide(const std::vector<int>& part) {
         std::vector<int> separator = part.size() > 2 ? separator_of(part) : part;
         for (const int n : separator) part_[n] = gone;
@@ -46,7 +46,7 @@ class Bisection {
             cuts_.push_back({separator[k], k + 1 < separator.size() ? separator[k + 1] : -1});
         release(part);
     }
-    // Nodes of one half that are coupled with the other: of the half that has fewer of them.
+    // The nodes of one half that are coupled with the other, of the half where they are fewer.
     std::vector<int> separator_of(const std::vector<int>& part) {
         const int top = halving_node(part);
         for (const int n : part) {
@@ -61,7 +61,8 @@ class Bisection {
                 border[side_[n]].push_back(n);
         return border[0].size() < border[1].size() ? border[0] : border[1];
     }
-    // The node that has nearest to half of the part below it, itself counted in, but not all of it.
+    // The node whose subtree within the part, itself included, is closest to half of the part, but
+    // not all of it.
     int halving_node(const std::vector<int>& part) {
         const int whole = static_cast<int>(part.size());
         for (const int n : part) size_[n] = 1;
@@ -75,7 +76,7 @@ class Bisection {
         }
         return best;
     }
-    // The first node that is left and coupled with one of these; -1: none.
+    // The first remaining node that is coupled with one of these; -1: none.
     int neighbour_of(const std::vector<int>& nodes) const {
         for (const int n : nodes)
             for (const int other : coupled_[n])
@@ -84,7 +85,7 @@ class Bisection {
     }
     bool in_part(int node, int of) const { return node >= 0 && part_[node] == part_[of]; }
 
-    // What is left of these nodes, in pieces that are coupled, each ascending.
+    // Queues the remaining nodes as coupled pieces, each in ascending order.
     void release(const std::vector<int>& nodes) {
         const std::size_t first = waiting_.size();
         for (const int n : nodes)
@@ -110,7 +111,7 @@ class Bisection {
 
     const std::vector<int>& parent_;
     const Couplings& coupled_;
-    std::vector<int> part_;  // that a node is in: 1, 2, ..., unreached or gone
+    std::vector<int> part_;  // part of each node: 1, 2, ..., unreached or gone
     std::vector<int> side_, size_;
     int parts_ = 0;
     std::vector<std::vector<int>> waiting_;

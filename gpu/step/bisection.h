@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nested dissection of a vessel tree's nodes (George 1973): they are parted in halves, again and
-// again, by those that are coupled with the other half. The tree says where to part; what is
-// coupled is the matrix's affair: nodes that are no neighbours in the tree share elements where
+// Nested dissection of a vessel tree's nodes (George 1973): they are halved recursively by
+// separators, the nodes coupled with the other half. The tree suggests where to split; the matrix
+// decides what is coupled, because nodes that are not neighbours in the tree share elements where
 // branches meet, touch or are thin.
 #pragma once
 
@@ -12,11 +12,11 @@
 
 namespace hepatica::gpu {
 
-// Of each node the others that it is coupled with; both hear of it. A node may name itself.
+// For each node, the nodes it is coupled with; symmetric. A node may name itself.
 using Couplings = std::vector<std::vector<int>>;
 
-// Every node once, in cuts of two and in the order of elimination: those that divide most come
-// last. The second node of a cut is -1 where there is no other to take.
+// Each node once, in cuts of two in the order of elimination: the top-level separators come last.
+// The second node of a cut is -1 where no other was left.
 std::vector<std::array<int, 2>> bisecting_cuts(const CoarseSkeleton& skeleton,
                                                const Couplings& coupled);
 

@@ -39,7 +39,8 @@ class ElementPlanner {
     int count() const { return static_cast<int>(nodes_.size()); }
     const std::array<int, 2>& between(int place) const { return nodes_[elements_.vertex[place]]; }
 
-    // The nodes that move these vertices or their neighbours, as far as a pair asks for them.
+    // The nodes that move these vertices or their neighbours and form a pair with one of their
+    // nodes.
     std::set<int> others_of(int begin, int end) const {
         std::set<int> others;
         for (int place = begin; place < end; ++place) {
@@ -53,7 +54,7 @@ class ElementPlanner {
         return others;
     }
 
-    // Elements of these vertices, as many as their nodes ask for.
+    // Adds as many elements for these vertices as their other nodes need.
     void add(int begin, int end) {
         const std::set<int> others = others_of(begin, end);
         const auto [first, second] = between(begin);
@@ -62,7 +63,7 @@ class ElementPlanner {
             for (int k = 0; k < CoarseElement::most_others && other != others.end(); ++k, ++other)
                 element.other[k] = *other;
             const int number = static_cast<int>(elements_.element.size());
-            // What a node shares with itself, it has once.
+            // Where both nodes are the same, its parts exist once.
             for (int side = 0; side < (first == second ? 1 : 2); ++side)
                 for (int k = 0; k < CoarseElement::most_others; ++k) {
                     const auto pair = pair_of_.find({element.own[side], element.other[k]});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How P^T A P is added up on a device: as a stiffness matrix is from elements. An element of the
-// coarse grid is what a few vertices between the same two nodes give to these; it is computed by
-// one block of threads, and every block of the matrix then gathers what its elements hold for it.
+// Plan of the assembly of P^T A P on a device, like that of a stiffness matrix from elements. A
+// coarse element is the contribution of a few vertices between the same two nodes. One block of
+// threads computes it, and every block of the matrix then gathers its parts from the elements.
 #pragma once
 
 #include <array>
@@ -15,13 +15,13 @@ namespace hepatica::gpu {
 
 struct CoarseElements {
     std::vector<CoarseElement> element;
-    std::vector<int> vertex;      // of each element
-    std::vector<int> part_begin;  // of each pair of nodes
-    std::vector<int> part;        // of elements, see CoarseElement
+    std::vector<int> vertex;      // vertices of the elements
+    std::vector<int> part_begin;  // first part of each pair of nodes, and the end of the last
+    std::vector<int> part;        // indices of parts, see CoarseElement::part()
 };
 
-// `nodes` are those of each vertex. Of the pairs, which are ordered by their own node, each
-// is found once. A node that no vertex has in common with the pair's own gives it nothing.
+// `nodes`: the two nodes of each vertex. `pairs` must be distinct. A pair of nodes without common
+// or neighbouring vertices receives no parts.
 CoarseElements plan_coarse_elements(std::span<const std::array<int, 2>> nodes,
                                     const AssemblyPlan& plan, std::span<const NodePair> pairs);
 

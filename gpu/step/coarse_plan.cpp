@@ -16,7 +16,8 @@ namespace {
 
 using Lists = std::vector<std::vector<int>>;
 
-// Of each cut, the later ones that are coupled with it, in the matrix or by fill; ascending.
+// For each cut, the later cuts that are coupled with it, by the matrix or by fill-in; ascending.
+// Symbolic factorisation along the elimination tree.
 Lists coupled_above(const Lists& coupled) {
     std::vector<std::set<int>> above(coupled.size());
     for (std::size_t p = 0; p < coupled.size(); ++p) {
@@ -31,7 +32,7 @@ Lists coupled_above(const Lists& coupled) {
     return lists;
 }
 
-// A cut stands one level above the highest that is coupled with it from below.
+// The level of a cut is one above the highest lower cut that is coupled with it.
 std::vector<int> levels_of(const Lists& above) {
     std::vector<int> level(above.size(), 0);
     for (std::size_t p = 0; p < above.size(); ++p)
@@ -39,7 +40,7 @@ std::vector<int> levels_of(const Lists& above) {
     return level;
 }
 
-// Nodes coupled with each other by the matrix, of which each has four rows.
+// Nodes that the matrix couples; each has four rows.
 Couplings couplings_of(const BlockMatrix& coarse) {
     Couplings coupled(coarse.row_begin.size() / coarse_vectors);
     for (std::size_t n = 0; n < coupled.size(); ++n)
@@ -49,7 +50,7 @@ Couplings couplings_of(const BlockMatrix& coarse) {
     return coupled;
 }
 
-// Cuts coupled with each other by the matrix.
+// Cuts that the matrix couples.
 Lists coupled_cuts(const std::vector<std::array<int, 2>>& cuts, const std::vector<int>& cut_of_node,
                    const Couplings& nodes) {
     Lists coupled(cuts.size());
@@ -60,7 +61,7 @@ Lists coupled_cuts(const std::vector<std::array<int, 2>>& cuts, const std::vecto
     return coupled;
 }
 
-// Numbers 0, 1, ... sorted by their levels, and where each level begins; there are `levels`.
+// Sorts 0, 1, ... by level, and finds where each of the `levels` levels begins.
 void sort_by_level(const std::vector<int>& level, int levels, std::vector<int>& by_level,
                    std::vector<int>& begin) {
     by_level.resize(level.size());
@@ -119,7 +120,7 @@ class Planner {
         }
     }
 
-    // All cuts that stand above one, nearest first: N^-1 has a block for each.
+    // The ancestors of a cut in the elimination tree, nearest first: N^-1 has a block for each.
     std::vector<int> path_from(int cut) const {
         std::vector<int> path;
         while (!above_[cut].empty()) path.push_back(cut = above_[cut][0]);
@@ -155,7 +156,7 @@ class Planner {
         }
     }
 
-    // Of N^-1 N = 1: block (i, p) is minus the sum of (N^-1)_ik N_kp over p < k <= i.
+    // From N^-1 N = 1: block (i, p) is minus the sum of (N^-1)_ik N_kp over p < k <= i.
     void add_products(int i, int p, const std::map<std::pair<int, int>, int>& block_at) {
         InversePlan& inverse = plan_.inverse;
         for (int b = plan_.column_begin[p] + 1; b < plan_.column_begin[p + 1]; ++b) {

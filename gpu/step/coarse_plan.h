@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the coarse matrix P^T A P is factored and solved on a device: nested dissection of the vessel
-// tree. A cut takes two neighbouring nodes and halves what is left; cuts of one level know nothing
-// of each other, and a chain of n nodes has about log2 n levels, not n. The factor is N D N^T in
-// blocks of two nodes: D inverted, N with ones on its diagonal. N^-1 has a block for each cut and
-// each of those above it, some log2 n a cut.
+// Plan for the factorisation and solution of the coarse matrix P^T A P on a device by nested
+// dissection of the vessel tree. A cut takes two neighbouring nodes and halves the rest; cuts of
+// one level are independent, and a chain of n nodes has about log2 n levels, not n. The factor is N
+// D N^T in blocks of two nodes: D is inverted, and N has a unit diagonal. N^-1 has a block for each
+// cut and each of its ancestors, about log2 n per cut.
 #pragma once
 
 #include <vector>
@@ -25,15 +25,16 @@ struct InversePlan {
     std::vector<InverseListsView::Above> above;
 };
 
-// Cuts are numbered in the order of elimination. Blocks of the factor lie column by column, the
-// diagonal one first.
+// Cuts are numbered in the order of elimination. Blocks of the factor are stored column by column,
+// the diagonal block first.
 struct CoarsePlan {
-    std::vector<int> slot_of_node;  // two slots a cut; the second may be empty
-    std::vector<int> level_begin;   // places in by_level
-    std::vector<int> by_level;      // cuts, those first that hear of no other
-    std::vector<int> column_begin;  // blocks of each cut
-    std::vector<int> row;           // the row's cut of each block
-    // What elimination takes from block (i, p): the products of (i, k) and (p, k), for every k.
+    std::vector<int> slot_of_node;  // two slots per cut; the second may be empty
+    std::vector<int> level_begin;   // first place of each level in by_level
+    std::vector<int> by_level;      // cuts, leaves of the elimination tree first
+    std::vector<int> column_begin;  // first block of each cut
+    std::vector<int> row;           // cut of each block's row
+    // Elimination subtracts from block (i, p) the products of blocks (i, k) and (p, k), for every
+    // k.
     std::vector<int> update_begin;
     std::vector<CutListsView::Update> update;
     InversePlan inverse;
@@ -42,11 +43,10 @@ struct CoarsePlan {
     int slots() const { return 2 * cuts(); }
     int blocks() const { return static_cast<int>(row.size()); }
     int levels() const { return static_cast<int>(level_begin.size()) - 1; }
-    // -1 where there is none; row >= column.
     int find(int row_cut, int column_cut) const;
 };
 
-// `coarse` has the pattern of P^T A P, four vectors a node.
+// `coarse` has the pattern of P^T A P, with four vectors per node.
 CoarsePlan plan_coarse(const CoarseSkeleton& skeleton, const BlockMatrix& coarse);
 
 }  // namespace hepatica::gpu

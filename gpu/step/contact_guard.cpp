@@ -40,7 +40,7 @@ bool ContactGuard::overdrawn(const EnergyLimiter& limiter, const Underway& step,
                              const std::vector<Vec3>& velocities,
                              std::span<const std::uint8_t> held) const {
     if (limiter.pieces() == 1) return false;
-    // What touches at the end joins pieces.
+    // Contacts at the end join pieces.
     if (potentials_.self()) potentials_.self()->contacts(step.to_mm);
     return !limiter
                 .overdrawn(in_terms_of_core(step, potentials_, velocities), step.before.by_piece(),

@@ -70,7 +70,7 @@ void DeviceBody<Real>::add_group(const ElementGroup& group, const GroupSlots& sl
                        {machine_, group.springs}});
 }
 
-// The plan's pattern without its diagonal, and the plan's lists of upper blocks alone.
+// Uploads the plan's pattern without its diagonal, and the plan's lists for upper blocks alone.
 template <class Real>
 void DeviceBody<Real>::set_pattern(const AssemblyPlan& plan) {
     const auto beside = [&](int row, int k) { return k - row - (k > plan.diagonal[row] ? 1 : 0); };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A body on a machine: elements, gather lists and the matrix of their stiffness, laid out by the
-// AssemblyPlan that the CPU uses. Evaluates and assembles.
+// A body on a machine: elements, gather lists and the stiffness matrix, laid out by the
+// AssemblyPlan that the CPU uses. Evaluates forces and assembles K.
 #pragma once
 
 #include <vector>
@@ -13,21 +13,23 @@
 
 namespace hepatica::gpu {
 
-// Whether elements and stiffness of this body have kernels.
+// Whether all elements of this body have kernels.
 bool has_kernels(const Body& body);
 
-// Keeps what it needs. Real: of the matrix, float, or double for tests.
+// Copies what it needs of its arguments. Real: number type of the matrix, float, or double for
+// tests. Not thread-safe.
 template <class Real>
 class DeviceBody {
   public:
-    // The body has_kernels(); the plan is that of Tangent::rotated.
+    // Requires has_kernels(body); the plan must be that of Tangent::rotated.
     DeviceBody(Machine& machine, const Body& body, const AssemblyPlan& plan);
-    // Of the same elements with other corners, and of other nodes: what a tear makes of a body.
+    // Takes over a torn body: the same elements with other corners, and possibly other nodes.
     void follow(const Body& body, const AssemblyPlan& plan);
 
-    // Elastic force and energy of every node there; `with_stiffness` for assemble().
+    // Computes the elastic force and energy of every node; `with_stiffness` also prepares
+    // assemble().
     void evaluate(View<const Vector3<double>> position, bool with_stiffness);
-    // K beside the diagonal, at the last evaluation with stiffness.
+    // Assembles the off-diagonal blocks of K from the last evaluation with stiffness.
     void assemble();
 
     View<const Vector3<double>> elastic_force() const { return force_.read(); }
@@ -50,7 +52,7 @@ class DeviceBody {
         bool in_factors;
         int first_slot, first_block, blocks;
         GrowingArray<int> connectivity;
-        Array<double> tetrahedra;  // their rest, in planes
+        Array<double> tetrahedra;  // rest data, in planes
         Array<small::SpringRest<double>> springs;
     };
 

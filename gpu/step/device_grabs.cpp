@@ -48,7 +48,8 @@ void DeviceGrabs::set(std::span<const Grab> grabs, const AssemblyPlan& plan) {
     }
 }
 
-// So that a node's grabs are found in their own order.
+// Builds the linked lists from back to front, so that a node's grabs are visited in their own
+// order.
 void DeviceGrabs::list_by_node(std::span<const Grab> grabs, std::size_t nodes) {
     std::vector<int> first(grabs.empty() ? 0 : nodes, -1), next(4 * grabs.size(), -1);
     for (std::size_t entry = next.size(); entry-- > 0;) {

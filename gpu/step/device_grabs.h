@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The grabs of a body on a machine.
+// The grabs of a body on a machine (grab_kernels.h).
 #pragma once
 
 #include <span>
@@ -16,14 +16,15 @@ class DeviceGrabs {
   public:
     explicit DeviceGrabs(Machine& machine) : machine_(machine) {}
 
-    // As validate_grabs demands. While they hold the same nodes, only the few grabs are copied.
+    // Grabs must satisfy validate_grabs(). While they hold the same nodes, only the grabs
+    // themselves are copied.
     void set(std::span<const Grab> grabs, const AssemblyPlan& plan);
-    // With another plan: what is known of the nodes they hold is found anew.
+    // Sets the grabs for another plan, and rebuilds the lists by node.
     void follow_tear(std::span<const Grab> grabs, const AssemblyPlan& plan) {
         held_.clear();
         set(grabs, plan);
     }
-    // Their forces at these positions.
+    // Computes their forces at these positions.
     void pull(View<const Vector3<double>> position) {
         machine_.for_each(PullGrabs{grab_.read(), position, pull_.view()});
     }

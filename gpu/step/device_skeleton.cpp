@@ -40,7 +40,7 @@ DeviceSkeleton<Real>::DeviceSkeleton(Machine& machine, const CoarseSkeleton& ske
     motions_ = {machine, static_cast<std::size_t>(plan_.slots())};
 }
 
-// What does not change with the shape: shares and radii, and the vertices of each slot.
+// Uploads what does not depend on the shape: shares and radii, and the vertices of each slot.
 template <class Real>
 void DeviceSkeleton<Real>::set_vertices(const AffineCoarseSpace& space,
                                         const CoarseSkeleton& skeleton) {
@@ -72,7 +72,7 @@ void DeviceSkeleton<Real>::set_vertices(const AffineCoarseSpace& space,
     node_ = {machine_, node};
 }
 
-// Every pair of nodes in the lower triangle of the factor, and both of a cut with each other.
+// Every pair of nodes in the lower triangle of the factor, and all four pairs within a cut.
 template <class Real>
 void DeviceSkeleton<Real>::set_pairs(const AffineCoarseSpace& space, const AssemblyPlan& plan) {
     const BlockMatrix coarse = space.coarse_pattern();

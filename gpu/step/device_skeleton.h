@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The second level of the preconditioner on a machine: z += P (P^T A P)^-1 P^T r, with the vessel
-// tree's centreline as the coarse grid. It is prepared anew for every matrix, so that no step
-// depends on the one before: shape, P^T A P and its factor, all on the machine.
+// tree's centreline as coarse grid. It is prepared anew for every matrix, so that no step depends
+// on an earlier one: P, P^T A P and its factor are computed on the machine.
 #pragma once
 
 #include <span>
@@ -19,14 +19,14 @@ namespace hepatica::gpu {
 template <class Real>
 class DeviceSkeleton {
   public:
-    // The skeleton has one node or more; one rest position a node of the body.
+    // Requires at least one node in the skeleton, and one rest position per node of the body.
     DeviceSkeleton(Machine& machine, const CoarseSkeleton& skeleton,
                    std::span<const Vec3> rest_positions_mm, const AssemblyPlan& plan);
 
-    // At these positions of the body; what `system` holds does not move with the skeleton.
+    // Prepares for `system` at these positions; nodes that it holds do not move with the skeleton.
     void prepare(const SystemView<Real>& system, View<const Vector3<double>> position);
 
-    // Adds the correction to z, and hands r . z and r . r to `then`.
+    // Adds the correction to z, and passes r . z and r . r to `then`.
     template <class Then>
     void correct(const WholeSum& nodes, View<const Vector3<Real>> r, View<Vector3<Real>> z,
                  const Then& then) const {

@@ -13,20 +13,21 @@ namespace hepatica::gpu {
 namespace {
 
 constexpr int most_rounds = 8;
-// A round has done what it can once the residual is this small, over what it began with.
+// A round ends once its residual has fallen to this share of its initial value; Real allows no
+// more.
 template <class Real>
 constexpr double least_residual = 1e-5;
 template <>
 constexpr double least_residual<double> = 1e-14;
-// And another is worth it while rounds lower the residual at least so far.
+// Another round is made while rounds reduce the residual at least by this factor.
 constexpr double worth_a_round = 0.5;
 
 double squared(double a) {
     return a * a;
 }
 
-// How many iterations more the error needs where it goes on to fall as it fell in those that are
-// done, so that none are made for nothing; many where that says nothing.
+// Number of further iterations if the error continues to fall at its mean rate so far, so that few
+// are wasted; a large number where no rate is known.
 int expected_iterations(double first_error, double error, int done, const SolveLimits& limits,
                         double solution) {
     constexpr int many = 1 << 20;
@@ -69,7 +70,7 @@ SolveScalars DeviceSolver<Real>::scalars() const {
     return now;
 }
 
-// After a term that leaves r and z = D^-1 r.
+// Applies the preconditioner after a term that leaves r and z = D^-1 r.
 template <class Real>
 template <class Term, class Then>
 void DeviceSolver<Real>::precondition(const Term& term, const Then& then,
@@ -96,7 +97,7 @@ bool DeviceSolver<Real>::Energies::suffice(const SolveLimits& limits) const {
     return (1.0 - limit) * error <= limit * solution;
 }
 
-// Conjugate gradients on A x_ = residual_ from 0, until its residual, squared, is below the limit.
+// Conjugate gradients on A x_ = residual_ from 0, until the squared residual is below the limit.
 template <class Real>
 typename DeviceSolver<Real>::End DeviceSolver<Real>::run_round(
     const SystemView<Real>& system, const DeviceSkeleton<Real>* skeleton, const SolveLimits& limits,
@@ -105,7 +106,7 @@ typename DeviceSolver<Real>::End DeviceSolver<Real>::run_round(
                                   r_.view(), z_.view()},
                  StartIteration{scalars_.view()}, skeleton);
     SolveScalars now = scalars();
-    // What touches changes the spectrum from step to step: nothing is known of it from others.
+    // Contacts change the spectrum from step to step, so no bound is carried over.
     const bool touches = system.factors.touch != 0.0 && !system.touches.row.empty();
     ErrorBound bound(touches ? 0.0 : ErrorBound::relaxation * smallest_ritz_);
     double work = now.work;
@@ -149,12 +150,13 @@ SolveReport DeviceSolver<Real>::solve(const SystemView<Real>& system, View<const
         return report;
     }
     using Clock = std::chrono::steady_clock;
-    // The sum above was waited for, and so is the last residual.
+    // The sum above and the last residual wait for the machine, so that the clock measures its
+    // work.
     const auto start = Clock::now();
     const std::size_t bytes_before = machine_.traffic().kernel_bytes;
     machine_.for_each(InvertDiagonal<Real>{system, Planes<Matrix3<Real>, Real>(inverse_.view())});
     const double wanted = squared(limits.residual_tolerance) * rhs_squared;
-    double left = rhs_squared, before = 0.0;  // of the residual, squared
+    double left = rhs_squared, before = 0.0;  // squared residual
     Energies energies;
     End end = End::residual;
     for (int round = 0; round < most_rounds; ++round) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Conjugate gradients on a machine, preconditioned by the inverse diagonal blocks and, where there
-// is a skeleton, the additive correction of its coarse space. Iterations run
-// there in batches; after each the host reads what they did and stops by the rules of
-// ConjugateGradient, so that a solve may do a few iterations more than it needs. Where a residual
-// is asked for that Real cannot hold, what is left is found in double and solved for again
-// (iterative refinement, Wilkinson 1963).
+// Conjugate gradients on a machine, preconditioned by the inverse diagonal blocks and, with a
+// skeleton, additively by its coarse space. Iterations run in batches; after each the host reads
+// their records and stops by the rules of ConjugateGradient, so a solve may do a few iterations
+// more than needed. Where the wanted residual is beyond the precision of Real, the residual is
+// computed in double and solved for again (iterative refinement, Wilkinson 1963).
 #pragma once
 
 #include <cmath>
@@ -17,8 +16,7 @@
 
 namespace hepatica::gpu {
 
-// Keeps references. Not thread-safe.
-// Of one solve, with its products and sums, without what is prepared for it.
+// Cost of one solve with its products and sums, without the preparation of the skeleton.
 struct SolveCost {
     double seconds = 0.0;
     std::size_t kernel_bytes = 0;  // see bytes_of
@@ -30,9 +28,9 @@ class DeviceSolver {
     DeviceSolver(Machine& machine, const WholeSum& nodes);
     void resize(std::size_t nodes);
 
-    // `skeleton`, prepared for this matrix, may be null.
-    // Solves A x = b from x = 0. Not converged where it broke down or ran out of iterations. Throws
-    // Cancelled within a batch of iterations after a stop was asked for.
+    // Solves A x = b from x = 0. `skeleton` must be prepared for this matrix, or null. Not
+    // converged where it broke down or ran out of iterations. Throws Cancelled within one batch of
+    // iterations after a stop was requested.
     SolveReport solve(const SystemView<Real>& system, View<const Vector3<double>> b,
                       const DeviceSkeleton<Real>* skeleton, const SolveLimits& limits,
                       const std::stop_token& stop = {});
@@ -42,19 +40,19 @@ class DeviceSolver {
 
     const SolveCost& cost() const { return cost_; }  // of the last solve
 
-    // What it carries from one solve to the next, see ConjugateGradient.
+    // The value carried from one solve to the next, see ConjugateGradient.
     double smallest_ritz() const { return smallest_ritz_; }
     void remember(double smallest_ritz) { smallest_ritz_ = smallest_ritz; }
 
   private:
     static constexpr int batch = 8;
 
-    // Of the solve so far: |x|_A squared, and the bound of the error in that norm, squared.
+    // Of the solve so far: |x|_A squared, and the bound of the squared error in that norm.
     struct Energies {
         double solution = 0.0, error = INFINITY;
         bool suffice(const SolveLimits& limits) const;
     };
-    // Where a round ended: by the energies, by its residual, or not where it should.
+    // Why a round ended: the energy criterion, the residual, or early without either.
     enum class End { energies, residual, early };
 
     End run_round(const SystemView<Real>& system, const DeviceSkeleton<Real>* skeleton,

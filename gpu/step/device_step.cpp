@@ -25,11 +25,12 @@
 namespace hepatica::gpu {
 namespace {
 
-constexpr int most_impacts = 3;      // in a step, as in BackwardEuler
-constexpr double least_part = 0.05;  // of what is left of it
-constexpr double armijo = 1e-4;      // of the predicted decrease must come true, as in NewtonStep
+constexpr int most_impacts = 3;      // per step, as in BackwardEuler
+constexpr double least_part = 0.05;  // least share of the remaining time
+constexpr double armijo =
+    1e-4;  // share of the predicted decrease that must be reached, as in NewtonStep
 
-// A change of energy below this share of the energies at hand is rounding.
+// A change of energy below this share of the energies involved is rounding.
 constexpr double energy_rounding = 1e-13;
 template <class Real>
 class Step final : public DeviceStep {
@@ -138,7 +139,7 @@ class Step final : public DeviceStep {
     PotentialList& potentials_;
     ContactGuard guard_;
     CoarseSkeleton whole_skeleton_;         // of the body before it tore
-    std::optional<EnergyLimiter> limiter_;  // always there
+    std::optional<EnergyLimiter> limiter_;  // always engaged after construction
     std::vector<std::uint8_t> held_;
     double energy_floor_;
     std::size_t nodes_ = 0;
@@ -154,13 +155,13 @@ class Step final : public DeviceStep {
     GrowingArray<Vector3<double>> rest_, start_, before_, position_, velocity_, start_force_;
     GrowingArray<Vector3<double>> steepest_, rhs_, damping_;
     Vector3<double> gravity_{{0.0, 0.0, 0.0}};
-    bool evaluated_ = false;  // elastic forces and energies are those of start_
+    bool evaluated_ = false;  // elastic forces and energies are those at start_
     BodyState state_, end_;   // end_: memory for the state at the end of a step
     PinnedVectors pinned_;    // the vectors of both
     std::string left_because_;
 };
 
-// What there is one of for each node of the body as it is.
+// Sets all arrays with one entry per node of the present body.
 template <class Real>
 void Step<Real>::set_nodes() {
     nodes_ = body_.rest_positions_mm.size();
@@ -222,14 +223,14 @@ double Step<Real>::product(const SystemView<Real>& system, const GrowingArray<Ve
     return all_.read_rows(system, w.read(), KeepProduct<double>{y.view()})[0];
 }
 
-// Goes to w = share v_n + change.
+// Moves the nodes to w = share v_n + change.
 template <class Real>
 void Step<Real>::place(double dt, double share, View<const Vector3<double>> change) {
     machine_.for_each(PlaceNodes{start_.read(), before_.read(), change, share, dt, position_.view(),
                                  velocity_.view()});
 }
 
-// Forces and energies there.
+// Computes forces and energies at position_.
 template <class Real>
 void Step<Real>::evaluate(bool with_stiffness) {
     grabs_.pull(position_.read());
@@ -244,7 +245,7 @@ Descent Step<Real>::descent(double dt, bool damped, GrowingArray<Vector3<double>
     return {nodes_at(position_, velocity_), damping, dt, inertia(dt), result.view()};
 }
 
-// Of the incremental potential, see incremental_potential.h.
+// Value of the incremental potential, see incremental_potential.h.
 template <class Real>
 double Step<Real>::value_of(const Balance& now, double dt, double damping_form) const {
     return now.sum(Energies::inertial) +
@@ -252,7 +253,7 @@ double Step<Real>::value_of(const Balance& now, double dt, double damping_form) 
            now.potential();
 }
 
-// Forces and energies at the start.
+// Computes forces and energies at the start.
 template <class Real>
 void Step<Real>::begin(Underway& step) {
     if (guard_.any()) {
@@ -270,7 +271,8 @@ void Step<Real>::begin(Underway& step) {
     step.standing = step.before.sum(Energies::kinetic) + step.before.potential();
 }
 
-// Begins where the body would be without a change of velocity, unless standing still is better.
+// Tries to begin the iterate at the positions without a change of velocity. False where standing
+// still has a lower potential.
 template <class Real>
 bool Step<Real>::predict(Underway& step) {
     if (!(step.before.sum(Energies::kinetic) > 0.0)) return false;
@@ -292,7 +294,7 @@ bool Step<Real>::predict(Underway& step) {
     return true;
 }
 
-// Begins at w = 0, with the change of velocity as unknown all the same.
+// Begins the iterate at w = 0; the unknown is the change of velocity nonetheless.
 template <class Real>
 void Step<Real>::stand(Underway& step) {
     const double dt = step.dt_s;
@@ -307,7 +309,7 @@ void Step<Real>::stand(Underway& step) {
     machine_.for_each(Subtract{rhs_.view(), damping_.read()});
 }
 
-// Finds the direction and goes along it. False where the solver broke down.
+// Solves for the direction and applies it. False where the solver broke down.
 template <class Real>
 bool Step<Real>::solve(Underway& step, const SolveLimits& limits, StepReport& report,
                        const std::stop_token& stop) {
@@ -329,7 +331,7 @@ bool Step<Real>::solve(Underway& step, const SolveLimits& limits, StepReport& re
     place(dt, 1.0, solver_.solution());
     begin_copy_out(machine_, position_, end_.positions_mm);
     begin_copy_out(machine_, velocity_, end_.velocities_mm_per_s);
-    // The stiffness is still that of where the iterate began.
+    // The stiffness is still the one at the beginning of the iterate.
     if (!step.predicted)
         step.curvature =
             dt * dt *
@@ -340,7 +342,7 @@ bool Step<Real>::solve(Underway& step, const SolveLimits& limits, StepReport& re
     return true;
 }
 
-// Whether the direction, taken whole, lowers the incremental potential.
+// Whether the full direction decreases the incremental potential sufficiently (Armijo).
 template <class Real>
 bool Step<Real>::accepted(Underway& step) {
     const double dt = step.dt_s;
@@ -352,7 +354,7 @@ bool Step<Real>::accepted(Underway& step) {
     return std::isfinite(value) && value <= step.value + armijo * step.slope + noise;
 }
 
-// As StepBooks.
+// Fills the energy ledger, as StepBooks does.
 template <class Real>
 void Step<Real>::book(Underway& step, StepReport& report) {
     const double dt = step.dt_s;
@@ -378,7 +380,8 @@ void Step<Real>::book(Underway& step, StepReport& report) {
     ledger.imbalance = gained - explained_change(ledger);
 }
 
-// The step's end becomes the state; the limiter has the last word on its velocities.
+// Makes the end of the step the new state, unless the energy limiter demands that the CPU make the
+// step; may limit its velocities.
 template <class Real>
 bool Step<Real>::accept(const Underway& step, StepReport& report) {
     if (guard_.any() && guard_.overdrawn(*limiter_, step, end_.velocities_mm_per_s, held_))
@@ -399,7 +402,7 @@ bool Step<Real>::accept(const Underway& step, StepReport& report) {
     return true;
 }
 
-// One step of eq. (12), or a part of one.
+// Makes one step of eq. (12), or a part of one.
 template <class Real>
 bool Step<Real>::make(double dt_s, const SolveLimits& limits, StepReport& report,
                       const std::stop_token& stop) {
@@ -427,7 +430,7 @@ bool Step<Real>::make(double dt_s, const SolveLimits& limits, StepReport& report
     return true;
 }
 
-// Where the body flies against something, the step is cut where it touches, as BackwardEuler does.
+// Where the body is about to hit something, the step is split at the impact, as in BackwardEuler.
 template <class Real>
 bool Step<Real>::advance(double dt_s, const SolveLimits& limits, StepReport& report,
                          const std::stop_token& stop) {
@@ -453,8 +456,8 @@ bool Step<Real>::advance(double dt_s, const SolveLimits& limits, StepReport& rep
     return true;
 }
 
-// Whether the whole direction may be taken so that nothing passes through anything; and looks for
-// what is touched at its end.
+// Whether nothing passes through anything along the full direction; also searches for contacts at
+// its end.
 template <class Real>
 bool Step<Real>::passes_nothing(Underway& step) {
     if (step.predicted && limiter_->pieces() > 1 && potentials_.self())

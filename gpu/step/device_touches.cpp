@@ -15,7 +15,7 @@ std::vector<Vector3<double>> plain(std::span<const Vec3> places) {
     return all;
 }
 
-// The four nodes of each touch that move with it; those of weight 0 do not.
+// The four nodes of each touch that move with it; -1 for nodes of weight 0.
 template <class Touch>
 void add_nodes(const std::vector<Touch>& touches, std::vector<int>& nodes) {
     for (const Touch& touch : touches)
@@ -73,7 +73,7 @@ void DeviceTouches::set(const TouchList& list) {
     pulls_.resize(first_tie() + ties_.size());
 }
 
-// The touches of each node in their own order.
+// Lists by node, with the touches of each node in their own order.
 DeviceTouches::ByNode DeviceTouches::lists_by_node(const std::vector<int>& touch_nodes) {
     ByNode lists;
     for (const int node : touch_nodes)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a body touches, on a machine: the lists that the host's search made, and what comes of them.
+// The contacts of a body on a machine: the lists made by the host's search, and their forces.
 #pragma once
 
 #include <span>
@@ -14,23 +14,24 @@ namespace hepatica::gpu {
 
 class DeviceTouches {
   public:
-    // `standing_mm`: what the lists number behind the body's nodes.
+    // `standing_mm`: points that do not move, which the lists number after the body's nodes.
     DeviceTouches(Machine& machine, std::span<const Vec3> standing_mm);
 
-    // Of a body of so many nodes, which touches nothing then.
+    // Sets the number of nodes of the body and clears all contacts.
     void set_nodes(std::size_t nodes);
-    // What does not change is not copied again.
+    // Sets the contacts; unchanged data are not copied again.
     void set(const TouchList& list);
-    // Forces and energies at these positions, stiffness but that of friction.
+    // Computes forces and energies at these positions, and stiffness except that of friction.
     void press(View<const Vector3<double>> position);
-    // The stiffness of friction there, after press() and with all other forces of the nodes.
+    // Computes the stiffness of friction at the same positions; call after press(), with all other
+    // forces of the nodes.
     void foresee(const NodeViews& nodes);
 
     TouchesView view() const;
 
   private:
     struct ByNode {
-        std::vector<int> nodes, begin{0}, entries;  // nodes that touch something, their lists
+        std::vector<int> nodes, begin{0}, entries;  // nodes with contacts, and their lists
     };
     ByNode lists_by_node(const std::vector<int>& touch_nodes);
     void list_by_node(std::vector<int> touch_nodes);
@@ -44,7 +45,7 @@ class DeviceTouches {
     int nodes_ = 0;
     double tool_pad_mm_ = 1.0;
     Array<Vector3<double>> standing_;
-    GrowingArray<int> row_;  // its copy on the host: while nothing touches
+    GrowingArray<int> row_;  // the host's copy is that without contacts
     GrowingArray<PadCapsule> tool_;
     GrowingArray<PadPoint> points_;
     GrowingArray<PadPair> pairs_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An array on a machine whose length changes, and the host's copy of it: memory is taken anew only
-// where it grows, and of what is set again only the parts that changed are copied.
+// An array on a machine whose length may change, with a copy on the host. Memory is reallocated
+// only when it grows, and set() uploads only the parts that changed. Functions throw DeviceError
+// where the device fails.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +23,7 @@ class GrowingArray {
 
     void set(std::vector<T> values) {
         const std::size_t size = values.size();
-        // Memory that was taken anew holds nothing of before.
+        // Reallocated memory holds none of the former values.
         const std::size_t known = reserve(size) ? 0 : std::min(size, values_.size());
         const auto same = [&](std::size_t begin) {
             const std::size_t end = std::min(begin + part, size);
@@ -38,7 +39,7 @@ class GrowingArray {
         values_ = std::move(values);
         size_ = size;
     }
-    // Of this length, with any values, of which the host has none.
+    // Changes the length; the values are undefined, and the host has no copy of them.
     void resize(std::size_t size) {
         size_ = size;
         reserve(size);
@@ -53,10 +54,11 @@ class GrowingArray {
     View<const T> read() const { return view(); }
 
   private:
-    // What is compared at once: a copy costs as much as the way of some hundred kilobytes.
+    // Elements compared at once. Starting a copy costs as much as transferring some hundred
+    // kilobytes.
     static constexpr std::size_t part = std::max<std::size_t>(1, 16384 / sizeof(T));
 
-    // Returns whether memory was taken anew: at first as much as is asked for, then a quarter more.
+    // Returns true if memory was reallocated: first the size asked for, later a quarter more.
     bool reserve(std::size_t size) {
         if (size <= array_.size()) return false;
         array_ = {*machine_, array_.size() == 0 ? size : size + size / 4};

@@ -12,7 +12,7 @@ struct Layout {
     std::vector<int> chunk_begin{0}, segment_begin{0};
     int longest = 0;
 
-    // Segments follow one another.
+    // Appends a segment.
     void add_segment(int nodes) {
         const int first = chunk_begin.back();
         longest = std::max(longest, nodes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Segments of nodes that are added up each for itself, on a machine, such as the pieces of a body.
+// Sums over segments of nodes on a machine, such as the pieces of a body.
 #pragma once
 
 #include <span>
@@ -20,13 +20,14 @@ class Partition {
           partial_(machine),
           result_(machine) {}
 
-    // One segment for each piece, 0, 1, ...; there are `pieces` of them, or as many as are named.
+    // Sets one segment for each piece 0, 1, ...; there are `pieces` of them, or more if higher ones
+    // are named.
     void set(std::span<const int> piece_of_node, int pieces = 0);
 
     int segments() const { return static_cast<int>(segment_begin_.size()) - 1; }
 
-    // Adds up the term over each segment and hands the sums to `then`, on the machine: in one
-    // launch where no segment is long.
+    // Sums the term over each segment and passes the sums to `then` on the machine, in one launch
+    // where no segment is long.
     template <class Term, class Then>
     void sum(const Term& term, const Then& then) const {
         static_assert(Term::width == Then::width && Term::width <= most_width);
@@ -35,7 +36,7 @@ class Partition {
         machine_.launch(SumChunks<Term>{term, view(), partial_.view()});
         machine_.launch(FinishSum<Then>{then, view(), partial_.read()});
     }
-    // The same, read back: `width` numbers a segment. Waits for the machine.
+    // The same, read back: `width` numbers per segment. Waits for the machine.
     template <class Term>
     std::vector<double> read(const Term& term) const {
         sum(term, KeepSums<Term::width>{result_.view()});
@@ -53,7 +54,7 @@ class Partition {
     }
 
     Machine& machine_;
-    int longest_ = 0;  // segment, in nodes
+    int longest_ = 0;  // longest segment in nodes
     GrowingArray<int> order_, chunk_begin_, segment_begin_;
     GrowingArray<double> partial_, result_;
 };

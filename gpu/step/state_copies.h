@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Copies a vector for each node of a body to a machine and back. The vectors on both sides have the
+// Copies one vector per node of a body to a machine and back. Source and destination must have the
 // same length.
 #pragma once
 

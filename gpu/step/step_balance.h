@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A step on a machine while it is made, eq. (12): its energies, by pieces of the body, and what was
-// found of it so far.
+// The data of a step on a machine while it is made, eq. (12): its energies by pieces of the body,
+// and intermediate results.
 #pragma once
 
 #include <vector>
@@ -22,7 +22,7 @@ struct Balance {
             total += of_pieces[k];
         return total;
     }
-    // Of elements and potentials.
+    // Energy of elements and potentials.
     double potential() const {
         return sum(Energies::elastic) + sum(Energies::grab) + sum(Energies::tether) +
                sum(Energies::weight) + sum(Energies::contact) + sum(Energies::friction) +
@@ -53,10 +53,10 @@ struct Balance {
     }
 };
 
-// A strain below this is rounding: at rest all energies are.
+// Strains below this are rounding; at rest all energies are.
 constexpr double strain_rounding = 1e-12;
 
-// Below it energies mean nothing [nJ]: that of the body at such a strain, about.
+// Energies below this [nJ] are rounding: about the energy of the body at that strain.
 inline double energy_of_rounding(const Body& body) {
     double sum = 0.0;
     for (const ElementGroup& group : body.groups) {
@@ -71,14 +71,14 @@ inline double energy_of_rounding(const Body& body) {
 // One step while it is made; energies in nJ.
 struct Underway {
     double dt_s = 0.0;
-    BodyState start{};                     // of a body that may touch something
-    std::vector<Vec3> from_mm{}, to_mm{};  // likewise: where the iterate begins and ends
-    bool predicted = false;                // it begins at w = v_n, otherwise at w = 0
+    BodyState start{};                     // only where the body may touch something
+    std::vector<Vec3> from_mm{}, to_mm{};  // the same: where the iterate begins and ends
+    bool predicted = false;                // it begins at w = v_n; otherwise at w = 0
     Balance before{};
     double standing = 0.0;   // incremental potential at w = 0
-    double value = 0.0;      // and where the iterate begins
-    double slope = 0.0;      // of it along the direction that was taken
-    double curvature = 0.0;  // see LinearisedWork, where it begins at w = 0
+    double value = 0.0;      // the same where the iterate begins
+    double slope = 0.0;      // its slope along the direction taken
+    double curvature = 0.0;  // see LinearisedWork; set where the iterate begins at w = 0
     double residual_work = 0.0;
     double damping_form = 0.0;  // w . beta K_0 w at the end
     Balance after{};

@@ -4,7 +4,7 @@
 namespace hepatica::gpu {
 namespace {
 
-// Vertices of which a node moves the larger share.
+// Number of vertices of which each node moves the larger share.
 std::vector<int> vertices_of(const CoarseSkeleton& skeleton,
                              std::span<const Vec3> rest_positions_mm) {
     const SkeletonBinding binding = bind_vertices(skeleton, rest_positions_mm);
@@ -21,7 +21,7 @@ CoarseSkeleton thinned(const CoarseSkeleton& skeleton, std::span<const Vec3> res
     if (skeleton.size() == 0) return {};
     const std::vector<int> vertices = vertices_of(skeleton, rest_positions_mm);
     CoarseSkeleton kept;
-    // Of each node: itself or the nearest one above it that is kept, and the vertices since then.
+    // For each node: the kept node at or nearest above it, and the vertices gathered since then.
     std::vector<int> kept_as, since;
     for (int n = 0; n < skeleton.size(); ++n) {
         const int parent = skeleton.parent[n];

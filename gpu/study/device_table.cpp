@@ -8,7 +8,7 @@
 
 namespace hepatica::gpu {
 
-// Links: PCIe 3, 4 and 5 with 16 lanes reach about 12, 25 and 50 GB/s of their 16, 32 and 64.
+// Links: of their 16, 32 and 64 GB/s, PCIe 3, 4 and 5 with 16 lanes reach about 12, 25 and 50.
 std::span<const PlannedDevice> planned_devices() {
     static const std::array<PlannedDevice, 5> devices{{
         {"T4", 320e9, 12e9, "NVIDIA T4 data sheet: 320 GB/s, PCIe 3"},

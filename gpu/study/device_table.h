@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Devices by name, for plans: what their makers say of their memory, and what public measurements
-// say of launches and copies.
+// Performance figures of devices by name, for plans: memory rates from their data sheets, and costs
+// of launches and copies from public measurements.
 #pragma once
 
 #include <span>
@@ -18,15 +18,15 @@ struct PlannedDevice {
 };
 std::span<const PlannedDevice> planned_devices();
 
-// Throws InputError that names those there are.
+// Throws InputError, naming those available, where there is none of this name.
 const PlannedDevice& planned_device(const std::string& name);
 
-// What every device is taken to need for a launch, for a barrier within a block, and for a copy
-// that the host waits for.
+// Assumed times of a launch, of a barrier within a block, and of a copy that the host waits for
+// [s].
 constexpr double launch_s = 3e-6, barrier_s = 5e-8, copy_s = 1e-5;
 
-// The sum of all these for some traffic [s]: nothing is taken to overlap, and every byte to come
-// from memory at its full rate.
+// Estimated time of this traffic [s]: nothing overlaps, and every byte comes from memory at its
+// full rate.
 double planned_seconds(const Traffic& traffic, const PlannedDevice& device);
 
 }  // namespace hepatica::gpu

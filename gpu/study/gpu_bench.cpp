@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // gpu_bench TABLE.json [DEVICE] [TETRAHEDRA ...]: the rows of `hepatica-cli bench gpu` where only
-// the solver is built: a table on standard output, the same rows as JSON in the file, which is
-// whole after every row. With the name of a device the rows are planned for it, otherwise measured
-// on the device of this computer. With sizes the bars have these, and there is no slab.
+// the solver is built. Prints a table and writes the same rows as JSON to the file, which is
+// complete after every row. With a device's name the rows are planned for it, otherwise measured on
+// the device of this computer. With sizes the bars have these, and there is no slab.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -18,7 +18,7 @@ namespace {
 
 using hepatica::gpu::GpuRow;
 
-// Another file takes its place once it is written. False where it cannot be.
+// Writes another file and renames it. False where that fails.
 bool write_table(const std::string& path, const std::string& device, const std::string& rows) {
     const std::string unfinished = path + ".part";
     std::ofstream file(unfinished);

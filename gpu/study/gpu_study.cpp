@@ -20,9 +20,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double dt_s = 1.0 / 60.0;
 constexpr int warm_up_steps = 20;
-constexpr int least_steps = 3;    // of the processor, of which steps may take seconds,
-constexpr double most_s = 15.0;   // and about so long it may take for all
-constexpr double pressed = 0.01;  // of the pads of a slab that rests on a block
+constexpr int least_steps = 3;    // least steps on the processor, which may take seconds each,
+constexpr double most_s = 15.0;   // and about the most seconds for all
+constexpr double pressed = 0.01;  // overlap of a slab resting on a block, as a share of the pad
 
 StepperOptions options_of(const std::string& element, const std::string& solver) {
     StepperOptions options;
@@ -50,13 +50,13 @@ void begin(StepBackEnd& back_end, const BodyDescription& body) {
 }
 
 struct Timed {
-    double ms = 0.0;  // median of a step
+    double ms = 0.0;  // median over the steps
     double slowest_ms = 0.0;
-    double iterations = 0.0;  // mean of a step
+    double iterations = 0.0;  // mean over the steps
     int contacts = 0;         // at the end
 };
 
-// As many steps as were asked for, or at least `least_steps` until the time is over.
+// Makes as many steps as asked for, or at least `least_steps` until the time is over.
 Timed time_steps(StepBackEnd& back_end, int steps, Clock::time_point over) {
     Timed timed;
     std::vector<double> ms;
@@ -73,8 +73,8 @@ Timed time_steps(StepBackEnd& back_end, int steps, Clock::time_point over) {
     return timed;
 }
 
-// Until the first shock of weight and pull is over: a bar that begins to fall takes shortened
-// steps, which are the processor's on either back end. Not longer than the time lasts.
+// Steps past the first shock of gravity and pull, because a bar that begins to fall takes shortened
+// steps, which the processor makes on either back end. Stops when the time is over.
 void warm_up(StepBackEnd& back_end, Clock::time_point over) {
     for (int k = 0; k < warm_up_steps && Clock::now() < over; ++k) back_end.advance(dt_s);
 }
@@ -92,7 +92,7 @@ Traffic mean(const Traffic& before, const Traffic& after, int steps) {
             (after.copied_bytes - before.copied_bytes) / bytes};
 }
 
-// Bytes a second of a plain kernel that reads and writes two long arrays, on the device.
+// Bytes per second of a plain kernel that reads two long arrays and writes one, on the device.
 double measured_bandwidth(Machine& machine) {
     constexpr std::size_t entries = 1 << 23;
     constexpr int rounds = 20;
@@ -115,7 +115,7 @@ GpuRow row_of(const BodyDescription& body, const StepperOptions& options, int st
     CudaOptions cuda;
     const auto back_end = make_cuda_back_end(body, options, machine, cuda);
     begin(*back_end, body);
-    warm_up(*back_end, Clock::time_point::max());  // the first allocates
+    warm_up(*back_end, Clock::time_point::max());  // the first step allocates
     const Traffic before = machine->traffic();
     *cuda.share = {};
     const Timed timed = time_steps(*back_end, steps, Clock::time_point::max());
@@ -139,7 +139,7 @@ std::string number_or_null(const std::optional<double>& value) {
     return value ? std::to_string(*value) : "null";
 }
 
-// A slab has no tree that a skeleton could follow.
+// A slab has no tree for a skeleton to follow.
 std::vector<std::string> solvers_for(const BodyDescription& body, const GpuStudyOptions& options) {
     return body.obstacles ? std::vector<std::string>{"block-jacobi"} : options.solvers;
 }

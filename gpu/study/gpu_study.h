@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a step costs on a device: measured there, or planned from what the emulator counts.
+// The cost of a step on a device: measured there, or planned from what the emulator counts.
 #pragma once
 
 #include <functional>
@@ -15,35 +15,36 @@ struct GpuStudyOptions {
     std::vector<int> tetrahedra{10000};
     std::vector<std::string> elements{"corotated"};
     std::vector<std::string> solvers{"block-jacobi", "skeleton"};
-    int contacts = 0;  // not 0: also a body of which about so many vertices touch an obstacle
+    int contacts = 0;  // not 0: also a body with about this many vertices touching an obstacle
     int steps = 10;
     std::optional<PlannedDevice> plan{};  // none: measured on the device of this computer
 };
 
-// Means over the steps, times the median. What a plan cannot know is empty.
+// Times are medians, everything else means over the steps. What a plan cannot know is empty.
 struct GpuRow {
     int tetrahedra = 0;
-    int contacts = 0;  // pairs of features in their pad at the end of the last step
+    int contacts = 0;  // pairs of features within the pad at the end of the last step
     std::string element, solver;
     double ms = 0.0;
-    double slowest_ms = 0.0;  // of the steps, where they are measured
+    double slowest_ms = 0.0;  // of the slowest step, where measured
     double iterations = 0.0;
-    Traffic traffic;                        // of a step
-    std::optional<double> solve_ms;         // of a step's linear solve
-    std::optional<double> bandwidth_share;  // that it reaches of a copy on the device
-    std::optional<double> cpu_ms;           // of the same step on all cores of this computer
-    double device_steps = 0.0;              // the share of steps that the device made
+    Traffic traffic;                 // of a step
+    std::optional<double> solve_ms;  // of a step's linear solve
+    std::optional<double>
+        bandwidth_share;           // memory bandwidth of the solve relative to a plain kernel
+    std::optional<double> cpu_ms;  // of the same step on all cores of this computer
+    double device_steps = 0.0;     // share of steps made by the device
     bool measured = false;
 };
 
-// A slender bar of bricks cut into tetrahedra, four cells across, clamped at one end, pulled and
-// under gravity; with `contacts` then a slab that rests on a block, by block-jacobi; linear error
-// 1 %, single precision. `row_done` hears of each row. Throws InputError where there is no device
-// to measure.
+// Studies a slender bar of bricks cut into tetrahedra, four cells across, clamped at one end,
+// pulled and under gravity; with `contacts` also a slab resting on a block, solved with
+// block-jacobi. Linear solves to an energy error of 1 %, in single precision. `row_done` receives
+// each row. Throws InputError where there is no device to measure.
 std::vector<GpuRow> study_gpu(const GpuStudyOptions& options,
                               const std::function<void(const GpuRow&)>& row_done = {});
 
-// A row as an object of JSON.
+// A row as a JSON object.
 std::string json_of(const GpuRow& row);
 
 // The paper has 98,304 rows for 16,384 contact points.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// search_bench [CONTACTS [THREADS [STEPS]]]: what the host does in a step with contact on a device,
-// for a slab that lies on a block and trembles: a table of the least milliseconds of each part, by
-// the wall's clock and of the processor.
+// search_bench [CONTACTS [THREADS [STEPS]]]: the host's work in a step with contacts on a device,
+// for a slab that lies on a block and trembles. Prints the least milliseconds of each part, wall
+// time and processor time.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -21,14 +21,14 @@ namespace {
 using namespace hepatica;
 
 constexpr double dt_s = 1.0 / 60.0;
-constexpr double trembles = 0.01;  // of the pad, in a step
+constexpr double trembles = 0.01;  // share of the pad per step
 
 double wall_ms() {
     const auto now = std::chrono::steady_clock::now().time_since_epoch();
     return std::chrono::duration<double, std::milli>(now).count();
 }
 
-// Of all threads.
+// Processor time of all threads.
 double processor_ms() {
     return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
@@ -79,8 +79,7 @@ void run(int contacts, int steps) {
         const std::vector<Vec3>& x = state.positions_mm;
         cut.time([&] { potentials.share_until_touch(x, ahead); });
         grips.time([&] { potentials.begin_step(state, dt_s, body.fixed); });
-        // In the order of a step: the list, the motion without a change of velocity, the
-        // direction, the list again.
+        // In the order of a step: list, motion without a change of velocity, direction, list again.
         TouchList list, other;
         lists.time([&] {
             list = potentials.touches_along(x, ahead);
