@@ -41,7 +41,7 @@ class PlayMeter {
     static constexpr double same_contact_s = 0.1;
     // Forces are means over this time, the integral excepted: a hand is judged by what it would
     // feel, not by the jump of a single step.
-    static constexpr double felt_over_s = 0.1;
+    static constexpr double felt_over_s = 0.05;
 
   private:
     void place_marks(const Lesson& lesson, const std::vector<VertexPlace>& on_tree);
