@@ -150,12 +150,17 @@ void Recovery::note(const Wanted& wanted) {
     try {
         make_own_folder();
     } catch (...) {
-        return;  // reported by write(), if a copy follows
+        return tell_of_journal(folder_);
     }
     if (!journal_) journal_ = std::make_unique<EditJournal>(own_ / journal_name);
     journal_->append(noted);
-    if (journal_->failed() && !std::exchange(told_of_journal_, true))
-        failed_({Words::id("corrections cannot be noted at once"), own_.string(),
+    if (journal_->failed()) tell_of_journal(own_);
+}
+
+// Once: every change is noted.
+void Recovery::tell_of_journal(const fs::path& folder) {
+    if (!std::exchange(told_of_journal_, true))
+        failed_({Words::id("corrections cannot be noted at once"), folder.string(),
                  Words::id("make room on the disk; save the case")});
 }
 

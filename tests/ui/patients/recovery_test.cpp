@@ -444,6 +444,18 @@ TEST_F(Journal, HoldsStrokesThatWaitForARemaking) {
     EXPECT_TRUE(left_if_killed_now().empty());
 }
 
+// No copy follows whose failure would be told.
+TEST_F(Journal, SaysOnceThatStrokesOnASavedCaseCannotBeKept) {
+    std::ofstream(folder_) << "no folder";
+    auto program = this->program();
+    workspace_.open(from_disk());
+    paint(1, *program);
+    ASSERT_FALSE(workspace_.dirty());
+    EXPECT_EQ(failures_, std::vector<std::string>{"corrections cannot be noted at once"});
+    paint(2, *program);
+    EXPECT_EQ(failures_.size(), 1u);
+}
+
 // The copy of the same version is whole but for the strokes.
 TEST_F(Journal, SaysMoreThanACopyWhereStrokesWait) {
     auto program = this->program();
