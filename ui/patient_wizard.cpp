@@ -165,9 +165,8 @@ void PatientWizard::offer(const std::vector<SeriesDescription>& series) {
     series_->clear();
     for (const SeriesDescription& one : series) {
         QString text = Words::tr("%1: %2, %3 images")
-                           .arg(series_->count() + 1)
-                           .arg(name_in_list(one))
-                           .arg(one.slices);
+                           .arg(QString::number(series_->count() + 1), name_in_list(one),
+                                QString::number(one.slices));
         if (one.spacing_mm > 0.0)
             text += Words::tr(", %L1 mm apart").arg(one.spacing_mm, 0, 'g', 3);
         for (const std::string& word : {one.kernel, one.phase})

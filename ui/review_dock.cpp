@@ -339,6 +339,11 @@ void ReviewDock::show_other() {
     ways_.beside(frame, std::move(marks), name_, other_name_);
 }
 
+QString gone_through(const QString& name, double fraction) {
+    return Words::tr("%1: %2 % gone through")
+        .arg(name, QString::number(static_cast<int>(100.0 * fraction)));
+}
+
 void ReviewDock::show_progress(const JobProgress& progress) {
     if (tape_ == nullptr) return;
     const auto first = tape_->at(0.0);
@@ -363,10 +368,7 @@ void ReviewDock::show_progress(const JobProgress& progress) {
     }
     QString name = name_;
     if (comparing()) name = Words::tr("%1, and beside it %2").arg(name, other_name_);
-    title_->setText(complete() ? name
-                               : Words::tr("%1: %2 % gone through")
-                                     .arg(name)
-                                     .arg(static_cast<int>(100.0 * progress.fraction)));
+    title_->setText(complete() ? name : gone_through(name, progress.fraction));
     const QSignalBlocker quiet(line_);
     line_->set_end(end_s());
     show_events();

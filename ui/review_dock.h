@@ -34,6 +34,9 @@ class ReviewList;
 class TimeLine;
 struct ReviewScreen;
 
+// Title of a recording of this name while its frames are computed; `fraction` of them are there.
+QString gone_through(const QString& name, double fraction);
+
 // UI thread only.
 class ReviewDock : public QDockWidget {
   public:

@@ -82,7 +82,7 @@ fs::path two_series(const fs::path& folder) {
     write_dicom_series(folder / "one", volume, info, job);
     volume.grid.dims[2] = 4;
     volume.voxels.resize(16 * 16 * 4);
-    info.series_description = "thick";
+    info.series_description = "thick, 50 %3";
     volume.grid.spacing_mm.z() = 2.0;
     write_dicom_series(folder / "two", volume, info, job);
     return folder;
@@ -98,7 +98,7 @@ TEST_F(Wizard, offers_the_series_of_a_folder_that_holds_several) {
     ASSERT_TRUE(testing::wait_for([&] { return series->count() == 2; }));
     EXPECT_FALSE(series->isHidden());
     EXPECT_TRUE(series->itemText(0).contains("thin")) << series->itemText(0).toStdString();
-    EXPECT_TRUE(series->itemText(1).contains("\"thick\", 4 images"))
+    EXPECT_TRUE(series->itemText(1).contains("\"thick, 50 %3\", 4 images"))
         << series->itemText(1).toStdString();
     EXPECT_EQ(wizard_.options().series, 1) << "it was offered: nobody asks again";
     series->setCurrentIndex(1);
