@@ -323,7 +323,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
-    say(scene_.lift_brush());
+    if (event->button() == Qt::LeftButton) say(scene_.lift_brush());
     QWidget::mouseReleaseEvent(event);
 }
 
