@@ -383,6 +383,22 @@ TEST_F(Slices, WriteWordsThatCanBeReadOnWhiteBone) {
     EXPECT_GT(letters, 20);
 }
 
+TEST(SliceAlone, CorrectsNothingByKeyWhereNobodyReceivesIt) {
+    SliceScene scene;
+    scene.show(std::make_shared<const Volume>(testing::numbered_ct()), {}, {});
+    SliceView view(scene, SliceDirection::axial);
+    const auto press = [&view] {
+        QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
+        QApplication::sendEvent(&view, &enter);
+    };
+    scene.set_corrects(true);
+    EXPECT_NO_THROW(press());
+    std::optional<Vec3> corrected;
+    view.on_correct([&](const Vec3& place) { corrected = place; });
+    press();
+    EXPECT_EQ(corrected, scene.crosshair_mm());
+}
+
 TEST_F(Slices, SayWhatIsMissingWhereNobodyKnowsTheCt) {
     views().show_patient(patient_, {}, {});
     QTest::keyClick(&window_, Qt::Key_F7);

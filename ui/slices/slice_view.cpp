@@ -427,10 +427,10 @@ void SliceView::measure_by_key(int key) {
 void SliceView::correct_by_key(int key) {
     if (key == Qt::Key_Escape)
         scene_.set_corrects(false);
-    else if (key == Qt::Key_Return || key == Qt::Key_Enter)
-        correct_(scene_.crosshair_mm());
-    else
+    else if (key != Qt::Key_Return && key != Qt::Key_Enter)
         scene_.measurements().remove_last();
+    else if (correct_)
+        correct_(scene_.crosshair_mm());
 }
 
 void SliceView::brush_by_key(int key) {
