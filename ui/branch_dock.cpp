@@ -162,24 +162,28 @@ void BranchDock::read_labels() {
     BackgroundJob::Callbacks callbacks;
     callbacks.progress = [](const JobProgress&) {};
     callbacks.failed = [this](const Failure& failure) {
-        show_rows({});
+        show_rows({},
+                  Words::tr("The segments cannot be read: %1").arg(translated(failure.problem)));
         callbacks_.failed(failure);
     };
     callbacks.cancelled = [] {};
     callbacks.ended = [this] { job_.reset(); };
     job_ = std::make_unique<BackgroundJob>(
         [this, patient = patient_, folder = folder_](Job&) -> std::function<void()> {
-            return [this, labels = labels_of(*patient, folder)] { show_rows(labels); };
+            return [this, labels = labels_of(*patient, folder)] {
+                show_rows(labels,
+                          Words::tr("No liver segments: they need a liver mask and a portal vein"));
+            };
         },
         std::move(callbacks));
 }
 
-void BranchDock::show_rows(std::vector<BranchLabel> labels) {
+void BranchDock::show_rows(const std::vector<BranchLabel>& labels, const QString& why_none) {
     rows_ = branch_rows(patient_->tree, labels, flow_shares_);
     fill_table();
     colours_->setEnabled(!labels.empty());
     note_->setText(labels.empty()
-                       ? Words::tr("No liver segments: they need a liver mask and a portal vein")
+                       ? why_none
                        : Words::tr("%n branch(es)", nullptr, static_cast<int>(rows_.size())));
     colour_vessels();
     choose_asked_for();
