@@ -160,13 +160,11 @@ void BranchDock::read_labels() {
     if (!patient_ || asked_) return;
     asked_ = true;
     BackgroundJob::Callbacks callbacks;
-    callbacks.progress = [](const JobProgress&) {};
     callbacks.failed = [this](const Failure& failure) {
         show_rows({},
                   Words::tr("The segments cannot be read: %1").arg(translated(failure.problem)));
         callbacks_.failed(failure);
     };
-    callbacks.cancelled = [] {};
     callbacks.ended = [this] { job_.reset(); };
     job_ = std::make_unique<BackgroundJob>(
         [this, patient = patient_, folder = folder_](Job&) -> std::function<void()> {

@@ -150,9 +150,7 @@ void PatientWizard::look_for_series() {
     const std::filesystem::path folder = to_path(ct_->text().trimmed());
     if (!std::filesystem::is_directory(folder) || is_case(folder)) return;
     BackgroundJob::Callbacks callbacks;
-    callbacks.progress = [](const JobProgress&) {};
     callbacks.failed = [](const Failure&) {};  // reading the CT will report the same
-    callbacks.cancelled = [] {};
     callbacks.ended = [this] { listing_.reset(); };
     listing_ = std::make_unique<BackgroundJob>(
         [this, folder](Job& job) -> std::function<void()> {

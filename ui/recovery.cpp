@@ -188,9 +188,7 @@ void Recovery::write() {
     const Copy copy = std::exchange(wanted_, {});
     needless_ = false;
     BackgroundJob::Callbacks callbacks;
-    callbacks.progress = [](const JobProgress&) {};
     callbacks.failed = failed_;
-    callbacks.cancelled = [] {};
     callbacks.ended = [this] {
         job_.reset();
         if (needless_) remove_own_copies();

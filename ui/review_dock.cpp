@@ -190,9 +190,7 @@ void ReviewDock::open(const fs::path& recording, const std::string& lesson) {
     file_ = recording;
     name_ = title_of(facts_of(file_));
     BackgroundJob::Callbacks callbacks;
-    callbacks.progress = [](const JobProgress&) {};
     callbacks.failed = [this](const Failure& failure) { ways_.failed(failure); };
-    callbacks.cancelled = [] {};
     callbacks.ended = [this] { job_.reset(); };
     const auto shown = ways_.patient();
     ways_.say(Words::tr("Reading the recording…"));
@@ -259,7 +257,6 @@ void ReviewDock::begin() {
     BackgroundJob::Callbacks callbacks;
     callbacks.progress = [this](const JobProgress& now) { show_progress(now); };
     callbacks.failed = [this](const Failure& failure) { ways_.failed(failure); };
-    callbacks.cancelled = [] {};
     callbacks.ended = [this] {
         job_.reset();
         show_progress({});
@@ -280,7 +277,6 @@ void ReviewDock::compare(const fs::path& other) {
     ways_.beside(nullptr, {}, {}, {});
     compare_->setText(Words::tr("&Compare with…"));
     if (other.empty() || !reviewing()) return show_progress({});
-    other_file_ = other;
     const RecordingFacts facts = facts_of(other);
     other_name_ = title_of(facts);
     same_lesson_ = facts.lesson == facts_of(file_).lesson;
@@ -292,7 +288,6 @@ void ReviewDock::compare(const fs::path& other) {
         ways_.failed(failure);
         QTimer::singleShot(0, this, [this] { compare({}); });
     };
-    callbacks.cancelled = [] {};
     callbacks.ended = [this] {
         other_job_.reset();
         show_progress({});
