@@ -17,6 +17,7 @@
 #include "core/tree/territories/couinaud_segments.h"
 #include "core/tree/territories/segment_name.h"
 #include "render/palette.h"
+#include "ui/colours.h"
 #include "ui/core_words.h"
 #include "ui/words.h"
 
@@ -58,10 +59,7 @@ class SegmentItem : public QTableWidgetItem {
 QTableWidgetItem* segment(int couinaud) {
     auto* item = new SegmentItem(couinaud);
     if (couinaud == 0) return item;
-    const Colour colour = palette::liver_segment(couinaud);
-    item->setData(Qt::DecorationRole,
-                  QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
-                                   static_cast<float>(colour[2])));
+    item->setData(Qt::DecorationRole, qcolor_of(palette::liver_segment(couinaud)));
     return item;
 }
 

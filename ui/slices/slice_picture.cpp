@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "render/palette.h"
+
 namespace hepatica {
 namespace {
 
@@ -44,11 +46,6 @@ void lay_systems(QImage& picture, const std::vector<std::uint8_t>& labels, doubl
 }
 
 }  // namespace
-
-QColor colour_of(const Colour& colour) {
-    return QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
-                            static_cast<float>(colour[2]));
-}
 
 SlicePicture picture_of(const SliceScene& scene, const SliceStack& slices, int slice) {
     SlicePicture picture;
