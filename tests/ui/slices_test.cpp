@@ -36,6 +36,7 @@ TEST_F(Slices, AreReadWhenSomebodyWantsToSeeThem) {
 TEST_F(Slices, BeginWhereTheWidestVesselIs) {
     show_slices();
     EXPECT_EQ(scene().crosshair_mm(), Vec3(0, 0, 30));
+    EXPECT_TRUE(scene().describe(Vec3(-12.5, 0, 30)).starts_with("R 12.5  P 0.0  H 30.0 mm   "));
     EXPECT_NE(scene().describe(Vec3(0, 0, 30)).find("portal vein, radius 5.0 mm"),
               std::string::npos);
     EXPECT_EQ(scene().describe(Vec3(500, 0, 0)), "") << "outside of the CT";

@@ -2,12 +2,11 @@
 #include "ui/slices/slice_scene.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "core/tree/territories/segment_name.h"
 #include "ui/core_words.h"
+#include "ui/patient_place.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -19,12 +18,6 @@ std::vector<CentrelinePoint> centrelines_of(const VesselTree& tree) {
         for (std::size_t i = 0; i < segment.points_mm.size(); ++i)
             points.push_back({segment.points_mm[i], segment.radii_mm[i], segment.system});
     return points;
-}
-
-// "L 12.0" for 12 mm to the patient's left; the decimal separator is that of the language.
-std::string along(double mm, char positive, char negative) {
-    std::string text(1, mm < 0.0 ? negative : positive);
-    return text + QString(" %L1").arg(std::abs(mm), 0, 'f', 1).toStdString();
 }
 
 }  // namespace
@@ -241,8 +234,7 @@ int SliceScene::segment_at(const Vec3& position_mm) const {
 std::string SliceScene::describe(const Vec3& position_mm) const {
     if (empty()) return {};
     if (!holds(ct_->grid, position_mm)) return {};
-    std::string text = along(position_mm.x(), 'L', 'R') + "  " + along(position_mm.y(), 'P', 'A') +
-                       "  " + along(position_mm.z(), 'H', 'F') + " mm   " +
+    std::string text = patient_place(position_mm, 1).toStdString() + "   " +
                        std::to_string(value_at(*ct_, position_mm)) + " HU";
     if (const int segment = segment_at(position_mm); segment > 0)
         text += "   " + Words::tr("segment %1")
