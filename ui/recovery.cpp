@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/recovery.h"
 
-#include <QLockFile>
 #include <QUuid>
 #include <algorithm>
 #include <charconv>
@@ -9,7 +8,7 @@
 #include <utility>
 
 #include "core/opening/patient_image.h"
-#include "ui/paths.h"
+#include "ui/lock_file.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -24,9 +23,7 @@ constexpr const char* journal_name = "edits.jsonl";
 constexpr const char* copy_beside = ".";
 
 std::unique_ptr<QLockFile> lock_of(const fs::path& folder) {
-    auto lock = std::make_unique<QLockFile>(to_text(folder / lock_name));
-    lock->setStaleLockTime(0);  // no expiry by age; a dead owner is recognised by its process id
-    return lock;
+    return lock_file(folder / lock_name);
 }
 
 // A title as the name of a case folder.
