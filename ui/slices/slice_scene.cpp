@@ -82,7 +82,7 @@ void SliceScene::paint_anew() {
 void SliceScene::follow_brush() {
     const std::vector<BrushStroke>& strokes = brush_.strokes();
     const std::size_t points = strokes.empty() ? 0 : strokes.back().path_mm.size();
-    if (strokes.size() == shown_strokes_ && points == shown_points_) return tell();
+    if (strokes.size() == shown_strokes_ && points == shown_points_) return watchers_.tell();
     const bool led_on = strokes.size() == shown_strokes_ && points == shown_points_ + 1;
     if (led_on) {
         const BrushStroke& last = strokes.back();
@@ -193,7 +193,7 @@ void SliceScene::set_crosshair(const Vec3& position_mm) {
         index[i] = std::clamp(index[i], 0.0,
                               static_cast<double>(ct_->grid.dims[static_cast<std::size_t>(i)] - 1));
     crosshair_mm_ = ct_->grid.to_mm(index);
-    tell();
+    watchers_.tell();
 }
 
 void SliceScene::set_window(const GreyWindow& window) {
@@ -219,12 +219,12 @@ void SliceScene::set_segments_visible(bool visible) {
 
 void SliceScene::set_corrects(bool corrects) {
     corrects_ = corrects;
-    tell();
+    watchers_.tell();
 }
 
 void SliceScene::set_centrelines_visible(bool visible) {
     shows_centrelines_ = visible;
-    tell();
+    watchers_.tell();
 }
 
 int SliceScene::segment_at(const Vec3& position_mm) const {
@@ -260,11 +260,7 @@ std::string SliceScene::describe(const Vec3& position_mm) const {
 
 void SliceScene::tell_of_voxels() {
     ++voxels_version_;
-    tell();
-}
-
-void SliceScene::tell() const {
-    for (const auto& watcher : watchers_) watcher();
+    watchers_.tell();
 }
 
 }  // namespace hepatica
