@@ -8670,5 +8670,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>There is %1 already, and it is no case. Choose another name.</source>
         <translation>Es gibt schon %1, und es ist kein Fall. Wählen Sie einen anderen Namen.</translation>
     </message>
+    <message>
+        <source>make room on the disk; rebuild the vessels and save the case</source>
+        <translation>schaffen Sie Platz auf der Platte; bauen Sie die Gefäße neu und speichern Sie den Fall</translation>
+    </message>
 </context>
 </TS>

@@ -147,18 +147,21 @@ void Recovery::note(const Wanted& wanted) {
     try {
         make_own_folder();
     } catch (...) {
-        return tell_of_journal(folder_);
+        return tell_of_journal(folder_, noted);
     }
     if (!journal_) journal_ = std::make_unique<EditJournal>(own_ / journal_name);
     journal_->append(noted);
-    if (journal_->failed()) tell_of_journal(own_);
+    if (journal_->failed()) tell_of_journal(own_, noted);
 }
 
 // Once: every change is noted.
-void Recovery::tell_of_journal(const fs::path& folder) {
-    if (!std::exchange(told_of_journal_, true))
-        failed_({Words::id("corrections cannot be noted at once"), folder.string(),
-                 Words::id("make room on the disk; save the case")});
+void Recovery::tell_of_journal(const fs::path& folder, const Journalled& lost) {
+    if (std::exchange(told_of_journal_, true)) return;
+    const char* remedy =  // no case holds strokes
+        lost.strokes.empty()
+            ? Words::id("make room on the disk; save the case")
+            : Words::id("make room on the disk; rebuild the vessels and save the case");
+    failed_({Words::id("corrections cannot be noted at once"), folder.string(), remedy});
 }
 
 // Their content is in a case on disk.

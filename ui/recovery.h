@@ -67,8 +67,8 @@ class Recovery {
 
     static Wanted wanted_of(const Workspace& workspace);
     void note(const Wanted& wanted);
-    // The journal in this folder cannot be written.
-    void tell_of_journal(const std::filesystem::path& folder);
+    // The journal in this folder cannot be written, and so not hold this.
+    void tell_of_journal(const std::filesystem::path& folder, const Journalled& lost);
     void forget_copies();
     void forget_journal();
     void write();

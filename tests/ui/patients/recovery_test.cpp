@@ -431,13 +431,17 @@ TEST_F(Journal, HoldsStrokesThatWaitForARemaking) {
 // No copy follows whose failure would be told.
 TEST_F(Journal, SaysOnceThatStrokesOnASavedCaseCannotBeKept) {
     std::ofstream(folder_) << "no folder";
-    auto program = this->program();
+    std::vector<Failure> failures;
+    Recovery program(folder_, write_case, [&](const Failure& one) { failures.push_back(one); });
     workspace_.open(from_disk());
-    paint(1, *program);
+    paint(1, program);
     ASSERT_FALSE(workspace_.dirty());
-    EXPECT_EQ(failures_, std::vector<std::string>{"corrections cannot be noted at once"});
-    paint(2, *program);
-    EXPECT_EQ(failures_.size(), 1u);
+    ASSERT_EQ(failures.size(), 1u);
+    EXPECT_EQ(failures[0].problem, "corrections cannot be noted at once");
+    EXPECT_TRUE(failures[0].remedy.find("rebuild the vessels") != std::string::npos)
+        << "no case would hold them";
+    paint(2, program);
+    EXPECT_EQ(failures.size(), 1u);
 }
 
 // The copy of the same version is whole but for the strokes.
