@@ -8666,5 +8666,13 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>What makes the steps; a change begins the play anew. On a device the dial offers the settings that were measured on it, and with &quot;else processor&quot; those of the processor beside them</source>
         <translation>Was die Schritte macht; eine Änderung beginnt das Spiel von vorn. Auf einem Gerät bietet der Schieber die Einstellungen, die darauf gemessen wurden, und mit „sonst Prozessor“ daneben die des Prozessors</translation>
     </message>
+    <message>
+        <source>There is %1 already, and it is no case. Choose another name.</source>
+        <translation>Es gibt schon %1, und es ist kein Fall. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>make room on the disk; rebuild the vessels and save the case</source>
+        <translation>schaffen Sie Platz auf der Platte; bauen Sie die Gefäße neu und speichern Sie den Fall</translation>
+    </message>
 </context>
 </TS>

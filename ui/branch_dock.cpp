@@ -17,6 +17,7 @@
 #include "core/tree/territories/couinaud_segments.h"
 #include "core/tree/territories/segment_name.h"
 #include "render/palette.h"
+#include "ui/colours.h"
 #include "ui/core_words.h"
 #include "ui/words.h"
 
@@ -58,10 +59,7 @@ class SegmentItem : public QTableWidgetItem {
 QTableWidgetItem* segment(int couinaud) {
     auto* item = new SegmentItem(couinaud);
     if (couinaud == 0) return item;
-    const Colour colour = palette::liver_segment(couinaud);
-    item->setData(Qt::DecorationRole,
-                  QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
-                                   static_cast<float>(colour[2])));
+    item->setData(Qt::DecorationRole, qcolor_of(palette::liver_segment(couinaud)));
     return item;
 }
 
@@ -160,26 +158,28 @@ void BranchDock::read_labels() {
     if (!patient_ || asked_) return;
     asked_ = true;
     BackgroundJob::Callbacks callbacks;
-    callbacks.progress = [](const JobProgress&) {};
     callbacks.failed = [this](const Failure& failure) {
-        show_rows({});
+        show_rows({},
+                  Words::tr("The segments cannot be read: %1").arg(translated(failure.problem)));
         callbacks_.failed(failure);
     };
-    callbacks.cancelled = [] {};
     callbacks.ended = [this] { job_.reset(); };
     job_ = std::make_unique<BackgroundJob>(
         [this, patient = patient_, folder = folder_](Job&) -> std::function<void()> {
-            return [this, labels = labels_of(*patient, folder)] { show_rows(labels); };
+            return [this, labels = labels_of(*patient, folder)] {
+                show_rows(labels,
+                          Words::tr("No liver segments: they need a liver mask and a portal vein"));
+            };
         },
         std::move(callbacks));
 }
 
-void BranchDock::show_rows(std::vector<BranchLabel> labels) {
+void BranchDock::show_rows(const std::vector<BranchLabel>& labels, const QString& why_none) {
     rows_ = branch_rows(patient_->tree, labels, flow_shares_);
     fill_table();
     colours_->setEnabled(!labels.empty());
     note_->setText(labels.empty()
-                       ? Words::tr("No liver segments: they need a liver mask and a portal vein")
+                       ? why_none
                        : Words::tr("%n branch(es)", nullptr, static_cast<int>(rows_.size())));
     colour_vessels();
     choose_asked_for();

@@ -54,7 +54,8 @@ class BranchDock : public QDockWidget {
 
   private:
     void read_labels();
-    void show_rows(std::vector<BranchLabel> labels);
+    // `why_none` is shown if there are no labels.
+    void show_rows(const std::vector<BranchLabel>& labels, const QString& why_none);
     void fill_table();
     void choose_asked_for();
 

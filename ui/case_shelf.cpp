@@ -15,6 +15,7 @@
 #include "core/patient/patient_case.h"
 #include "core/tree/system_summary.h"
 #include "render/palette.h"
+#include "ui/colours.h"
 #include "ui/core_words.h"
 #include "ui/paths.h"
 #include "ui/words.h"
@@ -114,10 +115,7 @@ QImage drawing_of(const VesselTree& tree, const QSize& size) {
     QPainter painter(&image);
     painter.setRenderHint(QPainter::Antialiasing);
     for (const VesselSegment& segment : tree.segments) {
-        const Colour colour = palette::vessel_system(segment.system);
-        const QColor ink =
-            QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
-                             static_cast<float>(colour[2]));
+        const QColor ink = qcolor_of(palette::vessel_system(segment.system));
         for (std::size_t i = 1; i < segment.points_mm.size(); ++i) {
             const double width = std::max(thinnest_points, 2.0 * scale * segment.radii_mm[i]);
             painter.setPen(QPen(ink, width, Qt::SolidLine, Qt::RoundCap));

@@ -82,10 +82,13 @@ void CourseDialog::show_course(const std::string& name, std::vector<CourseLine> 
     lines_ = std::move(lines);
     own_->setVisible(!own);
     const auto passed = std::ranges::count_if(lines_, &CourseLine::passed);
-    const QString title = whose.empty() ? Words::tr("<b>%1</b>: %2 of %3 lessons passed")
-                                        : Words::tr("<b>%1</b>: %2 of %3 lessons passed by %4");
-    QString text = title.arg(translated(name).toHtmlEscaped()).arg(passed).arg(lines_.size());
-    if (!whose.empty()) text = text.arg(QString::fromStdString(whose).toHtmlEscaped());
+    const QString title = translated(name).toHtmlEscaped(), done = QString::number(passed),
+                  of = QString::number(lines_.size());
+    // All placeholders at once, here and elsewhere: a name may contain "%2".
+    QString text = whose.empty()
+                       ? Words::tr("<b>%1</b>: %2 of %3 lessons passed").arg(title, done, of)
+                       : Words::tr("<b>%1</b>: %2 of %3 lessons passed by %4")
+                             .arg(title, done, of, QString::fromStdString(whose).toHtmlEscaped());
     if (lines_.empty())
         text = Words::tr("<b>%1</b> holds no lesson yet: Lesson > Edit course adds some")
                    .arg(QString::fromStdString(name).toHtmlEscaped());

@@ -27,9 +27,7 @@ void CurvesDock::follow(std::shared_ptr<const PatientCase> patient, const DrugVi
     if (!drug.injection || drug.injection == followed_) return;
     followed_ = drug.injection;
     BackgroundJob::Callbacks callbacks;
-    callbacks.progress = [](const JobProgress&) {};
     callbacks.failed = failed_;
-    callbacks.cancelled = [] {};
     callbacks.ended = [this] { job_.reset(); };
     job_ = std::make_unique<BackgroundJob>(
         [this, injection = drug.injection, end_s = drug.end_s, may_come,

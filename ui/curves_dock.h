@@ -34,9 +34,8 @@ class CurvesDock : public QDockWidget {
     // Forgets everything and stops computing. A dock that appeared by itself is hidden.
     void clear();
 
-    // Whether it appears by itself when there is something to show. False once the user has closed
-    // it, until he asks for it again.
-    bool comes_by_itself() const { return comes_by_itself_; }
+    // Whether it appears by itself when there is something to show; no longer once the user has
+    // closed it, until he asks for it again.
     void set_comes_by_itself(bool comes) { comes_by_itself_ = comes; }
     // Called when the user closes the dock.
     std::function<void(bool comes)> on_choice = [](bool) {};

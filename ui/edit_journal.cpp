@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <exception>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -72,8 +73,12 @@ std::vector<Item> added_to(std::size_t kept, const std::vector<Item>& now) {
     return {now.begin() + static_cast<std::ptrdiff_t>(kept), now.end()};
 }
 
-std::string lines_from(const Journalled& before, const Journalled& now) {
+// The lines that lead from one state to the next; from none if nothing is written yet, or the last
+// line was cut off.
+std::string lines_from(const std::optional<Journalled>& written, const Journalled& now) {
+    const Journalled before = written.value_or(Journalled{});
     std::string lines;
+    if (!written || before.base != now.base) lines = line_of(now.base);
     if (before.strokes != now.strokes) {
         const std::size_t kept = kept_of(before.strokes, now.strokes);
         const Json json{{"keep_strokes", kept},
@@ -96,30 +101,34 @@ bool write_whole(int file, const std::string& text) {
     return ::fdatasync(file) == 0;
 }
 
+// `now` is empty as long as nothing can be believed.
+void read_line(const Json& json, std::optional<Journalled>& now) {
+    if (json.contains("format")) {
+        JournalBase base = base_from(json);
+        if (!now) now.emplace();
+        now->base = std::move(base);
+    } else if (now) {
+        json.contains("add_strokes") ? read_strokes(json, *now) : read_change(json, *now);
+    }
+}
+
 }  // namespace
 
 std::optional<Journalled> read_edit_journal(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
-    Journalled read;
-    bool has_base = false;
-    try {
-        // A line without its end is incomplete.
-        for (std::string line; std::getline(in, line) && !in.eof();) {
-            const Json json = Json::parse(line);
-            if (json.contains("format")) {
-                read.base = base_from(json);
-                has_base = true;
-            } else {
-                json.contains("add_strokes") ? read_strokes(json, read) : read_change(json, read);
-            }
+    std::optional<Journalled> newest, now;
+    // A line without its end is incomplete.
+    for (std::string line; std::getline(in, line) && !in.eof();) {
+        try {
+            read_line(Json::parse(line), now);
+            if (now && now->change != 0) newest = now;
+        } catch (const Json::exception&) {
+            now.reset();
+        } catch (const InputError&) {
+            now.reset();
         }
-    } catch (const Json::exception&) {
-        // The lines before the damage count.
-    } catch (const InputError&) {
-        // Likewise.
     }
-    if (!has_base || read.change == 0) return std::nullopt;
-    return read;
+    return newest;
 }
 
 EditJournal::EditJournal(fs::path file)
@@ -135,37 +144,41 @@ EditJournal::~EditJournal() {
 }
 
 void EditJournal::append(const Journalled& wanted) {
-    if (said_ == wanted) return;
-    const Journalled before = said_.value_or(Journalled{});
-    std::string lines;
-    if (!said_ || before.base != wanted.base) lines = line_of(wanted.base);
-    lines += lines_from(before, wanted);
+    if (said_ == wanted && !failed_) return;
     said_ = wanted;
     {
         const std::scoped_lock lock(mutex_);
-        waiting_ += lines;
+        waiting_ = wanted;
     }
     changed_.notify_all();
 }
 
 void EditJournal::wait_until_written() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return !writing_ && waiting_.empty(); });
+    changed_.wait(lock, [this] { return !writing_ && !waiting_; });
 }
 
 void EditJournal::write_until_closed() {
     int file = -1;
+    std::optional<Journalled> written;
     for (;;) {
-        std::string lines;
+        std::optional<Journalled> wanted;
         {
             std::unique_lock lock(mutex_);
-            changed_.wait(lock, [this] { return closing_ || !waiting_.empty(); });
-            lines.swap(waiting_);
-            writing_ = !lines.empty();
+            changed_.wait(lock, [this] { return closing_ || waiting_; });
+            wanted.swap(waiting_);
+            writing_ = wanted.has_value();
         }
-        if (lines.empty()) break;
+        if (!wanted) break;
         if (file < 0) file = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
-        if (file < 0 || !write_whole(file, lines)) failed_ = true;
+        try {
+            // The line break ends a line that was cut off.
+            const std::string lines = (failed_ ? "\n" : "") + lines_from(written, *wanted);
+            failed_ = file < 0 || !write_whole(file, lines);
+        } catch (const std::exception&) {  // a text that JSON cannot hold
+            failed_ = true;
+        }
+        written = failed_ ? std::nullopt : std::move(wanted);
         {
             const std::scoped_lock lock(mutex_);
             writing_ = false;

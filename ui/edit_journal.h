@@ -5,9 +5,11 @@
 // fewer after an undo) and which follow them:
 //   {"format": "hepatica-edits", "version": 1, "title": "anton.hep", "case": "/data/anton.hep",
 //    "extracted": "0123456789abcdef"}
-//   {"change": 7, "keep": 2, "add": [{"kind": "cut_link", ...}]}
+//   {"change": 7, "keep": 2, "add": [{"edit": "cut_link", ...}]}
 // A third kind of line does the same for the strokes that wait for a rebuild:
 //   {"keep_strokes": 1, "add_strokes": [{"path_mm": ...}]}
+// After a line that was cut off, as on a full disk, the next one is a base line, and the lines
+// after it start from no corrections and no strokes.
 #pragma once
 
 #include <atomic>
@@ -43,8 +45,8 @@ struct Journalled {
     bool operator==(const Journalled&) const = default;
 };
 
-// Reads a journal up to its first damaged or incomplete line. nullopt if there is no base or no
-// change before it. Never throws because of the file's content.
+// Reads a journal without the lines from a damaged one to the next base line. nullopt if there is
+// no change with a base. Never throws because of the file's content.
 std::optional<Journalled> read_edit_journal(const std::filesystem::path& file);
 
 // One thread appends; another writes the file, and only the destructor waits for it.
@@ -57,11 +59,11 @@ class EditJournal {
     EditJournal& operator=(const EditJournal&) = delete;
 
     // These are now the corrections and strokes on this base. Writes nothing if they equal the last
-    // ones.
+    // ones and those are written.
     void append(const Journalled& wanted);
-    // Waits until everything appended is on disk or could not be written.
+    // Waits until the last ones are on disk or could not be written.
     void wait_until_written();
-    // Whether a line could not be written. Any thread.
+    // Whether the last ones could not be written; the next append() tries again. Any thread.
     bool failed() const { return failed_; }
 
   private:
@@ -70,7 +72,7 @@ class EditJournal {
     std::filesystem::path file_;
     std::optional<Journalled> said_;
     std::mutex mutex_;  // guards waiting_, writing_ and closing_
-    std::string waiting_;
+    std::optional<Journalled> waiting_;
     bool writing_ = false;
     bool closing_ = false;
     std::condition_variable changed_;

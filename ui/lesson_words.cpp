@@ -89,13 +89,14 @@ constexpr QChar narrow_no_break_space(0x202f);
 constexpr int most_digits = 3;  // significant digits of a measured value
 
 std::string number_words(double value, int decimals) {
-    const int before_point =
+    int before_point =
         value == 0.0 ? 1
                      : std::max(1, 1 + static_cast<int>(std::floor(std::log10(std::abs(value)))));
-    if (before_point > most_digits) {
-        const double finest = std::pow(10.0, before_point - most_digits);
-        value = finest * std::round(value / finest);
-    }
+    const double finest = std::pow(10.0, before_point - most_digits);
+    const double rounded = std::round(value / finest);
+    if (before_point > most_digits) value = finest * rounded;
+    // 99.96 has three digits before the point once it is rounded.
+    if (std::abs(rounded) >= std::pow(10.0, most_digits)) ++before_point;
     const std::string text =
         printed("%.*f", std::clamp(most_digits - before_point, 0, decimals), value);
     return text.find_first_not_of("-0.") == std::string::npos && text.front() == '-'

@@ -145,9 +145,7 @@ void LibraryDialog::choose_folder() {
 void LibraryDialog::run(const QString& doing, BackgroundJob::Work work) {
     job_.reset();
     BackgroundJob::Callbacks callbacks;
-    callbacks.progress = [](const JobProgress&) {};
     callbacks.failed = [this, doing](const Failure& failure) { ways_.failed(doing, failure); };
-    callbacks.cancelled = [] {};
     callbacks.ended = [this] {
         if (std::exchange(reread_, false))
             return QTimer::singleShot(0, this, [this] { read_folder(); });

@@ -38,7 +38,9 @@ MessageBar::MessageBar(QWidget* pictures)
     for (Offer* offer : {&first_, &second_})
         connect(offer->button, &QPushButton::clicked, this, [this, offer] {
             dismiss();
-            offer->act();
+            // Taken out first: the action may show another notice, which replaces it.
+            const std::function<void()> act = std::exchange(offer->act, {});
+            act();
         });
     auto* close = new QToolButton(this);
     close->setText("✕");

@@ -9,7 +9,7 @@
 
 namespace hepatica {
 
-// "L 12  P 40  H 155 mm", rounded to millimetres.
-QString patient_place(const Vec3& position_mm);
+// "L 12  P 40  H 155 mm" for no decimals; the decimal separator is that of the language.
+QString patient_place(const Vec3& position_mm, int decimals = 0);
 
 }  // namespace hepatica

@@ -150,9 +150,7 @@ void PatientWizard::look_for_series() {
     const std::filesystem::path folder = to_path(ct_->text().trimmed());
     if (!std::filesystem::is_directory(folder) || is_case(folder)) return;
     BackgroundJob::Callbacks callbacks;
-    callbacks.progress = [](const JobProgress&) {};
     callbacks.failed = [](const Failure&) {};  // reading the CT will report the same
-    callbacks.cancelled = [] {};
     callbacks.ended = [this] { listing_.reset(); };
     listing_ = std::make_unique<BackgroundJob>(
         [this, folder](Job& job) -> std::function<void()> {
@@ -165,9 +163,8 @@ void PatientWizard::offer(const std::vector<SeriesDescription>& series) {
     series_->clear();
     for (const SeriesDescription& one : series) {
         QString text = Words::tr("%1: %2, %3 images")
-                           .arg(series_->count() + 1)
-                           .arg(name_in_list(one))
-                           .arg(one.slices);
+                           .arg(QString::number(series_->count() + 1), name_in_list(one),
+                                QString::number(one.slices));
         if (one.spacing_mm > 0.0)
             text += Words::tr(", %L1 mm apart").arg(one.spacing_mm, 0, 'g', 3);
         for (const std::string& word : {one.kernel, one.phase})

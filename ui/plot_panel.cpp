@@ -14,6 +14,7 @@
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "render/annotations.h"
+#include "ui/colours.h"
 #include "ui/core_words.h"
 #include "ui/paths.h"
 #include "ui/words.h"
@@ -35,9 +36,7 @@ QColor grid_line(const QPalette& palette) {
 QColor colour_of(const Chart& chart, std::size_t curve) {
     if (chart.curves[curve].points_only) return event_line;
     constexpr std::array<std::size_t, 4> bright{4, 5, 3, 2};
-    const Colour colour = curve_colour(bright[curve % bright.size()]);
-    return QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
-                            static_cast<float>(colour[2]));
+    return qcolor_of(curve_colour(bright[curve % bright.size()]));
 }
 
 double largest_of(const Chart& chart, std::vector<double> Curve::*values) {

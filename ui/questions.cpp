@@ -91,7 +91,9 @@ PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& s
         SaveCaseDialog dialog(
             proposed.has_parent_path() ? to_text(proposed.parent_path()) : settings.case_folder(),
             to_text(proposed.filename()),
-            [&parent](const QString& name) { return ask_replace(parent, name); }, &parent);
+            [&parent](const QString& name) { return ask_replace(parent, name); },
+            [&dialog](const QString& why) { QMessageBox::warning(&dialog, "Hepatica", why); },
+            &parent);
         if (dialog.exec() != QDialog::Accepted) return std::nullopt;
         return dialog.chosen();
     };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/recording_guard.h"
 
-#include <QLockFile>
 #include <algorithm>
 #include <fstream>
 #include <functional>
@@ -9,7 +8,7 @@
 #include <utility>
 
 #include "core/lesson/attempts.h"
-#include "ui/paths.h"
+#include "ui/lock_file.h"
 
 namespace hepatica {
 
@@ -25,9 +24,7 @@ fs::path mark_of(const fs::path& recording) {
 }
 
 std::unique_ptr<QLockFile> recording_lock(const fs::path& recording) {
-    auto lock = std::make_unique<QLockFile>(to_text(recording.string() + ".lock"));
-    lock->setStaleLockTime(0);  // no expiry by age; a dead owner is recognised by its process id
-    return lock;
+    return lock_file(recording.string() + ".lock");
 }
 
 fs::file_time_type time_of(const fs::path& file) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/recovery.h"
 
-#include <QLockFile>
 #include <QUuid>
 #include <algorithm>
 #include <charconv>
@@ -9,7 +8,7 @@
 #include <utility>
 
 #include "core/opening/patient_image.h"
-#include "ui/paths.h"
+#include "ui/lock_file.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -24,9 +23,7 @@ constexpr const char* journal_name = "edits.jsonl";
 constexpr const char* copy_beside = ".";
 
 std::unique_ptr<QLockFile> lock_of(const fs::path& folder) {
-    auto lock = std::make_unique<QLockFile>(to_text(folder / lock_name));
-    lock->setStaleLockTime(0);  // no expiry by age; a dead owner is recognised by its process id
-    return lock;
+    return lock_file(folder / lock_name);
 }
 
 // A title as the name of a case folder.
@@ -150,13 +147,21 @@ void Recovery::note(const Wanted& wanted) {
     try {
         make_own_folder();
     } catch (...) {
-        return;  // reported by write(), if a copy follows
+        return tell_of_journal(folder_, noted);
     }
     if (!journal_) journal_ = std::make_unique<EditJournal>(own_ / journal_name);
     journal_->append(noted);
-    if (journal_->failed() && !std::exchange(told_of_journal_, true))
-        failed_({Words::id("corrections cannot be noted at once"), own_.string(),
-                 Words::id("make room on the disk; save the case")});
+    if (journal_->failed()) tell_of_journal(own_, noted);
+}
+
+// Once: every change is noted.
+void Recovery::tell_of_journal(const fs::path& folder, const Journalled& lost) {
+    if (std::exchange(told_of_journal_, true)) return;
+    const char* remedy =  // no case holds strokes
+        lost.strokes.empty()
+            ? Words::id("make room on the disk; save the case")
+            : Words::id("make room on the disk; rebuild the vessels and save the case");
+    failed_({Words::id("corrections cannot be noted at once"), folder.string(), remedy});
 }
 
 // Their content is in a case on disk.
@@ -183,9 +188,7 @@ void Recovery::write() {
     const Copy copy = std::exchange(wanted_, {});
     needless_ = false;
     BackgroundJob::Callbacks callbacks;
-    callbacks.progress = [](const JobProgress&) {};
     callbacks.failed = failed_;
-    callbacks.cancelled = [] {};
     callbacks.ended = [this] {
         job_.reset();
         if (needless_) remove_own_copies();

@@ -67,6 +67,8 @@ class Recovery {
 
     static Wanted wanted_of(const Workspace& workspace);
     void note(const Wanted& wanted);
+    // The journal in this folder cannot be written, and so not hold this.
+    void tell_of_journal(const std::filesystem::path& folder, const Journalled& lost);
     void forget_copies();
     void forget_journal();
     void write();
@@ -84,8 +86,8 @@ class Recovery {
     std::uint64_t copy_origin_ = 0;   // of the complete copy; 0: none
     std::unique_ptr<EditJournal> journal_;
     std::optional<Wanted> newest_;  // the last one to be noted
-    bool told_of_journal_ = false;  // that it cannot be written
-    bool needless_ = false;         // the copy being written is no longer needed
+    bool told_of_journal_ = false;
+    bool needless_ = false;  // the copy being written is no longer needed
     QTimer delay_;
     std::unique_ptr<BackgroundJob> job_;
 };

@@ -190,9 +190,7 @@ void ReviewDock::open(const fs::path& recording, const std::string& lesson) {
     file_ = recording;
     name_ = title_of(facts_of(file_));
     BackgroundJob::Callbacks callbacks;
-    callbacks.progress = [](const JobProgress&) {};
     callbacks.failed = [this](const Failure& failure) { ways_.failed(failure); };
-    callbacks.cancelled = [] {};
     callbacks.ended = [this] { job_.reset(); };
     const auto shown = ways_.patient();
     ways_.say(Words::tr("Reading the recording…"));
@@ -259,7 +257,6 @@ void ReviewDock::begin() {
     BackgroundJob::Callbacks callbacks;
     callbacks.progress = [this](const JobProgress& now) { show_progress(now); };
     callbacks.failed = [this](const Failure& failure) { ways_.failed(failure); };
-    callbacks.cancelled = [] {};
     callbacks.ended = [this] {
         job_.reset();
         show_progress({});
@@ -280,7 +277,6 @@ void ReviewDock::compare(const fs::path& other) {
     ways_.beside(nullptr, {}, {}, {});
     compare_->setText(Words::tr("&Compare with…"));
     if (other.empty() || !reviewing()) return show_progress({});
-    other_file_ = other;
     const RecordingFacts facts = facts_of(other);
     other_name_ = title_of(facts);
     same_lesson_ = facts.lesson == facts_of(file_).lesson;
@@ -292,7 +288,6 @@ void ReviewDock::compare(const fs::path& other) {
         ways_.failed(failure);
         QTimer::singleShot(0, this, [this] { compare({}); });
     };
-    callbacks.cancelled = [] {};
     callbacks.ended = [this] {
         other_job_.reset();
         show_progress({});
@@ -339,6 +334,11 @@ void ReviewDock::show_other() {
     ways_.beside(frame, std::move(marks), name_, other_name_);
 }
 
+QString gone_through(const QString& name, double fraction) {
+    return Words::tr("%1: %2 % gone through")
+        .arg(name, QString::number(static_cast<int>(100.0 * fraction)));
+}
+
 void ReviewDock::show_progress(const JobProgress& progress) {
     if (tape_ == nullptr) return;
     const auto first = tape_->at(0.0);
@@ -363,10 +363,7 @@ void ReviewDock::show_progress(const JobProgress& progress) {
     }
     QString name = name_;
     if (comparing()) name = Words::tr("%1, and beside it %2").arg(name, other_name_);
-    title_->setText(complete() ? name
-                               : Words::tr("%1: %2 % gone through")
-                                     .arg(name)
-                                     .arg(static_cast<int>(100.0 * progress.fraction)));
+    title_->setText(complete() ? name : gone_through(name, progress.fraction));
     const QSignalBlocker quiet(line_);
     line_->set_end(end_s());
     show_events();

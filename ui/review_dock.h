@@ -34,6 +34,9 @@ class ReviewList;
 class TimeLine;
 struct ReviewScreen;
 
+// Title of a recording of this name while its frames are computed; `fraction` of them are there.
+QString gone_through(const QString& name, double fraction);
+
 // UI thread only.
 class ReviewDock : public QDockWidget {
   public:
@@ -128,7 +131,6 @@ class ReviewDock : public QDockWidget {
     std::unique_ptr<BackgroundJob> job_;
     std::shared_ptr<ReviewTape> tape_;
     std::shared_ptr<ReviewScreen> screen_;
-    std::filesystem::path other_file_;  // of the recording beside it
     std::unique_ptr<BackgroundJob> other_job_;
     std::shared_ptr<ReviewTape> other_tape_;
     std::shared_ptr<const Frame> other_frame_;  // the one that is shown

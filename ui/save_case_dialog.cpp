@@ -20,9 +20,11 @@ std::filesystem::path case_folder(const QString& typed) {
 }
 
 SaveCaseDialog::SaveCaseDialog(const QString& folder, const QString& name,
-                               std::function<bool(const QString&)> may_replace, QWidget* parent)
+                               std::function<bool(const QString&)> may_replace,
+                               std::function<void(const QString&)> refuse, QWidget* parent)
     : QFileDialog(parent, Words::tr("Save case as"), folder, Words::tr("Cases (*.hep *.hepz)")),
-      may_replace_(std::move(may_replace)) {
+      may_replace_(std::move(may_replace)),
+      refuse_(std::move(refuse)) {
     // The desktop's own dialog would enter the folder, which cannot be prevented.
     setOption(QFileDialog::DontUseNativeDialog);
     setAcceptMode(QFileDialog::AcceptSave);
@@ -51,6 +53,9 @@ void SaveCaseDialog::accept() {
         setDirectory(files.front());
     } else if (!std::filesystem::exists(folder)) {
         done(QDialog::Accepted);
+    } else {
+        refuse_(Words::tr("There is %1 already, and it is no case. Choose another name.")
+                    .arg(to_text(folder.filename())));
     }
 }
 

@@ -17,15 +17,18 @@ std::filesystem::path case_folder(const QString& typed);
 // UI thread only.
 class SaveCaseDialog : public QFileDialog {
   public:
-    // `may_replace` is asked with the name of an existing case.
+    // `may_replace` is asked with the name of an existing case; `refuse` receives the reason why a
+    // place cannot be taken.
     SaveCaseDialog(const QString& folder, const QString& name,
-                   std::function<bool(const QString&)> may_replace, QWidget* parent = nullptr);
+                   std::function<bool(const QString&)> may_replace,
+                   std::function<void(const QString&)> refuse, QWidget* parent = nullptr);
 
     std::filesystem::path chosen() const;
     void accept() override;
 
   private:
     std::function<bool(const QString&)> may_replace_;
+    std::function<void(const QString&)> refuse_;
 };
 
 }  // namespace hepatica

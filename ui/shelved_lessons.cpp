@@ -35,11 +35,6 @@ bool claims_to_be_lesson(const fs::path& file) {
     return text.find("\"hepatica-lesson\"") != std::string::npos;
 }
 
-bool is_same_place(const fs::path& a, const fs::path& b) {
-    std::error_code failed;
-    return fs::equivalent(a, b, failed) && !failed;
-}
-
 // nullopt for a lesson on the built-in patient, who is no case of a library.
 std::optional<ShelvedLesson> shelved(const fs::path& file) {
     ShelvedLesson entry{file, to_text(file.filename()), {}, Patient::unreadable, {}};
@@ -97,7 +92,7 @@ std::vector<ShelvedLesson> lessons_of(const std::vector<ShelvedLesson>& all,
     for (const Patient kind : {Patient::this_case, Patient::any, Patient::unreadable})
         for (const ShelvedLesson& lesson : all)
             if (lesson.patient == kind &&
-                (kind != Patient::this_case || is_same_place(lesson.of_case, place)))
+                (kind != Patient::this_case || same_place(lesson.of_case, place)))
                 fitting.push_back(lesson);
     return fitting;
 }
@@ -105,7 +100,7 @@ std::vector<ShelvedLesson> lessons_of(const std::vector<ShelvedLesson>& all,
 void compare_with(const VesselTree& tree, const fs::path& place,
                   std::vector<ShelvedLesson>& lessons, const VesselTree* before) {
     for (ShelvedLesson& lesson : lessons) {
-        if (lesson.patient != Patient::this_case || !is_same_place(lesson.of_case, place)) continue;
+        if (lesson.patient != Patient::this_case || !same_place(lesson.of_case, place)) continue;
         try {
             Lesson own = read_lesson(lesson.file);
             if (before != nullptr) tie(own, *before);

@@ -73,7 +73,6 @@ QWidget* ToolPanel::make_size() {
         field->setObjectName(name);
         field->setAccessibleName(Words::tr("%1 of the tool").arg(label));
         field->setSingleStep(0.5);
-        field->setKeyboardTracking(false);  // a half-typed number is no size
         form->addRow(label, field);
         connect(field, &QDoubleSpinBox::valueChanged, this, [this] { callbacks_.resize(size()); });
         return field;
@@ -105,7 +104,6 @@ QWidget* ToolPanel::make_contact() {
     friction_->setToolTip(
         Words::tr("Coulomb's coefficient of vessels that slide on each other; 0: they slip"));
     friction_->setSingleStep(0.05);
-    friction_->setKeyboardTracking(false);
     form->addRow(Words::tr("Friction"), friction_);
     friction_->setEnabled(false);
     connect(touch_each_other_, &QCheckBox::clicked, this, [this] { choose_contact(); });
@@ -157,7 +155,6 @@ QWidget* ToolPanel::make_tear() {
     tear_factor_->setAccessibleName(Words::tr("Tear factor: share of the tissue's strength"));
     tear_factor_->setToolTip(
         Words::tr("Share of the tissue's strength at which it tears: the tear factor"));
-    tear_factor_->setKeyboardTracking(false);
     form->addRow(Words::tr("Tear factor"), tear_factor_);
     line_strength_ = new DecimalSpinBox(0.0, 1.0, 0.05, 2, "", box);
     line_strength_->setObjectName("lineStrength");

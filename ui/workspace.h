@@ -57,8 +57,6 @@ class Workspace {
     // The next step of undo and redo; nullopt: none.
     std::optional<Step> next_undo() const;
     std::optional<Step> next_redo() const;
-    bool can_undo() const { return next_undo().has_value(); }
-    bool can_redo() const { return next_redo().has_value(); }
     void add(const TreeEdit& edit);
     // Replaces corrections and pending strokes by those that an earlier run left.
     void take_up(const Edits& edits, std::vector<PendingStroke> strokes);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QCheckBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
 
@@ -49,6 +50,7 @@ class Branches : public ::testing::Test {
         ASSERT_TRUE(testing::wait_for([this] { return !dock_.rows().empty(); }));
     }
     QTableWidget& table() { return *dock_.findChild<QTableWidget*>("branches"); }
+    QString note() { return dock_.findChild<QLabel*>("quiet")->text(); }
     double value(int row, int column) {
         return table().item(row, column)->data(Qt::DisplayRole).toDouble();
     }
@@ -109,6 +111,7 @@ TEST_F(Branches, HaveNoSegmentsWithoutALiver) {
     EXPECT_FALSE(dock_.findChild<QCheckBox*>("segmentColours")->isEnabled());
     EXPECT_EQ(table().rowCount(), 3);
     EXPECT_EQ(failure_, "");
+    EXPECT_TRUE(note().contains("need a liver mask")) << note().toStdString();
 }
 
 TEST_F(Branches, OfACaseThatCannotBeReadKeepTheirLengths) {
@@ -118,6 +121,7 @@ TEST_F(Branches, OfACaseThatCannotBeReadKeepTheirLengths) {
     dock_.show();
     ASSERT_TRUE(testing::wait_for([this] { return !failure_.empty(); }));
     EXPECT_EQ(table().rowCount(), 3);
+    EXPECT_EQ(note(), "The segments cannot be read: " + QString::fromStdString(failure_));
 }
 
 TEST_F(Branches, AreSavedAsTheTableOfTheTree) {

@@ -82,7 +82,7 @@ fs::path two_series(const fs::path& folder) {
     write_dicom_series(folder / "one", volume, info, job);
     volume.grid.dims[2] = 4;
     volume.voxels.resize(16 * 16 * 4);
-    info.series_description = "thick";
+    info.series_description = "thick, 50 %3";
     volume.grid.spacing_mm.z() = 2.0;
     write_dicom_series(folder / "two", volume, info, job);
     return folder;
@@ -98,7 +98,7 @@ TEST_F(Wizard, offers_the_series_of_a_folder_that_holds_several) {
     ASSERT_TRUE(testing::wait_for([&] { return series->count() == 2; }));
     EXPECT_FALSE(series->isHidden());
     EXPECT_TRUE(series->itemText(0).contains("thin")) << series->itemText(0).toStdString();
-    EXPECT_TRUE(series->itemText(1).contains("\"thick\", 4 images"))
+    EXPECT_TRUE(series->itemText(1).contains("\"thick, 50 %3\", 4 images"))
         << series->itemText(1).toStdString();
     EXPECT_EQ(wizard_.options().series, 1) << "it was offered: nobody asks again";
     series->setCurrentIndex(1);
@@ -317,10 +317,14 @@ class SavingCase : public ::testing::Test {
     // What is chosen where this is typed; none where the dialog stays open.
     std::optional<fs::path> typed(const QString& name, bool may_replace) {
         asked_.clear();
-        SaveCaseDialog dialog(folder_.path(), "patient.hep", [&](const QString& old) {
-            asked_ = old;
-            return may_replace;
-        });
+        refused_.clear();
+        SaveCaseDialog dialog(
+            folder_.path(), "patient.hep",
+            [&](const QString& old) {
+                asked_ = old;
+                return may_replace;
+            },
+            [this](const QString& why) { refused_ = why; });
         dialog.show();
         dialog.findChild<QLineEdit*>("fileNameEdit")->setText(name);
         dialog.accept();
@@ -329,7 +333,7 @@ class SavingCase : public ::testing::Test {
     }
 
     QTemporaryDir folder_;
-    QString asked_;
+    QString asked_, refused_;
 };
 
 TEST_F(SavingCase, adds_the_ending_where_it_is_missing) {
@@ -351,13 +355,20 @@ TEST_F(SavingCase, replaces_an_old_case_after_asking_and_never_without) {
     EXPECT_EQ(typed("plain", true), std::nullopt) << "a folder that is no case is entered";
 }
 
-TEST_F(SavingCase, never_replaces_what_is_no_case) {
+TEST_F(SavingCase, never_replaces_what_is_no_case_and_says_so) {
     fs::create_directory(path("photos.hep"));
     EXPECT_EQ(typed("photos.hep", true), std::nullopt);
+    EXPECT_EQ(refused_, "") << "the folder is entered";
     std::ofstream(path("letter.hep")) << "Dear ...";
-    EXPECT_EQ(typed("letter.hep", true), std::nullopt);
     std::ofstream(path("letter.hepz")) << "Dear ...";
-    EXPECT_EQ(typed("letter.hepz", true), std::nullopt);
+    for (const auto& [name, taken] :
+         {std::pair{"photos", "photos.hep"}, std::pair{"letter.hep", "letter.hep"},
+          std::pair{"letter", "letter.hep"}, std::pair{"letter.hepz", "letter.hepz"}}) {
+        EXPECT_EQ(typed(name, true), std::nullopt);
+        EXPECT_TRUE(refused_.contains(QString("There is %1 already").arg(taken)))
+            << name << ": " << refused_.toStdString();
+        EXPECT_EQ(asked_, "");
+    }
 }
 
 class Layout : public testing::FakeWindowTest {};

@@ -229,6 +229,15 @@ TEST(LearningCurve, MarksWhatWasNotPassed) {
     EXPECT_EQ(chart.curves[1].y, (std::vector<double>{10, 8}));
 }
 
+TEST(CourseTitle, LeavesNamesAsTheyAre) {
+    CourseDialog dialog([](const CourseLine&) {}, [] {}, nullptr);
+    const auto* title = dialog.findChild<QLabel*>("courseTitle");
+    dialog.show_course("%2 of %4", {CourseLine{}}, "Berta %3", false);
+    EXPECT_EQ(title->text(), "<b>%2 of %4</b>: 0 of 1 lessons passed by Berta %3");
+    dialog.show_course("%2 of %3", {CourseLine{}}, "", false);
+    EXPECT_EQ(title->text(), "<b>%2 of %3</b>: 0 of 1 lessons passed");
+}
+
 // A course whose first lesson asks for more than the lesson itself.
 TEST_F(LessonWindowTest, a_course_says_what_is_passed_and_begins_the_next_with_its_marks) {
     lesson_file(R"({"what": "time_s", "at_least": 1000})");

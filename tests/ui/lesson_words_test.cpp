@@ -37,6 +37,10 @@ TEST(LessonWords, SayWhatWasMeasuredWithThreeDigitsAtMost) {
     EXPECT_EQ(said(Quantity::time_s, 24.13), "24.1 s");
     EXPECT_EQ(said(Quantity::time_s, 26.0), "26.0 s");
     EXPECT_EQ(said(Quantity::time_s, 123.45), "123 s");
+    EXPECT_EQ(said(Quantity::time_s, 99.94), "99.9 s");
+    EXPECT_EQ(said(Quantity::time_s, 99.96), "100 s");
+    EXPECT_EQ(said(Quantity::largest_stretch, 9.996), "10.0");
+    EXPECT_EQ(said(Quantity::force_mn, 999.6), "1000 mN");
     EXPECT_EQ(said(Quantity::force_mn, 467.26), "467 mN");
     EXPECT_EQ(said(Quantity::impulse_mn_s, 12345.0), "12300 mN s");
     EXPECT_EQ(said(Quantity::largest_stretch, 1.23456), "1.23");

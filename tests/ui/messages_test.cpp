@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 #include <filesystem>
+#include <memory>
 
 #include "tests/ui/fake_window_test.h"
 #include "ui/branch_links.h"
@@ -213,6 +214,28 @@ TEST(MessageBar, WhatWasSaidBeforeItIsSeenCanBeRead) {
     pictures.show();
     const auto* label = bar.findChild<QLabel*>();
     EXPECT_TRUE(testing::wait_for([&] { return label->text().contains("The program ended"); }));
+}
+
+// As an action with a modal dialog does, during which anything may be said.
+TEST(MessageBar, AnActionStaysWholeWhileTheNextNoticeIsShown) {
+    QWidget pictures;
+    MessageBar bar(&pictures);
+    auto held = std::make_shared<int>();
+    const std::weak_ptr<int> watched = held;
+    bool acted = false, whole = false;
+    bar.show_notice("Lost", "Open it", [&, held = std::move(held)] {
+        // Nothing that the action holds may be read after the notice, where it may be gone.
+        const std::weak_ptr<int>& still_there = watched;
+        bool& to_acted = acted;
+        bool& to_whole = whole;
+        bar.show_notice("Next", "Do it", [] {});
+        to_acted = true;
+        to_whole = !still_there.expired();
+    });
+    bar.findChild<QPushButton*>("offer")->click();
+    EXPECT_TRUE(acted);
+    EXPECT_TRUE(whole);
+    EXPECT_EQ(bar.text(), "Next");
 }
 
 }  // namespace

@@ -67,6 +67,10 @@ TEST(ReviewList, AVerdictThatIsNotPassedLooksLikeNoStepThatIsReached) {
     EXPECT_NE(list.ticks()[0].colour, list.ticks()[1].colour);
 }
 
+TEST(ReviewTitle, LeavesANameAsItIs) {
+    EXPECT_EQ(gone_through("Half %2 and %1", 0.256), "Half %2 and %1: 25 % gone through");
+}
+
 // The small patient is whatever is opened.
 class ReviewWindowTest : public testing::WindowTest {
   protected:

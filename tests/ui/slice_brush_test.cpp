@@ -26,9 +26,14 @@ class BrushOnSlices : public testing::SlicesTest {
     void take(int purpose) { emit choice().activated(purpose); }
     // From left to right, with the button held.
     void stroke() {
-        QTest::mousePress(&axial(), Qt::LeftButton, {}, place_of_column(10));
+        press();
         move();
-        QTest::mouseRelease(&axial(), Qt::LeftButton, {}, place_of_column(15));
+        release();
+    }
+    void press() { QTest::mousePress(&axial(), Qt::LeftButton, {}, place_of_column(10)); }
+    void release() { QTest::mouseRelease(&axial(), Qt::LeftButton, {}, place_of_column(15)); }
+    void click_other(Qt::MouseButton button) {
+        QTest::mouseClick(&axial(), button, {}, place_of_column(10));
     }
     void move() {
         const QPointF to = place_of_column(15);
@@ -70,6 +75,20 @@ TEST_F(BrushOnSlices, ShowsAtOnceWhatItPaints) {
     EXPECT_EQ(scene().crosshair_mm(), ct_.grid.to_mm(20, 25, 30)) << "and nothing else";
     move();
     EXPECT_EQ(brush().strokes()[0].path_mm.size(), 2u) << "lifted, it leaves nothing";
+}
+
+TEST_F(BrushOnSlices, IsLiftedByNoOtherButton) {
+    begin();
+    press();
+    click_other(Qt::RightButton);
+    EXPECT_TRUE(brush().leads());
+    click_other(Qt::MiddleButton);
+    EXPECT_TRUE(brush().leads());
+    move();
+    release();
+    EXPECT_FALSE(brush().leads());
+    ASSERT_EQ(brush().strokes().size(), 1u);
+    EXPECT_EQ(brush().strokes()[0].path_mm.size(), 2u);
 }
 
 TEST_F(BrushOnSlices, SaysWhereItCannotPaint) {

@@ -36,6 +36,7 @@ TEST_F(Slices, AreReadWhenSomebodyWantsToSeeThem) {
 TEST_F(Slices, BeginWhereTheWidestVesselIs) {
     show_slices();
     EXPECT_EQ(scene().crosshair_mm(), Vec3(0, 0, 30));
+    EXPECT_TRUE(scene().describe(Vec3(-12.5, 0, 30)).starts_with("R 12.5  P 0.0  H 30.0 mm   "));
     EXPECT_NE(scene().describe(Vec3(0, 0, 30)).find("portal vein, radius 5.0 mm"),
               std::string::npos);
     EXPECT_EQ(scene().describe(Vec3(500, 0, 0)), "") << "outside of the CT";
@@ -381,6 +382,22 @@ TEST_F(Slices, WriteWordsThatCanBeReadOnWhiteBone) {
     for (int x = 0; x < shown.width(); ++x)
         expect_dark_around(shown.height(), [&](int y) { return shown.pixel(x, y); });
     EXPECT_GT(letters, 20);
+}
+
+TEST(SliceAlone, CorrectsNothingByKeyWhereNobodyReceivesIt) {
+    SliceScene scene;
+    scene.show(std::make_shared<const Volume>(testing::numbered_ct()), {}, {});
+    SliceView view(scene, SliceDirection::axial);
+    const auto press = [&view] {
+        QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
+        QApplication::sendEvent(&view, &enter);
+    };
+    scene.set_corrects(true);
+    EXPECT_NO_THROW(press());
+    std::optional<Vec3> corrected;
+    view.on_correct([&](const Vec3& place) { corrected = place; });
+    press();
+    EXPECT_EQ(corrected, scene.crosshair_mm());
 }
 
 TEST_F(Slices, SayWhatIsMissingWhereNobodyKnowsTheCt) {

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "tests/ui/fake_window_test.h"
+#include "ui/colours.h"
 
 namespace hepatica::testing {
 namespace {
@@ -25,10 +26,6 @@ double luminance(const QColor& colour) {
 double contrast(const QColor& a, const QColor& b) {
     const double one = luminance(a) + 0.05, other = luminance(b) + 0.05;
     return std::max(one, other) / std::min(one, other);
-}
-QColor colour_of(const Colour& colour) {
-    return QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
-                            static_cast<float>(colour[2]));
 }
 
 TEST(Themes, KeepTextReadable) {
@@ -50,10 +47,10 @@ TEST(Themes, KeepTextReadable) {
             {theme.message_text, theme.notice},
             {theme.problem, theme.window},
             {theme.link, theme.window},
-            {colour_of(theme.view.text), colour_of(theme.view.top)},
-            {colour_of(theme.view.text), colour_of(theme.view.bottom)},
-            {colour_of(theme.view.faint_text), colour_of(theme.view.top)},
-            {colour_of(theme.view.faint_text), colour_of(theme.view.bottom)}};
+            {qcolor_of(theme.view.text), qcolor_of(theme.view.top)},
+            {qcolor_of(theme.view.text), qcolor_of(theme.view.bottom)},
+            {qcolor_of(theme.view.faint_text), qcolor_of(theme.view.top)},
+            {qcolor_of(theme.view.faint_text), qcolor_of(theme.view.bottom)}};
         int number = 0;
         for (const auto& [text, ground] : pairs)
             EXPECT_GE(contrast(text, ground), least)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson_editor/draft_slot.h"
 
-#include <QLockFile>
 #include <string>
 #include <utility>
 
-#include "ui/paths.h"
+#include "ui/lock_file.h"
 
 namespace hepatica {
 namespace {
@@ -34,9 +33,8 @@ DraftSlot::DraftSlot(const std::filesystem::path& first) {
 DraftSlot::~DraftSlot() = default;
 
 bool DraftSlot::take(const std::filesystem::path& file) {
-    auto lock = std::make_unique<QLockFile>(to_text(file) + ".lock");
-    lock->setStaleLockTime(0);  // no expiry by age; a dead owner is recognised by its process id
-    if (!lock->tryLock()) return false;
+    std::unique_ptr<QLockFile> lock = lock_file(file.string() + ".lock");
+    if (!lock->tryLock(0)) return false;
     file_ = file;
     lock_ = std::move(lock);
     return true;

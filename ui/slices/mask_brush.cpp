@@ -13,45 +13,45 @@ bool is_worth_a_step(const BrushStroke& stroke, const Vec3& place_mm) {
 void MaskBrush::set_mode(BrushMode mode) {
     mode_ = mode;
     lift();
-    tell();
+    watchers_.tell();
 }
 
 void MaskBrush::set_radius(double radius_mm) {
     radius_mm_ = std::clamp(radius_mm, least_mm, most_mm);
-    tell();
+    watchers_.tell();
 }
 
 void MaskBrush::begin(const Vec3& place_mm) {
     if (mode_ == BrushMode::away) return;
     down_ = true;
     strokes_.push_back({{place_mm}, radius_mm_, mode_ == BrushMode::erases});
-    tell();
+    watchers_.tell();
 }
 
 void MaskBrush::lead_to(const Vec3& place_mm) {
     if (!down_ || !is_worth_a_step(strokes_.back(), place_mm)) return;
     strokes_.back().path_mm.push_back(place_mm);
-    tell();
+    watchers_.tell();
 }
 
 void MaskBrush::lift() {
     if (!std::exchange(down_, false)) return;
     hand_.add(BrushStroke(strokes_.back()));
-    tell();
+    watchers_.tell();
 }
 
 void MaskBrush::remove_last() {
     if (strokes_.empty()) return;
     strokes_.pop_back();
     if (!std::exchange(down_, false)) hand_.take_back(1);
-    tell();
+    watchers_.tell();
 }
 
 void MaskBrush::remove_all() {
     const std::size_t kept = strokes_.size() - (std::exchange(down_, false) ? 1 : 0);
     strokes_.clear();
     if (kept > 0) hand_.take_back(kept);
-    tell();
+    watchers_.tell();
 }
 
 void MaskBrush::show(const std::vector<BrushStroke>& strokes) {
@@ -61,15 +61,11 @@ void MaskBrush::show(const std::vector<BrushStroke>& strokes) {
         return;
     down_ = false;
     strokes_ = strokes;
-    tell();
+    watchers_.tell();
 }
 
 void MaskBrush::remake() const {
     if (!strokes_.empty() && remake_) remake_();
-}
-
-void MaskBrush::tell() const {
-    for (const auto& watcher : watchers_) watcher();
 }
 
 }  // namespace hepatica

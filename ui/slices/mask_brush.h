@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/image/brush.h"
+#include "ui/slices/watchers.h"
 
 namespace hepatica {
 
@@ -33,7 +34,7 @@ class MaskBrush {
     static constexpr double least_mm = 0.5, most_mm = 20.0;
 
     // Called after every change of mode, radius or strokes.
-    void on_change(std::function<void()> tell) { watchers_.push_back(std::move(tell)); }
+    void on_change(std::function<void()> tell) { watchers_.add(std::move(tell)); }
     void on_stroke(Hand hand) { hand_ = std::move(hand); }
     // The user wants the vessels rebuilt from the mask as it is now.
     void on_remake(std::function<void()> remake) { remake_ = std::move(remake); }
@@ -60,15 +61,13 @@ class MaskBrush {
     const std::vector<BrushStroke>& strokes() const { return strokes_; }
 
   private:
-    void tell() const;
-
     Hand hand_;
     std::function<void()> remake_;
     BrushMode mode_ = BrushMode::away;
     double radius_mm_ = 2.0;
     bool down_ = false;
     std::vector<BrushStroke> strokes_;
-    std::vector<std::function<void()>> watchers_;
+    Watchers watchers_;
 };
 
 }  // namespace hepatica

@@ -15,14 +15,6 @@ bool is_segment(int label) {
     return label >= 1 && label <= segments;
 }
 
-QRgb mixed(QRgb below, const Colour& tint, double opacity) {
-    const auto channel = [&](int plain, double colour) {
-        return static_cast<int>((1.0 - opacity) * plain + opacity * 255.0 * colour);
-    };
-    return qRgb(channel(qRed(below), tint[0]), channel(qGreen(below), tint[1]),
-                channel(qBlue(below), tint[2]));
-}
-
 struct Opacity {
     double inside = 0.0, border = 0.0;
 };
@@ -44,12 +36,20 @@ void lay_labels(QImage& picture, const std::vector<std::uint8_t>& labels, const 
             if (!colour) continue;
             const bool border = label(column - 1, row) != here || label(column + 1, row) != here ||
                                 label(column, row - 1) != here || label(column, row + 1) != here;
-            line[column] = mixed(line[column], *colour, border ? opacity.border : opacity.inside);
+            line[column] = tinted(line[column], *colour, border ? opacity.border : opacity.inside);
         }
     }
 }
 
 }  // namespace
+
+QRgb tinted(QRgb below, const Colour& tint, double opacity) {
+    const auto channel = [&](int plain, double colour) {
+        return static_cast<int>((1.0 - opacity) * plain + opacity * 255.0 * colour);
+    };
+    return qRgb(channel(qRed(below), tint[0]), channel(qGreen(below), tint[1]),
+                channel(qBlue(below), tint[2]));
+}
 
 Colour colour_of_number(int segment) {
     Colour light{};

@@ -17,6 +17,9 @@ inline constexpr double segment_opacity = 0.25;
 inline constexpr double segment_border_opacity = 0.6;
 inline constexpr double tumour_opacity = 0.4, tumour_border_opacity = 0.85;
 
+// A pixel under a tint of this opacity, 0 to 1.
+QRgb tinted(QRgb below, const Colour& tint, double opacity);
+
 // Tints the picture where a label is 1 to 8. One label per pixel, row by row.
 void lay_segments(QImage& picture, const std::vector<std::uint8_t>& labels);
 

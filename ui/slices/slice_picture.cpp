@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "render/palette.h"
+
 namespace hepatica {
 namespace {
 
@@ -22,7 +24,7 @@ QImage grey_image(const std::vector<std::uint8_t>& grey, int columns, int rows) 
 
 // Blends in the colours of the vascular systems and of painted voxels.
 void lay_systems(QImage& picture, const std::vector<std::uint8_t>& labels, double opacity) {
-    std::array<std::array<double, 3>, 256> tint{};
+    std::array<Colour, 256> tint{};
     for (const VascularSystem system : vascular_systems)
         tint[static_cast<std::size_t>(number_of(system))] = palette::vessel_system(system);
     tint[painted_label] = {colour_of_marks.redF(), colour_of_marks.greenF(),
@@ -31,24 +33,12 @@ void lay_systems(QImage& picture, const std::vector<std::uint8_t>& labels, doubl
     for (int row = 0; row < picture.height(); ++row) {
         auto* line = reinterpret_cast<QRgb*>(picture.scanLine(row));
         for (int column = 0; column < picture.width(); ++column, ++i) {
-            if (labels[i] == 0) continue;
-            const auto mixed = [&](int plain, std::size_t channel) {
-                return static_cast<int>((1.0 - opacity) * plain +
-                                        opacity * 255.0 * tint[labels[i]][channel]);
-            };
-            const QRgb below = line[column];
-            line[column] =
-                qRgb(mixed(qRed(below), 0), mixed(qGreen(below), 1), mixed(qBlue(below), 2));
+            if (labels[i] != 0) line[column] = tinted(line[column], tint[labels[i]], opacity);
         }
     }
 }
 
 }  // namespace
-
-QColor colour_of(const Colour& colour) {
-    return QColor::fromRgbF(static_cast<float>(colour[0]), static_cast<float>(colour[1]),
-                            static_cast<float>(colour[2]));
-}
 
 SlicePicture picture_of(const SliceScene& scene, const SliceStack& slices, int slice) {
     SlicePicture picture;

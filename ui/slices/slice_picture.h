@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/image/slice.h"
-#include "render/palette.h"
 #include "ui/slices/segment_overlay.h"
 #include "ui/slices/slice_scene.h"
 
@@ -16,9 +15,6 @@ namespace hepatica {
 
 // Colour of what the user puts into the slices: measurements, places, painted voxels.
 inline const QColor colour_of_marks(255, 214, 90);
-
-// Channels from 0 to 1 to a QColor.
-QColor colour_of(const Colour& colour);
 
 struct SlicePicture {
     QImage image;

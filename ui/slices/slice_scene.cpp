@@ -2,12 +2,11 @@
 #include "ui/slices/slice_scene.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "core/tree/territories/segment_name.h"
 #include "ui/core_words.h"
+#include "ui/patient_place.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -19,12 +18,6 @@ std::vector<CentrelinePoint> centrelines_of(const VesselTree& tree) {
         for (std::size_t i = 0; i < segment.points_mm.size(); ++i)
             points.push_back({segment.points_mm[i], segment.radii_mm[i], segment.system});
     return points;
-}
-
-// "L 12.0" for 12 mm to the patient's left; the decimal separator is that of the language.
-std::string along(double mm, char positive, char negative) {
-    std::string text(1, mm < 0.0 ? negative : positive);
-    return text + QString(" %L1").arg(std::abs(mm), 0, 'f', 1).toStdString();
 }
 
 }  // namespace
@@ -89,7 +82,7 @@ void SliceScene::paint_anew() {
 void SliceScene::follow_brush() {
     const std::vector<BrushStroke>& strokes = brush_.strokes();
     const std::size_t points = strokes.empty() ? 0 : strokes.back().path_mm.size();
-    if (strokes.size() == shown_strokes_ && points == shown_points_) return tell();
+    if (strokes.size() == shown_strokes_ && points == shown_points_) return watchers_.tell();
     const bool led_on = strokes.size() == shown_strokes_ && points == shown_points_ + 1;
     if (led_on) {
         const BrushStroke& last = strokes.back();
@@ -200,7 +193,7 @@ void SliceScene::set_crosshair(const Vec3& position_mm) {
         index[i] = std::clamp(index[i], 0.0,
                               static_cast<double>(ct_->grid.dims[static_cast<std::size_t>(i)] - 1));
     crosshair_mm_ = ct_->grid.to_mm(index);
-    tell();
+    watchers_.tell();
 }
 
 void SliceScene::set_window(const GreyWindow& window) {
@@ -226,12 +219,12 @@ void SliceScene::set_segments_visible(bool visible) {
 
 void SliceScene::set_corrects(bool corrects) {
     corrects_ = corrects;
-    tell();
+    watchers_.tell();
 }
 
 void SliceScene::set_centrelines_visible(bool visible) {
     shows_centrelines_ = visible;
-    tell();
+    watchers_.tell();
 }
 
 int SliceScene::segment_at(const Vec3& position_mm) const {
@@ -241,8 +234,7 @@ int SliceScene::segment_at(const Vec3& position_mm) const {
 std::string SliceScene::describe(const Vec3& position_mm) const {
     if (empty()) return {};
     if (!holds(ct_->grid, position_mm)) return {};
-    std::string text = along(position_mm.x(), 'L', 'R') + "  " + along(position_mm.y(), 'P', 'A') +
-                       "  " + along(position_mm.z(), 'H', 'F') + " mm   " +
+    std::string text = patient_place(position_mm, 1).toStdString() + "   " +
                        std::to_string(value_at(*ct_, position_mm)) + " HU";
     if (const int segment = segment_at(position_mm); segment > 0)
         text += "   " + Words::tr("segment %1")
@@ -268,11 +260,7 @@ std::string SliceScene::describe(const Vec3& position_mm) const {
 
 void SliceScene::tell_of_voxels() {
     ++voxels_version_;
-    tell();
-}
-
-void SliceScene::tell() const {
-    for (const auto& watcher : watchers_) watcher();
+    watchers_.tell();
 }
 
 }  // namespace hepatica

@@ -15,6 +15,7 @@
 #include "ui/slices/measurements.h"
 #include "ui/slices/tumour_brush.h"
 #include "ui/slices/vessel_pen.h"
+#include "ui/slices/watchers.h"
 
 namespace hepatica {
 
@@ -30,7 +31,7 @@ class SliceScene {
   public:
     SliceScene();
     // Called after every change.
-    void on_change(std::function<void()> tell) { watchers_.push_back(std::move(tell)); }
+    void on_change(std::function<void()> tell) { watchers_.add(std::move(tell)); }
 
     // Shows another patient. The crosshair moves to the thickest point of the centrelines, or to
     // the middle of the CT if there is none.
@@ -109,7 +110,6 @@ class SliceScene {
     std::string describe(const Vec3& position_mm) const;
 
   private:
-    void tell() const;
     void tell_of_voxels();
     // Brings the voxels up to date with the strokes.
     void follow_brush();
@@ -144,7 +144,7 @@ class SliceScene {
     bool corrects_ = false;
     std::uint64_t voxels_version_ = 0;
     std::uint64_t systems_version_ = 0;
-    std::vector<std::function<void()>> watchers_;
+    Watchers watchers_;
 };
 
 }  // namespace hepatica

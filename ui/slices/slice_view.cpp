@@ -12,6 +12,7 @@
 
 #include "core/tree/territories/segment_name.h"
 #include "render/palette.h"
+#include "ui/colours.h"
 #include "ui/slices/slice_picture.h"
 #include "ui/theme.h"
 #include "ui/words.h"
@@ -131,7 +132,7 @@ void SliceView::paint_segment_numbers(QPainter& painter) const {
             slices.to_mm(Vec3(number.pixel.x(), number.pixel.y(), static_cast<double>(slice())));
         write_outlined(painter, QRectF(place_of(there) - QPointF(10, 10), QSizeF(20, 20)),
                        Qt::AlignCenter, QString::fromStdString(segment_name(number.segment)),
-                       colour_of(colour_of_number(number.segment)));
+                       qcolor_of(colour_of_number(number.segment)));
     }
 }
 
@@ -144,7 +145,7 @@ void SliceView::paint_centrelines(QPainter& painter) const {
         if (std::abs(slices.place_of(point.position_mm).z() - here) <= half)
             dots[point.system] << place_of(point.position_mm);
     for (const auto& [system, places] : dots) {
-        painter.setPen(QPen(colour_of(palette::vessel_system(system)).lighter(150), 3.6,
+        painter.setPen(QPen(qcolor_of(palette::vessel_system(system)).lighter(150), 3.6,
                             Qt::SolidLine, Qt::RoundCap));
         painter.drawPoints(places);
     }
@@ -153,7 +154,7 @@ void SliceView::paint_centrelines(QPainter& painter) const {
 void SliceView::paint_crosshair(QPainter& painter) const {
     constexpr double gap = 7.0;  // keeps the target visible
     const QPointF at = place_of(scene_.crosshair_mm());
-    QColor colour = colour_of(palette::bridge);
+    QColor colour = qcolor_of(palette::bridge);
     colour.setAlphaF(0.8f);
     painter.setPen(QPen(colour, 1.0));
     painter.drawLine(QPointF(0, at.y()), QPointF(at.x() - gap, at.y()));
@@ -248,7 +249,7 @@ void SliceView::paint_words(QPainter& painter) const {
     const auto [left, right, top, bottom] = stack().edges();
     const QRectF inside = room_for_words();
     const auto write = [&](Qt::Alignment where, const QString& text) {
-        write_outlined(painter, inside, where, text, colour_of(palette::text));
+        write_outlined(painter, inside, where, text, qcolor_of(palette::text));
     };
     write(Qt::AlignLeft | Qt::AlignVCenter, QChar(left));
     write(Qt::AlignRight | Qt::AlignVCenter, QChar(right));
@@ -323,7 +324,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SliceView::mouseReleaseEvent(QMouseEvent* event) {
-    say(scene_.lift_brush());
+    if (event->button() == Qt::LeftButton) say(scene_.lift_brush());
     QWidget::mouseReleaseEvent(event);
 }
 
@@ -427,10 +428,10 @@ void SliceView::measure_by_key(int key) {
 void SliceView::correct_by_key(int key) {
     if (key == Qt::Key_Escape)
         scene_.set_corrects(false);
-    else if (key == Qt::Key_Return || key == Qt::Key_Enter)
-        correct_(scene_.crosshair_mm());
-    else
+    else if (key != Qt::Key_Return && key != Qt::Key_Enter)
         scene_.measurements().remove_last();
+    else if (correct_)
+        correct_(scene_.crosshair_mm());
 }
 
 void SliceView::brush_by_key(int key) {

@@ -21,7 +21,7 @@ void TumourBrush::show(std::shared_ptr<const Mask> canvas, Mask organs, std::siz
     };
     if (chosen_ != 0 && !is_there(chosen_)) gone_ = std::exchange(chosen_, 0);
     if (chosen_ == 0 && gone_ != 0 && is_there(gone_)) chosen_ = std::exchange(gone_, 0);
-    tell();
+    watchers_.tell();
 }
 
 void TumourBrush::show_none(std::string why_none) {
@@ -32,7 +32,7 @@ void TumourBrush::show_none(std::string why_none) {
     led_.reset();
     strokes_ = strokes_before_ = 0;
     chosen_ = gone_ = 0;
-    tell();
+    watchers_.tell();
 }
 
 int TumourBrush::tumour_at(const Vec3& position_mm) const {
@@ -43,13 +43,13 @@ void TumourBrush::set_mode(BrushMode mode) {
     lift();
     if (mode_ == BrushMode::away) strokes_before_ = strokes_;
     mode_ = mode;
-    tell();
+    watchers_.tell();
 }
 
 void TumourBrush::choose(int tumour) {
     chosen_ = tumour;
     gone_ = 0;
-    tell();
+    watchers_.tell();
 }
 
 std::string TumourBrush::why_not_painted(const Vec3& position_mm) const {
@@ -85,7 +85,7 @@ void TumourBrush::leave(const std::vector<Vec3>& path_mm) {
     TreeEdit piece = *led_;
     piece.path_mm = path_mm;
     changes_ += paint_tumour(piece, *canvas_, organs_);
-    tell();
+    watchers_.tell();
 }
 
 std::string TumourBrush::lift() {
@@ -123,11 +123,7 @@ void TumourBrush::give_up() {
 
 void TumourBrush::take_back(std::size_t strokes) {
     if (strokes > 0 && strokes <= strokes_made()) hand_.take_back(strokes);
-    tell();
-}
-
-void TumourBrush::tell() const {
-    for (const auto& watcher : watchers_) watcher();
+    watchers_.tell();
 }
 
 }  // namespace hepatica

@@ -12,6 +12,7 @@
 
 #include "core/patient/painted_tumours.h"
 #include "ui/slices/mask_brush.h"
+#include "ui/slices/watchers.h"
 
 namespace hepatica {
 
@@ -28,7 +29,7 @@ class TumourBrush {
     };
 
     // Called after every change.
-    void on_change(std::function<void()> tell) { watchers_.push_back(std::move(tell)); }
+    void on_change(std::function<void()> tell) { watchers_.add(std::move(tell)); }
     void on_stroke(Hand hand) { hand_ = std::move(hand); }
 
     // Shows the organs as `strokes` strokes have left them on the canvas (tumour_canvas()). An
@@ -67,7 +68,6 @@ class TumourBrush {
     bool drop_led();
     void take_back(std::size_t strokes);
     void leave(const std::vector<Vec3>& path_mm);
-    void tell() const;
 
     Hand hand_;
     std::shared_ptr<const Mask> canvas_;
@@ -81,7 +81,7 @@ class TumourBrush {
     int gone_ = 0;
     std::optional<TreeEdit> led_;  // unfinished stroke
     std::size_t changes_ = 0;      // voxels changed by led_
-    std::vector<std::function<void()>> watchers_;
+    Watchers watchers_;
 };
 
 }  // namespace hepatica

@@ -8,25 +8,25 @@ void VesselPen::set_taken(bool taken) {
     if (draws_) stop();
     taken_ = taken;
     places_mm_.clear();
-    tell();
+    watchers_.tell();
 }
 
 void VesselPen::add(const Vec3& place_mm) {
     if (draws_) return;
     places_mm_.push_back(place_mm);
-    tell();
+    watchers_.tell();
 }
 
 void VesselPen::remove_last() {
     if (draws_) return;
     if (!places_mm_.empty()) places_mm_.pop_back();
-    tell();
+    watchers_.tell();
 }
 
 void VesselPen::give_up() {
     if (!draws_) return set_taken(!places_mm_.empty());
     stop();
-    tell();
+    watchers_.tell();
     say_(Words::tr("Not drawn: it was stopped. Enter draws it, Escape drops its places")
              .toStdString());
 }
@@ -37,7 +37,7 @@ void VesselPen::finish() {
         return say_(
             Words::tr("A vessel needs two places at least: click on the next one").toStdString());
     draws_ = true;
-    tell();
+    watchers_.tell();
     say_(Words::tr("Following the vessel; Escape stops it").toStdString());
     drawing_.begin(places_mm_, [this](const Answer& answer) { take(answer); });
 }
@@ -45,17 +45,13 @@ void VesselPen::finish() {
 void VesselPen::take(const Answer& answer) {
     draws_ = false;
     if (answer.drawn) places_mm_.clear();
-    tell();
+    watchers_.tell();
     say_(answer.text);
 }
 
 void VesselPen::stop() {
     drawing_.stop();
     draws_ = false;
-}
-
-void VesselPen::tell() const {
-    for (const auto& watcher : watchers_) watcher();
 }
 
 }  // namespace hepatica

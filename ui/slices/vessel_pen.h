@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/vector.h"
+#include "ui/slices/watchers.h"
 
 namespace hepatica {
 
@@ -29,7 +30,7 @@ class VesselPen {
     };
 
     // Called after every change.
-    void on_change(std::function<void()> tell) { watchers_.push_back(std::move(tell)); }
+    void on_change(std::function<void()> tell) { watchers_.add(std::move(tell)); }
     void on_draw(Drawing drawing) { drawing_ = std::move(drawing); }
     // Receives messages for the user.
     void on_say(std::function<void(const std::string&)> say) { say_ = std::move(say); }
@@ -50,7 +51,6 @@ class VesselPen {
     const std::vector<Vec3>& places_mm() const { return places_mm_; }
 
   private:
-    void tell() const;
     void stop();
     void take(const Answer& answer);
 
@@ -59,7 +59,7 @@ class VesselPen {
     bool taken_ = false;
     bool draws_ = false;
     std::vector<Vec3> places_mm_;
-    std::vector<std::function<void()>> watchers_;
+    Watchers watchers_;
 };
 
 }  // namespace hepatica

@@ -55,7 +55,7 @@ TEST_F(Keeper, undo_goes_back_over_what_was_made_anew) {
     ward.keeper().undo();
     ASSERT_TRUE(ward.finish());
     EXPECT_TRUE(edits().empty());
-    EXPECT_FALSE(ward.workspace().can_undo());
+    EXPECT_FALSE(ward.workspace().next_undo());
 }
 
 // The patient plays on: nobody is shown anew.
@@ -147,7 +147,7 @@ TEST_F(Keeper, vessels_that_cannot_be_made_anew_leave_the_patient_as_he_is) {
     ward.hold_remakings = false;
     ASSERT_TRUE(ward.finish());
     EXPECT_EQ(label(), 1);
-    EXPECT_FALSE(ward.workspace().can_undo());
+    EXPECT_FALSE(ward.workspace().next_undo());
 }
 
 TEST_F(Keeper, what_was_painted_on_one_patient_is_not_made_into_the_next) {

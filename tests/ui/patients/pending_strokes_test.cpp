@@ -133,7 +133,7 @@ TEST_F(Strokes, and_corrections_are_undone_and_redone_in_one_order) {
     undo();
     EXPECT_EQ(edits(), Numbers{});
     EXPECT_EQ(painted(), Numbers{});
-    EXPECT_FALSE(ward.workspace().can_undo());
+    EXPECT_FALSE(ward.workspace().next_undo());
     redo();
     EXPECT_EQ(edits(), Numbers{1});
     EXPECT_EQ(painted(), Numbers{});
@@ -143,7 +143,7 @@ TEST_F(Strokes, and_corrections_are_undone_and_redone_in_one_order) {
     EXPECT_EQ(painted(), (Numbers{10, 11}));
     redo();
     EXPECT_EQ(edits(), (Numbers{1, 2}));
-    EXPECT_FALSE(ward.workspace().can_redo());
+    EXPECT_FALSE(ward.workspace().next_redo());
 }
 
 TEST_F(Strokes, and_corrections_each_end_what_could_be_done_again) {
@@ -151,10 +151,10 @@ TEST_F(Strokes, and_corrections_each_end_what_could_be_done_again) {
     undo();
     add(1);
     ASSERT_TRUE(ward.finish());
-    EXPECT_FALSE(ward.workspace().can_redo());
+    EXPECT_FALSE(ward.workspace().next_redo());
     undo();
     paint(11);
-    EXPECT_FALSE(ward.workspace().can_redo());
+    EXPECT_FALSE(ward.workspace().next_redo());
     redo();
     EXPECT_EQ(edits(), Numbers{});
     EXPECT_EQ(painted(), Numbers{11});

@@ -385,22 +385,6 @@ TEST_F(Journal, WaitsForTheCopyOfWhatWasNeverSaved) {
     EXPECT_TRUE(left_if_killed_now().at(0).request.unsaved_copy);
 }
 
-TEST_F(Journal, IsReadUpToATornLine) {
-    auto program = this->program();
-    workspace_.open(from_disk());
-    add(1, *program);
-    add(2, *program);
-    ASSERT_TRUE(leaves({1, 2}));
-    const fs::path file = left_if_killed_now().at(0).request.left_edits->file;
-    std::ofstream(file, std::ios::app) << R"({"change": 9, "keep": 2, "add": [{"ki)";
-    EXPECT_EQ(testing::numbers_of(read_edit_journal(file)->edits), (std::vector<int>{1, 2}));
-    std::ofstream(file, std::ios::app) << "\n{\"change\": 10, \"keep\": 0, \"add\": []}\n";
-    EXPECT_LT(read_edit_journal(file)->change, 10u) << "what stands behind damage is not believed";
-    std::ofstream(file) << R"({"format": "hepatica-edits", "version": 1)";
-    EXPECT_FALSE(read_edit_journal(file));
-    EXPECT_FALSE(read_edit_journal(file.string() + " that is not there"));
-}
-
 TEST_F(Journal, IsNotOpenedOnAnotherPatient) {
     auto program = this->program();
     workspace_.open(from_disk());
@@ -442,6 +426,22 @@ TEST_F(Journal, HoldsStrokesThatWaitForARemaking) {
     workspace_.undo_stroke();
     program->follow(workspace_);
     EXPECT_TRUE(left_if_killed_now().empty());
+}
+
+// No copy follows whose failure would be told.
+TEST_F(Journal, SaysOnceThatStrokesOnASavedCaseCannotBeKept) {
+    std::ofstream(folder_) << "no folder";
+    std::vector<Failure> failures;
+    Recovery program(folder_, write_case, [&](const Failure& one) { failures.push_back(one); });
+    workspace_.open(from_disk());
+    paint(1, program);
+    ASSERT_FALSE(workspace_.dirty());
+    ASSERT_EQ(failures.size(), 1u);
+    EXPECT_EQ(failures[0].problem, "corrections cannot be noted at once");
+    EXPECT_TRUE(failures[0].remedy.find("rebuild the vessels") != std::string::npos)
+        << "no case would hold them";
+    paint(2, program);
+    EXPECT_EQ(failures.size(), 1u);
 }
 
 // The copy of the same version is whole but for the strokes.

@@ -73,7 +73,7 @@ TEST(Workspace, undo_and_redo_walk_over_what_is_wanted) {
     workspace.redo();
     EXPECT_EQ(numbers_of(workspace.edits()), (Numbers{1, 2}));
     workspace.add(edit(4));
-    EXPECT_FALSE(workspace.can_redo()) << "another way was taken";
+    EXPECT_FALSE(workspace.next_redo()) << "another way was taken";
     EXPECT_EQ(numbers_of(workspace.edits()), (Numbers{1, 2, 4}));
     EXPECT_TRUE(workspace.patient()->corrections.edits.empty()) << "none has a body yet";
 }
@@ -85,7 +85,7 @@ TEST(Workspace, an_edit_undone_before_it_had_a_body_needs_none) {
     EXPECT_TRUE(workspace.awaits_body());
     workspace.undo();
     EXPECT_FALSE(workspace.awaits_body());
-    EXPECT_TRUE(workspace.can_redo());
+    EXPECT_TRUE(workspace.next_redo());
 }
 
 TEST(Workspace, what_a_body_leaves_out_was_refused) {
@@ -135,7 +135,7 @@ TEST(Workspace, giving_up_goes_back_to_what_is_shown) {
     workspace.undo();
     workspace.give_up_edits();
     EXPECT_EQ(numbers_of(workspace.edits()), Numbers{1});
-    EXPECT_FALSE(workspace.can_redo());
+    EXPECT_FALSE(workspace.next_redo());
 }
 
 }  // namespace

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The file of a journal of corrections: what is read of a damaged one, and how it goes on after a
+// full disk.
+#include "ui/edit_journal.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <QTemporaryDir>
+#include <csignal>
+#include <cstdint>
+#include <fstream>
+
+#include "tests/ui/patients/fake_ward.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Lets no file grow beyond this size, as a full disk does.
+class SmallDisk {
+  public:
+    explicit SmallDisk(std::uintmax_t most_bytes) {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        rlimit small = before_;
+        small.rlim_cur = static_cast<rlim_t>(most_bytes);
+        ::setrlimit(RLIMIT_FSIZE, &small);
+    }
+    ~SmallDisk() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    SmallDisk(const SmallDisk&) = delete;
+    SmallDisk& operator=(const SmallDisk&) = delete;
+
+  private:
+    rlimit before_{};
+    void (*handler_)(int) = std::signal(SIGXFSZ, SIG_IGN);
+};
+
+class JournalFile : public ::testing::Test {
+  protected:
+    static Journalled state(std::uint64_t change, std::vector<int> edits) {
+        Journalled state{{"anton.hep", "/data/anton.hep", 7}, {}, {}, change};
+        for (const int edit : edits) state.edits.push_back(testing::edit(edit));
+        return state;
+    }
+    static void note(const Journalled& state, EditJournal& journal) {
+        journal.append(state);
+        journal.wait_until_written();
+    }
+    void add(const std::string& text) { std::ofstream(file_, std::ios::app) << text; }
+
+    QTemporaryDir temporary_;
+    const fs::path file_ = fs::path(temporary_.path().toStdString()) / "edits.jsonl";
+};
+
+TEST_F(JournalFile, IsReadUpToATornLineAndFromTheNextBase) {
+    const Journalled whole = state(2, {1, 2});
+    {
+        EditJournal journal(file_);
+        note(state(1, {1}), journal);
+        note(whole, journal);
+    }
+    add(R"({"change": 9, "keep": 2, "add": [{"ed)");
+    EXPECT_EQ(read_edit_journal(file_), whole);
+    add("\n{\"change\": 10, \"keep\": 0, \"add\": []}\n");
+    EXPECT_EQ(read_edit_journal(file_), whole) << "what stands behind damage is not believed";
+    add(R"({"format": "hepatica-edits", "version": 1, "title": "berta.hep", )"
+        R"("case": "", "extracted": "0"})"
+        "\n");
+    EXPECT_EQ(read_edit_journal(file_), whole);
+    add("{\"change\": 11, \"keep\": 0, \"add\": []}\n");
+    EXPECT_EQ(read_edit_journal(file_), (Journalled{{"berta.hep", "", 0}, {}, {}, 11}))
+        << "it begins anew";
+}
+
+TEST_F(JournalFile, WithoutABaseHoldsNothing) {
+    EXPECT_FALSE(read_edit_journal(file_)) << "there is none";
+    add(R"({"format": "hepatica-edits", "version": 1)");
+    EXPECT_FALSE(read_edit_journal(file_));
+}
+
+TEST_F(JournalFile, GoesOnAfterALineThatWasCutOff) {
+    EditJournal journal(file_);
+    const Journalled first = state(1, {1});
+    note(first, journal);
+    ASSERT_EQ(read_edit_journal(file_), first);
+    const std::uintmax_t whole = fs::file_size(file_);
+    Journalled later = state(2, {1, 2});
+    later.strokes = {{{{Vec3(1, 0, 0), Vec3(1, 1, 0)}, 2.0, false}, 2}};
+    {
+        const SmallDisk full(whole + 10);
+        note(later, journal);
+    }
+    EXPECT_TRUE(journal.failed());
+    EXPECT_EQ(fs::file_size(file_), whole + 10) << "a part of the line is there";
+    EXPECT_EQ(read_edit_journal(file_), first);
+    note(later, journal);
+    EXPECT_FALSE(journal.failed());
+    EXPECT_EQ(read_edit_journal(file_), later) << "though nothing was changed since";
+    later.edits.push_back(testing::edit(3));
+    later.change = 3;
+    note(later, journal);
+    EXPECT_EQ(read_edit_journal(file_), later);
+}
+
+}  // namespace
+}  // namespace hepatica
