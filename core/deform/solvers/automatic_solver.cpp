@@ -29,14 +29,15 @@ void AutomaticSolver::choose(const BlockMatrix& pattern) {
 void AutomaticSolver::update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
                              std::span<const int> changed_rows) {
     choose(matrix);
+    updated_ = true;
     hand_on_to(*chosen_);
     chosen_->update(matrix, positions_mm, changed_rows);
 }
 
 // The choice depends on the pattern alone, so only the chosen solver's state is kept. Empty before
-// the first pattern.
+// the first matrix.
 std::vector<double> AutomaticSolver::memory() const {
-    return chosen_ == nullptr ? std::vector<double>{} : chosen_->memory();
+    return !updated_ ? std::vector<double>{} : chosen_->memory();
 }
 
 void AutomaticSolver::restore(const BlockMatrix& matrix, bool made_from_it,
@@ -44,10 +45,12 @@ void AutomaticSolver::restore(const BlockMatrix& matrix, bool made_from_it,
     if (memory.empty()) {
         require_memory(!made_from_it);
         chosen_ = nullptr;
-        return;
+        updated_ = false;
+        return choose(matrix);
     }
     choose(matrix);
     chosen_->restore(matrix, made_from_it, positions_mm, memory);
+    updated_ = true;
 }
 
 }  // namespace hepatica

@@ -21,6 +21,7 @@ class AutomaticSolver final : public LinearSolver {
         : skeleton_(skeleton),
           rest_positions_mm_(rest_positions_mm.begin(), rest_positions_mm.end()) {}
 
+    void plan_ahead(const BlockMatrix& pattern) override { choose(pattern); }
     void update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
                 std::span<const int> changed_rows) override;
     SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
@@ -52,6 +53,7 @@ class AutomaticSolver final : public LinearSolver {
     std::optional<CholeskySolver> cholesky_;  // once chosen, exactly one of the two is set
     std::optional<SkeletonSolver> two_level_;
     LinearSolver* chosen_ = nullptr;
+    bool updated_ = false;  // has seen a matrix, not only a pattern
     std::vector<int> planned_rows_;
 };
 

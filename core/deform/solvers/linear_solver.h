@@ -60,6 +60,9 @@ class LinearSolver {
     // block that differs from the last matrix.
     virtual void update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
                         std::span<const int> changed_rows) = 0;
+    // Does now what depends on the pattern alone, so that the first update costs no more than later
+    // ones. Changes no result and not memory(); keeps no reference.
+    virtual void plan_ahead(const BlockMatrix& /*pattern*/) {}
     // update() with all rows named as changed.
     void prepare(const BlockMatrix& matrix, std::span<const Vec3> positions_mm);
 

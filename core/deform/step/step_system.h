@@ -24,7 +24,9 @@ class StepSystem {
   public:
     StepSystem(const Body& body, IncrementalPotential& potential,
                std::unique_ptr<LinearSolver> solver)
-        : body_(body), potential_(potential), solver_(std::move(solver)) {}
+        : body_(body), potential_(potential), solver_(std::move(solver)) {
+        solver_->plan_ahead(potential_.matrix());  // while the body is built, not in its first step
+    }
 
     // Makes solve() throw Cancelled soon after a stop is requested; then only restore() may be
     // called.

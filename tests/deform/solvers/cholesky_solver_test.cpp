@@ -287,6 +287,46 @@ TEST(AutomaticSolver, KeepsNoFactorThatItRejected) {
     }
 }
 
+// Only the first step's time changes: the analysis is there before it.
+TEST(LinearSolver, PlansAheadWithoutAChangeOfAnyBit) {
+    const Motion motion;
+    const auto positions = motion.positions(1.0, 0.0);
+    const BlockMatrix matrix = test::assemble(motion.body, positions, {});
+    const std::vector<Vec3> load = test::make_load(motion.body, {});
+    for (const LinearSolverKind kind : {LinearSolverKind::block_jacobi, LinearSolverKind::skeleton,
+                                        LinearSolverKind::cholesky, LinearSolverKind::automatic}) {
+        const auto fresh = [&] {
+            return make_linear_solver(kind, motion.body.skeleton, motion.body.mesh.vertices_mm);
+        };
+        const auto solved = [&](LinearSolver& solver) {
+            solver.prepare(matrix, positions);
+            std::vector<Vec3> x(load.size(), Vec3::Zero());
+            solver.solve(load, x, {});
+            return x;
+        };
+        const auto plain = fresh(), ahead = fresh();
+        const std::vector<double> memory = plain->memory();
+        ahead->plan_ahead(matrix);
+        EXPECT_EQ(ahead->memory(), memory) << name_of(kind);
+        EXPECT_EQ(solved(*ahead), solved(*plain)) << name_of(kind);
+        EXPECT_EQ(ahead->memory(), plain->memory()) << name_of(kind);
+        ahead->restore(matrix, false, positions, memory);
+        EXPECT_EQ(ahead->memory(), memory) << name_of(kind) << ", back before its first matrix";
+    }
+}
+
+TEST(CholeskySolver, PlanningAheadLeavesNoAnalysisToTheFirstUpdate) {
+    const Motion motion;
+    const BlockMatrix matrix = test::assemble(motion.body, motion.body.mesh.vertices_mm, {});
+    CholeskySolver solver;
+    solver.plan_ahead(matrix);
+    const double planned = solver.tree().multiplications;
+    EXPECT_GT(planned, 0.0);
+    EXPECT_EQ(solver.bytes(), 0U) << "the factor is allocated where it is needed";
+    solver.prepare(matrix, motion.body.mesh.vertices_mm);
+    EXPECT_EQ(solver.tree().multiplications, planned);
+}
+
 // A refused memory leaves the solver as it was.
 TEST(LinearSolver, RefusesAMemoryThatNoSolverHas) {
     const Motion motion;
