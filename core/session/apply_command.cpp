@@ -156,10 +156,10 @@ void Session::Apply::operator()(const UseContact& c) const {
 void Session::Apply::operator()(const UseTear& c) const {
     DeformPart& part = deform();
     if (!c.on) return part.set_tear(std::nullopt);
-    const QualityDial able = dial_that_tears(session.dial_);
+    const QualityDial able = dial_that_tears(session.dial_.dial());
     if (part.setting().order != ElementOrder::linear ||
         part.setting().solver == LinearSolverKind::skeleton)
-        part.use(able.at(session.point_ ? session.dial_.quality_of(*session.point_) : 0.5).options);
+        part.use(able.at(session.dial_.quality().value_or(0.5)).options);
     part.set_tear(TearSpec{.tear_factor = c.tear_factor});
     session.take_dial(able);
 }
@@ -167,22 +167,19 @@ void Session::Apply::operator()(const UseTear& c) const {
 void Session::Apply::operator()(const SetQuality& c) const {
     if (!(c.quality >= 0.0 && c.quality <= 1.0))
         throw InputError("is " + number_text(c.quality), "quality", "Choose a value from 0 to 1");
-    deform();
-    session.automatic_ = false;
-    session.use_point(session.dial_.index_at(c.quality));
+    session.dial_.turn(c.quality, deform());
 }
 
 void Session::Apply::operator()(const SetAutomaticQuality& c) const {
-    deform();
-    session.automatic_ = c.automatic;
-    if (!c.automatic) return;
-    session.use_point(session.governor_.start(1e3 * world.spec().dt_s));
+    DeformPart& part = deform();
+    session.dial_.set_automatic(false);
+    if (c.automatic) session.dial_.turn_automatically(1e3 * world.spec().dt_s, part);
 }
 
 void Session::Apply::operator()(const UseSetting& c) const {
     deform().use(c.setting);
-    session.point_ = session.point_of(c.setting);
-    session.automatic_ = false;
+    session.dial_.follow(deform());
+    session.dial_.set_automatic(false);
 }
 
 void Session::Apply::operator()(const SetPaused& c) const {

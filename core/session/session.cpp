@@ -33,14 +33,6 @@ double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// Whether the earlier command has no effect if the later one follows it.
-bool supersedes(const Command& later, const Command& earlier) {
-    const auto* from = std::get_if<MoveTool>(&earlier);
-    const auto* to = std::get_if<MoveTool>(&later);
-    if (from != nullptr && to != nullptr) return from->share == 1.0 && to->share == 1.0;
-    return std::holds_alternative<MoveGrab>(later) && std::holds_alternative<MoveGrab>(earlier);
-}
-
 // A move over some time, of which each piece is recorded.
 bool begins_way(const Command& command) {
     const auto* grab = std::get_if<MoveGrab>(&command);
@@ -48,21 +40,11 @@ bool begins_way(const Command& command) {
     return (grab != nullptr && grab->over_s) || (tool != nullptr && tool->over_s);
 }
 
-QualityGovernor governor_of(const QualityDial& dial) {
-    std::vector<double> costs, errors;
-    for (const QualityPoint& point : dial.front()) {
-        costs.push_back(point.frame_ms);
-        errors.push_back(point.error_relative);
-    }
-    return {std::move(costs), errors};
-}
-
 }  // namespace
 
 Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job,
                  const DeformBackEnd& back_end)
     : dial_(spec.tear ? dial_that_tears(dial_of(*patient, back_end)) : dial_of(*patient, back_end)),
-      governor_(governor_of(dial_)),
       world_(std::make_unique<World>(patient, spec, job, back_end)) {
     message_.reserve(longest_message);
     recording_start_.program = program_version();
@@ -71,7 +53,7 @@ Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& sp
     recording_start_.scene = spec;
     if (const DeformPart* deform = world_->deform(); deform != nullptr) {
         recording_start_.scene.deform->setting = deform->setting();
-        point_ = point_of(deform->setting());
+        dial_.follow(*deform);
     }
     last_good_ = std::make_shared<const Keyframe>(keyframe());
     SessionStep first;
@@ -80,37 +62,14 @@ Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& sp
 
 Session::~Session() = default;
 
-void Session::post(Command command) {
-    {
-        const std::scoped_lock lock(queue_mutex_);
-        if (!queue_.empty() && supersedes(command, queue_.back()))
-            queue_.back() = std::move(command);
-        else
-            queue_.push_back(std::move(command));
-    }
-    command_waits_.notify_one();
-}
-
 void Session::on_frame(std::function<void()> tell) {
     const std::scoped_lock lock(listener_mutex_);
     tell_of_frame_ = std::move(tell);
 }
 
-void Session::record_from_now(std::function<Keep(const Recording&)> begin) {
-    {
-        const std::scoped_lock lock(queue_mutex_);
-        waiting_recording_ = std::move(begin);
-    }
-    command_waits_.notify_one();
-}
-
 // The last good state is set to the start of the recording, so that a replay can restore it, too.
 void Session::begin_waiting_recording() {
-    std::optional<std::function<Keep(const Recording&)>> begin;
-    {
-        const std::scoped_lock lock(queue_mutex_);
-        begin.swap(waiting_recording_);
-    }
+    const std::optional<SessionInbox::BeginRecording> begin = inbox_.take_recording();
     if (!begin) return;
     keep_ = nullptr;
     if (!*begin) return;
@@ -126,14 +85,8 @@ void Session::begin_waiting_recording() {
 }
 
 void Session::apply_waiting_commands(const std::stop_token& stop) {
-    std::vector<Command> commands;
-    std::optional<QualityDial> dial;
-    {
-        const std::scoped_lock lock(queue_mutex_);
-        commands.swap(queue_);
-        dial.swap(waiting_dial_);
-    }
-    if (dial) take_dial(*std::move(dial));
+    const std::vector<Command> commands = inbox_.take_commands();
+    if (const std::optional<QualityDial> dial = inbox_.take_dial()) take_dial(*dial);
     if (!commands.empty() && !diverged_) message_.clear();
     if (std::exchange(setting_changed_, false))
         recorded_.commands.emplace_back(UseSetting{world_->deform()->setting()});
@@ -172,49 +125,16 @@ Command Session::as_recorded(const Command& command) const {
     return dial ? Command(UseSetting{world_->deform()->setting()}) : command;
 }
 
-std::optional<std::size_t> Session::point_of(const StepperOptions& setting) const {
-    for (std::size_t i = 0; i < dial_.front().size(); ++i)
-        if (same_setting(dial_.front()[i].options, setting)) return i;
-    return std::nullopt;
-}
-
-void Session::use_point(std::size_t index) {
-    world_->deform()->use(dial_.front()[index].options);
-    point_ = index;
-}
-
-void Session::use_dial(QualityDial dial) {
-    {
-        const std::scoped_lock lock(queue_mutex_);
-        waiting_dial_ = std::move(dial);
-    }
-    command_waits_.notify_one();
-}
-
-void Session::take_dial(QualityDial dial) {
-    const bool was_on_dial = point_.has_value();
-    const double turn = was_on_dial ? dial_.quality_of(*point_) : 0.0;
-    const bool tears = world_->deform() != nullptr && world_->deform()->tears();
-    dial_ = tears ? dial_that_tears(dial) : std::move(dial);
-    governor_ = governor_of(dial_);
-    if (world_->deform() == nullptr) return;
-    point_ = point_of(world_->deform()->setting());
-    if (point_ || !was_on_dial) return;
-    use_point(automatic_ ? governor_.start(budget_ms()) : dial_.index_at(turn));
-    setting_changed_ = true;
+void Session::take_dial(const QualityDial& dial) {
+    DeformPart* deform = world_->deform();
+    const bool tears = deform != nullptr && deform->tears();
+    if (dial_.take(tears ? dial_that_tears(dial) : dial, deform, budget_ms()))
+        setting_changed_ = true;
 }
 
 double Session::budget_ms() const {
     const double period_ms = 1e3 * world_->spec().dt_s;
     return period_ms - std::clamp(drawing_ms_.load(), 0.0, most_for_drawing * period_ms);
-}
-
-void Session::govern(const SessionStep& done) {
-    if (!automatic_ || done.paused || done.deform.asleep || !point_) return;
-    const std::size_t next = governor_.next(*point_, done.step_ms, budget_ms());
-    if (next == *point_) return;
-    use_point(next);
-    setting_changed_ = true;
 }
 
 void Session::forget_divergence() {
@@ -223,19 +143,19 @@ void Session::forget_divergence() {
 }
 
 Keyframe Session::keyframe() const {
-    return {step_, played_steps_, automatic_, world_->checkpoint()};
+    return {step_, played_steps_, dial_.automatic(), world_->checkpoint()};
 }
 
 void Session::restore(const Keyframe& keyframe) {
     world_->restore(keyframe.world);
     step_ = keyframe.step;
     played_steps_ = keyframe.played_steps;
-    automatic_ = keyframe.automatic;
+    dial_.set_automatic(keyframe.automatic);
     setting_changed_ = paused_ = diverged_ = failed_ = false;
     hand_.stay();
     led_tool_.stay();
     message_.clear();
-    if (world_->deform() != nullptr) point_ = point_of(world_->deform()->setting());
+    if (world_->deform() != nullptr) dial_.follow(*world_->deform());
     last_good_ = std::make_shared<const Keyframe>(keyframe);
 }
 
@@ -359,7 +279,9 @@ SessionStep Session::step(const std::stop_token& stop) {
     shielded([&] {
         resting_ = rests_after(done);
         publish(done, start);
-        govern(done);
+        if (!done.paused && !done.deform.asleep &&
+            dial_.govern(done.step_ms, budget_ms(), world_->deform()))
+            setting_changed_ = true;
     });
     return done;
 }
@@ -381,29 +303,9 @@ bool Session::rests_after(const SessionStep& done) const {
     return still && !(flow != nullptr && flow->drug().playing);
 }
 
-void Session::wait_for_command(const std::stop_token& stop) {
-    std::unique_lock lock(queue_mutex_);
-    waiting_ = true;
-    command_waits_.wait(lock, stop, [this] { return something_waits(); });
-    waiting_ = false;
-}
-
-bool Session::waits_for_command() const {
-    const std::scoped_lock lock(queue_mutex_);
-    return waiting_ && !something_waits();
-}
-
-// Unlike a sleeping thread, this wakes at a stop request.
-void Session::sleep_until(Clock::time_point due, const std::stop_token& stop) {
-    std::unique_lock lock(queue_mutex_);
-    command_waits_.wait_until(lock, stop, due, [] { return false; });
-}
-
 void Session::finish_ready_injection() {
     if (world_->flow() == nullptr || !world_->flow()->injection_ready()) return;
-    const std::scoped_lock lock(queue_mutex_);
-    // Put before the queued commands, which may start another injection.
-    queue_.insert(queue_.begin(), FinishInjection{});
+    inbox_.post_first(FinishInjection{});  // queued commands may start another injection
 }
 
 void Session::run(const std::stop_token& stop) {
@@ -420,13 +322,13 @@ void Session::run(const std::stop_token& stop) {
         shielded([&] { finish_ready_injection(); });
         step(stop);
         if (resting_) {
-            wait_for_command(stop);
+            inbox_.wait(stop);
             due = Clock::now();
             last = due - period;  // waiting for a command is no delay
             continue;
         }
         due = std::max(due + period, Clock::now());  // lost time is not caught up
-        sleep_until(due, stop);
+        inbox_.sleep_until(due, stop);
     }
 }
 
@@ -447,10 +349,7 @@ void Session::publish(SessionStep& step, Clock::time_point start) {
     if (const DeformPart* deform = world_->deform(); deform != nullptr) {
         statistics.setting = words_of(deform->setting());
         statistics.device = deform->device();
-        statistics.automatic = automatic_;
-        statistics.expected_error = point_ ? dial_.front()[*point_].error_relative : 0.0;
-        statistics.error_reference = point_ ? dial_.front()[*point_].reference : "";
-        if (point_) statistics.quality = dial_.quality_of(*point_);
+        dial_.fill(statistics);
     }
     statistics.degraded = step.deform.degraded;
     statistics.paused = paused_;

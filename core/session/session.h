@@ -13,7 +13,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -21,6 +20,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/job.h"
@@ -31,9 +31,10 @@
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
 #include "core/session/command.h"
+#include "core/session/dial_in_use.h"
 #include "core/session/led_point.h"
-#include "core/session/quality_governor.h"
 #include "core/session/recording.h"
+#include "core/session/session_inbox.h"
 #include "core/session/triple_buffer.h"
 
 namespace hepatica {
@@ -66,7 +67,7 @@ class Session {
     // with a value out of range is then refused: the frame's message names it and the world is
     // unchanged. Of several consecutive MoveGrab only the newest is applied, and likewise of
     // consecutive MoveTool with share 1.
-    void post(Command command);
+    void post(Command command) { inbox_.post(std::move(command)); }
 
     // `tell` is called after every published frame, on the thread that steps; it must neither wait
     // nor throw. It replaces an earlier one, which is never called after this returns; an empty
@@ -79,20 +80,18 @@ class Session {
 
     // Whether run() waits for a command: nothing happens until one is posted or a dial or a
     // recording is given. May be called at any time from any thread.
-    bool waits_for_command() const;
+    bool waits_for_command() const { return inbox_.waited_for(); }
 
-    // Uses another dial of the same body from the next step on. Where the setting in use came from
-    // the old dial and is not on the new one, it is replaced: by the choice of automatic quality,
-    // or by the setting at the same position of the dial. May be called at any time from any
-    // thread.
-    void use_dial(QualityDial dial);
+    // Uses another dial of the same body from the next step on, see DialInUse::take. May be called
+    // at any time from any thread.
+    void use_dial(QualityDial dial) { inbox_.hand_over(std::move(dial)); }
 
     // Starts a recording before the next step, in place of the present one. `begin` gets the
     // recording's start, which is the state at that time; the function that it returns gets every
     // step. Both run on the thread that steps. An empty function ends recording. The last good
     // state is set to the same state. May be called at any time from any thread.
-    using Keep = std::function<void(RecordedStep)>;
-    void record_from_now(std::function<Keep(const Recording& start)> begin);
+    using Keep = SessionInbox::Keep;
+    void record_from_now(SessionInbox::BeginRecording begin) { inbox_.hand_over(std::move(begin)); }
 
     // --- the reader's thread (UI) ---------------------------------------------------------------
     // Takes the newest frame; false where there is none since the last call. frame() stays valid
@@ -164,31 +163,18 @@ class Session {
     void show_to_watch(const Frame& frame);
     // Shows an injection whose computation has ended.
     void finish_ready_injection();
-    // Index of the setting on the dial; none where it is not on it.
-    std::optional<std::size_t> point_of(const StepperOptions& setting) const;
-    void use_point(std::size_t index);
-    void take_dial(QualityDial dial);
+    void take_dial(const QualityDial& dial);
     // Time that a step may take: the frame's period minus the time for drawing.
     double budget_ms() const;
-    // Chooses the setting of the next step by the cost of this one.
-    void govern(const SessionStep& done);
     void guard_state();
     void forget_divergence();
     // Whether no step would change anything before the next command.
     bool rests_after(const SessionStep& done) const;
-    // Whether a command, a dial or a recording is waiting; call it under queue_mutex_.
-    bool something_waits() const {
-        return !queue_.empty() || waiting_dial_.has_value() || waiting_recording_.has_value();
-    }
-    void wait_for_command(const std::stop_token& stop);
-    void sleep_until(std::chrono::steady_clock::time_point due, const std::stop_token& stop);
     // Fills a frame, passes it to the reader, and sets step.step_ms to the time since `start`.
     void publish(SessionStep& step, std::chrono::steady_clock::time_point start);
 
-    QualityDial dial_;
-    QualityGovernor governor_;
-    std::optional<std::size_t> point_;  // index of the setting in use on the dial
-    bool automatic_ = false;
+    SessionInbox inbox_;
+    DialInUse dial_;
     bool setting_changed_ = false;  // the session changed the setting since the last step
     std::atomic<double> drawing_ms_{0.0};
     std::unique_ptr<World> world_;
@@ -205,16 +191,9 @@ class Session {
     double real_time_factor_ = 1.0;
     bool resting_ = false;
 
-    mutable std::mutex queue_mutex_;
-    std::condition_variable_any command_waits_;
-    bool waiting_ = false;  // run() waits for a command
-    std::vector<Command> queue_;
+    TripleBuffer<Frame> frames_;
     std::mutex listener_mutex_;
     std::function<void()> tell_of_frame_;
-    std::optional<QualityDial> waiting_dial_;
-    std::optional<std::function<Keep(const Recording&)>> waiting_recording_;
-
-    TripleBuffer<Frame> frames_;
     Keep keep_;                        // empty: nothing is recorded
     std::uint64_t recorded_from_ = 0;  // number of the step before the recording's first
     Watch watch_;                      // empty: nobody watches
