@@ -130,7 +130,7 @@ void sort_along(const TubeField& field, TetMesh& mesh, const std::function<void(
 ManifoldMesh mesh_component(const TubeField& field, const MeshOptions& options,
                             const std::function<void(int)>& on_calls) {
     ManifoldMesh made = first_manifold([&](double scale) {
-        const RefinementOptions refinement{
+        const MeshRefinementOptions refinement{
             std::max(finest_in_radii, scale * options.facet_size_in_radii),
             std::max(finest_in_radii, scale * options.cell_size_in_radii), options.optimise};
         TetMesh mesh = refine_tetrahedra(field, refinement, on_calls);
