@@ -107,9 +107,6 @@ void require_contrast(const ContrastStatistics& measured, const DetectedVessels&
                       const std::optional<std::pair<double, double>>& window_hu) {
     const Mask& interior = found.tissue.interior;
     const std::size_t size = object_count(interior);
-    if (size == 0)
-        throw InputError("the liver mask is so thin that nothing of it is further than 3 mm inside",
-                         "liver mask", "Give a mask of the whole liver.");
     const std::vector<std::uint8_t>& vessels = found.detection.vessels.voxels;
     std::size_t inner = 0;
     for (std::size_t i = 0; i < vessels.size(); ++i) inner += vessels[i] && interior.voxels[i];

@@ -100,6 +100,19 @@ class CoarseLevel {
     FloatVolume weight_;
 };
 
+bool is_empty(const Mask& mask) {
+    return std::ranges::none_of(mask.voxels, [](std::uint8_t v) { return v != 0; });
+}
+
+void require_objects(const Mask& liver, const Mask& interior) {
+    if (is_empty(liver))
+        throw InputError("the liver region is empty", "liver mask",
+                         "Give a mask that lies inside the CT.");
+    if (is_empty(interior))
+        throw InputError("the liver mask is so thin that nothing of it is further than 3 mm inside",
+                         "liver mask", "Give a mask of the whole liver.");
+}
+
 }  // namespace
 
 RobustSpread robust_spread(const FloatVolume& values, const Mask& where, const Job& job) {
@@ -121,12 +134,9 @@ TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, J
     TissueContrast tissue;
     tissue.interior = erode(liver, rim_mm, job);
     job.throw_if_cancelled();
+    require_objects(liver, tissue.interior);
     RobustSpread spread = robust_spread(smooth, tissue.interior, job);
     job.throw_if_cancelled();
-    if (std::none_of(liver.voxels.begin(), liver.voxels.end(), [](auto v) { return v != 0; }))
-        throw InputError("the liver region is empty", "liver mask",
-                         "Give a mask that lies inside the CT.");
-
     tissue.parenchyma_hu = spread.median;
     CoarseLevel coarse(intensity.grid);
     FloatVolume level = filled_image(intensity.grid, static_cast<float>(spread.median), job);
