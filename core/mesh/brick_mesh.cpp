@@ -46,13 +46,4 @@ HexMesh hexahedral_brick(const Vec3& size_mm, const Index3& cells) {
     return mesh;
 }
 
-void bend_along_x(std::vector<Vec3>& vertices_mm, double length_mm, double middle_y_mm,
-                  double angle_rad) {
-    const double radius = length_mm / angle_rad;
-    for (Vec3& x : vertices_mm) {
-        const double turn = angle_rad * x[0] / length_mm, r = radius - (x[1] - middle_y_mm);
-        x = Vec3(r * std::sin(turn), middle_y_mm + radius - r * std::cos(turn), x[2]);
-    }
-}
-
 }  // namespace hepatica
