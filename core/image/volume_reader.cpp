@@ -15,6 +15,7 @@
 #include "core/image/dicom_header.h"
 #include "core/image/dicom_reader.h"
 #include "core/image/dicom_segmentation.h"
+#include "core/image/filters.h"
 #include "core/image/header_text.h"
 #include "core/image/series_choice.h"
 #include "core/image/voxel_file.h"
@@ -269,11 +270,7 @@ Labels placed(const Grid& volume, Labels labels, const std::string& place) {
     const auto start = place_in(volume, labels.grid);
     if (!start) require_same_grid(labels.grid, volume, place);
     Labels whole(volume);
-    const Index3& dims = labels.grid.dims;
-    for (int z = 0; z < dims[2]; ++z)
-        for (int y = 0; y < dims[1]; ++y)
-            std::copy_n(&labels.at(0, y, z), dims[0],
-                        &whole.at((*start)[0], (*start)[1] + y, (*start)[2] + z));
+    paste(labels, *start, whole);
     return whole;
 }
 

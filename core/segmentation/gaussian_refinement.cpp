@@ -129,14 +129,8 @@ Mask refine(const Mask& mask, const RefinementOptions& options, Job& job) {
     Mask surface = level_set(labels, options, job);
     if (options.keep_thin_branches)
         rejoin(thin(labels, ThinningMethod::queue, job), options.kept_branch_mm, surface, job);
-    const Mask refined = labelled(surface, labels);
-
     Mask result(mask.grid);
-    const Grid& part = refined.grid;
-    for (int z = 0; z < part.dims[2]; ++z)
-        for (int y = 0; y < part.dims[1]; ++y)
-            std::copy_n(&refined.voxels[part.offset(0, y, z)], part.dims[0],
-                        &result.at(box.begin[0], box.begin[1] + y, box.begin[2] + z));
+    paste(labelled(surface, labels), box.begin, result);
     return result;
 }
 

@@ -141,6 +141,19 @@ TEST(Crop, KeepsEveryVoxelInItsPlace) {
     EXPECT_THROW(crop(image, {{20, 0, 0}, {25, 5, 5}}), InputError);
 }
 
+// What crop() took comes back to its place, and what lies around it stays.
+TEST(Paste, UndoesACrop) {
+    const FloatVolume image = random_image(oblique_grid({7, 6, 5}, Vec3(0.7, 0.8, 1.5)), 4);
+    const IndexBox box{{2, 0, 1}, {6, 3, 5}};
+    FloatVolume whole(image.grid, -1.0f);
+    paste(crop(image, box), box.begin, whole);
+    for (std::size_t i = 0; i < whole.voxels.size(); ++i) {
+        const auto [x, y, z] = whole.grid.index_of(i);
+        const bool inside = x >= 2 && x < 6 && y < 3 && z >= 1;
+        EXPECT_EQ(whole.voxels[i], inside ? image.voxels[i] : -1.0f) << x << " " << y << " " << z;
+    }
+}
+
 TEST(BoundingBox, HoldsExactlyTheObject) {
     Mask mask(oblique_grid({10, 11, 12}, {1, 1, 2}));
     EXPECT_TRUE(bounding_box(mask).empty());
