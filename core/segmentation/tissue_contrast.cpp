@@ -11,6 +11,7 @@
 #include "core/base/median.h"
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
+#include "core/image/mask.h"
 #include "core/image/morphology.h"
 #include "core/image/voxel_loop.h"
 
@@ -100,15 +101,11 @@ class CoarseLevel {
     FloatVolume weight_;
 };
 
-bool is_empty(const Mask& mask) {
-    return std::ranges::none_of(mask.voxels, [](std::uint8_t v) { return v != 0; });
-}
-
 void require_objects(const Mask& liver, const Mask& interior) {
-    if (is_empty(liver))
+    if (object_count(liver) == 0)
         throw InputError("the liver region is empty", "liver mask",
                          "Give a mask that lies inside the CT.");
-    if (is_empty(interior))
+    if (object_count(interior) == 0)
         throw InputError("the liver mask is so thin that nothing of it is further than 3 mm inside",
                          "liver mask", "Give a mask of the whole liver.");
 }
