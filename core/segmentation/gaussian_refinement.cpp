@@ -145,13 +145,12 @@ SurfaceMeasure measure_surface(const Mask& mask) {
     std::array<Index3, 13> steps;
     std::array<Vec3, 13> directions;
     std::array<double, 13> lengths{};
-    std::size_t count = 0;
-    for (int code = 14; code < 27; ++code, ++count) {  // one of each pair of opposite neighbours
-        steps[count] = {code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1};
-        const Vec3 step =
-            Vec3(steps[count][0], steps[count][1], steps[count][2]).cwiseProduct(grid.spacing_mm);
-        lengths[count] = step.norm();
-        directions[count] = step / lengths[count];
+    const std::array<NeighbourStep, 26> all = neighbour_steps(grid);
+    for (std::size_t d = 0; d < 13; ++d) {  // one of each pair of opposite neighbours
+        const auto& [step, length_mm] = all[13 + d];
+        steps[d] = step;
+        lengths[d] = length_mm;
+        directions[d] = Vec3(step[0], step[1], step[2]).cwiseProduct(grid.spacing_mm) / length_mm;
     }
     const std::array<double, 13> shares = direction_shares(directions);
     const double cell = grid.spacing_mm.prod();
