@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/patient_space.h"
 #include "core/base/quoted_name.h"
+#include "core/image/header_text.h"
 #include "core/image/memory_limit.h"
 
 namespace hepatica {
@@ -241,9 +242,7 @@ VoxelFile read_header(const fs::path& file) {
         raw.read_some(head.data(), head.size());
     }
     const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
-    std::string name = file.filename().string();
-    std::ranges::transform(name, name.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string name = lower_case(file.filename().string());
     if (text.starts_with("NRRD")) return read_nrrd_header(file);
     if (name.ends_with(".mha") || name.ends_with(".mhd")) return read_meta_header(file);
     if (name.ends_with(".nii") || name.ends_with(".nii.gz") || name.ends_with(".hdr") ||
