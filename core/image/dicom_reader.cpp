@@ -261,13 +261,10 @@ void remark_on_tilt(const OrderedSeries& series, ReadRemarks& remarks) {
 
 PlacedGrid place(const OrderedSeries& series, const UprightStack& stack) {
     const DicomSlice& first = series.slices.front();
-    Mat3 axes;
-    axes.col(0) = first.row_axis.normalized() * first.column_spacing_mm;
-    axes.col(1) = first.column_axis.normalized() * first.row_spacing_mm;
-    axes.col(2) = first.normal() * series.slice_spacing_mm;
     return placed_grid(
-        {stack.columns(), stack.rows(), static_cast<std::int64_t>(series.slices.size())}, axes,
-        stack.origin_mm(), first.file.parent_path().string());
+        {stack.columns(), stack.rows(), static_cast<std::int64_t>(series.slices.size())},
+        first.steps_mm(series.slice_spacing_mm), stack.origin_mm(),
+        first.file.parent_path().string());
 }
 
 // Writes the values of slice z into the volume.
