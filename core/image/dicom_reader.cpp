@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/quoted_name.h"
 #include "core/image/codestream.h"
@@ -172,7 +173,7 @@ void require_known_format(const DicomSlice& slice) {
         reject(slice.file, "has compressed pixels that do not begin at the lowest bit (high bit " +
                                std::to_string(slice.high_bit) + ", 0028,0102)");
     if (!std::isfinite(slice.slope) || !std::isfinite(slice.intercept) || slice.slope == 0.0)
-        reject(slice.file, "has a rescale slope of " + std::to_string(slice.slope));
+        reject(slice.file, "has a rescale slope of " + number_text(slice.slope));
 }
 
 }  // namespace

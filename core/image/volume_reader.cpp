@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/image/dicom_header.h"
 #include "core/image/dicom_reader.h"
 #include "core/image/dicom_segmentation.h"
@@ -134,8 +135,8 @@ void require_object(const Mask& mask, const fs::path& path) {
 
 void require_whole_label(double value, const fs::path& file) {
     if (value >= 0.0 && value <= 65535.0 && value == std::floor(value)) return;
-    throw InputError("holds the value " + std::to_string(value) + ", which is no label",
-                     file.string(), "Choose a mask or label map, not an image");
+    throw InputError("holds the value " + number_text(value) + ", which is no label", file.string(),
+                     "Choose a mask or label map, not an image");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 
 namespace hepatica {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 std::vector<Vec3> lattice(const Vec3& size, const Index3& cells) {
     for (int i = 0; i < 3; ++i)
         if (!(size[i] > 0.0) || !std::isfinite(size[i]) || cells[i] < 1)
-            throw InputError("a box of " + std::to_string(size[i]) + " mm in " +
+            throw InputError("a box of " + number_text(size[i]) + " mm in " +
                                  std::to_string(cells[i]) + " cells has no volume",
                              "brick mesh", "Give a positive size and at least one cell");
     std::vector<Vec3> vertices;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/vascular_system.h"
 #include "core/image/filters.h"
@@ -29,10 +30,10 @@ void check(const RefinementOptions& options) {
             "the number of recursions of the refinement is " + std::to_string(options.recursions),
             "refinement", "Use 0 (no refinement) or more.");
     if (!(options.sigma_mm > 0.0))
-        throw InputError("the refinement's sigma is " + std::to_string(options.sigma_mm) + " mm",
+        throw InputError("the refinement's sigma is " + number_text(options.sigma_mm) + " mm",
                          "refinement", "Use a sigma above 0.");
     if (!(options.level > 0.0 && options.level < 1.0))
-        throw InputError("the refinement's level is " + std::to_string(options.level), "refinement",
+        throw InputError("the refinement's level is " + number_text(options.level), "refinement",
                          "Use a level between 0 and 1.");
 }
 

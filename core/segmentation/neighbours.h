@@ -25,7 +25,7 @@ struct NeighbourStep {
     double length_mm = 0.0;
 };
 
-// The steps to the 26 neighbours. Opposite ones add up to 25: i and 25 - i.
+// The steps to the 26 neighbours; the one at 25 - i is opposite to the one at i.
 inline std::array<NeighbourStep, 26> neighbour_steps(const Grid& grid) {
     std::array<NeighbourStep, 26> steps;
     std::size_t count = 0;

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/image/voxel_loop.h"
 #include "core/segmentation/fast_marching.h"
 #include "core/segmentation/neighbours.h"
@@ -23,8 +24,8 @@ namespace {
 constexpr double seed_reach_mm = 3.0;
 
 std::string in_words(const Vec3& position) {
-    return std::to_string(position[0]) + ", " + std::to_string(position[1]) + ", " +
-           std::to_string(position[2]) + " mm";
+    return number_text(position[0]) + ", " + number_text(position[1]) + ", " +
+           number_text(position[2]) + " mm";
 }
 
 // The object voxel nearest to a position, within seed_reach_mm; ties by index. Throws InputError

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "core/base/error.h"
@@ -197,6 +198,16 @@ FloatVolume sampled(const Grid& grid, const Field& field) {
 
 // Linear interpolation reproduces linear fields, Catmull-Rom quadratic ones, on any grid that
 // lies inside (a voxel from the border for the cubic's outer taps).
+TEST(Respaced, SaysTheSpacingThatMakesTooManyVoxels) {
+    std::string problem;
+    try {
+        respaced(oblique_grid({40, 30, 20}, {1.0, 1.0, 1.0}), Vec3::Constant(1e-7));
+    } catch (const InputError& error) {
+        problem = error.problem();
+    }
+    EXPECT_EQ(problem, "is 1e-07, which makes 4e+08 voxels along an axis");
+}
+
 TEST(Resample, ReproducesPolynomialsOfItsOrder) {
     Grid source;
     source.dims = {20, 22, 18};

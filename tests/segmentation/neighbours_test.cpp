@@ -10,7 +10,7 @@
 namespace hepatica {
 namespace {
 
-Grid grid_of(Index3 dims) {
+Grid uneven_grid(Index3 dims) {
     Grid grid;
     grid.dims = dims;
     grid.spacing_mm = Vec3(1.0, 2.0, 4.0);
@@ -25,7 +25,7 @@ std::vector<std::size_t> neighbours_of(const Grid& grid, std::size_t voxel) {
 
 // In a cube of 27 voxels the middle one has all others as neighbours, a corner seven of them.
 TEST(Neighbours, AreAllVoxelsAroundInsideTheGrid) {
-    const Grid grid = grid_of({3, 3, 3});
+    const Grid grid = uneven_grid({3, 3, 3});
     const std::vector<std::size_t> around = neighbours_of(grid, grid.offset(1, 1, 1));
     EXPECT_EQ(around.size(), 26u);
     EXPECT_TRUE(std::ranges::is_sorted(around));
@@ -34,7 +34,7 @@ TEST(Neighbours, AreAllVoxelsAroundInsideTheGrid) {
 }
 
 TEST(Neighbours, AreReachedByTheStepsInTheSameOrder) {
-    const Grid grid = grid_of({3, 3, 3});
+    const Grid grid = uneven_grid({3, 3, 3});
     const auto steps = neighbour_steps(grid);
     std::vector<std::size_t> reached;
     for (const auto& [step, length_mm] : steps)
