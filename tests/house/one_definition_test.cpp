@@ -4,6 +4,7 @@
 // see types, joins inline functions of the two (C++20 [basic.def.odr]).
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -40,7 +41,9 @@ std::string bare_code(const std::string& source) {
         } else if (c == '#' && line_begins) {
             do i = skip_to(i, "\n", 1);
             while (i < size && source[i - 2] == '\\');
-        } else if (c == '"' || (c == '\'' && (i == 0 || !std::isalnum(source[i - 1])))) {
+        } else if (c == '"' ||
+                   (c == '\'' &&
+                    (i == 0 || !std::isalnum(static_cast<unsigned char>(source[i - 1]))))) {
             for (++i; i < size && source[i] != c; ++i)
                 if (source[i] == '\\') ++i;
             ++i;
@@ -67,7 +70,8 @@ Opened opened_by(const std::string& before) {
     static const std::regex name_space(R"(\bnamespace\s+([\w:]+)\s*$)");
     // Nested types defined outside (struct Outer::Inner) have a name of their own.
     static const std::regex type(
-        R"(\b(?:class|struct|union|enum(?:\s+class)?)\s+((?:\w+::)*\w+)(?:\s+final)?\s*(?::[^:].*)?$)");
+        R"(\b(?:class|struct|union|enum(?:\s+class)?)\s+)"
+        R"((?:alignas\s*\((?:[^()]|\([^()]*\))*\)\s*)?((?:\w+::)*\w+)(?:\s+final)?\s*(?::[^:].*)?$)");
     std::string line = before;
     for (char& c : line)
         if (c == '\n') c = ' ';
@@ -148,6 +152,7 @@ TEST(OneDefinition, TheCheckItselfObjects) {
     EXPECT_EQ(twice("namespace n::m { enum class A : int { b }; }",
                     "namespace n { namespace m { enum A { c }; } }"),
               1u);
+    EXPECT_EQ(twice("struct alignas(4 * sizeof(int)) A : B {};", "union A {};"), 1u);
     EXPECT_EQ(twice("struct A { int i; };",
                     "// struct A {\n/* struct A { */ const char* t = "
                     "\"struct A {\";\n#define A struct A {\n"),
