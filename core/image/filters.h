@@ -34,7 +34,7 @@ FloatVolume crop(const FloatVolume& volume, const IndexBox& box);
 Mask crop(const Mask& mask, const IndexBox& box);
 Grid crop(const Grid& grid, const IndexBox& box);
 
-// Puts a part back into the image from voxel `begin` on: undoes crop(). The part must fit.
+// Puts a part into the whole image from voxel `begin` on: undoes crop(). The part must fit.
 template <class T>
 void paste(const Image<T>& part, const Index3& begin, Image<T>& whole) {
     const Index3& dims = part.grid.dims;
