@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <deque>
 #include <fstream>
 #include <optional>
 #include <random>
@@ -167,6 +168,43 @@ void renew_folder_atomically(const fs::path& target,
     replace_folder(target, write, is_own);
 }
 
+namespace {
+
+// A finished file and the place it goes to.
+struct Move {
+    fs::path fresh;
+    fs::path target;
+    bool replaces = false;  // an older file, which is then at `fresh`
+};
+
+void make(const Move& move, std::error_code& error) {
+    if (move.replaces)
+        exchange(move.fresh, move.target, error);
+    else
+        fs::rename(move.fresh, move.target, error);
+}
+
+void undo(const Move& move) {
+    std::error_code ignored;
+    if (move.replaces)
+        exchange(move.fresh, move.target, ignored);
+    else
+        fs::rename(move.target, move.fresh, ignored);
+}
+
+// Makes all moves, or undoes those made and throws.
+void make_all(const std::vector<Move>& moves) {
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        std::error_code error;
+        make(moves[i], error);
+        if (!error) continue;
+        for (std::size_t made = i; made > 0; --made) undo(moves[made - 1]);
+        throw_unwritable(moves[i].target, error);
+    }
+}
+
+}  // namespace
+
 void write_files_atomically(const fs::path& folder,
                             const std::function<void(const fs::path&)>& write) {
     std::error_code error;
@@ -180,10 +218,22 @@ void write_files_atomically(const fs::path& folder,
     for (const auto& entry : fs::directory_iterator(temporary.path()))
         files.push_back(entry.path());
     std::ranges::sort(files);
+    std::deque<Temporary> beside_links;  // a link may lead to another file system
+    std::vector<Move> moves;
     for (const fs::path& file : files) {
-        fs::rename(file, folder / file.filename(), error);
-        if (error) throw_unwritable(folder / file.filename(), error);
+        const fs::path place = folder / file.filename();
+        Move move{file, behind_links(place)};
+        if (fs::is_symlink(fs::symlink_status(place, error))) {
+            move.fresh = beside_links.emplace_back(move.target).path();
+            fs::copy(file, move.fresh, fs::copy_options::recursive, error);
+            if (error) throw_unwritable(place, error);
+        }
+        // A folder is never exchanged: what it holds would be removed with the temporary.
+        move.replaces = fs::exists(move.target, error) && !fs::is_directory(move.target, error) &&
+                        !fs::is_directory(file, error);
+        moves.push_back(move);
     }
+    make_all(moves);
 }
 
 }  // namespace hepatica

@@ -4,10 +4,8 @@
 
 #include <bit>
 #include <cstring>
-#include <fstream>
-#include <vector>
 
-#include "core/base/error.h"
+#include "core/base/file_blocks.h"
 
 namespace hepatica {
 
@@ -58,14 +56,8 @@ std::string to_hex(std::uint64_t value) {
 }
 
 std::uint64_t hash_of_file(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw InputError("cannot be read", file.string(), "Check that it exists");
     Hasher hasher;
-    std::vector<char> block(1 << 16);
-    while (in) {
-        in.read(block.data(), static_cast<std::streamsize>(block.size()));
-        hasher.add_bytes(block.data(), static_cast<std::size_t>(in.gcount()));
-    }
+    for_each_block(file, [&](std::span<const std::byte> block) { hasher.add(block); });
     return hasher.value();
 }
 

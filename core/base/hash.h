@@ -36,7 +36,7 @@ class Hasher {
 // 16 lower-case hexadecimal digits.
 std::string to_hex(std::uint64_t value);
 
-// Hash of a file's bytes. Throws InputError if it cannot be opened.
+// Hash of a file's bytes. Throws InputError if it is a folder or cannot be read to its end.
 std::uint64_t hash_of_file(const std::filesystem::path& file);
 
 }  // namespace hepatica

@@ -4,10 +4,8 @@
 
 #include <bit>
 #include <cassert>
-#include <fstream>
-#include <vector>
 
-#include "core/base/error.h"
+#include "core/base/file_blocks.h"
 
 namespace hepatica {
 
@@ -86,14 +84,10 @@ std::string Sha256::hex_digest() {
 }
 
 std::string sha256_of_file(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throw InputError("cannot be read", file.string(), "Check that it exists");
     Sha256 digest;
-    std::vector<char> block(1 << 16);
-    while (in) {
-        in.read(block.data(), static_cast<std::streamsize>(block.size()));
-        digest.add_bytes(block.data(), static_cast<std::size_t>(in.gcount()));
-    }
+    for_each_block(file, [&](std::span<const std::byte> block) {
+        digest.add_bytes(block.data(), block.size());
+    });
     return digest.hex_digest();
 }
 

@@ -29,8 +29,8 @@ class Sha256 {
     std::uint64_t length_ = 0;  // bytes in total
 };
 
-// Digest of a file's bytes, as `sha256sum FILE` prints it. Throws InputError if it cannot be
-// opened.
+// Digest of a file's bytes, as `sha256sum FILE` prints it. Throws InputError if it is a folder or
+// cannot be read to its end.
 std::string sha256_of_file(const std::filesystem::path& file);
 
 }  // namespace hepatica

@@ -10,7 +10,6 @@ inline constexpr double kilogram_per_cubic_metre = 1e-6;        // in g/mm3
 inline constexpr double millilitre = 1e3;                       // in mm3
 inline constexpr double millilitre_per_minute = 1e3 / 60.0;     // in mm3/s
 inline constexpr double newton = 1e6;                           // in micronewton
-inline constexpr double joule = 1e9;                            // in nanojoule (g mm2/s2)
 inline constexpr double standard_gravity = 9806.65;             // in mm/s2
 inline constexpr double millimetre_of_mercury = 133.322387415;  // in Pa
 

@@ -44,14 +44,18 @@ struct ByteStream::State {
         const uInt wanted = static_cast<uInt>(std::min<std::size_t>(bytes, 1u << 30));
         inflater.next_out = static_cast<Bytef*>(buffer);
         inflater.avail_out = wanted;
-        while (inflater.avail_out > 0 && refill()) {
+        while (inflater.avail_out > 0) {
+            const bool has_input = refill();
             if (member_ended) {
                 // gzip allows several members in a row; anything else after the first one is
                 // padding.
-                if (encoding == Encoding::bare_deflated || inflater.next_in[0] != 0x1f) break;
+                if (!has_input || encoding == Encoding::bare_deflated ||
+                    inflater.next_in[0] != 0x1f)
+                    break;
                 inflateReset(&inflater);
                 member_ended = false;
             }
+            const uInt room = inflater.avail_out;
             const int status = inflate(&inflater, Z_NO_FLUSH);
             if (status == Z_STREAM_END)
                 member_ended = true;
@@ -59,6 +63,8 @@ struct ByteStream::State {
                 throw InputError("holds damaged compressed data after " +
                                      readable_bytes(delivered + wanted - inflater.avail_out),
                                  file.string(), "Copy or export the file again");
+            // At the end of the file zlib may still hold output: a match of up to 258 bytes.
+            if (!has_input && inflater.avail_out == room) break;
         }
         return wanted - inflater.avail_out;
     }

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/quoted_name.h"
 #include "core/image/codestream.h"
@@ -172,7 +173,7 @@ void require_known_format(const DicomSlice& slice) {
         reject(slice.file, "has compressed pixels that do not begin at the lowest bit (high bit " +
                                std::to_string(slice.high_bit) + ", 0028,0102)");
     if (!std::isfinite(slice.slope) || !std::isfinite(slice.intercept) || slice.slope == 0.0)
-        reject(slice.file, "has a rescale slope of " + std::to_string(slice.slope));
+        reject(slice.file, "has a rescale slope of " + number_text(slice.slope));
 }
 
 }  // namespace
@@ -261,13 +262,10 @@ void remark_on_tilt(const OrderedSeries& series, ReadRemarks& remarks) {
 
 PlacedGrid place(const OrderedSeries& series, const UprightStack& stack) {
     const DicomSlice& first = series.slices.front();
-    Mat3 axes;
-    axes.col(0) = first.row_axis.normalized() * first.column_spacing_mm;
-    axes.col(1) = first.column_axis.normalized() * first.row_spacing_mm;
-    axes.col(2) = first.normal() * series.slice_spacing_mm;
     return placed_grid(
-        {stack.columns(), stack.rows(), static_cast<std::int64_t>(series.slices.size())}, axes,
-        stack.origin_mm(), first.file.parent_path().string());
+        {stack.columns(), stack.rows(), static_cast<std::int64_t>(series.slices.size())},
+        first.steps_mm(series.slice_spacing_mm), stack.origin_mm(),
+        first.file.parent_path().string());
 }
 
 // Writes the values of slice z into the volume.

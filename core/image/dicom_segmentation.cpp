@@ -101,15 +101,12 @@ Place place_of(const std::vector<DicomSlice>& frames, const fs::path& file) {
     const double extent_mm = levels.back() - levels.front();
     const auto steps = static_cast<std::int64_t>(std::llround(extent_mm / step_mm));
     if (steps > 0) step_mm = extent_mm / static_cast<double>(steps);
-    Mat3 axes;
-    axes.col(0) = first.row_axis.normalized() * first.column_spacing_mm;
-    axes.col(1) = first.column_axis.normalized() * first.row_spacing_mm;
-    axes.col(2) = normal * step_mm;
     const Vec3 origin_mm =
         first.position_mm + normal * (levels.front() - first.position_mm.dot(normal));
     require_memory(bytes_of(first.columns, first.rows, steps + 1, sizeof(std::uint16_t)),
                    file.string());
-    return {placed_grid({first.columns, first.rows, steps + 1}, axes, origin_mm, file.string()),
+    return {placed_grid({first.columns, first.rows, steps + 1}, first.steps_mm(step_mm), origin_mm,
+                        file.string()),
             levels.front(), step_mm};
 }
 

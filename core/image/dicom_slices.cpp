@@ -272,6 +272,14 @@ Vec3 DicomSlice::normal() const {
     return row_axis.cross(column_axis).normalized();
 }
 
+Mat3 DicomSlice::steps_mm(double slice_spacing_mm) const {
+    Mat3 steps;
+    steps.col(0) = row_axis.normalized() * column_spacing_mm;
+    steps.col(1) = column_axis.normalized() * row_spacing_mm;
+    steps.col(2) = normal() * slice_spacing_mm;
+    return steps;
+}
+
 std::optional<DicomSlice> read_dicom_slice(const fs::path& file) {
     const std::optional<DicomHeader> header = read_dicom_header(file);
     if (!header || !header->has_pixels) return std::nullopt;

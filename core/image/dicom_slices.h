@@ -69,6 +69,9 @@ struct DicomSlice {
     // Unit normal of the slice: row_axis x column_axis.
     Vec3 normal() const;
     double along_normal_mm() const { return position_mm.dot(normal()); }
+    // From a voxel to the next one along a row, down a column and, slice_spacing_mm away, along the
+    // normal: the columns of the matrix.
+    Mat3 steps_mm(double slice_spacing_mm) const;
 };
 
 // The record of one file; nothing if it is not a DICOM file, holds no image or its header is

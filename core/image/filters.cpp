@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -38,6 +40,22 @@ Image<T> crop_image(const Image<T>& image, const IndexBox& box) {
     return part;
 }
 
+// First and last object voxel of a row; {n, -1} if there is none. Skips zeros eight at a time.
+std::pair<int, int> extent_of_row(const std::uint8_t* row, int n) {
+    int first = 0;
+    while (first + 8 <= n) {
+        std::uint64_t word;
+        std::memcpy(&word, row + first, 8);
+        if (word != 0) break;
+        first += 8;
+    }
+    while (first < n && row[first] == 0) ++first;
+    if (first == n) return {n, -1};
+    int last = n - 1;
+    while (row[last] == 0) --last;
+    return {first, last};
+}
+
 }  // namespace
 
 IndexBox bounding_box(const Mask& mask) {
@@ -45,16 +63,12 @@ IndexBox bounding_box(const Mask& mask) {
     IndexBox box{grid.dims, {0, 0, 0}};
     for (int z = 0; z < grid.dims[2]; ++z)
         for (int y = 0; y < grid.dims[1]; ++y) {
-            const std::uint8_t* row = mask.voxels.data() + grid.offset(0, y, z);
-            const std::uint8_t* end = row + grid.dims[0];
-            const std::uint8_t* first = std::find_if(row, end, [](auto v) { return v != 0; });
-            if (first == end) continue;
-            const std::uint8_t* last = end - 1;
-            while (*last == 0) --last;
-            box.begin = {std::min(box.begin[0], static_cast<int>(first - row)),
-                         std::min(box.begin[1], y), std::min(box.begin[2], z)};
-            box.end = {std::max(box.end[0], static_cast<int>(last - row) + 1),
-                       std::max(box.end[1], y + 1), z + 1};
+            const auto [first, last] =
+                extent_of_row(mask.voxels.data() + grid.offset(0, y, z), grid.dims[0]);
+            if (last < 0) continue;
+            box.begin = {std::min(box.begin[0], first), std::min(box.begin[1], y),
+                         std::min(box.begin[2], z)};
+            box.end = {std::max(box.end[0], last + 1), std::max(box.end[1], y + 1), z + 1};
         }
     return box;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "core/base/job.h"
 #include "core/image/volume.h"
@@ -32,6 +33,16 @@ Volume crop(const Volume& volume, const IndexBox& box);
 FloatVolume crop(const FloatVolume& volume, const IndexBox& box);
 Mask crop(const Mask& mask, const IndexBox& box);
 Grid crop(const Grid& grid, const IndexBox& box);
+
+// Puts a part into the whole image from voxel `begin` on: undoes crop(). The part must fit.
+template <class T>
+void paste(const Image<T>& part, const Index3& begin, Image<T>& whole) {
+    const Index3& dims = part.grid.dims;
+    for (int z = 0; z < dims[2]; ++z)
+        for (int y = 0; y < dims[1]; ++y)
+            std::copy_n(&part.at(0, y, z), dims[0],
+                        &whole.at(begin[0], begin[1] + y, begin[2] + z));
+}
 
 // The grid with another spacing (each > 0) that covers the same extent, voxel borders included, to
 // within half a new voxel on each side; same centre and direction. Throws InputError for a spacing

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/image/filters.h"
 #include "core/image/line_bundles.h"
 
@@ -185,7 +186,7 @@ class LineSmoother {
 void gaussian_smooth(FloatVolume& image, const Vec3& sigma_mm, Job& job) {
     for (int axis = 0; axis < 3; ++axis) {
         if (!(sigma_mm[axis] >= 0.0) || !std::isfinite(sigma_mm[axis]))
-            throw InputError("is " + std::to_string(sigma_mm[axis]), "smoothing width in mm",
+            throw InputError("is " + number_text(sigma_mm[axis]), "smoothing width in mm",
                              "Choose a width of 0 or more");
         if (sigma_mm[axis] == 0.0 || image.grid.dims[axis] == 1) continue;
         const LineSmoother smoother(sigma_mm[axis] / image.grid.spacing_mm[axis]);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/image/header_text.h"
 #include "core/image/voxel_file.h"
 
@@ -83,7 +84,7 @@ void place(const Fields& fields, VoxelFile& file, const fs::path& path) {
         file.dims[a] = static_cast<std::int64_t>(sizes[a]);
         const int i = static_cast<int>(a);
         if (!(spacing[a] > 0.0))
-            reject(path, "has a voxel spacing of " + std::to_string(spacing[a]) + " mm");
+            reject(path, "has a voxel spacing of " + number_text(spacing[a]) + " mm");
         if (!matrix.empty())
             file.axes.col(i) = Vec3(matrix[3 * a], matrix[3 * a + 1], matrix[3 * a + 2]);
         file.axes.col(i) *= spacing[a];

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/image/voxel_file.h"
 
 namespace hepatica {
@@ -161,7 +162,7 @@ void place(const Nifti& n, VoxelFile& file) {
 void check_pixdim(const Nifti& n, const fs::path& file) {
     for (int a = 1; a <= 3; ++a)
         if (!std::isfinite(n.pixdim[a]) || n.pixdim[a] <= 0.0)
-            reject_nifti(file, "has a voxel spacing of " + std::to_string(n.pixdim[a]) + " mm");
+            reject_nifti(file, "has a voxel spacing of " + number_text(n.pixdim[a]) + " mm");
 }
 
 }  // namespace
@@ -207,7 +208,7 @@ VoxelFile read_nifti_header(const fs::path& path) {
     file.type = *type;
     file.big_endian = swap != (std::endian::native == std::endian::big);
     if (!(n.data_offset >= (version_2 ? 540 : 348)) || n.data_offset > 1e8)
-        reject_nifti(path, "has a data offset of " + std::to_string(n.data_offset));
+        reject_nifti(path, "has a data offset of " + number_text(n.data_offset));
     if (gzip)
         file.skip_bytes = static_cast<std::uint64_t>(n.data_offset);
     else

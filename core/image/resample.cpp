@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
 #include "core/image/memory_limit.h"
@@ -127,12 +128,12 @@ Grid respaced(const Grid& grid, const Vec3& spacing_mm) {
     Vec3 half_steps;
     for (int a = 0; a < 3; ++a) {
         if (!(spacing_mm[a] > 0.0) || !std::isfinite(spacing_mm[a]))
-            throw InputError("is " + std::to_string(spacing_mm[a]), "voxel spacing in mm",
+            throw InputError("is " + number_text(spacing_mm[a]), "voxel spacing in mm",
                              "Choose a spacing above 0");
         const double count = std::round(grid.dims[a] * grid.spacing_mm[a] / spacing_mm[a]);
         if (count > 32767.0)
-            throw InputError("is " + std::to_string(spacing_mm[a]) + ", which makes " +
-                                 std::to_string(count) + " voxels along an axis",
+            throw InputError("is " + number_text(spacing_mm[a]) + ", which makes " +
+                                 number_text(count) + " voxels along an axis",
                              "voxel spacing in mm", "Choose a coarser spacing");
         fine.dims[a] = std::max(1, static_cast<int>(count));
         centre_index[a] = 0.5 * (grid.dims[a] - 1);

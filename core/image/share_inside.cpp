@@ -21,9 +21,7 @@ FloatVolume with_border(const FloatVolume& inner) {
     for (int& count : grid.dims) count += 2;
     grid.origin_mm = inner.grid.to_mm(-1, -1, -1);
     FloatVolume padded(grid);
-    for (int z = 0; z < inner.grid.dims[2]; ++z)
-        for (int y = 0; y < inner.grid.dims[1]; ++y)
-            std::copy_n(&inner.at(0, y, z), inner.grid.dims[0], &padded.at(1, y + 1, z + 1));
+    paste(inner, {1, 1, 1}, padded);
     return padded;
 }
 

@@ -12,9 +12,11 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/image/dicom_header.h"
 #include "core/image/dicom_reader.h"
 #include "core/image/dicom_segmentation.h"
+#include "core/image/filters.h"
 #include "core/image/header_text.h"
 #include "core/image/series_choice.h"
 #include "core/image/voxel_file.h"
@@ -133,8 +135,8 @@ void require_object(const Mask& mask, const fs::path& path) {
 
 void require_whole_label(double value, const fs::path& file) {
     if (value >= 0.0 && value <= 65535.0 && value == std::floor(value)) return;
-    throw InputError("holds the value " + std::to_string(value) + ", which is no label",
-                     file.string(), "Choose a mask or label map, not an image");
+    throw InputError("holds the value " + number_text(value) + ", which is no label", file.string(),
+                     "Choose a mask or label map, not an image");
 }
 
 }  // namespace
@@ -269,11 +271,7 @@ Labels placed(const Grid& volume, Labels labels, const std::string& place) {
     const auto start = place_in(volume, labels.grid);
     if (!start) require_same_grid(labels.grid, volume, place);
     Labels whole(volume);
-    const Index3& dims = labels.grid.dims;
-    for (int z = 0; z < dims[2]; ++z)
-        for (int y = 0; y < dims[1]; ++y)
-            std::copy_n(&labels.at(0, y, z), dims[0],
-                        &whole.at((*start)[0], (*start)[1] + y, (*start)[2] + z));
+    paste(labels, *start, whole);
     return whole;
 }
 

@@ -180,7 +180,7 @@ void write_nifti(const fs::path& file, const LabelMap& labels) {
 
 void write_segmentation(const fs::path& file, const LabelMap& labels,
                         std::span<const SegmentDescription> segments) {
-    if (!lower_case(file.filename().string()).ends_with(".nrrd"))
+    if (!lower_case(file.filename().string()).ends_with(".seg.nrrd"))
         throw InputError("does not end in .seg.nrrd", file.string(), "Choose such a name");
     const std::string header = nrrd_header(labels, segments);
     write_file_atomically(file, [&](const fs::path& temporary) {

@@ -28,7 +28,7 @@ struct SegmentDescription {
 };
 
 // A .seg.nrrd that 3D Slicer opens as a segmentation, gzip-compressed, LPS. The name must end in
-// .nrrd. Throws InputError as above.
+// .seg.nrrd, by which 3D Slicer knows it. Throws InputError as above.
 void write_segmentation(const std::filesystem::path& file, const LabelMap& labels,
                         std::span<const SegmentDescription> segments);
 

@@ -6,13 +6,14 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/base/patient_space.h"
 #include "core/base/quoted_name.h"
+#include "core/image/header_text.h"
 #include "core/image/memory_limit.h"
 
 namespace hepatica {
@@ -26,12 +27,6 @@ constexpr std::uint64_t deflate_limit = 1032;    // largest expansion of deflate
 
 [[noreturn]] void reject_geometry(const std::string& what, const std::string& place) {
     throw InputError(what, place, "Export the image again, with its spacing and orientation");
-}
-
-std::string short_text(double value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
 }
 
 // Gram-Schmidt: an orthonormal basis close to three almost orthogonal unit vectors; mirrored ones
@@ -133,11 +128,11 @@ PlacedGrid placed_grid(const std::array<std::int64_t, 3>& dims, const Mat3& axes
             reject_geometry("has " + std::to_string(dims[a]) + " voxels along an axis", place);
         spacing[a] = axes.col(a).norm();
         if (!(spacing[a] > 1e-6) || !(spacing[a] < farthest_mm))
-            reject_geometry("has a voxel spacing of " + short_text(spacing[a]) + " mm", place);
+            reject_geometry("has a voxel spacing of " + number_text(spacing[a]) + " mm", place);
         const double extent_mm = spacing[a] * static_cast<double>(dims[a]);
         if (!(extent_mm <= farthest_mm))
-            reject_geometry("is " + short_text(extent_mm / 1000.0) + " m long (" +
-                                std::to_string(dims[a]) + " voxels of " + short_text(spacing[a]) +
+            reject_geometry("is " + number_text(extent_mm / 1000.0) + " m long (" +
+                                std::to_string(dims[a]) + " voxels of " + number_text(spacing[a]) +
                                 " mm)",
                             place);
         direction.col(a) = axes.col(a) / spacing[a];
@@ -241,9 +236,7 @@ VoxelFile read_header(const fs::path& file) {
         raw.read_some(head.data(), head.size());
     }
     const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
-    std::string name = file.filename().string();
-    std::ranges::transform(name, name.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string name = lower_case(file.filename().string());
     if (text.starts_with("NRRD")) return read_nrrd_header(file);
     if (name.ends_with(".mha") || name.ends_with(".mhd")) return read_meta_header(file);
     if (name.ends_with(".nii") || name.ends_with(".nii.gz") || name.ends_with(".hdr") ||

@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "core/base/parallel.h"
+#include "core/image/mask.h"
 #include "core/image/morphology.h"
 #include "core/links/way_to_sure.h"
 #include "core/segmentation/line_coherence.h"
@@ -80,11 +81,9 @@ std::array<FloatVolume, half_lengths_mm.size()> lines_through(const std::vector<
 class Measuring {
   public:
     Measuring(const std::vector<LinePiece>& pieces, const PieceImage& image, Job& job)
-        : image_(image), lines_(lines_through(pieces, image.evidence.rise, job)) {
-        Mask outside = image.liver;
-        for (std::uint8_t& voxel : outside.voxels) voxel = voxel ? 0 : 1;
-        depth_ = distance_to(outside, job);
-    }
+        : image_(image),
+          lines_(lines_through(pieces, image.evidence.rise, job)),
+          depth_(distance_to(complement(image.liver), job)) {}
 
     // The features of brightness, line and ring, in the order of the names.
     std::vector<double> own(const LinePiece& piece) const {

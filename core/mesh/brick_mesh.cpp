@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 
 namespace hepatica {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 std::vector<Vec3> lattice(const Vec3& size, const Index3& cells) {
     for (int i = 0; i < 3; ++i)
         if (!(size[i] > 0.0) || !std::isfinite(size[i]) || cells[i] < 1)
-            throw InputError("a box of " + std::to_string(size[i]) + " mm in " +
+            throw InputError("a box of " + number_text(size[i]) + " mm in " +
                                  std::to_string(cells[i]) + " cells has no volume",
                              "brick mesh", "Give a positive size and at least one cell");
     std::vector<Vec3> vertices;
@@ -44,15 +45,6 @@ HexMesh hexahedral_brick(const Vec3& size_mm, const Index3& cells) {
                                           above + 1, above + row + 1, above + row});
             }
     return mesh;
-}
-
-void bend_along_x(std::vector<Vec3>& vertices_mm, double length_mm, double middle_y_mm,
-                  double angle_rad) {
-    const double radius = length_mm / angle_rad;
-    for (Vec3& x : vertices_mm) {
-        const double turn = angle_rad * x[0] / length_mm, r = radius - (x[1] - middle_y_mm);
-        x = Vec3(r * std::sin(turn), middle_y_mm + radius - r * std::cos(turn), x[2]);
-    }
 }
 
 }  // namespace hepatica

@@ -17,9 +17,4 @@ TetMesh kuhn_brick(const Vec3& size_mm, const Index3& cells);
 // The same box as one hexahedron per cell, with the same vertices and errors.
 HexMesh hexahedral_brick(const Vec3& size_mm, const Index3& cells);
 
-// Bends the box into an arc of the given angle (radians, > 0) around an axis along z beside it; the
-// length of the line y = middle_y_mm is preserved. For slender curved bodies.
-void bend_along_x(std::vector<Vec3>& vertices_mm, double length_mm, double middle_y_mm,
-                  double angle_rad);
-
 }  // namespace hepatica

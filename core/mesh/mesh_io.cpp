@@ -105,6 +105,16 @@ std::vector<std::array<int, N>> corners_of(const VtkCells& from, const fs::path&
     return cells;
 }
 
+// Adds the file to the place of an error that check() throws.
+template <class Check>
+void check_content(const fs::path& file, const Check& check) {
+    try {
+        check();
+    } catch (const InputError& error) {
+        throw InputError(error.problem(), file.string() + ", " + error.place(), error.remedy());
+    }
+}
+
 }  // namespace
 
 void write_vtu(const fs::path& file, const TetMesh& mesh) {
@@ -129,7 +139,7 @@ TetMesh read_vtu(const fs::path& file) {
     if (std::ranges::any_of(data.cell_types(),
                             [](double type) { return type != double{VTK_TETRA}; }))
         reject(file, "holds cells of another kind");
-    validate(mesh);
+    check_content(file, [&] { validate(mesh); });
     return mesh;
 }
 
@@ -138,7 +148,7 @@ TriangleMesh read_vtp(const fs::path& file) {
     TriangleMesh surface;
     surface.vertices_mm = positions_of(data, file);
     surface.triangles = corners_of<3>(data.cells("Polys"), file);
-    validate_closed(surface);
+    check_content(file, [&] { validate_closed(surface); });
     return surface;
 }
 

@@ -14,8 +14,8 @@ void write_vtu(const std::filesystem::path& file, const TetMesh& mesh);
 void write_vtp(const std::filesystem::path& file, const TriangleMesh& surface);
 
 // Positions are in double precision, so values are read back exactly. Throw InputError that names
-// the file if it is missing or damaged, holds other cells or has a vertex beyond 10 m; and
-// InputError that names the element as validate() or validate_closed() does.
+// the file if it is missing or damaged, holds other cells, has a vertex beyond 10 m or is refused
+// by validate() or validate_closed(), whose element is then named, too.
 TetMesh read_vtu(const std::filesystem::path& file);
 TriangleMesh read_vtp(const std::filesystem::path& file);
 

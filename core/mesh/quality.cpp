@@ -3,10 +3,8 @@
 #include "core/mesh/quality.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
-#include <numeric>
-#include <utility>
 #include <vector>
 
 #include "core/base/disjoint_sets.h"

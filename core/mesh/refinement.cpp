@@ -118,7 +118,7 @@ TetMesh to_tet_mesh(const Complex& complex) {
 
 }  // namespace
 
-TetMesh refine_tetrahedra(const TubeField& field, const RefinementOptions& options,
+TetMesh refine_tetrahedra(const TubeField& field, const MeshRefinementOptions& options,
                           const std::function<void(int)>& on_calls) {
     // CGAL's default generator is seeded by the clock; the result must not depend on it.
     CGAL::get_default_random() = CGAL::Random(0);

@@ -77,11 +77,4 @@ bool is_closed_manifold(const TriangleMesh& surface) {
     return true;
 }
 
-double enclosed_volume_mm3(const TriangleMesh& surface) {
-    double volume = 0.0;
-    for (const auto& [a, b, c] : surface.triangles)
-        volume += surface.vertices_mm[a].cross(surface.vertices_mm[b]).dot(surface.vertices_mm[c]);
-    return volume / 6.0;
-}
-
 }  // namespace hepatica

@@ -23,7 +23,4 @@ bool is_closed_manifold(const TriangleMesh& surface);
 // an index is invalid. A surface that touches itself along an edge counts as closed.
 void validate_closed(const TriangleMesh& surface);
 
-// Volume enclosed by a closed surface, positive if it is oriented outwards.
-double enclosed_volume_mm3(const TriangleMesh& surface);
-
 }  // namespace hepatica

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 
 namespace hepatica {
 
@@ -74,7 +75,7 @@ void validate(const TetMesh& mesh) {
         const double volume = signed_volume_mm3(mesh.vertices_mm[a], mesh.vertices_mm[b],
                                                 mesh.vertices_mm[c], mesh.vertices_mm[d]);
         if (!(volume > 0.0))
-            reject("is flat or inverted (volume " + std::to_string(volume) + " mm3)",
+            reject("is flat or inverted (volume " + number_text(volume) + " mm3)",
                    "tetrahedron " + std::to_string(t));
     }
 }

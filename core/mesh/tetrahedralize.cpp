@@ -13,6 +13,7 @@
 
 #include "core/base/disjoint_sets.h"
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/mesh/manifold_attempts.h"
 #include "core/mesh/refinement.h"
@@ -86,14 +87,14 @@ void check(const VesselTree& tree, const MeshOptions& options) {
                          "Lower the window of intensities or give a vessel mask");
     validate(tree);
     if (!(length_in_radii(tree, options) <= longest_in_radii))
-        throw InputError("the vessels are " + std::to_string(length_in_radii(tree, options)) +
+        throw InputError("the vessels are " + number_text(length_in_radii(tree, options)) +
                              " radii long, too thin for tetrahedra",
                          "mesh options",
                          "Check the unit of the radii (millimetres), or set a least radius");
     for (const double size : {options.facet_size_in_radii, options.cell_size_in_radii})
         if (!(size >= finest_in_radii && size <= coarsest_in_radii))
-            throw InputError("an element size of " + std::to_string(size) + " radii",
-                             "mesh options", "Choose a size from 0.3 to 1 radius");
+            throw InputError("an element size of " + number_text(size) + " radii", "mesh options",
+                             "Choose a size from 0.3 to 1 radius");
 }
 
 // A rough estimate of the number of distance evaluations, for the progress.
@@ -130,7 +131,7 @@ void sort_along(const TubeField& field, TetMesh& mesh, const std::function<void(
 ManifoldMesh mesh_component(const TubeField& field, const MeshOptions& options,
                             const std::function<void(int)>& on_calls) {
     ManifoldMesh made = first_manifold([&](double scale) {
-        const RefinementOptions refinement{
+        const MeshRefinementOptions refinement{
             std::max(finest_in_radii, scale * options.facet_size_in_radii),
             std::max(finest_in_radii, scale * options.cell_size_in_radii), options.optimise};
         TetMesh mesh = refine_tetrahedra(field, refinement, on_calls);

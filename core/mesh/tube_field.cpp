@@ -12,6 +12,13 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t most_cells = 4'000'000;
 
+// Of length 1; any direction where the points coincide.
+Vec3 direction(const Vec3& from, const Vec3& to) {
+    const Vec3 way = to - from;
+    const double length = way.norm();
+    return length > 0.0 ? Vec3(way / length) : Vec3::UnitX();
+}
+
 double smooth_minimum(double a, double b, double width) {
     const double overlap = width - std::abs(a - b);
     if (overlap <= 0.0) return std::min(a, b);
@@ -188,7 +195,11 @@ TubeField::Foot TubeField::foot_of(const Vec3& point_mm) const {
     if (foot.cone < 0) return foot;
     const Cone& cone = cones_[foot.cone];
     const Vec3 axis = cone.b - cone.a;
-    foot.share = std::clamp((point_mm - cone.a).dot(axis) / axis.squaredNorm(), 0.0, 1.0);
+    const double squared_length = axis.squaredNorm();
+    if (squared_length > 0.0)
+        foot.share = std::clamp((point_mm - cone.a).dot(axis) / squared_length, 0.0, 1.0);
+    else  // a ball: a centreline that comes back to a point within half a radius
+        foot.share = cone.radius_b > cone.radius_a ? 1.0 : 0.0;
     return foot;
 }
 
@@ -214,10 +225,10 @@ std::vector<Vec3> TubeField::surface_points_mm() const {
         const double length = (cone.b - cone.a).norm();
         if (i == 0 || cones_[i - 1].vessel != cone.vessel) {
             since_ring = infinity;
-            add_surface_point(cone.a, (cone.a - cone.b) / length, cone.radius_a, points);
+            add_surface_point(cone.a, direction(cone.b, cone.a), cone.radius_a, points);
         }
         if (i + 1 == cones_.size() || cones_[i + 1].vessel != cone.vessel)
-            add_surface_point(cone.b, (cone.b - cone.a) / length, cone.radius_b, points);
+            add_surface_point(cone.b, direction(cone.a, cone.b), cone.radius_b, points);
         const double step = 0.25 * std::min(cone.radius_a, cone.radius_b);
         for (double at = 0.0; at < length; at += step, since_ring += step) {
             const double share = at / length;

@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/image/filters.h"
+
 namespace hepatica {
 
 namespace {
@@ -47,10 +49,7 @@ Mask grown(const Mask& mask, const Grid& ct) {
     for (std::size_t axis = 0; axis < 3; ++axis) grid.dims[axis] = last[axis] - first[axis] + 1;
     grid.origin_mm = mask.grid.to_mm(first[0], first[1], first[2]);
     Mask larger(grid);
-    for (int z = 0; z < mask.grid.dims[2]; ++z)
-        for (int y = 0; y < mask.grid.dims[1]; ++y)
-            std::copy_n(&mask.at(0, y, z), mask.grid.dims[0],
-                        &larger.at(-first[0], y - first[1], z - first[2]));
+    paste(mask, {-first[0], -first[1], -first[2]}, larger);
     return larger;
 }
 

@@ -86,7 +86,7 @@ VesselTree grow_systems(const PhantomBody& body, const PhantomOptions& options, 
     const std::vector<std::vector<GrownBranch>> grown = grow_trees(requests, random, job);
     for (std::size_t i = 0; i < grown.size(); ++i) {
         centrelines.system = i == 0 ? VascularSystem::portal : VascularSystem::hepatic;
-        centrelines.obstacles = capsules_of(tree);
+        centrelines.obstacles = straight_vessels_of(tree);
         for (std::size_t later = i + 1; later < grown.size(); ++later)
             append_chords(centrelines.obstacles, grown[later], centrelines);
         append_system(tree, grown[i], centrelines, random);

@@ -103,10 +103,10 @@ std::vector<double> tapering_radii(const std::vector<Vec3>& points, double begin
     return radii;
 }
 
-void append_capsules(std::vector<Capsule>& capsules, const VesselSegment& segment) {
+void append_vessels(std::vector<StraightVessel>& vessels, const VesselSegment& segment) {
     for (std::size_t i = 1; i < segment.points_mm.size(); ++i)
-        capsules.push_back({segment.points_mm[i - 1], segment.points_mm[i],
-                            std::max(segment.radii_mm[i - 1], segment.radii_mm[i])});
+        vessels.push_back({segment.points_mm[i - 1], segment.points_mm[i],
+                           std::max(segment.radii_mm[i - 1], segment.radii_mm[i])});
 }
 
 class SystemBuilder {
@@ -146,7 +146,7 @@ class SystemBuilder {
         segment.distal_node = static_cast<int>(tree_.nodes.size());
         segment.parent = next.parent;
         segment.system = request_.system;
-        const std::vector<Capsule> others = neighbours(next.branch);
+        const std::vector<StraightVessel> others = neighbours(next.branch);
         for (const double amount : {1.0, 0.7, 0.4, 0.2, 0.0}) {
             segment.points_mm = points_on(branch, bend, amount, request_.point_spacing_mm);
             segment.radii_mm = tapering_radii(segment.points_mm, next.begin_radius_mm);
@@ -171,8 +171,8 @@ class SystemBuilder {
         }
     }
 
-    // Whether any bent form of the branch can come near the capsule (by their bounding balls).
-    bool in_reach(int branch, const Capsule& other) const {
+    // Whether any bent form of the branch can come near the vessel (by their bounding balls).
+    bool in_reach(int branch, const StraightVessel& other) const {
         const GrownBranch& b = branches_[branch];
         const double reach = 0.8 * (b.end - b.begin).norm() + chords_[branch].radius +
                              0.8 * (other.end - other.begin).norm() + other.radius + branch_free_mm;
@@ -181,26 +181,26 @@ class SystemBuilder {
 
     // The vessels that the branch has to keep clear of: obstacles, drawn vessels, and the chords of
     // branches not yet drawn.
-    std::vector<Capsule> neighbours(int branch) const {
-        std::vector<Capsule> near;
-        for (const Capsule& obstacle : request_.obstacles)
+    std::vector<StraightVessel> neighbours(int branch) const {
+        std::vector<StraightVessel> near;
+        for (const StraightVessel& obstacle : request_.obstacles)
             if (in_reach(branch, obstacle)) near.push_back(obstacle);
         for (std::size_t i = 0; i < branches_.size(); ++i) {
             const int other = static_cast<int>(i);
-            const Capsule& chord = chords_[i];
+            const StraightVessel& chord = chords_[i];
             if (other == branch || meet(other, branch) || !in_reach(branch, chord)) continue;
             if (segment_of_[i] >= 0)
-                append_capsules(near, tree_.segments[segment_of_[i]]);
+                append_vessels(near, tree_.segments[segment_of_[i]]);
             else
                 near.push_back(chord);
         }
         return near;
     }
 
-    static bool is_clear(const VesselSegment& segment, const std::vector<Capsule>& others) {
+    static bool is_clear(const VesselSegment& segment, const std::vector<StraightVessel>& others) {
         for (std::size_t i = 0; i < segment.points_mm.size(); ++i) {
             const Vec3& p = segment.points_mm[i];
-            for (const Capsule& other : others)
+            for (const StraightVessel& other : others)
                 if (distance_between(p, p, other.begin, other.end) <
                     segment.radii_mm[i] + other.radius + branch_free_mm)
                     return false;
@@ -216,7 +216,7 @@ class SystemBuilder {
     VesselTree& tree_;
     std::span<const GrownBranch> branches_;
     const CentrelineRequest& request_;
-    std::vector<Capsule> chords_;
+    std::vector<StraightVessel> chords_;
     std::vector<int> segment_of_;  // of each branch; -1 while it is not drawn
 };
 
@@ -242,20 +242,20 @@ void append_system(VesselTree& tree, std::span<const GrownBranch> branches,
     set_strahler_orders(tree);
 }
 
-void append_chords(std::vector<Capsule>& capsules, std::span<const GrownBranch> branches,
+void append_chords(std::vector<StraightVessel>& vessels, std::span<const GrownBranch> branches,
                    const CentrelineRequest& request) {
     for (const GrownBranch& branch : branches) {
         const double share = static_cast<double>(branch.ends) / branches.front().ends;
-        capsules.push_back(
+        vessels.push_back(
             {branch.begin, branch.end,
              request.root_radius_mm * std::pow(share, 1.0 / request.murray_exponent)});
     }
 }
 
-std::vector<Capsule> capsules_of(const VesselTree& tree) {
-    std::vector<Capsule> capsules;
-    for (const VesselSegment& segment : tree.segments) append_capsules(capsules, segment);
-    return capsules;
+std::vector<StraightVessel> straight_vessels_of(const VesselTree& tree) {
+    std::vector<StraightVessel> vessels;
+    for (const VesselSegment& segment : tree.segments) append_vessels(vessels, segment);
+    return vessels;
 }
 
 }  // namespace hepatica

@@ -16,7 +16,7 @@ struct CentrelineRequest {
     double murray_exponent = 3.0;
     double point_spacing_mm = 1.0;
     VascularSystem system = VascularSystem::portal;
-    std::vector<Capsule> obstacles;  // vessels of the other systems
+    std::vector<StraightVessel> obstacles;  // vessels of the other systems
 };
 
 // Adds one system to the tree. A centreline that would touch a vessel it is not connected to is
@@ -25,10 +25,10 @@ void append_system(VesselTree& tree, std::span<const GrownBranch> branches,
                    const CentrelineRequest& request, PhantomRandom& random);
 
 // Appends the straight branches with the largest radii that they can have.
-void append_chords(std::vector<Capsule>& capsules, std::span<const GrownBranch> branches,
+void append_chords(std::vector<StraightVessel>& vessels, std::span<const GrownBranch> branches,
                    const CentrelineRequest& request);
 
-// A capsule for each edge of each centreline, with the larger of its two radii.
-std::vector<Capsule> capsules_of(const VesselTree& tree);
+// A straight vessel for each edge of each centreline, with the larger of its two radii.
+std::vector<StraightVessel> straight_vessels_of(const VesselTree& tree);
 
 }  // namespace hepatica

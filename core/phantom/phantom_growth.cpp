@@ -72,7 +72,7 @@ class Grower {
     }
 
     // Adds ends until there are `wanted` or no more fit.
-    void grow_to(int wanted, const std::vector<Capsule>& obstacles, Job& job) {
+    void grow_to(int wanted, const std::vector<StraightVessel>& obstacles, Job& job) {
         obstacles_ = obstacles;
         if (branches_.empty()) plant_root();
         int failures = 0;
@@ -94,11 +94,11 @@ class Grower {
 
     const std::vector<GrownBranch>& branches() const { return branches_; }
 
-    std::vector<Capsule> capsules() const {
-        std::vector<Capsule> capsules;
+    std::vector<StraightVessel> vessels() const {
+        std::vector<StraightVessel> vessels;
         for (const GrownBranch& b : branches_)
-            capsules.push_back({b.begin, b.end, radius_mm(b.ends)});
-        return capsules;
+            vessels.push_back({b.begin, b.end, radius_mm(b.ends)});
+        return vessels;
     }
 
   private:
@@ -230,27 +230,28 @@ class Grower {
                inside(joint.middle, joint.ends[1], radius_mm(joint.ends_beyond[1]));
     }
 
-    static bool too_near(const Capsule& a, const Capsule& b) {
+    static bool too_near(const StraightVessel& a, const StraightVessel& b) {
         return distance_between(a.begin, a.end, b.begin, b.end) < a.radius + b.radius + gap_mm;
     }
 
-    bool clear_of_obstacles(const Capsule& part) const {
-        return std::ranges::none_of(obstacles_,
-                                    [&](const Capsule& other) { return too_near(part, other); });
+    bool clear_of_obstacles(const StraightVessel& part) const {
+        return std::ranges::none_of(
+            obstacles_, [&](const StraightVessel& other) { return too_near(part, other); });
     }
 
     // Whether the three branches keep clear of all vessels that they do not meet.
     bool clear(const Joint& joint, std::span<const int> replaced) const {
-        const std::array<Capsule, 3> parts{
+        const std::array<StraightVessel, 3> parts{
             {{joint.begin, joint.middle, radius_mm(joint.ends_beyond[0] + joint.ends_beyond[1])},
              {joint.middle, joint.ends[0], radius_mm(joint.ends_beyond[0])},
              {joint.middle, joint.ends[1], radius_mm(joint.ends_beyond[1])}}};
-        if (!std::ranges::all_of(parts, [&](const Capsule& c) { return clear_of_obstacles(c); }))
+        if (!std::ranges::all_of(parts,
+                                 [&](const StraightVessel& c) { return clear_of_obstacles(c); }))
             return false;
         for (std::size_t i = 0; i < branches_.size(); ++i) {
             if (std::ranges::find(replaced, static_cast<int>(i)) != replaced.end()) continue;
             const GrownBranch& b = branches_[i];
-            const Capsule other{b.begin, b.end, radius_mm(b.ends)};
+            const StraightVessel other{b.begin, b.end, radius_mm(b.ends)};
             const bool meets_begin = b.end == joint.begin || b.begin == joint.begin;
             if ((!meets_begin && too_near(parts[0], other)) ||
                 (b.begin != joint.ends[0] && too_near(parts[1], other)) ||
@@ -300,7 +301,7 @@ class Grower {
     std::vector<double> relative_radius_;  // n^(1/m): relative radius of a branch with n ends
                                            // beyond it
     std::vector<GrownBranch> branches_;
-    std::vector<Capsule> obstacles_;  // the other trees
+    std::vector<StraightVessel> obstacles_;  // the other trees
     double spread_mm_ = 0.0;  // new ends keep this over the cube root of the number of ends away
 };
 
@@ -331,9 +332,9 @@ std::vector<std::vector<GrownBranch>> grow_trees(std::span<const GrowthRequest> 
     }
     for (int ends = 1; ends < 2 * most_ends; ends *= 2)
         for (std::size_t i = 0; i < growers.size(); ++i) {
-            std::vector<Capsule> obstacles;
+            std::vector<StraightVessel> obstacles;
             for (std::size_t j = 0; j < growers.size(); ++j)
-                if (j != i) std::ranges::copy(growers[j].capsules(), std::back_inserter(obstacles));
+                if (j != i) std::ranges::copy(growers[j].vessels(), std::back_inserter(obstacles));
             growers[i].grow_to(std::min(ends, requests[i].ends), obstacles, job);
             job.advance(static_cast<double>(ends) / (2.0 * most_ends));
         }

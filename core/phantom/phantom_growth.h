@@ -18,7 +18,7 @@
 namespace hepatica {
 
 // A straight vessel that others keep clear of.
-struct Capsule {
+struct StraightVessel {
     Vec3 begin = Vec3::Zero();
     Vec3 end = Vec3::Zero();
     double radius = 0.0;

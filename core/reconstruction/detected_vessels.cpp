@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/image/filters.h"
+#include "core/image/mask.h"
 #include "core/image/morphology.h"
 #include "core/segmentation/liver_region.h"
 #include "core/segmentation/vessel_growth.h"
@@ -28,11 +29,6 @@ constexpr double least_contrast_hu = 15.0;
 constexpr double least_inner_share = 0.65;
 // The same for the liver that was found, which may lack a tenth of the organ.
 constexpr double least_liver_share = 0.3;
-
-std::size_t object_count(const Mask& mask) {
-    return mask.voxels.size() - static_cast<std::size_t>(std::count(
-                                    mask.voxels.begin(), mask.voxels.end(), std::uint8_t{0}));
-}
 
 // The vessels away from the liver's border, where ribs, kidneys and heart show through.
 Mask within(const Mask& vessels, const Mask& interior) {
@@ -107,9 +103,6 @@ void require_contrast(const ContrastStatistics& measured, const DetectedVessels&
                       const std::optional<std::pair<double, double>>& window_hu) {
     const Mask& interior = found.tissue.interior;
     const std::size_t size = object_count(interior);
-    if (size == 0)
-        throw InputError("the liver mask is so thin that nothing of it is further than 3 mm inside",
-                         "liver mask", "Give a mask of the whole liver.");
     const std::vector<std::uint8_t>& vessels = found.detection.vessels.voxels;
     std::size_t inner = 0;
     for (std::size_t i = 0; i < vessels.size(); ++i) inner += vessels[i] && interior.voxels[i];

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "core/image/filters.h"
+#include "core/image/mask.h"
 #include "core/image/morphology.h"
 #include "core/image/voxel_loop.h"
 #include "core/mesh/surface.h"
@@ -33,8 +34,7 @@ void fill_cavities(Mask& mask, const Job& job) {
 
 VoxelCounts counts_of(const Mask& mask) {
     const Betti betti = betti_numbers(mask);
-    const auto voxels = std::ranges::count_if(mask.voxels, [](auto v) { return v != 0; });
-    return {static_cast<std::size_t>(voxels), betti.components, betti.tunnels, betti.cavities};
+    return {object_count(mask), betti.components, betti.tunnels, betti.cavities};
 }
 
 void warn_of_left_out(const TreeExtraction& extraction, const TreeOptions& options,

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/image/filters.h"
+#include "core/image/mask.h"
 #include "core/image/morphology.h"
 #include "core/image/share_inside.h"
 #include "core/patient/liver_segments.h"
@@ -40,8 +41,7 @@ TriangleMesh smooth_surface(const Mask& organ) {
     if (box.empty()) return {};
     Job job;
     const Mask part = fill_holes(part_of(organ, box, reach * coarsest_mm));
-    const auto voxels =
-        static_cast<double>(part.voxels.size() - std::ranges::count(part.voxels, std::uint8_t{0}));
+    const auto voxels = static_cast<double>(object_count(part));
     const double diameter_mm =
         std::cbrt(6.0 / M_PI * voxels * std::abs(part.grid.spacing_mm.prod()));
     const double cell_mm = std::clamp(diameter_mm / cells_in_diameter, finest_mm, coarsest_mm);

@@ -7,6 +7,7 @@
 
 #include "core/base/parallel.h"
 #include "core/image/morphology.h"
+#include "core/segmentation/neighbours.h"
 
 namespace hepatica {
 
@@ -26,13 +27,8 @@ struct Way {
 
 std::vector<Way> ways_of(const Grid& grid) {
     std::vector<Way> ways;
-    for (int z = -1; z <= 1; ++z)
-        for (int y = -1; y <= 1; ++y)
-            for (int x = -1; x <= 1; ++x) {
-                if (x == 0 && y == 0 && z == 0) continue;
-                const double length = Vec3(x, y, z).cwiseProduct(grid.spacing_mm).norm();
-                ways.push_back({{x, y, z}, static_cast<int>(way_mm / length)});
-            }
+    for (const auto& [step, length_mm] : neighbour_steps(grid))
+        ways.push_back({step, static_cast<int>(way_mm / length_mm)});
     return ways;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/base/vascular_system.h"
 #include "core/image/filters.h"
@@ -29,10 +30,10 @@ void check(const RefinementOptions& options) {
             "the number of recursions of the refinement is " + std::to_string(options.recursions),
             "refinement", "Use 0 (no refinement) or more.");
     if (!(options.sigma_mm > 0.0))
-        throw InputError("the refinement's sigma is " + std::to_string(options.sigma_mm) + " mm",
+        throw InputError("the refinement's sigma is " + number_text(options.sigma_mm) + " mm",
                          "refinement", "Use a sigma above 0.");
     if (!(options.level > 0.0 && options.level < 1.0))
-        throw InputError("the refinement's level is " + std::to_string(options.level), "refinement",
+        throw InputError("the refinement's level is " + number_text(options.level), "refinement",
                          "Use a level between 0 and 1.");
 }
 
@@ -129,14 +130,8 @@ Mask refine(const Mask& mask, const RefinementOptions& options, Job& job) {
     Mask surface = level_set(labels, options, job);
     if (options.keep_thin_branches)
         rejoin(thin(labels, ThinningMethod::queue, job), options.kept_branch_mm, surface, job);
-    const Mask refined = labelled(surface, labels);
-
     Mask result(mask.grid);
-    const Grid& part = refined.grid;
-    for (int z = 0; z < part.dims[2]; ++z)
-        for (int y = 0; y < part.dims[1]; ++y)
-            std::copy_n(&refined.voxels[part.offset(0, y, z)], part.dims[0],
-                        &result.at(box.begin[0], box.begin[1] + y, box.begin[2] + z));
+    paste(labelled(surface, labels), box.begin, result);
     return result;
 }
 
@@ -151,13 +146,12 @@ SurfaceMeasure measure_surface(const Mask& mask) {
     std::array<Index3, 13> steps;
     std::array<Vec3, 13> directions;
     std::array<double, 13> lengths{};
-    std::size_t count = 0;
-    for (int code = 14; code < 27; ++code, ++count) {  // one of each pair of opposite neighbours
-        steps[count] = {code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1};
-        const Vec3 step =
-            Vec3(steps[count][0], steps[count][1], steps[count][2]).cwiseProduct(grid.spacing_mm);
-        lengths[count] = step.norm();
-        directions[count] = step / lengths[count];
+    const std::array<NeighbourStep, 26> all = neighbour_steps(grid);
+    for (std::size_t d = 0; d < 13; ++d) {  // one of each pair of opposite neighbours
+        const auto& [step, length_mm] = all[13 + d];
+        steps[d] = step;
+        lengths[d] = length_mm;
+        directions[d] = Vec3(step[0], step[1], step[2]).cwiseProduct(grid.spacing_mm) / length_mm;
     }
     const std::array<double, 13> shares = direction_shares(directions);
     const double cell = grid.spacing_mm.prod();

@@ -120,10 +120,7 @@ HilumVessels hilum_vessels(const LiverFrame& frame, const Mask& vessels, const H
     const Surroundings near = surroundings_in(box, frame, vessels, hilum, job);
     const Mask found = wide_vessels(near, job);
     result.trunk_mm = trunk_of(found, near, job);
-    for (int z = box.begin[2]; z < box.end[2]; ++z)
-        for (int y = box.begin[1]; y < box.end[1]; ++y)
-            std::copy_n(&found.at(0, y - box.begin[1], z - box.begin[2]), found.grid.dims[0],
-                        &result.vessels.at(box.begin[0], y, z));
+    paste(found, box.begin, result.vessels);
     return result;
 }
 

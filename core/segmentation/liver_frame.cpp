@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/image/filters.h"
 #include "core/image/voxel_loop.h"
 #include "core/segmentation/liver_region.h"
@@ -65,7 +66,7 @@ FloatVolume part_of(const Volume& ct, const IndexBox& box, const Job& job) {
 
 LiverFrame make_liver_frame(const Volume& ct, const Mask& liver, double spacing_mm, Job& job) {
     if (!(spacing_mm >= 0.3 && spacing_mm <= 1.5))
-        throw InputError("a working spacing of " + std::to_string(spacing_mm) + " mm was asked for",
+        throw InputError("a working spacing of " + number_text(spacing_mm) + " mm was asked for",
                          "segmentation", "Use 0.3 to 1.5 mm.");
     FloatVolume part = part_of(ct, box_in(ct.grid, liver), job);
     job.advance(0.1);

@@ -120,15 +120,6 @@ Mask liver_about(const Mask& core, const FloatVolume& smooth, Job& job) {
     return close_liver(liver, vessel_closing_mm, job);
 }
 
-Mask placed(const Mask& part, const IndexBox& box, const Grid& whole) {
-    Mask mask(whole);
-    for (int z = box.begin[2]; z < box.end[2]; ++z)
-        for (int y = box.begin[1]; y < box.end[1]; ++y)
-            std::copy_n(&part.voxels[part.grid.offset(0, y - box.begin[1], z - box.begin[2])],
-                        part.grid.dims[0], &mask.at(box.begin[0], y, z));
-    return mask;
-}
-
 }  // namespace
 
 Mask close_liver(const Mask& liver, double radius_mm, Job& job) {
@@ -152,7 +143,8 @@ FoundLiver find_liver(const Volume& ct, Job& job) {
     const IndexBox box = grow_box(bounding_box(organ.core), coarse.grid, beyond_core_mm);
     FloatVolume near = crop(coarse, box);
     gaussian_smooth(near, Vec3::Constant(border_smoothing_mm), job);
-    const Mask liver = placed(liver_about(crop(organ.core, box), near, job), box, coarse.grid);
+    Mask liver(coarse.grid);
+    paste(liver_about(crop(organ.core, box), near, job), box.begin, liver);
     require_surroundings_of_liver(surroundings_of(liver, smooth, job));
     job.advance(0.9);
     const Mask alike = close_liver(with_all_alike(organ, smooth, job), vessel_closing_mm, job);

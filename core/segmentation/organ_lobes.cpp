@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
+#include "core/image/mask.h"
 #include "core/image/morphology.h"
 
 namespace hepatica {
@@ -147,13 +148,10 @@ void hang(const std::vector<Neck>& necks, std::vector<Lobe>& lobes) {
 }  // namespace
 
 Lobes lobes_of(const Mask& region, Job& job) {
-    Mask outside(region.grid);
     std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < region.voxels.size(); ++i) {
-        outside.voxels[i] = region.voxels[i] == 0;
+    for (std::size_t i = 0; i < region.voxels.size(); ++i)
         if (region.voxels[i] != 0) order.push_back(i);
-    }
-    FloatVolume depth = distance_to(outside, job);
+    FloatVolume depth = distance_to(complement(region), job);
     for (float& mm : depth.voxels) mm = std::min(mm, bottomless_mm);
     job.throw_if_cancelled();
     std::ranges::stable_sort(order, std::ranges::greater{},

@@ -12,6 +12,7 @@
 #include "core/base/median.h"
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
+#include "core/image/mask.h"
 #include "core/image/morphology.h"
 
 namespace hepatica {
@@ -114,17 +115,10 @@ Mask without_necks(const Mask& alike, const Mask& seat, Job& job) {
     return piece;
 }
 
-std::size_t size_of(const Mask& mask) {
-    return mask.voxels.size() - static_cast<std::size_t>(std::count(
-                                    mask.voxels.begin(), mask.voxels.end(), std::uint8_t{0}));
-}
-
 }  // namespace
 
 Mask seat_of(const Mask& core, Job& job) {
-    Mask outside(core.grid);
-    for (std::size_t i = 0; i < core.voxels.size(); ++i) outside.voxels[i] = core.voxels[i] == 0;
-    const FloatVolume depth = distance_to(outside, job);
+    const FloatVolume depth = distance_to(complement(core), job);
     std::size_t deepest = 0;
     for (std::size_t i = 0; i < depth.voxels.size(); ++i)
         if (depth.voxels[i] > depth.voxels[deepest]) deepest = i;
@@ -152,7 +146,7 @@ Parenchyma grow_parenchyma(const FloatVolume& smooth, const Mask& seat, Job& job
         measure_field(smooth, seat_hu, grown, job);
         grown.spread_hu = spread_of(smooth, grown);
         Mask next = without_necks(like_parenchyma(smooth, grown, seat_hu), seat, job);
-        const std::size_t size = size_of(next);
+        const std::size_t size = object_count(next);
         if (size == 0) break;  // nothing is wider than a neck: the result of the round before stays
         grown.voxels = std::move(next);
         if (static_cast<double>(size) <= still_growing * static_cast<double>(before)) break;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
+#include "core/image/mask.h"
 #include "core/image/morphology.h"
 
 namespace hepatica {
@@ -88,10 +89,7 @@ void intersect(Mask& mask, const Mask& with) {
 }
 
 double volume_ml(const Mask& mask) {
-    const auto voxels =
-        mask.voxels.size() - static_cast<std::size_t>(std::count(
-                                 mask.voxels.begin(), mask.voxels.end(), std::uint8_t{0}));
-    return static_cast<double>(voxels) * mask.grid.spacing_mm.prod() / 1000.0;
+    return static_cast<double>(object_count(mask)) * mask.grid.spacing_mm.prod() / 1000.0;
 }
 
 }  // namespace

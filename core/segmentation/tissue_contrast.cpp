@@ -11,6 +11,7 @@
 #include "core/base/median.h"
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
+#include "core/image/mask.h"
 #include "core/image/morphology.h"
 #include "core/image/voxel_loop.h"
 
@@ -100,6 +101,15 @@ class CoarseLevel {
     FloatVolume weight_;
 };
 
+void require_objects(const Mask& liver, const Mask& interior) {
+    if (object_count(liver) == 0)
+        throw InputError("the liver region is empty", "liver mask",
+                         "Give a mask that lies inside the CT.");
+    if (object_count(interior) == 0)
+        throw InputError("the liver mask is so thin that nothing of it is further than 3 mm inside",
+                         "liver mask", "Give a mask of the whole liver.");
+}
+
 }  // namespace
 
 RobustSpread robust_spread(const FloatVolume& values, const Mask& where, const Job& job) {
@@ -121,12 +131,9 @@ TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, J
     TissueContrast tissue;
     tissue.interior = erode(liver, rim_mm, job);
     job.throw_if_cancelled();
+    require_objects(liver, tissue.interior);
     RobustSpread spread = robust_spread(smooth, tissue.interior, job);
     job.throw_if_cancelled();
-    if (std::none_of(liver.voxels.begin(), liver.voxels.end(), [](auto v) { return v != 0; }))
-        throw InputError("the liver region is empty", "liver mask",
-                         "Give a mask that lies inside the CT.");
-
     tissue.parenchyma_hu = spread.median;
     CoarseLevel coarse(intensity.grid);
     FloatVolume level = filled_image(intensity.grid, static_cast<float>(spread.median), job);

@@ -23,7 +23,7 @@ struct TissueContrast {
 // The local level is a Gaussian mean (sigma 8 mm) of the voxels that differ from it by less than
 // two standard deviations, so that vessels and tumours do not count; found by iteration. Other
 // statistics are robust: medians, not means. Both images on one grid. Throws InputError where the
-// liver is empty; Cancelled.
+// liver or its interior is empty; Cancelled.
 TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, Job& job);
 
 // Median and standard deviation of the noise over the object voxels of a mask. The deviation is

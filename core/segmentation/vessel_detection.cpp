@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
 #include "core/image/morphology.h"
@@ -209,7 +210,7 @@ void apply_window(const LiverFrame& frame, const std::pair<double, double>& wind
     const auto [low, high] = window_hu;
     if (!(low < high))
         throw InputError(
-            "the window runs from " + std::to_string(low) + " to " + std::to_string(high) + " HU",
+            "the window runs from " + number_text(low) + " to " + number_text(high) + " HU",
             "window", "Give the lower value first.");
     tissue.threshold_hu = low - tissue.parenchyma_hu;
     for (std::size_t i = 0; i < tissue.excess.voxels.size(); ++i) {

@@ -40,19 +40,12 @@ Mask grow_within(const Mask& strong, const Mask& weak, double reach_mm) {
     const auto rounds = static_cast<int>(std::lround(reach_mm / grid.spacing_mm[0]));
     for (int round = 0; round < rounds; ++round) {
         std::vector<std::size_t> next;
-        for (const std::size_t i : front) {
-            const Index3 at = grid.index_of(i);
-            for (int code = 0; code < 27; ++code) {
-                const int x = at[0] + code % 3 - 1;
-                const int y = at[1] + code / 3 % 3 - 1;
-                const int z = at[2] + code / 9 - 1;
-                if (!grid.contains(x, y, z)) continue;
-                const std::size_t n = grid.offset(x, y, z);
-                if (!weak.voxels[n] || grown.voxels[n]) continue;
+        for (const std::size_t i : front)
+            for_each_neighbour(grid, i, [&](std::size_t n) {
+                if (!weak.voxels[n] || grown.voxels[n]) return;
                 grown.voxels[n] = 1;
                 next.push_back(n);
-            }
-        }
+            });
         front.swap(next);
     }
     return grown;

@@ -3,6 +3,7 @@
 #include "core/segmentation/vessel_systems.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -11,8 +12,10 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/image/voxel_loop.h"
 #include "core/segmentation/fast_marching.h"
+#include "core/segmentation/neighbours.h"
 
 namespace hepatica {
 
@@ -21,8 +24,8 @@ namespace {
 constexpr double seed_reach_mm = 3.0;
 
 std::string in_words(const Vec3& position) {
-    return std::to_string(position[0]) + ", " + std::to_string(position[1]) + ", " +
-           std::to_string(position[2]) + " mm";
+    return number_text(position[0]) + ", " + number_text(position[1]) + ", " +
+           number_text(position[2]) + " mm";
 }
 
 // The object voxel nearest to a position, within seed_reach_mm; ties by index. Throws InputError
@@ -71,21 +74,6 @@ FloatVolume slowness_in(const Mask& vessels, Job& job) {
     return slowness;
 }
 
-struct Step {
-    int x, y, z;
-    double length_mm;
-};
-
-std::vector<Step> steps_to_neighbours(const Grid& grid) {
-    std::vector<Step> steps;
-    for (int z = -1; z <= 1; ++z)
-        for (int y = -1; y <= 1; ++y)
-            for (int x = -1; x <= 1; ++x)
-                if (x != 0 || y != 0 || z != 0)
-                    steps.push_back({x, y, z, Vec3(x, y, z).cwiseProduct(grid.spacing_mm).norm()});
-    return steps;
-}
-
 // Fronts of all systems in one queue. Voxels are settled by time, then by index, and of two fronts
 // that reach a voxel at the same time the first keeps it, so the result is deterministic.
 class Fronts {
@@ -93,7 +81,7 @@ class Fronts {
     Fronts(const Mask& vessels, Job& job)
         : vessels_(vessels),
           slowness_(slowness_in(vessels, job)),
-          steps_(steps_to_neighbours(vessels.grid)),
+          steps_(neighbour_steps(vessels.grid)),
           time_(filled_image(vessels.grid, std::numeric_limits<double>::infinity(), job)),
           labels_(vessels.grid) {
         for_each_voxel(vessels.voxels.size(), job, [&](std::size_t i) {
@@ -126,12 +114,12 @@ class Fronts {
     void spread(std::size_t voxel) {
         const Grid& grid = vessels_.grid;
         const auto [x, y, z] = grid.index_of(voxel);
-        for (const Step& step : steps_) {
-            if (!grid.contains(x + step.x, y + step.y, z + step.z)) continue;
-            const std::size_t next = grid.offset(x + step.x, y + step.y, z + step.z);
+        for (const auto& [step, length_mm] : steps_) {
+            if (!grid.contains(x + step[0], y + step[1], z + step[2])) continue;
+            const std::size_t next = grid.offset(x + step[0], y + step[1], z + step[2]);
             if (vessels_.voxels[next] == 0) continue;
             const double mean = 0.5 * (slowness_.voxels[voxel] + slowness_.voxels[next]);
-            arrive(next, time_.voxels[voxel] + mean * step.length_mm,
+            arrive(next, time_.voxels[voxel] + mean * length_mm,
                    VascularSystem{labels_.voxels[voxel]});
         }
     }
@@ -140,7 +128,7 @@ class Fronts {
 
     const Mask& vessels_;
     FloatVolume slowness_;
-    std::vector<Step> steps_;
+    std::array<NeighbourStep, 26> steps_;
     Image<double> time_;
     Mask labels_;
     std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> queue_;

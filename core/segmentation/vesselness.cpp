@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/base/parallel.h"
 #include "core/image/filters.h"
 
@@ -88,15 +89,15 @@ FloatVolume vesselness(const FloatVolume& intensity, const std::vector<double>& 
     const double h = intensity.grid.spacing_mm[0];
     for (const double s : {intensity.grid.spacing_mm[1], intensity.grid.spacing_mm[2]})
         if (std::abs(s - h) > 0.01 * h)
-            throw InputError("vesselness needs cubic voxels, these are " + std::to_string(h) +
-                                 " by " + std::to_string(s) + " mm",
+            throw InputError("vesselness needs cubic voxels, these are " + number_text(h) + " by " +
+                                 number_text(s) + " mm",
                              "", "Resample the volume to one spacing first.");
     FloatVolume response(intensity.grid);
     double done = 0.0;
     for (const double sigma : sigmas_mm) {
         if (!(sigma >= 0.5 * h))
             throw InputError(
-                "a vesselness scale of " + std::to_string(sigma) + " mm is below half a voxel", "",
+                "a vesselness scale of " + number_text(sigma) + " mm is below half a voxel", "",
                 "Use scales of at least half the spacing.");
         FloatVolume smooth = intensity;
         gaussian_smooth(smooth, Vec3::Constant(sigma), job);

@@ -5,65 +5,31 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/image/filters.h"
+
 namespace hepatica {
 
 namespace {
 
 constexpr int margin = 2;
 
-struct Box {
-    Index3 low;
-    Index3 high;  // inclusive; below `low` for an empty mask
-};
-
-// First and last object voxel of a row; {n, -1} if there is none. Skips zeros eight at a time.
-std::pair<int, int> extent_of_row(const std::uint8_t* row, int n) {
-    int first = 0;
-    while (first + 8 <= n) {
-        std::uint64_t word;
-        std::memcpy(&word, row + first, 8);
-        if (word != 0) break;
-        first += 8;
-    }
-    while (first < n && row[first] == 0) ++first;
-    if (first == n) return {n, -1};
-    int last = n - 1;
-    while (row[last] == 0) --last;
-    return {first, last};
-}
-
-Box bounding_box(const Mask& mask) {
-    const auto [nx, ny, nz] = mask.grid.dims;
-    Box box{{nx, ny, nz}, {-1, -1, -1}};
-    for (int z = 0; z < nz; ++z)
-        for (int y = 0; y < ny; ++y) {
-            const auto [first, last] = extent_of_row(&mask.voxels[mask.grid.offset(0, y, z)], nx);
-            if (last < 0) continue;
-            box.low = {std::min(box.low[0], first), std::min(box.low[1], y),
-                       std::min(box.low[2], z)};
-            box.high = {std::max(box.high[0], last), std::max(box.high[1], y),
-                        std::max(box.high[2], z)};
-        }
-    return box;
-}
-
 }  // namespace
 
 PaddedObject::PaddedObject(const Mask& mask) : grid_(mask.grid) {
     if (mask.voxels.empty()) return;
-    const Box box = bounding_box(mask);
-    if (box.high[0] < 0) return;
+    const IndexBox box = bounding_box(mask);
+    if (box.empty()) return;
     for (int a = 0; a < 3; ++a) {
-        dims_[a] = box.high[a] - box.low[a] + 1 + 2 * margin;
-        corner_[a] = box.low[a] - margin;
+        dims_[a] = box.end[a] - box.begin[a] + 2 * margin;
+        corner_[a] = box.begin[a] - margin;
     }
     voxels_.assign(
         static_cast<std::size_t>(dims_[0]) * dims_[1] * static_cast<std::size_t>(dims_[2]), 0);
-    for (int z = box.low[2]; z <= box.high[2]; ++z)
-        for (int y = box.low[1]; y <= box.high[1]; ++y) {
-            const std::uint8_t* from = &mask.at(box.low[0], y, z);
+    for (int z = box.begin[2]; z < box.end[2]; ++z)
+        for (int y = box.begin[1]; y < box.end[1]; ++y) {
+            const std::uint8_t* from = &mask.at(box.begin[0], y, z);
             std::uint8_t* to = &voxels_[step(margin, y - corner_[1], z - corner_[2])];
-            for (int x = 0; x <= box.high[0] - box.low[0]; ++x) to[x] = from[x] != 0;
+            for (int x = 0; x < box.end[0] - box.begin[0]; ++x) to[x] = from[x] != 0;
         }
 }
 

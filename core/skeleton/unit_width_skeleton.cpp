@@ -3,6 +3,7 @@
 #include "core/skeleton/unit_width_skeleton.h"
 
 #include <algorithm>
+#include <concepts>
 #include <limits>
 #include <map>
 #include <queue>
@@ -37,7 +38,7 @@ class Valence {
     }
 
     // The 26-connected components of the crowded points, each ascending, in the order of their
-    // first voxel. Leaves them marked.
+    // first voxel.
     std::vector<Voxels> regions(const Voxels& skeleton) {
         Voxels crowded_points;
         std::ranges::copy_if(skeleton, std::back_inserter(crowded_points),
@@ -46,7 +47,6 @@ class Valence {
         std::vector<Voxels> found;
         for (const std::size_t p : crowded_points)
             if (object_.marked(p)) found.push_back(flood(p));
-        for (const std::size_t p : crowded_points) object_.mark(p);
         return found;
     }
 
@@ -182,12 +182,8 @@ CrowdedRegion in_mask_offsets(const PaddedObject& object, CrowdedRegion region) 
     return region;
 }
 
-template <class Predicate>
-std::size_t count_voxels(const Mask& skeleton, const Predicate& predicate) {
-    PaddedObject object(skeleton);
-    const Voxels voxels = object.object_voxels();
-    return static_cast<std::size_t>(
-        std::ranges::count_if(voxels, [&](std::size_t p) { return predicate(object, p); }));
+std::size_t count_of(const Voxels& voxels, const std::predicate<std::size_t> auto& counts) {
+    return static_cast<std::size_t>(std::ranges::count_if(voxels, counts));
 }
 
 }  // namespace
@@ -230,14 +226,15 @@ Mask unit_width(const Mask& skeleton, Job& job) {
 }
 
 std::size_t crowded_point_count(const Mask& skeleton) {
-    return count_voxels(
-        skeleton, [](PaddedObject& object, std::size_t p) { return Valence(object).crowded(p); });
+    PaddedObject object(skeleton);
+    const Valence valence(object);
+    return count_of(object.object_voxels(), [&](std::size_t p) { return valence.crowded(p); });
 }
 
 std::size_t removable_point_count(const Mask& skeleton) {
-    return count_voxels(skeleton, [](PaddedObject& object, std::size_t p) {
-        return is_deletable(object.neighbourhood(p));
-    });
+    const PaddedObject object(skeleton);
+    return count_of(object.object_voxels(),
+                    [&](std::size_t p) { return is_deletable(object.neighbourhood(p)); });
 }
 
 }  // namespace hepatica

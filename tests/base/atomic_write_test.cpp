@@ -154,6 +154,41 @@ TEST_F(AtomicWrite, WritesThroughALink) {
     EXPECT_EQ(entries(), 3);
 }
 
+TEST_F(AtomicWrite, WritesFilesThroughLinks) {
+    write_text_atomically(folder_ / "elsewhere" / "a.txt", "old");
+    fs::create_directories(folder_ / "out");
+    fs::create_symlink(folder_ / "elsewhere" / "a.txt", folder_ / "out" / "a.txt");
+    write_files_atomically(folder_ / "out", [](const fs::path& temporary) {
+        for (const char* name : {"a.txt", "b.txt"}) std::ofstream(temporary / name) << "new";
+    });
+    EXPECT_TRUE(fs::is_symlink(folder_ / "out" / "a.txt"));
+    EXPECT_EQ(read(folder_ / "elsewhere" / "a.txt"), "new");
+    EXPECT_EQ(read(folder_ / "out" / "b.txt"), "new");
+    for (const char* folder : {"out", "elsewhere"})  // no temporary is left in either
+        EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / folder), {}),
+                  std::string(folder) == "out" ? 2 : 1);
+}
+
+// A folder stands where the third of four files should go.
+TEST_F(AtomicWrite, PutsBackTheFilesBeforeOneThatCannotBeMoved) {
+    write_text_atomically(folder_ / "a.txt", "old");
+    write_text_atomically(folder_ / "c.txt" / "inside", "kept");
+    std::string message;
+    try {
+        write_files_atomically(folder_, [](const fs::path& temporary) {
+            for (const char* name : {"a.txt", "b.txt", "c.txt", "d.txt"})
+                std::ofstream(temporary / name) << "new";
+        });
+    } catch (const InputError& error) {
+        message = error.what();
+    }
+    EXPECT_NE(message.find("c.txt"), std::string::npos) << message;
+    EXPECT_EQ(read(folder_ / "a.txt"), "old");
+    EXPECT_FALSE(fs::exists(folder_ / "b.txt"));
+    EXPECT_EQ(read(folder_ / "c.txt" / "inside"), "kept");
+    EXPECT_EQ(entries(), 2);
+}
+
 TEST_F(AtomicWrite, TakesTheLongestNamesAndKeepsTheirEnd) {
     const std::string name = std::string(248, 'n') + ".nii.gz";
     write_file_atomically(folder_ / name, [](const fs::path& temporary) {

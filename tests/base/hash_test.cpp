@@ -67,6 +67,12 @@ TEST(Hash, OfAFileIsThatOfItsBytes) {
     EXPECT_THROW(hash_of_file(file), InputError);
 }
 
+// Linux lets /proc/self/mem be opened and fails to read its first page, which is not mapped.
+TEST(Hash, OfWhatCannotBeReadIsNone) {
+    EXPECT_THROW(hash_of_file(testing::TempDir()), InputError);
+    EXPECT_THROW(hash_of_file("/proc/self/mem"), InputError);
+}
+
 TEST(Hash, HexHasSixteenDigits) {
     EXPECT_EQ(to_hex(0), "0000000000000000");
     EXPECT_EQ(to_hex(0x0123456789abcdefULL), "0123456789abcdef");

@@ -62,5 +62,11 @@ TEST(Sha256, OfAFileIsThatOfItsBytes) {
     EXPECT_THROW(sha256_of_file(file), InputError);
 }
 
+// Linux lets /proc/self/mem be opened and fails to read its first page, which is not mapped.
+TEST(Sha256, OfWhatCannotBeReadIsNone) {
+    EXPECT_THROW(sha256_of_file(testing::TempDir()), InputError);
+    EXPECT_THROW(sha256_of_file("/proc/self/mem"), InputError);
+}
+
 }  // namespace
 }  // namespace hepatica

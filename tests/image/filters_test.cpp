@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "core/base/error.h"
@@ -141,6 +142,19 @@ TEST(Crop, KeepsEveryVoxelInItsPlace) {
     EXPECT_THROW(crop(image, {{20, 0, 0}, {25, 5, 5}}), InputError);
 }
 
+// What crop() took comes back to its place, and what lies around it stays.
+TEST(Paste, UndoesACrop) {
+    const FloatVolume image = random_image(oblique_grid({7, 6, 5}, Vec3(0.7, 0.8, 1.5)), 4);
+    const IndexBox box{{2, 0, 1}, {6, 3, 5}};
+    FloatVolume whole(image.grid, -1.0f);
+    paste(crop(image, box), box.begin, whole);
+    for (std::size_t i = 0; i < whole.voxels.size(); ++i) {
+        const auto [x, y, z] = whole.grid.index_of(i);
+        const bool inside = x >= 2 && x < 6 && y < 3 && z >= 1;
+        EXPECT_EQ(whole.voxels[i], inside ? image.voxels[i] : -1.0f) << x << " " << y << " " << z;
+    }
+}
+
 TEST(BoundingBox, HoldsExactlyTheObject) {
     Mask mask(oblique_grid({10, 11, 12}, {1, 1, 2}));
     EXPECT_TRUE(bounding_box(mask).empty());
@@ -184,6 +198,16 @@ FloatVolume sampled(const Grid& grid, const Field& field) {
 
 // Linear interpolation reproduces linear fields, Catmull-Rom quadratic ones, on any grid that
 // lies inside (a voxel from the border for the cubic's outer taps).
+TEST(Respaced, SaysTheSpacingThatMakesTooManyVoxels) {
+    std::string problem;
+    try {
+        respaced(oblique_grid({40, 30, 20}, {1.0, 1.0, 1.0}), Vec3::Constant(1e-7));
+    } catch (const InputError& error) {
+        problem = error.problem();
+    }
+    EXPECT_EQ(problem, "is 1e-07, which makes 4e+08 voxels along an axis");
+}
+
 TEST(Resample, ReproducesPolynomialsOfItsOrder) {
     Grid source;
     source.dims = {20, 22, 18};

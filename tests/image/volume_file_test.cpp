@@ -447,8 +447,10 @@ TEST(Writer, RefusesWhatItCannotWriteAndLeavesNothing) {
     const Volume volume = patterned_volume(small_grid());
     EXPECT_NE(refusal([&] { write_nifti(folder / "ct.png", volume); }).find(".nii"),
               std::string::npos);
-    EXPECT_NE(refusal([&] { write_segmentation(folder / "ct.png", LabelMap(small_grid()), {}); }),
-              "");
+    for (const char* name : {"ct.png", "ct.nrrd", "seg.nrrd"})
+        EXPECT_NE(refusal([&] { write_segmentation(folder / name, LabelMap(small_grid()), {}); }),
+                  "")
+            << name;
     write_bytes(folder / "file", "not a folder");
     EXPECT_NE(refusal([&] { write_nifti(folder / "file" / "ct.nii", volume); }), "");
     std::size_t count = 0;

@@ -10,6 +10,8 @@
 #include "core/base/error.h"
 #include "core/mesh/quality.h"
 #include "core/mesh/surface.h"
+#include "tests/mesh/bend_along_x.h"
+#include "tests/support/enclosed_volume.h"
 
 namespace hepatica {
 namespace {
@@ -54,7 +56,7 @@ TEST(BrickMesh, CutsEachCellIntoSixEqualConformingTetrahedra) {
     const TriangleMesh surface = surface_of(mesh).mesh;
     EXPECT_EQ(surface.triangles.size(), 2u * 2u * (4u * 3u + 3u * 2u + 4u * 2u));
     EXPECT_TRUE(is_closed_manifold(surface));
-    EXPECT_NEAR(enclosed_volume_mm3(surface), 144.0, 1e-10);
+    EXPECT_NEAR(test::enclosed_volume_mm3(surface), 144.0, 1e-10);
 }
 
 TEST(BrickMesh, RefusesABoxWithoutVolume) {
@@ -80,7 +82,7 @@ TEST(BrickMesh, BendsAroundAnAxisBesideTheBox) {
     for (const double x : {0.0, 10.0, 20.0, 30.0})
         for (const double y : {0.0, 1.0, 2.0}) points.emplace_back(x, y, 5.0 * y);
     std::vector<Vec3> bent = points;
-    bend_along_x(bent, length, middle, angle);
+    test::bend_along_x(bent, length, middle, angle);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec3 arm = bent[i] - Vec3(0.0, middle + radius, bent[i].z());
         EXPECT_NEAR(arm.norm(), radius + middle - points[i].y(), 1e-12);
@@ -89,7 +91,7 @@ TEST(BrickMesh, BendsAroundAnAxisBesideTheBox) {
     }
     EXPECT_LT((bent[1] - Vec3(0, middle, 5)).norm(), 1e-12);  // the clamped end stays
     TetMesh mesh = kuhn_brick(Vec3(30, 2, 2), {60, 2, 2});
-    bend_along_x(mesh.vertices_mm, length, middle, angle);
+    test::bend_along_x(mesh.vertices_mm, length, middle, angle);
     validate(mesh);
     EXPECT_NEAR(volume_mm3(mesh) / 120.0, 1.0, 1e-3);  // Pappus: the middle's length times the area
 }

@@ -23,7 +23,7 @@ TEST(MeshInitialFigures, AreThoseRecorded) {
     HEPATICA_ADD_INITIAL(figures, ManifoldMesh);
     HEPATICA_ADD_INITIAL(figures, MeshQuality);
     HEPATICA_ADD_INITIAL(figures, DihedralRange);
-    HEPATICA_ADD_INITIAL(figures, RefinementOptions);
+    HEPATICA_ADD_INITIAL(figures, MeshRefinementOptions);
     HEPATICA_ADD_INITIAL(figures, BodySurface);
     HEPATICA_ADD_INITIAL(figures, TetMesh);
     HEPATICA_ADD_INITIAL(figures, TriangleMesh);

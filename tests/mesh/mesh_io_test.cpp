@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 #include "core/base/error.h"
 #include "core/mesh/surface.h"
@@ -64,6 +65,29 @@ TEST_F(MeshIo, RefusesAVertexBeyondTenMetresByValue) {
     } catch (const InputError& error) {
         EXPECT_NE(error.problem().find("3e+09"), std::string::npos) << error.what();
     }
+}
+
+TEST_F(MeshIo, NamesTheFileAndTheElementOfAMeshThatIsNotSound) {
+    const auto place_of = [](const auto& read) {
+        try {
+            read();
+        } catch (const InputError& error) {
+            return error.place();
+        }
+        return std::string("was read");
+    };
+    TetMesh mesh;
+    mesh.vertices_mm = {Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+    mesh.tetrahedra = {{0, 1, 2, 3}, {0, 2, 1, 3}};  // the second is inverted
+    const fs::path body = folder_ / "inverted.vtu";
+    write_vtu(body, mesh);
+    EXPECT_EQ(place_of([&] { read_vtu(body); }), body.string() + ", tetrahedron 1");
+    TriangleMesh surface;
+    surface.vertices_mm = mesh.vertices_mm;
+    surface.triangles = {{0, 1, 2}};
+    const fs::path open = folder_ / "open.vtp";
+    write_vtp(open, surface);
+    EXPECT_EQ(place_of([&] { read_vtp(open); }), open.string() + ", surface");
 }
 
 // Four corners may be a quadrangle: the file says of which kind its cells are.

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/mesh/hex_mesh.h"
 #include "core/mesh/surface.h"
+#include "tests/support/enclosed_volume.h"
 
 namespace hepatica {
 namespace {
@@ -164,7 +165,7 @@ TEST(TetMesh, HasItsOuterFacesInTheOrderOfTheTetrahedraTurnedOutwards) {
 TEST(Surface, EnclosesTheVolumeOfItsBody) {
     const BodySurface surface = surface_of(cube());
     EXPECT_EQ(surface.mesh.triangles.size(), 12u);
-    EXPECT_NEAR(enclosed_volume_mm3(surface.mesh), 1.0, 1e-14);
+    EXPECT_NEAR(test::enclosed_volume_mm3(surface.mesh), 1.0, 1e-14);
     EXPECT_NO_THROW(validate_closed(surface.mesh));
 }
 
@@ -210,7 +211,7 @@ TEST(Surface, KeepsOnlyVerticesOfTheBoundary) {
     const BodySurface surface = surface_of(mesh);
     EXPECT_EQ(surface.mesh.vertices_mm.size(), 8u);
     EXPECT_EQ(surface.body_vertex.front(), 1);
-    EXPECT_NEAR(enclosed_volume_mm3(surface.mesh), 1.0, 1e-14);
+    EXPECT_NEAR(test::enclosed_volume_mm3(surface.mesh), 1.0, 1e-14);
 }
 
 }  // namespace

@@ -11,7 +11,9 @@
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"
 #include "core/mesh/tube_field.h"
+#include "tests/mesh/bend_along_x.h"
 #include "tests/mesh/random_tree.h"
+#include "tests/support/enclosed_volume.h"
 #include "tests/support/recorded_figures.h"
 
 namespace hepatica {
@@ -42,7 +44,7 @@ void add_mesh(Figures& figures, const std::string& name, const TetMesh& mesh) {
         .add(name + ".least_angle", quality.min_dihedral_deg)
         .add(name + ".largest_angle", quality.max_dihedral_deg)
         .add(name + ".volume", quality.volume_mm3)
-        .add(name + ".enclosed", enclosed_volume_mm3(surface.mesh))
+        .add(name + ".enclosed", test::enclosed_volume_mm3(surface.mesh))
         .add(name + ".counts",
              std::vector{static_cast<double>(quality.components), quality.closed ? 1.0 : 0.0,
                          static_cast<double>(quality.boundary_components),
@@ -130,7 +132,7 @@ TEST(MeshFigures, OfBricks) {
     Figures figures;
     TetMesh brick = kuhn_brick(Vec3(6, 2, 3), {5, 2, 3});
     add_mesh(figures, "brick", brick);
-    bend_along_x(brick.vertices_mm, 6.0, 0.7, 1.3);
+    test::bend_along_x(brick.vertices_mm, 6.0, 0.7, 1.3);
     add_mesh(figures, "bent", brick);
     const HexMesh hexahedra = hexahedral_brick(Vec3(1, 2, 3), {2, 3, 4});
     figures.add("hexahedra", corners_in(hexahedra.hexahedra))

@@ -41,6 +41,15 @@ TEST(TetMeshIsRefused, WhereATetrahedronIsInvertedOrFlat) {
     expect_refused(mesh, "flat or inverted", "tetrahedron 1");
 }
 
+// A millionth of a millimetre: its volume is a number, too.
+TEST(TetMeshIsRefused, WithTheVolumeOfATetrahedronHoweverSmall) {
+    TetMesh mesh;
+    mesh.vertices_mm = {Vec3::Zero(), 1e-6 * Vec3::UnitX(), 1e-6 * Vec3::UnitY(),
+                        1e-6 * Vec3::UnitZ()};
+    mesh.tetrahedra = {{0, 2, 1, 3}};
+    expect_refused(mesh, "(volume -1.66667e-19 mm3)", "tetrahedron 0");
+}
+
 TEST(TetMeshIsRefused, WhereAVertexDoesNotExist) {
     for (const int vertex : {-1, 5, std::numeric_limits<int>::max()}) {
         TetMesh mesh = two_tetrahedra();

@@ -101,6 +101,31 @@ TEST(TubeField, KnowsTheRadiusAndThePlaceAlongTheVessel) {
     EXPECT_EQ(field.radius_mm({21.0, 0.0, 0.0}), 2.0);
 }
 
+// A centreline that turns back within half a radius and ends where it began, and one whose end
+// stands twice: both have a piece without length, which is a ball.
+TEST(TubeField, TakesAPieceWithoutLengthAsABall) {
+    VesselTree turned = straight_vessel(0.0, 4.0, 3.0);
+    turned.segments[0].points_mm = {Vec3::Zero(), Vec3(1, 0, 0), Vec3::Zero()};
+    turned.segments[0].radii_mm = {4.0, 3.0, 3.0};
+    const TubeField ball = field_of(turned);
+    EXPECT_EQ(ball.radius_mm({3.5, 0, 0}), 4.0);
+    EXPECT_EQ(ball.position_along({3.5, 0, 0}), 0.0);
+    EXPECT_NEAR(ball.distance_mm({0, 3.5, 0}), -0.5, 1e-12);
+    const std::vector<Vec3> on_ball = ball.surface_points_mm();
+    ASSERT_FALSE(on_ball.empty());
+    for (const Vec3& point : on_ball) EXPECT_NEAR(point.norm(), 4.0, 1e-12);
+
+    VesselTree doubled = straight_vessel(20.0, 2.0, 2.0);
+    doubled.segments[0].points_mm.emplace_back(20.0, 0.0, 0.0);
+    doubled.segments[0].radii_mm = {2.0, 2.0, 3.0};
+    const TubeField field = field_of(doubled);
+    EXPECT_EQ(field.radius_mm({22.5, 0, 0}), 3.0);
+    EXPECT_EQ(field.position_along({22.5, 0, 0}), 2.0);
+    const std::vector<Vec3> points = field.surface_points_mm();
+    EXPECT_TRUE(std::ranges::any_of(
+        points, [](const Vec3& point) { return (point - Vec3(23, 0, 0)).norm() < 1e-12; }));
+}
+
 TEST(TubeField, WidensThinVesselsAndThenMultiplies) {
     TubeFieldOptions options;
     options.radius_factor = 1.5;

@@ -19,7 +19,7 @@ TEST(PhantomInitialFigures, AreThoseRecorded) {
     HEPATICA_ADD_INITIAL(figures, PhantomOptions);
     HEPATICA_ADD_INITIAL(figures, Phantom);
     HEPATICA_ADD_INITIAL(figures, CentrelineRequest);
-    HEPATICA_ADD_INITIAL(figures, Capsule);
+    HEPATICA_ADD_INITIAL(figures, StraightVessel);
     HEPATICA_ADD_INITIAL(figures, GrownBranch);
     HEPATICA_ADD_INITIAL(figures, GrowthRequest);
     test::expect_recorded("phantom", "initial", figures);

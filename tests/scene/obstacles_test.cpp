@@ -18,6 +18,7 @@
 #include "core/scene/level_surface.h"
 #include "core/scene/world.h"
 #include "tests/session/small_patient.h"
+#include "tests/support/enclosed_volume.h"
 
 namespace hepatica {
 namespace {
@@ -73,7 +74,7 @@ TEST(LevelSurface, OfABallIsClosedRoundAndTurnedOutwards) {
         const TriangleMesh surface = level_surface(share);
         EXPECT_NO_THROW(validate_closed(surface));
         const double volume = 4.0 / 3.0 * M_PI * 512.0;
-        EXPECT_NEAR(enclosed_volume_mm3(surface), volume, 0.02 * volume);
+        EXPECT_NEAR(test::enclosed_volume_mm3(surface), volume, 0.02 * volume);
         double shortest = INFINITY;  // area of a triangle
         for (const Vec3& x : surface.vertices_mm) EXPECT_NEAR((x - centre).norm(), 8.0, 0.15);
         for (const auto& [a, b, c] : surface.triangles) {
@@ -109,7 +110,7 @@ TEST(ObstaclesOfOrgans, AreTheLiverAndEachTumour) {
             EXPECT_NO_THROW(validate(Obstacles{{found[i]}}));
             const double volume = 4.0 / 3.0 * M_PI * std::pow(radii[i], 3);
             // The vena cava is no liver, but its hole is filled.
-            EXPECT_NEAR(enclosed_volume_mm3(found[i].surface), volume, 0.2 * volume) << i;
+            EXPECT_NEAR(test::enclosed_volume_mm3(found[i].surface), volume, 0.2 * volume) << i;
             for (const Vec3& x : found[i].surface.vertices_mm)
                 EXPECT_NEAR((x - centres[i]).norm(), radii[i], 1.0) << i;
         }
@@ -129,7 +130,7 @@ TEST(ObstaclesOfOrgans, ATinyTumourIsThere) {
     organs.at(4, 4, 4) = organ_label::first_tumour;
     const std::vector<Obstacle> found = obstacles_in(organs);
     ASSERT_EQ(found.size(), 1u);
-    EXPECT_GT(enclosed_volume_mm3(found[0].surface), 0.01);
+    EXPECT_GT(test::enclosed_volume_mm3(found[0].surface), 0.01);
 }
 
 // A grid that is cut off at the organ: the surface is closed there.
@@ -142,7 +143,7 @@ TEST(ObstaclesOfOrgans, AreClosedWhereTheGridEnds) {
     const std::vector<Obstacle> found = obstacles_in(organs);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_NO_THROW(validate_closed(found[0].surface));
-    EXPECT_GT(enclosed_volume_mm3(found[0].surface), 400.0);
+    EXPECT_GT(test::enclosed_volume_mm3(found[0].surface), 400.0);
 }
 
 std::shared_ptr<PatientCase> patient_with(const Mask& organs) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <string>
 
 #include "core/base/error.h"
 #include "core/image/morphology.h"
@@ -130,6 +131,19 @@ TEST(GaussianRefinement, LeavesTheMaskAloneAtZeroAndRefusesNonsense) {
     options = {};
     options.level = 1.0;
     EXPECT_THROW(refine(object, options, job), InputError);
+}
+
+TEST(GaussianRefinement, SaysSmallNumbersAsTheyAre) {
+    Job job;
+    RefinementOptions options;
+    options.level = -1e-9;
+    std::string problem;
+    try {
+        refine(ball(4.0, 0.5), options, job);
+    } catch (const InputError& error) {
+        problem = error.problem();
+    }
+    EXPECT_EQ(problem, "the refinement's level is -1e-09");
 }
 
 }  // namespace

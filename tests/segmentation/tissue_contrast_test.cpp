@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 
 #include "core/base/error.h"
 #include "core/image/morphology.h"
@@ -131,6 +132,23 @@ TEST(MeasureTissue, FollowsTheWindow) {
     EXPECT_NEAR(after.noise_hu, before.noise_hu, 1e-3);
     for (std::size_t i = 0; i < liver.mask.voxels.size(); i += 97)
         ASSERT_NEAR(after.excess.voxels[i], before.excess.voxels[i], 1e-2);
+}
+
+// Nothing of a plate 4 mm thick is 3 mm inside it: there is no tissue to measure.
+TEST(MeasureTissue, RefusesALiverThatIsAllRim) {
+    Liver liver;
+    Job job;
+    for (std::size_t i = 0; i < liver.mask.voxels.size(); ++i) {
+        const int z = liver.mask.grid.index_of(i)[2];
+        if (z < 28 || z >= 32) liver.mask.voxels[i] = 0;
+    }
+    std::string problem;
+    try {
+        measure_tissue(liver.intensity, liver.mask, job);
+    } catch (const InputError& error) {
+        problem = error.problem();
+    }
+    EXPECT_EQ(problem, "the liver mask is so thin that nothing of it is further than 3 mm inside");
 }
 
 TEST(MeasureTissue, RefusesAnEmptyLiver) {

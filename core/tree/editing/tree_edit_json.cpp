@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/json_number.h"
 #include "core/base/json_problem.h"
+#include "core/base/number_text.h"
 #include "core/base/patient_space.h"
 #include "core/image/brush.h"
 #include "core/tree/editing/tree_edit.h"
@@ -56,7 +57,7 @@ void read_drawing(const nlohmann::json& value, const std::string& place, TreeEdi
                          place, "Give two points or more in path_mm, and one of radii_mm for each");
     for (const double radius : edit.radii_mm)
         if (!(radius > 0.0 && radius <= widest_mm))
-            throw InputError("a vessel is drawn with a radius of " + std::to_string(radius) + " mm",
+            throw InputError("a vessel is drawn with a radius of " + number_text(radius) + " mm",
                              place, "Give radii above 0 and up to 50 mm");
     edit.at_mm = edit.path_mm.front();
     if (value.contains("system")) edit.system = system_from(value.at("system"), place);
@@ -71,7 +72,7 @@ void read_stroke(const nlohmann::json& value, const std::string& place, TreeEdit
     edit.at_mm = edit.path_mm.front();
     const auto radius_mm = value.at("radius_mm").get<double>();
     if (!(radius_mm > 0.0 && radius_mm <= widest_brush_mm))
-        throw InputError("a brush has a radius of " + std::to_string(radius_mm) + " mm", place,
+        throw InputError("a brush has a radius of " + number_text(radius_mm) + " mm", place,
                          "Give a radius above 0 and up to 50 mm");
     edit.radii_mm = {radius_mm};
     const bool of_all = edit.kind == TreeEditKind::erase_tumour && !value.contains("tumour");

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/image/filters.h"
+#include "core/image/mask.h"
 #include "core/tree/territories/nearest_branch.h"
 
 namespace hepatica {
@@ -16,11 +17,6 @@ constexpr double sure = 0.8;
 
 double voxel_ml(const Grid& grid) {
     return grid.spacing_mm.prod() * 1e-3;
-}
-
-std::size_t object_count(const Mask& mask) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(mask.voxels, [](std::uint8_t v) { return v != 0; }));
 }
 
 }  // namespace
