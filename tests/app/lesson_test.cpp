@@ -198,6 +198,14 @@ TEST_F(LessonVerb, LeavesNoReportOfWhatCannotBeScored) {
     EXPECT_EQ(units.exit_code, 2);
     EXPECT_NE(units.errors.find("--units is computed or clinic"), std::string::npos);
 }
+
+// A name longer than a file system takes is an error of the system, not of this program's input.
+TEST_F(LessonVerb, AReportSaysWhatTheFileSystemRefuses) {
+    const std::string long_name(300, 'x');
+    const Outcome run = report({"--report", path("nothing.hrec"), "--out", path(long_name)});
+    EXPECT_EQ(run.exit_code, 1) << run.errors;
+    EXPECT_NE(run.errors.find(long_name), std::string::npos) << run.errors;
+}
 #endif
 
 }  // namespace
