@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -47,10 +48,20 @@ class FrontView {
     QPointF middle_;
 };
 
+// The value of a vertex; where the values are those of the untorn body alone, that of the vertex
+// that it comes from. `otherwise` where there is none.
+float value_at(const std::vector<float>& values, const Frame& frame, int vertex, float otherwise) {
+    for (const int at : {vertex, frame.origin_of(vertex)})
+        if (static_cast<std::size_t>(at) < values.size())
+            return values[static_cast<std::size_t>(at)];
+    return otherwise;
+}
+
 Colour colour_of(const Frame& frame, const FramePainting& how, int vertex) {
     const DrugView& drug = frame.drug;
     if (drug.arrival_s) {
-        const double arrival_s = (*drug.arrival_s)[static_cast<std::size_t>(vertex)];
+        constexpr float never = std::numeric_limits<float>::infinity();
+        const double arrival_s = value_at(*drug.arrival_s, frame, vertex, never);
         if (arrival_s <= drug.time_s)
             return palette::drug(std::sqrt(arrival_s / std::max(drug.end_s, 1e-9)));
     }
@@ -61,8 +72,7 @@ Colour colour_of(const Frame& frame, const FramePainting& how, int vertex) {
     const Colour own = palette::vessel_system(
         origin < how.systems.size() ? how.systems[origin] : VascularSystem::unknown);
     const bool loaded = frame.tear && frame.tear->loads;
-    return loaded ? palette::warning(own, (*frame.tear->loads)[static_cast<std::size_t>(vertex)])
-                  : own;
+    return loaded ? palette::warning(own, value_at(*frame.tear->loads, frame, vertex, 0.0F)) : own;
 }
 
 // Paints far triangles first; the back has the larger y.
