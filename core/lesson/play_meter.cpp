@@ -37,6 +37,12 @@ std::vector<int> surface_vertices(const PatientCase& patient, bool deforms) {
     return vertices;
 }
 
+int nearest_of(const std::vector<int>& vertices, const std::vector<Vec3>& places_mm,
+               const Vec3& to_mm) {
+    return *std::ranges::min_element(vertices, {},
+                                     [&](int v) { return (places_mm[v] - to_mm).squaredNorm(); });
+}
+
 // Mean position of the vertices.
 template <class PlaceOf>
 Vec3 middle_of(const std::vector<int>& vertices, const PlaceOf& place) {
@@ -88,19 +94,22 @@ PlayMeter::PlayMeter(const Lesson& lesson, std::shared_ptr<const PatientCase> pa
 void PlayMeter::place_marks(const Lesson& lesson, const std::vector<VertexPlace>& on_tree) {
     moment_.marks.resize(lesson.marks.size());
     for (const LessonMark& mark : lesson.marks) {
-        const TreePoint at = nearest_point(patient_->tree, place_on(mark.place, patient_->tree));
+        const Vec3 place = place_on(mark.place, patient_->tree);
+        const TreePoint at = nearest_point(patient_->tree, place);
         std::vector<int> around;
-        std::size_t nearest = 0;
+        std::optional<int> nearest;  // on the mark's segment
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < on_tree.size(); ++i) {
             const TreePoint& other = on_tree[i].on_tree;
             if (other.segment != at.segment) continue;
             const double along = std::abs(other.arclength_mm - at.arclength_mm);
             if (along <= on_tree[i].radius_mm) around.push_back(on_surface_[i]);
-            if (along < least) nearest = i;
+            if (along < least) nearest = on_surface_[i];
             least = std::min(least, along);
         }
-        if (around.empty()) around.push_back(on_surface_[nearest]);
+        // A short segment may be nearest to no vertex at all.
+        if (around.empty())
+            around.push_back(nearest ? *nearest : nearest_of(on_surface_, rest_mm_, place));
         marks_rest_mm_.push_back(middle_of(around, [&](int v) { return rest_mm_[v]; }));
         marks_.push_back(std::move(around));
     }

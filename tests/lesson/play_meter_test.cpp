@@ -109,6 +109,28 @@ TEST(PlayMeter, AMarkIsInTheMiddleOfItsVesselAndMovesWithIt) {
     EXPECT_TRUE(std::isinf(meter.moment().marks[0].touch_mm)) << "it touches nothing";
 }
 
+// A segment far off has no vertices of its own.
+TEST(PlayMeter, AMarkOnASegmentWithoutSurfaceIsAtTheNearestVertex) {
+    auto patient = std::make_shared<PatientCase>(*small_patient());
+    const Vec3 end = patient->tree.nodes.back().position_mm;
+    const Vec3 place = end + 20.0 * (end - patient->tree.nodes.front().position_mm);
+    VesselSegment far;
+    far.proximal_node = static_cast<int>(patient->tree.nodes.size());
+    far.distal_node = far.proximal_node + 1;
+    far.points_mm = {place, place + Vec3(1, 0, 0)};
+    far.radii_mm = {0.5, 0.5};
+    for (const Vec3& p : far.points_mm) patient->tree.nodes.push_back({p, 0.5});
+    patient->tree.segments.push_back(far);
+    Lesson lesson = plain_lesson();
+    lesson.marks.push_back({"far", {.point_mm = place}});
+    double least_mm = 1e9;
+    for (const std::array<int, 3>& t : *rest_frame().surface)
+        for (const int v : t)
+            least_mm = std::min(least_mm, (patient->mesh.vertices_mm[v] - place).norm());
+    const PlayMeter meter(lesson, patient);
+    EXPECT_NEAR((meter.marks_in(rest_frame())[0] - place).norm(), least_mm, 1e-3);
+}
+
 TEST(PlayMeter, TearsCountFromTheBeginningOn) {
     Frame before = rest_frame();
     before.tear.emplace();
