@@ -13,6 +13,7 @@
 #include "app/verbs/flow_options.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/flow/injection.h"
 #include "core/opening/ct_around_liver.h"
 #include "core/opening/patient_image.h"
 #include "core/patient/corrections.h"
@@ -101,9 +102,10 @@ PictureOptions picture_options(const RenderChoices& options) {
     return picture;
 }
 
-// Where the drug is injected: the given place, or the root of the first segment.
+// Where the drug is injected: the given place, or the same root as by `inject`.
 Vec3 injection_point(const RenderChoices& options, const VesselTree& tree) {
-    if (options.at_mm.empty()) return tree.segments.front().points_mm.front();
+    if (options.at_mm.empty())
+        return tree.segments[static_cast<std::size_t>(main_root(tree).segment)].points_mm.front();
     const auto [x, y, z] = parse_triple("--at-mm", options.at_mm);
     point_of_vessel("--at-mm", {x, y, z}, tree);
     return {x, y, z};
