@@ -102,9 +102,10 @@ TEST(PlayMeter, AMarkIsInTheMiddleOfItsVesselAndMovesWithIt) {
     Frame moved = with_tip(Vec3(1000, 0, 0));
     for (std::size_t i = 2; i < moved.positions_mm.size(); i += 3) moved.positions_mm[i] += 6.0f;
     const PlayMeter meter = meter_of({moved}, lesson);
-    EXPECT_NEAR((meter.marks_mm()[0] - place).norm(), 0.0, 1.0) << "of a radius of 4 mm";
+    EXPECT_NEAR((meter.marks_in(rest_frame())[0] - place).norm(), 0.0, 1.0)
+        << "of a radius of 4 mm";
     EXPECT_NEAR(meter.moment().marks[0].moved_mm, 6.0, 1e-4);
-    const Vec3 tip(1000, 0, 0), mark = meter.marks_mm()[0] + Vec3(0, 0, 6);
+    const Vec3 tip(1000, 0, 0), mark = meter.marks_in(rest_frame())[0] + Vec3(0, 0, 6);
     EXPECT_NEAR(meter.moment().marks[0].distance_mm, (tip - mark).norm(), 1e-3);
     EXPECT_TRUE(std::isinf(meter.moment().marks[0].touch_mm)) << "it touches nothing";
 }
@@ -159,7 +160,7 @@ TEST(PlayMeter, WhoTouchesTheVesselAtTheMarkIsNear) {
     lesson.marks = {{"there", {std::nullopt, 0.5}}};
     PlayMeter meter(lesson, small_patient());
     meter.begin(rest_frame());
-    const Vec3 mark = meter.marks_mm().at(0);
+    const Vec3 mark = meter.marks_in(rest_frame()).at(0);
     Frame frame = with_tip(mark + Vec3(40, 0, 0));
     int nearest = 0;
     double least = 1e9;
