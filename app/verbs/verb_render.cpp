@@ -26,6 +26,7 @@
 #include "core/session/session.h"
 #include "render/offscreen_picture.h"
 #include "render/organ_surface.h"
+#include "render/picture.h"
 
 namespace hepatica {
 
@@ -87,11 +88,10 @@ PictureOptions picture_options(const RenderChoices& options) {
                     &rest) != 2)
         throw UsageError("\"" + options.size + "\" is no size", "--size",
                          "write width,height in pixels, as 1280,960");
-    constexpr int largest = 16384;
-    if (picture.width < 1 || picture.height < 1 || picture.width > largest ||
-        picture.height > largest)
+    if (picture.width < 1 || picture.height < 1 || picture.width > largest_picture_px ||
+        picture.height > largest_picture_px)
         throw UsageError("a picture of " + options.size + " pixels cannot be made", "--size",
-                         "choose 1 to 16384 pixels each way");
+                         "choose 1 to " + std::to_string(largest_picture_px) + " pixels each way");
     if (!(options.zoom > 0.0))
         throw UsageError("the zoom is not above 0", "--zoom", "1 shows all of the tree");
     picture.turn_right_deg = options.turn_right_deg;
