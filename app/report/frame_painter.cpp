@@ -15,11 +15,6 @@ namespace hepatica {
 
 namespace {
 
-Vec3 place_of(const Frame& frame, int vertex) {
-    const auto i = 3 * static_cast<std::size_t>(vertex);
-    return {frame.positions_mm[i], frame.positions_mm[i + 1], frame.positions_mm[i + 2]};
-}
-
 QColor to_qt(const Colour& colour, double light = 1.0) {
     return QColor::fromRgbF(static_cast<float>(light * colour[0]),
                             static_cast<float>(light * colour[1]),
@@ -81,14 +76,14 @@ void paint_surface(QPainter& painter, const Frame& frame, const FramePainting& h
     const auto& triangles = *frame.surface;
     std::vector<double> depth;
     for (const auto& t : triangles)
-        depth.push_back(place_of(frame, t[0]).y() + place_of(frame, t[1]).y() +
-                        place_of(frame, t[2]).y());
+        depth.push_back(frame.place_mm(t[0]).y() + frame.place_mm(t[1]).y() +
+                        frame.place_mm(t[2]).y());
     std::vector<std::size_t> order(triangles.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, [&](auto a, auto b) { return depth[a] > depth[b]; });
     for (const std::size_t i : order) {
         const auto& t = triangles[i];
-        const Vec3 a = place_of(frame, t[0]), b = place_of(frame, t[1]), c = place_of(frame, t[2]);
+        const Vec3 a = frame.place_mm(t[0]), b = frame.place_mm(t[1]), c = frame.place_mm(t[2]);
         const Vec3 normal = (b - a).cross(c - a).normalized();
         const double light = 0.35 + 0.65 * std::abs(normal.dot(Vec3(-0.3, -0.85, 0.43)));
         const QColor colour = to_qt(colour_of(frame, how, t[0]), std::min(1.0, 1.15 * light));
@@ -133,12 +128,9 @@ void paint_hand(QPainter& painter, const Frame& frame, const FrontView& view) {
 }  // namespace
 
 std::array<Vec3, 2> box_of(const Frame& frame) {
-    Eigen::AlignedBox3d box;
-    for (std::size_t i = 0; i + 2 < frame.positions_mm.size(); i += 3)
-        box.extend(
-            Vec3(frame.positions_mm[i], frame.positions_mm[i + 1], frame.positions_mm[i + 2]));
-    const Vec3 around = 0.1 * box.sizes();
-    return {box.min() - around, box.max() + around};
+    const auto [low, high] = frame.box_mm();
+    const Vec3 around = 0.1 * (high - low);
+    return {low - around, high + around};
 }
 
 QImage paint(const Frame& frame, const FramePainting& how) {

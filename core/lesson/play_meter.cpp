@@ -119,11 +119,7 @@ std::vector<Vec3> PlayMeter::marks_in(const Frame& frame) const {
     assert(frame.positions_mm.size() >= 3 * rest_mm_.size());  // a torn body has more vertices
     std::vector<Vec3> places;
     for (const std::vector<int>& around : marks_)
-        places.push_back(middle_of(around, [&](int v) {
-            const auto i = 3 * static_cast<std::size_t>(v);
-            return Vec3(frame.positions_mm[i], frame.positions_mm[i + 1],
-                        frame.positions_mm[i + 2]);
-        }));
+        places.push_back(middle_of(around, [&](int v) { return frame.place_mm(v); }));
     return places;
 }
 
