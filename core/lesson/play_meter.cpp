@@ -21,11 +21,6 @@ const std::vector<Vec3>& rest_of(const Lesson& lesson, const PatientCase& patien
     return lesson.scene.deform ? patient.mesh.vertices_mm : patient.surface.vertices_mm;
 }
 
-Vec3 place_on(const ScriptPlace& place, const VesselTree& tree) {
-    return place.point_mm ? *place.point_mm
-                          : point_on_longest_path(tree, *place.share_of_longest_path);
-}
-
 std::vector<int> surface_vertices(const PatientCase& patient, bool deforms) {
     const std::vector<std::array<int, 3>> triangles =
         deforms ? boundary_triangles(patient.mesh) : patient.surface.triangles;
@@ -84,7 +79,7 @@ PlayMeter::PlayMeter(const Lesson& lesson, std::shared_ptr<const PatientCase> pa
     in_target_.assign(on_surface_.size(), 0);
     if (lesson.target) {
         target.emplace(patient_->tree,
-                       nearest_point(patient_->tree, place_on(*lesson.target, patient_->tree)));
+                       nearest_point(patient_->tree, position_of(*lesson.target, patient_->tree)));
         for (std::size_t i = 0; i < on_tree.size(); ++i)
             in_target_[i] = target->contains(on_tree[i].on_tree);
     }
@@ -94,7 +89,7 @@ PlayMeter::PlayMeter(const Lesson& lesson, std::shared_ptr<const PatientCase> pa
 void PlayMeter::place_marks(const Lesson& lesson, const std::vector<VertexPlace>& on_tree) {
     moment_.marks.resize(lesson.marks.size());
     for (const LessonMark& mark : lesson.marks) {
-        const Vec3 place = place_on(mark.place, patient_->tree);
+        const Vec3 place = position_of(mark.place, patient_->tree);
         const TreePoint at = nearest_point(patient_->tree, place);
         std::vector<int> around;
         std::optional<int> nearest;  // on the mark's segment
