@@ -92,7 +92,7 @@ void PlayMeter::place_marks(const Lesson& lesson, const std::vector<VertexPlace>
         const Vec3 place = position_of(mark.place, patient_->tree);
         const TreePoint at = nearest_point(patient_->tree, place);
         std::vector<int> around;
-        std::optional<int> nearest;  // on the mark's segment
+        int nearest = -1;  // on the mark's segment
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < on_tree.size(); ++i) {
             const TreePoint& other = on_tree[i].on_tree;
@@ -104,7 +104,7 @@ void PlayMeter::place_marks(const Lesson& lesson, const std::vector<VertexPlace>
         }
         // A short segment may be nearest to no vertex at all.
         if (around.empty())
-            around.push_back(nearest ? *nearest : nearest_of(on_surface_, rest_mm_, place));
+            around.push_back(nearest >= 0 ? nearest : nearest_of(on_surface_, rest_mm_, place));
         marks_rest_mm_.push_back(middle_of(around, [&](int v) { return rest_mm_[v]; }));
         marks_.push_back(std::move(around));
     }

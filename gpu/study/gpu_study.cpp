@@ -180,7 +180,7 @@ std::vector<GpuRow> study_gpu(const GpuStudyOptions& options,
 std::string json_text(const std::string& text) {
     std::string quoted = "\"";
     for (const char letter : text) {
-        char code[16];
+        char code[16] = "";
         if (letter == '"' || letter == '\\') quoted += '\\';
         const bool control = static_cast<unsigned char>(letter) < 0x20;
         if (control) std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(letter));
