@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/atomic_write.h"
+#include "core/base/csv_cell.h"
 #include "core/base/error.h"
 #ifdef HEPATICA_HAS_RENDER
 #include "render/offscreen_picture.h"
@@ -22,7 +23,7 @@ std::string rows_of(const Chart& chart) {
     };
     for (const Curve& curve : chart.curves)
         for (std::size_t i = 0; i < curve.x.size(); ++i) {
-            text += '"' + curve.name + "\",";
+            text += csv_cell(curve.name) + ",";
             append(curve.x[i]);
             text += ',';
             append(curve.y[i]);

@@ -5,7 +5,6 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <csignal>
@@ -14,7 +13,6 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
-#include <sstream>
 #include <utility>
 
 #include "app/progress_display.h"
@@ -38,26 +36,18 @@ int report(const Error& error, int code) {
     return code;
 }
 
-// Refuses NaN and infinity, which parse as numbers but no option accepts; comparisons with NaN are
-// false, so range checks would miss it. A file called nan can be given as ./nan.
-void refuse_non_numbers(int argc, const char* const* argv) {
-    for (int i = 1; i < argc; ++i) {
-        std::string values = argv[i];
-        std::string option = argv[i - 1];
-        const std::size_t equals = values.starts_with("--") ? values.find('=') : std::string::npos;
-        if (equals != std::string::npos) {
-            option = values.substr(0, equals);
-            values.erase(0, equals + 1);
-        }
-        std::istringstream parts(values);
-        for (std::string part; std::getline(parts, part, ',');) {
-            const char* const digits = part.c_str() + (part.find_first_of("+-") == 0 ? 1 : 0);
-            if (!std::isalpha(static_cast<unsigned char>(*digits))) continue;
+// Refuses NaN and infinity in the options of a verb that take numbers: they parse as numbers, but
+// comparisons with NaN are false, so range checks would miss it.
+void refuse_non_numbers(const CLI::App& app) {
+    for (const CLI::App* verb : app.get_subcommands()) refuse_non_numbers(*verb);
+    for (const CLI::Option* option : app.get_options()) {
+        if (option->get_type_name().find("FLOAT") == std::string::npos) continue;
+        for (const std::string& value : option->results()) {
             char* end = nullptr;
-            const double value = std::strtod(part.c_str(), &end);
-            if (*end == '\0' && !std::isfinite(value))
-                throw UsageError("\"" + part + "\" is no number that can be used", option,
-                                 "Give a finite number");
+            const double number = std::strtod(value.c_str(), &end);
+            if (*end == '\0' && !std::isfinite(number))
+                throw UsageError("\"" + value + "\" is no number that can be used",
+                                 option->get_name(), "Give a finite number");
         }
     }
 }
@@ -139,7 +129,7 @@ int CommandLine::run(int argc, const char* const* argv) {
     }
     set_up_log(quiet_);
     try {
-        refuse_non_numbers(argc, argv);
+        refuse_non_numbers(program_);
     } catch (const UsageError& error) {
         return report(error, exit_bad_usage);
     }
@@ -191,7 +181,7 @@ std::array<double, 3> parse_triple(const std::string& option, const std::string&
             throw UsageError("\"" + text + "\" is not three numbers", option,
                              "Write them as X,Y,Z with a decimal point");
         const auto [rest, error] = std::from_chars(at, end, values[i]);
-        if (error != std::errc{})
+        if (error != std::errc{} || !std::isfinite(values[i]))
             throw UsageError("\"" + text + "\" is not three numbers", option,
                              "Write them as X,Y,Z with a decimal point");
         at = rest;

@@ -55,10 +55,9 @@ Vec3 pull_way_mm() {
 
 // Box around the tree at rest and the target of the hand.
 std::array<Vec3, 2> box_of_play(const Frame& rest, const Vec3& held) {
-    Eigen::AlignedBox3d box(held + pull_way_mm());
-    for (std::size_t i = 0; i + 2 < rest.positions_mm.size(); i += 3)
-        box.extend(Vec3(rest.positions_mm[i], rest.positions_mm[i + 1], rest.positions_mm[i + 2]));
-    return {box.min(), box.max()};
+    const Vec3 target = held + pull_way_mm();
+    const auto [low, high] = rest.box_mm();
+    return {low.cwiseMin(target), high.cwiseMax(target)};
 }
 
 Json pull(Session& session, const Vec3& held, Player& player, Album& album) {

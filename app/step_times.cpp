@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "core/base/frame_time.h"
+#include "core/study/timing.h"
+
 namespace hepatica {
 
 void StepTimes::add(const SessionStep& step) {
@@ -15,15 +18,13 @@ void StepTimes::add(const SessionStep& step) {
 
 nlohmann::ordered_json StepTimes::quantile(double share) const {
     if (awake_ms_.empty()) return nullptr;
-    std::vector<double> sorted = awake_ms_;
-    std::ranges::sort(sorted);
-    return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+    return hepatica::quantile(awake_ms_, share);
 }
 
 nlohmann::ordered_json StepTimes::frames_in_time() const {
-    constexpr double frame_ms = 1000.0 / 60.0;
     if (awake_ms_.empty()) return nullptr;
-    const auto in_time = std::ranges::count_if(awake_ms_, [](double ms) { return ms <= frame_ms; });
+    const auto in_time =
+        std::ranges::count_if(awake_ms_, [](double ms) { return ms <= frame_length_ms; });
     return static_cast<double>(in_time) / static_cast<double>(awake_ms_.size());
 }
 

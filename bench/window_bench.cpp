@@ -28,8 +28,10 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/frame_time.h"
 #include "core/patient/patient_case.h"
 #include "core/session/script.h"
+#include "core/study/timing.h"
 #include "ui/main_window.h"
 #include "ui/opengl_probe.h"
 #include "ui/paths.h"
@@ -45,7 +47,6 @@ namespace {
 
 constexpr double idle_s = 20.0;
 constexpr double patience_s = 300.0;
-constexpr double frame_ms = 1e3 / 60.0;
 constexpr int mouse_period_ms = 8;
 // Duration of one leg of the hand's path, which leads through these places in a cycle.
 constexpr double leg_s = 0.5;
@@ -83,10 +84,9 @@ bool run_until(const std::function<bool()>& condition) {
     return true;
 }
 
-double quantile(std::vector<double> values, double share) {
-    if (values.empty()) return 0.0;
-    std::sort(values.begin(), values.end());
-    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+// The quantile of study/timing.h; 0 of nothing.
+double quantile_of(const std::vector<double>& values, double share) {
+    return values.empty() ? 0.0 : quantile(values, share);
 }
 
 // Time of each picture of the view, from the start of drawing until it is on the screen.
@@ -236,7 +236,7 @@ class WindowBench {
         std::printf("scrolled through %d x %d x %d with three slices and the view beside:\n",
                     dims[0], dims[1], dims[2]);
         std::printf("  %zu slices; each with all that follows it: median %.1f ms, p95 %.1f ms\n",
-                    times_ms.size(), quantile(times_ms, 0.5), quantile(times_ms, 0.95));
+                    times_ms.size(), quantile_of(times_ms, 0.5), quantile_of(times_ms, 0.95));
         paint(views);
         std::printf("memory in use with patient, CT and slices: %.0f MB\n", memory_in_use_mb());
         views.set_slices_visible(false);
@@ -293,8 +293,8 @@ class WindowBench {
         std::printf(
             "painted %zu strokes: %d moves, each with all that follows it: median %.1f ms, "
             "p95 %.1f ms, longest %.1f ms\n",
-            brush.strokes().size(), strokes * moves, quantile(times_ms, 0.5),
-            quantile(times_ms, 0.95), quantile(times_ms, 1.0));
+            brush.strokes().size(), strokes * moves, quantile_of(times_ms, 0.5),
+            quantile_of(times_ms, 0.95), quantile_of(times_ms, 1.0));
         brush.remove_all();
         brush.set_mode(BrushMode::away);
     }
@@ -328,7 +328,7 @@ class WindowBench {
             window_.frame().grab ? (window_.frame().grab->point_mm - held).norm() : 0.0;
         mouse(QEvent::MouseButtonRelease, held);
         const auto in_time = std::count_if(steps_ms.begin(), steps_ms.end(),
-                                           [](double ms) { return ms <= frame_ms; });
+                                           [](double ms) { return ms <= frame_length_ms; });
         std::printf("pull for %.1f s (the vessel is %.1f mm from where it was):\n", took_s,
                     pulled_mm);
         print_pictures(took_s);
@@ -337,7 +337,7 @@ class WindowBench {
             "p95 %.1f ms\n",
             static_cast<double>(seen - first) / took_s, steps_ms.size(),
             static_cast<double>(in_time) / std::max<double>(1.0, double(steps_ms.size())),
-            quantile(steps_ms, 0.5), quantile(steps_ms, 0.95));
+            quantile_of(steps_ms, 0.5), quantile_of(steps_ms, 0.95));
         std::printf("  %.2f cores\n", processor_s / took_s);
         std::fflush(stdout);
     }
@@ -353,15 +353,15 @@ class WindowBench {
             run_for(3.0);
             times_ms.push_back(pictures_.times_ms.back());
         }
-        std::printf("  at rest, each: median %.1f ms; %.0f MB of memory\n", quantile(times_ms, 0.5),
-                    memory_in_use_mb());
+        std::printf("  at rest, each: median %.1f ms; %.0f MB of memory\n",
+                    quantile_of(times_ms, 0.5), memory_in_use_mb());
         std::fflush(stdout);
     }
 
     void print_pictures(double seconds) const {
         std::printf("  %.1f pictures a second; each, to the swap: median %.1f ms, p95 %.1f ms\n",
                     static_cast<double>(pictures_.times_ms.size()) / seconds,
-                    quantile(pictures_.times_ms, 0.5), quantile(pictures_.times_ms, 0.95));
+                    quantile_of(pictures_.times_ms, 0.5), quantile_of(pictures_.times_ms, 0.95));
     }
 
     static Vec3 hand_at(double time_s) {

@@ -14,12 +14,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <locale>
 #include <numbers>
-#include <sstream>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "render/orientation_marker.h"
 #include "render/text_style.h"
 
@@ -67,13 +65,6 @@ void place_text(vtkTextActor& actor, const std::string& text, double x, double y
     style_text(*actor.GetTextProperty(), std::max(6, static_cast<int>(std::lround(size))), colour);
     actor.SetInput(text.c_str());
     actor.SetPosition(std::round(x), std::round(y));
-}
-
-std::string formatted(double value, int decimals) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << std::fixed << std::setprecision(decimals) << value;
-    return text.str();
 }
 
 }  // namespace
@@ -187,7 +178,7 @@ void Annotations::update_scale_bar(const PictureSize& size, vtkCamera& camera) {
     const double width = length_mm / mm_per_pixel;
     const double x = 0.5 * (size.width - width), y = size.covered_bottom + margin_pt * r;
     draw_scale_bar(x, y, width, r);
-    const std::string length = formatted(length_mm, length_mm < 1.0 ? 1 : 0);
+    const std::string length = fixed_text(length_mm, length_mm < 1.0 ? 1 : 0);
     // With perspective the bar's length holds only at the depth of the focal point. The label says
     // so, unless the picture is too narrow for it.
     for (const char* unit : {" mm at the depth of the view's centre", " mm"}) {

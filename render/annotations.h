@@ -13,7 +13,6 @@
 class vtkActor2D;
 class vtkCamera;
 class vtkPoints;
-class vtkPolyData;
 class vtkRenderer;
 class vtkTextActor;
 

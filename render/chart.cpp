@@ -25,6 +25,7 @@
 #include <locale>
 #include <sstream>
 
+#include "core/base/csv_cell.h"
 #include "render/text_style.h"
 
 namespace hepatica {
@@ -170,16 +171,10 @@ std::string to_csv(const Chart& chart) {
     std::ostringstream text;
     text.imbue(std::locale::classic());
     text << std::setprecision(17);
-    const auto quoted = [](std::string name) {
-        for (std::size_t i = 0; (i = name.find('"', i)) != std::string::npos; i += 2) {
-            name.insert(i, 1, '"');
-        }
-        return '"' + name + '"';
-    };
-    text << "curve," << quoted(chart.x_label) << ',' << quoted(chart.y_label) << '\n';
+    text << "curve," << csv_cell(chart.x_label) << ',' << csv_cell(chart.y_label) << '\n';
     for (const Curve& curve : chart.curves) {
         for (std::size_t i = 0; i < curve.x.size(); ++i) {
-            text << quoted(curve.name) << ',' << curve.x[i] << ',' << curve.y[i] << '\n';
+            text << csv_cell(curve.name) << ',' << curve.x[i] << ',' << curve.y[i] << '\n';
         }
     }
     return text.str();

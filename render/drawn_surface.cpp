@@ -15,6 +15,7 @@
 
 #include <algorithm>
 
+#include "render/actor_settings.h"
 #include "render/drug_overlay.h"
 
 namespace hepatica {
@@ -56,9 +57,7 @@ DrawnSurface::DrawnSurface()
 }
 
 void DrawnSurface::set_clip(vtkPlane* plane) {
-    mapper_->RemoveAllClippingPlanes();
-    if (plane) mapper_->AddClippingPlane(plane);
-    actor_->GetProperty()->SetBackfaceCulling(plane == nullptr);
+    clip_by(plane, *mapper_, *actor_);
     halo_.set_clip(plane);
 }
 

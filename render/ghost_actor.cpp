@@ -12,6 +12,7 @@
 #include <sstream>
 #include <string>
 
+#include "render/actor_settings.h"
 #include "render/still_surface.h"
 
 namespace hepatica {
@@ -59,9 +60,7 @@ void GhostActor::set_visible(bool visible) {
 }
 
 void GhostActor::set_clip(vtkPlane* plane) {
-    mapper_->RemoveAllClippingPlanes();
-    if (plane) mapper_->AddClippingPlane(plane);
-    actor_->GetProperty()->SetBackfaceCulling(plane == nullptr);
+    clip_by(plane, *mapper_, *actor_);
 }
 
 void GhostActor::apply_visibility() {

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "render/actor_settings.h"
+
 namespace hepatica {
 namespace {
 
@@ -67,8 +69,7 @@ void HaloActor::set_background(const Colour& top, const Colour& bottom, int heig
 }
 
 void HaloActor::set_clip(vtkPlane* plane) {
-    mapper_->RemoveAllClippingPlanes();
-    if (plane) mapper_->AddClippingPlane(plane);
+    clip_by(plane, *mapper_);
 }
 
 }  // namespace hepatica

@@ -5,23 +5,14 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
-#include <iomanip>
-#include <locale>
-#include <sstream>
 
+#include "core/base/number_text.h"
 #include "core/tree/territories/segment_name.h"
 
 namespace hepatica {
 namespace {
 
 constexpr int ramp_cells = 48;
-
-std::string formatted(double value, int decimals) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << std::fixed << std::setprecision(decimals) << value;
-    return text.str();
-}
 
 int decimals_for(double range) {
     return range < 1.0 ? 2 : range < 20.0 ? 1 : 0;
@@ -38,12 +29,12 @@ void add_drug(const LegendContent& content, std::vector<LegendRow>& rows) {
     LegendRow ramp;
     const int decimals = decimals_for(content.drug_end_s);
     ramp.text = "Drug arrival (s)";
-    ramp.at_right = "now " + formatted(std::min(content.drug_time_s, 1e6), decimals);
+    ramp.at_right = "now " + fixed_text(std::min(content.drug_time_s, 1e6), decimals);
     for (int c = 0; c < ramp_cells; ++c)
         ramp.colours.push_back(palette::drug((c + 0.5) / ramp_cells));
     for (const double place : {0.0, 0.25, 0.5, 0.75, 1.0})
         ramp.ticks.emplace_back(
-            place, formatted(content.drug_end_s * place * place, place == 0.0 ? 0 : decimals));
+            place, fixed_text(content.drug_end_s * place * place, place == 0.0 ? 0 : decimals));
     ramp.marker = std::sqrt(std::clamp(content.drug_time_s / content.drug_end_s, 0.0, 1.0));
     rows.push_back(std::move(ramp));
     LegendRow axis;

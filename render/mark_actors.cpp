@@ -15,6 +15,7 @@
 #include <cmath>
 #include <utility>
 
+#include "render/actor_settings.h"
 #include "render/text_style.h"
 
 namespace hepatica {
@@ -41,10 +42,6 @@ vtkSmartPointer<vtkActor> new_ball() {
     ball->GetProperty()->SetLighting(false);
     ball->SetPickable(false);
     return ball;
-}
-
-void give_colour(vtkActor& actor, const Colour& colour) {
-    actor.GetProperty()->SetColor(colour[0], colour[1], colour[2]);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
+#include "render/actor_settings.h"
 #include "render/still_surface.h"
 
 namespace hepatica {
@@ -64,9 +65,7 @@ bool ObstacleActors::update(const std::shared_ptr<const Obstacles>& obstacles) {
 
 void ObstacleActors::set_clip(vtkPlane* plane) {
     wall_.set_clip(plane);
-    mapper_->RemoveAllClippingPlanes();
-    if (plane) mapper_->AddClippingPlane(plane);
-    solids_->GetProperty()->SetBackfaceCulling(plane == nullptr);
+    clip_by(plane, *mapper_, *solids_);
 }
 
 }  // namespace hepatica

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "render/picture.h"
 
 // VTK resolves OpenGL through the system's GLEW, which asks GLX. These entry points in the
 // executable take precedence over those of libGL and libGLEW and redirect the look-up to OSMesa.
@@ -41,10 +42,11 @@ struct OsmesaContext::Buffer {
 };
 
 OsmesaContext::OsmesaContext(int width, int height) : buffer_(std::make_unique<Buffer>()) {
-    if (width < 1 || height < 1 || width > 16384 || height > 16384) {
+    if (width < 1 || height < 1 || width > largest_picture_px || height > largest_picture_px) {
         throw UsageError("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                              " pixels cannot be made",
-                         "picture size", "choose 1 to 16384 pixels each way");
+                         "picture size",
+                         "choose 1 to " + std::to_string(largest_picture_px) + " pixels each way");
     }
     const int attributes[] = {OSMESA_FORMAT,
                               OSMESA_RGBA,

@@ -19,6 +19,12 @@ constexpr std::array<Colour, 6> drug_stops{{{0.60, 0.20, 0.016},
 
 }  // namespace
 
+Colour mixed(const Colour& from, const Colour& to, double share) {
+    Colour colour{};
+    for (std::size_t c = 0; c < colour.size(); ++c) colour[c] = from[c] + share * (to[c] - from[c]);
+    return colour;
+}
+
 Colour vessel_system(VascularSystem system) {
     switch (system) {
         case VascularSystem::portal:
@@ -52,26 +58,22 @@ Colour liver_segment(int segment) {
 Colour warning(const Colour& vessel, double load) {
     constexpr Colour near_limit{1.00, 0.83, 0.20}, at_limit{0.95, 0.20, 0.10};
     constexpr double begin = 0.5, yellow = 0.7;
-    const auto mixed = [](const Colour& a, const Colour& b, double share) {
+    const auto weighted = [](const Colour& a, const Colour& b, double share) {
         Colour mix{};
         for (int c = 0; c < 3; ++c) mix[c] = (1.0 - share) * a[c] + share * b[c];
         return mix;
     };
     if (load < begin) return vessel;
-    if (load < yellow) return mixed(vessel, near_limit, (load - begin) / (yellow - begin));
-    return mixed(near_limit, at_limit, std::min(1.0, (load - yellow) / (1.0 - yellow)));
+    if (load < yellow) return weighted(vessel, near_limit, (load - begin) / (yellow - begin));
+    return weighted(near_limit, at_limit, std::min(1.0, (load - yellow) / (1.0 - yellow)));
 }
 
 Colour drug(double fraction) {
     constexpr int intervals = static_cast<int>(drug_stops.size()) - 1;
     const double place = std::clamp(fraction, 0.0, 1.0) * intervals;
     const int below = std::min(static_cast<int>(place), intervals - 1);
-    const double weight = place - below;
-    const Colour& a = drug_stops[static_cast<std::size_t>(below)];
-    const Colour& b = drug_stops[static_cast<std::size_t>(below) + 1];
-    Colour mixed{};
-    for (std::size_t c = 0; c < 3; ++c) mixed[c] = a[c] + weight * (b[c] - a[c]);
-    return mixed;
+    return mixed(drug_stops[static_cast<std::size_t>(below)],
+                 drug_stops[static_cast<std::size_t>(below) + 1], place - below);
 }
 
 std::string drug_glsl() {

@@ -35,6 +35,9 @@ inline constexpr Colour reached{0.10, 0.72, 0.42};  // a mark that is done
 inline constexpr Colour text{0.88, 0.90, 0.92};
 inline constexpr Colour faint_text{0.58, 0.62, 0.67};
 
+// `from` at share 0, `to` at share 1, linear between them in each channel.
+Colour mixed(const Colour& from, const Colour& to, double share);
+
 // Colour of a vascular system: portal vein blue-violet, hepatic veins blue, arteries red, unknown
 // bluish grey.
 Colour vessel_system(VascularSystem system);

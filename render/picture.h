@@ -10,6 +10,9 @@ class vtkRenderWindow;
 
 namespace hepatica {
 
+// Largest width and height of a picture in pixels.
+inline constexpr int largest_picture_px = 16384;
+
 // Red, green, blue, 8 bits each; rows from the top, no padding.
 struct Picture {
     int width = 0;

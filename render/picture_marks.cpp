@@ -4,18 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/flat_distance.h"
+
 namespace hepatica {
 namespace {
 
 using Point = std::array<double, 2>;
-
-double distance_to_stretch(const Point& p, const Point& a, const Point& b) {
-    const double dx = b[0] - a[0], dy = b[1] - a[1];
-    const double square = dx * dx + dy * dy;
-    const double along = (p[0] - a[0]) * dx + (p[1] - a[1]) * dy;
-    const double share = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
-    return std::hypot(p[0] - a[0] - share * dx, p[1] - a[1] - share * dy);
-}
 
 // Blends the colour into each pixel of the box by how much of the pixel lies within `half_width` of
 // the mark. `distance` gives the distance of a pixel's centre from the mark.

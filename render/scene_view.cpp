@@ -16,6 +16,7 @@
 #include <numbers>
 #include <utility>
 
+#include "render/flat_distance.h"
 #include "render/palette.h"
 #include "render/scene_view_parts.h"
 
@@ -37,14 +38,6 @@ vtkSmartPointer<vtkLight> add_light(vtkRenderer& renderer, const Vec3& from, con
     light->SetIntensity(intensity);
     renderer.AddLight(light);
     return light;
-}
-
-double distance_to_stretch(const Pixel& point, const Pixel& from, const Pixel& to) {
-    const double dx = to.x - from.x, dy = to.y - from.y;
-    const double square = dx * dx + dy * dy;
-    const double along = ((point.x - from.x) * dx + (point.y - from.y) * dy);
-    const double share = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
-    return std::hypot(point.x - from.x - share * dx, point.y - from.y - share * dy);
 }
 
 }  // namespace
@@ -402,8 +395,9 @@ int SceneView::bridge_at(const Pixel& pixel, double reach) const {
     for (std::size_t b = 0; b < bridges.size(); ++b) {
         const std::vector<Vec3>& path = bridges[b].path_mm;
         for (std::size_t i = 1; i < path.size(); ++i) {
-            const double distance = distance_to_stretch(pixel, projection.pixel_of(path[i - 1]),
-                                                        projection.pixel_of(path[i]));
+            const Pixel from = projection.pixel_of(path[i - 1]), to = projection.pixel_of(path[i]);
+            const double distance =
+                distance_to_stretch({pixel.x, pixel.y}, {from.x, from.y}, {to.x, to.y});
             if (distance > least) continue;
             least = distance;
             nearest = static_cast<int>(b);

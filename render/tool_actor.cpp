@@ -18,6 +18,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "render/actor_settings.h"
 #include "render/before_vessels.h"
 #include "render/palette.h"
 
@@ -63,10 +64,6 @@ vtkSmartPointer<vtkPolyData> capsule(const ToolView::Part& part) {
     polydata->SetPolys(cells);
     polydata->GetPointData()->SetNormals(normals);
     return polydata;
-}
-
-void give_colour(vtkActor& actor, const Colour& colour) {
-    actor.GetProperty()->SetColor(colour[0], colour[1], colour[2]);
 }
 
 }  // namespace

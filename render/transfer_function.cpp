@@ -37,12 +37,6 @@ constexpr std::array tissues{
     Tissue{800.0, {0.98, 0.96, 0.88}},
 };
 
-Colour mixed(const Colour& from, const Colour& to, double share) {
-    Colour colour{};
-    for (std::size_t c = 0; c < colour.size(); ++c) colour[c] = from[c] + share * (to[c] - from[c]);
-    return colour;
-}
-
 template <std::size_t count>
 double along(const std::array<Step, count>& curve, double at) {
     if (at <= curve.front().at) return curve.front().value;
@@ -59,7 +53,8 @@ Colour tissue_at(double hu) {
     for (std::size_t i = 1; i < tissues.size(); ++i) {
         const Tissue& from = tissues[i - 1];
         const Tissue& to = tissues[i];
-        if (hu < to.hu) return mixed(from.colour, to.colour, (hu - from.hu) / (to.hu - from.hu));
+        if (hu < to.hu)
+            return palette::mixed(from.colour, to.colour, (hu - from.hu) / (to.hu - from.hu));
     }
     return tissues.back().colour;
 }
@@ -79,7 +74,7 @@ std::vector<TransferPoint> transfer_function(const VolumeLook& look, const ViewL
         const double hu = black + at * look.window.width_hu;
         const double opacity = grey ? along(maximum, at) : along(composite, at);
         return {hu, thickened(opacity, look.density),
-                grey ? mixed(room.bottom, room.text, along(greys, at)) : tissue_at(hu)};
+                grey ? palette::mixed(room.bottom, room.text, along(greys, at)) : tissue_at(hu)};
     };
     std::vector<TransferPoint> points;
     for (int i = 0; i <= steps; ++i) points.push_back(point_at(static_cast<double>(i) / steps));

@@ -19,6 +19,7 @@
 #include <array>
 #include <utility>
 
+#include "render/actor_settings.h"
 #include "render/transfer_function.h"
 
 namespace hepatica {
@@ -181,8 +182,7 @@ void VolumeActor::follow_look() {
 
 void VolumeActor::follow_clip() {
     if (!drawn_) return;
-    drawn_->mapper->RemoveAllClippingPlanes();
-    if (clip_) drawn_->mapper->AddClippingPlane(clip_);
+    clip_by(clip_, *drawn_->mapper);
 }
 
 void VolumeActor::follow_detail() {

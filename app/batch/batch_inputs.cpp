@@ -49,11 +49,26 @@ std::map<std::string, fs::path> volumes_by_name(const fs::path& folder) {
     return volumes;
 }
 
+// Inputs of the same name get the full names of their files, which may in turn be the names of
+// others: a.nii and a.mha beside a.nii.mha.
+void make_names_differ(std::vector<BatchInput>& inputs) {
+    for (bool changed = true; changed;) {
+        changed = false;
+        std::map<std::string, int> uses;
+        for (const BatchInput& input : inputs) ++uses[input.scan];
+        for (BatchInput& input : inputs) {
+            const std::string full = input.ct.filename().string();
+            if (uses[input.scan] == 1 || input.scan == full) continue;
+            input.patient = input.scan = full;
+            changed = true;
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<BatchInput> batch_inputs(const fs::path& folder, const fs::path& liver_masks) {
     std::vector<BatchInput> inputs;
-    std::map<std::string, int> uses;
     for (const fs::path& entry : entries_of(folder)) {
         const std::string name = entry.filename().string();
         if (name.starts_with('.')) continue;
@@ -61,18 +76,16 @@ std::vector<BatchInput> batch_inputs(const fs::path& folder, const fs::path& liv
         const auto stem = is_folder ? name : stem_of_volume(name);
         if (!stem) continue;
         inputs.push_back({*stem, *stem, entry, std::nullopt});
-        ++uses[*stem];
     }
     if (inputs.empty())
         throw InputError("holds no CT", folder.string(),
                          "Give a folder of DICOM folders or of .nii, .nii.gz, .mha, .nrrd files");
     const auto masks =
         liver_masks.empty() ? std::map<std::string, fs::path>{} : volumes_by_name(liver_masks);
-    for (BatchInput& input : inputs) {
+    for (BatchInput& input : inputs)
         if (const auto mask = masks.find(input.patient); mask != masks.end())
             input.liver_mask = mask->second;
-        if (uses[input.patient] > 1) input.patient = input.scan = input.ct.filename().string();
-    }
+    make_names_differ(inputs);
     return inputs;
 }
 

@@ -3,9 +3,9 @@
 
 #include <cstdio>
 
-#include "app/batch/csv_cell.h"
 #include "app/html_report.h"
 #include "core/base/atomic_write.h"
+#include "core/base/csv_cell.h"
 
 namespace hepatica {
 

@@ -7,8 +7,8 @@
 #include <system_error>
 #include <utility>
 
-#include "app/batch/csv_cell.h"
 #include "core/base/atomic_write.h"
+#include "core/base/csv_cell.h"
 #include "core/base/error.h"
 
 namespace hepatica {

@@ -89,6 +89,11 @@ OFString SourceSlices::number(const DcmTagKey& element, unsigned long index) con
 }
 
 double SourceSlices::spacing_mm() const {
+    if (slices_.size() == 1) {
+        const double thickness = std::atof(text(DCM_SliceThickness).c_str());
+        if (!(thickness > 0.0)) throw lacks("the CT's only slice", "slice thickness (0018,0050)");
+        return thickness;
+    }
     std::array<double, 6> axes{};
     for (unsigned long i = 0; i < axes.size(); ++i)
         axes[i] = std::atof(text(DCM_ImageOrientationPatient, i).c_str());

@@ -36,7 +36,8 @@ class SourceSlices {
     Uint16 rows() const { return rows_; }
     Uint16 columns() const { return columns_; }
     // Mean spacing [mm]: the distance between the first and the last slice along their normal,
-    // divided by the number of steps. Needs two slices.
+    // divided by the number of steps; of a single slice its thickness. Throws Refusal where that is
+    // missing.
     double spacing_mm() const;
 
   private:

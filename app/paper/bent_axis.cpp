@@ -40,9 +40,7 @@ std::vector<Vec3> BentAxis::in(const Frame& frame) const {
     std::vector<Vec3> axis;
     for (const std::vector<int>& around : around_) {
         Vec3 sum = Vec3::Zero();
-        for (const int v : around)
-            sum += Vec3(frame.positions_mm[3 * v], frame.positions_mm[3 * v + 1],
-                        frame.positions_mm[3 * v + 2]);
+        for (const int v : around) sum += frame.place_mm(v);
         axis.push_back(sum / static_cast<double>(around.size()));
     }
     for (int pass = 0; pass < smoothings; ++pass) {

@@ -98,11 +98,6 @@ LineMark ring_at(const VesselTree& tree, double share) {
     return ring;
 }
 
-Vec3 position_in(const Frame& frame, int vertex) {
-    return {frame.positions_mm[3 * vertex], frame.positions_mm[3 * vertex + 1],
-            frame.positions_mm[3 * vertex + 2]};
-}
-
 // Circles around the torn rims at each cut line, on the part that the hand does not hold.
 std::vector<CircleMark> torn_places(const VesselTree& tree, const std::vector<double>& cuts,
                                     const DeformPart& deform, const Frame& frame) {
@@ -110,8 +105,8 @@ std::vector<CircleMark> torn_places(const VesselTree& tree, const std::vector<do
     const std::vector<int> piece = deform.torn()->piece_of_vertices({});
     int held = 0;
     for (std::size_t v = 0; v < piece.size(); ++v)
-        if ((position_in(frame, static_cast<int>(v)) - frame.grab->point_mm).norm() <
-            (position_in(frame, held) - frame.grab->point_mm).norm())
+        if ((frame.place_mm(static_cast<int>(v)) - frame.grab->point_mm).norm() <
+            (frame.place_mm(held) - frame.grab->point_mm).norm())
             held = static_cast<int>(v);
     std::vector<CircleMark> circles;
     const bool one = std::ranges::count(piece, piece.front()) == std::ssize(piece);
@@ -124,7 +119,7 @@ std::vector<CircleMark> torn_places(const VesselTree& tree, const std::vector<do
             if ((*frame.tear->rims)[v] == 0 || (!one && piece[v] == piece[held]) ||
                 (deform.rest_positions_mm()[v] - at).norm() > 4.0 * radius)
                 continue;
-            sum += position_in(frame, static_cast<int>(v));
+            sum += frame.place_mm(static_cast<int>(v));
             ++count;
         }
         if (count > 0)

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -13,11 +14,6 @@
 namespace hepatica {
 
 namespace {
-
-Vec3 place_of(const Frame& frame, int vertex) {
-    const auto i = 3 * static_cast<std::size_t>(vertex);
-    return {frame.positions_mm[i], frame.positions_mm[i + 1], frame.positions_mm[i + 2]};
-}
 
 QColor to_qt(const Colour& colour, double light = 1.0) {
     return QColor::fromRgbF(static_cast<float>(light * colour[0]),
@@ -47,10 +43,20 @@ class FrontView {
     QPointF middle_;
 };
 
+// The value of a vertex; where the values are those of the untorn body alone, that of the vertex
+// that it comes from. `otherwise` where there is none.
+float value_at(const std::vector<float>& values, const Frame& frame, int vertex, float otherwise) {
+    for (const int at : {vertex, frame.origin_of(vertex)})
+        if (static_cast<std::size_t>(at) < values.size())
+            return values[static_cast<std::size_t>(at)];
+    return otherwise;
+}
+
 Colour colour_of(const Frame& frame, const FramePainting& how, int vertex) {
     const DrugView& drug = frame.drug;
     if (drug.arrival_s) {
-        const double arrival_s = (*drug.arrival_s)[static_cast<std::size_t>(vertex)];
+        constexpr float never = std::numeric_limits<float>::infinity();
+        const double arrival_s = value_at(*drug.arrival_s, frame, vertex, never);
         if (arrival_s <= drug.time_s)
             return palette::drug(std::sqrt(arrival_s / std::max(drug.end_s, 1e-9)));
     }
@@ -61,8 +67,7 @@ Colour colour_of(const Frame& frame, const FramePainting& how, int vertex) {
     const Colour own = palette::vessel_system(
         origin < how.systems.size() ? how.systems[origin] : VascularSystem::unknown);
     const bool loaded = frame.tear && frame.tear->loads;
-    return loaded ? palette::warning(own, (*frame.tear->loads)[static_cast<std::size_t>(vertex)])
-                  : own;
+    return loaded ? palette::warning(own, value_at(*frame.tear->loads, frame, vertex, 0.0F)) : own;
 }
 
 // Paints far triangles first; the back has the larger y.
@@ -71,14 +76,14 @@ void paint_surface(QPainter& painter, const Frame& frame, const FramePainting& h
     const auto& triangles = *frame.surface;
     std::vector<double> depth;
     for (const auto& t : triangles)
-        depth.push_back(place_of(frame, t[0]).y() + place_of(frame, t[1]).y() +
-                        place_of(frame, t[2]).y());
+        depth.push_back(frame.place_mm(t[0]).y() + frame.place_mm(t[1]).y() +
+                        frame.place_mm(t[2]).y());
     std::vector<std::size_t> order(triangles.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, [&](auto a, auto b) { return depth[a] > depth[b]; });
     for (const std::size_t i : order) {
         const auto& t = triangles[i];
-        const Vec3 a = place_of(frame, t[0]), b = place_of(frame, t[1]), c = place_of(frame, t[2]);
+        const Vec3 a = frame.place_mm(t[0]), b = frame.place_mm(t[1]), c = frame.place_mm(t[2]);
         const Vec3 normal = (b - a).cross(c - a).normalized();
         const double light = 0.35 + 0.65 * std::abs(normal.dot(Vec3(-0.3, -0.85, 0.43)));
         const QColor colour = to_qt(colour_of(frame, how, t[0]), std::min(1.0, 1.15 * light));
@@ -123,12 +128,9 @@ void paint_hand(QPainter& painter, const Frame& frame, const FrontView& view) {
 }  // namespace
 
 std::array<Vec3, 2> box_of(const Frame& frame) {
-    Eigen::AlignedBox3d box;
-    for (std::size_t i = 0; i + 2 < frame.positions_mm.size(); i += 3)
-        box.extend(
-            Vec3(frame.positions_mm[i], frame.positions_mm[i + 1], frame.positions_mm[i + 2]));
-    const Vec3 around = 0.1 * box.sizes();
-    return {box.min() - around, box.max() + around};
+    const auto [low, high] = frame.box_mm();
+    const Vec3 around = 0.1 * (high - low);
+    return {low - around, high + around};
 }
 
 QImage paint(const Frame& frame, const FramePainting& how) {

@@ -285,6 +285,49 @@ HtmlReport page_of(const Parts& parts) {
     return page;
 }
 
+// Adds a picture of each moment, all of the same box.
+void write_pictures(Parts& parts, const Moments& moments, const LessonRun& places,
+                    const fs::path& folder, Job& job) {
+    FramePainting painting;
+    const bool moves = parts.lesson.scene.deform.has_value();
+    painting.systems =
+        SurfaceAnatomy(parts.patient.tree,
+                       moves ? parts.patient.mesh.vertices_mm : parts.patient.surface.vertices_mm,
+                       job)
+            .vertex_systems();
+    int number = 0;
+    for (const Moment& moment : moments.list()) {
+        if (number == 0) painting.box_mm = box_of(moment.frame);
+        painting.marks_mm = places.marks_in(moment.frame);
+        const fs::path name = "picture_" + std::to_string(++number) + ".png";
+        save(paint(moment.frame, painting), folder / name);
+        parts.pictures.emplace_back(name, key(moment.caption));
+    }
+}
+
+// Adds the curves over time, as pictures and as one table.
+void write_plots(Parts& parts, const fs::path& folder) {
+    const std::vector<LessonSample>& samples = parts.scored.samples;
+    std::vector<Chart> charts{
+        chart_over_time(samples, Words::id("Force"), Words::id("Force (mN)"),
+                        [](const LessonSample& s) { return s.force_mn; }),
+        chart_over_time(samples, Words::id("Largest stretch beyond rest"), Words::id("Stretch (%)"),
+                        [](const LessonSample& s) { return 100.0 * (s.stretch - 1.0); })};
+    if (parts.lesson.scene.tear)
+        charts.push_back(chart_over_time(samples, Words::id("Bleeding"),
+                                         Words::id("Bleeding (g/s)"),
+                                         [](const LessonSample& s) { return s.leak_g_s; }));
+    std::string table;
+    for (const Chart& chart : charts) {
+        const fs::path name = "plot_" + std::to_string(parts.plots.size() + 1) + ".png";
+        draw(bleeding_in_units(chart, parts.request.units), events_of(parts.scored.standing),
+             folder / name);
+        parts.plots.emplace_back(name, key(translated(chart.title)));
+        table += to_csv(chart);
+    }
+    write_text_atomically(folder / "plots.csv", table);
+}
+
 }  // namespace
 
 WrittenReport write_report(const ReportRequest& request, Job& job) {
@@ -308,39 +351,8 @@ WrittenReport write_report(const ReportRequest& request, Job& job) {
     WrittenReport written{scored.standing.outcome == LessonOutcome::passed, {}};
     write_files_atomically(request.out, [&](const fs::path& folder) {
         Parts parts{request, lesson, !played, scored, *patient, {}, {}};
-        FramePainting painting;
-        const bool moves = lesson.scene.deform.has_value();
-        painting.systems =
-            SurfaceAnatomy(patient->tree,
-                           moves ? patient->mesh.vertices_mm : patient->surface.vertices_mm, job)
-                .vertex_systems();
-        int number = 0;
-        for (const Moment& moment : moments.list()) {
-            if (number == 0) painting.box_mm = box_of(moment.frame);
-            painting.marks_mm = places->marks_in(moment.frame);
-            const fs::path name = "picture_" + std::to_string(++number) + ".png";
-            save(paint(moment.frame, painting), folder / name);
-            parts.pictures.emplace_back(name, key(moment.caption));
-        }
-        std::vector<Chart> charts{
-            chart_over_time(scored.samples, Words::id("Force"), Words::id("Force (mN)"),
-                            [](const LessonSample& s) { return s.force_mn; }),
-            chart_over_time(scored.samples, Words::id("Largest stretch beyond rest"),
-                            Words::id("Stretch (%)"),
-                            [](const LessonSample& s) { return 100.0 * (s.stretch - 1.0); })};
-        if (lesson.scene.tear)
-            charts.push_back(chart_over_time(scored.samples, Words::id("Bleeding"),
-                                             Words::id("Bleeding (g/s)"),
-                                             [](const LessonSample& s) { return s.leak_g_s; }));
-        std::string table;
-        for (const Chart& chart : charts) {
-            const fs::path name = "plot_" + std::to_string(parts.plots.size() + 1) + ".png";
-            draw(bleeding_in_units(chart, request.units), events_of(scored.standing),
-                 folder / name);
-            parts.plots.emplace_back(name, key(translated(chart.title)));
-            table += to_csv(chart);
-        }
-        write_text_atomically(folder / "plots.csv", table);
+        write_pictures(parts, moments, *places, folder, job);
+        write_plots(parts, folder);
         write_text_atomically(folder / "metrics.csv", to_csv(scored.standing.metrics));
         fs::copy_file(request.recording, folder / "recording.hrec");
         const HtmlReport page = page_of(parts);

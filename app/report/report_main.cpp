@@ -9,6 +9,10 @@
 #include <clocale>
 #include <cstdio>
 #include <cstring>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -62,6 +66,26 @@ std::string words_of(const Error& error) {
     return lines.join("\n").toStdString();
 }
 
+// Runs `work` and returns the exit code of the program, that of hepatica-cli (app/command_line.h).
+int exit_code_of(const std::function<void()>& work) {
+    try {
+        work();
+        return 0;
+    } catch (const Cancelled&) {
+        return refuse("interrupted", 130);
+    } catch (const UsageError& error) {
+        return refuse(words_of(error), 2);
+    } catch (const Error& error) {
+        return refuse(words_of(error), 1);
+    } catch (const std::filesystem::filesystem_error& error) {
+        return refuse(error.path1().string() + ": " + error.code().message(), 1);
+    } catch (const std::bad_alloc&) {
+        return refuse(translated("not enough memory").toStdString(), 3);
+    } catch (const std::exception& error) {
+        return refuse(translated(std::string("internal error: ") + error.what()).toStdString(), 3);
+    }
+}
+
 }  // namespace
 
 QList<QCommandLineOption> report_options() {
@@ -105,7 +129,7 @@ int report_main(int argc, char** argv) {
     if (language.isEmpty() || language_of(language) != language)
         return refuse("--language is en or de", 2);
     use_language(language);
-    try {
+    return exit_code_of([&] {
         Job job;
         if (parser.isSet("progress")) job.observe([&job](JobEvent) { print_progress(job); });
         print(write_report({.recording = to_path(parser.value("report")),
@@ -119,12 +143,7 @@ int report_main(int argc, char** argv) {
                             .language = language.toStdString()},
                            job),
               parser.isSet("json"));
-    } catch (const InputError& error) {
-        return refuse(words_of(error), 1);
-    } catch (const UsageError& error) {
-        return refuse(words_of(error), 2);
-    }
-    return 0;
+    });
 }
 
 }  // namespace hepatica

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/verbs/verbs.h"
+#include "core/accuracy/accuracy.h"
 #include "core/image/morphology.h"
 #include "core/phantom/phantom.h"
 #include "core/segmentation/gaussian_refinement.h"
@@ -58,15 +59,6 @@ SurfacePlace place_of_surface(const Mask& mask, const FloatVolume& distance_mm) 
     return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean))};
 }
 
-double dice(const Mask& a, const Mask& b) {
-    std::size_t both = 0, sum = 0;
-    for (std::size_t i = 0; i < a.voxels.size(); ++i) {
-        both += a.voxels[i] != 0 && b.voxels[i] != 0 ? 1 : 0;
-        sum += (a.voxels[i] != 0 ? 1 : 0) + (b.voxels[i] != 0 ? 1 : 0);
-    }
-    return 2.0 * static_cast<double>(both) / static_cast<double>(sum);
-}
-
 Json run_bench_refinement(const BenchRefinementChoices& options, Job& job) {
     PhantomOptions made;
     made.seed = static_cast<std::uint64_t>(options.seed);
@@ -90,7 +82,7 @@ Json run_bench_refinement(const BenchRefinementChoices& options, Job& job) {
                         {"surface_shift_mm", surface.shift_mm - true_shift_mm},
                         {"area_mm2", found.area_mm2},
                         {"volume_lost", 1.0 - found.volume_mm3 / start.volume_mm3},
-                        {"dice", dice(refined, phantom.vessels)},
+                        {"dice", dice_of(refined, phantom.vessels, job)},
                         {"components", betti_numbers(refined).components}});
     }
     return {

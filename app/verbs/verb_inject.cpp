@@ -47,19 +47,18 @@ Json number_or_null(double value) {
 // Pressure at the tip, vessels filled and drug delivered, over time.
 Chart chart_of(const InjectionResult& result) {
     Chart chart{"Injection", "Time (s)", "Share", {}};
-    Curve pressure{"inlet pressure / highest", {}, {}};
-    Curve filled{"vessels filled", {}, {}};
-    Curve delivered{"injected fluid delivered", {}, {}};
     double highest = 0.0;
     for (const InjectionSample& s : result.series)
         highest = std::max(highest, std::abs(s.inlet_pressure_pa));
+    Curve pressure{"inlet pressure / " + std::to_string(std::lround(highest)) + " Pa", {}, {}};
+    Curve filled{"vessels filled", {}, {}};
+    Curve delivered{"injected fluid delivered", {}, {}};
     for (const InjectionSample& s : result.series) {
         for (Curve* curve : {&pressure, &filled, &delivered}) curve->x.push_back(s.time_s);
         pressure.y.push_back(highest > 0.0 ? s.inlet_pressure_pa / highest : 0.0);
         filled.y.push_back(s.filled_fraction);
         delivered.y.push_back(s.injected_g > 0.0 ? s.delivered_g / s.injected_g : 0.0);
     }
-    pressure.name = "inlet pressure / " + std::to_string(std::lround(highest)) + " Pa";
     chart.curves = {pressure, filled, delivered};
     return chart;
 }

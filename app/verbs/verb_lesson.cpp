@@ -38,7 +38,7 @@ Json run_lesson(const LessonChoices& options, Job& job) {
     const BuiltInCache no_cache;
     const auto patient = std::make_shared<const PatientCase>(recorded_patient(
         recording, options.recording, case_of_lesson(lesson, options.lesson, options.patient),
-        lesson.patient == "built-in" ? &no_cache : nullptr, building_and_replaying, job));
+        &no_cache, building_and_replaying, job));
     for (const std::string& misfit : misfits(lesson, patient->tree)) spdlog::warn("{}", misfit);
     const Score scored =
         score(recording, lesson, patient, job, choose_back_end(recording.back_end).back_end);

@@ -13,6 +13,7 @@
 #include "app/verbs/flow_options.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/flow/injection.h"
 #include "core/opening/ct_around_liver.h"
 #include "core/opening/patient_image.h"
 #include "core/patient/corrections.h"
@@ -25,6 +26,7 @@
 #include "core/session/session.h"
 #include "render/offscreen_picture.h"
 #include "render/organ_surface.h"
+#include "render/picture.h"
 
 namespace hepatica {
 
@@ -86,11 +88,10 @@ PictureOptions picture_options(const RenderChoices& options) {
                     &rest) != 2)
         throw UsageError("\"" + options.size + "\" is no size", "--size",
                          "write width,height in pixels, as 1280,960");
-    constexpr int largest = 16384;
-    if (picture.width < 1 || picture.height < 1 || picture.width > largest ||
-        picture.height > largest)
+    if (picture.width < 1 || picture.height < 1 || picture.width > largest_picture_px ||
+        picture.height > largest_picture_px)
         throw UsageError("a picture of " + options.size + " pixels cannot be made", "--size",
-                         "choose 1 to 16384 pixels each way");
+                         "choose 1 to " + std::to_string(largest_picture_px) + " pixels each way");
     if (!(options.zoom > 0.0))
         throw UsageError("the zoom is not above 0", "--zoom", "1 shows all of the tree");
     picture.turn_right_deg = options.turn_right_deg;
@@ -101,9 +102,10 @@ PictureOptions picture_options(const RenderChoices& options) {
     return picture;
 }
 
-// Where the drug is injected: the given place, or the root of the first segment.
+// Where the drug is injected: the given place, or the same root as by `inject`.
 Vec3 injection_point(const RenderChoices& options, const VesselTree& tree) {
-    if (options.at_mm.empty()) return tree.segments.front().points_mm.front();
+    if (options.at_mm.empty())
+        return tree.segments[static_cast<std::size_t>(main_root(tree).segment)].points_mm.front();
     const auto [x, y, z] = parse_triple("--at-mm", options.at_mm);
     point_of_vessel("--at-mm", {x, y, z}, tree);
     return {x, y, z};

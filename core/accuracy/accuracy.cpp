@@ -26,19 +26,6 @@ double share(double part, double whole) {
     return whole > 0.0 ? part / whole : 1.0;
 }
 
-double dice_of(const Mask& mask, const Mask& truth, Job& job) {
-    Mask judged = mask;
-    for (std::uint8_t& v : judged.voxels) v = v != 0;  // of any system
-    if (!same_grid(mask.grid, truth.grid))
-        judged = resample(judged, truth.grid, Interpolation::linear, job);
-    double both = 0.0, sum = 0.0;
-    for (std::size_t i = 0; i < truth.voxels.size(); ++i) {
-        both += truth.voxels[i] && judged.voxels[i];
-        sum += (truth.voxels[i] != 0) + (judged.voxels[i] != 0);
-    }
-    return share(2.0 * both, sum);
-}
-
 // Share of one mask's skeleton that lies inside the other; 0 for an empty skeleton.
 double skeleton_share(const Mask& mask, const Mask& other, Job& job) {
     const Mask skeleton = unit_width(thin(mask, ThinningMethod::queue, job), job);
@@ -188,6 +175,19 @@ int component_count(const VesselTree& tree) {
 }
 
 }  // namespace
+
+double dice_of(const Mask& mask, const Mask& truth, Job& job) {
+    Mask judged = mask;
+    for (std::uint8_t& v : judged.voxels) v = v != 0;  // of any system
+    if (!same_grid(mask.grid, truth.grid))
+        judged = resample(judged, truth.grid, Interpolation::linear, job);
+    double both = 0.0, sum = 0.0;
+    for (std::size_t i = 0; i < truth.voxels.size(); ++i) {
+        both += truth.voxels[i] && judged.voxels[i];
+        sum += (truth.voxels[i] != 0) + (judged.voxels[i] != 0);
+    }
+    return share(2.0 * both, sum);
+}
 
 Accuracy compare(const VesselTree& tree, const Mask& mask, const VesselTree& truth_tree,
                  const Mask& truth_mask, const AccuracyOptions& options, Job& job) {

@@ -59,6 +59,10 @@ struct Accuracy {
     int truth_components = 0;  // of the truth's tree
 };
 
+// Dice coefficient of the nonzero voxels on the truth's grid; 1 where both masks are empty. The
+// masks may lie on different grids in one frame. Throws Cancelled.
+double dice_of(const Mask& mask, const Mask& truth, Job& job);
+
 // Compares a tree and its mask with the truth. The masks may lie on different grids in one frame.
 // Reports progress in the present stage. Throws InputError where the true tree or mask is empty;
 // Cancelled.

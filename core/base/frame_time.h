@@ -5,5 +5,6 @@
 namespace hepatica {
 
 inline constexpr double frame_s = 1.0 / 60.0;
+inline constexpr double frame_length_ms = 1000.0 / 60.0;
 
 }  // namespace hepatica

@@ -2,7 +2,6 @@
 // Which commands a trainee may give in a lesson.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "core/lesson/lesson.h"

@@ -35,10 +35,6 @@ bool truth_from(const LessonFields& field) {
     return field.json().get<bool>();
 }
 
-}  // namespace
-
-namespace {
-
 // Returns true if the attempt passed, or failed by the last `marks` pass marks alone (those of a
 // course).
 bool passed_but_for(std::size_t marks, const LessonStanding& standing) {
@@ -208,7 +204,7 @@ std::string to_csv(const std::vector<Attempt>& attempts) {
     text += named ? ",name\n" : "\n";
     for (std::size_t row = 0; row < attempts.size(); ++row) {
         const Attempt& attempt = attempts[row];
-        text += std::to_string(row + 1) + "," + attempt.ended_at + "," +
+        text += std::to_string(row + 1) + "," + csv_cell(attempt.ended_at) + "," +
                 (attempt.passed ? "yes" : "no") + "," + (attempt.reference ? "yes" : "no");
         for (const double value : attempt.metrics) text += "," + csv_cell(value);
         if (named) text += "," + csv_cell(attempt.name);

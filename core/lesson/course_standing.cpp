@@ -5,21 +5,12 @@
 
 namespace hepatica {
 
-namespace {
-
-bool is_built_in(const std::string& lesson) {
-    const auto lessons = built_in_lessons();
-    return std::ranges::any_of(lessons, [&](const BuiltInLesson& one) { return lesson == one.id; });
-}
-
-}  // namespace
-
 std::string lesson_named_by(const std::string& entry, const std::filesystem::path& folder) {
-    return is_built_in(entry) ? entry : (folder / entry).lexically_normal().string();
+    return built_in_lesson(entry) ? entry : (folder / entry).lexically_normal().string();
 }
 
 std::string entry_naming(const std::string& lesson, const std::filesystem::path& folder) {
-    if (is_built_in(lesson)) return lesson;
+    if (built_in_lesson(lesson)) return lesson;
     return std::filesystem::path(lesson)
         .lexically_normal()
         .lexically_proximate(folder.lexically_normal())

@@ -11,6 +11,7 @@ namespace hepatica {
 namespace {
 
 constexpr double samples = 500.0;
+constexpr double least_step_s = 1e-9;  // that inject() takes
 
 Dose sum(const Dose& a, const Dose& b) {
     return {a.injected_g + b.injected_g, a.delivered_g + b.delivered_g, a.target_g + b.target_g,
@@ -45,7 +46,7 @@ DoseCurve::DoseCurve(const VesselTree& tree, const InjectionOptions& options, do
                      const std::optional<TargetRegion>& target) {
     InjectionOptions run = options;
     run.until_s = end_s;
-    run.step_s = end_s / samples;
+    run.step_s = std::max(end_s / samples, least_step_s);
     Job job;
     const InjectionResult result = inject(tree, run, job);
     const std::vector<char> beyond_tip =

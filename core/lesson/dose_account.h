@@ -28,7 +28,7 @@ struct Dose {
 // and interpolated linearly.
 class DoseCurve {
   public:
-    // Costs 0.1 s for a drug with the viscosity of blood, seconds for others. `end_s` > 0: end of
+    // Costs 0.1 s for a drug with the viscosity of blood, seconds for others. `end_s` >= 0: end of
     // the run. Throws InputError where nothing can flow.
     DoseCurve(const VesselTree& tree, const InjectionOptions& options, double end_s,
               const std::optional<TargetRegion>& target);

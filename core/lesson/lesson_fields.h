@@ -12,6 +12,10 @@
 
 namespace hepatica {
 
+// What the user can do about a lesson that cannot be read.
+inline constexpr const char* lesson_remedy =
+    "See docs/lessons.md, and assets/lessons for lessons that work";
+
 // A view: the JSON must outlive it. Every accessor throws InputError where the value has another
 // type.
 class LessonFields {

@@ -19,20 +19,18 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr const char* remedy = "See docs/lessons.md, and assets/lessons for lessons that work";
-constexpr std::array<LessonTool, 9> all_tools{
-    LessonTool::pull,     LessonTool::sphere, LessonTool::capsule,
-    LessonTool::forceps,  LessonTool::hook,   LessonTool::blade,
-    LessonTool::cut_line, LessonTool::inject, LessonTool::settings};
+// In the order of LessonTool.
+constexpr std::array<const char*, 9> tool_names{"pull",  "sphere",   "capsule", "forceps", "hook",
+                                                "blade", "cut_line", "inject",  "settings"};
 
 LessonTool tool_from(const LessonFields& field) {
     const std::string name = field.text();
     const auto found =
-        std::ranges::find_if(all_tools, [&](LessonTool tool) { return name == name_of(tool); });
-    if (found != all_tools.end()) return *found;
+        std::ranges::find_if(tool_names, [&](const char* tool) { return name == tool; });
+    if (found != tool_names.end()) return static_cast<LessonTool>(found - tool_names.begin());
     std::string known;
-    for (const LessonTool tool : all_tools)
-        known += (known.empty() ? "" : ", ") + std::string(name_of(tool));
+    for (const char* const tool : tool_names)
+        known += (known.empty() ? "" : ", ") + std::string(tool);
     field.refuse("is \"" + name + "\", which is no tool", "Choose from " + known);
 }
 
@@ -51,7 +49,7 @@ std::optional<PlaceTie> tie_beside(const LessonFields& place) {
 ScriptPlace place_from(const LessonFields& fields) {
     fields.know({"share_of_longest_path", "point_mm", "tied"});
     if (fields.has("share_of_longest_path") == fields.has("point_mm"))
-        fields.refuse("needs either share_of_longest_path or point_mm", remedy);
+        fields.refuse("needs either share_of_longest_path or point_mm", lesson_remedy);
     ScriptPlace place;
     if (fields.has("point_mm")) {
         place.point_mm = fields.need("point_mm").vector();
@@ -132,7 +130,7 @@ std::string drug_from(const LessonFields& drug) {
 }
 
 Lesson lesson_from(const LessonFields& fields) {
-    fields.require_format("hepatica-lesson", remedy);
+    fields.require_format("hepatica-lesson", lesson_remedy);
     fields.know({"format", "version", "name", "about", "patient", "scene", "setup", "setup_tied",
                  "tools", "marks", "drug", "target", "steps", "limits", "pass"});
     Lesson lesson;
@@ -159,14 +157,14 @@ Lesson lesson_from(const LessonFields& fields) {
     const std::vector<std::string> marks = lesson.mark_names();
     for (const LessonFields& step : fields.need("steps").list())
         lesson.steps.push_back(step_from(step, marks));
-    if (lesson.steps.empty()) fields.need("steps").refuse("is empty", remedy);
+    if (lesson.steps.empty()) fields.need("steps").refuse("is empty", lesson_remedy);
     lesson.limits = predicates_from(fields, "limits", marks);
     lesson.pass = predicates_from(fields, "pass", marks);
     return lesson;
 }
 
 Course course_from(const LessonFields& fields) {
-    fields.require_format("hepatica-course", remedy);
+    fields.require_format("hepatica-course", lesson_remedy);
     fields.know({"format", "version", "name", "lessons"});
     Course course;
     course.name = fields.need("name").text();
@@ -182,7 +180,7 @@ template <class From>
 auto parsed(const std::string& text, const std::string& place, const From& from,
             bool unfinished = false) {
     const Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) throw InputError("is not JSON", place, remedy);
+    if (json.is_discarded()) throw InputError("is not JSON", place, lesson_remedy);
     try {
         return from(LessonFields(json, place, "", unfinished));
     } catch (const InputError& error) {
@@ -194,9 +192,7 @@ auto parsed(const std::string& text, const std::string& place, const From& from,
 }  // namespace
 
 const char* name_of(LessonTool tool) {
-    constexpr std::array<const char*, 9> names{"pull",  "sphere",   "capsule", "forceps", "hook",
-                                               "blade", "cut_line", "inject",  "settings"};
-    return names[static_cast<std::size_t>(tool)];
+    return tool_names[static_cast<std::size_t>(tool)];
 }
 
 std::vector<std::string> Lesson::mark_names() const {
@@ -214,7 +210,7 @@ Lesson unfinished_lesson_of(const std::string& text, const std::string& place) {
 }
 
 Lesson read_lesson(const std::filesystem::path& file) {
-    return lesson_of(read_text_file(file, remedy), file.string());
+    return lesson_of(read_text_file(file, lesson_remedy), file.string());
 }
 
 Course course_of(const std::string& text, const std::string& place) {
@@ -222,13 +218,18 @@ Course course_of(const std::string& text, const std::string& place) {
 }
 
 Course read_course(const std::filesystem::path& file) {
-    return course_of(read_text_file(file, remedy), file.string());
+    return course_of(read_text_file(file, lesson_remedy), file.string());
+}
+
+std::optional<BuiltInLesson> built_in_lesson(const std::string& id) {
+    for (const BuiltInLesson& lesson : built_in_lessons())
+        if (id == lesson.id) return lesson;
+    return std::nullopt;
 }
 
 Lesson find_lesson(const std::string& name) {
-    for (const BuiltInLesson& lesson : built_in_lessons())
-        if (name == lesson.id) return lesson_of(lesson.text, name);
-    return read_lesson(name);
+    const std::optional<BuiltInLesson> built_in = built_in_lesson(name);
+    return built_in ? lesson_of(built_in->text, name) : read_lesson(name);
 }
 
 }  // namespace hepatica

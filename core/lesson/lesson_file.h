@@ -10,6 +10,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,8 @@ struct BuiltInLesson {
     const char* text;
 };
 std::vector<BuiltInLesson> built_in_lessons();
+// None where no built-in lesson has this id.
+std::optional<BuiltInLesson> built_in_lesson(const std::string& id);
 const char* built_in_course();
 
 // Reads a lesson by the id of a built-in one or by its file. Throws InputError as above.

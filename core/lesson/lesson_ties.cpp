@@ -30,9 +30,7 @@ struct TiedPlace {
 };
 
 TreePoint on_tree(const ScriptPlace& place, const VesselTree& tree) {
-    return nearest_point(tree, place.point_mm
-                                   ? *place.point_mm
-                                   : point_on_longest_path(tree, *place.share_of_longest_path));
+    return nearest_point(tree, position_of(place, tree));
 }
 
 // The sample on the blade nearest to a centreline.

@@ -101,8 +101,10 @@ double value_of(Quantity quantity, const LessonMoment& moment, double step_time_
 double value_of(const Predicate& predicate, const LessonMetrics& metrics,
                 const LessonMoment& moment, double step_time_s) {
     const Quantity quantity = predicate.quantity;
-    if (words_of(quantity).of_mark)
-        return value_of_mark(quantity, moment.marks[static_cast<std::size_t>(predicate.mark)]);
+    if (words_of(quantity).of_mark) {
+        const auto mark = static_cast<std::size_t>(predicate.mark);  // -1 is beyond the end
+        return mark < moment.marks.size() ? value_of_mark(quantity, moment.marks[mark]) : nothing;
+    }
     if (quantity < Quantity::step_time_s) return value_of(quantity, metrics);
     return value_of(quantity, moment, step_time_s);
 }

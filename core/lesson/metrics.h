@@ -60,8 +60,8 @@ struct LessonMoment {
     bool operator==(const LessonMoment&) const = default;
 };
 
-// `step_time_s`: time since the present step began. A predicate on a mark needs a valid index. NaN
-// for the target's share of the dose while nothing is delivered.
+// `step_time_s`: time since the present step began. NaN for the target's share of the dose while
+// nothing is delivered, and for a mark that there is not.
 double value_of(const Predicate& predicate, const LessonMetrics& metrics,
                 const LessonMoment& moment, double step_time_s);
 

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/lesson/play_meter.h"
+
 namespace hepatica {
 
 namespace {
@@ -123,7 +125,7 @@ void PlayEvents::see_commands(std::span<const Command> commands, const Frame& fr
 
 void PlayEvents::see_contact(const Frame& frame) {
     if (!frame.tool || frame.tool->touched.empty()) return;
-    if (at_s_ - touched_s_ >= same_contact_s) note(PlayEventKind::tool, "Touched");
+    if (at_s_ - touched_s_ >= PlayMeter::same_contact_s) note(PlayEventKind::tool, "Touched");
     touched_s_ = at_s_;
 }
 

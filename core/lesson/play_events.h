@@ -46,9 +46,6 @@ class PlayEvents {
     // loads have fallen below `eased_load`.
     static constexpr float near_load = 0.8F;
     static constexpr float eased_load = 0.6F;
-    // Contacts with a shorter gap count as one, as in PlayMeter.
-    static constexpr double same_contact_s = 0.1;
-
     // Returns the events of one step: the commands before it and its frame. Call in order.
     // `standing`: of the lesson after this step; null if none is played.
     std::vector<PlayEvent> see(double at_s, std::span<const Command> commands, const Frame& frame,

@@ -21,11 +21,6 @@ const std::vector<Vec3>& rest_of(const Lesson& lesson, const PatientCase& patien
     return lesson.scene.deform ? patient.mesh.vertices_mm : patient.surface.vertices_mm;
 }
 
-Vec3 place_on(const ScriptPlace& place, const VesselTree& tree) {
-    return place.point_mm ? *place.point_mm
-                          : point_on_longest_path(tree, *place.share_of_longest_path);
-}
-
 std::vector<int> surface_vertices(const PatientCase& patient, bool deforms) {
     const std::vector<std::array<int, 3>> triangles =
         deforms ? boundary_triangles(patient.mesh) : patient.surface.triangles;
@@ -35,6 +30,12 @@ std::vector<int> surface_vertices(const PatientCase& patient, bool deforms) {
     std::ranges::sort(vertices);
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     return vertices;
+}
+
+int nearest_of(const std::vector<int>& vertices, const std::vector<Vec3>& places_mm,
+               const Vec3& to_mm) {
+    return *std::ranges::min_element(vertices, {},
+                                     [&](int v) { return (places_mm[v] - to_mm).squaredNorm(); });
 }
 
 // Mean position of the vertices.
@@ -78,7 +79,7 @@ PlayMeter::PlayMeter(const Lesson& lesson, std::shared_ptr<const PatientCase> pa
     in_target_.assign(on_surface_.size(), 0);
     if (lesson.target) {
         target.emplace(patient_->tree,
-                       nearest_point(patient_->tree, place_on(*lesson.target, patient_->tree)));
+                       nearest_point(patient_->tree, position_of(*lesson.target, patient_->tree)));
         for (std::size_t i = 0; i < on_tree.size(); ++i)
             in_target_[i] = target->contains(on_tree[i].on_tree);
     }
@@ -88,19 +89,22 @@ PlayMeter::PlayMeter(const Lesson& lesson, std::shared_ptr<const PatientCase> pa
 void PlayMeter::place_marks(const Lesson& lesson, const std::vector<VertexPlace>& on_tree) {
     moment_.marks.resize(lesson.marks.size());
     for (const LessonMark& mark : lesson.marks) {
-        const TreePoint at = nearest_point(patient_->tree, place_on(mark.place, patient_->tree));
+        const Vec3 place = position_of(mark.place, patient_->tree);
+        const TreePoint at = nearest_point(patient_->tree, place);
         std::vector<int> around;
-        std::size_t nearest = 0;
+        int nearest = -1;  // on the mark's segment
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < on_tree.size(); ++i) {
             const TreePoint& other = on_tree[i].on_tree;
             if (other.segment != at.segment) continue;
             const double along = std::abs(other.arclength_mm - at.arclength_mm);
             if (along <= on_tree[i].radius_mm) around.push_back(on_surface_[i]);
-            if (along < least) nearest = i;
+            if (along < least) nearest = on_surface_[i];
             least = std::min(least, along);
         }
-        if (around.empty()) around.push_back(on_surface_[nearest]);
+        // A short segment may be nearest to no vertex at all.
+        if (around.empty())
+            around.push_back(nearest >= 0 ? nearest : nearest_of(on_surface_, rest_mm_, place));
         marks_rest_mm_.push_back(middle_of(around, [&](int v) { return rest_mm_[v]; }));
         marks_.push_back(std::move(around));
     }
@@ -110,11 +114,7 @@ std::vector<Vec3> PlayMeter::marks_in(const Frame& frame) const {
     assert(frame.positions_mm.size() >= 3 * rest_mm_.size());  // a torn body has more vertices
     std::vector<Vec3> places;
     for (const std::vector<int>& around : marks_)
-        places.push_back(middle_of(around, [&](int v) {
-            const auto i = 3 * static_cast<std::size_t>(v);
-            return Vec3(frame.positions_mm[i], frame.positions_mm[i + 1],
-                        frame.positions_mm[i + 2]);
-        }));
+        places.push_back(middle_of(around, [&](int v) { return frame.place_mm(v); }));
     return places;
 }
 

@@ -32,9 +32,9 @@ class PlayMeter {
 
     const LessonMetrics& metrics() const { return metrics_; }
     const LessonMoment& moment() const { return moment_; }
-    // Marks at rest: mean of the surface vertices of the mark's segment within one radius along it.
-    const std::vector<Vec3>& marks_mm() const { return marks_rest_mm_; }
-    // Marks in a frame. It must be of the lesson's scene and patient: the vertices are indexed.
+    // Marks in a frame: mean of the surface vertices of the mark's segment within one radius along
+    // it; without any, the nearest vertex. The frame must be of the lesson's scene and patient: the
+    // vertices are indexed.
     std::vector<Vec3> marks_in(const Frame& frame) const;
 
     // Contacts with a shorter gap in s count as one.

@@ -10,9 +10,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr const char* predicate_remedy =
-    "See docs/lessons.md, and assets/lessons for lessons that work";
-
 Quantity quantity_from(const LessonFields& field) {
     const std::string name = field.text();
     std::string known;
@@ -29,7 +26,7 @@ Predicate predicate_from(const LessonFields& fields, const std::vector<std::stri
     predicate.quantity = quantity_from(fields.need("what"));
     predicate.at_least = fields.has("at_least");
     if (predicate.at_least == fields.has("at_most"))
-        fields.refuse("needs either at_least or at_most", predicate_remedy);
+        fields.refuse("needs either at_least or at_most", lesson_remedy);
     predicate.bound = fields.need(predicate.at_least ? "at_least" : "at_most").number();
     const bool of_mark = words_of(predicate.quantity).of_mark;
     if (of_mark && !fields.has("mark") && fields.unfinished()) return predicate;

@@ -74,9 +74,4 @@ std::size_t ReviewTape::size() const {
     return kept_.size();
 }
 
-std::size_t ReviewTape::stride() const {
-    const std::lock_guard lock(mutex_);
-    return stride_;
-}
-
 }  // namespace hepatica

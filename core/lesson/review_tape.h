@@ -32,9 +32,8 @@ class ReviewTape {
     double end_s() const;
     // Sorted by time.
     std::vector<PlayEvent> events() const;
-    // Number of frames kept; one of every stride() frames is kept.
+    // Number of frames kept: every frame, or evenly one of 2, 4, 8 and so on, and the newest.
     std::size_t size() const;
-    std::size_t stride() const;
 
   private:
     struct Kept {

@@ -10,11 +10,6 @@ namespace {
 
 constexpr double least_area_mm2 = 1e-6;  // triangles below it are ignored
 
-Vec3 place_of(const Frame& frame, int vertex) {
-    const auto i = 3 * static_cast<std::size_t>(vertex);
-    return {frame.positions_mm[i], frame.positions_mm[i + 1], frame.positions_mm[i + 2]};
-}
-
 }  // namespace
 
 void SurfaceStretch::take_surface(const Frame& frame) {
@@ -44,8 +39,8 @@ void SurfaceStretch::see(const Frame& frame) {
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
         const Rest& rest = triangles_[i];
         const std::array<int, 3>& t = (*surface_)[i];
-        const Vec3 p = place_of(frame, t[0]);
-        const Vec3 d1 = place_of(frame, t[1]) - p, d2 = place_of(frame, t[2]) - p;
+        const Vec3 p = frame.place_mm(t[0]);
+        const Vec3 d1 = frame.place_mm(t[1]) - p, d2 = frame.place_mm(t[2]) - p;
         // Columns of F: images of the plane's orthonormal basis.
         const Vec3 f1 = rest.a * d1, f2 = rest.b * d1 + rest.c * d2;
         const double xx = f1.squaredNorm(), yy = f2.squaredNorm(), xy = f1.dot(f2);

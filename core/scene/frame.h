@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -123,6 +125,21 @@ struct Frame {
     DrugView drug;
     FrameStatistics statistics;
 
+    Vec3 place_mm(int vertex) const {
+        const auto i = 3 * static_cast<std::size_t>(vertex);
+        return {positions_mm[i], positions_mm[i + 1], positions_mm[i + 2]};
+    }
+    // Lower and upper corner of the box around all vertices. Infinite and turned inside out without
+    // any.
+    std::array<Vec3, 2> box_mm() const {
+        constexpr double far = std::numeric_limits<double>::infinity();
+        std::array<Vec3, 2> box{Vec3::Constant(far), Vec3::Constant(-far)};
+        for (int v = 0; 3 * static_cast<std::size_t>(v) < positions_mm.size(); ++v) {
+            const Vec3 place = place_mm(v);
+            box = {box[0].cwiseMin(place), box[1].cwiseMax(place)};
+        }
+        return box;
+    }
     // The vertex of the whole body that a vertex comes from; -1 stays -1.
     int origin_of(int vertex) const {
         return tear && tear->origins && vertex >= 0 ? (*tear->origins)[vertex] : vertex;

@@ -207,11 +207,6 @@ std::vector<Vec3> longest_path(const VesselTree& tree) {
     return points;
 }
 
-Vec3 resolve(const ScriptPlace& place, const VesselTree& tree) {
-    return place.point_mm ? *place.point_mm
-                          : point_on_longest_path(tree, *place.share_of_longest_path);
-}
-
 // Assigns a script's actions to the steps in which they happen, in order of time.
 class Timetable {
   public:
@@ -286,13 +281,13 @@ void Timetable::draw_blade(const ScriptAction& action) {
 void Timetable::add(const ScriptAction& action) {
     const long first = step_at(action.at_s);
     if (action.what == "grab") {
-        hand_mm_ = resolve(action.place, tree_);
+        hand_mm_ = position_of(action.place, tree_);
         put(first, GrabPoint{hand_mm_});
     } else if (action.what == "move") {
         move_hand(action);
     } else if (action.what == "tool") {
         AddTool tool = std::get<AddTool>(*action.command);
-        tool.point_mm = resolve(action.place, tree_);
+        tool.point_mm = position_of(action.place, tree_);
         put(first, tool);
     } else if (action.what == "move_tool") {
         lead_tool(action);
@@ -300,14 +295,14 @@ void Timetable::add(const ScriptAction& action) {
         move_jaws(action);
     } else if (action.what == "cut_line") {
         CutLine line = std::get<CutLine>(*action.command);
-        line.from_mm = resolve(action.place, tree_);
-        line.to_mm = resolve(action.to_place, tree_);
+        line.from_mm = position_of(action.place, tree_);
+        line.to_mm = position_of(action.to_place, tree_);
         put(first, line);
     } else if (action.what == "blade") {
         draw_blade(action);
     } else if (action.what == "inject") {
         InjectDrug injection = std::get<InjectDrug>(*action.command);
-        injection.point_mm = resolve(action.place, tree_);
+        injection.point_mm = position_of(action.place, tree_);
         put(first, injection);
         put(first, FinishInjection{});
     } else {
@@ -316,6 +311,11 @@ void Timetable::add(const ScriptAction& action) {
 }
 
 }  // namespace
+
+Vec3 position_of(const ScriptPlace& place, const VesselTree& tree) {
+    return place.point_mm ? *place.point_mm
+                          : point_on_longest_path(tree, *place.share_of_longest_path);
+}
 
 Vec3 point_on_longest_path(const VesselTree& tree, double share) {
     const std::vector<Vec3> points = longest_path(tree);

@@ -69,5 +69,7 @@ std::vector<std::vector<Command>> schedule(const Script& script, const VesselTre
 
 // The point at this share of the path from the root of the widest tree to its farthest end.
 Vec3 point_on_longest_path(const VesselTree& tree, double share);
+// Where a place is on this tree.
+Vec3 position_of(const ScriptPlace& place, const VesselTree& tree);
 
 }  // namespace hepatica

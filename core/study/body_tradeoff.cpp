@@ -2,11 +2,9 @@
 // Error against cost of the solver's settings on a given body: measure_body_tradeoff() of
 // tradeoff.h.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <sstream>
 
 #include "core/base/error.h"
 #include "core/base/frame_time.h"
@@ -15,6 +13,7 @@
 #include "core/deform/stepper/live_stepper.h"
 #include "core/study/frame_meter.h"
 #include "core/study/pull_trial.h"
+#include "core/study/timing.h"
 #include "core/study/tradeoff.h"
 
 namespace hepatica {
@@ -23,19 +22,6 @@ namespace {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr int frames_before_a_forecast = 2;
 constexpr int frames_to_fall_asleep = 90;
-
-class Clock {
-  public:
-    explicit Clock(double budget_s) : budget_s_(budget_s) {}
-    double passed_s() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-    double left_s() const { return budget_s_ - passed_s(); }
-
-  private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-    double budget_s_;
-};
 
 struct Setting {
     std::size_t mesh = 0;
@@ -111,13 +97,6 @@ struct Scene {
     }
 };
 
-std::string seconds_text(double seconds) {
-    std::ostringstream text;
-    text.precision(2);
-    text << seconds << " s";
-    return text.str();
-}
-
 struct Reference {
     CentrelineMotion motion;
     StepperOptions options;
@@ -157,7 +136,7 @@ int substeps_within(const Scene& scene, const ReferenceChoice& choice, double se
 
 // Empty where it does not end before the clock passes `end_s`.
 CentrelineMotion reference_motion(const Scene& scene, ElementOrder order, int substeps,
-                                  const Clock& clock, double end_s, Job& job) {
+                                  const BudgetClock& clock, double end_s, Job& job) {
     const BodyDescription& body = scene.meshes.front();
     const auto stepper = reference_stepper(body, order);
     CentrelineMotion motion;
@@ -182,7 +161,8 @@ std::string words_of_reference(const BodyDescription& body, const StepperOptions
 }
 
 // Measures the first choice that the budget allows; the last one in any case.
-Reference measure_reference(const Scene& scene, const Clock& clock, double budget_s, Job& job) {
+Reference measure_reference(const Scene& scene, const BudgetClock& clock, double budget_s,
+                            Job& job) {
     Reference reference;
     for (const ReferenceChoice& choice : reference_choices) {
         const double end_s = choice.share * budget_s;
@@ -225,7 +205,7 @@ std::unique_ptr<Stepper> stepper_for(const BodyDescription& body, const Setting&
 
 // Empty where the whole motion was measured; otherwise the reason.
 std::string measure_motion(const Scene& scene, const Setting& setting,
-                           const TradeoffOptions& options, const Clock& clock, Job& job,
+                           const TradeoffOptions& options, const BudgetClock& clock, Job& job,
                            const std::function<void(double)>& progress, FrameMeter& meter,
                            CentrelineMotion& motion) {
     const BodyDescription& body = scene.meshes[setting.mesh];
@@ -257,7 +237,7 @@ bool finer_than(const Setting& setting, const StepperOptions& reference) {
 
 TradeoffPoint measure_setting(const Scene& scene, const Setting& setting,
                               const Reference& reference, const TradeoffOptions& options,
-                              const Clock& clock, Job& job,
+                              const BudgetClock& clock, Job& job,
                               const std::function<void(double)>& progress) {
     TradeoffPoint point;
     point.element = element_name(setting.options.model, setting.options.order);
@@ -288,7 +268,7 @@ TradeoffPoint measure_setting(const Scene& scene, const Setting& setting,
 
 Tradeoff measure_body_tradeoff(const std::vector<BodyDescription>& meshes,
                                const TradeoffOptions& options, Job& job) {
-    const Clock clock(options.budget_s);
+    const BudgetClock clock(options.budget_s);
     job.begin_stage("Finding the centreline in the meshes");
     const Scene scene(meshes);
     job.begin_stage("Measuring the reference");

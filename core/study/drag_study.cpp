@@ -6,10 +6,10 @@
 #include <functional>
 #include <vector>
 
+#include "core/base/frame_time.h"
+
 namespace hepatica {
 namespace {
-
-constexpr double frame_ms = 1000.0 / 60.0;
 
 using Frames = std::vector<const HandFrame*>;
 
@@ -44,7 +44,8 @@ DragSummary summary_of(const HandPlay& played) {
     summary.frame_ms = quantiles_of(cost);
     summary.wall_ms =
         quantiles_of(values_of(frames, [](const HandFrame& f) { return f.time.wall_ms; }));
-    const auto in_time = std::ranges::count_if(cost, [](double ms) { return ms <= frame_ms; });
+    const auto in_time =
+        std::ranges::count_if(cost, [](double ms) { return ms <= frame_length_ms; });
     summary.frames_in_time = static_cast<double>(in_time) / static_cast<double>(cost.size());
     const DragQuantiles solves =
         quantiles_of(values_of(frames, [](const HandFrame& f) { return f.linear_solves; }));

@@ -2,7 +2,6 @@
 // Summary of a motion of the hand: the tail of the frame times and the share of frames in time.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "core/study/hand_trial.h"

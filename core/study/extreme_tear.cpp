@@ -10,8 +10,8 @@
 #include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/mesh/tet_mesh.h"
-#include "core/scene/tools/tool_choice.h"
 #include "core/study/extreme_cases.h"
+#include "core/study/random_tool.h"
 #include "core/study/split_check.h"
 #include "core/study/touch_bodies.h"
 #include "core/study/trial.h"
@@ -27,13 +27,6 @@ constexpr int steps_a_goal = 30;
 
 enum class TearPlay { pull, press, twist, cut };
 constexpr std::array<const char*, 4> tear_plays{"pull", "press", "twist", "cut"};
-
-Vec3 random_direction(std::mt19937_64& random) {
-    Vec3 d = Vec3::Zero();
-    while (d.norm() < 0.1)
-        for (int c = 0; c < 3; ++c) d[c] = uniform(random, -1.0, 1.0);
-    return d.normalized();
-}
 
 double log_uniform(std::mt19937_64& random, double low, double high) {
     return low * std::pow(high / low, uniform(random, 0.0, 1.0));
@@ -62,10 +55,7 @@ class TearTrial {
         options_.model = uniform(random, 0.0, 1.0) < 0.6   ? ElementModel::corotated
                          : uniform(random, 0.0, 1.0) < 0.5 ? ElementModel::neohookean
                                                            : ElementModel::spring;
-        for (const Vec3& x : body_.mesh.vertices_mm) middle_mm_ += x;
-        middle_mm_ /= static_cast<double>(body_.mesh.vertices_mm.size());
-        for (const Vec3& x : body_.mesh.vertices_mm)
-            reach_mm_ = std::max(reach_mm_, (x - middle_mm_).norm());
+        extent_ = extent_of(body_);
     }
 
     // Rounding error of the forces' work along a step, whose terms are as large as modulus times
@@ -116,21 +106,14 @@ class TearTrial {
     }
 
     void bring_tool() {
-        ToolChoice choice;
-        choice.kind = uniform(random_, 0.0, 1.0) < 0.5 ? "sphere" : "capsule";
-        choice.radius_mm = uniform(random_, 0.5, 4.0);
-        choice.length_mm = choice.kind == "sphere" ? 0.0 : uniform(random_, 3.0, 20.0);
-        choice.direction = random_direction(random_);
-        const double away_mm = reach_mm_ + 2.0 * choice.length_mm + 10.0 * choice.radius_mm;
-        stepper_->set_tool(tool_of(choice, middle_mm_ - away_mm * choice.direction,
-                                   body_.material.young_modulus_pa,
-                                   hand_strain * body_.material.young_modulus_pa));
+        const char* const kind = uniform(random_, 0.0, 1.0) < 0.5 ? "sphere" : "capsule";
+        stepper_->set_tool(random_tool(kind, body_, extent_, random_));
     }
 
     // Chooses a new goal and what is held on the way there; sometimes cuts, which is a transaction.
     bool begin_goal(Trial& trial, SplitCheck& check) {
         const Vec3 at = vertex();
-        goal_mm_ = at + uniform(random_, 0.2, 1.0) * reach_mm_ * random_direction(random_);
+        goal_mm_ = at + uniform(random_, 0.2, 1.0) * extent_.reach_mm * random_direction(random_);
         gone_mm_ = 0.0;
         axis_ = random_direction(random_);
         if (play_ == TearPlay::cut || uniform(random_, 0.0, 1.0) < 0.1) {
@@ -185,9 +168,10 @@ class TearTrial {
     std::mt19937_64& random_;
     BodyDescription body_;
     StepperOptions options_;
-    Vec3 middle_mm_ = Vec3::Zero(), goal_mm_ = Vec3::Zero(), at_mm_ = Vec3::Zero();
+    BodyExtent extent_;
+    Vec3 goal_mm_ = Vec3::Zero(), at_mm_ = Vec3::Zero();
     Vec3 axis_ = Vec3::UnitZ();
-    double reach_mm_ = 0.0, gone_mm_ = 0.0;
+    double gone_mm_ = 0.0;
     std::vector<int> held_;
     std::vector<Vec3> from_mm_;
     std::unique_ptr<Stepper> stepper_;

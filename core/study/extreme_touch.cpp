@@ -15,6 +15,7 @@
 #include "core/scene/crossings.h"
 #include "core/scene/tools/tool_choice.h"
 #include "core/study/extreme_cases.h"
+#include "core/study/random_tool.h"
 #include "core/study/touch_bodies.h"
 #include "core/study/trial.h"
 #include "core/study/vessel_body.h"
@@ -50,10 +51,7 @@ class TouchTrial {
         body_.self.emplace();
         body_.touchable = true;
         surface_ = boundary_triangles(body_.mesh);
-        for (const Vec3& x : body_.mesh.vertices_mm) middle_mm_ += x;
-        middle_mm_ /= static_cast<double>(body_.mesh.vertices_mm.size());
-        for (const Vec3& x : body_.mesh.vertices_mm)
-            reach_mm_ = std::max(reach_mm_, (x - middle_mm_).norm());
+        extent_ = extent_of(body_);
     }
 
     ExtremeRow run(int steps, const ExtremeRun& how) {
@@ -76,12 +74,6 @@ class TouchTrial {
         const auto& x = stepper_->positions_mm();
         return x[static_cast<std::size_t>(uniform(random_, 0.0, static_cast<double>(x.size())))];
     }
-    Vec3 direction() {
-        Vec3 d = Vec3::Zero();
-        while (d.norm() < 0.1)
-            for (int c = 0; c < 3; ++c) d[c] = uniform(random_, -1.0, 1.0);
-        return d.normalized();
-    }
 
     // Places a tool beside the body, or grabs a vessel by its end.
     void begin() {
@@ -92,23 +84,17 @@ class TouchTrial {
             grab_.target_mm = body_.mesh.vertices_mm[grab_.vertices[0]];
             return;
         }
-        ToolChoice choice;
-        choice.kind = play_ == Play::sphere    ? "sphere"
-                      : play_ == Play::capsule ? "capsule"
-                      : play_ == Play::hook    ? "hook"
-                                               : "forceps";
-        choice.radius_mm = uniform(random_, 0.5, 4.0);
-        choice.length_mm = play_ == Play::sphere ? 0.0 : uniform(random_, 3.0, 20.0);
-        choice.direction = direction();
-        const double away_mm = reach_mm_ + 2.0 * choice.length_mm + 10.0 * choice.radius_mm;
-        stepper_->set_tool(tool_of(choice, middle_mm_ - away_mm * choice.direction,
-                                   body_.material.young_modulus_pa,
-                                   hand_strain * body_.material.young_modulus_pa));
+        const char* const kind = play_ == Play::sphere    ? "sphere"
+                                 : play_ == Play::capsule ? "capsule"
+                                 : play_ == Play::hook    ? "hook"
+                                                          : "forceps";
+        stepper_->set_tool(random_tool(kind, body_, extent_, random_));
     }
 
     // Chooses a vessel, or a place beyond it, as goal; forceps open and close in turn.
     void choose_goal() {
-        goal_mm_ = vertex() + uniform(random_, 0.0, 0.3) * reach_mm_ * direction();
+        goal_mm_ =
+            vertex() + uniform(random_, 0.0, 0.3) * extent_.reach_mm * random_direction(random_);
         ++goals_;
         if (play_ != Play::squeeze) return;
         const double widest = widest_opening_mm(*stepper_->tool());
@@ -127,7 +113,8 @@ class TouchTrial {
             return;
         }
         stepper_->lead_tool(next(stepper_->tool()->centre_mm()));
-        if (play_ != Play::sphere) stepper_->turn_tool(uniform(random_, 0.0, 0.1) * direction());
+        if (play_ != Play::sphere)
+            stepper_->turn_tool(uniform(random_, 0.0, 0.1) * random_direction(random_));
     }
 
     bool look(Trial& trial) const {
@@ -152,8 +139,8 @@ class TouchTrial {
     double speed_mm_per_s_;
     BodyDescription body_;
     std::vector<std::array<int, 3>> surface_;
-    Vec3 middle_mm_ = Vec3::Zero(), goal_mm_ = Vec3::Zero();
-    double reach_mm_ = 0.0;
+    BodyExtent extent_;
+    Vec3 goal_mm_ = Vec3::Zero();
     int goals_ = 0;
     std::unique_ptr<Stepper> stepper_;
     Grab grab_;

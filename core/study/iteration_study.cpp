@@ -2,7 +2,6 @@
 #include "core/study/iteration_study.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -11,6 +10,7 @@
 #include "core/deform/solvers/cholesky_solver.h"
 #include "core/deform/solvers/skeleton_preconditioner.h"
 #include "core/deform/step/assembly.h"
+#include "core/study/timing.h"
 #include "core/study/vessel_body.h"
 
 namespace hepatica {
@@ -19,10 +19,6 @@ namespace {
 
 constexpr double gravity_mm_s2 = 9810.0;
 constexpr double pull_un = 2e4;
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-        .count();
-}
 
 double form(const BlockMatrix& matrix, const std::vector<Vec3>& x) {
     std::vector<Vec3> product;
@@ -205,12 +201,12 @@ IterationRow measure_iterations(const std::string& name, const BodyDescription& 
     const int repetitions = row.iterations_1pct > 200 ? 2 : 6;
     for (int k = 0; k < repetitions; ++k) {
         solver->prepare(other, system.positions_mm);
-        const auto start = std::chrono::steady_clock::now();
-        solver->prepare(system.matrix, system.positions_mm);
-        const double prepared = milliseconds_since(start);
-        stopped_after(*solver, system, std::max(row.iterations_1pct, 1));
-        row.prepare_ms = std::min(row.prepare_ms, prepared);
-        row.ms = std::min(row.ms, milliseconds_since(start));
+        const double prepared_ms =
+            timed_ms([&] { solver->prepare(system.matrix, system.positions_mm); });
+        const double solved_ms =
+            timed_ms([&] { stopped_after(*solver, system, std::max(row.iterations_1pct, 1)); });
+        row.prepare_ms = std::min(row.prepare_ms, prepared_ms);
+        row.ms = std::min(row.ms, prepared_ms + solved_ms);
     }
     return row;
 }

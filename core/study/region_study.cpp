@@ -7,6 +7,7 @@
 #include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/live_stepper.h"
+#include "core/study/pull_trial.h"
 #include "core/study/timing.h"
 #include "core/study/vessel_body.h"
 
@@ -17,11 +18,9 @@ namespace {
 constexpr double twig_radius_mm = 1.7;
 constexpr int tetrahedra_per_branch = 850;
 
-using Motion = std::vector<std::vector<Vec3>>;  // displacement of every vertex, by frame
-
 struct Played {
     std::vector<double> held_ms;
-    Motion motion;
+    std::vector<Vec3> motion;  // displacement of every vertex, frame by frame
 };
 
 // Leads the twig's tip around, then lets it go.
@@ -40,25 +39,11 @@ Played play(Stepper& stepper, const BodyDescription& body, const RegionStudyOpti
             stepper.step(frame_s, job.stop_token());
         });
         if (held) played.held_ms.push_back(ms);
-        std::vector<Vec3>& moved = played.motion.emplace_back(rest.size());
         for (std::size_t v = 0; v < rest.size(); ++v)
-            moved[v] = stepper.positions_mm()[v] - rest[v];
+            played.motion.push_back(stepper.positions_mm()[v] - rest[v]);
         after_frame(static_cast<double>(k + 1) / frames);
     }
     return played;
-}
-
-void compare(const Motion& motion, const Motion& reference, RegionRow& row) {
-    double missed = 0.0, moved = 0.0, furthest = 0.0;
-    for (std::size_t k = 0; k < reference.size(); ++k)
-        for (std::size_t v = 0; v < reference[k].size(); ++v) {
-            const double squared = (motion[k][v] - reference[k][v]).squaredNorm();
-            furthest = std::max(furthest, squared);
-            missed += squared;
-            moved += reference[k][v].squaredNorm();
-        }
-    row.difference_mm = std::sqrt(furthest);
-    row.rms_difference = moved > 0.0 ? std::sqrt(missed / moved) : 0.0;
 }
 
 RegionRow measure(int generations, const RegionStudyOptions& options, Job& job) {
@@ -89,7 +74,10 @@ RegionRow measure(int generations, const RegionStudyOptions& options, Job& job) 
     row.live_ms = quantile(part.held_ms, 0.5);
     row.live_longest_ms = *std::ranges::max_element(part.held_ms);
     row.whole_ms = quantile(all.held_ms, 0.5);
-    compare(part.motion, all.motion, row);
+    const MotionDifference difference = motion_difference(part.motion, all.motion);
+    row.difference_mm = difference.largest_mm;
+    // Not finite where nothing moved.
+    row.rms_difference = std::isfinite(difference.relative) ? difference.relative : 0.0;
     return row;
 }
 

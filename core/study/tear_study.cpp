@@ -2,7 +2,6 @@
 #include "core/study/tear_study.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/base/frame_time.h"
@@ -76,11 +75,8 @@ TearRow pull(double edge_mm, const TearLaw& law, double step_mm, const Job& job)
     for (double pulled = step_mm; pulled < way_mm; pulled += step_mm) {
         const std::vector<Grab> grabs = hand_at(body, pulled);
         stepper->set_grabs(grabs);
-        const auto begin = std::chrono::steady_clock::now();
-        const StepReport report = stepper->step(frame_s, job.stop_token());
-        step_ms.push_back(
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
-                .count());
+        StepReport report;
+        step_ms.push_back(timed_ms([&] { report = stepper->step(frame_s, job.stop_token()); }));
         let_go += report.energy.tear_loss;
         last = report.tear;
         row.samples.push_back(

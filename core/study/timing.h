@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace hepatica {
@@ -41,6 +43,28 @@ double timed_ms(const Work& work) {
     work();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
         .count();
+}
+
+// Wall time since it was constructed, of a budget.
+class BudgetClock {
+  public:
+    explicit BudgetClock(double budget_s) : budget_s_(budget_s) {}
+    double passed_s() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+    double left_s() const { return budget_s_ - passed_s(); }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double budget_s_;
+};
+
+// With two significant digits, as "1.2 s".
+inline std::string seconds_text(double seconds) {
+    std::ostringstream text;
+    text.precision(2);
+    text << seconds << " s";
+    return text.str();
 }
 
 // The quantile at `share` in [0, 1], rounded down to a value; 0.5 is the median, which a cold first

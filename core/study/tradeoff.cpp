@@ -2,17 +2,17 @@
 #include "core/study/tradeoff.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <sstream>
 
 #include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/quality_dial.h"
 #include "core/study/frame_meter.h"
+#include "core/study/pull_trial.h"
 #include "core/study/reference_beam.h"
+#include "core/study/timing.h"
 
 namespace hepatica {
 namespace {
@@ -98,49 +98,31 @@ double rest_tip(BeamSpec spec, const Index3& cells, const char* element, Job& jo
     return tip_deflection_mm(spec, body.mesh.vertices_mm, stepper->positions_mm());
 }
 
+Vec3 tip_motion(const BeamSpec& spec, const BodyDescription& body, const Stepper& stepper) {
+    return {tip_deflection_mm(spec, body.mesh.vertices_mm, stepper.positions_mm()), 0.0, 0.0};
+}
+
 // The tip's fall over the first frames, with steps so short that backward Euler's damping is
 // negligible.
-std::vector<double> reference_motion(BeamSpec spec, Job& job) {
+CentrelineMotion reference_motion(BeamSpec spec, Job& job) {
     spec.cells = {10, 2, 2};
     const BodyDescription body = clamped_beam(spec, discretisation_of("corotated-10"));
     const auto stepper = make_cpu_stepper(
         body,
         {.order = ElementOrder::quadratic, .linear = {.energy_tolerance = 1e-3}, .substeps = 32});
     stepper->set_gravity(Vec3(0, 0, -spec.gravity_mm_s2));
-    std::vector<double> tips;
+    CentrelineMotion tips;
     for (int i = 0; i < motion_frames; ++i) {
         job.throw_if_cancelled();
         stepper->step(frame_s, job.stop_token());
-        tips.push_back(tip_deflection_mm(spec, body.mesh.vertices_mm, stepper->positions_mm()));
+        tips.push_back(tip_motion(spec, body, *stepper));
     }
     return tips;
 }
 
-double motion_error(std::span<const double> tips, std::span<const double> reference) {
-    double missed = 0.0, moved = 0.0;
-    for (std::size_t i = 0; i < reference.size(); ++i) {
-        missed += (tips[i] - reference[i]) * (tips[i] - reference[i]);
-        moved += reference[i] * reference[i];
-    }
-    return std::sqrt(missed / moved);
-}
-
-std::string seconds_text(double seconds) {
-    std::ostringstream text;
-    text.precision(2);
-    text << seconds << " s";
-    return text.str();
-}
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 struct BeamReference {
     double tip_mm;
-    std::vector<double> motion_mm;
+    CentrelineMotion motion_mm;  // of the tip alone, along x here
 };
 
 TradeoffPoint measure_beam(BeamSpec spec, const Setting& setting, const BeamReference& reference,
@@ -159,13 +141,13 @@ TradeoffPoint measure_beam(BeamSpec spec, const Setting& setting, const BeamRefe
     const auto stepper = make_cpu_stepper(body, options);
     stepper->set_gravity(Vec3(0, 0, -spec.gravity_mm_s2));
     FrameMeter meter;
-    std::vector<double> tips;
-    const Clock::time_point start = Clock::now();
+    CentrelineMotion tips;
+    const BudgetClock clock(seconds_left);
     for (int i = 0; i < rest_frames; ++i) {
         progress(i / static_cast<double>(rest_frames));
         meter.step(*stepper, setting.substeps, job);
-        tips.push_back(tip_deflection_mm(spec, body.mesh.vertices_mm, stepper->positions_mm()));
-        const double left = seconds_left - seconds_since(start);
+        tips.push_back(tip_motion(spec, body, *stepper));
+        const double left = clock.left_s();
         const double needed = 1e-3 * meter.last_wall_ms() * (rest_frames - i - 1);
         if (i == 0 || needed <= left) continue;
         point.not_measured = "needs " + seconds_text(needed) + " more, " +
@@ -174,7 +156,8 @@ TradeoffPoint measure_beam(BeamSpec spec, const Setting& setting, const BeamRefe
     }
     meter.book(point);
     if (!point.not_measured.empty()) return point;
-    point.rest_error_relative = std::abs(tips.back() - reference.tip_mm) / reference.tip_mm;
+    point.rest_error_relative = std::abs(tips.back().x() - reference.tip_mm) / reference.tip_mm;
+    tips.resize(reference.motion_mm.size());
     point.error_relative = motion_error(tips, reference.motion_mm);
     return point;
 }
@@ -202,7 +185,7 @@ void mark_front(Tradeoff& tradeoff) {
 }
 
 Tradeoff measure_beam_tradeoff(const TradeoffOptions& options, Job& job) {
-    const Clock::time_point start = Clock::now();
+    const BudgetClock clock(options.budget_s);
     const BeamSpec spec;
     Tradeoff tradeoff;
     job.begin_stage("Measuring the reference");
@@ -223,11 +206,11 @@ Tradeoff measure_beam_tradeoff(const TradeoffOptions& options, Job& job) {
         const auto progress = [&](double share) {
             job.advance((done + share) / static_cast<double>(settings.size()));
         };
-        tradeoff.points.push_back(measure_beam(
-            spec, setting, reference, options.budget_s - seconds_since(start), progress, job));
+        tradeoff.points.push_back(
+            measure_beam(spec, setting, reference, clock.left_s(), progress, job));
     }
     mark_front(tradeoff);
-    tradeoff.seconds = seconds_since(start);
+    tradeoff.seconds = clock.passed_s();
     return tradeoff;
 }
 

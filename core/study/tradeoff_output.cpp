@@ -7,13 +7,13 @@
 #include <sstream>
 
 #include "core/base/atomic_write.h"
+#include "core/base/csv_cell.h"
 #include "core/base/error.h"
 #include "core/study/tradeoff.h"
 
 namespace hepatica {
 namespace {
 
-// Texts may hold commas but no quotation marks.
 std::string csv_of(const Tradeoff& tradeoff) {
     std::ostringstream out;
     out << "element,elements,region,back_end,device,solver,energy_tolerance,max_iterations,newton_"
@@ -21,12 +21,12 @@ std::string csv_of(const Tradeoff& tradeoff) {
            "step_ms,frame_ms,linear_iterations,error_relative,rest_error_relative,on_front,quality,"
            "not_measured\n";
     for (const TradeoffPoint& p : tradeoff.points)
-        out << p.element << ',' << p.elements << ',' << p.region << ',' << p.back_end << ",\""
-            << p.device << "\"," << name_of(p.options.solver) << ','
+        out << p.element << ',' << p.elements << ',' << p.region << ',' << p.back_end << ','
+            << csv_cell(p.device) << ',' << name_of(p.options.solver) << ','
             << p.options.linear.energy_tolerance << ',' << p.options.linear.max_iterations << ','
             << p.options.newton_iterations << ',' << p.dt_s << ',' << p.step_ms << ',' << p.frame_ms
             << ',' << p.iterations << ',' << p.error_relative << ',' << p.rest_error_relative << ','
-            << p.on_front << ',' << p.quality << ",\"" << p.not_measured << "\"\n";
+            << p.on_front << ',' << p.quality << ',' << csv_cell(p.not_measured) << '\n';
     return out.str();
 }
 

@@ -43,8 +43,9 @@ class Machine : public RunsAll<AllKernels> {
 
     // Allocates zero-initialised memory.
     void* allocate(std::size_t bytes) {
+        void* const memory = take(bytes);
         held_bytes_ += bytes;
-        return take(bytes);
+        return memory;
     }
     void release(void* memory, std::size_t bytes) {
         held_bytes_ -= bytes;

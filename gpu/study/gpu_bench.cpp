@@ -22,7 +22,8 @@ using hepatica::gpu::GpuRow;
 bool write_table(const std::string& path, const std::string& device, const std::string& rows) {
     const std::string unfinished = path + ".part";
     std::ofstream file(unfinished);
-    file << "{\"device\": \"" << device << "\", \"rows\": [\n" << rows << "\n]}\n";
+    file << "{\"device\": " << hepatica::gpu::json_text(device) << ", \"rows\": [\n"
+         << rows << "\n]}\n";
     file.close();
     std::error_code error;
     if (file) std::filesystem::rename(unfinished, path, error);

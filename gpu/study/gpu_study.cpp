@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 
 #include "core/deform/body/element_name.h"
 #include "core/deform/stepper/cpu_back_end.h"
@@ -52,7 +53,7 @@ void begin(StepBackEnd& back_end, const BodyDescription& body) {
 struct Timed {
     double ms = 0.0;  // median over the steps
     double slowest_ms = 0.0;
-    double iterations = 0.0;  // mean over the steps
+    double iterations = 0.0;  // mean over the steps made
     int contacts = 0;         // at the end
 };
 
@@ -64,9 +65,10 @@ Timed time_steps(StepBackEnd& back_end, int steps, Clock::time_point over) {
         const auto start = Clock::now();
         const StepReport report = back_end.advance(dt_s);
         ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
-        timed.iterations += static_cast<double>(report.linear_iterations) / steps;
+        timed.iterations += report.linear_iterations;
         timed.contacts = report.obstacles.touch.contacts;
     }
+    timed.iterations /= static_cast<double>(ms.size());
     std::ranges::sort(ms);
     timed.ms = ms[ms.size() / 2];
     timed.slowest_ms = ms.back();
@@ -173,6 +175,18 @@ std::vector<GpuRow> study_gpu(const GpuStudyOptions& options,
                 if (row_done) row_done(row);
             }
     return rows;
+}
+
+std::string json_text(const std::string& text) {
+    std::string quoted = "\"";
+    for (const char letter : text) {
+        char code[16] = "";
+        if (letter == '"' || letter == '\\') quoted += '\\';
+        const bool control = static_cast<unsigned char>(letter) < 0x20;
+        if (control) std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned>(letter));
+        quoted += control ? std::string(code) : std::string(1, letter);
+    }
+    return quoted + "\"";
 }
 
 std::string json_of(const GpuRow& row) {

@@ -44,6 +44,9 @@ struct GpuRow {
 std::vector<GpuRow> study_gpu(const GpuStudyOptions& options,
                               const std::function<void(const GpuRow&)>& row_done = {});
 
+// A text as a JSON string, in quotes. UTF-8 stays as it is.
+std::string json_text(const std::string& text);
+
 // A row as a JSON object.
 std::string json_of(const GpuRow& row);
 

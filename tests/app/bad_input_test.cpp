@@ -292,10 +292,24 @@ TEST_F(BadInput, WhatIsNoNumber) {
                                    "--out", path("p.hep")},
           {"reconstruct", path("ct.nii.gz"), "--spacing-mm", "nan", "--out", path("p.hep")},
           {"reconstruct", path("ct.nii.gz"), "--out", path("p.hep"), "--spacing-mm=-NaN"},
+          {"reconstruct", path("ct.nii.gz"), "--out", path("p.hep"), "--window", "100,inf"},
           {"simulate", path("none.hep"), "--script", path("none.json"), "--dt-s", "nan"}}) {
         const Outcome run = run_cli(arguments);
         EXPECT_EQ(run.exit_code, 2) << arguments.back();
         EXPECT_NE(run.errors.find("number"), std::string::npos) << run.errors;
+    }
+}
+
+// Nan is a given name, and Infinity may be the name of a file: what is refused is the missing file.
+TEST_F(BadInput, ANameMayReadAsANumber) {
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"reconstruct", path("none"), "--out", path("p.hep"), "--name",
+                                   "Nan"},
+          {"reconstruct", path("none"), "--out", path("p.hep"), "--name=inf"},
+          {"scene", "Infinity"}}) {
+        const Outcome run = run_cli(arguments);
+        EXPECT_EQ(run.exit_code, 1) << run.errors;
+        EXPECT_EQ(run.errors.find("no number that can be used"), std::string::npos) << run.errors;
     }
 }
 

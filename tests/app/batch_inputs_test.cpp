@@ -39,6 +39,26 @@ TEST_F(BatchInputs, AreFoldersAndVolumesInTheOrderOfTheirNames) {
     EXPECT_FALSE(batch_inputs(folder_ / "scans", {})[3].liver_mask.has_value());
 }
 
+// With --keep-names the case of one would take the place of another's.
+TEST_F(BatchInputs, HaveNamesThatDiffer) {
+    const auto names_of = [&](const std::vector<std::string>& files, const std::string& made) {
+        fs::remove_all(folder_ / "named");
+        fs::create_directories(folder_ / "named" / made);
+        for (const std::string& file : files) std::ofstream(folder_ / "named" / file) << "x";
+        std::vector<std::string> names;
+        for (const BatchInput& input : batch_inputs(folder_ / "named", {})) {
+            names.push_back(input.patient);
+            EXPECT_EQ(input.scan, input.patient);
+        }
+        return names;
+    };
+    EXPECT_EQ(names_of({"a.nii", "a.mha", "a.nii.mha"}, "b"),
+              (std::vector<std::string>{"a.mha", "a.nii", "a.nii.mha", "b"}));
+    EXPECT_EQ(names_of({"a.nii.gz", "a.nii.mha"}, "a.nii"),
+              (std::vector<std::string>{"a.nii", "a", "a.nii.mha"}));
+    EXPECT_EQ(names_of({"a.nii", "a.nii.mha"}, "b"), (std::vector<std::string>{"a", "a.nii", "b"}));
+}
+
 TEST_F(BatchInputs, RefusesAFolderWithoutCtOrOneThatIsNotThere) {
     fs::create_directories(folder_ / "empty");
     EXPECT_THROW(batch_inputs(folder_ / "empty", {}), InputError);

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "core/flow/injection.h"
+#include "core/patient/patient_case.h"
 #include "core/tree/files/tree_io.h"
 #include "tests/app/tour.h"
 
@@ -69,6 +71,42 @@ TEST_F(FlowVerbs, InjectPrintsTheTenLargestFlowsAndJsonAllOfThem) {
     }
     EXPECT_EQ(begin[12].substr(0, 2) == "  ", false) << "ten rows and no more";
 }
+
+#ifdef HEPATICA_WINDOW_PROGRAM
+// A stub before all other segments, so that the main root is not that of the first segment.
+TEST_F(FlowVerbs, RenderInjectsWhereInjectDoes) {
+    PatientCase patient = read_case(path("p.hep"));
+    VesselTree& tree = patient.tree;
+    const Vec3 root = tree.segments[main_root(tree).segment].points_mm.front();
+    const Vec3 end = tree.segments.back().points_mm.back();
+    VesselSegment stub;
+    stub.proximal_node = 0;
+    stub.distal_node = 1;
+    stub.points_mm = {end, end + Vec3(1, 0, 0)};
+    stub.radii_mm = {0.2, 0.2};
+    for (VesselSegment& segment : tree.segments) {
+        segment.proximal_node += 2;
+        segment.distal_node += 2;
+        if (segment.parent >= 0) ++segment.parent;
+    }
+    tree.segments.insert(tree.segments.begin(), stub);
+    tree.nodes.insert(tree.nodes.begin(), {{stub.points_mm[0], 0.2}, {stub.points_mm[1], 0.2}});
+    write_case(path("stub.hep"), patient);
+    const auto picture = [&](const std::string& name, const std::vector<std::string>& more) {
+        std::vector<std::string> call{"render", path("stub.hep"), "--out", path(name),
+                                      "--size", "96,72",          "--bare"};
+        call.insert(call.end(), more.begin(), more.end());
+        answer(call);
+        std::ifstream in(path(name), std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(in), {});
+    };
+    const std::string at =
+        std::to_string(root.x()) + "," + std::to_string(root.y()) + "," + std::to_string(root.z());
+    const std::string injected = picture("default.png", {"--time-s", "1"});
+    EXPECT_EQ(injected, picture("root.png", {"--time-s", "1", "--at-mm", at}));
+    EXPECT_NE(injected, picture("without.png", {}));
+}
+#endif
 
 TEST_F(FlowVerbs, InjectWritesSeriesThatKeepTheMass) {
     const VesselTree tree = read_tree_vtp(path("p/truth_tree.vtp"));

@@ -96,6 +96,18 @@ TEST_F(LessonVerb, RefusesALessonOfAnotherSceneAndOneThatIsNone) {
     EXPECT_NE(none.errors.find("format"), std::string::npos) << none.errors;
 }
 
+// A lesson for any patient may have been played on the built-in one. Making that takes long, and
+// its beginning is enough.
+TEST_F(LessonVerb, TriesTheBuiltInPatientWhereNoCaseFits) {
+    play(3.0);
+    fs::create_directories(path("alone"));
+    fs::copy_file(path("play.hrec"), path("alone/play.hrec"), fs::copy_options::overwrite_existing);
+    const Outcome run =
+        run_cli({"lesson", path("lesson.json"), "--recording", path("alone/play.hrec")},
+                {.interrupt_at = "info: [1/"});
+    EXPECT_EQ(run.exit_code, 130) << run.errors;
+}
+
 #ifdef HEPATICA_WINDOW_PROGRAM
 Outcome report(std::vector<std::string> arguments) {
     return run_cli(arguments, {.program = HEPATICA_WINDOW_PROGRAM});
@@ -197,6 +209,14 @@ TEST_F(LessonVerb, LeavesNoReportOfWhatCannotBeScored) {
         report({"--report", path("nothing.hrec"), "--out", path("no report"), "--units", "ounces"});
     EXPECT_EQ(units.exit_code, 2);
     EXPECT_NE(units.errors.find("--units is computed or clinic"), std::string::npos);
+}
+
+// A name longer than a file system takes is an error of the system, not of this program's input.
+TEST_F(LessonVerb, AReportSaysWhatTheFileSystemRefuses) {
+    const std::string long_name(300, 'x');
+    const Outcome run = report({"--report", path("nothing.hrec"), "--out", path(long_name)});
+    EXPECT_EQ(run.exit_code, 1) << run.errors;
+    EXPECT_NE(run.errors.find(long_name), std::string::npos) << run.errors;
 }
 #endif
 

@@ -95,8 +95,10 @@ TEST(Attempts, AsATableHaveARowEach) {
     attempts[0].passed = true;
     const std::string csv = to_csv(attempts);
     EXPECT_TRUE(csv.starts_with("attempt,ended_at,passed,reference,time_s,path_mm"));
-    EXPECT_THAT(csv, HasSubstr("\n1,2026,yes,no,0.1,0,"));
+    EXPECT_THAT(csv, HasSubstr("\n1,\"2026\",yes,no,0.1,0,"));
     EXPECT_TRUE(csv.ends_with(",\n")) << "a share that is not known is empty";
+    attempts[0].ended_at = "on Monday, \"late\"";  // files can be edited by hand
+    EXPECT_THAT(to_csv(attempts), HasSubstr("\n1,\"on Monday, \"\"late\"\"\",yes,no,"));
 }
 
 TEST(Attempts, OfADamagedFileAreRefusedByTheirPlace) {

@@ -38,6 +38,15 @@ TEST(DoseCurve, WhatIsInjectedIsTheRateTimesTheTime) {
     EXPECT_NEAR(curve.at(1e9).injected_g, 60.0, 1e-8) << "clamped to the run";
 }
 
+// From a tip at the end of a vessel everything may have been reached at once.
+TEST(DoseCurve, OfARunWithoutTimeIsNothing) {
+    for (const double none_s : {0.0, 1e-8}) {
+        const Dose dose = DoseCurve(tree(), into({0, 0.0}), none_s, from(0)).at(none_s);
+        EXPECT_NEAR(dose.injected_g, 3.0 * none_s, 1e-12);
+        EXPECT_NEAR(dose.delivered_g, 0.0, 1e-12);
+    }
+}
+
 // Two branches leave the trunk: what one of them delivers is what the other one does not.
 TEST(DoseCurve, DosesOfTheBranchesAddUpToWhatIsDelivered) {
     const std::vector<std::vector<int>> kids = children(tree());

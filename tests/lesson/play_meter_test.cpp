@@ -102,11 +102,34 @@ TEST(PlayMeter, AMarkIsInTheMiddleOfItsVesselAndMovesWithIt) {
     Frame moved = with_tip(Vec3(1000, 0, 0));
     for (std::size_t i = 2; i < moved.positions_mm.size(); i += 3) moved.positions_mm[i] += 6.0f;
     const PlayMeter meter = meter_of({moved}, lesson);
-    EXPECT_NEAR((meter.marks_mm()[0] - place).norm(), 0.0, 1.0) << "of a radius of 4 mm";
+    EXPECT_NEAR((meter.marks_in(rest_frame())[0] - place).norm(), 0.0, 1.0)
+        << "of a radius of 4 mm";
     EXPECT_NEAR(meter.moment().marks[0].moved_mm, 6.0, 1e-4);
-    const Vec3 tip(1000, 0, 0), mark = meter.marks_mm()[0] + Vec3(0, 0, 6);
+    const Vec3 tip(1000, 0, 0), mark = meter.marks_in(rest_frame())[0] + Vec3(0, 0, 6);
     EXPECT_NEAR(meter.moment().marks[0].distance_mm, (tip - mark).norm(), 1e-3);
     EXPECT_TRUE(std::isinf(meter.moment().marks[0].touch_mm)) << "it touches nothing";
+}
+
+// A segment far off has no vertices of its own.
+TEST(PlayMeter, AMarkOnASegmentWithoutSurfaceIsAtTheNearestVertex) {
+    auto patient = std::make_shared<PatientCase>(*small_patient());
+    const Vec3 end = patient->tree.nodes.back().position_mm;
+    const Vec3 place = end + 20.0 * (end - patient->tree.nodes.front().position_mm);
+    VesselSegment far;
+    far.proximal_node = static_cast<int>(patient->tree.nodes.size());
+    far.distal_node = far.proximal_node + 1;
+    far.points_mm = {place, place + Vec3(1, 0, 0)};
+    far.radii_mm = {0.5, 0.5};
+    for (const Vec3& p : far.points_mm) patient->tree.nodes.push_back({p, 0.5});
+    patient->tree.segments.push_back(far);
+    Lesson lesson = plain_lesson();
+    lesson.marks.push_back({"far", {.point_mm = place}});
+    double least_mm = 1e9;
+    for (const std::array<int, 3>& t : *rest_frame().surface)
+        for (const int v : t)
+            least_mm = std::min(least_mm, (patient->mesh.vertices_mm[v] - place).norm());
+    const PlayMeter meter(lesson, patient);
+    EXPECT_NEAR((meter.marks_in(rest_frame())[0] - place).norm(), least_mm, 1e-3);
 }
 
 TEST(PlayMeter, TearsCountFromTheBeginningOn) {
@@ -137,7 +160,7 @@ TEST(PlayMeter, WhoTouchesTheVesselAtTheMarkIsNear) {
     lesson.marks = {{"there", {std::nullopt, 0.5}}};
     PlayMeter meter(lesson, small_patient());
     meter.begin(rest_frame());
-    const Vec3 mark = meter.marks_mm().at(0);
+    const Vec3 mark = meter.marks_in(rest_frame()).at(0);
     Frame frame = with_tip(mark + Vec3(40, 0, 0));
     int nearest = 0;
     double least = 1e9;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -83,6 +84,14 @@ TEST(Metrics, EveryQuantityIsReadFromItsOwnPlace) {
     EXPECT_EQ(value(Quantity::distance_mm, 0), 31);
     EXPECT_EQ(value(Quantity::moved_mm, 0), 32);
     EXPECT_EQ(value(Quantity::touch_mm, 0), 33);
+}
+
+TEST(Metrics, AMarkThatThereIsNotHasNoValue) {
+    LessonMoment moment;
+    moment.marks = {{31, 32, 33}};
+    for (const Quantity quantity : {Quantity::distance_mm, Quantity::moved_mm, Quantity::touch_mm})
+        for (const int mark : {-1, 1})
+            EXPECT_TRUE(std::isnan(value_of({quantity, mark, true, 0.0}, {}, moment, 0.0))) << mark;
 }
 
 TEST(Metrics, StandInJsonAndInATable) {

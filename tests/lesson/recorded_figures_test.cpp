@@ -123,7 +123,8 @@ TEST(LessonFigures, OfAPlayMadeByHand) {
         for (const Vec3& mark : meter.marks_in(frame))
             marks.insert(marks.end(), mark.begin(), mark.end());
     }
-    for (const Vec3& mark : meter.marks_mm()) marks.insert(marks.end(), mark.begin(), mark.end());
+    for (const Vec3& mark : meter.marks_in(test::rest_frame()))
+        marks.insert(marks.end(), mark.begin(), mark.end());
     expect_recorded("lesson", "play",
                     Figures().add("metrics", metrics).add("moments", moments).add("marks", marks));
 }

@@ -32,7 +32,7 @@ TEST(ReviewTape, FindsTheFrameOfEveryMoment) {
     EXPECT_EQ(step_at(tape, 4.4), 8u);
     EXPECT_EQ(step_at(tape, 99.0), 9u);
     EXPECT_EQ(tape.end_s(), 4.5);
-    EXPECT_EQ(tape.stride(), 1u);
+    EXPECT_EQ(tape.size(), 10u);
 }
 
 TEST(ReviewTape, WhileTheClockIsHeldTheLastFrameStays) {
@@ -53,8 +53,7 @@ TEST(ReviewTape, KeepsFewerFramesEvenlyRatherThanMoreMemory) {
         EXPECT_EQ(step_at(tape, 0.0), 0u);
     }
     EXPECT_GE(tape.size(), 10u);
-    const auto stride = static_cast<int>(tape.stride());
-    EXPECT_EQ(stride, 64);
+    constexpr int stride = 64;
     for (int k = 0; k < 999; ++k)
         EXPECT_EQ(step_at(tape, k), static_cast<std::uint64_t>(k / stride * stride));
 }
@@ -65,8 +64,10 @@ TEST(ReviewTape, FramesOfOneTimeCountOnce) {
     ReviewTape tape(20 * bytes);
     for (int k = 0; k < 200; ++k)
         for (int again = 0; again < 1 + k % 3; ++again) tape.add(k, frame_of(k, coordinates));
-    const auto stride = static_cast<int>(tape.stride());
+    int stride = 1;
+    while (stride < 199 && step_at(tape, stride) == 0) ++stride;
     EXPECT_GT(stride, 4);
+    EXPECT_LT(stride, 100);
     for (int k = 0; k < 199; ++k)
         EXPECT_EQ(step_at(tape, k), static_cast<std::uint64_t>(k / stride * stride));
 }

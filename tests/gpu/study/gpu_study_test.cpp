@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "core/base/error.h"
 #include "gpu/machine/device_machine.h"
+#include "gpu/machine/emulator.h"
 
 namespace hepatica::gpu {
 namespace {
@@ -28,6 +31,23 @@ TEST(PlannedDevice, HasASourceAndAName) {
         EXPECT_EQ(planned_device(device.name).bytes_per_s, device.bytes_per_s);
     }
     EXPECT_THROW(planned_device("a potato"), InputError);
+}
+
+// A driver may name its device as it likes.
+TEST(GpuStudy, TextIsWrittenAsJsonHasIt) {
+    EXPECT_EQ(json_text("NVIDIA H100"), "\"NVIDIA H100\"");
+    EXPECT_EQ(json_text("a \"b\" \\ \n\x01"), R"("a \"b\" \\ \u000a\u0001")");
+}
+
+// What was not allocated is not held.
+TEST(Machine, HoldsNothingWhereAnAllocationFails) {
+    const std::unique_ptr<Machine> machine = make_emulator();
+    EXPECT_ANY_THROW(machine->allocate(std::size_t{1} << 60));
+    EXPECT_EQ(machine->held_bytes(), 0u);
+    void* const memory = machine->allocate(64);
+    EXPECT_EQ(machine->held_bytes(), 64u);
+    machine->release(memory, 64);
+    EXPECT_EQ(machine->held_bytes(), 0u);
 }
 
 // The matrix alone is read once an iteration: nine floats and a column for each block.
