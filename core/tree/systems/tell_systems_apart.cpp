@@ -345,6 +345,8 @@ SystemsFound tell_systems_apart(VesselGraph& graph, const Volume* ct, const Syst
     return found;
 }
 
+namespace {
+
 // The largest radius within 10 mm of an end, because a trunk cut off by the image or the liver's
 // border tapers over its last millimetres. Points in the lumen of another vessel do not count, so
 // that a stub on a trunk is not wide at its beginning.
@@ -369,6 +371,8 @@ double radius_near_end(const VesselGraph& graph, const std::vector<std::vector<i
             radius = std::max(radius, link.radii_mm[i]);
     return radius;
 }
+
+}  // namespace
 
 std::vector<RootWish> anatomical_roots(const VesselGraph& graph, const AnatomicalAnchors& anchors) {
     constexpr double mm_per_radius = 5.0;  // a wider end may lie this much farther from the anchor
