@@ -34,15 +34,6 @@ TreePoint locate(const VesselTree& tree, const Vec3& position_mm) {
     return found;
 }
 
-// Marks a segment and all segments downstream of it.
-std::vector<std::uint8_t> downstream(const VesselTree& tree, int first) {
-    std::vector<std::uint8_t> hangs(tree.segments.size(), 0);
-    hangs[first] = 1;
-    for (std::size_t i = first + 1; i < tree.segments.size(); ++i)
-        if (tree.segments[i].parent >= 0) hangs[i] = hangs[tree.segments[i].parent];
-    return hangs;
-}
-
 // Merges nodes at one position, so that a vessel that changes its system is connected to what it
 // touches.
 void merge_touching_nodes(VesselGraph& graph, std::vector<RootWish>& wishes) {
@@ -131,7 +122,7 @@ class Edit {
 
     void reassign(const TreeEdit& edit) {
         const int first = locate(tree_, edit.at_mm).segment;
-        const auto hangs = downstream(tree_, first);
+        const auto hangs = downstream_of(tree_, first);
         for (std::size_t i = 0; i < hangs.size(); ++i)
             if (hangs[i] != 0) {
                 graph_.links[i].system = edit.system;
@@ -182,7 +173,7 @@ class Edit {
 
   private:
     void remove_from(int first) {
-        const auto hangs = downstream(tree_, first);
+        const auto hangs = downstream_of(tree_, first);
         std::vector<VesselLink> kept;
         for (std::size_t i = 0; i < graph_.links.size(); ++i)
             if (hangs[i] == 0) kept.push_back(std::move(graph_.links[i]));

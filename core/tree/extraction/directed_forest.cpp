@@ -84,7 +84,7 @@ class Director {
     VesselTree build(std::span<const RootWish> wishes) {
         for (const int root : chosen_roots(wishes)) grow(root);
         sort_depth_first();
-        set_strahler_orders();
+        set_strahler_orders(tree_);
         return std::move(tree_);
     }
 
@@ -202,21 +202,6 @@ class Director {
             }
         }
         tree_.segments = std::move(sorted);
-    }
-
-    void set_strahler_orders() {
-        std::vector<int> highest(tree_.segments.size(), 0), how_many(tree_.segments.size(), 0);
-        for (std::size_t i = tree_.segments.size(); i-- > 0;) {
-            VesselSegment& segment = tree_.segments[i];
-            segment.strahler_order = highest[i] == 0 ? 1 : highest[i] + (how_many[i] >= 2 ? 1 : 0);
-            const int parent = segment.parent;
-            if (parent < 0 || segment.closes_loop) continue;
-            if (segment.strahler_order > highest[parent]) {
-                highest[parent] = segment.strahler_order;
-                how_many[parent] = 0;
-            }
-            if (segment.strahler_order == highest[parent]) ++how_many[parent];
-        }
     }
 
     const VesselGraph& graph_;
