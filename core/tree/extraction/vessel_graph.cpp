@@ -111,6 +111,27 @@ void join_passing_nodes(VesselGraph& graph) {
     drop_unused_nodes(graph);
 }
 
+SystemNodes separate_systems(VesselGraph& graph) {
+    SystemNodes node_of;
+    std::vector<std::uint8_t> has_owner(graph.nodes.size(), 0);
+    const auto own = [&](int node, VascularSystem system) {
+        const auto [entry, is_new] = node_of.try_emplace({node, system}, node);
+        if (!is_new) return entry->second;
+        if (has_owner[node] == 0) {
+            has_owner[node] = 1;
+        } else {
+            graph.nodes.push_back(VesselNode(graph.nodes[node]));
+            entry->second = static_cast<int>(graph.nodes.size()) - 1;
+        }
+        return entry->second;
+    };
+    for (VesselLink& link : graph.links) {
+        link.from = own(link.from, link.system);
+        link.to = own(link.to, link.system);
+    }
+    return node_of;
+}
+
 std::vector<int> component_of_nodes(const VesselGraph& graph) {
     std::vector<int> component(graph.nodes.size(), -1);
     const auto at_node = links_of_nodes(graph);

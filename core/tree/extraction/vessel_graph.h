@@ -3,7 +3,9 @@
 // is pruned, linked, cut or read from another program's file.
 #pragma once
 
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/tree/vessel_tree.h"
@@ -39,6 +41,11 @@ void remove_links(VesselGraph& graph, const std::vector<std::uint8_t>& removed);
 // Joins the two links at every node with exactly two links of one system, and removes nodes without
 // links. Ids change.
 void join_passing_nodes(VesselGraph& graph);
+
+// Gives each system its own copy of a node that it shares with others; the first link there keeps
+// the node. Returns the node that each system has in place of an old one.
+using SystemNodes = std::map<std::pair<int, VascularSystem>, int>;
+SystemNodes separate_systems(VesselGraph& graph);
 
 // The connected component of each node, numbered in the order of first nodes. Systems do not
 // matter.
