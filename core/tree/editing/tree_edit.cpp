@@ -77,13 +77,7 @@ class Edit {
     void add(const TreeEdit& edit) {
         const auto node_at = [&](const Vec3& position_mm) {
             // Located in the current graph: the first split may have renumbered its links.
-            VesselTree now;
-            for (const VesselLink& link : graph_.links) {
-                VesselSegment& segment = now.segments.emplace_back();
-                segment.points_mm = link.points_mm;
-                segment.radii_mm = link.radii_mm;
-            }
-            const TreePoint at = locate(now, position_mm);
+            const TreePoint at = locate({{}, segments_of(graph_)}, position_mm);
             return std::pair(split_link(graph_, at.segment, at.arclength_mm, 1.0),
                              graph_.links[at.segment].system);
         };

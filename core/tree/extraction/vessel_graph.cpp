@@ -164,6 +164,16 @@ VesselGraph to_graph(const VesselTree& tree) {
     return graph;
 }
 
+std::vector<VesselSegment> segments_of(const VesselGraph& graph) {
+    std::vector<VesselSegment> segments;
+    for (const VesselLink& link : graph.links) {
+        VesselSegment& segment = segments.emplace_back();
+        segment.points_mm = link.points_mm;
+        segment.radii_mm = link.radii_mm;
+    }
+    return segments;
+}
+
 std::vector<RootWish> root_wishes(const VesselTree& tree) {
     std::vector<RootWish> wishes;
     for (const int id : roots(tree))

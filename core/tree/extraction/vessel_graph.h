@@ -68,6 +68,10 @@ VesselTree directed(VesselGraph graph, std::span<const RootWish> wishes = {});
 // The graph of a tree. Node ids are the tree's own, link i is segment i.
 VesselGraph to_graph(const VesselTree& tree);
 
+// The links as segments with nothing but points and radii, to look up what is nearest to a place:
+// segment i is link i.
+std::vector<VesselSegment> segments_of(const VesselGraph& graph);
+
 // The roots of a tree as wishes, to keep them when it is built anew.
 std::vector<RootWish> root_wishes(const VesselTree& tree);
 
