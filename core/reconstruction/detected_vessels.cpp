@@ -29,11 +29,6 @@ constexpr double least_inner_share = 0.65;
 // The same for the liver that was found, which may lack a tenth of the organ.
 constexpr double least_liver_share = 0.3;
 
-std::size_t object_count(const Mask& mask) {
-    return mask.voxels.size() - static_cast<std::size_t>(std::count(
-                                    mask.voxels.begin(), mask.voxels.end(), std::uint8_t{0}));
-}
-
 // The vessels away from the liver's border, where ribs, kidneys and heart show through.
 Mask within(const Mask& vessels, const Mask& interior) {
     Mask inner = vessels;

@@ -18,11 +18,6 @@ double voxel_ml(const Grid& grid) {
     return grid.spacing_mm.prod() * 1e-3;
 }
 
-std::size_t object_count(const Mask& mask) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(mask.voxels, [](std::uint8_t v) { return v != 0; }));
-}
-
 }  // namespace
 
 std::optional<LabelledPortalVein> label_portal_vein(const VesselTree& tree, const Mask& liver) {
