@@ -48,9 +48,8 @@ OpenedPatient built_in_patient(const BuiltInCache& cache, Job& job) {
     OpenedPatient opened;
     if (holds_patient(cache)) {
         job.begin_stage("Reading the built-in patient");
-        if (std::optional<KeptPatient> kept = patient_of(cache)) {
-            opened.patient = std::make_shared<const PatientCase>(std::move(kept->patient));
-            opened.warnings = std::move(kept->warnings);
+        if (std::optional<PatientCase> kept = patient_of(cache)) {
+            opened.patient = std::make_shared<const PatientCase>(*std::move(kept));
             return opened;
         }
     }
@@ -58,7 +57,7 @@ OpenedPatient built_in_patient(const BuiltInCache& cache, Job& job) {
     opened = opened_from(reconstruct_built_in(scan.path(), job));
     // The warnings ask for a better scan or for seeds, which does not apply to a synthetic patient.
     opened.warnings.clear();
-    keep(cache, *opened.patient, opened.warnings);
+    keep(cache, *opened.patient);
     return opened;
 }
 
