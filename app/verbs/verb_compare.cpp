@@ -3,7 +3,9 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,11 +65,13 @@ Json compare_with_tree(const CompareChoices& options, Job& job) {
         compare(patient.tree, patient.mask, truth_tree, truth_mask, AccuracyOptions{}, job);
     const std::vector<std::string> warnings = doubts(options, found);
     for (const std::string& warning : warnings) spdlog::warn("{}", warning);
-    const auto measured = [](std::optional<double> value) { return value ? Json(*value) : Json(); };
+    const auto measured = [](std::optional<double> value) {
+        return value && std::isfinite(*value) ? Json(*value) : Json();
+    };
     return {{"dice", found.dice},
             {"cldice", found.cldice},
-            {"centreline_mean_mm", found.centreline_mean_mm},
-            {"centreline_p95_mm", found.centreline_p95_mm},
+            {"centreline_mean_mm", measured(found.centreline_mean_mm)},
+            {"centreline_p95_mm", measured(found.centreline_p95_mm)},
             {"centreline_median_mm", measured(found.centreline_median_mm)},
             {"truth_median_mm", measured(found.truth_median_mm)},
             {"length_found", found.length_found},

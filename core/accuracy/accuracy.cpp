@@ -53,7 +53,11 @@ void judge_centrelines(const VesselTree& tree, const VesselTree& truth, Accuracy
                 errors.push_back(even.radii_mm[i] - nearest->radius_mm);
         }
     }
-    if (distances.empty()) return;
+    if (distances.empty()) {
+        accuracy.centreline_mean_mm = accuracy.centreline_p95_mm =
+            std::numeric_limits<double>::quiet_NaN();
+        return;
+    }
     for (const double d : distances)
         accuracy.centreline_mean_mm += d / static_cast<double>(distances.size());
     std::ranges::sort(distances);
@@ -165,6 +169,7 @@ void judge_bifurcations(const VesselTree& tree, const VesselTree& truth,
     accuracy.truth_bifurcations = static_cast<int>(their_wide.size());
     accuracy.bifurcation_recall =
         share(matched(their_wide, ours, accuracy.voxel_mm, true), accuracy.truth_bifurcations);
+    if (tree.segments.empty()) return;  // nothing is found, so the precision stays 0
     accuracy.bifurcation_precision =
         share(matched(our_wide, theirs, accuracy.voxel_mm, false), accuracy.tree_bifurcations);
 }

@@ -21,7 +21,8 @@ struct AccuracyOptions {
 };
 
 // Distances are in mm, the rest are shares in [0, 1]. For an empty tree the mean and the 95th
-// percentile stay 0 and length_found is 0. Without bifurcations to judge, recall or precision is 1.
+// percentile are NaN, length_found and bifurcation_precision are 0. Without bifurcations to judge,
+// recall or precision is 1.
 struct Accuracy {
     double voxel_mm = 0.0;  // cube root of the truth mask's voxel volume
 

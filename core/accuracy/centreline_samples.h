@@ -11,6 +11,9 @@
 
 namespace hepatica {
 
+// A shorter stretch of a centreline says nothing: it may stray that far where lumens touch.
+inline constexpr double usual_stray_mm = 5.0;
+
 struct CentrelineSample {
     Vec3 position_mm = Vec3::Zero();
     double radius_mm = 0.0;  // of the lumen there

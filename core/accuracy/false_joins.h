@@ -13,7 +13,7 @@ namespace hepatica {
 struct JoinOptions {
     // A stretch along one system that is shorter than this is ignored: a centreline may stray that
     // far where lumens touch, and a tree that was opened there keeps a stub.
-    double stray_mm = 5.0;
+    double stray_mm = usual_stray_mm;
     // Joins count as one place where they are closer along the tree than the lumen's radius plus
     // this, as the two sides of a crossing are.
     double place_mm = 2.0;

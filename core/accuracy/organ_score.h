@@ -16,7 +16,7 @@ struct OrganScore {
 };
 
 // Both masks share one grid; 0 is background. Shares of nothing are 0; surface_mean_mm is 0 where
-// one mask is empty. Throws Cancelled.
+// one mask has no surface, because it is empty or fills the image. Throws Cancelled.
 OrganScore organ_score(const Mask& found, const Mask& truth, Job& job);
 
 }  // namespace hepatica

@@ -9,8 +9,6 @@ namespace hepatica {
 
 namespace {
 
-constexpr double stray_mm = 5.0;
-
 // A breadth-first walk from one sample.
 struct Walk {
     std::vector<int> order;
@@ -86,9 +84,10 @@ std::optional<int> end_of_trunk(const CentrelineSamples& line) {
     double most_mm3 = 0.0;
     for (const int i : walk.order) {
         const int from = walk.from[i];
-        const bool hangs = from >= 0 && beyond[i].judged_mm < stray_mm &&
-                           (from == *start || beyond[from].judged_mm >= stray_mm);
-        if (!hangs || beyond[i].other_mm < stray_mm || beyond[i].other_mm3 <= most_mm3) continue;
+        const bool hangs = from >= 0 && beyond[i].judged_mm < usual_stray_mm &&
+                           (from == *start || beyond[from].judged_mm >= usual_stray_mm);
+        if (!hangs || beyond[i].other_mm < usual_stray_mm || beyond[i].other_mm3 <= most_mm3)
+            continue;
         most_mm3 = beyond[i].other_mm3;
         end = from;
     }

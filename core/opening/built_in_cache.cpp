@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <string_view>
-#include <utility>
+#include <vector>
 
 #include "core/base/atomic_write.h"
 #include "core/base/sha256.h"
@@ -21,8 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The entry is a folder with a case and a label. The lines of the label are: the digest of the
-// lines below; the key; the digest of case.json, which holds those of all other files; the
-// warnings, one per line.
+// lines below; the key; the digest of case.json, which holds those of all other files.
 fs::path entry_of(const BuiltInCache& cache) {
     return cache.folder / "built_in_patient";
 }
@@ -49,13 +48,8 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-struct Label {
-    std::string case_digest;
-    std::vector<std::string> warnings;
-};
-
-// None where the label is missing, damaged or written for another program.
-std::optional<Label> read_label(const BuiltInCache& cache) {
+// The digest of case.json. None where the label is missing, damaged or written for another program.
+std::optional<std::string> kept_case_digest(const BuiltInCache& cache) {
     if (cache.folder.empty()) return std::nullopt;
     std::ifstream file(entry_of(cache) / label_name, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -63,48 +57,43 @@ std::optional<Label> read_label(const BuiltInCache& cache) {
     if (first_line == std::string::npos) return std::nullopt;
     const std::string below = text.substr(first_line + 1);
     std::vector<std::string> lines = lines_of(below);
-    if (text.substr(0, first_line) != digest_of(below) || lines.size() < 2 ||
+    if (text.substr(0, first_line) != digest_of(below) || lines.size() != 2 ||
         lines[0] != key_of(cache))
         return std::nullopt;
-    Label label{lines[1], {}};
-    label.warnings.assign(lines.begin() + 2, lines.end());
-    return label;
+    return lines[1];
 }
 
-void write_label(const fs::path& folder, const BuiltInCache& cache,
-                 std::span<const std::string> warnings) {
-    std::string below =
+void write_label(const fs::path& folder, const BuiltInCache& cache) {
+    const std::string below =
         key_of(cache) + '\n' + sha256_of_file(folder / case_name / case_file::header) + '\n';
-    for (const std::string& warning : warnings) below += warning + '\n';
     write_text_atomically(folder / label_name, digest_of(below) + '\n' + below);
 }
 
 }  // namespace
 
 bool holds_patient(const BuiltInCache& cache) {
-    return read_label(cache).has_value();
+    return kept_case_digest(cache).has_value();
 }
 
-std::optional<KeptPatient> patient_of(const BuiltInCache& cache) {
+std::optional<PatientCase> patient_of(const BuiltInCache& cache) {
     try {
-        std::optional<Label> label = read_label(cache);
-        if (!label) return std::nullopt;
+        const std::optional<std::string> digest = kept_case_digest(cache);
+        if (!digest) return std::nullopt;
         const fs::path folder = entry_of(cache) / case_name;
-        if (sha256_of_file(folder / case_file::header) != label->case_digest) return std::nullopt;
-        return KeptPatient{read_case(folder), std::move(label->warnings)};
+        if (sha256_of_file(folder / case_file::header) != *digest) return std::nullopt;
+        return read_case(folder);
     } catch (const std::exception&) {
         return std::nullopt;
     }
 }
 
-void keep(const BuiltInCache& cache, const PatientCase& patient,
-          std::span<const std::string> warnings) {
+void keep(const BuiltInCache& cache, const PatientCase& patient) {
     if (cache.folder.empty()) return;
     try {
         fs::create_directories(cache.folder);
         write_folder_atomically(entry_of(cache), [&](const fs::path& temporary) {
             write_case(temporary / case_name, patient);
-            write_label(temporary, cache, warnings);
+            write_label(temporary, cache);
         });
     } catch (const std::exception&) {
         // A cache that cannot be written only costs time at the next start.

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cache of the built-in patient between starts of the program. It holds one entry, written by the
-// program that ran last: the case and the warnings of its reconstruction, stored under a digest of
-// the program and of the patient's parameters. An entry that is damaged or cannot be read counts as
-// absent.
+// program that ran last: the case, stored under a digest of the program and of the patient's
+// parameters. An entry that is damaged or cannot be read counts as absent.
 #pragma once
 
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
-#include <vector>
 
 #include "core/patient/patient_case.h"
 
@@ -21,17 +18,11 @@ struct BuiltInCache {
     std::string program;  // text that differs between programs that may make different patients
 };
 
-struct KeptPatient {
-    PatientCase patient;
-    std::vector<std::string> warnings;  // of the reconstruction; must hold no line breaks
-};
-
 // Whether there is an entry of this program; it may still be unreadable. Reads the label only.
 bool holds_patient(const BuiltInCache& cache);
 // Reads the entry. None where there is no entry of this program or where it is damaged.
-std::optional<KeptPatient> patient_of(const BuiltInCache& cache);
+std::optional<PatientCase> patient_of(const BuiltInCache& cache);
 // Replaces the entry atomically; several programs may do so at once. Failures to write are ignored.
-void keep(const BuiltInCache& cache, const PatientCase& patient,
-          std::span<const std::string> warnings);
+void keep(const BuiltInCache& cache, const PatientCase& patient);
 
 }  // namespace hepatica

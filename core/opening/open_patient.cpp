@@ -48,9 +48,8 @@ OpenedPatient built_in_patient(const BuiltInCache& cache, Job& job) {
     OpenedPatient opened;
     if (holds_patient(cache)) {
         job.begin_stage("Reading the built-in patient");
-        if (std::optional<KeptPatient> kept = patient_of(cache)) {
-            opened.patient = std::make_shared<const PatientCase>(std::move(kept->patient));
-            opened.warnings = std::move(kept->warnings);
+        if (std::optional<PatientCase> kept = patient_of(cache)) {
+            opened.patient = std::make_shared<const PatientCase>(*std::move(kept));
             return opened;
         }
     }
@@ -58,7 +57,7 @@ OpenedPatient built_in_patient(const BuiltInCache& cache, Job& job) {
     opened = opened_from(reconstruct_built_in(scan.path(), job));
     // The warnings ask for a better scan or for seeds, which does not apply to a synthetic patient.
     opened.warnings.clear();
-    keep(cache, *opened.patient, opened.warnings);
+    keep(cache, *opened.patient);
     return opened;
 }
 
@@ -80,6 +79,10 @@ std::string name_of(const fs::path& path) {
     return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
+void make_absolute(fs::path& path) {
+    if (!path.empty()) path = fs::absolute(path).lexically_normal();
+}
+
 void require_same(const PatientCase& patient, const LeftEdits& left) {
     if (hash_of_extracted(patient) == left.extracted) return;
     throw InputError("holds another patient by now than the unsaved edits were made on",
@@ -90,10 +93,13 @@ void require_same(const PatientCase& patient, const LeftEdits& left) {
 
 OpenRequest with_absolute_paths(OpenRequest request) {
     ReconstructOptions& options = request.reconstruct;
-    if (!options.ct.empty()) options.ct = fs::absolute(options.ct).lexically_normal();
+    make_absolute(options.ct);
     if (!options.ct.has_filename()) options.ct = options.ct.parent_path();  // "scan/"
-    for (auto* mask : {&options.liver_mask, &options.vessel_mask})
-        if (*mask) *mask = fs::absolute(**mask).lexically_normal();
+    for (auto* file : {&options.liver_mask, &options.vessel_mask, &options.model})
+        if (*file) make_absolute(**file);
+    for (fs::path& mask : options.tumour_masks) make_absolute(mask);
+    make_absolute(request.cache.folder);
+    if (request.left_edits) make_absolute(request.left_edits->file);
     return request;
 }
 

@@ -41,8 +41,8 @@ struct OpenRequest {
 // Title of the built-in patient.
 inline constexpr const char* built_in_title = "Built-in patient";
 
-// The request with the paths of the CT and of the liver and vessel masks made absolute, so that
-// they do not depend on the working folder.
+// The request with all of its paths made absolute, so that they do not depend on the working
+// folder. Empty ones stay empty.
 OpenRequest with_absolute_paths(OpenRequest request);
 
 struct OpenedPatient {

@@ -10,6 +10,7 @@
 #include "core/base/patient_space.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"
+#include "core/patient/case_header.h"
 #include "core/patient/liver_segments.h"
 #include "core/patient/painted_tumours.h"
 
@@ -54,6 +55,25 @@ VesselTree edited_by_all(VesselTree tree, const std::vector<TreeEdit>& edits) {
     return tree;
 }
 
+// Replaces `value` where the case has a parameter of the mesh with this name.
+void take_mesh_parameter(const nlohmann::json& mesh, const char* name, double& value) {
+    if (!mesh.contains(name)) return;
+    if (!mesh[name].is_number())
+        refuse_case(case_file::header, std::string("its parameter mesh.") + name + " is " +
+                                           mesh[name].dump() + ", not a number");
+    value = mesh[name].get<double>();
+}
+
+void take_mesh_parameter(const nlohmann::json& mesh, const char* name, int& value) {
+    if (!mesh.contains(name)) return;
+    try {
+        value = whole_number<int>(mesh[name]);
+    } catch (const nlohmann::json::exception&) {
+        refuse_case(case_file::header, std::string("its parameter mesh.") + name + " is " +
+                                           mesh[name].dump() + ", not a whole number in range");
+    }
+}
+
 }  // namespace
 
 MeshOptions mesh_options_of(const PatientCase& patient) {
@@ -61,11 +81,12 @@ MeshOptions mesh_options_of(const PatientCase& patient) {
     const auto parameters = nlohmann::json::parse(patient.source.parameters_json, nullptr, false);
     if (!parameters.is_object() || !parameters.contains("mesh")) return options;
     const auto& mesh = parameters["mesh"];
-    options.facet_size_in_radii = mesh.value("facet_size_in_radii", options.facet_size_in_radii);
-    options.cell_size_in_radii = mesh.value("cell_size_in_radii", options.cell_size_in_radii);
-    if (mesh.contains("target_tetrahedra"))
-        options.target_tetrahedra = whole_number<int>(mesh["target_tetrahedra"]);
-    options.minimum_radius_mm = mesh.value("minimum_radius_mm", options.minimum_radius_mm);
+    if (!mesh.is_object())
+        refuse_case(case_file::header, "its parameter mesh is " + mesh.dump() + ", not an object");
+    take_mesh_parameter(mesh, "facet_size_in_radii", options.facet_size_in_radii);
+    take_mesh_parameter(mesh, "cell_size_in_radii", options.cell_size_in_radii);
+    take_mesh_parameter(mesh, "target_tetrahedra", options.target_tetrahedra);
+    take_mesh_parameter(mesh, "minimum_radius_mm", options.minimum_radius_mm);
     return options;
 }
 

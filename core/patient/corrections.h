@@ -39,7 +39,8 @@ TreeEdit refusal_of(const Bridge& bridge);
 // earlier ones make needless.
 std::vector<TreeEdit> acceptances(const PatientCase& patient, double confidence);
 
-// Options of the body's mesh, from `source.parameters_json`.
+// Options of the body's mesh, from `source.parameters_json`. Missing ones take their defaults.
+// Throws InputError where one is of another type.
 MeshOptions mesh_options_of(const PatientCase& patient);
 
 // The case with another list of edits but its old body, for previews. Throws as with_edits() does.

@@ -5,15 +5,24 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/patient/case_header.h"
 #include "core/tree/territories/couinaud_segments.h"
 
 namespace hepatica {
 
 namespace {
 
+constexpr const char* liver_given = "liver_mask_given";
+
+// Throws InputError where the case's parameter is not a truth value.
 bool liver_was_found(const CaseSource& source) {
     const auto parameters = nlohmann::json::parse(source.parameters_json, nullptr, false);
-    return parameters.is_object() && !parameters.value("liver_mask_given", true);
+    if (!parameters.is_object() || !parameters.contains(liver_given)) return false;
+    const nlohmann::json& given = parameters[liver_given];
+    if (!given.is_boolean())
+        refuse_case(case_file::header, std::string("its parameter ") + liver_given + " is " +
+                                           given.dump() + ", not true or false");
+    return !given.get<bool>();
 }
 
 }  // namespace

@@ -171,7 +171,8 @@ void validate(const Disturbances& d) {
     require_range("duct's share", d.duct_share, 0.0, 0.8);
     require_range("duct in HU", d.duct_hu, -150.0, 0.0);
     require_range("streaming in HU", d.streaming_hu, 0.0, 50.0);
-    require_range("correlation of the noise in mm", d.noise_correlation_mm, 0.0, 3.0);
+    if (d.noise_correlation_mm != 0.0)
+        require_range("correlation of the noise in mm", d.noise_correlation_mm, 0.2, 3.0);
     require_range("sharpness of the noise", d.noise_sharpness, 0.0, 1.0);
     require_range("streaks", d.streaks, 0, 40);
     require_range("streaks in HU", d.streak_hu, 0.0, 100.0);

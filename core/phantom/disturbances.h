@@ -28,9 +28,11 @@ struct Disturbances {
     double duct_share = 0.0;    // the same of a bile duct on the opposite side, 0 to 0.8
     double duct_hu = -60.0;     // -150 to 0
     double streaming_hu = 0.0;  // standard deviation of the contrast along the vessels, 0 to 50
-    // Of the noise: the standard deviation of the Gaussian that correlates it within a slice, 0 to
-    // 3, where 0 gives the plain phantom's noise; and the share of its slow part that is
-    // subtracted, 0 to 1, as sharp kernels do.
+    // Of the noise: the standard deviation of the Gaussian that correlates it within a slice, 0.2
+    // to 3, or 0 for the plain phantom's noise; and the share of its slow part that is subtracted,
+    // 0 to 1, as sharp kernels do. Below 0.2 neither Gaussian reaches the next voxel: the noise
+    // would be white, less correlated than the plain one, and a sharpness of 1 would subtract all
+    // of it.
     double noise_correlation_mm = 0.0;
     double noise_sharpness = 0.0;
     int streaks = 0;                     // 0 to 40 lines across the body, each several slices high

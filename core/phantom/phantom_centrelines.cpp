@@ -220,20 +220,6 @@ class SystemBuilder {
     std::vector<int> segment_of_;  // of each branch; -1 while it is not drawn
 };
 
-void set_strahler_orders(VesselTree& tree) {
-    const std::vector<std::vector<int>> children_of = children(tree);
-    for (std::size_t i = tree.segments.size(); i-- > 0;) {
-        int highest = 0;
-        int count = 0;
-        for (const int child : children_of[i]) {
-            const int order = tree.segments[child].strahler_order;
-            count = order > highest ? 1 : count + (order == highest ? 1 : 0);
-            highest = std::max(highest, order);
-        }
-        tree.segments[i].strahler_order = highest + (count >= 2 || highest == 0 ? 1 : 0);
-    }
-}
-
 }  // namespace
 
 void append_system(VesselTree& tree, std::span<const GrownBranch> branches,

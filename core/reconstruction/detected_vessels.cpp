@@ -2,7 +2,6 @@
 // Measures the liver and detects its vessels; checks that their contrast is plausible.
 #include "core/reconstruction/detected_vessels.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>

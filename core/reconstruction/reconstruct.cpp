@@ -47,12 +47,13 @@ Mask organs_of(const Mask& liver) {
 }
 
 // Marks the part of the given tumours that lies in the box of the liver.
-void mark_tumours(const ReconstructOptions& options, const Grid& ct_grid, Mask& organs, Job& job) {
+void mark_tumours(const ReconstructOptions& options, const Grid& ct_grid, Mask& organs,
+                  std::vector<std::string>& warnings, Job& job) {
     if (options.tumour_masks.empty()) return;
     if (organs.voxels.empty())
         throw InputError("tumours are given without a liver", options.tumour_masks.front().string(),
                          "Give the liver, too (--liver-mask): blood reaches tumours through it");
-    add_tumours(read_tumours(options.tumour_masks, ct_grid, job), organs);
+    add_tumours(read_tumours(options.tumour_masks, ct_grid, warnings, job), organs);
 }
 
 std::optional<Mask> given_liver(const ReconstructOptions& options, const Grid& ct_grid, Job& job) {
@@ -130,7 +131,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
                           : segmented_anatomy(options, std::move(model), ct, warnings, job);
     patient.mask = std::move(anatomy.vessels);
     patient.organs = std::move(anatomy.organs);
-    mark_tumours(options, ct.grid, patient.organs, job);
+    mark_tumours(options, ct.grid, patient.organs, warnings, job);
     require_seeds_in_vessels(patient.mask, options.seeds);
     keep_portal_trunk(anatomy.portal_trunk_mm, patient.source.parameters_json);
     FromVoxelsOptions from_voxels;

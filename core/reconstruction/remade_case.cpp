@@ -84,7 +84,6 @@ RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Jo
     made.source = patient.source;
     made.organs = unpainted_organs(patient);  // painted tumours change no vessel
     made.mask = std::move(vessels);
-    made.dial_json.clear();  // it was measured on another body
     make_tree(options, ct, made, result.warnings, job);
     if (made.tree.segments.empty())
         throw InputError("no vessel is left that is long enough for a tree", patient.source.name,

@@ -5,13 +5,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "core/image/morphology.h"
 #include "core/image/volume_reader.h"
 #include "core/patient/patient_case.h"
 
 namespace hepatica {
 
-Mask read_tumours(const std::vector<std::filesystem::path>& files, const Grid& ct_grid, Job& job) {
+namespace {
+
+void warn_of_too_many(const Components& pieces, std::vector<std::string>& warnings) {
+    if (pieces.sizes.size() <= most_tumours) return;
+    std::size_t voxels = 0;
+    for (std::size_t i = most_tumours; i < pieces.sizes.size(); ++i) voxels += pieces.sizes[i];
+    const double ml = static_cast<double>(voxels) * pieces.labels.grid.spacing_mm.prod() / 1000.0;
+    warnings.push_back("The tumours' masks hold " + std::to_string(pieces.sizes.size()) +
+                       " separate pieces, and a case holds " + std::to_string(most_tumours) +
+                       " tumours at most: the " +
+                       std::to_string(pieces.sizes.size() - most_tumours) +
+                       " smallest are left out, " + number_text(ml) +
+                       " ml together. Remove specks from the masks.");
+}
+
+}  // namespace
+
+Mask read_tumours(const std::vector<std::filesystem::path>& files, const Grid& ct_grid,
+                  std::vector<std::string>& warnings, Job& job) {
     Mask any(ct_grid);
     for (const std::filesystem::path& file : files) {
         const Mask one = on_grid_of(ct_grid, read_mask(file, job), file.string());
@@ -19,6 +38,7 @@ Mask read_tumours(const std::vector<std::filesystem::path>& files, const Grid& c
             if (one.voxels[i] != 0) any.voxels[i] = 1;
     }
     const Components pieces = connected_components(any, Connectivity::all26);
+    warn_of_too_many(pieces, warnings);
     Mask tumours(ct_grid);
     for (std::size_t i = 0; i < tumours.voxels.size(); ++i)
         if (pieces.labels.voxels[i] <= most_tumours)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "core/base/job.h"
@@ -12,9 +13,10 @@ namespace hepatica {
 
 // Reads masks of tumours. Each 26-connected piece of their nonzero voxels is a tumour, numbered 1,
 // 2, ... from the largest on, on the CT's grid; 0 elsewhere. Pieces beyond most_tumours are left
-// out. Masks may cover a box of the CT's voxels. Begins one stage for each file. Throws InputError
-// where a file cannot be read or does not fit; Cancelled.
-Mask read_tumours(const std::vector<std::filesystem::path>& files, const Grid& ct_grid, Job& job);
+// out, and `warnings` says so. Masks may cover a box of the CT's voxels. Begins one stage for each
+// file. Throws InputError where a file cannot be read or does not fit; Cancelled.
+Mask read_tumours(const std::vector<std::filesystem::path>& files, const Grid& ct_grid,
+                  std::vector<std::string>& warnings, Job& job);
 
 // Labels the organs, on any grid, organ_label::first_tumour + number - 1 where a tumour lies.
 void add_tumours(const Mask& tumours, Mask& organs);

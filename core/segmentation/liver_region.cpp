@@ -135,11 +135,11 @@ FoundLiver find_liver(const Volume& ct, Job& job) {
     const SoftOrgan organ = largest_soft_organ(smooth, job);
     job.advance(0.3);
     if (organ.core_ml < smallest_core_ml)
-        throw InputError("no liver was found: the largest soft organ between " +
-                             std::to_string(static_cast<int>(soft_organ_from_hu)) + " and " +
-                             std::to_string(static_cast<int>(soft_organ_to_hu)) + " HU has " +
-                             std::to_string(static_cast<int>(organ.core_ml)) + " ml",
-                         "CT", "Check that the scan shows the liver, or give a liver mask.");
+        throw NoLiverFound("no liver was found: the largest soft organ between " +
+                               std::to_string(static_cast<int>(soft_organ_from_hu)) + " and " +
+                               std::to_string(static_cast<int>(soft_organ_to_hu)) + " HU has " +
+                               std::to_string(static_cast<int>(organ.core_ml)) + " ml",
+                           "CT", "Check that the scan shows the liver, or give a liver mask.");
     const IndexBox box = grow_box(bounding_box(organ.core), coarse.grid, beyond_core_mm);
     FloatVolume near = crop(coarse, box);
     gaussian_smooth(near, Vec3::Constant(border_smoothing_mm), job);

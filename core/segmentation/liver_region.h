@@ -23,9 +23,9 @@ struct FoundLiver {
     Mask vessel_region;
 };
 
-// Works on voxels of about 3 mm; the result is resampled to the grid of the CT. Throws InputError
-// if the CT shows no such organ, or one enclosed by bone or lungs (organ_surroundings.h);
-// Cancelled.
+// Works on voxels of about 3 mm; the result is resampled to the grid of the CT. Throws
+// NoLiverFound (organ_surroundings.h), an InputError, if the CT shows no such organ, or one
+// enclosed by bone or lungs; Cancelled.
 FoundLiver find_liver(const Volume& ct, Job& job);
 
 // Closes channels up to twice radius_mm wide and fills cavities, because expert liver masks often

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <string>
 
-#include "core/base/error.h"
 #include "core/image/morphology.h"
 
 namespace hepatica {
@@ -30,7 +29,7 @@ std::string percent(double share) {
 
 OrganSurroundings surroundings_of(const Mask& organ, const FloatVolume& hu, Job& job) {
     if (std::ranges::count(organ.voxels, 0) == std::ssize(organ.voxels))
-        throw InputError(
+        throw NoLiverFound(
             "no liver was found: the largest soft organ has no border that it is told by", "CT",
             "Check that the scan shows the liver, or give a liver mask.");
     const Mask grown = dilate(organ, near_mm, job);
@@ -51,13 +50,13 @@ void require_surroundings_of_liver(const OrganSurroundings& around) {
     const std::string remedy =
         "Choose a CT of the upper abdomen; where it does show the liver, give a liver mask.";
     if (around.bone > most_bone)
-        throw InputError("no liver was found: the largest soft organ is enclosed by bone (" +
-                             percent(around.bone) + " of what lies around it), as a brain is",
-                         "CT", remedy);
+        throw NoLiverFound("no liver was found: the largest soft organ is enclosed by bone (" +
+                               percent(around.bone) + " of what lies around it), as a brain is",
+                           "CT", remedy);
     if (around.lung > most_lung)
-        throw InputError("no liver was found: the largest soft organ lies between the lungs (" +
-                             percent(around.lung) + " of what lies around it), as a heart does",
-                         "CT", remedy);
+        throw NoLiverFound("no liver was found: the largest soft organ lies between the lungs (" +
+                               percent(around.lung) + " of what lies around it), as a heart does",
+                           "CT", remedy);
 }
 
 }  // namespace hepatica

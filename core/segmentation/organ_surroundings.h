@@ -3,10 +3,16 @@
 // heart between the lungs.
 #pragma once
 
+#include "core/base/error.h"
 #include "core/base/job.h"
 #include "core/image/volume.h"
 
 namespace hepatica {
+
+// The CT shows no organ that could be a liver.
+class NoLiverFound : public InputError {
+    using InputError::InputError;
+};
 
 // Shares of the voxels within 12 mm around the organ, inside the image.
 struct OrganSurroundings {
@@ -15,10 +21,10 @@ struct OrganSurroundings {
 };
 
 // `hu`: the scan, smoothed or not, on the organ's grid. Both shares are 0 for an organ that fills
-// the image. Throws InputError where the organ is empty; Cancelled.
+// the image. Throws NoLiverFound where the organ is empty; Cancelled.
 OrganSurroundings surroundings_of(const Mask& organ, const FloatVolume& hu, Job& job);
 
-// Throws InputError where the organ is not a liver; the error names what the scan seems to show.
+// Throws NoLiverFound where the organ is not a liver; the error names what the scan seems to show.
 void require_surroundings_of_liver(const OrganSurroundings& around);
 
 }  // namespace hepatica

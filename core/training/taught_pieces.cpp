@@ -3,10 +3,12 @@
 // the true centrelines.
 #include "core/training/taught_pieces.h"
 
-#include "core/base/error.h"
+#include <optional>
+
 #include "core/phantom/random_patient.h"
 #include "core/reconstruction/chosen_vessels.h"
 #include "core/reconstruction/detected_vessels.h"
+#include "core/segmentation/organ_surroundings.h"
 #include "core/tree/extraction/centreline_locator.h"
 
 namespace hepatica {
@@ -15,6 +17,17 @@ namespace {
 
 constexpr double tolerance_mm = 2.0;  // the same as SystemScoreOptions::length_tolerance_mm
 constexpr std::uint64_t liver_found_every = 3;
+
+// None where no liver is found.
+std::optional<DetectedVessels> detected_in(const Phantom& patient,
+                                           const SegmentationOptions& options, double line_share,
+                                           Job& job) {
+    try {
+        return detect_in_liver(patient.ct, options, line_share, job);
+    } catch (const NoLiverFound&) {
+        return std::nullopt;
+    }
+}
 
 }  // namespace
 
@@ -31,9 +44,9 @@ std::vector<float> shares_of_truth(const std::vector<LinePiece>& pieces, const V
 
 std::vector<TaughtPiece> taught_on(const Phantom& patient, const SegmentationOptions& options,
                                    double line_share, Job& job) {
-    const DetectedVessels found = detect_in_liver(patient.ct, options, line_share, job);
-    if (!found.detection.evidence) return {};
-    const MeasuredPieces measured = measured_pieces(found, patient.ct.grid.spacing_mm, job);
+    const auto found = detected_in(patient, options, line_share, job);
+    if (!found || !found->detection.evidence) return {};
+    const MeasuredPieces measured = measured_pieces(*found, patient.ct.grid.spacing_mm, job);
     const std::vector<float> shares = shares_of_truth(measured.pieces, patient.tree);
     std::vector<TaughtPiece> taught;
     for (std::size_t i = 0; i < shares.size(); ++i)
@@ -45,11 +58,7 @@ std::vector<TaughtPiece> taught_by(std::uint64_t number, double line_share, Job&
     const Phantom patient = make_phantom(random_patient(number), job);
     SegmentationOptions options;
     if (number % liver_found_every != 0) options.liver = sloppy_liver(patient.liver, number, job);
-    try {
-        return taught_on(patient, options, line_share, job);
-    } catch (const InputError&) {
-        return {};  // no liver was found in it
-    }
+    return taught_on(patient, options, line_share, job);
 }
 
 }  // namespace hepatica

@@ -50,6 +50,29 @@ std::vector<std::vector<int>> children(const VesselTree& tree) {
     return ids;
 }
 
+std::vector<std::uint8_t> downstream_of(const VesselTree& tree, int segment) {
+    std::vector<std::uint8_t> hangs(tree.segments.size(), 0);
+    hangs[segment] = 1;
+    for (std::size_t i = segment + 1; i < tree.segments.size(); ++i)
+        if (tree.segments[i].parent >= 0) hangs[i] = hangs[tree.segments[i].parent];
+    return hangs;
+}
+
+void set_strahler_orders(VesselTree& tree) {
+    std::vector<int> highest(tree.segments.size(), 0), how_many(tree.segments.size(), 0);
+    for (std::size_t i = tree.segments.size(); i-- > 0;) {
+        VesselSegment& segment = tree.segments[i];
+        segment.strahler_order = highest[i] == 0 ? 1 : highest[i] + (how_many[i] >= 2 ? 1 : 0);
+        const int parent = segment.parent;
+        if (parent < 0 || segment.closes_loop) continue;
+        if (segment.strahler_order > highest[parent]) {
+            highest[parent] = segment.strahler_order;
+            how_many[parent] = 0;
+        }
+        if (segment.strahler_order == highest[parent]) ++how_many[parent];
+    }
+}
+
 std::vector<int> node_degrees(const VesselTree& tree) {
     std::vector<int> degrees(tree.nodes.size(), 0);
     for (const VesselSegment& segment : tree.segments) {

@@ -57,6 +57,11 @@ std::vector<std::vector<int>> children(const VesselTree& tree);
 std::vector<int> node_degrees(const VesselTree& tree);
 int bifurcation_count(const VesselTree& tree);  // nodes of degree 3 or more
 int end_count(const VesselTree& tree);          // nodes of degree 1
+// Marks a segment and all segments downstream of it.
+std::vector<std::uint8_t> downstream_of(const VesselTree& tree, int segment);
+// Sets the Strahler orders: 1 at the ends, the highest of the children, one more where two or more
+// have it. Segments that close loops count as no children.
+void set_strahler_orders(VesselTree& tree);
 
 // A point on the tree: a segment and the distance along it from its proximal node.
 struct TreePoint {

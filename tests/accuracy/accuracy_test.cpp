@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/error.h"
 #include "core/phantom/phantom.h"
 #include "core/skeleton/thinning.h"
@@ -136,6 +138,9 @@ TEST(Accuracy, EmptyTreeScoresNothingAndEmptyTruthIsRefused) {
     EXPECT_EQ(a.dice, 0.0);
     EXPECT_EQ(a.length_found, 0.0);
     EXPECT_EQ(a.bifurcation_recall, 0.0);
+    EXPECT_EQ(a.bifurcation_precision, 0.0);
+    EXPECT_TRUE(std::isnan(a.centreline_mean_mm));
+    EXPECT_TRUE(std::isnan(a.centreline_p95_mm));
     EXPECT_FALSE(a.centreline_median_mm.has_value());
     EXPECT_FALSE(a.truth_median_mm.has_value());
     Job job;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "core/base/error.h"
 #include "tests/support/test_masks.h"
 
@@ -60,6 +62,16 @@ TEST(OrganScore, TakesTheImagesBorderForNoSurface) {
     };
     Job job;
     EXPECT_NEAR(organ_score(slab(10), slab(13), job).surface_mean_mm, 3.0, 1e-6);
+}
+
+TEST(OrganScore, MeasuresNoDistanceWhereAMaskFillsTheImage) {
+    const Grid grid = test::cube_grid(12);
+    const Mask full(grid, 1), part = cube(3, 8, grid);
+    Job job;
+    for (const auto& [found, truth] : {std::pair{full, full}, {full, part}, {part, full}})
+        EXPECT_EQ(organ_score(found, truth, job).surface_mean_mm, 0.0);
+    EXPECT_EQ(organ_score(full, full, job).dice, 1.0);
+    EXPECT_LT(organ_score(full, part, job).dice, 0.2);
 }
 
 }  // namespace

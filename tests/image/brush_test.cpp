@@ -111,6 +111,15 @@ TEST(VoxelAt, TheFacesOfTheGridBelongToItsOutermostVoxels) {
     EXPECT_EQ(nearest_voxel(grid, Vec3(-1e300, 25.0, 1e300)), (Index3{0, 3, 3}));
 }
 
+TEST(ObjectCount, IsTheNumberOfVoxelsThatAreNotZero) {
+    Mask mask(Grid{{8, 6, 4}});
+    EXPECT_EQ(object_count(mask), 0u);
+    mask.at(0, 0, 0) = 1;
+    mask.at(7, 5, 3) = 255;
+    EXPECT_EQ(object_count(mask), 2u);
+    EXPECT_EQ(object_count(Mask()), 0u);
+}
+
 // Every place of a turned grid is nearest to the centre of the voxel that holds it.
 TEST(VoxelAt, IsTheVoxelWhoseCentreIsNearestAlongEachAxis) {
     Image<std::uint32_t> image(odd_grid());

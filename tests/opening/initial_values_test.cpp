@@ -16,7 +16,6 @@ namespace {
 TEST(OpeningInitialFigures, AreThoseRecorded) {
     test::Figures figures;
     HEPATICA_ADD_INITIAL(figures, BuiltInCache);
-    HEPATICA_ADD_INITIAL(figures, KeptPatient);
     HEPATICA_ADD_INITIAL(figures, LeftEdits);
     HEPATICA_ADD_INITIAL(figures, OpenRequest);
     HEPATICA_ADD_INITIAL(figures, OpenedPatient);

@@ -99,7 +99,27 @@ TEST(OpenRequest, means_the_same_from_every_folder) {
     EXPECT_EQ(absolute.reconstruct.ct, fs::current_path() / "ct");
     EXPECT_EQ(absolute.reconstruct.liver_mask, fs::current_path() / "liver.nii");
     EXPECT_FALSE(absolute.reconstruct.vessel_mask);
+    EXPECT_FALSE(absolute.reconstruct.model);
+    EXPECT_TRUE(absolute.cache.folder.empty()) << "nothing is kept";
     EXPECT_TRUE(with_absolute_paths({true, {}}).reconstruct.ct.empty());
+}
+
+TEST(OpenRequest, all_of_its_paths_are_made_absolute) {
+    OpenRequest request;
+    request.reconstruct.ct = "ct";
+    request.reconstruct.vessel_mask = "vessels.nii";
+    request.reconstruct.tumour_masks = {"one.nii", "masks/./two.nii"};
+    request.reconstruct.model = "lines.model";
+    request.cache.folder = "cache";
+    request.left_edits.emplace().file = "journals/left.edits";
+    const OpenRequest absolute = with_absolute_paths(request);
+    const fs::path here = fs::current_path();
+    EXPECT_EQ(absolute.reconstruct.vessel_mask, here / "vessels.nii");
+    EXPECT_EQ(absolute.reconstruct.tumour_masks,
+              (std::vector<fs::path>{here / "one.nii", here / "masks" / "two.nii"}));
+    EXPECT_EQ(absolute.reconstruct.model, here / "lines.model");
+    EXPECT_EQ(absolute.cache.folder, here / "cache");
+    EXPECT_EQ(absolute.left_edits.value().file, here / "journals" / "left.edits");
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <string>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/image/volume_reader.h"
@@ -23,6 +25,40 @@ TreeEdit deletion_at(const Vec3& at) {
     edit.kind = TreeEditKind::delete_branch;
     edit.at_mm = at;
     return edit;
+}
+
+TEST(Corrections, TheBodyIsMeshedAsTheCaseSays) {
+    PatientCase patient;
+    patient.source.parameters_json =
+        R"({"mesh":{"facet_size_in_radii":0.5,"target_tetrahedra":7000,"minimum_radius_mm":1}})";
+    const MeshOptions options = mesh_options_of(patient);
+    EXPECT_EQ(options.facet_size_in_radii, 0.5);
+    EXPECT_EQ(options.cell_size_in_radii, MeshOptions{}.cell_size_in_radii);
+    EXPECT_EQ(options.target_tetrahedra, 7000);
+    EXPECT_EQ(options.minimum_radius_mm, 1.0);
+}
+
+TEST(Corrections, AParameterOfTheWrongTypeIsNamed) {
+    for (const auto& [mesh, problem] :
+         {std::pair{R"({"facet_size_in_radii":"fine"})",
+                    "its parameter mesh.facet_size_in_radii is \"fine\", not a number"},
+          {R"({"cell_size_in_radii":[]})",
+           "its parameter mesh.cell_size_in_radii is [], not a number"},
+          {R"({"minimum_radius_mm":null})",
+           "its parameter mesh.minimum_radius_mm is null, not a number"},
+          {R"({"target_tetrahedra":1.5})",
+           "its parameter mesh.target_tetrahedra is 1.5, not a whole number in range"},
+          {"7", "its parameter mesh is 7, not an object"}}) {
+        PatientCase patient;
+        patient.source.parameters_json = std::string(R"({"mesh":)") + mesh + "}";
+        try {
+            mesh_options_of(patient);
+            ADD_FAILURE() << mesh;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.place(), "case.json");
+            EXPECT_EQ(error.problem(), problem);
+        }
+    }
 }
 
 TEST(Corrections, ABridgeIsOpenUntilItIsAcceptedOrNeedless) {

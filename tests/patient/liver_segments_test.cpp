@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/base/error.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"
 #include "core/patient/corrections.h"
@@ -121,6 +122,20 @@ TEST(LiverSegments, OfALiverThatTheProgramFoundAreDoubted) {
         };
         EXPECT_EQ(std::ranges::count_if(told, names_it), given ? 0 : 1);
         EXPECT_EQ(json_of(doubts_from(json_of(*patient.doubts))), json_of(*patient.doubts));
+    }
+}
+
+TEST(LiverSegments, AParameterOfTheWrongTypeIsNamed) {
+    PatientCase patient = patient_with_liver();
+    patient.source.parameters_json = R"({"liver_mask_given":"perhaps"})";
+    Job job;
+    try {
+        label_segments(patient, job);
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.place(), "case.json");
+        EXPECT_EQ(error.problem(),
+                  "its parameter liver_mask_given is \"perhaps\", not true or false");
     }
 }
 

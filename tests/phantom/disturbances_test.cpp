@@ -222,6 +222,10 @@ TEST(Disturbances, ValuesOutsideTheirRangesAreRefused) {
         [](Disturbances& d) { d.tumours = 21; },
         [](Disturbances& d) { d.artery_share = 0.9; },
         [](Disturbances& d) { d.duct_hu = 10.0; },
+        [](Disturbances& d) { d.noise_correlation_mm = -0.5; },
+        [](Disturbances& d) { d.noise_correlation_mm = 0.19; },
+        [](Disturbances& d) { d.noise_correlation_mm = 3.1; },
+        [](Disturbances& d) { d.noise_correlation_mm = std::nan(""); },
         [](Disturbances& d) { d.noise_sharpness = 1.1; },
         [](Disturbances& d) { d.slice_spread_sigma_mm = std::nan(""); }};
     for (const auto& fault : faults) {
@@ -229,6 +233,8 @@ TEST(Disturbances, ValuesOutsideTheirRangesAreRefused) {
         fault(wrong);
         EXPECT_THROW(validate(wrong), InputError);
     }
+    for (const double correlation_mm : {0.0, 0.2, 3.0})
+        EXPECT_NO_THROW(validate(Disturbances{.noise_correlation_mm = correlation_mm}));
 }
 
 }  // namespace

@@ -119,8 +119,13 @@ TEST(ReconstructionLimits, OfTheNumberOfTumours) {
         for (int x = 0; x < 40; x += 2) many.at(x, y, 1) = 1;
     write_nifti(folder / "many.nii.gz", many);
     Job job;
-    const Mask tumours = read_tumours({folder / "many.nii.gz"}, many.grid, job);
+    std::vector<std::string> warnings;
+    const Mask tumours = read_tumours({folder / "many.nii.gz"}, many.grid, warnings, job);
     const int most = 256 - organ_label::first_tumour;
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("400 separate pieces"), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[0].find("the 154 smallest are left out, 0.154 ml"), std::string::npos)
+        << warnings[0];
     EXPECT_EQ(*std::max_element(tumours.voxels.begin(), tumours.voxels.end()), most);
     EXPECT_EQ(std::count(tumours.voxels.begin(), tumours.voxels.end(), most), 1);
     EXPECT_EQ(

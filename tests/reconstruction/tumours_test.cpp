@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/image/volume_writer.h"
@@ -27,8 +29,10 @@ TEST(Tumours, AreNumberedByTheirSizeAndMarkedOnAnyGrid) {
     write_nifti(folder / "first.nii.gz", first);
     write_nifti(folder / "second.nii.gz", second);
     Job job;
+    std::vector<std::string> warnings;
     const Mask tumours =
-        read_tumours({folder / "first.nii.gz", folder / "second.nii.gz"}, grid, job);
+        read_tumours({folder / "first.nii.gz", folder / "second.nii.gz"}, grid, warnings, job);
+    EXPECT_TRUE(warnings.empty());
     EXPECT_EQ(tumours.at(3, 3, 3), 2);
     EXPECT_EQ(tumours.at(12, 12, 8), 1);
     EXPECT_EQ(std::ranges::count(tumours.voxels, 1), 128);
@@ -45,7 +49,7 @@ TEST(Tumours, AreNumberedByTheirSizeAndMarkedOnAnyGrid) {
     EXPECT_EQ(organs.at(0, 0, 0), 1);
     Grid other = grid;
     other.spacing_mm = Vec3::Constant(2.0);
-    EXPECT_THROW(read_tumours({folder / "first.nii.gz"}, other, job), InputError);
+    EXPECT_THROW(read_tumours({folder / "first.nii.gz"}, other, warnings, job), InputError);
     fs::remove_all(folder);
 }
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/segmentation/organ_surroundings.h"
 #include "tests/support/test_masks.h"
 
 namespace hepatica {
@@ -196,7 +196,7 @@ TEST(FindLiver, RefusesAHeadAndAChest) {
         try {
             find_liver(ct, job);
             ADD_FAILURE() << word;
-        } catch (const InputError& error) {
+        } catch (const NoLiverFound& error) {
             EXPECT_NE(error.problem().find(word), std::string::npos) << error.problem();
         }
     }
@@ -207,12 +207,12 @@ TEST(FindLiver, RefusesAScanWithoutOne) {
     Grid grid;
     grid.dims = {40, 40, 40};
     grid.spacing_mm = Vec3::Constant(3.0);
-    EXPECT_THROW(find_liver(Volume(grid, -100), job), InputError);
+    EXPECT_THROW(find_liver(Volume(grid, -100), job), NoLiverFound);
     Volume small(grid, -100);  // an organ of 27 ml
     for (int z = 10; z < 20; ++z)
         for (int y = 10; y < 20; ++y)
             for (int x = 10; x < 20; ++x) small.at(x, y, z) = 100;
-    EXPECT_THROW(find_liver(small, job), InputError);
+    EXPECT_THROW(find_liver(small, job), NoLiverFound);
     job.cancel();
     EXPECT_THROW(find_liver(scan().ct, job), Cancelled);
 }

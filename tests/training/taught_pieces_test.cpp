@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/phantom/random_patient.h"
 
@@ -55,6 +56,16 @@ TEST(TaughtPieces, HoldVesselsAndWhatIsNone) {
     }
     EXPECT_GT(vessels, 30);
     EXPECT_GT(none, 5);
+}
+
+TEST(TaughtPieces, AreNoneWithoutALiverButABadLiverIsRefused) {
+    Job job;
+    Phantom patient;
+    patient.ct = Volume(Grid{{40, 40, 40}}, -100);
+    EXPECT_TRUE(taught_on(patient, {}, 0.6, job).empty()) << "none is found";
+    SegmentationOptions options;
+    options.liver = Mask(patient.ct.grid);
+    EXPECT_THROW(taught_on(patient, options, 0.6, job), InputError) << "the given one is empty";
 }
 
 TEST(TaughtPieces, AreTheSameWithOneThread) {

@@ -25,13 +25,7 @@ struct Beside {
 // The walls of a graph, as a snapshot.
 class Walls {
   public:
-    explicit Walls(const VesselGraph& graph) {
-        for (const VesselLink& link : graph.links) {
-            VesselSegment& segment = segments_.emplace_back();
-            segment.points_mm = link.points_mm;
-            segment.radii_mm = link.radii_mm;
-        }
-    }
+    explicit Walls(const VesselGraph& graph) : segments_(segments_of(graph)) {}
 
     Beside nearest(const Vec3& place_mm) const {
         Beside nearest;

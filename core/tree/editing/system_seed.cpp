@@ -33,12 +33,7 @@ int piece_of(const PieceGraph& graph, const SystemSeed& seed) {
 SeededVessel seeded_vessel(const VesselTree& tree, const PieceGraph& graph,
                            const SystemSeed& seed) {
     SeededVessel vessel{piece_of(graph, seed), seed.system, {}, {}};
-    std::vector<std::uint8_t> hangs(tree.segments.size(), 0);
-    for (std::size_t i = static_cast<std::size_t>(seed.at.segment); i < hangs.size(); ++i) {
-        const int parent = tree.segments[i].parent;
-        hangs[i] =
-            static_cast<int>(i) == seed.at.segment || (parent >= 0 && hangs[parent] != 0) ? 1 : 0;
-    }
+    const std::vector<std::uint8_t> hangs = downstream_of(tree, seed.at.segment);
     int root = seed.at.segment;
     while (tree.segments[root].parent >= 0) root = tree.segments[root].parent;
     for (int i = 0; i < std::ssize(graph.pieces); ++i) {

@@ -34,15 +34,6 @@ TreePoint locate(const VesselTree& tree, const Vec3& position_mm) {
     return found;
 }
 
-// Marks a segment and all segments downstream of it.
-std::vector<std::uint8_t> downstream(const VesselTree& tree, int first) {
-    std::vector<std::uint8_t> hangs(tree.segments.size(), 0);
-    hangs[first] = 1;
-    for (std::size_t i = first + 1; i < tree.segments.size(); ++i)
-        if (tree.segments[i].parent >= 0) hangs[i] = hangs[tree.segments[i].parent];
-    return hangs;
-}
-
 // Merges nodes at one position, so that a vessel that changes its system is connected to what it
 // touches.
 void merge_touching_nodes(VesselGraph& graph, std::vector<RootWish>& wishes) {
@@ -86,13 +77,7 @@ class Edit {
     void add(const TreeEdit& edit) {
         const auto node_at = [&](const Vec3& position_mm) {
             // Located in the current graph: the first split may have renumbered its links.
-            VesselTree now;
-            for (const VesselLink& link : graph_.links) {
-                VesselSegment& segment = now.segments.emplace_back();
-                segment.points_mm = link.points_mm;
-                segment.radii_mm = link.radii_mm;
-            }
-            const TreePoint at = locate(now, position_mm);
+            const TreePoint at = locate({{}, segments_of(graph_)}, position_mm);
             return std::pair(split_link(graph_, at.segment, at.arclength_mm, 1.0),
                              graph_.links[at.segment].system);
         };
@@ -131,7 +116,7 @@ class Edit {
 
     void reassign(const TreeEdit& edit) {
         const int first = locate(tree_, edit.at_mm).segment;
-        const auto hangs = downstream(tree_, first);
+        const auto hangs = downstream_of(tree_, first);
         for (std::size_t i = 0; i < hangs.size(); ++i)
             if (hangs[i] != 0) {
                 graph_.links[i].system = edit.system;
@@ -182,7 +167,7 @@ class Edit {
 
   private:
     void remove_from(int first) {
-        const auto hangs = downstream(tree_, first);
+        const auto hangs = downstream_of(tree_, first);
         std::vector<VesselLink> kept;
         for (std::size_t i = 0; i < graph_.links.size(); ++i)
             if (hangs[i] == 0) kept.push_back(std::move(graph_.links[i]));

@@ -40,6 +40,11 @@ TreeEditKind kind_named(const std::string& wanted, const std::string& place) {
     throw InputError("there is no edit named " + wanted, place, "Take the edit out of the file");
 }
 
+// Edits of these kinds have "system" in their JSON, even where it is unknown.
+bool needs_system(TreeEditKind kind) {
+    return kind == TreeEditKind::reassign_system || kind == TreeEditKind::seed_system;
+}
+
 // A name or a number.
 VascularSystem system_from(const nlohmann::json& value, const std::string& place) {
     const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
@@ -100,8 +105,7 @@ TreeEdit edit_from(const nlohmann::json& value, const std::string& place) {
     require_in_patient_space(edit.to_mm, "the end of a link", place);
     for (const Vec3& point : edit.path_mm)
         require_in_patient_space(point, changes_tree(edit.kind) ? "a vessel" : "a brush", place);
-    if (edit.kind == TreeEditKind::reassign_system || edit.kind == TreeEditKind::seed_system)
-        edit.system = system_from(value.at("system"), place);
+    if (needs_system(edit.kind)) edit.system = system_from(value.at("system"), place);
     return edit;
 }
 
@@ -133,7 +137,7 @@ std::string edits_to_json(const std::vector<TreeEdit>& edits) {
             value["radius_mm"] = edit.radii_mm.front();
             if (edit.tumour != 0) value["tumour"] = edit.tumour;
         }
-        if (edit.kind == TreeEditKind::reassign_system || edit.system != VascularSystem::unknown)
+        if (needs_system(edit.kind) || edit.system != VascularSystem::unknown)
             value["system"] = name_of(edit.system);
         list.push_back(std::move(value));
     }

@@ -227,12 +227,8 @@ double blood_contrast_hu(const Volume& ct, const VesselTree& tree) {
             const double radius_mm = segment.radii_mm[i];
             if (radius_mm < wide_voxels * voxel_mm) continue;
             inside.push_back(interpolate(ct, segment.points_mm[i]));
-            for (int a = 0; a < 6; ++a) {
-                const double away_mm = 2.0 * radius_mm + 3.0 * voxel_mm;
-                around.push_back(interpolate(
-                    ct,
-                    segment.points_mm[i] + (a % 2 == 0 ? away_mm : -away_mm) * Vec3::Unit(a / 2)));
-            }
+            for (const Vec3& p : places_beside(segment.points_mm[i], radius_mm, voxel_mm))
+                around.push_back(interpolate(ct, p));
         }
     if (inside.empty()) return 0.0;
     return std::max(0.0, median(std::move(inside)) - median(std::move(around)));

@@ -2,7 +2,6 @@
 // Implements directed() of vessel_graph.h: from an undirected graph to trees with roots, parents
 // and Strahler orders, by Prim's algorithm on the widths of links (a maximum spanning tree).
 #include <algorithm>
-#include <map>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -47,28 +46,11 @@ void split_rings(VesselGraph& graph) {
     std::erase_if(graph.links, [](const VesselLink& l) { return l.from == l.to; });
 }
 
-// Gives each system its own copy of a node shared with other systems.
-void separate_systems(VesselGraph& graph, std::vector<RootWish>& wishes) {
-    std::map<std::pair<int, VascularSystem>, int> copies;  // (node, system) -> node
-    std::vector<std::uint8_t> has_owner(graph.nodes.size(), 0);
-    const auto own = [&](int node, VascularSystem system) {
-        const auto [entry, is_new] = copies.try_emplace({node, system}, node);
-        if (!is_new) return entry->second;
-        if (has_owner[node] == 0) {
-            has_owner[node] = 1;
-        } else {
-            graph.nodes.push_back(VesselNode(graph.nodes[node]));
-            entry->second = static_cast<int>(graph.nodes.size()) - 1;
-        }
-        return entry->second;
-    };
-    for (VesselLink& link : graph.links) {
-        link.from = own(link.from, link.system);
-        link.to = own(link.to, link.system);
-    }
+// The wishes for the nodes that their systems have now; -1 where a system is not at the node.
+void follow_systems(const SystemNodes& node_of, std::vector<RootWish>& wishes) {
     for (RootWish& wish : wishes) {
-        const auto copy = copies.find({wish.node, wish.system});
-        wish.node = copy == copies.end() ? -1 : copy->second;
+        const auto own = node_of.find({wish.node, wish.system});
+        wish.node = own == node_of.end() ? -1 : own->second;
     }
 }
 
@@ -84,7 +66,7 @@ class Director {
     VesselTree build(std::span<const RootWish> wishes) {
         for (const int root : chosen_roots(wishes)) grow(root);
         sort_depth_first();
-        set_strahler_orders();
+        set_strahler_orders(tree_);
         return std::move(tree_);
     }
 
@@ -204,21 +186,6 @@ class Director {
         tree_.segments = std::move(sorted);
     }
 
-    void set_strahler_orders() {
-        std::vector<int> highest(tree_.segments.size(), 0), how_many(tree_.segments.size(), 0);
-        for (std::size_t i = tree_.segments.size(); i-- > 0;) {
-            VesselSegment& segment = tree_.segments[i];
-            segment.strahler_order = highest[i] == 0 ? 1 : highest[i] + (how_many[i] >= 2 ? 1 : 0);
-            const int parent = segment.parent;
-            if (parent < 0 || segment.closes_loop) continue;
-            if (segment.strahler_order > highest[parent]) {
-                highest[parent] = segment.strahler_order;
-                how_many[parent] = 0;
-            }
-            if (segment.strahler_order == highest[parent]) ++how_many[parent];
-        }
-    }
-
     const VesselGraph& graph_;
     std::vector<std::vector<int>> at_node_;
     std::vector<int> component_;
@@ -232,7 +199,7 @@ class Director {
 VesselTree directed(VesselGraph graph, std::span<const RootWish> wishes) {
     std::vector<RootWish> own_wishes(wishes.begin(), wishes.end());
     split_rings(graph);
-    separate_systems(graph, own_wishes);
+    follow_systems(separate_systems(graph), own_wishes);
     return Director(graph).build(own_wishes);
 }
 

@@ -17,6 +17,7 @@
 #include "core/image/interpolation.h"
 #include "core/tree/extraction/centreline.h"
 #include "core/tree/extraction/gap_paths.h"
+#include "core/tree/extraction/lumen_measurement.h"
 
 namespace hepatica {
 
@@ -73,19 +74,13 @@ class Brightness {
   public:
     Brightness(const VesselGraph& graph, const Mask& vessels, const Volume* ct) : ct_(ct) {
         if (ct == nullptr) return;
+        const double voxel_mm = vessels.grid.spacing_mm.maxCoeff();
         std::vector<double> inside, around;
         for (const VesselLink& link : graph.links)
             for (std::size_t i = 0; i < link.points_mm.size(); ++i) {
                 inside.push_back(interpolate(*ct, link.points_mm[i]));
-                // Sampled two radii and three voxels away in six directions, where there is no
-                // vessel.
-                const double away =
-                    2.0 * link.radii_mm[i] + 3.0 * vessels.grid.spacing_mm.maxCoeff();
-                for (int a = 0; a < 6; ++a) {
-                    const Vec3 p =
-                        link.points_mm[i] + (a % 2 == 0 ? away : -away) * Vec3::Unit(a / 2);
+                for (const Vec3& p : places_beside(link.points_mm[i], link.radii_mm[i], voxel_mm))
                     if (interpolate(vessels, p) < 0.01) around.push_back(interpolate(*ct, p));
-                }
             }
         if (inside.size() < 10 || around.size() < 10) {
             ct_ = nullptr;

@@ -278,4 +278,12 @@ void measure_lumen(VesselGraph& graph, const Mask& vessels, const Volume* ct,
     Measurement(graph, vessels, ct, progress, contrast_hu).run();
 }
 
+std::array<Vec3, 6> places_beside(const Vec3& point_mm, double radius_mm, double voxel_mm) {
+    const double away_mm = 2.0 * radius_mm + 3.0 * voxel_mm;
+    std::array<Vec3, 6> places;
+    for (int a = 0; a < 6; ++a)
+        places[a] = point_mm + (a % 2 == 0 ? away_mm : -away_mm) * Vec3::Unit(a / 2);
+    return places;
+}
+
 }  // namespace hepatica

@@ -3,6 +3,7 @@
 // radii from cross-sections (lumen_radius.h).
 #pragma once
 
+#include <array>
 #include <functional>
 
 #include "core/image/volume.h"
@@ -18,5 +19,9 @@ namespace hepatica {
 // `progress` gets the share done, from any thread; an exception it throws ends the work.
 void measure_lumen(VesselGraph& graph, const Mask& vessels, const Volume* ct,
                    const std::function<void(double share)>& progress, double contrast_hu = 0.0);
+
+// Six places outside a vessel, along the axes in both directions, two radii and three voxels from a
+// point of its centreline. Another vessel may lie there.
+std::array<Vec3, 6> places_beside(const Vec3& point_mm, double radius_mm, double voxel_mm);
 
 }  // namespace hepatica

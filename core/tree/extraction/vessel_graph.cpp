@@ -111,6 +111,27 @@ void join_passing_nodes(VesselGraph& graph) {
     drop_unused_nodes(graph);
 }
 
+SystemNodes separate_systems(VesselGraph& graph) {
+    SystemNodes node_of;
+    std::vector<std::uint8_t> has_owner(graph.nodes.size(), 0);
+    const auto own = [&](int node, VascularSystem system) {
+        const auto [entry, is_new] = node_of.try_emplace({node, system}, node);
+        if (!is_new) return entry->second;
+        if (has_owner[node] == 0) {
+            has_owner[node] = 1;
+        } else {
+            graph.nodes.push_back(VesselNode(graph.nodes[node]));
+            entry->second = static_cast<int>(graph.nodes.size()) - 1;
+        }
+        return entry->second;
+    };
+    for (VesselLink& link : graph.links) {
+        link.from = own(link.from, link.system);
+        link.to = own(link.to, link.system);
+    }
+    return node_of;
+}
+
 std::vector<int> component_of_nodes(const VesselGraph& graph) {
     std::vector<int> component(graph.nodes.size(), -1);
     const auto at_node = links_of_nodes(graph);
@@ -141,6 +162,16 @@ VesselGraph to_graph(const VesselTree& tree) {
         graph.links.push_back({s.proximal_node, s.distal_node, s.system, s.system_confidence,
                                s.points_mm, s.radii_mm});
     return graph;
+}
+
+std::vector<VesselSegment> segments_of(const VesselGraph& graph) {
+    std::vector<VesselSegment> segments;
+    for (const VesselLink& link : graph.links) {
+        VesselSegment& segment = segments.emplace_back();
+        segment.points_mm = link.points_mm;
+        segment.radii_mm = link.radii_mm;
+    }
+    return segments;
 }
 
 std::vector<RootWish> root_wishes(const VesselTree& tree) {

@@ -3,7 +3,9 @@
 // is pruned, linked, cut or read from another program's file.
 #pragma once
 
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/tree/vessel_tree.h"
@@ -40,6 +42,11 @@ void remove_links(VesselGraph& graph, const std::vector<std::uint8_t>& removed);
 // links. Ids change.
 void join_passing_nodes(VesselGraph& graph);
 
+// Gives each system its own copy of a node that it shares with others; the first link there keeps
+// the node. Returns the node that each system has in place of an old one.
+using SystemNodes = std::map<std::pair<int, VascularSystem>, int>;
+SystemNodes separate_systems(VesselGraph& graph);
+
 // The connected component of each node, numbered in the order of first nodes. Systems do not
 // matter.
 std::vector<int> component_of_nodes(const VesselGraph& graph);
@@ -60,6 +67,10 @@ VesselTree directed(VesselGraph graph, std::span<const RootWish> wishes = {});
 
 // The graph of a tree. Node ids are the tree's own, link i is segment i.
 VesselGraph to_graph(const VesselTree& tree);
+
+// The links as segments with nothing but points and radii, to look up what is nearest to a place:
+// segment i is link i.
+std::vector<VesselSegment> segments_of(const VesselGraph& graph);
 
 // The roots of a tree as wishes, to keep them when it is built anew.
 std::vector<RootWish> root_wishes(const VesselTree& tree);

@@ -17,19 +17,15 @@ std::string read_text(const std::filesystem::path& file) {
     return read_text_file(file, "Give a tree in a .vtp, .swc or .json file");
 }
 
-namespace {
-
 // Capillaries, the thinnest vessels, have radii of 0.003 mm; the aorta has 15.
-void require_plausible_radius(double radius_mm, const std::string& place) {
+void require_plausible_radius(double radius_mm, const std::string& what, const std::string& place) {
     constexpr double least_mm = 0.001, most_mm = 1000.0;
     if (radius_mm >= least_mm && radius_mm <= most_mm) return;
     std::ostringstream problem;
-    problem << "has a vessel of radius " << radius_mm << " mm";
+    problem << "has " << what << " of radius " << radius_mm << " mm";
     throw InputError(problem.str(), place,
                      "Give radii in millimetres, from 0.001 to 1000, at every point");
 }
-
-}  // namespace
 
 void require_unambiguous_systems(const std::vector<int>& numbers,
                                  const std::filesystem::path& file) {
@@ -49,7 +45,7 @@ void validate_from_file(const VesselTree& tree, const std::filesystem::path& fil
         for (const Vec3& point : segment.points_mm)
             require_in_patient_space(point, "a point", file.string());
         for (const double radius_mm : segment.radii_mm)
-            require_plausible_radius(radius_mm, file.string());
+            require_plausible_radius(radius_mm, "a vessel", file.string());
     }
     try {
         validate(tree);

@@ -56,7 +56,8 @@ void write_tree_swc(const std::filesystem::path& file, const VesselTree& tree);
 // merged. The format does not state the axes: LPS unless `facts` say RAS.
 VesselTree read_tree_swc(const std::filesystem::path& file, const TreeFileFacts& facts = {});
 
-// All fields under the names of vessel_tree.h; reads back exactly.
+// All fields under the names of vessel_tree.h; reads back exactly. A file that states another
+// "format" or another "space" than LPS is refused; it may state neither.
 void write_tree_json(const std::filesystem::path& file, const VesselTree& tree);
 VesselTree read_tree_json(const std::filesystem::path& file);
 

@@ -14,6 +14,28 @@ namespace hepatica {
 namespace {
 
 constexpr int tree_version = 1;
+constexpr const char* tree_format = "hepatica vessel tree";
+constexpr const char* tree_space = "LPS";
+
+// Refuses a file that says to be something else than this program writes. Older files and those
+// made by hand may leave "format" and "space" out.
+void require_own_format(const nlohmann::json& whole, const std::filesystem::path& file) {
+    if (whole.contains("format") && whole["format"] != tree_format)
+        throw InputError("is of the format " + whole["format"].dump(), file.string(),
+                         std::string("Give a file of the format \"") + tree_format + "\"");
+    if (whole_number<int>(whole.at("version")) != tree_version)
+        throw InputError("is of version " + whole.at("version").dump(), file.string(),
+                         "Write it anew with this program");
+    if (whole.contains("space") && whole["space"] != tree_space)
+        throw InputError("has its axes in space " + whole["space"].dump(), file.string(),
+                         "Turn its positions into LPS and state \"space\": \"LPS\"");
+}
+
+VesselNode node_from(const nlohmann::json& value, const std::filesystem::path& file) {
+    const VesselNode node{vec3_from(value.at("position_mm")), value.at("radius_mm").get<double>()};
+    require_plausible_radius(node.radius_mm, "a node", file.string());
+    return node;
+}
 
 }  // namespace
 
@@ -35,9 +57,9 @@ void write_tree_json(const std::filesystem::path& file, const VesselTree& tree) 
                             {"radii_mm", s.radii_mm}});
         if (!s.bridged.empty()) segments.back()["bridged"] = s.bridged;
     }
-    const nlohmann::json whole{{"format", "hepatica vessel tree"},
+    const nlohmann::json whole{{"format", tree_format},
                                {"version", tree_version},
-                               {"space", "LPS"},
+                               {"space", tree_space},
                                {"nodes", std::move(nodes)},
                                {"segments", std::move(segments)}};
     write_text_atomically(file, whole.dump() + "\n");
@@ -48,12 +70,9 @@ VesselTree read_tree_json(const std::filesystem::path& file) {
     std::vector<int> unnamed_systems;
     try {
         const nlohmann::json whole = nlohmann::json::parse(read_text(file));
-        if (whole_number<int>(whole.at("version")) != tree_version)
-            throw InputError("is of version " + whole.at("version").dump(), file.string(),
-                             "Write it anew with this program");
+        require_own_format(whole, file);
         for (const nlohmann::json& node : whole.at("nodes"))
-            tree.nodes.push_back(
-                {vec3_from(node.at("position_mm")), node.at("radius_mm").get<double>()});
+            tree.nodes.push_back(node_from(node, file));
         for (const nlohmann::json& value : whole.at("segments")) {
             VesselSegment& s = tree.segments.emplace_back();
             const int system = whole_number<int>(value.at("system"));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 #include "core/base/vector.h"
@@ -35,9 +36,11 @@ inline nlohmann::json json_of(const std::vector<SystemSummary>& systems) {
     return list;
 }
 
-// Reads the first three elements of an array. Throws nlohmann::json::exception where one is missing
-// or no number.
+// Reads an array of three numbers. Throws nlohmann::json::exception for anything else.
 inline Vec3 vec3_from(const nlohmann::json& value) {
+    if (value.is_array() && value.size() != 3)
+        throw nlohmann::detail::type_error::create(
+            302, "must be three numbers, but is a list of " + std::to_string(value.size()), &value);
     return {value.at(0).get<double>(), value.at(1).get<double>(), value.at(2).get<double>()};
 }
 

@@ -319,7 +319,9 @@ VesselTree foreign_tree(const Lines& lines, const TreeFileFacts& facts,
             edges.push_back(
                 {ids[i - 1], ids[i], radii.at(cell, ids[i - 1]), radii.at(cell, ids[i])});
     }
-    return directed(graph_of_edges(lines.points_mm, edges).graph);
+    VesselTree tree = directed(graph_of_edges(lines.points_mm, edges).graph);
+    validate_from_file(tree, path);
+    return tree;
 }
 
 }  // namespace
@@ -347,9 +349,7 @@ VesselTree read_tree_vtp(const std::filesystem::path& file, const TreeFileFacts&
     for (Vec3& point : lines.points_mm) point = signs.cwiseProduct(point);
     const bool own = is_own(lines.file);
     if (own && !facts.in_case) require_known_systems(lines.file, file);
-    VesselTree tree = own ? own_tree(lines, file) : foreign_tree(lines, facts, file);
-    validate_from_file(tree, file);
-    return tree;
+    return own ? own_tree(lines, file) : foreign_tree(lines, facts, file);
 }
 
 }  // namespace hepatica

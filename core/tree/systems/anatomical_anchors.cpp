@@ -9,17 +9,16 @@ namespace hepatica {
 
 AnatomicalAnchors find_anchors(const std::vector<VesselPiece>& pieces,
                                const Eigen::AlignedBox3d& liver_mm) {
-    // Shares of the liver's box from right to left, front to back and foot to head.
-    const Vec3 expected_hilum(0.47, 0.40, 0.47), expected_confluence(0.50, 0.60, 0.82);
-    constexpr double spread = 0.12;        // spread of those shares among people
-    constexpr double reach_mm = 30.0;      // distance of great vessels from an anchor
-    constexpr double prior_weight = 0.25;  // weight of the expected position relative to all
-                                           // vessels there
+    const Vec3 expected_hilum(0.47, 0.40, 0.47);  // in shares, as the confluence
+    constexpr double spread = 0.12;               // spread of those shares among people
+    constexpr double reach_mm = 30.0;             // distance of great vessels from an anchor
+    constexpr double prior_weight = 0.25;         // weight of the expected position relative to all
+                                                  // vessels there
     constexpr double least_radius_mm = 1.5, most_radius_mm = 6.0;
     constexpr int rounds = 3;
     const Vec3 size = liver_mm.sizes();
     const std::array<Vec3, 2> expected{liver_mm.min() + expected_hilum.cwiseProduct(size),
-                                       liver_mm.min() + expected_confluence.cwiseProduct(size)};
+                                       liver_mm.min() + usual_confluence.cwiseProduct(size)};
     std::array<Vec3, 2> found = expected;
     for (int round = 0; round < rounds; ++round) {
         std::array<Vec3, 2> sum{Vec3::Zero(), Vec3::Zero()};

@@ -9,6 +9,10 @@
 
 namespace hepatica {
 
+// An adult's confluence in shares of the liver's box, from right to left, front to back and foot to
+// head.
+inline const Vec3 usual_confluence(0.50, 0.60, 0.82);
+
 struct AnatomicalAnchors {
     Vec3 hilum_mm = Vec3::Zero();
     Vec3 confluence_mm = Vec3::Zero();

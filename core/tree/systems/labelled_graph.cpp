@@ -3,7 +3,6 @@
 #include "core/tree/systems/labelled_graph.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <set>
 
@@ -22,7 +21,7 @@ class Rebuilder {
     VesselGraph rebuild() {
         for (std::size_t first = 0; first < pieces_.pieces.size();) first = add_link_from(first);
         add_links_within_forks();
-        own_nodes();
+        separate_systems(out_);
         join_passing_nodes(out_);
         return std::move(out_);
     }
@@ -118,22 +117,6 @@ class Rebuilder {
                           return true;
                       }) > 0;
         }
-    }
-
-    void own_nodes() {
-        std::map<std::pair<int, VascularSystem>, int> copies;
-        std::vector<std::uint8_t> taken(out_.nodes.size(), 0);
-        for (VesselLink& link : out_.links)
-            for (int* node : {&link.from, &link.to}) {
-                const auto [entry, is_new] = copies.try_emplace({*node, link.system}, *node);
-                if (is_new && taken[*node] != 0) {
-                    entry->second = static_cast<int>(out_.nodes.size());
-                    out_.nodes.push_back(VesselNode(out_.nodes[*node]));
-                } else if (is_new) {
-                    taken[*node] = 1;
-                }
-                *node = entry->second;
-            }
     }
 
     const VesselGraph& graph_;

@@ -57,7 +57,7 @@ OpenedLoops open_loops(const VesselTree& tree) {
     OpenedLoops opened{to_graph(tree)};
     VesselGraph& graph = opened.graph;
     std::vector<std::uint8_t> removed(graph.links.size(), 0);
-    const auto at_node = links_of_nodes(graph);
+    auto at_node = links_of_nodes(graph);  // without ends that are detached
     for (std::size_t i = 0; i < tree.segments.size(); ++i) {
         if (!tree.segments[i].closes_loop) continue;
         ++opened.count;
@@ -65,7 +65,10 @@ OpenedLoops open_loops(const VesselTree& tree) {
         const auto id = static_cast<int>(i);
         if (straightest(graph, at_node, id, link.from) < straightest(graph, at_node, id, link.to))
             reverse(link);
-        if (!detach_end(graph, link)) removed[i] = 1;
+        std::erase(at_node[link.to], id);
+        if (detach_end(graph, link)) continue;
+        std::erase(at_node[link.from], id);
+        removed[i] = 1;
     }
     remove_links(graph, removed);
     join_passing_nodes(graph);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "core/base/median.h"
 #include "core/tree/extraction/centreline.h"
@@ -123,11 +124,13 @@ void lead_trunk_to(const Vec3& entry_mm, VesselGraph& graph) {
     if (!place) return;
     const VesselLink near = graph.links[place->link];
     const double radius_mm = near.radii_mm[place->point];
+    VesselGraph led = graph;
     const int fork =
-        split_link(graph, place->link, arclengths_mm(near.points_mm)[place->point], step_mm);
-    const Vec3 from_mm = graph.nodes[fork].position_mm;
+        split_link(led, place->link, arclengths_mm(near.points_mm)[place->point], step_mm);
+    const Vec3 from_mm = led.nodes[fork].position_mm;
     const int steps = static_cast<int>(std::floor((entry_mm - from_mm).norm() / step_mm));
-    if (steps < 1) return;
+    if (steps < 1) return;  // a portal vein is there already
+    graph = std::move(led);
     remove_stump(graph, fork, radius_mm);
     VesselLink trunk;
     trunk.from = fork;

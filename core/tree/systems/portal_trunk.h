@@ -13,8 +13,8 @@ namespace hepatica {
 
 // Extends the portal centreline nearest to `entry_mm` to that point, with the radius it has where
 // it is left, so that an end lies there. A wide portal end of up to 15 mm at the point where it is
-// left is removed. No extension where no portal vein lies within 15 mm, or where one is within 1
-// mm.
+// left is removed. The graph stays as it is where no portal vein lies within 15 mm, or where one is
+// within 1 mm.
 void lead_trunk_to(const Vec3& entry_mm, VesselGraph& graph);
 
 // The segment at whose end the portal trunk divides: from the root of the longest portal tree down

@@ -16,21 +16,6 @@ namespace {
 constexpr double never = 1e4;  // log odds that exclude a label
 constexpr int stays = 0, changes = 1;
 
-std::vector<Tie> ties_between(const PieceGraph& graph) {
-    std::vector<Tie> ties;
-    for (const auto& [a, b] : graph.passages)
-        ties.push_back({a, b, tie_of_passage(graph.pieces[a], graph.pieces[b])});
-    for (const std::vector<ForkArm>& arms : graph.forks) {
-        const std::vector<double> strengths = ties_of_fork(arms);
-        std::size_t next = 0;
-        for (std::size_t i = 1; i < arms.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j, ++next)
-                if (arms[i].piece != arms[j].piece)
-                    ties.push_back({arms[i].piece, arms[j].piece, strengths[next]});
-    }
-    return ties;
-}
-
 // For each piece, log odds of its present system over the seed's; 0 unless both are veins, because
 // anatomy gives no evidence for others.
 std::vector<double> evidence_to_stay(const PieceGraph& graph, VascularSystem from,

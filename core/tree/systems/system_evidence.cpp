@@ -239,4 +239,23 @@ double tie_of_passage(const VesselPiece& a, const VesselPiece& b) {
     return straight_tie * std::exp(-change * change) + least_tie;
 }
 
+std::vector<Tie> ties_between(const PieceGraph& graph,
+                              const std::function<double(double)>& changed) {
+    const auto used = [&](double strength) { return changed ? changed(strength) : strength; };
+    std::vector<Tie> ties;
+    for (const auto& [a, b] : graph.passages)
+        ties.push_back({a, b, used(tie_of_passage(graph.pieces[a], graph.pieces[b]))});
+    for (const std::vector<ForkArm>& arms : graph.forks) {
+        const std::vector<double> strengths = ties_of_fork(arms);
+        std::size_t next = 0;
+        for (std::size_t i = 1; i < arms.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                const double strength = used(strengths[next++]);
+                if (arms[i].piece != arms[j].piece)
+                    ties.push_back({arms[i].piece, arms[j].piece, strength});
+            }
+    }
+    return ties;
+}
+
 }  // namespace hepatica

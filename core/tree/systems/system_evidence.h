@@ -3,9 +3,11 @@
 // direction in which vessels become wider, and the direction in which forks point.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/tree/systems/anatomical_anchors.h"
+#include "core/tree/systems/potts_labelling.h"
 #include "core/tree/systems/vessel_pieces.h"
 
 namespace hepatica {
@@ -32,5 +34,11 @@ std::vector<double> ties_of_fork(const std::vector<ForkArm>& arms);
 
 // The same for two consecutive pieces of a link.
 double tie_of_passage(const VesselPiece& a, const VesselPiece& b);
+
+// The ties of all passages, then of all pairs of arms that belong to different pieces. `changed`
+// gets every strength in that order, pairs of one piece included, and returns the one to use; it
+// may be empty.
+std::vector<Tie> ties_between(const PieceGraph& graph,
+                              const std::function<double(double strength)>& changed = {});
 
 }  // namespace hepatica

@@ -87,7 +87,8 @@ class Search {
     Labelling solve(const AnatomicalAnchors& anchors, Noise* noise) const {
         PottsProblem problem;
         problem.labels = labels();
-        problem.ties = ties(noise);
+        problem.ties =
+            ties_between(graph_, [noise](double strength) { return perturbed(strength, noise); });
         const std::vector<double> evidence = evidence_for_hepatic(graph_, anchors);
         set_costs(problem, evidence, noise);
         Labelling found;
@@ -120,24 +121,6 @@ class Search {
 
     static double perturbed(double value, Noise* noise) {
         return noise == nullptr ? value : value * std::exp(draw_deviation * (*noise)());
-    }
-
-    std::vector<Tie> ties(Noise* noise) const {
-        std::vector<Tie> found;
-        for (const auto& [a, b] : graph_.passages)
-            found.push_back(
-                {a, b, perturbed(tie_of_passage(graph_.pieces[a], graph_.pieces[b]), noise)});
-        for (const std::vector<ForkArm>& arms : graph_.forks) {
-            const std::vector<double> strengths = ties_of_fork(arms);
-            std::size_t next = 0;
-            for (std::size_t i = 1; i < arms.size(); ++i)
-                for (std::size_t j = 0; j < i; ++j) {
-                    const double strength = perturbed(strengths[next++], noise);
-                    if (arms[i].piece != arms[j].piece)
-                        found.push_back({arms[i].piece, arms[j].piece, strength});
-                }
-        }
-        return found;
     }
 
     void set_costs(PottsProblem& problem, const std::vector<double>& evidence, Noise* noise) const {
@@ -345,6 +328,8 @@ SystemsFound tell_systems_apart(VesselGraph& graph, const Volume* ct, const Syst
     return found;
 }
 
+namespace {
+
 // The largest radius within 10 mm of an end, because a trunk cut off by the image or the liver's
 // border tapers over its last millimetres. Points in the lumen of another vessel do not count, so
 // that a stub on a trunk is not wide at its beginning.
@@ -369,6 +354,8 @@ double radius_near_end(const VesselGraph& graph, const std::vector<std::vector<i
             radius = std::max(radius, link.radii_mm[i]);
     return radius;
 }
+
+}  // namespace
 
 std::vector<RootWish> anatomical_roots(const VesselGraph& graph, const AnatomicalAnchors& anchors) {
     constexpr double mm_per_radius = 5.0;  // a wider end may lie this much farther from the anchor

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/tree/systems/anatomical_anchors.h"
 #include "core/tree/systems/portal_trunk.h"
 
 namespace hepatica {
@@ -17,8 +18,7 @@ namespace {
 
 constexpr double one_degree = std::numbers::pi / 180.0;
 constexpr double adult_ml = 1500.0;
-// Usual values of adults: position in shares of the liver's box, and angles of the three veins.
-const Vec3 usual_confluence(0.50, 0.60, 0.82);
+// Usual angles of an adult's three veins.
 constexpr std::array<double, 3> usual_azimuth{25.0 * one_degree, 70.0 * one_degree,
                                               125.0 * one_degree};
 

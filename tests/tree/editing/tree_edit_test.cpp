@@ -257,6 +257,13 @@ TEST(TreeEditJson, ASystemIsANameOrANumber) {
     EXPECT_NE(edits_to_json({edit}).find("\"artery\""), std::string::npos);
 }
 
+TEST(TreeEditJson, ASystemThatIsUnknownComesBack) {
+    for (const TreeEditKind kind : {TreeEditKind::reassign_system, TreeEditKind::seed_system}) {
+        const std::vector<TreeEdit> edits{edit_at(kind, on_trunk, VascularSystem::unknown)};
+        EXPECT_EQ(edits_from_json(edits_to_json(edits), "case.json"), edits);
+    }
+}
+
 TEST(TreeEditJson, StrokesAtTumoursComeBackAndLeaveTheTree) {
     TreeEdit stroke = edit_at(TreeEditKind::paint_tumour, on_trunk);
     stroke.path_mm = {on_trunk, on_left_branch};

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <random>
+#include <vector>
 
 #include "tests/support/test_trees.h"
 
@@ -107,6 +109,75 @@ TEST(VesselGraph, TheLengthOfAComponentIsThatOfAllItsLinks) {
     const VesselTree tree = directed(graph);
     EXPECT_EQ(tree.segments.front().points_mm.front(), Vec3(0, 0, 0));
     EXPECT_EQ(tree.segments.back().points_mm.front().z(), 100.0);
+}
+
+// At a node with links of three systems the first one keeps it, wherever the others are named.
+TEST(VesselGraph, SystemsGetCopiesOfANodeThatTheyShare) {
+    VesselGraph graph = forked_graph();
+    const int nodes = static_cast<int>(graph.nodes.size());
+    graph.links[0].system = graph.links[3].system = graph.links[4].system = VascularSystem::portal;
+    graph.links[1].system = VascularSystem::hepatic;
+    graph.links[2].system = VascularSystem::artery;
+    const VesselGraph before = graph;
+    const SystemNodes node_of = separate_systems(graph);
+    ASSERT_EQ(std::ssize(graph.nodes), nodes + 3);  // two at node 1, one at node 3
+    EXPECT_EQ(node_of.at({1, VascularSystem::portal}), 1);
+    EXPECT_EQ(node_of.at({1, VascularSystem::hepatic}), nodes);
+    EXPECT_EQ(node_of.at({1, VascularSystem::artery}), nodes + 1);
+    EXPECT_EQ(node_of.at({3, VascularSystem::artery}), 3);
+    EXPECT_EQ(node_of.at({3, VascularSystem::portal}), nodes + 2);
+    EXPECT_FALSE(node_of.contains({0, VascularSystem::hepatic}));
+    for (std::size_t i = 0; i < graph.links.size(); ++i) {
+        const VesselLink &link = graph.links[i], &was = before.links[i];
+        EXPECT_EQ(link.from, node_of.at({was.from, link.system})) << "link " << i;
+        EXPECT_EQ(link.to, node_of.at({was.to, link.system})) << "link " << i;
+        EXPECT_EQ(graph.nodes[link.from].position_mm, link.points_mm.front()) << "link " << i;
+    }
+}
+
+TEST(VesselGraph, ItsSegmentsAreItsLinks) {
+    const VesselGraph graph = forked_graph();
+    const std::vector<VesselSegment> segments = segments_of(graph);
+    ASSERT_EQ(segments.size(), graph.links.size());
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        EXPECT_EQ(segments[i].points_mm, graph.links[i].points_mm);
+        EXPECT_EQ(segments[i].radii_mm, graph.links[i].radii_mm);
+    }
+}
+
+TEST(VesselTree, WhatHangsOnASegmentIsDownstreamOfIt) {
+    const VesselTree tree = directed(forked_graph());
+    const std::vector<std::vector<int>> child_ids = children(tree);
+    ASSERT_EQ(tree.segments.size(), 5u);
+    for (int s = 0; s < 5; ++s) {
+        const std::vector<std::uint8_t> marked = downstream_of(tree, s);
+        const bool fork = child_ids[s].size() == 2;
+        EXPECT_EQ(std::ranges::count(marked, 1), s == 0 ? 5 : fork ? 3 : 1) << s;
+        EXPECT_EQ(marked[s], 1) << s;
+        for (const int child : child_ids[s]) EXPECT_EQ(marked[child], 1) << s;
+    }
+}
+
+TEST(VesselTree, OrdersRiseWhereTwoBranchesOfTheHighestMeet) {
+    VesselTree tree = directed(forked_graph());
+    const auto orders = [&] {
+        for (VesselSegment& segment : tree.segments) segment.strahler_order = 9;
+        set_strahler_orders(tree);
+        std::vector<int> found;
+        for (const VesselSegment& segment : tree.segments) found.push_back(segment.strahler_order);
+        return found;
+    };
+    const std::vector<std::vector<int>> child_ids = children(tree);
+    int second_fork = 0;
+    for (const int child : child_ids[0])
+        if (!child_ids[child].empty()) second_fork = child;
+    std::vector<int> expected(5, 1);
+    expected[0] = expected[second_fork] = 2;
+    EXPECT_EQ(orders(), expected);
+    // A segment that closes a loop is no branch: the second fork is none any more.
+    tree.segments[child_ids[second_fork][1]].closes_loop = true;
+    expected[second_fork] = 1;
+    EXPECT_EQ(orders(), expected) << "two branches of order 1 meet at the first one";
 }
 
 }  // namespace

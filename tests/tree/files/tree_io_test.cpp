@@ -210,6 +210,47 @@ TEST(TreeJson, BadFilesAreRefused) {
     }
 }
 
+TEST(TreeJson, AFileThatSaysToBeSomethingElseIsRefusedByValue) {
+    const auto file = scratch("changed.json");
+    write_tree_json(file, forked_tree());
+    std::ifstream in(file);
+    const nlohmann::json good = nlohmann::json::parse(in);
+    const auto problem_of = [&](const nlohmann::json& json) -> std::string {
+        write_text(file, json.dump());
+        try {
+            read_tree(file);
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.place(), file.string());
+            EXPECT_NE(error.remedy(), "");
+            return error.problem();
+        }
+        return "";
+    };
+    const auto with = [&](const char* place, const nlohmann::json& value) {
+        nlohmann::json changed = good;
+        changed[nlohmann::json::json_pointer(place)] = value;
+        return changed;
+    };
+    EXPECT_EQ(problem_of(with("/format", "a street map")), "is of the format \"a street map\"");
+    EXPECT_EQ(problem_of(with("/space", "RAS")), "has its axes in space \"RAS\"");
+    EXPECT_EQ(problem_of(with("/space", 3)), "has its axes in space 3");
+    EXPECT_EQ(problem_of(with("/nodes/1/radius_mm", -2.0)), "has a node of radius -2 mm");
+    EXPECT_EQ(problem_of(with("/nodes/1/radius_mm", 0.0)), "has a node of radius 0 mm");
+    const std::string four = problem_of(with("/nodes/1/position_mm", {1.0, 2.0, 3.0, 4.0}));
+    EXPECT_NE(four.find("must be three numbers, but is a list of 4"), std::string::npos) << four;
+}
+
+TEST(TreeJson, AFileThatSaysNeitherItsFormatNorItsSpaceIsRead) {
+    const auto file = scratch("silent.json");
+    write_tree_json(file, forked_tree());
+    std::ifstream in(file);
+    nlohmann::json json = nlohmann::json::parse(in);
+    json.erase("format");
+    json.erase("space");
+    write_text(file, json.dump());
+    expect_equal(read_tree(file), forked_tree());
+}
+
 // As the phantom wrote its truth before systems had names: 0 the portal vein, 1 the hepatic veins.
 // A reconstruction of that time meant nobody's system by 0 and the portal vein by 1.
 void expect_refused_in_words(const std::filesystem::path& file) {

@@ -359,5 +359,50 @@ TEST(LoopOpening, ASideBranchThatTouchesEndsClearOfTheLumen) {
     EXPECT_LT(length_mm(tree), length_mm(looped) - 3.0);
 }
 
+// A segment of a radius of 1 mm along straight pieces, with a point about each millimetre.
+VesselSegment segment_along(const std::vector<Vec3>& corners, int proximal, int distal,
+                            int parent) {
+    VesselSegment segment;
+    segment.proximal_node = proximal;
+    segment.distal_node = distal;
+    segment.parent = parent;
+    segment.system = VascularSystem::portal;
+    segment.points_mm = {corners.front()};
+    for (std::size_t k = 1; k < corners.size(); ++k) {
+        const Vec3 way = corners[k] - corners[k - 1];
+        const int steps = static_cast<int>(std::lround(way.norm()));
+        for (int i = 1; i <= steps; ++i)
+            segment.points_mm.push_back(corners[k - 1] + way * i / steps);
+    }
+    segment.radii_mm.assign(segment.points_mm.size(), 1.0);
+    return segment;
+}
+
+// Two loops are closed at the fork: `up` leaves it at 37 degrees from the way on of `down`, and
+// goes straight on at its own other end; `down` turns by 60 degrees at its other end. As soon as
+// `up` is detached from the fork, only the trunk lies there, at a right angle to `down`.
+TEST(LoopOpening, ADetachedSegmentIsNoContinuationAtTheNodeThatItLeft) {
+    const Vec3 root(-20, 0, 0), origin(0, 0, 0), fork(60, 0, 0), tip(120, 0, 0);
+    const Vec3 up(0, 0.6, 0.8), down(0, 0, -1), turned(0, std::sqrt(0.75), -0.5);
+    const Vec3 top = fork + 40 * up, bottom = fork + 40 * down;
+    VesselTree tree;
+    for (const Vec3& p : {root, origin, fork, tip, top, bottom}) tree.nodes.push_back({p, 1.0});
+    tree.segments = {segment_along({root, origin}, 0, 1, -1),
+                     segment_along({origin, fork}, 1, 2, 0),
+                     segment_along({fork, tip}, 2, 3, 1),
+                     segment_along({origin, top + 20 * up, top}, 1, 4, 0),
+                     segment_along({origin, bottom + 20 * turned, bottom}, 1, 5, 0),
+                     segment_along({fork, top}, 2, 4, 1),
+                     segment_along({fork, bottom}, 2, 5, 1)};
+    tree.segments[5].closes_loop = tree.segments[6].closes_loop = true;
+    const OpenedLoops opened = open_loops(tree);
+    EXPECT_EQ(opened.count, 2);
+    EXPECT_EQ(opened.graph.links.size(), 4u) << "both are detached at the fork";
+    for (const Vec3& way : {up, down})  // ends 3 mm from the fork, or at the next point
+        EXPECT_TRUE(std::ranges::any_of(opened.graph.nodes, [&](const VesselNode& node) {
+            return (node.position_mm - fork - 3.5 * way).norm() < 0.6;
+        })) << way.transpose();
+}
+
 }  // namespace
 }  // namespace hepatica
