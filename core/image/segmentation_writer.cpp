@@ -80,7 +80,7 @@ std::string value(const std::string& text) {
     return text + '\0';
 }
 
-void require_written(std::ofstream& out, const fs::path& file) {
+void require_flushed(std::ofstream& out, const fs::path& file) {
     if (!out.flush())
         throw InputError("cannot be written", file.string(),
                          "Free some space there, or set TMPDIR to a folder with more");
@@ -89,7 +89,7 @@ void require_written(std::ofstream& out, const fs::path& file) {
 void write_bytes(const fs::path& file, const std::string& bytes) {
     std::ofstream out(file, std::ios::binary);
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    require_written(out, file);
+    require_flushed(out, file);
 }
 
 // Writes the input of the helper (app/dicom_segmentation/order.h): the segments that have a frame,
@@ -120,7 +120,7 @@ void write_order(const fs::path& folder, std::span<const SegmentMeaning> segment
         put(&frame.slice, sizeof frame.slice);
         put(frame.pixels.data(), frame.pixels.size());
     }
-    require_written(out, folder / "frames");
+    require_flushed(out, folder / "frames");
     write_bytes(folder / "slices", files);
     write_bytes(folder / "segments", meanings);
 }
