@@ -426,8 +426,6 @@ void MainWindow::connect_tools() {
         if (draws || mode == MouseMode::measure || mode == MouseMode::place ||
             view_->mouse().hand().holds())
             back_to_pulling();
-        else
-            view_layout_->slices().measurements().clear();
     });
 }
 

@@ -129,6 +129,8 @@ class MainWindow : public QMainWindow {
     void connect_context();
     void connect_measuring();
     void follow_measuring();
+    void remove_measurements();
+    void tell_lost_diameters(std::size_t lost);
     void connect_themes();
     void connect_mouse_schemes();
     void connect_languages();

@@ -60,8 +60,9 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     tool_panel_->begin_play(true);
     follow_simulation();
     editing_->show_body();
-    corrected ? view_layout_->show_corrected(patient_->patient)
-              : view_layout_->show_patient(patient_->patient, patient_->folder, patient_->image);
+    const std::size_t lost = corrected ? view_layout_->show_corrected(patient_->patient)
+                                       : view_layout_->show_patient(
+                                             patient_->patient, patient_->folder, patient_->image);
     if (!corrected) {
         // A plane through the one before would cut this one anywhere.
         if (QAction& open = (*actions_)[ActionId::toggle_clip]; open.isChecked()) open.trigger();
@@ -71,6 +72,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     branches_->show_patient(patient_->patient, patient_->flow_shares,
                             keeper_->workspace().folder());
     show_warnings();  // a correction alone has none
+    tell_lost_diameters(lost);
     if (corrected) {
         lessons_->patient_corrected();
         fits_->look(patient_->patient, keeper_->workspace().folder(),

@@ -220,6 +220,10 @@ void PatientKeeper::add_stroke(const BrushStroke& stroke) {
     screen_.changed();
 }
 
+void PatientKeeper::measure(std::vector<KeptMeasurement> measured) {
+    if (workspace_.has_patient() && workspace_.measure(std::move(measured))) screen_.changed();
+}
+
 // Of those that are being made into vessels none is taken away; they are shown again then.
 void PatientKeeper::take_strokes_back(std::size_t strokes) {
     if (!waits_for_remaking())
@@ -428,12 +432,14 @@ void PatientKeeper::add_writing(QueuedJob job) {
 
 BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder) {
     return [this, folder, patient = workspace_.patient(), edits = workspace_.made_edits(),
+            measured = workspace_.measured(),
             voxels = workspace_.folder()](Job& job) -> std::function<void()> {
         job.begin_stage(Words::id("Writing the case"));
-        const PatientCase whole = whole_case(*patient, voxels, edits, job);
+        PatientCase whole = whole_case(*patient, voxels, edits, job);
+        whole.measured = measured;
         ways_.save(folder, whole);
-        return [this, folder, edits = whole.corrections.edits] {
-            workspace_.saved(folder, edits);
+        return [this, folder, edits = whole.corrections.edits, measured] {
+            workspace_.saved(folder, edits, measured);
             written_.insert(folder);
             screen_.remember(folder);
             screen_.changed();

@@ -104,6 +104,8 @@ class PatientKeeper {
     void add(const TreeEdit& edit);
     // A stroke at the vessels' voxels, which waits for a remaking of them all.
     void add_stroke(const BrushStroke& stroke);
+    // All that was measured on him, to be kept with the case.
+    void measure(std::vector<KeptMeasurement> measured);
     // Of whatever was done last: a correction, a remaking or a stroke.
     void undo();
     void redo();

@@ -17,6 +17,7 @@ void Workspace::open(const OpenedPatient& opened) {
     base_ = opened.read_from.empty() ? opened.folder : opened.read_from;
     opened_origin_ = ++origin_;
     saved_edits_ = patient_->corrections.edits;
+    measured_ = saved_measured_ = patient_->measured;
     never_saved_ = opened.worth_saving;
     undone_.clear();
     remade_.clear();
@@ -161,10 +162,19 @@ void Workspace::give_up_edits() {
     want(made_edits());
 }
 
-void Workspace::saved(const std::filesystem::path& folder, const Edits& edits) {
+bool Workspace::measure(std::vector<KeptMeasurement> measured) {
+    if (measured == measured_) return false;
+    measured_ = std::move(measured);
+    ++version_;
+    return true;
+}
+
+void Workspace::saved(const std::filesystem::path& folder, const Edits& edits,
+                      const std::vector<KeptMeasurement>& measured) {
     base_ = folder_ = folder;
     title_ = folder.filename().string();
     saved_edits_ = edits;
+    saved_measured_ = measured;
     never_saved_ = false;
     // What was there before a remaking is not on disk any more.
     for (Remaking& remaking : remade_) remaking.was_never_saved = true;

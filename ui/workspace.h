@@ -92,14 +92,23 @@ class Workspace {
     // Changes with every stroke that is led, taken back or made into vessels.
     std::uint64_t strokes_version() const { return strokes_version_; }
 
+    // --- what a person measured on him
+    // --------------------------------------------------------------
+    const std::vector<KeptMeasurement>& measured() const { return measured_; }
+    // False where it is the same.
+    bool measure(std::vector<KeptMeasurement> measured);
+
     // --- disk
     // -------------------------------------------------------------------------------------
-    // Something would be lost without saving: corrections, or a reconstruction. Strokes that wait
-    // are lost even so: they are in no case.
-    bool dirty() const { return never_saved_ || edits_ != saved_edits_; }
+    // Something would be lost without saving: corrections, measurements, or a reconstruction.
+    // Strokes that wait are lost even so: they are in no case.
+    bool dirty() const {
+        return never_saved_ || edits_ != saved_edits_ || measured_ != saved_measured_;
+    }
     bool unsaved() const { return dirty() || !strokes_.empty(); }
-    // The case was written there with these corrections.
-    void saved(const std::filesystem::path& folder, const Edits& edits);
+    // The case was written there with these corrections and measurements.
+    void saved(const std::filesystem::path& folder, const Edits& edits,
+               const std::vector<KeptMeasurement>& measured);
     // Changes with every patient and with every change of what is wanted.
     std::uint64_t version() const { return version_; }
 
@@ -123,6 +132,7 @@ class Workspace {
     Edits edits_;
     Edits undone_;  // the last one is the first to be done again
     Edits saved_edits_;
+    std::vector<KeptMeasurement> measured_, saved_measured_;
     bool never_saved_ = false;  // although it should be
     std::vector<Remaking> remade_;
     PendingStrokes strokes_;

@@ -5,7 +5,8 @@
 //   mask.nii.gz (numbers of systems), skeleton.nii.gz, organs.nii.gz, couinaud.nii.gz, tree.vtp,
 //   tree.swc, surface.vtp, mesh.vtu, and where it was corrected by hand corrections.json (bridges
 //   offered, edits), tree_extracted.vtp (the tree before the edits) and, where tumours were
-//   painted, organs_unpainted.nii.gz (the organs before that)
+//   painted, organs_unpainted.nii.gz (the organs before that); where somebody measured,
+//   measurements.json
 // The CT is not copied, and no path of it or of a mask is kept: folders are often called after the
 // patient. This is format 2; format 1 is read, too (format_1.h).
 #pragma once
@@ -19,6 +20,7 @@
 #include "core/image/volume.h"
 #include "core/mesh/tet_mesh.h"
 #include "core/patient/doubts.h"
+#include "core/patient/measurement.h"
 #include "core/tree/editing/tree_edit.h"
 #include "core/tree/extraction/gap_bridging.h"
 #include "core/tree/vessel_tree.h"
@@ -75,6 +77,8 @@ struct PatientCase {
     // The dial as measured on this mesh, one JSON object (see core/scene/measured_dial.h); empty
     // where it was not measured. Kept in dial.json, which may be removed.
     std::string dial_json;
+    // What a person measured, kept in measurements.json, which may be removed.
+    std::vector<KeptMeasurement> measured;
     // Where he was read from without his voxels, which lie there; empty: he has those that there
     // are. Known in memory alone.
     std::filesystem::path voxels_at;

@@ -81,6 +81,7 @@ RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Jo
     job.begin_stage("Filling the vessels");
     PatientCase& made = result.patient;
     made.source = patient.source;
+    made.measured = patient.measured;
     made.organs = unpainted_organs(patient);  // tumours that were painted change no vessel
     made.mask = std::move(vessels);
     made.dial_json.clear();  // it was measured on another body

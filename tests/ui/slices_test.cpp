@@ -293,11 +293,22 @@ TEST_F(Slices, MeasureTheDiameterAtTheCentreline) {
     QTest::keyClick(&coronal, Qt::Key_Return);
     EXPECT_EQ(scene().measurements().made().size(), 1u);
     EXPECT_TRUE(window_.findChild<QLabel*>("slicePlace")->text().contains("no vessel"));
-    scene().show_tree(patient_->tree);
-    EXPECT_TRUE(scene().measurements().made().empty()) << "it was a diameter of another tree";
-    scene().set_crosshair(Vec3(0, 0, 0));
-    QTest::keyClick(&coronal, Qt::Key_Return);
-    EXPECT_EQ(scene().measurements().made().size(), 1u);
+    const auto with_radii = [this](double first_mm, double last_mm) {
+        auto corrected = std::make_shared<PatientCase>(*patient_);
+        corrected->tree.segments[0].radii_mm = {first_mm, last_mm};
+        return views().show_corrected(corrected);
+    };
+    EXPECT_EQ(with_radii(4.0, 4.0), 0u);
+    ASSERT_EQ(scene().measurements().made().size(), 1u);
+    EXPECT_EQ(scene().measurements().made()[0].text, "\u2300 8.0 mm, stenosis 0 %")
+        << "it is that of the vessels as they are now";
+    auto gone = std::make_shared<PatientCase>(*patient_);
+    for (Vec3& point : gone->tree.segments[0].points_mm) point.x() += 40.0;
+    EXPECT_EQ(views().show_corrected(gone), 1u);
+    EXPECT_TRUE(scene().measurements().made().empty()) << "there is no vessel any more";
+    EXPECT_EQ(with_radii(4.0, 5.0), 0u);
+    ASSERT_EQ(scene().measurements().made().size(), 1u);
+    EXPECT_EQ(scene().measurements().made()[0].text, "\u2300 9.0 mm, stenosis 0 %");
     views().clear();
     EXPECT_TRUE(scene().measurements().made().empty()) << "they were another patient's";
 }

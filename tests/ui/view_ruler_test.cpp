@@ -94,7 +94,7 @@ TEST_F(Measuring, AClickBesideTheVesselsSaysSoAndADragTurnsTheView) {
     EXPECT_EQ(measurements().half_made(), nullptr);
 }
 
-TEST_F(Measuring, EscapeEndsItAndTheNextOneTakesTheLinesAway) {
+TEST_F(Measuring, EscapeEndsItAndTheMenuTakesTheLinesAway) {
     QTest::keyClick(&window_, Qt::Key_M, Qt::ControlModifier);
     click_trunk_at(-30.0);
     click_trunk_at(-40.0);
@@ -109,6 +109,8 @@ TEST_F(Measuring, EscapeEndsItAndTheNextOneTakesTheLinesAway) {
     QTest::keyClick(&window_, Qt::Key_Delete, Qt::ShiftModifier);
     EXPECT_EQ(drawn().size(), 1u);
     QTest::keyClick(&window_, Qt::Key_Escape);
+    EXPECT_EQ(drawn().size(), 1u) << "what was measured is work";
+    window_.actions()[ActionId::clear_measurements].trigger();
     EXPECT_TRUE(measurements().made().empty());
     EXPECT_TRUE(drawn().empty());
 }

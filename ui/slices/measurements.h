@@ -9,17 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "core/patient/measurement.h"
 #include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 
-enum class MeasurementKind { distance, angle, diameter };
-
-// In patient coordinates. A distance has two points, an angle three with its vertex between the
-// others, a diameter two on the wall about the centreline; while it is being made, fewer.
-struct Measurement {
-    MeasurementKind kind = MeasurementKind::distance;
-    std::vector<Vec3> points_mm;
+// While it is being made it has fewer points.
+struct Measurement : KeptMeasurement {
     std::string text;  // empty while it is being made
 };
 
@@ -34,6 +30,8 @@ class Measurements {
   public:
     // Whenever anything below was changed.
     void on_change(std::function<void()> tell) { watchers_.push_back(std::move(tell)); }
+    // Whenever kept() was changed, unless by show() or clear(): it is to be kept with the case.
+    void on_work(std::function<void()> tell) { on_work_ = std::move(tell); }
 
     // What the next points are for; nothing: points are not for measuring. Drops what is half made.
     void choose(std::optional<MeasurementKind> kind);
@@ -43,25 +41,38 @@ class Measurements {
     // an empty text. A diameter lies across the vessel, in the plane.
     std::string add_point(const Vec3& position_mm, const SlicePlane& plane, const VesselTree& tree);
     void remove_last();  // first what is half made
-    void clear();        // of another patient
-    // Diameters were those of a tree that has been corrected since.
-    void remove_diameters();
+    void remove_all();
+    // In place of all others, as a person wants them back.
+    void bring_back(std::vector<KeptMeasurement> measurements);
+    // The vessels are these now. Diameters are taken anew; one whose vessel is gone is not among
+    // those made until there is a vessel again. Returns how many went with this tree.
+    std::size_t follow_tree(const VesselTree& tree);
+
+    // Those of a patient who is opened, on his tree. Returns how many of them have no vessel.
+    std::size_t show(std::vector<KeptMeasurement> measurements, const VesselTree& tree);
+    void clear();  // of another patient
 
     const std::vector<Measurement>& made() const { return made_; }
+    // Those made, as a case keeps them.
+    std::vector<KeptMeasurement> kept() const { return {made_.begin(), made_.end()}; }
     const Measurement* half_made() const {
         return half_made_.points_mm.empty() ? nullptr : &half_made_;
     }
 
   private:
     void finish();
+    void show_on(const VesselTree& tree);
     std::string add_diameter(const Vec3& position_mm, const SlicePlane& plane,
                              const VesselTree& tree);
     void tell() const;
 
     std::optional<MeasurementKind> kind_;
     Measurement half_made_;
-    std::vector<Measurement> made_;
+    std::vector<KeptMeasurement> taken_;  // all, as they were when they were taken
+    std::vector<Measurement> made_;       // of these, those that the vessels still have
+    std::vector<std::size_t> places_;     // of each of made_ among taken_
     std::vector<std::function<void()>> watchers_;
+    std::function<void()> on_work_ = [] {};
 };
 
 }  // namespace hepatica

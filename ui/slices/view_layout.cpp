@@ -148,16 +148,18 @@ void ViewLayout::build(QWidget* view) {
     grid_->addWidget(notice_, 0, 2, 2, 1);
 }
 
-void ViewLayout::show_patient(std::shared_ptr<const PatientCase> patient,
-                              const std::filesystem::path& folder,
-                              const std::filesystem::path& image) {
+std::size_t ViewLayout::show_patient(std::shared_ptr<const PatientCase> patient,
+                                     const std::filesystem::path& folder,
+                                     const std::filesystem::path& image) {
     clear();
     patient_ = patient;
     folder_ = folder;
     segments_.show(patient, folder);
     tumours_.show(patient, folder);
+    const std::size_t lost = scene_.measurements().show(patient->measured, patient->tree);
     keeper_.show(std::move(patient), folder, image);
     if (slices_visible_) set_slices_visible(true);
+    return lost;
 }
 
 void ViewLayout::show_image(std::shared_ptr<const Volume> ct) {
@@ -166,15 +168,16 @@ void ViewLayout::show_image(std::shared_ptr<const Volume> ct) {
     arrange();
 }
 
-void ViewLayout::show_corrected(std::shared_ptr<const PatientCase> patient) {
+std::size_t ViewLayout::show_corrected(std::shared_ptr<const PatientCase> patient) {
     patient_ = std::move(patient);
     segments_.show_corrected(patient_);
-    // What was measured in the view alone goes with the tree, too.
-    if (scene_.empty()) return scene_.measurements().remove_diameters();
+    const std::size_t lost = scene_.measurements().follow_tree(patient_->tree);
+    if (scene_.empty()) return lost;
     // Voxels in memory may be others than those that are shown.
     if (!patient_->mask.voxels.empty()) scene_.set_systems(patient_->mask);
     scene_.show_tree(patient_->tree);
     want_segments();
+    return lost;
 }
 
 // They are shown as soon as there is a CT that they lie in.

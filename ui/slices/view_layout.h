@@ -58,14 +58,16 @@ class ViewLayout : public QWidget {
     ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, QWidget* parent = nullptr);
     ~ViewLayout() override;
 
-    // See CtKeeper::show().
-    void show_patient(std::shared_ptr<const PatientCase> patient,
-                      const std::filesystem::path& folder, const std::filesystem::path& image);
+    // See CtKeeper::show(). Returns how many diameters that were kept with him have no vessel.
+    std::size_t show_patient(std::shared_ptr<const PatientCase> patient,
+                             const std::filesystem::path& folder,
+                             const std::filesystem::path& image);
     // A CT whose patient is not there yet: it can be looked at, and nothing can be done to it.
     // Nothing where a patient is shown.
     void show_image(std::shared_ptr<const Volume> ct);
-    // The same patient with other corrections.
-    void show_corrected(std::shared_ptr<const PatientCase> patient);
+    // The same patient with other corrections. Returns how many diameters lost their vessel by
+    // them.
+    std::size_t show_corrected(std::shared_ptr<const PatientCase> patient);
     // The corrections that are wanted of him, for the tumours among them.
     void show_tumours(const std::vector<TreeEdit>& edits) { tumours_.follow(edits); }
     // The strokes at his vessels that wait to be made into vessels.

@@ -37,7 +37,7 @@ TEST(Workspace, is_dirty_while_its_corrections_are_not_those_on_disk) {
     EXPECT_TRUE(workspace.dirty()) << "also before its body is there";
     workspace.show_body(body_of({edit(1)}));
     EXPECT_TRUE(workspace.dirty());
-    workspace.saved("/disk/b.hep", {edit(1)});
+    workspace.saved("/disk/b.hep", {edit(1)}, {});
     EXPECT_FALSE(workspace.dirty());
     EXPECT_EQ(workspace.title(), "b.hep");
     EXPECT_EQ(workspace.folder(), "/disk/b.hep");
@@ -56,7 +56,7 @@ TEST(Workspace, a_reconstruction_is_worth_saving_and_a_patient_made_at_will_is_n
     opened.worth_saving = true;
     workspace.open(opened);
     EXPECT_TRUE(workspace.dirty());
-    workspace.saved("/disk/a.hep", {});
+    workspace.saved("/disk/a.hep", {}, {});
     EXPECT_FALSE(workspace.dirty());
 }
 
