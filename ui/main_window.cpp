@@ -194,6 +194,7 @@ void MainWindow::build_view() {
          }},
         centre);
     give_focus_back_to(*view_);
+    status_->on_warnings = [this] { tell_warnings(); };
     view_->on_picture([this](const PictureTime& time) { picture_shown(time); });
     build_volume(centre);
     column->addWidget(volume_bar_);

@@ -203,7 +203,9 @@ class MainWindow : public QMainWindow {
 
     // main_window_play.cpp: what is shown and played with.
     void show_patient(LoadedPatient patient, bool corrected);
-    void show_warnings();
+    void show_warnings(bool corrected);
+    void tell_warnings();       // all that hold, above the view
+    void dismiss_for_a_deed();  // what is said above the view, unless it is those
     void show_workspace();
     void show_title(const QString& patient);
     void show_caption(const QString& text);  // in the first view
@@ -288,6 +290,8 @@ class MainWindow : public QMainWindow {
     int chosen_branch_ = -1;             // in the table
     double picture_ms_ = 0.0;
     std::string last_message_;
+    std::vector<std::string> warnings_;  // of the patient, that hold
+    QString warnings_text_;              // as they were told last
     QString report_program_;
     QString report_message_;  // that says where the last report lies
     QString unfit_message_;   // that names lessons which fit no more

@@ -7,9 +7,12 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/flow/flow_shares.h"
 #include "core/opening/patient_image.h"
 #include "ui/core_words.h"
 #include "ui/paths.h"
+#include "ui/standing_warnings.h"
+#include "ui/window_words.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -299,9 +302,13 @@ BackgroundJob::Work PatientKeeper::remaking(std::shared_ptr<const Volume> ct,
         note_rebuilding(*before, strokes, made.patient);
         auto loaded = std::make_shared<LoadedPatient>(
             ways_.play_on(std::make_shared<const PatientCase>(std::move(made.patient)), job));
-        loaded->warnings = std::move(made.warnings);
-        return [this, before, loaded, strokes] {
-            workspace_.show_remade(before, loaded->patient, strokes);
+        std::vector<std::string> warnings =
+            warnings_of_ends(loaded->patient->tree, loaded->flow_shares);
+        for (std::string& warning : made.warnings)
+            warnings.push_back(in_window_words(std::move(warning)));
+        return [this, before, loaded, strokes, warnings] {
+            workspace_.show_remade(before, loaded->patient, strokes, warnings);
+            loaded->warnings = workspace_.warnings();
             screen_.show(std::move(*loaded), true);
             screen_.changed();
         };
@@ -319,6 +326,7 @@ void PatientKeeper::take_back_remaking() {
             return [this, before, loaded] {
                 if (workspace_.before_remaking() != before) return;
                 workspace_.take_back_remaking();
+                loaded->warnings = workspace_.warnings();
                 screen_.show(std::move(*loaded), true);
                 screen_.changed();
             };
@@ -363,8 +371,18 @@ BackgroundJob::Work PatientKeeper::correction() {
                 std::make_shared<const PatientCase>(ways_.correct(*patient, possible.edits, job));
             loaded = std::make_shared<LoadedPatient>(ways_.play_on(std::move(corrected), job));
         }
-        return [this, loaded, patient, refused = possible.refused] {
+        std::vector<std::string> said_before, said_now;
+        if (loaded) {
+            said_before = said_of_vessels(*patient);
+            said_now = said_of_vessels(*loaded->patient);
+        }
+        return [this, loaded, patient, said_before, said_now, refused = possible.refused] {
             workspace_.show_body(loaded ? loaded->patient : patient);
+            if (loaded) {
+                workspace_.set_warnings(
+                    still_standing(workspace_.warnings(), said_before, said_now));
+                loaded->warnings = workspace_.warnings();
+            }
             if (loaded) screen_.show(std::move(*loaded), true);
             if (!refused.empty()) go_ = nullptr;
             for (const Failure& failure : refused)

@@ -4,10 +4,13 @@
 #pragma once
 
 #include <QStatusBar>
+#include <cstddef>
+#include <functional>
 
 #include "core/scene/frame.h"
 
 class QLabel;
+class QToolButton;
 
 namespace hepatica {
 
@@ -21,8 +24,12 @@ class StatusLine {
     void clear_statistics();
     // A red dot for as long as a play is recorded.
     void show_recording(bool recording);
+    // How many warnings of the patient hold; a click on them is on_warnings().
+    void show_warnings(std::size_t warnings);
+    std::function<void()> on_warnings = [] {};
 
   private:
+    QToolButton* warnings_;
     QLabel* recording_;
     QLabel* step_;
     QLabel* real_time_;

@@ -19,6 +19,8 @@ void Workspace::open(const OpenedPatient& opened) {
     saved_edits_ = patient_->corrections.edits;
     measured_ = saved_measured_ = patient_->measured;
     never_saved_ = opened.worth_saving;
+    warnings_ = opened.warnings;
+    warnings_of_image_ = opened.warnings_of_image;
     undone_.clear();
     remade_.clear();
     strokes_ = {};
@@ -119,7 +121,8 @@ void Workspace::show_body(std::shared_ptr<const PatientCase> patient) {
 }
 
 void Workspace::show_remade(std::shared_ptr<const PatientCase> before,
-                            std::shared_ptr<const PatientCase> patient, std::size_t strokes) {
+                            std::shared_ptr<const PatientCase> patient, std::size_t strokes,
+                            std::vector<std::string> warnings) {
     const Edits& begun_with = before->corrections.edits;
     Edits wanted = patient->corrections.edits;
     if (edits_.size() > begun_with.size() &&
@@ -128,7 +131,9 @@ void Workspace::show_remade(std::shared_ptr<const PatientCase> before,
                       edits_.end());
     if (remade_.size() == most_remakings) remade_.erase(remade_.begin());
     remade_.push_back({std::move(before), patient->corrections.edits.size(), never_saved_,
-                       strokes_.take_first(strokes, wanted.size())});
+                       strokes_.take_first(strokes, wanted.size()), std::move(warnings_)});
+    warnings_ = std::move(warnings);
+    warnings_.insert(warnings_.end(), warnings_of_image_.begin(), warnings_of_image_.end());
     ++strokes_version_;
     patient_ = std::move(patient);
     never_saved_ = true;
@@ -150,6 +155,7 @@ void Workspace::take_back_remaking() {
     ++origin_;
     never_saved_ = remade_.back().was_never_saved;
     strokes_.put_back(remade_.back().strokes);
+    warnings_ = std::move(remade_.back().warnings);
     ++strokes_version_;
     remade_.pop_back();
     undone_.clear();

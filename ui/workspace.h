@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/opening/open_patient.h"
@@ -71,9 +72,10 @@ class Workspace {
     // The patient was made anew from other voxels of his vessels: `before`, with all his voxels,
     // became `patient`, whose corrections are those that could be made again. Corrections that were
     // added since it began stay wanted. The first `strokes` of those that waited are in the vessels
-    // now.
+    // now. `warnings` take the place of all but those of the image.
     void show_remade(std::shared_ptr<const PatientCase> before,
-                     std::shared_ptr<const PatientCase> patient, std::size_t strokes = 0);
+                     std::shared_ptr<const PatientCase> patient, std::size_t strokes = 0,
+                     std::vector<std::string> warnings = {});
     // The next undo would take that back, to the patient from before; null: it would not.
     std::shared_ptr<const PatientCase> before_remaking() const;
     void take_back_remaking();
@@ -91,6 +93,11 @@ class Workspace {
     void redo_stroke();
     // Changes with every stroke that is led, taken back or made into vessels.
     std::uint64_t strokes_version() const { return strokes_version_; }
+
+    // --- what is to be warned of, as far as it still holds; see standing_warnings.h
+    // ---------------------------------------------------------------------------------------
+    const std::vector<std::string>& warnings() const { return warnings_; }
+    void set_warnings(std::vector<std::string> warnings) { warnings_ = std::move(warnings); }
 
     // --- what a person measured on him
     // --------------------------------------------------------------
@@ -118,6 +125,7 @@ class Workspace {
         std::size_t edits = 0;  // of the remade patient
         bool was_never_saved = false;
         std::vector<PendingStroke> strokes;  // that it was made of
+        std::vector<std::string> warnings;   // from before
     };
     static constexpr std::size_t most_remakings = 5;  // that are kept: each holds a whole patient
 
@@ -134,6 +142,7 @@ class Workspace {
     Edits saved_edits_;
     std::vector<KeptMeasurement> measured_, saved_measured_;
     bool never_saved_ = false;  // although it should be
+    std::vector<std::string> warnings_, warnings_of_image_;
     std::vector<Remaking> remade_;
     PendingStrokes strokes_;
     std::uint64_t strokes_version_ = 0;

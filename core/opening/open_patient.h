@@ -55,6 +55,8 @@ struct OpenedPatient {
     // Its reconstruction was somebody's CT and took its time: worth a question before it is left.
     bool worth_saving = false;
     std::vector<std::string> warnings;
+    // Those of them that other vessels change nothing of: of the image, see Reconstruction.
+    std::vector<std::string> warnings_of_image{};
     std::vector<StageTime> stages;  // of the job that reconstructed it just now; else empty
 };
 

@@ -52,6 +52,8 @@ struct Reconstruction {
     VoxelChecks checks;
     std::vector<StageTime> stages;
     std::vector<std::string> warnings;  // for the user: coarse slices, many components ...
+    // The first so many are of the image: other vessels change nothing of what they say.
+    std::size_t warnings_of_image = 0;
 };
 
 // How many stages of its job it begins. A caller that begins others announces them all together.

@@ -7,6 +7,7 @@
 #include <QTreeWidget>
 #include <filesystem>
 
+#include "tests/patient/parted_patient.h"
 #include "tests/ui/fake_window_test.h"
 #include "ui/branch_links.h"
 #include "ui/elided_label.h"
@@ -213,6 +214,53 @@ TEST(MessageBar, WhatWasSaidBeforeItIsSeenCanBeRead) {
     pictures.show();
     const auto* label = bar.findChild<QLabel*>();
     EXPECT_TRUE(testing::wait_for([&] { return label->text().contains("The program ended"); }));
+}
+
+// A patient who was opened with a warning of his CT and one of his vessels, cut into two.
+class StandingWarnings : public testing::WindowTest {
+  protected:
+    StandingWarnings()
+        : WindowTest(
+              {[](const OpenRequest&, Job& job) {
+                   LoadedPatient loaded =
+                       play(std::make_shared<const PatientCase>(test::patient_with_bridges()), job);
+                   loaded.warnings = {of_vessels, of_image};
+                   return loaded;
+               },
+               [](const std::filesystem::path&, const PatientCase&) {},
+               [](std::shared_ptr<const PatientCase> patient, Job& job) {
+                   return play(std::move(patient), job);
+               }}) {
+        open_built_in();
+    }
+    void bridge_the_gap() {
+        QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(test::last_gap[1]));
+        wait();
+        ASSERT_EQ(window_.workspace().edits().size(), 1u);
+    }
+    static constexpr const char* of_image = "The slices are 5.0 mm thick: thin vessels are missing";
+    static constexpr const char* of_vessels = "2 pieces of vessels were left out of the tree";
+};
+
+TEST_F(StandingWarnings, StayAboveTheViewThroughACorrection) {
+    ASSERT_TRUE(window_.messages().text().contains(of_image));
+    bridge_the_gap();
+    EXPECT_TRUE(window_.messages().text().contains(of_image))
+        << window_.messages().text().toStdString();
+    EXPECT_TRUE(window_.messages().text().contains(of_vessels));
+    EXPECT_EQ(window_.log().as_text().count(of_image), 1) << "it is told once";
+}
+
+TEST_F(StandingWarnings, CanBeReadAgainAfterTheyWereClosed) {
+    auto* button = window_.findChild<QToolButton*>("warnings");
+    ASSERT_NE(button, nullptr);
+    EXPECT_EQ(button->text(), "2 warnings");
+    window_.messages().dismiss();
+    bridge_the_gap();
+    EXPECT_EQ(window_.messages().text(), "") << "they were read";
+    EXPECT_EQ(button->text(), "2 warnings");
+    QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_TRUE(window_.messages().text().contains(of_image));
 }
 
 }  // namespace
