@@ -214,6 +214,12 @@ void PatientKeeper::undo() {
     if (!step || waits_for_remaking()) return;
     if (step->stroke) return take_strokes_back(1);
     if (!step->edit) return take_back_remaking();
+    if (workspace_.undo_passes_rebuilding() &&
+        std::exchange(told_of_rebuilding_, workspace_.origin()) != workspace_.origin())
+        return screen_.say(
+            Words::tr("The rebuilding stays: a case does not keep the vessels from before it. Undo "
+                      "once more takes back the correction that was made before.")
+                .toStdString());
     workspace_.undo() ? correct() : screen_.changed();
 }
 

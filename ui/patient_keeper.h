@@ -175,6 +175,7 @@ class PatientKeeper {
     std::function<void()> go_, stay_;                 // wait for saving to end
     std::optional<std::uint64_t> discarded_version_;  // of the workspace: the person let it go
     std::optional<std::uint64_t> dropped_strokes_;    // likewise, strokes_version()
+    std::uint64_t told_of_rebuilding_ = 0;            // the workspace's origin: that it stays
     std::set<std::filesystem::path> written_;         // cases, since the last opening began to read
     std::shared_ptr<int> opening_;                    // another one with each opening
     JobQueue jobs_;

@@ -88,6 +88,9 @@ constexpr std::array sentences_patient{
     Words::id("Take a newer program, or remove the file"),
     Words::id("Make it readable, or remove it: the case is whole without it"),
     Words::id("%1, measurement %2"),
+    Words::id(
+        "What was painted at %1 is left out of the tree: it is too short or too round to be a "
+        "vessel. Paint along the vessel, or undo the rebuilding."),
     Words::id("No hepatic vein is known where the liver's segments part: an adult's usual planes "
               "stand in for them. A seed inside a hepatic vein helps."),
     Words::id("Not all three hepatic veins are known where the liver's segments part: an adult's "

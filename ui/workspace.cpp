@@ -70,6 +70,14 @@ std::optional<Workspace::Step> Workspace::next_undo() const {
     return Step{std::nullopt, edits_.back()};
 }
 
+bool Workspace::undo_passes_rebuilding() const {
+    if (edits_.empty() || undo_is_of_stroke() || before_remaking() != nullptr) return false;
+    const std::vector<Rebuilding>& rebuilt = patient_->corrections.rebuilt;
+    const std::size_t to_stay = rebuilt.size() - std::min(rebuilt.size(), remade_.size());
+    return std::any_of(rebuilt.begin(), rebuilt.begin() + static_cast<std::ptrdiff_t>(to_stay),
+                       [this](const Rebuilding& one) { return one.after_edits >= edits_.size(); });
+}
+
 std::optional<Workspace::Step> Workspace::next_redo() const {
     if (redo_is_of_stroke()) return Step{strokes_.next_again(), std::nullopt};
     if (undone_.empty()) return std::nullopt;

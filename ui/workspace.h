@@ -58,6 +58,9 @@ class Workspace {
     Edits made_edits() const;
     std::optional<Step> next_undo() const;
     std::optional<Step> next_redo() const;
+    // The next undo takes back a correction from before a rebuilding that stays: of one that was
+    // done before he was opened the voxels from before are not kept.
+    bool undo_passes_rebuilding() const;
     bool can_undo() const { return next_undo().has_value(); }
     bool can_redo() const { return next_redo().has_value(); }
     void add(const TreeEdit& edit);

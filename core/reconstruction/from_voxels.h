@@ -17,6 +17,7 @@ namespace hepatica {
 
 struct FromVoxelsOptions {
     std::vector<VesselSeed> seeds;
+    std::vector<Vec3> kept_mm;  // see TreeOptions
     // Systems are told apart by anatomy and seeds; otherwise voxels say already what they are.
     bool find_systems = true;
     const Mask* systems_before = nullptr;  // see TreeOptions

@@ -19,6 +19,8 @@ namespace hepatica {
 struct TreeOptions {
     // Components with a seed in them are kept however short they are.
     std::vector<VesselSeed> seeds;
+    // Places, such as of painted vessels: what lies there is kept as by a seed, whatever it is.
+    std::vector<Vec3> kept_mm;
     // Tells the systems apart by anatomy and seeds (tell_systems_apart.h), opens loops and begins
     // each system where anatomy has it. Otherwise systems come from the mask
     // (system_assignment.h).

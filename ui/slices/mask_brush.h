@@ -9,12 +9,13 @@
 #include <vector>
 
 #include "core/image/brush.h"
+#include "core/reconstruction/remade_case.h"
 
 namespace hepatica {
 
 // What painted voxels hold until they are made into vessels: no system's number, so that they have
 // a colour of their own.
-inline constexpr std::uint8_t painted_label = 254;
+inline constexpr std::uint8_t painted_label = painted_voxel;
 
 enum class BrushMode { away, paints, erases };
 

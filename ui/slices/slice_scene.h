@@ -55,6 +55,8 @@ class SliceScene {
     const Mask& shown_systems() const { return preview_.voxels.empty() ? systems_ : preview_; }
     // What is shown, with what is painted or found anew as vessels of an unknown system.
     Mask vessels() const;
+    // The same with what the brush painted as painted_voxel (core/reconstruction/remade_case.h).
+    Mask painted_vessels() const { return preview_.voxels.empty() ? systems_ : vessels(); }
     // Others, of the same patient: what is painted is painted on them. Nothing changes where they
     // are those before.
     void set_systems(Mask systems);

@@ -96,7 +96,8 @@ void ViewLayout::connect_scene() {
          [this] { tumours_.show_again(); }});
     scene_.brush().on_stroke({callbacks_.paint_vessels, callbacks_.take_vessel_strokes_back});
     scene_.on_change([this] { mark_crosshair(); });
-    scene_.brush().on_remake([this] { callbacks_.remake(scene_.shared_ct(), scene_.vessels()); });
+    scene_.brush().on_remake(
+        [this] { callbacks_.remake(scene_.shared_ct(), scene_.painted_vessels()); });
     scene_.pen().on_draw({[this](const std::vector<Vec3>& places, VesselPen::Answered answered) {
                               callbacks_.draw(scene_.ct(), places, std::move(answered));
                           },

@@ -15,8 +15,10 @@ struct RemovedPieces {
 };
 
 // Removes components whose links are shorter than `shortest_mm` in all. Kept are the longest one,
-// those that lie nearest to a seed, and, where there are seeds, those of a known system.
+// those that lie nearest to a seed or to a kept place, and, where there are seeds, those of a known
+// system.
 RemovedPieces remove_short_components(VesselGraph& graph, double shortest_mm,
-                                      const std::vector<VesselSeed>& seeds = {});
+                                      const std::vector<VesselSeed>& seeds = {},
+                                      const std::vector<Vec3>& kept_mm = {});
 
 }  // namespace hepatica
