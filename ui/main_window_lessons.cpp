@@ -90,6 +90,9 @@ void MainWindow::build_lessons() {
     ways.ended = [this] {
         if (frame().drug.injection) patient_->simulation->post(PlayDrug{false});
         patient_->simulation->post(SetPaused{true});
+        // Nor is anything held or pressed any more.
+        view_->let_go();
+        back_to_pulling();
     };
     ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
         fail(doing, failure_of(error));
