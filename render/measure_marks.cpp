@@ -15,6 +15,7 @@
 #include <cmath>
 #include <utility>
 
+#include "render/label_places.h"
 #include "render/text_style.h"
 
 namespace hepatica {
@@ -52,7 +53,7 @@ bool MeasureMarks::show(std::vector<MeasureView> measures) {
 }
 
 // Of rectangles, because not every driver draws lines wider than a pixel; a point is a square.
-void MeasureMarks::add_line(const std::vector<Place2>& line, double width) {
+void MeasureMarks::add_line(const std::vector<Place2>& line, double width, bool ends) {
     const auto add = [&](const std::array<Place2, 4>& corners) {
         std::array<vtkIdType, 4> ids{};
         for (std::size_t c = 0; c < 4; ++c)
@@ -67,6 +68,7 @@ void MeasureMarks::add_line(const std::vector<Place2>& line, double width) {
         const double nx = -0.5 * width * (by - ay) / length, ny = 0.5 * width * (bx - ax) / length;
         add({Place2{ax + nx, ay + ny}, {ax - nx, ay - ny}, {bx - nx, by - ny}, {bx + nx, by + ny}});
     }
+    if (!ends) return;
     const double half = 1.3 * width;
     for (const auto& [x, y] : line)
         add({Place2{x - half, y - half},
@@ -75,14 +77,38 @@ void MeasureMarks::add_line(const std::vector<Place2>& line, double width) {
              {x - half, y + half}});
 }
 
+vtkTextActor& MeasureMarks::next_text(std::size_t used) {
+    if (used == texts_.size()) {
+        texts_.push_back(vtkSmartPointer<vtkTextActor>::New());
+        renderer_.AddActor2D(texts_.back());
+    }
+    return *texts_[used];
+}
+
+void MeasureMarks::part_labels(const std::vector<Place2>& belongs, double point) {
+    LabelPlaces places(0.0, renderer_.GetSize()[1]);
+    for (std::size_t i = 0; i < belongs.size(); ++i) {
+        vtkTextActor& text = *texts_[i];
+        std::array<double, 2> size{};
+        text.GetSize(&renderer_, size.data());
+        const double x = text.GetPosition()[0], wanted = text.GetPosition()[1];
+        const double by = std::round(places.place({x, wanted, size[0], size[1]}));
+        const double y = wanted + by;
+        text.SetPosition(x, y);
+        labels_.push_back({x, y, x + size[0], y + size[1]});
+        if (by != 0.0) add_line({belongs[i], {x, y + 0.5 * size[1]}}, point, false);
+    }
+}
+
 void MeasureMarks::update(const Place& place, double point) {
+    labels_.clear();
     const bool shown = !measures_.empty();
     actor_->SetVisibility(shown);
     for (const auto& text : texts_) text->SetVisibility(false);
     if (!shown) return;
     points_->Reset();
     quads_->Reset();
-    std::size_t used = 0;
+    std::vector<Place2> belongs;  // of each text that is used
     for (const MeasureView& measure : measures_) {
         std::vector<Place2> line;
         for (const Vec3& position : measure.points_mm)
@@ -90,11 +116,8 @@ void MeasureMarks::update(const Place& place, double point) {
         if (line.empty() || line.size() < measure.points_mm.size()) continue;
         add_line(line, 2.0 * point);
         if (measure.text.empty()) continue;
-        if (used == texts_.size()) {
-            texts_.push_back(vtkSmartPointer<vtkTextActor>::New());
-            renderer_.AddActor2D(texts_.back());
-        }
-        vtkTextActor& text = *texts_[used++];
+        vtkTextActor& text = next_text(belongs.size());
+        belongs.push_back(line.back());
         style_text(*text.GetTextProperty(), static_cast<int>(std::lround(16.0 * point)),
                    lines_colour_);
         // Readable before vessels, too.
@@ -106,6 +129,7 @@ void MeasureMarks::update(const Place& place, double point) {
                      std::round(line.back()[1] + 6.0 * point));
         text.SetVisibility(true);
     }
+    part_labels(belongs, point);
     points_->Modified();
     quads_->Modified();
     polydata_->Modified();

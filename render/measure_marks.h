@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/vector.h"
+#include "render/legend_rows.h"
 #include "render/palette.h"
 
 class vtkActor2D;
@@ -45,11 +46,17 @@ class MeasureMarks {
     // For the next picture; call before each. What has a point behind the eye is left out. `point`:
     // one of the screen's in device pixels.
     void update(const Place& place, double point);
+    // Of the labels as they were placed last: left, bottom, right and top in pixels.
+    const std::vector<PictureBox>& labels() const { return labels_; }
 
   private:
-    void add_line(const std::vector<std::array<double, 2>>& line, double width);
+    void add_line(const std::vector<std::array<double, 2>>& line, double width, bool ends = true);
+    vtkTextActor& next_text(std::size_t used);
+    // Shifts labels that lie on each other, each with a thin line to where it belongs.
+    void part_labels(const std::vector<std::array<double, 2>>& belongs, double point);
 
     vtkRenderer& renderer_;
+    std::vector<PictureBox> labels_;
     std::vector<MeasureView> measures_;
     vtkSmartPointer<vtkPoints> points_;
     vtkSmartPointer<vtkCellArray> quads_;

@@ -199,6 +199,10 @@ const std::vector<MeasureView>& SceneView::measures() const {
     return parts_->measures.shown();
 }
 
+const std::vector<PictureBox>& SceneView::measure_labels() const {
+    return parts_->measures.labels();
+}
+
 void SceneView::set_halos_visible(bool visible) {
     parts_->tree.set_halo(visible);
 }

@@ -116,6 +116,8 @@ class SceneView {
     // Where the legend was drawn last.
     PictureBox legend_box() const;
     bool shows_caption() const;  // as it was drawn last
+    // Of the labels of what was measured, as they were drawn last.
+    const std::vector<PictureBox>& measure_labels() const;
 
     // The bridge whose line passes nearest to a pixel, within `reach` pixels; -1 for none.
     int bridge_at(const Pixel& pixel, double reach) const;
