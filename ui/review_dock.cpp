@@ -281,9 +281,9 @@ void ReviewDock::compare(const fs::path& other) {
     compare_->setText(Words::tr("&Compare with…"));
     if (other.empty() || !reviewing()) return show_progress({});
     other_file_ = other;
-    const RecordingFacts facts = facts_of(other);
-    other_name_ = title_of(facts);
-    same_lesson_ = facts.lesson == facts_of(file_).lesson;
+    const RecordingFacts first = facts_of(file_), facts = facts_of(other);
+    side_by_side_ = headings_of(first, facts);
+    same_lesson_ = facts.lesson == first.lesson;
     other_tape_ = std::make_shared<ReviewTape>();
     compare_->setText(Words::tr("&No more beside it"));
     BackgroundJob::Callbacks callbacks;
@@ -336,7 +336,7 @@ void ReviewDock::show_other() {
     other_frame_ = frame;
     std::vector<MarkView> marks;
     if (same_lesson_) marks = marks_in(*frame, *other_tape_);
-    ways_.beside(frame, std::move(marks), name_, other_name_);
+    ways_.beside(frame, std::move(marks), side_by_side_[0], side_by_side_[1]);
 }
 
 void ReviewDock::show_progress(const JobProgress& progress) {
@@ -362,7 +362,8 @@ void ReviewDock::show_progress(const JobProgress& progress) {
         set_playing(true);
     }
     QString name = name_;
-    if (comparing()) name = Words::tr("%1, and beside it %2").arg(name, other_name_);
+    if (comparing())
+        name = Words::tr("%1, and beside it %2").arg(side_by_side_[0], side_by_side_[1]);
     title_->setText(complete() ? name
                                : Words::tr("%1: %2 % gone through")
                                      .arg(name)

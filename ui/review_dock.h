@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QTimer>
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -118,8 +119,9 @@ class ReviewDock : public QDockWidget {
 
     Ways ways_;
     std::filesystem::path file_;
-    QString name_, other_name_;  // of both recordings, for the user
-    bool same_lesson_ = false;   // as the one beside it: it has the same marks
+    QString name_;                         // of the recording, for the user
+    std::array<QString, 2> side_by_side_;  // of both, while two are shown
+    bool same_lesson_ = false;             // as the one beside it: it has the same marks
     std::shared_ptr<const Recording> recording_;
     std::optional<Lesson> lesson_;
     std::unique_ptr<const PlayMeter> places_;  // of its marks; null: it has none on these vessels

@@ -281,6 +281,25 @@ TEST_F(ReviewWindowTest, another_recording_is_shown_beside_it_and_looks_the_same
     EXPECT_TRUE(dock().reviewing());
 }
 
+// Two attempts at one lesson within a minute.
+TEST_F(ReviewWindowTest, each_of_two_recordings_stands_under_its_own_name) {
+    open_built_in();
+    look_back();
+    const std::filesystem::path other = to_path(folder_.filePath("other.hrec"));
+    write_recording(other, played().recording);
+    const auto modified = std::filesystem::last_write_time(file_);
+    std::filesystem::last_write_time(other, modified);
+    dock().compare(other);
+    ASSERT_TRUE(wait_for([this] { return dock().complete() && window_.second_view().shown(); }));
+    const QString title = dock().findChild<QLabel*>("reviewTitle")->text();
+    EXPECT_TRUE(title.contains("play.hrec")) << title.toStdString();
+    EXPECT_TRUE(title.contains("other.hrec")) << title.toStdString();
+    const QStringList names = title.split(", and beside it ");
+    ASSERT_EQ(names.size(), 2);
+    EXPECT_FALSE(window_.view().scene().set_caption(names[0].toStdString())) << "it has that one";
+    EXPECT_FALSE(window_.second_view().view().scene().set_caption(names[1].toStdString()));
+}
+
 TEST_F(ReviewWindowTest, the_window_closes_with_two_recordings_in_it) {
     open_built_in();
     look_back();
