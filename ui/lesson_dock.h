@@ -15,6 +15,7 @@
 #include "ui/flow_units.h"
 #include "ui/lesson_play.h"
 #include "ui/recording_guard.h"
+#include "ui/settings.h"
 
 class QMenu;
 
@@ -53,7 +54,10 @@ class LessonDock : public QDockWidget {
         std::function<void(const std::filesystem::path& file, const Lesson& lesson,
                            const std::vector<std::string>& misfits)>
             unfit;
-        std::function<void()> left;                      // a lesson, for free play
+        std::function<void()> left;  // a lesson, for free play
+        // See Settings::choose().
+        std::function<QString(Settings::Kind, const Settings::Ask&)> choose =
+            [](Settings::Kind, const Settings::Ask& ask) { return ask(QString()); };
         std::function<void(const QString& name)> named;  // the trainee, or nobody any more
         std::function<void()> ended = [] {};             // an attempt, by being passed or failed
         // This course is shown from now on; empty: the program's own.

@@ -217,11 +217,12 @@ void MainWindow::open_unsaved_work() {
 }
 
 void MainWindow::ask_for_ct(bool folder) {
-    const QString path =
-        folder ? QFileDialog::getExistingDirectory(this, Words::tr("Open CT folder (DICOM)"),
-                                                   settings_.last_folder())
-               : QFileDialog::getOpenFileName(this, Words::tr("Open CT file"),
-                                              settings_.last_folder(), openable_filter());
+    const QString path = settings_.choose(Settings::Kind::ct, [&](const QString& start) {
+        return folder ? QFileDialog::getExistingDirectory(this, Words::tr("Open CT folder (DICOM)"),
+                                                          start)
+                      : QFileDialog::getOpenFileName(this, Words::tr("Open CT file"), start,
+                                                     openable_filter());
+    });
     if (!path.isEmpty()) open(path);
 }
 

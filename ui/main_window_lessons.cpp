@@ -106,6 +106,9 @@ void MainWindow::build_lessons() {
     ways.save_table = [this](const char* called, const std::string& csv) {
         save_table(called, csv);
     };
+    ways.choose = [this](Settings::Kind kind, const Settings::Ask& ask) {
+        return settings_.choose(kind, ask);
+    };
     ways.edit = [this] { lesson_editor().show_editor(); };
     ways.unfit = [this](const std::filesystem::path& file, const Lesson& lesson,
                         const std::vector<std::string>& misfits) {
@@ -257,15 +260,18 @@ void MainWindow::build_lesson_editor() {
     };
     ways.try_out = [this](const Lesson& lesson) { return lessons_->try_out(lesson); };
     ways.which_file = [this]() -> std::optional<std::filesystem::path> {
-        const QString file =
-            QFileDialog::getOpenFileName(lesson_editor_, Words::tr("Edit lesson"),
-                                         settings_.last_folder(), Words::tr("Lessons (*.json)"));
+        const QString file = settings_.choose(Settings::Kind::lesson, [this](const QString& start) {
+            return QFileDialog::getOpenFileName(lesson_editor_, Words::tr("Edit lesson"), start,
+                                                Words::tr("Lessons (*.json)"));
+        });
         return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
     };
     ways.where_to_save = [this](const QString& name) -> std::optional<std::filesystem::path> {
-        const QString suggested = settings_.last_folder() + "/" + as_file_name(name) + ".json";
-        const QString file = ask_where_to_save_file(*lesson_editor_, Words::tr("Save lesson"),
-                                                    suggested, Words::tr("Lessons (*.json)"));
+        const QString file = settings_.choose(Settings::Kind::lesson, [&](const QString& start) {
+            return ask_where_to_save_file(*lesson_editor_, Words::tr("Save lesson"),
+                                          start + "/" + as_file_name(name) + ".json",
+                                          Words::tr("Lessons (*.json)"));
+        });
         return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
     };
     ways.unsaved = [this](bool kept) {

@@ -19,7 +19,7 @@ PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& s
 
 // The folder of a DICOM series or a file, as the person says: no dialog of the desktop takes both.
 // None: not after all.
-std::optional<std::filesystem::path> ask_where_ct_lies(QWidget& parent, const Settings& settings);
+std::optional<std::filesystem::path> ask_where_ct_lies(QWidget& parent, Settings& settings);
 
 // What went wrong in a window of its own: before it, where it is seen. Returns at once.
 void tell_failure(QWidget& window, const QString& doing, const Failure& failure);

@@ -6,6 +6,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/scene/scene_spec.h"
@@ -257,6 +258,17 @@ QString Settings::case_folder() const {
 
 void Settings::set_case_folder(const QString& folder) {
     store_ ? store_->setValue(case_folder_key, folder) : void(case_folder_in_safe_mode_ = folder);
+}
+
+QString Settings::choose(Kind kind, const Ask& ask) {
+    constexpr std::array names{"ct", "lesson", "course"};
+    const QString key = QString("folders/") + names[static_cast<std::size_t>(kind)];
+    const QString kept = store_ ? store_->value(key).toString() : folders_in_safe_mode_[kind];
+    const QString chosen = ask(QFileInfo(kept).isDir() ? kept : last_folder());
+    if (chosen.isEmpty()) return chosen;
+    const QString folder = QFileInfo(chosen).absolutePath();
+    store_ ? store_->setValue(key, folder) : void(folders_in_safe_mode_[kind] = folder);
+    return chosen;
 }
 
 QString Settings::last_folder() const {

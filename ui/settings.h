@@ -7,6 +7,8 @@
 #include <QByteArray>
 #include <QString>
 #include <QStringList>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -102,6 +104,12 @@ class Settings {
     QString case_folder() const;
     void set_case_folder(const QString& folder);
 
+    // Asks for a file or a folder, beginning where one of this kind was chosen last; at first where
+    // anything was. Keeps where the answer lies. Empty: not after all.
+    enum class Kind { ct, lesson, course };
+    using Ask = std::function<QString(const QString& folder)>;
+    QString choose(Kind kind, const Ask& ask);
+
     QString last_folder() const;
     void set_last_folder(const QString& folder);
 
@@ -112,6 +120,7 @@ class Settings {
     std::unique_ptr<QSettings> store_;  // null in safe mode
     QStringList recent_in_safe_mode_;
     QString folder_in_safe_mode_, case_folder_in_safe_mode_;
+    std::map<Kind, QString> folders_in_safe_mode_;
     std::map<std::string, QString> images_in_safe_mode_;  // by their digests
 };
 
