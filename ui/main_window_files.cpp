@@ -52,8 +52,8 @@ QImage beside(const QImage& first, const QImage& second) {
                 QImage::Format_RGB32);
     both.fill(Qt::black);
     QPainter painter(&both);
-    painter.drawImage(0, 0, first);
-    painter.drawImage(first.width(), 0, second);
+    painter.drawImage(first.rect(), first, first.rect());
+    painter.drawImage(QRect(QPoint(first.width(), 0), second.size()), second, second.rect());
     return both;
 }
 
@@ -234,7 +234,9 @@ std::optional<std::filesystem::path> MainWindow::ask_for_recording() {
 
 void MainWindow::save_picture(const QString& file) {
     require_folder_of(file);
-    const QImage picture = view_->picture();
+    const QImage shown = view_layout_->picture(view_->picture());
+    const QImage picture =
+        second_view_->shown() ? beside(shown, second_view_->view().picture()) : shown;
     write_file_atomically(to_path(file), [&](const std::filesystem::path& temporary) {
         if (!picture.save(to_text(temporary), "PNG")) {
             throw InputError(Words::id("the picture cannot be written"), file.toStdString(),

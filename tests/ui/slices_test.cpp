@@ -178,6 +178,35 @@ TEST_F(Slices, SayWhatTheNextClickDoesWhileTheMouseMoves) {
     EXPECT_FALSE(said->text().contains("Click"));
 }
 
+TEST_F(Slices, StandInThePictureThatIsSaved) {
+    const QString alone = folder_.filePath("alone.png"), all = folder_.filePath("all.png");
+    window_.save_picture(alone);
+    show_slices();
+    window_.save_picture(all);
+    const QImage with_slices(all);
+    const double ratio = window_.devicePixelRatioF();
+    EXPECT_EQ(with_slices.size(), (QSizeF(views().pictures().size()) * ratio).toSize());
+    for (const SliceDirection direction :
+         {SliceDirection::axial, SliceDirection::coronal, SliceDirection::sagittal}) {
+        SliceView& slice = view(direction);
+        const QImage there = slice.grab().toImage().convertToFormat(QImage::Format_RGB32);
+        const QRect place((QPointF(slice.pos()) * ratio).toPoint(), there.size());
+        EXPECT_EQ(with_slices.copy(place).convertToFormat(QImage::Format_RGB32), there);
+    }
+    // The vessels, too, in their quarter.
+    const QRect place((QPointF(window_.view().pos()) * ratio).toPoint(),
+                      window_.view().picture().size());
+    const QImage vessels = with_slices.copy(place);
+    const QColor empty = vessels.pixelColor(2, vessels.height() / 2);
+    EXPECT_NE(vessels.pixelColor(vessels.rect().center()), empty);
+    QTest::keyClick(&window_, Qt::Key_F7);
+    const QString again = folder_.filePath("again.png");
+    EXPECT_TRUE(testing::wait_for([&] {
+        window_.save_picture(again);
+        return QImage(again).size() == QImage(alone).size();
+    })) << "the view alone";
+}
+
 TEST_F(Slices, MeasureDistancesAndAnglesWhereOneClicks) {
     show_slices();
     SliceView& axial = view(SliceDirection::axial);

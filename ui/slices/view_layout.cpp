@@ -3,8 +3,10 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "core/opening/patient_image.h"
@@ -250,6 +252,21 @@ void ViewLayout::keep_clear(int top, int bottom) {
 
 // A bar at the top lies over the upper row, one at the foot over the lower; over what stands alone
 // lie both.
+QImage ViewLayout::picture(const QImage& view) const {
+    const bool slices = std::ranges::any_of(
+        views_, [this](const SliceView* slice) { return slice->isVisibleTo(this); });
+    if (!slices) return view;
+    const double ratio = devicePixelRatioF();
+    QImage whole((QSizeF(pictures_->size()) * ratio).toSize(), QImage::Format_RGB32);
+    whole.setDevicePixelRatio(ratio);
+    whole.fill(palette().color(QPalette::Window));
+    QPainter painter(&whole);
+    for (SliceView* slice : views_)
+        if (slice->isVisibleTo(this)) painter.drawPixmap(slice->pos(), slice->grab());
+    if (view_->isVisibleTo(this)) painter.drawImage(QRectF(view_->geometry()), view);
+    return whole;
+}
+
 void ViewLayout::clear_words() {
     const bool two_rows = slices_visible_ && !scene_.empty() && !enlarged_;
     const int at_upper_foot = two_rows ? 0 : covered_bottom_;

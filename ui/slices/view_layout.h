@@ -3,6 +3,7 @@
 // it, of which one may be enlarged. While there are no slices it says why, and what would help.
 #pragma once
 
+#include <QImage>
 #include <QWidget>
 #include <array>
 #include <filesystem>
@@ -90,6 +91,8 @@ class ViewLayout : public QWidget {
     // So many points of the pictures lie under bars, at their top and foot: what is written there
     // stands beside them.
     void keep_clear(int top, int bottom);
+    // What is shown of view and slices, without what lies over them; `view`: the view's picture.
+    QImage picture(const QImage& view) const;
     SliceScene& slices() { return scene_; }
     // For whoever wants the same CT, too.
     CtReadings& ct_readings() { return readings_; }
