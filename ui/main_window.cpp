@@ -485,8 +485,10 @@ void MainWindow::connect_views() {
             dock->setVisible(panels.isChecked() && has_use);
         }
     });
-    connect(qApp, &QApplication::focusChanged, this,
-            [this](QWidget*, QWidget* now) { bring_into_sight(now, *this); });
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+        // The view may have taken it already, see give_focus_back_to().
+        if (now == QApplication::focusWidget()) bring_into_sight(now, *this);
+    });
     actions_->on(ActionId::guide,
                  [this] { attempt(Words::tr("Guide"), [this] { show_guide(*this); }); });
     actions_->on(ActionId::cheat_sheet, [this] { show_cheat_sheet(*this); });
