@@ -25,8 +25,9 @@ using Place2 = std::array<double, 2>;
 
 }  // namespace
 
-MeasureMarks::MeasureMarks(vtkRenderer& renderer)
+MeasureMarks::MeasureMarks(vtkRenderer& renderer, double width_points)
     : renderer_(renderer),
+      width_points_(width_points),
       points_(vtkSmartPointer<vtkPoints>::New()),
       quads_(vtkSmartPointer<vtkCellArray>::New()),
       polydata_(vtkSmartPointer<vtkPolyData>::New()),
@@ -114,7 +115,7 @@ void MeasureMarks::update(const Place& place, double point) {
         for (const Vec3& position : measure.points_mm)
             if (const std::optional<Place2> at = place(position)) line.push_back(*at);
         if (line.empty() || line.size() < measure.points_mm.size()) continue;
-        add_line(line, 2.0 * point);
+        add_line(line, width_points_ * point);
         if (measure.text.empty()) continue;
         vtkTextActor& text = next_text(belongs.size());
         belongs.push_back(line.back());

@@ -33,7 +33,7 @@ struct MeasureView {
 // Draws into the two-dimensional layer of one renderer, which must outlive it; not thread-safe.
 class MeasureMarks {
   public:
-    explicit MeasureMarks(vtkRenderer& renderer);
+    explicit MeasureMarks(vtkRenderer& renderer, double width_points = 2.0);
 
     // The colours of lines and letters, and of the ground behind the letters.
     void set_colours(const Colour& lines, const Colour& ground);
@@ -56,6 +56,7 @@ class MeasureMarks {
     void part_labels(const std::vector<std::array<double, 2>>& belongs, double point);
 
     vtkRenderer& renderer_;
+    double width_points_;
     std::vector<PictureBox> labels_;
     std::vector<MeasureView> measures_;
     vtkSmartPointer<vtkPoints> points_;
