@@ -174,6 +174,7 @@ class MainWindow : public QMainWindow {
     void build_review();
 
     // main_window_files.cpp: what is opened and saved.
+    std::optional<std::filesystem::path> which_case();
     void ask_for_case();
     // Of earlier runs: cases and edits, lessons and plays that were interrupted.
     void offer_unsaved_work();
@@ -255,6 +256,8 @@ class MainWindow : public QMainWindow {
     // main_window_recording.cpp: a free play that is recorded.
     void connect_recording();
     void begin_recording();
+    // Where his case lies: a recording does not say it.
+    void remember_recorded_patient();
     void end_recording();
     void show_recording();
 

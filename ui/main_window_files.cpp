@@ -102,11 +102,16 @@ void MainWindow::fail(const QString& doing, const Failure& failure) {
     log_->add_failure(doing, failure);
 }
 
-void MainWindow::ask_for_case() {
+std::optional<std::filesystem::path> MainWindow::which_case() {
     OpenCaseDialog dialog(
         settings_.last_folder(),
         [&dialog](const QString& why) { QMessageBox::warning(&dialog, "Hepatica", why); }, this);
-    if (dialog.exec() == QDialog::Accepted) open(to_text(dialog.chosen()));
+    if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+    return dialog.chosen();
+}
+
+void MainWindow::ask_for_case() {
+    if (const auto place = which_case()) open(to_text(*place));
 }
 
 void MainWindow::ask_for_reconstruction() {

@@ -80,6 +80,7 @@ void MainWindow::build_lessons() {
         review_->end();
         take_report_message_away();
         const bool begins = simulation != nullptr;
+        if (begins) remember_recorded_patient();
         use(std::move(simulation));
         if (!begins) return;
         inject_->choose_drug(lessons_->running()->drug);
@@ -351,6 +352,16 @@ void MainWindow::build_review() {
     };
     ways.failed = [this](const Failure& failure) {
         fail(Words::tr("Look back on a recording"), failure);
+    };
+    ways.known_case = [this](std::uint64_t hash) {
+        return to_path(settings_.place_of_patient(hash));
+    };
+    ways.choose_case = [this](const Failure& failure,
+                              std::function<void(const std::filesystem::path&)> chosen) {
+        fail(Words::tr("Look back on a recording"), failure);
+        messages_->offer_also(Words::tr("Choose the case…"), [this, chosen = std::move(chosen)] {
+            if (const auto place = which_case()) chosen(*place);
+        });
     };
     ways.say = [this](const QString& text) { statusBar()->showMessage(text, 6000); };
     review_ = new ReviewDock(std::move(ways), this);

@@ -209,12 +209,8 @@ void ReviewDock::open(const fs::path& recording, const std::string& lesson) {
                 const CaseSearch search = case_beside(file, wanted, job);
                 if (search.found)
                     found.request->reconstruct.ct = *search.found;
-                else if (shown == nullptr || (found.lesson && found.lesson->patient == "built-in"))
+                else if (found.lesson && found.lesson->patient == "built-in")
                     found.request->built_in = true;
-                else
-                    throw InputError(
-                        Words::id("was played on another patient, of whom no case lies beside it"),
-                        file.string(), Words::id("Open the case that was played on first"));
             }
             return [this, found = std::move(found)] { take(found); };
         },
@@ -227,9 +223,41 @@ void ReviewDock::take(Found found) {
     notes_ = std::move(found.notes);
     for (const std::string& warning : recording_->warnings) ways_.say(translated(warning));
     // The job that called this is still alive: the next begins once it has gone.
-    waits_ = found.request.has_value();
-    if (found.request) return ways_.open(*found.request);
-    QTimer::singleShot(0, this, [this] { begin(); });
+    if (!found.request) return QTimer::singleShot(0, this, [this] { begin(); });
+    OpenRequest& request = *found.request;
+    if (request.reconstruct.ct.empty()) {
+        const fs::path known = ways_.known_case(recording_->patient_hash);
+        if (!known.empty() && is_case(known))
+            request.reconstruct.ct = known;
+        else if (!known.empty() || (!request.built_in && ways_.patient() != nullptr))
+            return ask_for_case();
+        else
+            request.built_in = true;  // perhaps it was played on him
+    }
+    waits_ = true;
+    ways_.open(request);
+}
+
+void ReviewDock::open_case(const fs::path& place) {
+    OpenRequest request;
+    request.reconstruct.ct = place;
+    waits_ = true;
+    ways_.open(request);
+}
+
+void ReviewDock::ask_for_case() {
+    const fs::path known = ways_.known_case(recording_->patient_hash);
+    Failure failure{Words::id("was played on another patient, of whom no case lies beside it"),
+                    file_.string(), Words::id("Choose the case that was played on")};
+    if (!known.empty())
+        failure.problem = Words::tr(
+                              "was played on %1, which is not there any more or holds other "
+                              "vessels by now")
+                              .arg(to_text(known))
+                              .toStdString();
+    ways_.choose_case(failure, [this, asked = std::weak_ptr(recording_)](const fs::path& place) {
+        if (!asked.expired() && asked.lock() == recording_) open_case(place);
+    });
 }
 
 void ReviewDock::patient_not_shown() {
@@ -245,12 +273,7 @@ void ReviewDock::patient_shown() {
 void ReviewDock::begin() {
     const auto patient = ways_.patient();
     if (recording_ == nullptr || patient == nullptr) return;
-    if (hash_of(*patient) != recording_->patient_hash) {
-        recording_.reset();
-        return ways_.failed(
-            {Words::id("was played on another patient, of whom no case lies beside it"),
-             file_.string(), Words::id("Open the case that was played on first")});
-    }
+    if (hash_of(*patient) != recording_->patient_hash) return ask_for_case();
     patient_ = patient;
     places_.reset();
     if (lesson_ && is_same_scene(recording_->scene, lesson_->scene))

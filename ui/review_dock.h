@@ -56,6 +56,14 @@ class ReviewDock : public QDockWidget {
             beside;
         // Makes a film of it: `go_to` shows a moment.
         std::function<void(double end_s, const std::function<void(double at_s)>& go_to)> save_film;
+        // The case of a patient with this hash, where these settings know it; else empty.
+        std::function<std::filesystem::path(std::uint64_t hash)> known_case = [](std::uint64_t) {
+            return std::filesystem::path();
+        };
+        // Says what failed, and lets the person choose the case in question.
+        std::function<void(const Failure&, std::function<void(const std::filesystem::path&)>)>
+            choose_case =
+                [](const Failure&, const std::function<void(const std::filesystem::path&)>&) {};
         std::function<bool()> lesson_runs;  // which a review would end
         std::function<void(const Failure&)> failed;
         std::function<void(const QString&)> say;  // in passing
@@ -102,6 +110,8 @@ class ReviewDock : public QDockWidget {
     QWidget* build_controls();
     QWidget* build_notes();
     void take(Found found);
+    void open_case(const std::filesystem::path& place);
+    void ask_for_case();
     void begin();
     void show_progress(const JobProgress& progress);
     void show_events();

@@ -47,6 +47,11 @@ class Settings {
     QString place_of_image(const std::string& sha256) const;
     void remember_image(const std::string& sha256, const QString& path);
 
+    // Where the case lay of a patient with this hash (hash_of()) who was recorded; empty where that
+    // is not known. A recording names its patient by the hash alone.
+    QString place_of_patient(std::uint64_t hash) const;
+    void remember_patient(std::uint64_t hash, const QString& place);
+
     // Where plays of lessons are kept: with the user's data, in safe mode with what is temporary.
     QString recordings_folder() const;
     // Where a lesson that is not saved yet is kept; empty in safe mode, which keeps none.
@@ -121,6 +126,7 @@ class Settings {
     QStringList recent_in_safe_mode_;
     QString folder_in_safe_mode_, case_folder_in_safe_mode_;
     std::map<Kind, QString> folders_in_safe_mode_;
+    std::map<std::uint64_t, QString> patients_in_safe_mode_;
     std::map<std::string, QString> images_in_safe_mode_;  // by their digests
 };
 
