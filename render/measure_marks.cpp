@@ -15,6 +15,7 @@
 #include <cmath>
 #include <utility>
 
+#include "render/label_places.h"
 #include "render/text_style.h"
 
 namespace hepatica {
@@ -24,8 +25,9 @@ using Place2 = std::array<double, 2>;
 
 }  // namespace
 
-MeasureMarks::MeasureMarks(vtkRenderer& renderer)
+MeasureMarks::MeasureMarks(vtkRenderer& renderer, double width_points)
     : renderer_(renderer),
+      width_points_(width_points),
       points_(vtkSmartPointer<vtkPoints>::New()),
       quads_(vtkSmartPointer<vtkCellArray>::New()),
       polydata_(vtkSmartPointer<vtkPolyData>::New()),
@@ -53,7 +55,7 @@ bool MeasureMarks::show(std::vector<MeasureView> measures) {
 
 // Lines are rectangles, because not every driver draws lines wider than one pixel; points are
 // squares.
-void MeasureMarks::add_line(const std::vector<Place2>& line, double width) {
+void MeasureMarks::add_line(const std::vector<Place2>& line, double width, bool ends) {
     const auto add = [&](const std::array<Place2, 4>& corners) {
         std::array<vtkIdType, 4> ids{};
         for (std::size_t c = 0; c < 4; ++c)
@@ -68,6 +70,7 @@ void MeasureMarks::add_line(const std::vector<Place2>& line, double width) {
         const double nx = -0.5 * width * (by - ay) / length, ny = 0.5 * width * (bx - ax) / length;
         add({Place2{ax + nx, ay + ny}, {ax - nx, ay - ny}, {bx - nx, by - ny}, {bx + nx, by + ny}});
     }
+    if (!ends) return;
     const double half = 1.3 * width;
     for (const auto& [x, y] : line)
         add({Place2{x - half, y - half},
@@ -76,26 +79,47 @@ void MeasureMarks::add_line(const std::vector<Place2>& line, double width) {
              {x - half, y + half}});
 }
 
+vtkTextActor& MeasureMarks::next_text(std::size_t used) {
+    if (used == texts_.size()) {
+        texts_.push_back(vtkSmartPointer<vtkTextActor>::New());
+        renderer_.AddActor2D(texts_.back());
+    }
+    return *texts_[used];
+}
+
+void MeasureMarks::part_labels(const std::vector<Place2>& belongs, double point) {
+    LabelPlaces places(0.0, renderer_.GetSize()[1]);
+    for (std::size_t i = 0; i < belongs.size(); ++i) {
+        vtkTextActor& text = *texts_[i];
+        std::array<double, 2> size{};
+        text.GetSize(&renderer_, size.data());
+        const double x = text.GetPosition()[0], wanted = text.GetPosition()[1];
+        const double by = std::round(places.place({x, wanted, size[0], size[1]}));
+        const double y = wanted + by;
+        text.SetPosition(x, y);
+        labels_.push_back({x, y, x + size[0], y + size[1]});
+        if (by != 0.0) add_line({belongs[i], {x, y + 0.5 * size[1]}}, point, false);
+    }
+}
+
 void MeasureMarks::update(const Place& place, double point) {
+    labels_.clear();
     const bool shown = !measures_.empty();
     actor_->SetVisibility(shown);
     for (const auto& text : texts_) text->SetVisibility(false);
     if (!shown) return;
     points_->Reset();
     quads_->Reset();
-    std::size_t used = 0;
+    std::vector<Place2> belongs;  // of each text that is used
     for (const MeasureView& measure : measures_) {
         std::vector<Place2> line;
         for (const Vec3& position : measure.points_mm)
             if (const std::optional<Place2> at = place(position)) line.push_back(*at);
         if (line.empty() || line.size() < measure.points_mm.size()) continue;
-        add_line(line, 2.0 * point);
+        add_line(line, width_points_ * point);
         if (measure.text.empty()) continue;
-        if (used == texts_.size()) {
-            texts_.push_back(vtkSmartPointer<vtkTextActor>::New());
-            renderer_.AddActor2D(texts_.back());
-        }
-        vtkTextActor& text = *texts_[used++];
+        vtkTextActor& text = next_text(belongs.size());
+        belongs.push_back(line.back());
         style_text(*text.GetTextProperty(), static_cast<int>(std::lround(16.0 * point)),
                    lines_colour_);
         // A background keeps the text readable in front of vessels.
@@ -107,6 +131,7 @@ void MeasureMarks::update(const Place& place, double point) {
                      std::round(line.back()[1] + 6.0 * point));
         text.SetVisibility(true);
     }
+    part_labels(belongs, point);
     points_->Modified();
     quads_->Modified();
     polydata_->Modified();

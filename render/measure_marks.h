@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/vector.h"
+#include "render/legend_rows.h"
 #include "render/palette.h"
 
 class vtkActor2D;
@@ -32,7 +33,7 @@ struct MeasureView {
 // Draws into the two-dimensional layer of one renderer, which must outlive it; not thread-safe.
 class MeasureMarks {
   public:
-    explicit MeasureMarks(vtkRenderer& renderer);
+    explicit MeasureMarks(vtkRenderer& renderer, double width_points = 2.0);
 
     // Colours of lines and letters, and of the background behind the letters.
     void set_colours(const Colour& lines, const Colour& ground);
@@ -46,11 +47,18 @@ class MeasureMarks {
     // Places the lines for the next picture; call before each. Measurements with a point behind the
     // eye are left out. `point`: size of one screen point in device pixels.
     void update(const Place& place, double point);
+    // Of the labels as they were placed last: left, bottom, right and top in pixels.
+    const std::vector<PictureBox>& labels() const { return labels_; }
 
   private:
-    void add_line(const std::vector<std::array<double, 2>>& line, double width);
+    void add_line(const std::vector<std::array<double, 2>>& line, double width, bool ends = true);
+    vtkTextActor& next_text(std::size_t used);
+    // Shifts labels that lie on each other, each with a thin line to where it belongs.
+    void part_labels(const std::vector<std::array<double, 2>>& belongs, double point);
 
     vtkRenderer& renderer_;
+    double width_points_;
+    std::vector<PictureBox> labels_;
     std::vector<MeasureView> measures_;
     vtkSmartPointer<vtkPoints> points_;
     vtkSmartPointer<vtkCellArray> quads_;

@@ -21,6 +21,7 @@ inline constexpr Colour distance{0.055, 0.066, 0.085};
 inline constexpr Colour liver{0.62, 0.36, 0.31};
 inline constexpr Colour tumour{0.55, 0.89, 0.50};  // no vessel, mark or drug has a similar green
 inline constexpr Colour grab_line{0.30, 0.95, 0.85};
+inline constexpr Colour rim{0.02, 0.03, 0.05};      // dark, about a line over any colours
 inline constexpr Colour outline{0.13, 0.15, 0.18};  // outline of bright things on white paper
 inline constexpr Colour tool{0.74, 0.77, 0.80};
 inline constexpr Colour torn{0.62, 0.10, 0.12};  // the rim of a tear

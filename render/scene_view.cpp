@@ -45,6 +45,8 @@ vtkSmartPointer<vtkLight> add_light(vtkRenderer& renderer, const Vec3& from, con
 SceneView::SceneView(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(window)) {
     vtkRenderer& renderer = *parts_->renderer;
     renderer.SetGradientBackground(true);
+    parts_->stroke_rim.set_colours(palette::rim, palette::rim);
+    parts_->stroke.set_colours(palette::grab_line, palette::rim);
     set_look(dark_look);
     parts_->find_colours_shown();
     renderer.AutomaticLightCreationOff();
@@ -60,10 +62,8 @@ SceneView::SceneView(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(w
     renderer.AddActor(parts_->tumours.actor());
     renderer.AddActor(parts_->grab.line());
     renderer.AddActor(parts_->grab.point());
-    renderer.AddActor(parts_->stroke.line());
-    renderer.AddActor(parts_->stroke.point());
     renderer.AddActor(parts_->crosshair.actor());
-    renderer.AddActor(parts_->weak_lines.actor());
+    for (vtkActor* actor : parts_->weak_lines.actors()) renderer.AddActor(actor);
     window.AddRenderer(&renderer);
     hepatica::look_from(*renderer.GetActiveCamera(), ViewDirection::anterior, Vec3::Constant(-50),
                         Vec3::Constant(50), 1.0);
@@ -114,7 +114,6 @@ void SceneView::render(double pixel_ratio) {
             height > 0 ? 2.0 * distance * std::tan(0.5 * eye.GetViewAngle() * pi / 180.0) / height
                        : 1.0 / pixel_ratio;
         parts_->grab.set_scale(per_pixel * pixel_ratio);
-        parts_->stroke.set_scale(per_pixel * pixel_ratio);
         // The body lies around the focal point, or panning has moved it by no more than its size.
         parts_->marks.set_scale(per_pixel * pixel_ratio, pixel_ratio, 2.0 * reach);
         parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
@@ -125,15 +124,16 @@ void SceneView::render(double pixel_ratio) {
                                       halo_behind_mm * Vec3(eye.GetDirectionOfProjection()));
         parts_->tree.halo().set_background(parts_->look.top, parts_->look.bottom, height);
     }
-    parts_->measures.update(
+    const MeasureMarks::Place place =
         [this, eye_mm = Vec3(eye.GetPosition()), forward = Vec3(eye.GetDirectionOfProjection()),
          height = parts_->picture_size().height](
             const Vec3& position_mm) -> std::optional<std::array<double, 2>> {
-            if ((position_mm - eye_mm).dot(forward) <= 0.0) return std::nullopt;
-            const Pixel pixel = pixel_of(position_mm);
-            return std::array{pixel.x, height - pixel.y};
-        },
-        pixel_ratio);
+        if ((position_mm - eye_mm).dot(forward) <= 0.0) return std::nullopt;
+        const Pixel pixel = pixel_of(position_mm);
+        return std::array{pixel.x, height - pixel.y};
+    };
+    for (MeasureMarks* marks : {&parts_->stroke_rim, &parts_->stroke, &parts_->measures})
+        marks->update(place, pixel_ratio);
     parts_->bridges.set_pixel_ratio(pixel_ratio);
     parts_->prepare_volume();
     renderer.ResetCameraClippingRange();
@@ -166,9 +166,10 @@ void SceneView::set_highlight(std::vector<std::uint8_t> vertices) {
 }
 
 void SceneView::set_stroke(const std::optional<std::array<Vec3, 2>>& stroke) {
-    std::optional<GrabView> line;
-    if (stroke) line = GrabView{(*stroke)[0], (*stroke)[1]};
-    parts_->stroke.update(line);
+    std::vector<MeasureView> line;
+    if (stroke) line.push_back({{(*stroke)[0], (*stroke)[1]}, ""});
+    parts_->stroke_rim.show(line);
+    parts_->stroke.show(std::move(line));
 }
 
 bool SceneView::set_crosshair(const std::optional<Vec3>& position_mm) {
@@ -190,6 +191,10 @@ bool SceneView::set_measures(std::vector<MeasureView> measures) {
 
 const std::vector<MeasureView>& SceneView::measures() const {
     return parts_->measures.shown();
+}
+
+const std::vector<PictureBox>& SceneView::measure_labels() const {
+    return parts_->measures.labels();
 }
 
 void SceneView::set_halos_visible(bool visible) {

@@ -118,6 +118,8 @@ class SceneView {
     // The rectangle where the legend was drawn last.
     PictureBox legend_box() const;
     bool shows_caption() const;  // in the last picture
+    // Boxes of the labels of measurements, in the last picture.
+    const std::vector<PictureBox>& measure_labels() const;
 
     // Index of the bridge whose line passes nearest to the pixel, within `reach` pixels; -1 for
     // none.

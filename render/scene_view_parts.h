@@ -84,7 +84,9 @@ struct SceneView::Parts {
     ObstacleActors obstacles{*renderer};
     VolumeActor volume{*renderer};
     GrabActor grab;
-    GrabActor stroke;
+    // A line that is drawn to cut, over everything, with a dark rim.
+    // Of what lies over the picture the first drawn is in front.
+    MeasureMarks stroke{*renderer, 3.5}, stroke_rim{*renderer, 7.0};
     WeakLineActor weak_lines;
     CrosshairActor crosshair;
     ToolActor tool{*renderer};

@@ -19,6 +19,7 @@ namespace {
 
 constexpr float pause = 0.18f;  // share of an edge left free at each of its ends
 constexpr double line_points = 4.5;
+constexpr double rim_points = 9.0;
 constexpr double lift_mm = 1.0;
 
 std::vector<float> dashes_of(const Frame& frame) {
@@ -36,21 +37,25 @@ std::vector<float> dashes_of(const Frame& frame) {
 }  // namespace
 
 WeakLineActor::WeakLineActor()
-    : dashes_(vtkSmartPointer<vtkPolyData>::New()), actor_(vtkSmartPointer<vtkActor>::New()) {
+    : dashes_(vtkSmartPointer<vtkPolyData>::New()),
+      actor_(vtkSmartPointer<vtkActor>::New()),
+      rim_(vtkSmartPointer<vtkActor>::New()) {
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(dashes_);
-    actor_->SetMapper(mapper);
     const Colour colour = palette::warning(palette::vessel_system(VascularSystem::unknown), 1.0);
-    actor_->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
-    actor_->GetProperty()->SetLighting(false);
-    actor_->SetVisibility(false);
+    for (const auto& [actor, of] : {std::pair{actor_.Get(), colour}, {rim_.Get(), palette::rim}}) {
+        actor->SetMapper(mapper);
+        actor->GetProperty()->SetColor(of[0], of[1], of[2]);
+        actor->GetProperty()->SetLighting(false);
+        actor->SetVisibility(false);
+    }
 }
 
 bool WeakLineActor::update(const Frame& frame) {
     std::vector<float> ends = dashes_of(frame);
     if (ends == shown_) return false;
     shown_ = std::move(ends);
-    actor_->SetVisibility(!shown_.empty());
+    for (vtkActor* actor : actors()) actor->SetVisibility(!shown_.empty());
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> lines;
     for (std::size_t i = 0; i + 5 < shown_.size(); i += 6)
@@ -62,9 +67,13 @@ bool WeakLineActor::update(const Frame& frame) {
 }
 
 void WeakLineActor::set_place(const Vec3& to_eye, double pixel_ratio) {
-    const Vec3 lift = lift_mm * to_eye;
-    actor_->SetPosition(lift.x(), lift.y(), lift.z());
-    actor_->GetProperty()->SetLineWidth(static_cast<float>(line_points * pixel_ratio));
+    const auto place = [&](vtkActor& actor, double lifted_mm, double points) {
+        const Vec3 lift = lifted_mm * to_eye;
+        actor.SetPosition(lift.x(), lift.y(), lift.z());
+        actor.GetProperty()->SetLineWidth(static_cast<float>(points * pixel_ratio));
+    };
+    place(*rim_, 0.9 * lift_mm, rim_points);
+    place(*actor_, lift_mm, line_points);
 }
 
 }  // namespace hepatica

@@ -5,6 +5,8 @@
 
 #include <vtkSmartPointer.h>
 
+#include <array>
+
 #include "core/base/vector.h"
 #include "core/scene/frame.h"
 
@@ -23,12 +25,13 @@ class WeakLineActor {
     // Moves the dashes 1 mm towards the eye, so that the rounded surface does not cover them, and
     // sets the line width for the pixels of a point.
     void set_place(const Vec3& to_eye, double pixel_ratio);
-    vtkActor* actor() const { return actor_; }
+    // The line, and a dark rim about it.
+    std::array<vtkActor*, 2> actors() const { return {rim_, actor_}; }
 
   private:
     std::vector<float> shown_;  // ends of the dashes in mm
     vtkSmartPointer<vtkPolyData> dashes_;
-    vtkSmartPointer<vtkActor> actor_;
+    vtkSmartPointer<vtkActor> actor_, rim_;
 };
 
 }  // namespace hepatica

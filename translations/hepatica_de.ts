@@ -200,10 +200,6 @@
         <translation>Werkzeug we&amp;glegen</translation>
     </message>
     <message>
-        <source>Take the tool out of the picture, or end measuring, and pull with the mouse again; once more takes measurements away</source>
-        <translation>Das Werkzeug aus dem Bild nehmen oder das Messen beenden und wieder mit der Maus ziehen; noch einmal entfernt die Messungen</translation>
-    </message>
-    <message>
         <source>Take back the last correction of the tree</source>
         <translation>Die letzte Korrektur des Gefäßbaums zurücknehmen</translation>
     </message>
@@ -2414,10 +2410,6 @@
     <message>
         <source>was played on another patient, of whom no case lies beside it</source>
         <translation>wurde an einem anderen Patienten gespielt, von dem kein Fall daneben liegt</translation>
-    </message>
-    <message>
-        <source>Open the case that was played on first</source>
-        <translation>Öffnen Sie erst den Fall, an dem gespielt wurde</translation>
     </message>
     <message>
         <source>was played on another patient</source>
@@ -8673,6 +8665,103 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>make room on the disk; rebuild the vessels and save the case</source>
         <translation>schaffen Sie Platz auf der Platte; bauen Sie die Gefäße neu und speichern Sie den Fall</translation>
+    </message>
+    <message>
+        <source>Take the tool out of the picture, or end measuring, and pull with the mouse again</source>
+        <translation>Das Werkzeug aus dem Bild nehmen oder das Messen beenden und wieder mit der Maus ziehen</translation>
+    </message>
+    <message>
+        <source>Choose the case…</source>
+        <translation>Den Fall wählen…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n measurement(s) removed.</source>
+        <translation>
+            <numerusform>%n Messung entfernt.</numerusform>
+            <numerusform>%n Messungen entfernt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Bring back</source>
+        <translation>Zurückholen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n diameter(s) are not shown any more: the vessel that they were measured on is gone. Where it comes back, as by Undo, they do.</source>
+        <translation>
+            <numerusform>%n Durchmesser wird nicht mehr gezeigt: Das Gefäß, an dem er gemessen wurde, ist fort. Kommt es wieder, etwa durch Rückgängig, so auch er.</numerusform>
+            <numerusform>%n Durchmesser werden nicht mehr gezeigt: Die Gefäße, an denen sie gemessen wurden, sind fort. Kommen sie wieder, etwa durch Rückgängig, so auch die Durchmesser.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>The rebuilding stays: a case does not keep the vessels from before it. Undo once more takes back the correction that was made before.</source>
+        <translation>Der Neubau bleibt: Ein Fall enthält die Gefäße von davor nicht. Noch einmal Rückgängig nimmt die Korrektur zurück, die davor gemacht wurde.</translation>
+    </message>
+    <message>
+        <source>Choose the case that was played on</source>
+        <translation>Wählen Sie den Fall, an dem gespielt wurde</translation>
+    </message>
+    <message>
+        <source>was played on %1, which is not there any more or holds other vessels by now</source>
+        <translation>wurde an %1 gespielt; dieser Fall ist nicht mehr da oder hat inzwischen andere Gefäße</translation>
+    </message>
+    <message>
+        <source>nothing measures a %1</source>
+        <translation>ein Maß namens %1 gibt es nicht</translation>
+    </message>
+    <message>
+        <source>has %1 points_mm in place of %2</source>
+        <translation>hat %1 points_mm statt %2</translation>
+    </message>
+    <message>
+        <source>measures at %1, which is farther than 10 m from the origin</source>
+        <translation>misst bei %1, weiter als 10 m vom Ursprung</translation>
+    </message>
+    <message>
+        <source>has a stenosis of %1, which is above 1</source>
+        <translation>hat eine Stenose von %1, mehr als 1</translation>
+    </message>
+    <message>
+        <source>has the format %1</source>
+        <translation>hat das Format %1</translation>
+    </message>
+    <message>
+        <source>has version %1; this program reads version 1</source>
+        <translation>hat Version %1; dieses Programm liest Version 1</translation>
+    </message>
+    <message>
+        <source>Correct that value, or remove the file: the case is whole without it</source>
+        <translation>Berichtigen Sie diesen Wert, oder entfernen Sie die Datei: Der Fall ist ohne sie vollständig</translation>
+    </message>
+    <message>
+        <source>Take a newer program, or remove the file</source>
+        <translation>Nehmen Sie ein neueres Programm, oder entfernen Sie die Datei</translation>
+    </message>
+    <message>
+        <source>Make it readable, or remove it: the case is whole without it</source>
+        <translation>Machen Sie sie lesbar, oder entfernen Sie sie: Der Fall ist ohne sie vollständig</translation>
+    </message>
+    <message>
+        <source>%1, measurement %2</source>
+        <translation>%1, Messung %2</translation>
+    </message>
+    <message>
+        <source>What was painted at %1 is left out of the tree: it is too short or too round to be a vessel. Paint along the vessel, or undo the rebuilding.</source>
+        <translation>Was bei %1 gemalt wurde, fehlt im Baum: Es ist zu kurz oder zu rund für ein Gefäß. Malen Sie entlang des Gefäßes, oder nehmen Sie den Neubau zurück.</translation>
+    </message>
+    <message>
+        <source>What is to be known of this patient&apos;s vessels: show it again</source>
+        <translation>Was über die Gefäße dieses Patienten zu wissen ist: noch einmal zeigen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation>
+            <numerusform>%n Warnung</numerusform>
+            <numerusform>%n Warnungen</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

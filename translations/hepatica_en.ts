@@ -108,5 +108,26 @@
             <numerusform>%n lessons for this patient fit his vessels no more:</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n measurement(s) removed.</source>
+        <translation>
+            <numerusform>%n measurement removed.</numerusform>
+            <numerusform>%n measurements removed.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n diameter(s) are not shown any more: the vessel that they were measured on is gone. Where it comes back, as by Undo, they do.</source>
+        <translation>
+            <numerusform>%n diameter is not shown any more: the vessel that it was measured on is gone. Where it comes back, as by Undo, so does the diameter.</numerusform>
+            <numerusform>%n diameters are not shown any more: the vessels that they were measured on are gone. Where they come back, as by Undo, so do the diameters.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warning(s)</source>
+        <translation>
+            <numerusform>%n warning</numerusform>
+            <numerusform>%n warnings</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

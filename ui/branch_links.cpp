@@ -16,8 +16,9 @@ const QRegularExpression& name_of_branch() {
 
 }  // namespace
 
-QString with_branch_links(const QString& html) {
-    return QString(html).replace(name_of_branch(), "<a href=\"" + scheme + "\\2\">\\1</a>");
+QString with_branch_links(const QString& html, const QColor& colour) {
+    return QString(html).replace(name_of_branch(), "<a href=\"" + scheme + "\\2\" style=\"color:" +
+                                                       colour.name() + "\">\\1</a>");
 }
 
 std::optional<int> branch_of_link(const QString& link) {

@@ -2,13 +2,14 @@
 // Turns branch names in messages, such as "Branch 162" of the table, into links.
 #pragma once
 
+#include <QColor>
 #include <QString>
 #include <optional>
 
 namespace hepatica {
 
-// Returns `html` with a link for each complete branch name in the window's language.
-QString with_branch_links(const QString& html);
+// Returns `html` with a link of this colour for each complete branch name in the window's language.
+QString with_branch_links(const QString& html, const QColor& colour);
 
 // Index of the branch that such a link names; nullopt for any other link.
 std::optional<int> branch_of_link(const QString& link);

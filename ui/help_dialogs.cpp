@@ -22,10 +22,16 @@ void show_guide(QWidget& parent) {
     }
     guide->show();
     guide->raise();
+    guide->activateWindow();
 }
 
 void show_cheat_sheet(QWidget& parent) {
+    if (auto* shown = parent.findChild<QDialog*>("cheatSheet"); shown && shown->isVisible()) {
+        shown->raise();
+        return shown->activateWindow();
+    }
     auto* sheet = new QDialog(&parent);
+    sheet->setObjectName("cheatSheet");
     sheet->setAttribute(Qt::WA_DeleteOnClose);
     sheet->setWindowTitle(Words::tr("Keys and mouse"));
     resize_on_screen(*sheet, {620, 640});

@@ -126,14 +126,18 @@ void LessonDock::fill(QMenu& menu) {
 }
 
 void LessonDock::ask_for_lesson() {
-    const QString file = QFileDialog::getOpenFileName(parentWidget(), Words::tr("Open lesson"), {},
-                                                      Words::tr("Lessons (*.json)"));
+    const QString file = ways_.choose(Settings::Kind::lesson, [this](const QString& start) {
+        return QFileDialog::getOpenFileName(parentWidget(), Words::tr("Open lesson"), start,
+                                            Words::tr("Lessons (*.json)"));
+    });
     if (!file.isEmpty()) start(to_path(file).string());
 }
 
 void LessonDock::ask_for_course() {
-    const QString file = QFileDialog::getOpenFileName(parentWidget(), Words::tr("Open course"), {},
-                                                      Words::tr("Courses (*.json)"));
+    const QString file = ways_.choose(Settings::Kind::course, [this](const QString& start) {
+        return QFileDialog::getOpenFileName(parentWidget(), Words::tr("Open course"), start,
+                                            Words::tr("Courses (*.json)"));
+    });
     if (!file.isEmpty()) show_course(to_path(file));
 }
 
@@ -186,16 +190,19 @@ CourseEditor& LessonDock::course_editor() {
     if (course_editor_ == nullptr) {
         CourseEditor::Ways ways;
         ways.which_lesson = [this]() -> std::optional<fs::path> {
-            const QString file = QFileDialog::getOpenFileName(
-                course_editor_, Words::tr("Add a lesson"), {}, Words::tr("Lessons (*.json)"));
+            const QString file = ways_.choose(Settings::Kind::lesson, [this](const QString& start) {
+                return QFileDialog::getOpenFileName(course_editor_, Words::tr("Add a lesson"),
+                                                    start, Words::tr("Lessons (*.json)"));
+            });
             return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
         };
         ways.where_to_save = [this](const QString& question,
                                     const std::string& name) -> std::optional<fs::path> {
-            const QString file = ask_where_to_save_file(
-                *parentWidget(), question,
-                QString("%1/%2.json").arg(QDir::homePath(), translated(name)),
-                Words::tr("Courses (*.json)"));
+            const QString file = ways_.choose(Settings::Kind::course, [&](const QString& start) {
+                return ask_where_to_save_file(*parentWidget(), question,
+                                              QString("%1/%2.json").arg(start, translated(name)),
+                                              Words::tr("Courses (*.json)"));
+            });
             return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
         };
         ways.failed = [this](const QString& doing, const std::exception_ptr& error) {

@@ -15,6 +15,7 @@
 #include "ui/flow_units.h"
 #include "ui/lesson_play.h"
 #include "ui/recording_guard.h"
+#include "ui/settings.h"
 
 class QMenu;
 
@@ -56,6 +57,9 @@ class LessonDock : public QDockWidget {
                            const std::vector<std::string>& misfits)>
             unfit;
         std::function<void()> left;  // the lesson was left for free play
+        // See Settings::choose().
+        std::function<QString(Settings::Kind, const Settings::Ask&)> choose =
+            [](Settings::Kind, const Settings::Ask& ask) { return ask(QString()); };
         // The trainee has another name; may be empty.
         std::function<void(const QString& name)> named;
         std::function<void()> ended = [] {};  // the attempt was passed or failed

@@ -194,6 +194,7 @@ void MainWindow::build_view() {
          }},
         centre);
     give_focus_back_to(*view_);
+    status_->on_warnings = [this] { tell_warnings(); };
     view_->on_picture([this](const PictureTime& time) { picture_shown(time); });
     build_volume(centre);
     column->addWidget(volume_bar_);
@@ -426,8 +427,6 @@ void MainWindow::connect_tools() {
         if (draws || mode == MouseMode::measure || mode == MouseMode::place ||
             view_->mouse().hand().holds())
             back_to_pulling();
-        else
-            view_layout_->slices().measurements().clear();
     });
 }
 
@@ -486,8 +485,10 @@ void MainWindow::connect_views() {
             dock->setVisible(panels.isChecked() && has_use);
         }
     });
-    connect(qApp, &QApplication::focusChanged, this,
-            [this](QWidget*, QWidget* now) { bring_into_sight(now, *this); });
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+        // The view may have taken it already, see give_focus_back_to().
+        if (now == QApplication::focusWidget()) bring_into_sight(now, *this);
+    });
     actions_->on(ActionId::guide,
                  [this] { attempt(Words::tr("Guide"), [this] { show_guide(*this); }); });
     actions_->on(ActionId::cheat_sheet, [this] { show_cheat_sheet(*this); });

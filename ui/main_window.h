@@ -129,6 +129,8 @@ class MainWindow : public QMainWindow {
     void connect_context();
     void connect_measuring();
     void follow_measuring();
+    void remove_measurements();
+    void tell_lost_diameters(std::size_t lost);
     void connect_themes();
     void connect_mouse_schemes();
     void connect_languages();
@@ -172,6 +174,7 @@ class MainWindow : public QMainWindow {
     void build_review();
 
     // main_window_files.cpp: opening and saving.
+    std::optional<std::filesystem::path> which_case();
     void ask_for_case();
     // Offers what earlier runs left: cases and edits, lessons, interrupted plays.
     void offer_unsaved_work();
@@ -201,7 +204,9 @@ class MainWindow : public QMainWindow {
 
     // main_window_play.cpp: what is shown and played.
     void show_patient(LoadedPatient patient, bool corrected);
-    void show_warnings();
+    void show_warnings(bool corrected);
+    void tell_warnings();       // all that hold, above the view
+    void dismiss_for_a_deed();  // what is said above the view, unless it is those
     void show_workspace();
     void show_title(const QString& patient);
     void show_caption(const QString& text);  // in the first view
@@ -251,6 +256,8 @@ class MainWindow : public QMainWindow {
     // main_window_recording.cpp: recording of a free play.
     void connect_recording();
     void begin_recording();
+    // Where his case lies: a recording does not say it.
+    void remember_recorded_patient();
     void end_recording();
     void show_recording();
 
@@ -286,6 +293,8 @@ class MainWindow : public QMainWindow {
     int chosen_branch_ = -1;             // in the table
     double picture_ms_ = 0.0;
     std::string last_message_;
+    std::vector<std::string> warnings_;  // of the patient, that hold
+    QString warnings_text_;              // as they were told last
     QString report_program_;
     QString report_message_;  // tells where the last report is
     QString unfit_message_;   // names lessons that no longer fit

@@ -52,8 +52,8 @@ QImage beside(const QImage& first, const QImage& second) {
                 QImage::Format_RGB32);
     both.fill(Qt::black);
     QPainter painter(&both);
-    painter.drawImage(0, 0, first);
-    painter.drawImage(first.width(), 0, second);
+    painter.drawImage(first.rect(), first, first.rect());
+    painter.drawImage(QRect(QPoint(first.width(), 0), second.size()), second, second.rect());
     return both;
 }
 
@@ -102,11 +102,16 @@ void MainWindow::fail(const QString& doing, const Failure& failure) {
     log_->add_failure(doing, failure);
 }
 
-void MainWindow::ask_for_case() {
+std::optional<std::filesystem::path> MainWindow::which_case() {
     OpenCaseDialog dialog(
         settings_.last_folder(),
         [&dialog](const QString& why) { QMessageBox::warning(&dialog, "Hepatica", why); }, this);
-    if (dialog.exec() == QDialog::Accepted) open(to_text(dialog.chosen()));
+    if (dialog.exec() != QDialog::Accepted) return std::nullopt;
+    return dialog.chosen();
+}
+
+void MainWindow::ask_for_case() {
+    if (const auto place = which_case()) open(to_text(*place));
 }
 
 void MainWindow::ask_for_reconstruction() {
@@ -218,11 +223,12 @@ void MainWindow::open_unsaved_work() {
 }
 
 void MainWindow::ask_for_ct(bool folder) {
-    const QString path =
-        folder ? QFileDialog::getExistingDirectory(this, Words::tr("Open CT folder (DICOM)"),
-                                                   settings_.last_folder())
-               : QFileDialog::getOpenFileName(this, Words::tr("Open CT file"),
-                                              settings_.last_folder(), openable_filter());
+    const QString path = settings_.choose(Settings::Kind::ct, [&](const QString& start) {
+        return folder ? QFileDialog::getExistingDirectory(this, Words::tr("Open CT folder (DICOM)"),
+                                                          start)
+                      : QFileDialog::getOpenFileName(this, Words::tr("Open CT file"), start,
+                                                     openable_filter());
+    });
     if (!path.isEmpty()) open(path);
 }
 
@@ -234,7 +240,9 @@ std::optional<std::filesystem::path> MainWindow::ask_for_recording() {
 
 void MainWindow::save_picture(const QString& file) {
     require_folder_of(file);
-    const QImage picture = view_->picture();
+    const QImage shown = view_layout_->picture(view_->picture());
+    const QImage picture =
+        second_view_->shown() ? beside(shown, second_view_->view().picture()) : shown;
     write_file_atomically(to_path(file), [&](const std::filesystem::path& temporary) {
         if (!picture.save(to_text(temporary), "PNG")) {
             throw InputError(Words::id("the picture cannot be written"), file.toStdString(),

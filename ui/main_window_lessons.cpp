@@ -80,6 +80,7 @@ void MainWindow::build_lessons() {
         review_->end();
         take_report_message_away();
         const bool begins = simulation != nullptr;
+        if (begins) remember_recorded_patient();
         use(std::move(simulation));
         if (!begins) return;
         inject_->choose_drug(lessons_->running()->drug);
@@ -91,6 +92,9 @@ void MainWindow::build_lessons() {
     ways.ended = [this] {
         if (frame().drug.injection) patient_->simulation->post(PlayDrug{false});
         patient_->simulation->post(SetPaused{true});
+        // Nor is anything held or pressed any more.
+        view_->let_go();
+        back_to_pulling();
     };
     ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
         fail(doing, failure_of(error));
@@ -103,6 +107,9 @@ void MainWindow::build_lessons() {
     };
     ways.save_table = [this](const char* called, const std::string& csv) {
         save_table(called, csv);
+    };
+    ways.choose = [this](Settings::Kind kind, const Settings::Ask& ask) {
+        return settings_.choose(kind, ask);
     };
     ways.edit = [this] { lesson_editor().show_editor(); };
     ways.unfit = [this](const std::filesystem::path& file, const Lesson& lesson,
@@ -255,15 +262,18 @@ void MainWindow::build_lesson_editor() {
     };
     ways.try_out = [this](const Lesson& lesson) { return lessons_->try_out(lesson); };
     ways.which_file = [this]() -> std::optional<std::filesystem::path> {
-        const QString file =
-            QFileDialog::getOpenFileName(lesson_editor_, Words::tr("Edit lesson"),
-                                         settings_.last_folder(), Words::tr("Lessons (*.json)"));
+        const QString file = settings_.choose(Settings::Kind::lesson, [this](const QString& start) {
+            return QFileDialog::getOpenFileName(lesson_editor_, Words::tr("Edit lesson"), start,
+                                                Words::tr("Lessons (*.json)"));
+        });
         return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
     };
     ways.where_to_save = [this](const QString& name) -> std::optional<std::filesystem::path> {
-        const QString suggested = settings_.last_folder() + "/" + as_file_name(name) + ".json";
-        const QString file = ask_where_to_save_file(*lesson_editor_, Words::tr("Save lesson"),
-                                                    suggested, Words::tr("Lessons (*.json)"));
+        const QString file = settings_.choose(Settings::Kind::lesson, [&](const QString& start) {
+            return ask_where_to_save_file(*lesson_editor_, Words::tr("Save lesson"),
+                                          start + "/" + as_file_name(name) + ".json",
+                                          Words::tr("Lessons (*.json)"));
+        });
         return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
     };
     ways.unsaved = [this](bool kept) {
@@ -343,6 +353,16 @@ void MainWindow::build_review() {
     };
     ways.failed = [this](const Failure& failure) {
         fail(Words::tr("Look back on a recording"), failure);
+    };
+    ways.known_case = [this](std::uint64_t hash) {
+        return to_path(settings_.place_of_patient(hash));
+    };
+    ways.choose_case = [this](const Failure& failure,
+                              std::function<void(const std::filesystem::path&)> chosen) {
+        fail(Words::tr("Look back on a recording"), failure);
+        messages_->offer_also(Words::tr("Choose the case…"), [this, chosen = std::move(chosen)] {
+            if (const auto place = which_case()) chosen(*place);
+        });
     };
     ways.say = [this](const QString& text) { statusBar()->showMessage(text, 6000); };
     review_ = new ReviewDock(std::move(ways), this);

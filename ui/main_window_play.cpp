@@ -6,6 +6,7 @@
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolTip>
+#include <algorithm>
 #include <utility>
 
 #include "core/lesson/allowed_commands.h"
@@ -61,8 +62,9 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     tool_panel_->begin_play(true);
     follow_simulation();
     editing_->show_body();
-    corrected ? view_layout_->show_corrected(patient_->patient)
-              : view_layout_->show_patient(patient_->patient, patient_->folder, patient_->image);
+    const std::size_t lost = corrected ? view_layout_->show_corrected(patient_->patient)
+                                       : view_layout_->show_patient(
+                                             patient_->patient, patient_->folder, patient_->image);
     if (!corrected) {
         // The former patient's plane would cut the new one anywhere.
         if (QAction& open = (*actions_)[ActionId::toggle_clip]; open.isChecked()) open.trigger();
@@ -71,7 +73,8 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     }
     branches_->show_patient(patient_->patient, patient_->flow_shares,
                             keeper_->workspace().folder());
-    show_warnings();  // a corrected patient has none
+    show_warnings(corrected);
+    tell_lost_diameters(lost);
     if (corrected) {
         lessons_->patient_corrected();
         fits_->look(patient_->patient, keeper_->workspace().folder(),
@@ -136,12 +139,31 @@ void MainWindow::colour_by_segments(const std::vector<std::uint8_t>& of_branches
     view_->draw_again();
 }
 
-void MainWindow::show_warnings() {
-    if (patient_->warnings.empty()) return;
-    for (const std::string& warning : patient_->warnings)
-        log_->add_warning(translated(patient_->title), translated(warning));
-    messages_->show_notice(in_short(patient_->warnings), Words::tr("All messages"),
-                           [this] { log_->show(); });
+// A correction tells them again only where one is new, or where they were still to be read.
+void MainWindow::show_warnings(bool corrected) {
+    const std::vector<std::string> before = std::exchange(warnings_, patient_->warnings);
+    status_->show_warnings(warnings_.size());
+    const QString said = messages_->text();
+    bool fresh = false;
+    for (const std::string& warning : warnings_) {
+        const bool told = corrected && std::ranges::find(before, warning) != before.end();
+        if (told || said.contains(translated(warning))) continue;
+        fresh = true;
+        log_->add_warning(translated(keeper_->workspace().title()), translated(warning));
+    }
+    const bool stand = !warnings_text_.isEmpty() && said == warnings_text_;
+    if (stand) messages_->dismiss();
+    if (!warnings_.empty() && (fresh || stand)) tell_warnings();
+}
+
+void MainWindow::tell_warnings() {
+    warnings_text_ = in_short(warnings_);
+    messages_->show_notice(warnings_text_, Words::tr("All messages"), [this] { log_->show(); });
+    warnings_text_ = messages_->text();
+}
+
+void MainWindow::dismiss_for_a_deed() {
+    if (warnings_text_.isEmpty() || messages_->text() != warnings_text_) messages_->dismiss();
 }
 
 // The patient's title; empty: none. Safe mode is shown too.

@@ -24,7 +24,14 @@ void MainWindow::begin_recording() {
         if (patient_)
             recorder_->begin(*patient_->simulation, to_path(settings_.recordings_folder()));
     });
+    if (recorder_->recording()) remember_recorded_patient();
     show_recording();
+}
+
+void MainWindow::remember_recorded_patient() {
+    const std::filesystem::path& folder = workspace().folder();
+    if (patient_ && !folder.empty())
+        settings_.remember_patient(hash_of(*patient_->patient), to_text(folder));
 }
 
 void MainWindow::end_recording() {

@@ -58,12 +58,12 @@ void MainWindow::build_slices(QWidget* parent) {
     };
     callbacks.remake = [this](std::shared_ptr<const Volume> ct, Mask vessels) {
         if (!may_correct(Words::id("Nothing is rebuilt during a review: end it first"))) return;
-        messages_->dismiss();
+        dismiss_for_a_deed();
         keeper_->remake(std::move(ct), std::move(vessels));
     };
     callbacks.paint_tumour = [this](const TreeEdit& stroke) {
         if (!may_correct(not_in_review)) return false;
-        messages_->dismiss();
+        dismiss_for_a_deed();
         keeper_->add(stroke);
         return true;
     };
@@ -148,7 +148,7 @@ void MainWindow::build_editing() {
         CaseEditing::Callbacks{
             [this](const TreeEdit& edit) {
                 if (!may_correct(not_in_review)) return;
-                messages_->dismiss();
+                dismiss_for_a_deed();
                 keeper_->add(edit);
             },
             [this] {

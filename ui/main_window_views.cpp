@@ -13,6 +13,7 @@
 #include "ui/liver_keeper.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
+#include "ui/message_log.h"
 #include "ui/slices/view_layout.h"
 #include "ui/theme.h"
 #include "ui/view_ruler.h"
@@ -142,11 +143,38 @@ void MainWindow::connect_measuring() {
         actions_->on(measuring_actions[k],
                      [&measurements, k] { measurements.choose(static_cast<MeasurementKind>(k)); });
     actions_->on(ActionId::remove_measurement, [&measurements] { measurements.remove_last(); });
-    actions_->on(ActionId::clear_measurements, [&measurements] { measurements.clear(); });
+    actions_->on(ActionId::clear_measurements, [this] { remove_measurements(); });
+    measurements.on_work([this, &measurements] { keeper_->measure(measurements.kept()); });
     measurements.on_change([this, last = std::optional<MeasurementKind>()]() mutable {
         const auto chosen = view_layout_->slices().measurements().chosen();
         if (std::exchange(last, chosen) != chosen) follow_measuring();
     });
+}
+
+// No undo knows of them: they can be had back at once.
+void MainWindow::remove_measurements() {
+    Measurements& measurements = view_layout_->slices().measurements();
+    const std::vector<KeptMeasurement> before = measurements.kept();
+    measurements.remove_all();
+    if (before.empty()) return;
+    const auto bring_back = [this, before, origin = workspace().origin()] {
+        if (workspace().origin() == origin)
+            view_layout_->slices().measurements().bring_back(before);
+    };
+    messages_->show_notice(
+        Words::tr("%n measurement(s) removed.", nullptr, static_cast<int>(before.size())),
+        Words::tr("Bring back"), bring_back);
+}
+
+// Of diameters whose vessel a correction has taken, or another program.
+void MainWindow::tell_lost_diameters(std::size_t lost) {
+    if (lost == 0) return;
+    const QString text = Words::tr(
+        "%n diameter(s) are not shown any more: the vessel that they were measured on is gone. "
+        "Where it comes back, as by Undo, they do.",
+        nullptr, static_cast<int>(lost));
+    log_->add_warning(Words::tr("Measure"), text);
+    messages_->show_notice(text);
 }
 
 // The choice in the menu and the one above the slices are the same and hold in all views.

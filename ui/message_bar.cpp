@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/message_bar.h"
 
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -124,6 +125,12 @@ void MessageBar::showEvent(QShowEvent* event) {
         this, [this] { write(); }, Qt::QueuedConnection);
 }
 
+// The theme is another: links keep the colour that they were written with.
+void MessageBar::changeEvent(QEvent* event) {
+    OverlayBar::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && !lines_.isEmpty()) write();
+}
+
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
     const bool acts = event->type() == QEvent::MouseButtonPress || event->type() == QEvent::Wheel;
     if (acts && open_) set_open(false);
@@ -152,16 +159,18 @@ void MessageBar::write() {
     label_->setToolTip(fits ? QString() : lines_.join("\n").toHtmlEscaped().replace("\n", "<br>"));
     if (fits) open_ = false;
     label_->setWordWrap(open_);
+    const QColor link = QGuiApplication::palette().color(QPalette::Link);
     if (open_) {
         QStringList rest;
         for (const QString& line : lines_.mid(1)) rest << line.toHtmlEscaped();
-        label_->setText(with_branch_links((QStringList(strongly(first)) + rest).join("<br>")));
+        label_->setText(
+            with_branch_links((QStringList(strongly(first)) + rest).join("<br>"), link));
     } else {
         if (!fits) room -= more_->sizeHint().width() + layout()->spacing();
         const QString shown = metrics.elidedText(one_line, Qt::ElideRight, room);
         const qsizetype strong = shown.startsWith(first) ? first.size() : shown.size();
-        label_->setText(
-            with_branch_links(strongly(shown.left(strong)) + shown.mid(strong).toHtmlEscaped()));
+        label_->setText(with_branch_links(
+            strongly(shown.left(strong)) + shown.mid(strong).toHtmlEscaped(), link));
     }
     layout()->activate();
     lie_on_edge();

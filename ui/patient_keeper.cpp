@@ -7,9 +7,12 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/flow/flow_shares.h"
 #include "core/opening/patient_image.h"
 #include "ui/core_words.h"
 #include "ui/paths.h"
+#include "ui/standing_warnings.h"
+#include "ui/window_words.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -212,6 +215,12 @@ void PatientKeeper::undo() {
     if (!step || waits_for_remaking()) return;
     if (step->stroke) return take_strokes_back(1);
     if (!step->edit) return take_back_remaking();
+    if (workspace_.undo_passes_rebuilding() &&
+        std::exchange(told_of_rebuilding_, workspace_.origin()) != workspace_.origin())
+        return screen_.say(
+            Words::tr("The rebuilding stays: a case does not keep the vessels from before it. Undo "
+                      "once more takes back the correction that was made before.")
+                .toStdString());
     workspace_.undo() ? correct() : screen_.changed();
 }
 
@@ -219,6 +228,10 @@ void PatientKeeper::add_stroke(const BrushStroke& stroke) {
     if (!workspace_.has_patient()) return;
     workspace_.add_stroke(stroke);
     screen_.changed();
+}
+
+void PatientKeeper::measure(std::vector<KeptMeasurement> measured) {
+    if (workspace_.has_patient() && workspace_.measure(std::move(measured))) screen_.changed();
 }
 
 // None is removed while they are being made into vessels; screen_.changed() then shows them again.
@@ -296,9 +309,13 @@ BackgroundJob::Work PatientKeeper::remaking(std::shared_ptr<const Volume> ct,
         note_rebuilding(*before, strokes, made.patient);
         auto loaded = std::make_shared<LoadedPatient>(
             ways_.play_on(std::make_shared<const PatientCase>(std::move(made.patient)), job));
-        loaded->warnings = std::move(made.warnings);
-        return [this, before, loaded, strokes] {
-            workspace_.show_remade(before, loaded->patient, strokes);
+        std::vector<std::string> warnings =
+            warnings_of_ends(loaded->patient->tree, loaded->flow_shares);
+        for (std::string& warning : made.warnings)
+            warnings.push_back(in_window_words(std::move(warning)));
+        return [this, before, loaded, strokes, warnings] {
+            workspace_.show_remade(before, loaded->patient, strokes, warnings);
+            loaded->warnings = workspace_.warnings();
             screen_.show(std::move(*loaded), true);
             screen_.changed();
         };
@@ -316,6 +333,7 @@ void PatientKeeper::take_back_remaking() {
             return [this, before, loaded] {
                 if (workspace_.before_remaking() != before) return;
                 workspace_.take_back_remaking();
+                loaded->warnings = workspace_.warnings();
                 screen_.show(std::move(*loaded), true);
                 screen_.changed();
             };
@@ -360,8 +378,18 @@ BackgroundJob::Work PatientKeeper::correction() {
                 std::make_shared<const PatientCase>(ways_.correct(*patient, possible.edits, job));
             loaded = std::make_shared<LoadedPatient>(ways_.play_on(std::move(corrected), job));
         }
-        return [this, loaded, patient, refused = possible.refused] {
+        std::vector<std::string> said_before, said_now;
+        if (loaded) {
+            said_before = said_of_vessels(*patient);
+            said_now = said_of_vessels(*loaded->patient);
+        }
+        return [this, loaded, patient, said_before, said_now, refused = possible.refused] {
             workspace_.show_body(loaded ? loaded->patient : patient);
+            if (loaded) {
+                workspace_.set_warnings(
+                    still_standing(workspace_.warnings(), said_before, said_now));
+                loaded->warnings = workspace_.warnings();
+            }
             if (loaded) screen_.show(std::move(*loaded), true);
             if (!refused.empty()) go_ = nullptr;
             for (const Failure& failure : refused)
@@ -429,12 +457,14 @@ void PatientKeeper::add_writing(QueuedJob job) {
 
 BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder) {
     return [this, folder, patient = workspace_.patient(), edits = workspace_.made_edits(),
+            measured = workspace_.measured(),
             voxels = workspace_.folder()](Job& job) -> std::function<void()> {
         job.begin_stage(Words::id("Writing the case"));
-        const PatientCase whole = whole_case(*patient, voxels, edits, job);
+        PatientCase whole = whole_case(*patient, voxels, edits, job);
+        whole.measured = measured;
         ways_.save(folder, whole);
-        return [this, folder, edits = whole.corrections.edits] {
-            workspace_.saved(folder, edits);
+        return [this, folder, edits = whole.corrections.edits, measured] {
+            workspace_.saved(folder, edits, measured);
             written_.insert(folder);
             screen_.remember(folder);
             screen_.changed();

@@ -101,6 +101,8 @@ class PatientKeeper {
     void add(const TreeEdit& edit);
     // Adds a stroke at the vessel mask, which waits for a rebuild.
     void add_stroke(const BrushStroke& stroke);
+    // All that was measured on the patient, to be kept with the case.
+    void measure(std::vector<KeptMeasurement> measured);
     // Undoes the last step: a correction, a rebuild or a stroke.
     void undo();
     void redo();
@@ -171,6 +173,8 @@ class PatientKeeper {
     // Version of the workspace whose changes the user discarded.
     std::optional<std::uint64_t> discarded_version_;
     std::optional<std::uint64_t> dropped_strokes_;  // likewise, strokes_version()
+    // The workspace's origin of which was said that its rebuilding stays.
+    std::uint64_t told_of_rebuilding_ = 0;
     std::set<std::filesystem::path> written_;  // cases written since the last opening began to read
     std::shared_ptr<int> opening_;             // a new one for each opening
     JobQueue jobs_;

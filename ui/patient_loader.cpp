@@ -33,7 +33,8 @@ LoadedPatient load_patient(const OpenRequest& request, Job& job, const DeformBac
     constexpr int preparing = 1, building_the_scene = 1;
     job.expect_stages(opening_stage_count(request) + preparing + building_the_scene);
     OpenedPatient opened = open_patient(request, job);
-    for (std::string& warning : opened.warnings) warning = in_window_words(std::move(warning));
+    for (auto* list : {&opened.warnings, &opened.warnings_of_image})
+        for (std::string& warning : *list) warning = in_window_words(std::move(warning));
     LoadedPatient loaded = play_with(back_end, opened.patient, job);
     if (std::string words = words_on_left_out(back_end, measured_points(*opened.patient));
         !words.empty())

@@ -103,7 +103,7 @@ PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& s
     return questions;
 }
 
-std::optional<std::filesystem::path> ask_where_ct_lies(QWidget& parent, const Settings& settings) {
+std::optional<std::filesystem::path> ask_where_ct_lies(QWidget& parent, Settings& settings) {
     const QString title = Words::tr("The CT of this patient");
     QMessageBox box(QMessageBox::Question, "Hepatica", Words::tr("Where is this patient's CT?"),
                     QMessageBox::Cancel, &parent);
@@ -113,12 +113,13 @@ std::optional<std::filesystem::path> ask_where_ct_lies(QWidget& parent, const Se
     QPushButton* file = box.addButton(Words::tr("File…"), QMessageBox::AcceptRole);
     box.setDefaultButton(folder);
     box.exec();
-    QString place;
-    if (box.clickedButton() == folder)
-        place = QFileDialog::getExistingDirectory(&parent, title, settings.last_folder());
-    else if (box.clickedButton() == file)
-        place = QFileDialog::getOpenFileName(&parent, title, settings.last_folder(),
-                                             Words::tr("All files (*)"));
+    if (box.clickedButton() != folder && box.clickedButton() != file) return std::nullopt;
+    const QString place = settings.choose(Settings::Kind::ct, [&](const QString& start) {
+        return box.clickedButton() == folder
+                   ? QFileDialog::getExistingDirectory(&parent, title, start)
+                   : QFileDialog::getOpenFileName(&parent, title, start,
+                                                  Words::tr("All files (*)"));
+    });
     if (place.isEmpty()) return std::nullopt;
     return to_path(place);
 }

@@ -19,7 +19,7 @@ PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& s
 
 // Folder of a DICOM series or a volume file; asks for the kind first, because no native dialog
 // offers both. nullopt: cancelled.
-std::optional<std::filesystem::path> ask_where_ct_lies(QWidget& parent, const Settings& settings);
+std::optional<std::filesystem::path> ask_where_ct_lies(QWidget& parent, Settings& settings);
 
 // Shows a failure in a message box in front of `window`. Returns at once.
 void tell_failure(QWidget& window, const QString& doing, const Failure& failure);

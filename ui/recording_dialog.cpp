@@ -69,6 +69,15 @@ QString title_of(const RecordingFacts& facts) {
     return facts.lesson + ", " + facts.played;
 }
 
+std::array<QString, 2> headings_of(const RecordingFacts& one, const RecordingFacts& other) {
+    const bool same_name = one.file.filename() == other.file.filename();
+    const auto heading = [same_name](const RecordingFacts& facts) {
+        const fs::path folder = same_name ? facts.file.parent_path().filename() : fs::path();
+        return QString("%1 (%2)").arg(to_text(folder / facts.file.filename()), title_of(facts));
+    };
+    return {heading(one), heading(other)};
+}
+
 RecordingDialog::RecordingDialog(const fs::path& folder, QWidget* parent)
     : QDialog(parent), folder_(folder), table_(new QTableWidget) {
     setWindowTitle(Words::tr("Open recording"));

@@ -5,6 +5,7 @@
 
 #include <QDialog>
 #include <QString>
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -24,6 +25,9 @@ struct RecordingFacts {
 RecordingFacts facts_of(const std::filesystem::path& recording);
 // "Gentle pull, 26 Nov 2026, 03:40"
 QString title_of(const RecordingFacts& facts);
+// Of two that are shown side by side: the file of each, which no other has, before its title, so
+// that a short heading tells them apart, too.
+std::array<QString, 2> headings_of(const RecordingFacts& one, const RecordingFacts& other);
 
 // UI thread only.
 class RecordingDialog : public QDialog {

@@ -120,8 +120,9 @@ void Recovery::follow(const Workspace& workspace) {
     }
     // Called again when the correction has its body.
     if (workspace.awaits_body() || workspace.version() == kept_version_) return;
-    wanted_ = {workspace.patient(),   workspace.made_edits(), workspace.title(), workspace.folder(),
-               workspace.kept_copy(), workspace.version(),    workspace.origin()};
+    wanted_ = {workspace.patient(), workspace.made_edits(), workspace.measured(),
+               workspace.title(),   workspace.folder(),     workspace.kept_copy(),
+               workspace.version(), workspace.origin()};
     needless_ = false;
     delay_.start();
 }
@@ -203,7 +204,8 @@ void Recovery::write() {
     const fs::path place = own_ / std::to_string(copy.version) / case_name(copy.title);
     job_ = std::make_unique<BackgroundJob>(
         [this, copy, place, write = write_](Job& job) -> std::function<void()> {
-            const PatientCase whole = whole_case(*copy.patient, copy.voxels, copy.edits, job);
+            PatientCase whole = whole_case(*copy.patient, copy.voxels, copy.edits, job);
+            whole.measured = copy.measured;
             fs::create_directories(place.parent_path());
             write(place, whole);
             return [this, copy, place] {

@@ -53,6 +53,7 @@ class Recovery {
     struct Copy {
         std::shared_ptr<const PatientCase> patient;
         Workspace::Edits edits;
+        std::vector<KeptMeasurement> measured;
         std::string title;
         std::filesystem::path voxels, opened_from;
         std::uint64_t version = 0, origin = 0;  // of the workspace

@@ -207,12 +207,8 @@ void ReviewDock::open(const fs::path& recording, const std::string& lesson) {
                 const CaseSearch search = case_beside(file, wanted, job);
                 if (search.found)
                     found.request->reconstruct.ct = *search.found;
-                else if (shown == nullptr || (found.lesson && found.lesson->patient == "built-in"))
+                else if (found.lesson && found.lesson->patient == "built-in")
                     found.request->built_in = true;
-                else
-                    throw InputError(
-                        Words::id("was played on another patient, of whom no case lies beside it"),
-                        file.string(), Words::id("Open the case that was played on first"));
             }
             return [this, found = std::move(found)] { take(found); };
         },
@@ -225,9 +221,41 @@ void ReviewDock::take(Found found) {
     notes_ = std::move(found.notes);
     for (const std::string& warning : recording_->warnings) ways_.say(translated(warning));
     // The job that called this still exists; the next one begins after it.
-    waits_ = found.request.has_value();
-    if (found.request) return ways_.open(*found.request);
-    QTimer::singleShot(0, this, [this] { begin(); });
+    if (!found.request) return QTimer::singleShot(0, this, [this] { begin(); });
+    OpenRequest& request = *found.request;
+    if (request.reconstruct.ct.empty()) {
+        const fs::path known = ways_.known_case(recording_->patient_hash);
+        if (!known.empty() && is_case(known))
+            request.reconstruct.ct = known;
+        else if (!known.empty() || (!request.built_in && ways_.patient() != nullptr))
+            return ask_for_case();
+        else
+            request.built_in = true;  // perhaps it was played on him
+    }
+    waits_ = true;
+    ways_.open(request);
+}
+
+void ReviewDock::open_case(const fs::path& place) {
+    OpenRequest request;
+    request.reconstruct.ct = place;
+    waits_ = true;
+    ways_.open(request);
+}
+
+void ReviewDock::ask_for_case() {
+    const fs::path known = ways_.known_case(recording_->patient_hash);
+    Failure failure{Words::id("was played on another patient, of whom no case lies beside it"),
+                    file_.string(), Words::id("Choose the case that was played on")};
+    if (!known.empty())
+        failure.problem = Words::tr(
+                              "was played on %1, which is not there any more or holds other "
+                              "vessels by now")
+                              .arg(to_text(known))
+                              .toStdString();
+    ways_.choose_case(failure, [this, asked = std::weak_ptr(recording_)](const fs::path& place) {
+        if (!asked.expired() && asked.lock() == recording_) open_case(place);
+    });
 }
 
 void ReviewDock::patient_not_shown() {
@@ -243,12 +271,7 @@ void ReviewDock::patient_shown() {
 void ReviewDock::begin() {
     const auto patient = ways_.patient();
     if (recording_ == nullptr || patient == nullptr) return;
-    if (hash_of(*patient) != recording_->patient_hash) {
-        recording_.reset();
-        return ways_.failed(
-            {Words::id("was played on another patient, of whom no case lies beside it"),
-             file_.string(), Words::id("Open the case that was played on first")});
-    }
+    if (hash_of(*patient) != recording_->patient_hash) return ask_for_case();
     patient_ = patient;
     places_.reset();
     if (lesson_ && is_same_scene(recording_->scene, lesson_->scene))
@@ -277,9 +300,9 @@ void ReviewDock::compare(const fs::path& other) {
     ways_.beside(nullptr, {}, {}, {});
     compare_->setText(Words::tr("&Compare with…"));
     if (other.empty() || !reviewing()) return show_progress({});
-    const RecordingFacts facts = facts_of(other);
-    other_name_ = title_of(facts);
-    same_lesson_ = facts.lesson == facts_of(file_).lesson;
+    const RecordingFacts first = facts_of(file_), facts = facts_of(other);
+    side_by_side_ = headings_of(first, facts);
+    same_lesson_ = facts.lesson == first.lesson;
     other_tape_ = std::make_shared<ReviewTape>();
     compare_->setText(Words::tr("&No more beside it"));
     BackgroundJob::Callbacks callbacks;
@@ -331,7 +354,7 @@ void ReviewDock::show_other() {
     other_frame_ = frame;
     std::vector<MarkView> marks;
     if (same_lesson_) marks = marks_in(*frame, *other_tape_);
-    ways_.beside(frame, std::move(marks), name_, other_name_);
+    ways_.beside(frame, std::move(marks), side_by_side_[0], side_by_side_[1]);
 }
 
 QString gone_through(const QString& name, double fraction) {
@@ -362,7 +385,8 @@ void ReviewDock::show_progress(const JobProgress& progress) {
         set_playing(true);
     }
     QString name = name_;
-    if (comparing()) name = Words::tr("%1, and beside it %2").arg(name, other_name_);
+    if (comparing())
+        name = Words::tr("%1, and beside it %2").arg(side_by_side_[0], side_by_side_[1]);
     title_->setText(complete() ? name : gone_through(name, progress.fraction));
     const QSignalBlocker quiet(line_);
     line_->set_end(end_s());

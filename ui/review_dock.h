@@ -6,6 +6,7 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QTimer>
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -58,6 +59,14 @@ class ReviewDock : public QDockWidget {
             beside;
         // Makes a film of the review; `go_to` shows a moment.
         std::function<void(double end_s, const std::function<void(double at_s)>& go_to)> save_film;
+        // The case of a patient with this hash, where these settings know it; else empty.
+        std::function<std::filesystem::path(std::uint64_t hash)> known_case = [](std::uint64_t) {
+            return std::filesystem::path();
+        };
+        // Says what failed, and lets the person choose the case in question.
+        std::function<void(const Failure&, std::function<void(const std::filesystem::path&)>)>
+            choose_case =
+                [](const Failure&, const std::function<void(const std::filesystem::path&)>&) {};
         std::function<bool()> lesson_runs;  // a lesson runs, which a review would end
         std::function<void(const Failure&)> failed;
         std::function<void(const QString&)> say;  // a passing message
@@ -104,6 +113,8 @@ class ReviewDock : public QDockWidget {
     QWidget* build_controls();
     QWidget* build_notes();
     void take(Found found);
+    void open_case(const std::filesystem::path& place);
+    void ask_for_case();
     void begin();
     void show_progress(const JobProgress& progress);
     void show_events();
@@ -121,8 +132,9 @@ class ReviewDock : public QDockWidget {
 
     Ways ways_;
     std::filesystem::path file_;
-    QString name_, other_name_;  // titles of both recordings
-    bool same_lesson_ = false;   // the recording beside it has the same lesson and marks
+    QString name_;                         // title of the recording
+    std::array<QString, 2> side_by_side_;  // titles of both, while two are shown
+    bool same_lesson_ = false;             // the recording beside it has the same lesson and marks
     std::shared_ptr<const Recording> recording_;
     std::optional<Lesson> lesson_;
     std::unique_ptr<const PlayMeter> places_;  // places of the marks; null: none on these vessels

@@ -78,6 +78,19 @@ constexpr std::array sentences_patient{
     Words::id("Put the case back that was there, or open this one anew"),
     Words::id("holds another patient than when it was opened"),
     Words::id("holds edits without the tree that they were made on"),
+    Words::id("nothing measures a %1"),
+    Words::id("has %1 points_mm in place of %2"),
+    Words::id("measures at %1, which is farther than 10 m from the origin"),
+    Words::id("has a stenosis of %1, which is above 1"),
+    Words::id("has the format %1"),
+    Words::id("has version %1; this program reads version 1"),
+    Words::id("Correct that value, or remove the file: the case is whole without it"),
+    Words::id("Take a newer program, or remove the file"),
+    Words::id("Make it readable, or remove it: the case is whole without it"),
+    Words::id("%1, measurement %2"),
+    Words::id(
+        "What was painted at %1 is left out of the tree: it is too short or too round to be a "
+        "vessel. Paint along the vessel, or undo the rebuilding."),
     Words::id("No hepatic vein is known where the liver's segments part: an adult's usual planes "
               "stand in for them. A seed inside a hepatic vein helps."),
     Words::id("Not all three hepatic veins are known where the liver's segments part: an adult's "

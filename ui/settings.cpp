@@ -6,6 +6,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/scene/scene_spec.h"
@@ -20,6 +21,7 @@ const char* const layout_key = "window/layout_1";
 const char* const geometry_key = "window/geometry";
 const char* const images_key = "images/";
 const char* const folder_key = "last_folder";
+const char* const patients_key = "patients/";
 const char* const theme_key = "theme";
 const char* const mouse_scheme_key = "mouse_scheme";
 const char* const language_key = "language";
@@ -257,6 +259,28 @@ QString Settings::case_folder() const {
 
 void Settings::set_case_folder(const QString& folder) {
     store_ ? store_->setValue(case_folder_key, folder) : void(case_folder_in_safe_mode_ = folder);
+}
+
+QString Settings::place_of_patient(std::uint64_t hash) const {
+    if (store_) return store_->value(patients_key + QString::number(hash, 16)).toString();
+    const auto found = patients_in_safe_mode_.find(hash);
+    return found == patients_in_safe_mode_.end() ? QString() : found->second;
+}
+
+void Settings::remember_patient(std::uint64_t hash, const QString& place) {
+    store_ ? store_->setValue(patients_key + QString::number(hash, 16), place)
+           : void(patients_in_safe_mode_[hash] = place);
+}
+
+QString Settings::choose(Kind kind, const Ask& ask) {
+    constexpr std::array names{"ct", "lesson", "course"};
+    const QString key = QString("folders/") + names[static_cast<std::size_t>(kind)];
+    const QString kept = store_ ? store_->value(key).toString() : folders_in_safe_mode_[kind];
+    const QString chosen = ask(QFileInfo(kept).isDir() ? kept : last_folder());
+    if (chosen.isEmpty()) return chosen;
+    const QString folder = QFileInfo(chosen).absolutePath();
+    store_ ? store_->setValue(key, folder) : void(folders_in_safe_mode_[kind] = folder);
+    return chosen;
 }
 
 QString Settings::last_folder() const {

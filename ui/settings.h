@@ -7,6 +7,8 @@
 #include <QByteArray>
 #include <QString>
 #include <QStringList>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -44,6 +46,11 @@ class Settings {
     // patients' names: they are stored here and never in a case.
     QString place_of_image(const std::string& sha256) const;
     void remember_image(const std::string& sha256, const QString& path);
+
+    // Where the case lay of a patient with this hash (hash_of()) who was recorded; empty where that
+    // is not known. A recording names its patient by the hash alone.
+    QString place_of_patient(std::uint64_t hash) const;
+    void remember_patient(std::uint64_t hash, const QString& place);
 
     // Folder of recorded plays: in the user's data folder, in safe mode a temporary one.
     QString recordings_folder() const;
@@ -102,6 +109,12 @@ class Settings {
     QString case_folder() const;
     void set_case_folder(const QString& folder);
 
+    // Asks for a file or a folder, beginning where one of this kind was chosen last; at first where
+    // anything was. Keeps where the answer lies. Empty: not after all.
+    enum class Kind { ct, lesson, course };
+    using Ask = std::function<QString(const QString& folder)>;
+    QString choose(Kind kind, const Ask& ask);
+
     // Folder of the last file opened or saved; the home folder at first.
     QString last_folder() const;
     void set_last_folder(const QString& folder);
@@ -113,6 +126,8 @@ class Settings {
     std::unique_ptr<QSettings> store_;  // null in safe mode
     QStringList recent_in_safe_mode_;
     QString folder_in_safe_mode_, case_folder_in_safe_mode_;
+    std::map<Kind, QString> folders_in_safe_mode_;
+    std::map<std::uint64_t, QString> patients_in_safe_mode_;
     std::map<std::string, QString> images_in_safe_mode_;  // by digest
 };
 

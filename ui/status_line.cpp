@@ -2,6 +2,7 @@
 #include "ui/status_line.h"
 
 #include <QLabel>
+#include <QToolButton>
 
 #include "core/scene/measured_dial.h"
 #include "ui/core_words.h"
@@ -11,7 +12,8 @@
 namespace hepatica {
 
 StatusLine::StatusLine(QStatusBar& bar)
-    : recording_(new QLabel(&bar)),
+    : warnings_(new QToolButton(&bar)),
+      recording_(new QLabel(&bar)),
       step_(new QLabel(&bar)),
       real_time_(new QLabel(&bar)),
       error_(new QLabel(&bar)),
@@ -28,6 +30,14 @@ StatusLine::StatusLine(QStatusBar& bar)
         Words::tr("Simulated time over wall time: 1 is real time, less is slower"));
     picture_->setToolTip(Words::tr("Time of the last picture, until it was on the screen"));
     renderer_->setToolTip(Words::tr("The OpenGL renderer"));
+    warnings_->setObjectName("warnings");
+    warnings_->setAutoRaise(true);
+    warnings_->setToolTip(
+        Words::tr("What is to be known of this patient's vessels: show it again"));
+    QObject::connect(warnings_, &QToolButton::clicked, warnings_, [this] { on_warnings(); });
+    warnings_->setMaximumHeight(step_->sizeHint().height());  // the bar is as high as without it
+    bar.addPermanentWidget(warnings_);
+    warnings_->hide();
     for (QLabel* label : {recording_, step_, real_time_, error_, picture_, renderer_}) {
         label->setContentsMargins(8, 0, 8, 0);
         bar.addPermanentWidget(label);
@@ -61,6 +71,11 @@ void StatusLine::show_renderer(const std::string& name) {
 
 void StatusLine::clear_statistics() {
     for (QLabel* label : {step_, real_time_, error_}) label->clear();
+}
+
+void StatusLine::show_warnings(std::size_t warnings) {
+    warnings_->setText(Words::tr("%n warning(s)", nullptr, static_cast<int>(warnings)));
+    warnings_->setVisible(warnings > 0);
 }
 
 void StatusLine::show_recording(bool recording) {

@@ -5,10 +5,13 @@
 #pragma once
 
 #include <QStatusBar>
+#include <cstddef>
+#include <functional>
 
 #include "core/scene/frame.h"
 
 class QLabel;
+class QToolButton;
 
 namespace hepatica {
 
@@ -22,8 +25,12 @@ class StatusLine {
     void clear_statistics();
     // A red dot while a play is being recorded.
     void show_recording(bool recording);
+    // How many warnings of the patient hold; a click on them is on_warnings().
+    void show_warnings(std::size_t warnings);
+    std::function<void()> on_warnings = [] {};
 
   private:
+    QToolButton* warnings_;
     QLabel* recording_;
     QLabel* step_;
     QLabel* real_time_;

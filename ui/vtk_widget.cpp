@@ -203,6 +203,11 @@ Pixel VtkWidget::pixel_of(const QPointF& point) const {
     return pixel_at(point, devicePixelRatioF());
 }
 
+void VtkWidget::let_go() {
+    take_from_keys();
+    mouse_->cancel();
+}
+
 void VtkWidget::take_from_keys() {
     keys_->let_go();
     focus_->show_aim(std::nullopt, false);

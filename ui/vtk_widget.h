@@ -38,6 +38,8 @@ class VtkWidget : public QWidget {
     SceneView& scene() { return *scene_; }
     MouseTool& mouse() { return *mouse_; }
     KeyTool& keys() { return *keys_; }
+    // Of what mouse or keys pull or draw.
+    void let_go();
     const ViewFocus& focus_mark() const { return *focus_; }
 
     // Adds a callback that is called for each picture when it has reached the screen.

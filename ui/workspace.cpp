@@ -17,7 +17,10 @@ void Workspace::open(const OpenedPatient& opened) {
     base_ = opened.read_from.empty() ? opened.folder : opened.read_from;
     opened_origin_ = ++origin_;
     saved_edits_ = patient_->corrections.edits;
+    measured_ = saved_measured_ = patient_->measured;
     never_saved_ = opened.worth_saving;
+    warnings_ = opened.warnings;
+    warnings_of_image_ = opened.warnings_of_image;
     undone_.clear();
     remade_.clear();
     strokes_ = {};
@@ -65,6 +68,14 @@ std::optional<Workspace::Step> Workspace::next_undo() const {
     if (before_remaking() != nullptr) return Step{};
     if (edits_.empty()) return std::nullopt;
     return Step{std::nullopt, edits_.back()};
+}
+
+bool Workspace::undo_passes_rebuilding() const {
+    if (edits_.empty() || undo_is_of_stroke() || before_remaking() != nullptr) return false;
+    const std::vector<Rebuilding>& rebuilt = patient_->corrections.rebuilt;
+    const std::size_t to_stay = rebuilt.size() - std::min(rebuilt.size(), remade_.size());
+    return std::any_of(rebuilt.begin(), rebuilt.begin() + static_cast<std::ptrdiff_t>(to_stay),
+                       [this](const Rebuilding& one) { return one.after_edits >= edits_.size(); });
 }
 
 std::optional<Workspace::Step> Workspace::next_redo() const {
@@ -118,7 +129,8 @@ void Workspace::show_body(std::shared_ptr<const PatientCase> patient) {
 }
 
 void Workspace::show_remade(std::shared_ptr<const PatientCase> before,
-                            std::shared_ptr<const PatientCase> patient, std::size_t strokes) {
+                            std::shared_ptr<const PatientCase> patient, std::size_t strokes,
+                            std::vector<std::string> warnings) {
     const Edits& begun_with = before->corrections.edits;
     Edits wanted = patient->corrections.edits;
     if (edits_.size() > begun_with.size() &&
@@ -127,7 +139,9 @@ void Workspace::show_remade(std::shared_ptr<const PatientCase> before,
                       edits_.end());
     if (remade_.size() == most_remakings) remade_.erase(remade_.begin());
     remade_.push_back({std::move(before), patient->corrections.edits.size(), never_saved_,
-                       strokes_.take_first(strokes, wanted.size())});
+                       strokes_.take_first(strokes, wanted.size()), std::move(warnings_)});
+    warnings_ = std::move(warnings);
+    warnings_.insert(warnings_.end(), warnings_of_image_.begin(), warnings_of_image_.end());
     ++strokes_version_;
     patient_ = std::move(patient);
     never_saved_ = true;
@@ -149,6 +163,7 @@ void Workspace::take_back_remaking() {
     ++origin_;
     never_saved_ = remade_.back().was_never_saved;
     strokes_.put_back(remade_.back().strokes);
+    warnings_ = std::move(remade_.back().warnings);
     ++strokes_version_;
     remade_.pop_back();
     undone_.clear();
@@ -161,10 +176,19 @@ void Workspace::give_up_edits() {
     want(made_edits());
 }
 
-void Workspace::saved(const std::filesystem::path& folder, const Edits& edits) {
+bool Workspace::measure(std::vector<KeptMeasurement> measured) {
+    if (measured == measured_) return false;
+    measured_ = std::move(measured);
+    ++version_;
+    return true;
+}
+
+void Workspace::saved(const std::filesystem::path& folder, const Edits& edits,
+                      const std::vector<KeptMeasurement>& measured) {
     base_ = folder_ = folder;
     title_ = folder.filename().string();
     saved_edits_ = edits;
+    saved_measured_ = measured;
     never_saved_ = false;
     // The states before a rebuild are no longer on disk.
     for (Remaking& remaking : remade_) remaking.was_never_saved = true;

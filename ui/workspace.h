@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/opening/open_patient.h"
@@ -57,6 +58,9 @@ class Workspace {
     // The next step of undo and redo; nullopt: none.
     std::optional<Step> next_undo() const;
     std::optional<Step> next_redo() const;
+    // The next undo takes back a correction from before a rebuilding that stays: of one that was
+    // done before he was opened the voxels from before are not kept.
+    bool undo_passes_rebuilding() const;
     void add(const TreeEdit& edit);
     // Replaces corrections and pending strokes by those that an earlier run left.
     void take_up(const Edits& edits, std::vector<PendingStroke> strokes);
@@ -69,8 +73,10 @@ class Workspace {
     // The vessels were rebuilt: `before`, with all voxels, became `patient`, with the corrections
     // that could be repeated. Corrections added since the rebuild began stay wanted. The first
     // `strokes` pending strokes are in the vessels now.
+    // `warnings` replace all but those of the image.
     void show_remade(std::shared_ptr<const PatientCase> before,
-                     std::shared_ptr<const PatientCase> patient, std::size_t strokes = 0);
+                     std::shared_ptr<const PatientCase> patient, std::size_t strokes = 0,
+                     std::vector<std::string> warnings = {});
     // The patient from before the rebuild, if that is the next step to undo; else null.
     std::shared_ptr<const PatientCase> before_remaking() const;
     // Returns to before_remaking(), if that is not null.
@@ -89,13 +95,26 @@ class Workspace {
     // Changes with every stroke that is added, undone, redone or rebuilt.
     std::uint64_t strokes_version() const { return strokes_version_; }
 
+    // --- warnings ---
+    // As far as they still hold; see standing_warnings.h.
+    const std::vector<std::string>& warnings() const { return warnings_; }
+    void set_warnings(std::vector<std::string> warnings) { warnings_ = std::move(warnings); }
+
+    // --- measurements of the patient, by hand ---
+    const std::vector<KeptMeasurement>& measured() const { return measured_; }
+    // False where it is the same.
+    bool measure(std::vector<KeptMeasurement> measured);
+
     // --- disk ---
-    // dirty(): corrections or a reconstruction are not saved. unsaved(): or strokes are pending,
-    // which no case can hold.
-    bool dirty() const { return never_saved_ || edits_ != saved_edits_; }
+    // dirty(): corrections, measurements or a reconstruction are not saved. unsaved(): or strokes
+    // are pending, which no case can hold.
+    bool dirty() const {
+        return never_saved_ || edits_ != saved_edits_ || measured_ != saved_measured_;
+    }
     bool unsaved() const { return dirty() || !strokes_.empty(); }
-    // The case was written there with these corrections.
-    void saved(const std::filesystem::path& folder, const Edits& edits);
+    // The case was written there with these corrections and measurements.
+    void saved(const std::filesystem::path& folder, const Edits& edits,
+               const std::vector<KeptMeasurement>& measured);
     // Changes with every patient and every change of the wanted corrections.
     std::uint64_t version() const { return version_; }
 
@@ -105,6 +124,7 @@ class Workspace {
         std::size_t edits = 0;  // number of corrections of the rebuilt patient
         bool was_never_saved = false;
         std::vector<PendingStroke> strokes;  // that it was made of
+        std::vector<std::string> warnings;   // from before
     };
     // That can be undone; each holds a whole patient.
     static constexpr std::size_t most_remakings = 5;
@@ -120,7 +140,9 @@ class Workspace {
     Edits edits_;
     Edits undone_;  // the last one is redone first
     Edits saved_edits_;
+    std::vector<KeptMeasurement> measured_, saved_measured_;
     bool never_saved_ = false;  // although it should be saved
+    std::vector<std::string> warnings_, warnings_of_image_;
     std::vector<Remaking> remade_;
     PendingStrokes strokes_;
     std::uint64_t strokes_version_ = 0;

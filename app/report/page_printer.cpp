@@ -2,6 +2,7 @@
 #include "app/report/page_printer.h"
 
 #include <QAbstractTextDocumentLayout>
+#include <QBuffer>
 #include <QGuiApplication>
 #include <QImage>
 #include <QPageSize>
@@ -79,39 +80,60 @@ QTextBlock what_follows(const QTextBlock& heading) {
     return after.isValid() && !holds_picture(next) && holds_picture(after) ? after : next;
 }
 
-// The first heading separated from what follows by a page break, in the layout of
-// QTextDocument::print(); -1: none.
-int lonely_heading(const QTextDocument& document, QPdfWriter& writer) {
-    // print() uses margins of 2 cm in screen dots, which the layout scales to the paper.
-    constexpr double margin_inch = 2.0 / 2.54;
-    const double screen_dots = QGuiApplication::primaryScreen()->logicalDotsPerInchY();
-    const std::unique_ptr<QTextDocument> laid_out(document.clone());
-    laid_out->documentLayout()->setPaintDevice(&writer);
-    QTextFrameFormat format = laid_out->rootFrame()->frameFormat();
-    format.setMargin(static_cast<int>(margin_inch * screen_dots));
-    laid_out->rootFrame()->setFrameFormat(format);
-    const double page = writer.height();
-    laid_out->setPageSize(QSizeF(writer.width(), page));
-    const auto page_of = [&](const QTextBlock& block) {
-        const double top = laid_out->documentLayout()->blockBoundingRect(block).top();
+// A document laid out as QTextDocument::print() does it.
+class OnPaper {
+  public:
+    OnPaper(const QTextDocument& document, QPdfWriter& writer)
+        : laid_out_(document.clone()), page_(writer.height()) {
+        // print() uses margins of 2 cm in screen dots, which the layout scales to the paper.
+        constexpr double margin_inch = 2.0 / 2.54;
+        const double screen_dots = QGuiApplication::primaryScreen()->logicalDotsPerInchY();
+        laid_out_->documentLayout()->setPaintDevice(&writer);
+        QTextFrameFormat format = laid_out_->rootFrame()->frameFormat();
+        format.setMargin(static_cast<int>(margin_inch * screen_dots));
+        laid_out_->rootFrame()->setFrameFormat(format);
+        laid_out_->setPageSize(QSizeF(writer.width(), page_));
+    }
+    QTextBlock begin() const { return laid_out_->begin(); }
+    int first_page_of(const QTextBlock& block) const { return page_of_line(block, 0); }
+    int last_page_of(const QTextBlock& block) const {
+        return page_of_line(block, block.layout()->lineCount() - 1);
+    }
+
+  private:
+    int page_of_line(const QTextBlock& block, int line) const {
+        const double top = laid_out_->documentLayout()->blockBoundingRect(block).top();
         const QTextLayout& lines = *block.layout();
-        const double first_line = lines.lineCount() > 0 ? lines.lineAt(0).y() : 0.0;
-        return static_cast<int>((top + first_line) / page);
-    };
-    for (QTextBlock block = laid_out->begin(); block.isValid(); block = block.next()) {
+        const double from_top =
+            line >= 0 && line < lines.lineCount() ? lines.lineAt(line).y() : 0.0;
+        return static_cast<int>((top + from_top) / page_);
+    }
+
+    std::unique_ptr<QTextDocument> laid_out_;
+    double page_;
+};
+
+// The first block that is parted by the end of a page from what belongs to it: a heading, or a
+// picture with its caption; -1: none.
+int parted_block(const QTextDocument& document, QPdfWriter& writer) {
+    const OnPaper paper(document, writer);
+    for (QTextBlock block = paper.begin(); block.isValid(); block = block.next()) {
+        if (block.blockFormat().pageBreakPolicy() & QTextFormat::PageBreak_AlwaysBefore) continue;
         const QTextBlock next = what_follows(block);
-        if (block.blockFormat().headingLevel() > 0 && next.isValid() &&
-            page_of(block) != page_of(next))
-            return block.blockNumber();
+        const bool lonely = block.blockFormat().headingLevel() > 0 && next.isValid() &&
+                            paper.first_page_of(block) != paper.first_page_of(next);
+        const bool cut =
+            holds_picture(block) && paper.first_page_of(block) != paper.last_page_of(block);
+        if (lonely || cut) return block.blockNumber();
     }
     return -1;
 }
 
-void keep_headings_with_what_follows(QTextDocument& document, QPdfWriter& writer) {
+void keep_together(QTextDocument& document, QPdfWriter& writer) {
     for (int tries = document.blockCount(); tries > 0; --tries) {
-        const int lonely = lonely_heading(document, writer);
-        if (lonely < 0) return;
-        QTextCursor cursor(document.findBlockByNumber(lonely));
+        const int parted = parted_block(document, writer);
+        if (parted < 0) return;
+        QTextCursor cursor(document.findBlockByNumber(parted));
         QTextBlockFormat format;
         format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
         cursor.mergeBlockFormat(format);
@@ -120,19 +142,47 @@ void keep_headings_with_what_follows(QTextDocument& document, QPdfWriter& writer
 
 }  // namespace
 
-void print_pdf(const std::string& html, const fs::path& folder, const fs::path& file) {
-    QTextDocument document;
+namespace {
+
+void read_page(const std::string& html, const fs::path& folder, QTextDocument& document) {
     document.setBaseUrl(QUrl::fromLocalFile(to_text(folder) + "/"));
     document.setMetaInformation(QTextDocument::DocumentUrl,
                                 QUrl::fromLocalFile(to_text(folder) + "/").toString());
     document.setHtml(in_plain_html(QString::fromStdString(html)));
     fit_pictures(document, folder);
-    QPdfWriter writer(to_text(file));
+}
+
+void set_up(QPdfWriter& writer) {
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setResolution(150);
     writer.setTitle("Hepatica");
-    keep_headings_with_what_follows(document, writer);
+}
+
+}  // namespace
+
+void print_pdf(const std::string& html, const fs::path& folder, const fs::path& file) {
+    QTextDocument document;
+    read_page(html, folder, document);
+    QPdfWriter writer(to_text(file));
+    set_up(writer);
+    keep_together(document, writer);
     document.print(&writer);
+}
+
+std::vector<PicturePages> pages_of_pictures(const std::string& html, const fs::path& folder) {
+    QTextDocument document;
+    read_page(html, folder, document);
+    QBuffer nowhere;
+    nowhere.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&nowhere);
+    set_up(writer);
+    keep_together(document, writer);
+    const OnPaper paper(document, writer);
+    std::vector<PicturePages> pages;
+    for (QTextBlock block = paper.begin(); block.isValid(); block = block.next())
+        if (holds_picture(block))
+            pages.push_back({paper.first_page_of(block), paper.last_page_of(block)});
+    return pages;
 }
 
 }  // namespace hepatica

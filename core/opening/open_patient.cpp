@@ -40,6 +40,9 @@ OpenedPatient opened_from(Reconstruction made) {
     OpenedPatient opened;
     opened.patient = std::make_shared<const PatientCase>(std::move(made.patient));
     opened.warnings = std::move(made.warnings);
+    opened.warnings_of_image.assign(
+        opened.warnings.begin(),
+        opened.warnings.begin() + static_cast<std::ptrdiff_t>(made.warnings_of_image));
     opened.stages = std::move(made.stages);
     return opened;
 }
@@ -57,6 +60,7 @@ OpenedPatient built_in_patient(const BuiltInCache& cache, Job& job) {
     opened = opened_from(reconstruct_built_in(scan.path(), job));
     // The warnings ask for a better scan or for seeds, which does not apply to a synthetic patient.
     opened.warnings.clear();
+    opened.warnings_of_image.clear();
     keep(cache, *opened.patient);
     return opened;
 }

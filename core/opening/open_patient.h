@@ -57,6 +57,8 @@ struct OpenedPatient {
     // The patient was reconstructed from a CT or holds unsaved work: ask before it is closed.
     bool worth_saving = false;
     std::vector<std::string> warnings;
+    // Those of them that concern the image, which other vessels do not change; see Reconstruction.
+    std::vector<std::string> warnings_of_image{};
     std::vector<StageTime> stages;  // of a reconstruction made just now; else empty
 };
 

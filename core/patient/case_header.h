@@ -28,8 +28,10 @@ inline constexpr const char* mesh = "mesh.vtu";
 inline constexpr const char* corrections = "corrections.json";
 inline constexpr const char* extracted = "tree_extracted.vtp";
 inline constexpr const char* dial = "dial.json";
-inline constexpr std::array all{header, mask,    skeleton, organs,      unpainted, couinaud, tree,
-                                swc,    surface, mesh,     corrections, extracted, dial};
+inline constexpr const char* measurements = "measurements.json";
+inline constexpr std::array all{header,      mask,      skeleton, organs,      unpainted,
+                                couinaud,    tree,      swc,      surface,     mesh,
+                                corrections, extracted, dial,     measurements};
 }  // namespace case_file
 
 struct CaseHeader {

@@ -84,6 +84,14 @@ void read_corrections(const fs::path& folder, const CaseHeader& header, PatientC
     if (old && !seeded) rename_systems_of_format_1(patient.tree);
 }
 
+std::vector<KeptMeasurement> measured_in(const fs::path& folder) {
+    const fs::path file = folder / case_file::measurements;
+    if (std::error_code ignored; !fs::exists(file, ignored)) return {};
+    const std::string text =
+        read_text_file(file, "Make it readable, or remove it: the case is whole without it");
+    return measurements_from_json(text, file.string());
+}
+
 void read_all_voxels(const fs::path& folder, const CaseHeader& header, PatientCase& patient) {
     patient.mask = read_voxels(folder, header, case_file::mask);
     patient.skeleton = read_voxels(folder, header, case_file::skeleton);
@@ -133,6 +141,7 @@ PatientCase read(const fs::path& folder, bool with_voxels) {
     patient.mesh = read_vtu(folder / case_file::mesh);
     if (std::ifstream dial(folder / case_file::dial); dial)
         patient.dial_json.assign(std::istreambuf_iterator<char>(dial), {});
+    patient.measured = measured_in(folder);
     return patient;
 }
 
@@ -177,6 +186,9 @@ void write_files(const fs::path& folder, const PatientCase& patient) {
     write_corrections(folder, patient.corrections);
     if (!patient.dial_json.empty())
         write_text_atomically(folder / case_file::dial, patient.dial_json);
+    if (!patient.measured.empty())
+        write_text_atomically(folder / case_file::measurements,
+                              measurements_to_json(patient.measured));
     write_case_header(folder, patient);
 }
 

@@ -5,7 +5,8 @@
 //   mask.nii.gz (numbers of systems), skeleton.nii.gz, organs.nii.gz, couinaud.nii.gz, tree.vtp,
 //   tree.swc, surface.vtp, mesh.vtu; after corrections also corrections.json (bridges offered,
 //   edits), tree_extracted.vtp (the tree before the edits) and, after tumours were painted,
-//   organs_unpainted.nii.gz (the organs before that); dial.json, if the dial was measured
+//   organs_unpainted.nii.gz (the organs before that); dial.json, if the dial was measured;
+//   measurements.json, if something was measured by hand
 // The CT is not copied, and no path of it or of a mask is kept, because folders are often named
 // after the patient. This is format 2, or 3 where tumours were painted; format 1 is read, too
 // (format_1.h).
@@ -20,6 +21,7 @@
 #include "core/image/volume.h"
 #include "core/mesh/tet_mesh.h"
 #include "core/patient/doubts.h"
+#include "core/patient/measurement.h"
 #include "core/tree/editing/tree_edit.h"
 #include "core/tree/extraction/gap_bridging.h"
 #include "core/tree/vessel_tree.h"
@@ -76,6 +78,8 @@ struct PatientCase {
     // The quality dial measured on this mesh, one JSON object (core/scene/measured_dial.h); empty
     // where it was not measured. Kept in dial.json, which may be removed.
     std::string dial_json;
+    // What a person measured, kept in measurements.json, which may be removed.
+    std::vector<KeptMeasurement> measured;
     // The case that holds the voxels, where the patient was read without them; else empty. Not
     // stored.
     std::filesystem::path voxels_at;

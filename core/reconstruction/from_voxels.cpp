@@ -62,6 +62,7 @@ void extract(const FromVoxelsOptions& options, const Volume& ct, PatientCase& pa
              std::vector<std::string>& warnings, Job& job) {
     TreeOptions tree_options;
     tree_options.seeds = options.seeds;
+    tree_options.kept_mm = options.kept_mm;
     tree_options.find_systems = options.find_systems;
     tree_options.systems_before = options.systems_before;
     tree_options.liver_mm = box_mm(bounding_box(patient.organs), patient.organs.grid);

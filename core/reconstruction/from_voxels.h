@@ -17,6 +17,7 @@ namespace hepatica {
 
 struct FromVoxelsOptions {
     std::vector<VesselSeed> seeds;
+    std::vector<Vec3> kept_mm;  // see TreeOptions
     // True: systems are told apart by anatomy and seeds; false: the voxels hold their systems
     // already.
     bool find_systems = true;

@@ -144,6 +144,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     from_voxels.of_image.contrast_hu = anatomy.contrast.contrast_hu();
     from_voxels.of_image.noise_hu = anatomy.contrast.noise_hu;
     from_voxels.of_image.coarsest_spacing_mm = ct.grid.spacing_mm.maxCoeff();
+    result.warnings_of_image = warnings.size();
     result.checks = make_tree(from_voxels, ct, patient, warnings, job);
     if (patient.tree.segments.empty())
         throw InputError("the vessels found are too small for a tree", options.ct.string(),

@@ -52,6 +52,8 @@ struct Reconstruction {
     VoxelChecks checks;
     std::vector<StageTime> stages;
     std::vector<std::string> warnings;  // for the user: coarse slices, many components ...
+    // The first so many are of the image: other vessels change nothing of what they say.
+    std::size_t warnings_of_image = 0;
 };
 
 // Number of stages that reconstruct() begins. A caller with stages of its own announces all

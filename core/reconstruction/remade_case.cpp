@@ -4,15 +4,18 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/patient_space.h"
+#include "core/image/morphology.h"
 #include "core/patient/corrections.h"
 #include "core/patient/painted_tumours.h"
 #include "core/reconstruction/from_voxels.h"
 #include "core/reconstruction/reconstruct_parameters.h"
 #include "core/segmentation/vessel_systems.h"
+#include "core/tree/station.h"
 #include "core/tree/system_summary.h"
 
 namespace hepatica {
@@ -70,6 +73,58 @@ std::vector<TreeEdit> possible_edits(const PatientCase& made, const std::vector<
     return possible;
 }
 
+// A voxel of each connected part of what was painted, the nearest to its middle. They are vessels
+// of an unknown system from then on.
+std::vector<Vec3> take_painted_places(Mask& vessels, const Job& job) {
+    Mask painted(vessels.grid);
+    bool any = false;
+    for (std::size_t i = 0; i < vessels.voxels.size(); ++i) {
+        if (vessels.voxels[i] != painted_voxel) continue;
+        painted.voxels[i] = 1;
+        any = true;
+        vessels.voxels[i] = static_cast<std::uint8_t>(number_of(VascularSystem::unknown));
+    }
+    if (!any) return {};
+    const Components parts = connected_components(painted, Connectivity::all26, job);
+    const auto place_of = [&](std::size_t offset) {
+        const Index3 at = vessels.grid.index_of(offset);
+        return vessels.grid.to_mm(at[0], at[1], at[2]);
+    };
+    std::vector<Vec3> middles(parts.sizes.size(), Vec3::Zero()), places(parts.sizes.size());
+    std::vector<double> least(parts.sizes.size(), std::numeric_limits<double>::infinity());
+    const auto for_each_painted = [&](const auto& see) {
+        for (std::size_t i = 0; i < painted.voxels.size(); ++i)
+            if (painted.voxels[i] != 0)
+                see(static_cast<std::size_t>(parts.labels.voxels[i]) - 1, place_of(i));
+    };
+    for_each_painted([&](std::size_t part, const Vec3& place) {
+        middles[part] += place / static_cast<double>(parts.sizes[part]);
+    });
+    for_each_painted([&](std::size_t part, const Vec3& place) {
+        const double away = (place - middles[part]).squaredNorm();
+        if (away >= least[part]) return;
+        least[part] = away;
+        places[part] = place;
+    });
+    return places;
+}
+
+// A ball has no centreline, for example.
+void warn_of_painted_left_out(const std::vector<Vec3>& painted_mm, const VesselTree& tree,
+                              std::vector<std::string>& warnings) {
+    constexpr double reach_mm = 3.0;
+    for (const Vec3& place : painted_mm) {
+        const TreePoint at = nearest_point(tree, place);
+        const double radius_mm =
+            station_at(tree.segments[static_cast<std::size_t>(at.segment)], at.arclength_mm)
+                .radius_mm;
+        if (at.distance_mm <= radius_mm + reach_mm) continue;
+        warnings.push_back("What was painted at " + place_text(place) +
+                           " is left out of the tree: it is too short or too round to be a vessel. "
+                           "Paint along the vessel, or undo the rebuilding.");
+    }
+}
+
 }  // namespace
 
 RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Job& job) {
@@ -78,16 +133,19 @@ RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Jo
     if (!options.portal_trunk_mm) options.portal_trunk_mm = portal_trunk_of(patient);
     options.systems_before = &patient.mask;
     if (patient.doubts) options.of_image = *patient.doubts;
+    options.kept_mm = take_painted_places(vessels, job);
     drop_lost_seeds(vessels, options.seeds, result.warnings);
     job.begin_stage("Filling the vessels");
     PatientCase& made = result.patient;
     made.source = patient.source;
+    made.measured = patient.measured;
     made.organs = unpainted_organs(patient);  // painted tumours change no vessel
     made.mask = std::move(vessels);
     make_tree(options, ct, made, result.warnings, job);
     if (made.tree.segments.empty())
         throw InputError("no vessel is left that is long enough for a tree", patient.source.name,
                          "Take back what was erased, or paint more of the vessels");
+    warn_of_painted_left_out(options.kept_mm, made.tree, result.warnings);
     const std::vector<TreeEdit> edits =
         possible_edits(made, patient.corrections.edits, result.warnings);
     if (!edits.empty()) made = with_edited_tree(made, edits);

@@ -80,6 +80,13 @@ std::vector<RootWish> all_wishes(const TreeOptions& options, const VesselGraph& 
     return wishes;
 }
 
+// Seeds, and the kept places as seeds that say nothing of a system.
+std::vector<VesselSeed> keepers_of(const TreeOptions& options) {
+    std::vector<VesselSeed> keepers = options.seeds;
+    for (const Vec3& place : options.kept_mm) keepers.push_back({place, VascularSystem::unknown});
+    return keepers;
+}
+
 // Noise taken for vessels makes a tangle that later steps cannot handle. The vessels of a liver in
 // a CT are about 5 to 20 m long in all.
 void require_plausible_length(const VesselGraph& graph) {
@@ -109,8 +116,9 @@ void grow_found_systems(VesselGraph graph, const Volume* ct, const TreeOptions& 
     OpenedLoops opened = open_loops(result.tree);
     result.opened_loops = opened.count;
     if (opened.count > 0) result.tree = directed_by_wishes(opened.graph);
+    const std::vector<VesselSeed> keepers = keepers_of(options);
     if (trunk_mm && options.shorten_trunk && options.roots_mm.empty())
-        if (const auto trunk = short_trunk(result.tree, *trunk_mm, options.seeds)) {
+        if (const auto trunk = short_trunk(result.tree, *trunk_mm, keepers)) {
             trunk_mm = trunk->begins_mm;
             result.beside_trunk = trunk->beside;
             result.trunk_left_out = trunk->left_out;
@@ -118,7 +126,7 @@ void grow_found_systems(VesselGraph graph, const Volume* ct, const TreeOptions& 
         }
     // Repeated, because removing a piece can leave others separate.
     while (true) {
-        const RemovedPieces blobs = remove_blobs(result.tree, options.seeds, graph);
+        const RemovedPieces blobs = remove_blobs(result.tree, keepers, graph);
         if (blobs.count == 0) break;
         add(result.blobs, blobs);
         result.tree = directed_by_wishes(graph);
@@ -137,14 +145,15 @@ TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessel
     const Mask lumen = binary(vessels);
     VesselGraph graph = skeleton_graph(skeleton, lumen);
     prune_spurs(graph, options.spur_radii, 1.5 * skeleton.grid.spacing_mm.minCoeff());
-    add(result.too_short, remove_short_components(graph, options.minimum_piece_mm, options.seeds));
+    add(result.too_short,
+        remove_short_components(graph, options.minimum_piece_mm, options.seeds, options.kept_mm));
     job.advance(0.3);
     measure_lumen(graph, lumen, ct, [&](double share) { job.advance(0.3 + 0.5 * share); });
     result.bridges = bridge_gaps(graph, lumen, ct, options.bridging,
                                  [&](double share) { job.advance(0.8 + 0.15 * share); });
     if (!options.find_systems) assign_systems(graph, vessels);
-    add(result.too_short,
-        remove_short_components(graph, options.minimum_component_mm, options.seeds));
+    add(result.too_short, remove_short_components(graph, options.minimum_component_mm,
+                                                  options.seeds, options.kept_mm));
     if (options.find_systems)
         grow_found_systems(std::move(graph), ct, options, job, result);
     else

@@ -19,6 +19,9 @@ namespace hepatica {
 struct TreeOptions {
     // Components with a seed are kept, however short they are.
     std::vector<VesselSeed> seeds;
+    // Places, such as those of painted vessels: what lies there is kept as by a seed, whatever its
+    // system.
+    std::vector<Vec3> kept_mm;
     // True: tells the systems apart by anatomy and seeds (tell_systems_apart.h), opens loops and
     // places the roots by anatomy. False: systems come from the mask (system_assignment.h).
     bool find_systems = false;

@@ -6,6 +6,7 @@
 
 #include "core/patient/case_header.h"
 #include "core/patient/doubts.h"
+#include "core/patient/measurement.h"
 #include "core/patient/painted_tumours.h"
 #include "core/patient/patient_case.h"
 #include "tests/support/recorded_figures.h"
@@ -18,6 +19,7 @@ TEST(PatientInitialFigures, AreThoseRecorded) {
     HEPATICA_ADD_INITIAL(figures, CaseHeader);
     HEPATICA_ADD_INITIAL(figures, SegmentDoubts);
     HEPATICA_ADD_INITIAL(figures, Doubts);
+    HEPATICA_ADD_INITIAL(figures, KeptMeasurement);
     HEPATICA_ADD_INITIAL(figures, Tumour);
     HEPATICA_ADD_INITIAL(figures, CaseSource);
     HEPATICA_ADD_INITIAL(figures, Rebuilding);

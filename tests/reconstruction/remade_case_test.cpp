@@ -136,6 +136,54 @@ TEST_F(RemadeCaseTest, WhatIsErasedGoesAndWhatIsPaintedComes) {
         EXPECT_LT(nearest_point(painted.tree, place).distance_mm, 1.0) << place.transpose();
 }
 
+// A short piece far from all others, and a fat one: without a person's hand both are left out.
+TEST_F(RemadeCaseTest, WhatIsPaintedIsKeptAsIfASeedLayInIt) {
+    // Within the grid, and away from the vessels.
+    const Grid& grid = patient_->mask.grid;
+    Vec3 place = Vec3::Zero();
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < patient_->mask.voxels.size(); i += 97) {
+        const Index3 at = grid.index_of(i);
+        if ((Eigen::Array3i(at[0], at[1], at[2]) < 14).any() ||
+            (Eigen::Array3i(grid.dims[0] - at[0], grid.dims[1] - at[1], grid.dims[2] - at[2]) < 14)
+                .any())
+            continue;
+        const Vec3 here = grid.to_mm(at[0], at[1], at[2]);
+        const double away = nearest_point(patient_->tree, here).distance_mm;
+        if (away > farthest) {
+            farthest = away;
+            place = here;
+        }
+    }
+    ASSERT_GT(farthest, 12.0);
+    for (const double radius_mm : {1.5, 4.5}) {
+        BrushStroke stroke;
+        stroke.radius_mm = radius_mm;
+        for (double along = -5.0; along <= 5.0; along += 0.5)
+            stroke.path_mm.push_back(place + Vec3(along, 0, 0));
+        Mask drawn = patient_->mask, painted = patient_->mask;
+        apply(stroke, static_cast<std::uint8_t>(number_of(VascularSystem::unknown)), drawn);
+        apply(stroke, painted_voxel, painted);
+        EXPECT_GT(nearest_point(remade_of(drawn).patient.tree, place).distance_mm, 8.0)
+            << "nobody says that it is a vessel";
+        const RemadeCase made = remade_of(painted);
+        EXPECT_LT(nearest_point(made.patient.tree, place).distance_mm, 2.0) << radius_mm;
+        EXPECT_EQ(std::ranges::count(made.patient.mask.voxels, painted_voxel), 0);
+    }
+    // A dab of one voxel has no centreline: then it is said which one it was.
+    BrushStroke dab{{place}, 0.6, false};
+    Mask painted = patient_->mask;
+    apply(dab, painted_voxel, painted);
+    const RemadeCase made = remade_of(painted);
+    EXPECT_TRUE(std::ranges::any_of(made.warnings,
+                                    [&](const std::string& warning) {
+                                        return warning.starts_with("What was painted at ") &&
+                                               warning.find("left out of the tree") !=
+                                                   std::string::npos;
+                                    }))
+        << "painted at " << place.transpose();
+}
+
 // Voxels that no tree claims are of no system, whatever they were called before.
 TEST_F(RemadeCaseTest, SystemsFromBeforeAreForgotten) {
     Mask mask = patient_->mask;

@@ -99,9 +99,53 @@ class NamedFiles : public testing::FakeWindowTest {
         });
         answering_.start(20);
     }
+    // Where the next dialog of files begins that this opens; it is closed unanswered.
+    QString begins_in(const std::function<void()>& open) {
+        QString folder;
+        QTimer looking;
+        QObject::connect(&looking, &QTimer::timeout, &looking, [&] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            if (!dialog) return;
+            folder = dialog->directory().absolutePath();
+            dialog->reject();
+        });
+        looking.start(20);
+        open();
+        return folder;
+    }
+    void choose_from_menu(const QString& text) {
+        for (QAction* action : window_.findChildren<QAction*>())
+            if (action->text() == text) return action->trigger();
+        ADD_FAILURE() << "there is no " << text.toStdString();
+    }
     QTimer answering_;
     QString name_;
 };
+
+// Not in the home folder, nor where something of another kind lies.
+TEST_F(NamedFiles, AreAskedForWhereOneOfTheirKindWasChosenLast) {
+    for (const char* name : {"courses/c.json", "lessons/l.json", "scans/ct.nii"}) {
+        QDir(folder_.path()).mkpath(QFileInfo(name).path());
+        QFile file(folder_.filePath(name));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write("{}");
+    }
+    const auto open_course = [this] { choose_from_menu("Open co&urse…"); };
+    const auto open_lesson = [this] { choose_from_menu("&Open lesson…"); };
+    const auto open_ct = [this] { window_.actions()[ActionId::open_ct_file].trigger(); };
+    const auto open_scan = [this] { window_.actions()[ActionId::open_ct_folder].trigger(); };
+    type_when_asked(folder_.filePath("courses/c.json"));
+    open_course();
+    type_when_asked(folder_.filePath("lessons/l.json"));
+    open_lesson();
+    type_when_asked(folder_.filePath("scans/ct.nii"));
+    open_ct();
+    answering_.stop();
+    EXPECT_EQ(begins_in(open_course), folder_.filePath("courses"));
+    EXPECT_EQ(begins_in(open_lesson), folder_.filePath("lessons"));
+    EXPECT_EQ(begins_in(open_ct), folder_.filePath("scans"));
+    EXPECT_EQ(begins_in(open_scan), folder_.filePath("scans"));
+}
 
 TEST_F(NamedFiles, GetTheSuffixOfTheirKind) {
     open_built_in();

@@ -144,5 +144,21 @@ TEST_F(GuidePages, OpenFromTheMenuAndLeadToEachOtherAndBack) {
     EXPECT_EQ(window_.findChildren<QDialog*>("guide").size(), 1);
 }
 
+TEST_F(GuidePages, KeysAndMouseAreShownInOneWindowHoweverOftenTheyAreAskedFor) {
+    const auto sheets = [this] {
+        QList<QDialog*> shown;
+        for (QDialog* dialog : window_.findChildren<QDialog*>())
+            if (dialog->windowTitle() == "Keys and mouse" && dialog->isVisible()) shown << dialog;
+        return shown;
+    };
+    QTest::keyClick(&window_, Qt::Key_F1);
+    QTest::keyClick(&window_, Qt::Key_F1);
+    ASSERT_EQ(sheets().size(), 1);
+    sheets().first()->reject();
+    EXPECT_TRUE(sheets().isEmpty());
+    QTest::keyClick(&window_, Qt::Key_F1);
+    EXPECT_EQ(sheets().size(), 1) << "it comes again";
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -200,6 +200,29 @@ TEST_F(LessonWindowTest, a_trainee_takes_hold_lets_go_and_has_the_score_of_the_r
         << "who looks back sees what was asked for";
 }
 
+// What was judged is over: no hand pulls on, also where the button is still pressed.
+TEST_F(LessonWindowTest, the_hand_is_empty_after_the_verdict) {
+    const std::string file = folder_.filePath("hold.json").toStdString();
+    std::ofstream(file) << R"({"format": "hepatica-lesson", "version": 1, "name": "Hold",
+        "scene": {"name": "hold", "deform": {}}, "tools": ["pull"],
+        "marks": {"the mark": {"share_of_longest_path": 0.2}},
+        "steps": [{"text": "Hold it", "goal": [{"what": "holding", "at_least": 1}]}]})";
+    window_.lessons().start(file);
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+    paint();
+    const Vec3 mark = window_.lessons().marks_in(window_.frame()).at(0).place_mm;
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_widget(mark));
+    QTest::mouseMove(&window_.view(), on_widget(mark) + QPoint(30, 0));
+    ASSERT_TRUE(wait_for([&] { return shown("lessonEnd").contains("Passed"); }));
+    EXPECT_TRUE(wait_for([&] { return !window_.frame().grab; })) << "nothing pulls any more";
+    QTest::mouseMove(&window_.view(), on_widget(mark) + QPoint(60, 0));
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, on_widget(mark) + QPoint(60, 0));
+    wait_for_figures();
+    EXPECT_FALSE(window_.frame().grab);
+    EXPECT_TRUE(window_.frame().statistics.paused) << "the end of that drag begins nothing";
+    EXPECT_EQ(window_.findChild<QLabel*>("toolForce")->text(), "no tool");
+}
+
 TEST(LearningCurve, HasAPointForEachAttemptAndTheBandOfTheReferences) {
     std::vector<Attempt> attempts(3);
     for (std::size_t i = 0; i < 3; ++i) attempts[i].metrics[0] = 10.0 - static_cast<double>(i);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "tests/patient/parted_patient.h"
 #include "tests/ui/fake_window_test.h"
 #include "ui/branch_links.h"
 #include "ui/elided_label.h"
@@ -109,8 +110,7 @@ TEST_F(Messages, lead_to_the_branch_that_they_name) {
     MessageBar& bar = window_.messages();
     bar.show_notice("Branch 2 is an end and takes 60 % of the flow of its tree");
     auto* label = bar.findChild<QLabel*>();
-    EXPECT_TRUE(label->text().contains("<a href=\"branch:2\">Branch 2</a>"))
-        << label->text().toStdString();
+    EXPECT_TRUE(label->text().contains("<a href=\"branch:2\" ")) << label->text().toStdString();
     emit label->linkActivated("branch:2");
     auto* table = window_.findChild<QTableWidget*>("branches");
     ASSERT_TRUE(testing::wait_for([table] { return table->currentRow() >= 0; }));
@@ -129,10 +129,31 @@ TEST_F(Messages, lead_to_the_branch_that_they_name) {
     EXPECT_TRUE(window_.view().scene().marks().empty());
 }
 
+// Also one that was written before the theme was chosen.
+TEST_F(Messages, have_links_in_the_colour_of_the_theme) {
+    MessageBar& bar = window_.messages();
+    bar.show_notice("Branch 2 is an end and takes 60 % of the flow of its tree");
+    const auto pixels_of_link = [&] {
+        const QImage picture = bar.grab().toImage();
+        const QRgb link = QGuiApplication::palette().color(QPalette::Link).rgb();
+        int found = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x) found += picture.pixel(x, y) == link;
+        return found;
+    };
+    for (const ActionId theme :
+         {ActionId::theme_high_contrast, ActionId::theme_light, ActionId::theme_dark}) {
+        window_.actions()[theme].trigger();
+        QCoreApplication::processEvents();
+        EXPECT_GT(pixels_of_link(), 20) << window_.actions()[theme].text().toStdString();
+    }
+}
+
 TEST(BranchLinks, LeaveACutNumberAlone) {
-    EXPECT_EQ(with_branch_links("Branch 16… of"), "Branch 16… of");
-    EXPECT_EQ(with_branch_links("Ast 3, Wurzel: Ast 1"),
-              "<a href=\"branch:3\">Ast 3</a>, Wurzel: <a href=\"branch:1\">Ast 1</a>");
+    EXPECT_EQ(with_branch_links("Branch 16… of", Qt::red), "Branch 16… of");
+    EXPECT_EQ(with_branch_links("Ast 3, Wurzel: Ast 1", Qt::red),
+              "<a href=\"branch:3\" style=\"color:#ff0000\">Ast 3</a>, Wurzel: "
+              "<a href=\"branch:1\" style=\"color:#ff0000\">Ast 1</a>");
     EXPECT_EQ(branch_named_in("root: branch 7"), 6);
     EXPECT_EQ(branch_named_in("7 branches"), std::nullopt);
     EXPECT_EQ(branch_of_link("https://x"), std::nullopt);
@@ -236,6 +257,53 @@ TEST(MessageBar, AnActionStaysWholeWhileTheNextNoticeIsShown) {
     EXPECT_TRUE(acted);
     EXPECT_TRUE(whole);
     EXPECT_EQ(bar.text(), "Next");
+}
+
+// A patient who was opened with a warning of his CT and one of his vessels, cut into two.
+class StandingWarnings : public testing::WindowTest {
+  protected:
+    StandingWarnings()
+        : WindowTest(
+              {[](const OpenRequest&, Job& job) {
+                   LoadedPatient loaded =
+                       play(std::make_shared<const PatientCase>(test::patient_with_bridges()), job);
+                   loaded.warnings = {of_vessels, of_image};
+                   return loaded;
+               },
+               [](const std::filesystem::path&, const PatientCase&) {},
+               [](std::shared_ptr<const PatientCase> patient, Job& job) {
+                   return play(std::move(patient), job);
+               }}) {
+        open_built_in();
+    }
+    void bridge_the_gap() {
+        QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(test::last_gap[1]));
+        wait();
+        ASSERT_EQ(window_.workspace().edits().size(), 1u);
+    }
+    static constexpr const char* of_image = "The slices are 5.0 mm thick: thin vessels are missing";
+    static constexpr const char* of_vessels = "2 pieces of vessels were left out of the tree";
+};
+
+TEST_F(StandingWarnings, StayAboveTheViewThroughACorrection) {
+    ASSERT_TRUE(window_.messages().text().contains(of_image));
+    bridge_the_gap();
+    EXPECT_TRUE(window_.messages().text().contains(of_image))
+        << window_.messages().text().toStdString();
+    EXPECT_TRUE(window_.messages().text().contains(of_vessels));
+    EXPECT_EQ(window_.log().as_text().count(of_image), 1) << "it is told once";
+}
+
+TEST_F(StandingWarnings, CanBeReadAgainAfterTheyWereClosed) {
+    auto* button = window_.findChild<QToolButton*>("warnings");
+    ASSERT_NE(button, nullptr);
+    EXPECT_EQ(button->text(), "2 warnings");
+    window_.messages().dismiss();
+    bridge_the_gap();
+    EXPECT_EQ(window_.messages().text(), "") << "they were read";
+    EXPECT_EQ(button->text(), "2 warnings");
+    QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_TRUE(window_.messages().text().contains(of_image));
 }
 
 }  // namespace

@@ -6,12 +6,14 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QPushButton>
 #include <QSlider>
 #include <QWheelEvent>
 
 #include "tests/ui/fake_window_test.h"
 #include "ui/curves_dock.h"
 #include "ui/elided_label.h"
+#include "ui/message_bar.h"
 #include "ui/plot_panel.h"
 #include "ui/progress_strip.h"
 
@@ -60,6 +62,39 @@ TEST_F(PanelsTest, the_wheel_changes_what_has_the_focus_and_nothing_else) {
     preset.setFocus();
     turn_wheel(preset);
     EXPECT_NE(preset.currentIndex(), choice);
+}
+
+// A button that had the keyboard and cannot be pressed any more gives it to whatever comes next,
+// which may lie in a panel behind another.
+TEST_F(PanelsTest, the_panel_in_front_stays_there_where_the_keyboard_goes_on_by_itself) {
+    open_built_in();
+    auto& corrections = *window_.findChild<QDockWidget*>("Corrections");
+    auto& injection = *window_.findChild<QDockWidget*>("Injection");
+    corrections.raise();
+    ASSERT_TRUE(testing::wait_for([&] { return !corrections.visibleRegion().isEmpty(); }));
+    for (QWidget* field : corrections.findChildren<QWidget*>()) {
+        if (!field->isVisible() || !field->isEnabled() || field->focusPolicy() == Qt::NoFocus)
+            continue;
+        field->setFocus();
+        field->setEnabled(false);
+        EXPECT_TRUE(injection.visibleRegion().isEmpty()) << field->objectName().toStdString();
+        EXPECT_FALSE(corrections.visibleRegion().isEmpty()) << field->objectName().toStdString();
+        corrections.raise();
+        field->setEnabled(true);
+    }
+    // The message above the view goes with the button that was pressed.
+    window_.messages().show_notice("A notice", "Do it", [] {});
+    QCoreApplication::processEvents();
+    QTest::mouseClick(window_.messages().findChild<QPushButton*>("offer"), Qt::LeftButton);
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(injection.visibleRegion().isEmpty());
+    EXPECT_TRUE(window_.view().hasFocus()) << "not a field that nobody sees";
+    // Whoever presses Tab goes there himself.
+    window_.findChild<QDoubleSpinBox*>("speed")->setFocus();
+    corrections.raise();
+    for (int presses = 0; presses < 60 && injection.visibleRegion().isEmpty(); ++presses)
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    EXPECT_FALSE(injection.visibleRegion().isEmpty());
 }
 
 TEST_F(PanelsTest, curves_of_a_tear_stay_away_while_a_lesson_is_played) {

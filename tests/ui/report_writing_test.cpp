@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <QImage>
 #include <QTemporaryDir>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <thread>
 
+#include "app/report/page_printer.h"
 #include "core/base/error.h"
 #include "ui/paths.h"
 
@@ -90,6 +92,26 @@ TEST_F(ReportWriting, ACancelEndsTheProcessAndLeavesNothing) {
     EXPECT_THROW(order_report(tool, {}, folder() / "report", job_), Cancelled);
     user.join();
     EXPECT_EQ(count(), 1u);
+}
+
+// Wherever the end of a page comes.
+TEST_F(ReportWriting, APlotStaysOnOnePageWithItsCaption) {
+    QImage plot(600, 300, QImage::Format_RGB32);
+    plot.fill(Qt::gray);
+    ASSERT_TRUE(plot.save(to_text(folder() / "plot.png")));
+    int pages = 0;
+    for (int lines = 0; lines < 60; ++lines) {
+        std::string html = "<html><body><h1>Report</h1>";
+        for (int line = 0; line < lines; ++line) html += "<p>A line</p>";
+        html +=
+            "<h2>Over time</h2><figure><img src=\"plot.png\" alt=\"\"><figcaption>The force over "
+            "time</figcaption></figure></body></html>";
+        const std::vector<PicturePages> found = pages_of_pictures(html, folder());
+        ASSERT_EQ(found.size(), 1u);
+        EXPECT_EQ(found[0].picture, found[0].caption) << lines;
+        pages = std::max(pages, found[0].caption);
+    }
+    EXPECT_GE(pages, 1) << "there was an end of a page among them";
 }
 
 }  // namespace

@@ -2,7 +2,10 @@
 // Looking back on a recording in the window: its frames, its time line, jumps, notes, and the way
 // back to free play.
 #include <QComboBox>
+#include <QDir>
 #include <QElapsedTimer>
+#include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -78,7 +81,7 @@ class ReviewWindowTest : public testing::WindowTest {
         : WindowTest({[this](const OpenRequest&, Job& job) {
                           while (endless_) job.throw_if_cancelled();
                           ++opened_;
-                          return play(test::small_patient(), job);
+                          return play(opens_other_ ? other_patient() : test::small_patient(), job);
                       },
                       [](const std::filesystem::path&, const PatientCase&) {}}),
           file_(to_path(folder_.filePath("play.hrec"))) {
@@ -105,6 +108,27 @@ class ReviewWindowTest : public testing::WindowTest {
     }
 
     std::filesystem::path file_;
+    // Whose vessels lie elsewhere.
+    static std::shared_ptr<const PatientCase> other_patient() {
+        auto other = std::make_shared<PatientCase>(*test::small_patient());
+        for (Vec3& vertex : other->mesh.vertices_mm) vertex.x() += 1.0;
+        return other;
+    }
+    // Types it into the next dialog of files.
+    void choose_file(const QString& name) {
+        auto* timer = new QTimer(&window_);
+        QObject::connect(timer, &QTimer::timeout, timer, [timer, name] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            if (dialog == nullptr) return;
+            timer->deleteLater();
+            QApplication::setActiveWindow(dialog);
+            dialog->findChild<QLineEdit*>("fileNameEdit")->setText(name);
+            QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
+        });
+        timer->start(20);
+    }
+
+    std::atomic<bool> opens_other_ = false;
     std::atomic<int> opened_ = 0;
     std::atomic<bool> endless_ = false;  // nobody can be opened until he is given up
 };
@@ -285,6 +309,25 @@ TEST_F(ReviewWindowTest, another_recording_is_shown_beside_it_and_looks_the_same
     EXPECT_TRUE(dock().reviewing());
 }
 
+// Two attempts at one lesson within a minute.
+TEST_F(ReviewWindowTest, each_of_two_recordings_stands_under_its_own_name) {
+    open_built_in();
+    look_back();
+    const std::filesystem::path other = to_path(folder_.filePath("other.hrec"));
+    write_recording(other, played().recording);
+    const auto modified = std::filesystem::last_write_time(file_);
+    std::filesystem::last_write_time(other, modified);
+    dock().compare(other);
+    ASSERT_TRUE(wait_for([this] { return dock().complete() && window_.second_view().shown(); }));
+    const QString title = dock().findChild<QLabel*>("reviewTitle")->text();
+    EXPECT_TRUE(title.contains("play.hrec")) << title.toStdString();
+    EXPECT_TRUE(title.contains("other.hrec")) << title.toStdString();
+    const QStringList names = title.split(", and beside it ");
+    ASSERT_EQ(names.size(), 2);
+    EXPECT_FALSE(window_.view().scene().set_caption(names[0].toStdString())) << "it has that one";
+    EXPECT_FALSE(window_.second_view().view().scene().set_caption(names[1].toStdString()));
+}
+
 TEST_F(ReviewWindowTest, the_window_closes_with_two_recordings_in_it) {
     open_built_in();
     look_back();
@@ -362,9 +405,49 @@ TEST_F(ReviewWindowTest, of_another_patient_is_refused_with_the_remedy) {
     write_recording(file_, other);
     window_.open(to_text(file_));
     EXPECT_TRUE(wait_for([this] { return window_.messages().text().contains("another patient"); }));
-    EXPECT_TRUE(window_.messages().text().contains("Open the case that was played on first"));
+    EXPECT_TRUE(window_.messages().text().contains("Choose the case that was played on"));
     EXPECT_FALSE(dock().reviewing());
     EXPECT_EQ(opened_, 1);
+}
+
+// A free play on a case that lies elsewhere now.
+TEST_F(ReviewWindowTest, names_the_case_that_it_was_played_on_and_lets_one_choose_it) {
+    opens_other_ = true;
+    open_built_in();
+    const QString lay = folder_.filePath("anna.hep");
+    settings_.remember_patient(played().recording.patient_hash, lay);
+    window_.open(to_text(file_));
+    EXPECT_TRUE(wait_for([&] { return window_.messages().text().contains(lay); }))
+        << window_.messages().text().toStdString();
+    auto* choose = window_.messages().findChild<QPushButton*>("secondOffer");
+    ASSERT_TRUE(choose->isVisible());
+    QDir(folder_.path()).mkpath("moved/anna.hep");
+    QFile header(folder_.filePath("moved/anna.hep/case.json"));
+    ASSERT_TRUE(header.open(QIODevice::WriteOnly));
+    header.close();
+    opens_other_ = false;
+    choose_file(folder_.filePath("moved/anna.hep"));
+    QTest::mouseClick(choose, Qt::LeftButton);
+    EXPECT_TRUE(wait_for([this] { return dock().complete(); }));
+    EXPECT_EQ(opened_, 2);
+}
+
+// As long as it lies there, nobody is asked.
+TEST_F(ReviewWindowTest, opens_the_case_that_it_was_played_on_where_that_is_known) {
+    opens_other_ = true;
+    open_built_in();
+    QDir(folder_.path()).mkpath("anna.hep");
+    QFile header(folder_.filePath("anna.hep/case.json"));
+    ASSERT_TRUE(header.open(QIODevice::WriteOnly));
+    header.close();
+    settings_.remember_patient(played().recording.patient_hash, folder_.filePath("anna.hep"));
+    opens_other_ = false;
+    std::filesystem::create_directories(to_path(folder_.filePath("plays")));
+    const auto elsewhere = to_path(folder_.filePath("plays/play.hrec"));
+    std::filesystem::copy(file_, elsewhere);
+    window_.open(to_text(elsewhere));
+    EXPECT_TRUE(wait_for([this] { return dock().complete(); }));
+    EXPECT_EQ(opened_, 2);
 }
 
 TEST_F(ReviewWindowTest, ends_where_another_patient_is_opened) {

@@ -179,6 +179,35 @@ TEST_F(Slices, SayWhatTheNextClickDoesWhileTheMouseMoves) {
     EXPECT_FALSE(said->text().contains("Click"));
 }
 
+TEST_F(Slices, StandInThePictureThatIsSaved) {
+    const QString alone = folder_.filePath("alone.png"), all = folder_.filePath("all.png");
+    window_.save_picture(alone);
+    show_slices();
+    window_.save_picture(all);
+    const QImage with_slices(all);
+    const double ratio = window_.devicePixelRatioF();
+    EXPECT_EQ(with_slices.size(), (QSizeF(views().pictures().size()) * ratio).toSize());
+    for (const SliceDirection direction :
+         {SliceDirection::axial, SliceDirection::coronal, SliceDirection::sagittal}) {
+        SliceView& slice = view(direction);
+        const QImage there = slice.grab().toImage().convertToFormat(QImage::Format_RGB32);
+        const QRect place((QPointF(slice.pos()) * ratio).toPoint(), there.size());
+        EXPECT_EQ(with_slices.copy(place).convertToFormat(QImage::Format_RGB32), there);
+    }
+    // The vessels, too, in their quarter.
+    const QRect place((QPointF(window_.view().pos()) * ratio).toPoint(),
+                      window_.view().picture().size());
+    const QImage vessels = with_slices.copy(place);
+    const QColor empty = vessels.pixelColor(2, vessels.height() / 2);
+    EXPECT_NE(vessels.pixelColor(vessels.rect().center()), empty);
+    QTest::keyClick(&window_, Qt::Key_F7);
+    const QString again = folder_.filePath("again.png");
+    EXPECT_TRUE(testing::wait_for([&] {
+        window_.save_picture(again);
+        return QImage(again).size() == QImage(alone).size();
+    })) << "the view alone";
+}
+
 TEST_F(Slices, MeasureDistancesAndAnglesWhereOneClicks) {
     show_slices();
     SliceView& axial = view(SliceDirection::axial);
@@ -294,11 +323,22 @@ TEST_F(Slices, MeasureTheDiameterAtTheCentreline) {
     QTest::keyClick(&coronal, Qt::Key_Return);
     EXPECT_EQ(scene().measurements().made().size(), 1u);
     EXPECT_TRUE(window_.findChild<QLabel*>("slicePlace")->text().contains("no vessel"));
-    scene().show_tree(patient_->tree);
-    EXPECT_TRUE(scene().measurements().made().empty()) << "it was a diameter of another tree";
-    scene().set_crosshair(Vec3(0, 0, 0));
-    QTest::keyClick(&coronal, Qt::Key_Return);
-    EXPECT_EQ(scene().measurements().made().size(), 1u);
+    const auto with_radii = [this](double first_mm, double last_mm) {
+        auto corrected = std::make_shared<PatientCase>(*patient_);
+        corrected->tree.segments[0].radii_mm = {first_mm, last_mm};
+        return views().show_corrected(corrected);
+    };
+    EXPECT_EQ(with_radii(4.0, 4.0), 0u);
+    ASSERT_EQ(scene().measurements().made().size(), 1u);
+    EXPECT_EQ(scene().measurements().made()[0].text, "\u2300 8.0 mm, stenosis 0 %")
+        << "it is that of the vessels as they are now";
+    auto gone = std::make_shared<PatientCase>(*patient_);
+    for (Vec3& point : gone->tree.segments[0].points_mm) point.x() += 40.0;
+    EXPECT_EQ(views().show_corrected(gone), 1u);
+    EXPECT_TRUE(scene().measurements().made().empty()) << "there is no vessel any more";
+    EXPECT_EQ(with_radii(4.0, 5.0), 0u);
+    ASSERT_EQ(scene().measurements().made().size(), 1u);
+    EXPECT_EQ(scene().measurements().made()[0].text, "\u2300 9.0 mm, stenosis 0 %");
     views().clear();
     EXPECT_TRUE(scene().measurements().made().empty()) << "they were another patient's";
 }

@@ -50,6 +50,34 @@ TEST_F(TearTest, a_cut_line_is_the_section_under_it) {
     EXPECT_LT((line.from_mm - Vec3(0, 0, half_way_up_the_trunk_mm)).norm(), 8.0);
 }
 
+// Over whatever vessels lie before the plane that it is drawn in, with a dark rim.
+TEST_F(TearTest, the_line_that_is_drawn_is_seen_before_the_vessels) {
+    QTest::keyClick(&window_, Qt::Key_8);
+    const QPoint from = on_trunk() - QPoint(60, 0), to = on_trunk() + QPoint(60, 0);
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, from);
+    QMouseEvent move(QEvent::MouseMove, to, window_.view().mapToGlobal(to), Qt::NoButton,
+                     Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window_.view(), &move);
+    const QImage picture = window_.view().picture();
+    const double ratio = window_.view().devicePixelRatioF();
+    const auto brightest = [&](int from_px, int to_px) {
+        int green = 0;
+        for (int dy = from_px; dy <= to_px; ++dy)
+            green = std::max(
+                green, picture.pixelColor((QPointF(on_trunk()) * ratio).toPoint() + QPoint(0, dy))
+                           .green());
+        return green;
+    };
+    EXPECT_GT(brightest(-2, 2), 225) << "the line, across the trunk";
+    int darkest = 255;
+    for (int dy = -6; dy <= 6; ++dy)
+        darkest = std::min(
+            darkest, picture.pixelColor((QPointF(on_trunk()) * ratio).toPoint() + QPoint(0, dy))
+                         .lightness());
+    EXPECT_LT(darkest, 40) << "its rim";
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, to);
+}
+
 TEST_F(TearTest, a_line_beside_the_vessels_cuts_nothing) {
     QTest::keyClick(&window_, Qt::Key_8);
     draw(QPoint(5, 5), QPoint(40, 8));

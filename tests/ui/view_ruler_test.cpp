@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/tree/lumen_calibre.h"
+#include "render/label_places.h"
 #include "tests/ui/fake_window_test.h"
 #include "ui/slices/view_layout.h"
 
@@ -94,7 +95,7 @@ TEST_F(Measuring, AClickBesideTheVesselsSaysSoAndADragTurnsTheView) {
     EXPECT_EQ(measurements().half_made(), nullptr);
 }
 
-TEST_F(Measuring, EscapeEndsItAndTheNextOneTakesTheLinesAway) {
+TEST_F(Measuring, EscapeEndsItAndTheMenuTakesTheLinesAway) {
     QTest::keyClick(&window_, Qt::Key_M, Qt::ControlModifier);
     click_trunk_at(-30.0);
     click_trunk_at(-40.0);
@@ -109,6 +110,8 @@ TEST_F(Measuring, EscapeEndsItAndTheNextOneTakesTheLinesAway) {
     QTest::keyClick(&window_, Qt::Key_Delete, Qt::ShiftModifier);
     EXPECT_EQ(drawn().size(), 1u);
     QTest::keyClick(&window_, Qt::Key_Escape);
+    EXPECT_EQ(drawn().size(), 1u) << "what was measured is work";
+    window_.actions()[ActionId::clear_measurements].trigger();
     EXPECT_TRUE(measurements().made().empty());
     EXPECT_TRUE(drawn().empty());
 }
@@ -166,6 +169,32 @@ TEST_F(Measuring, IsOneWithThatInTheSlices) {
     open_built_in();
     EXPECT_TRUE(measurements().made().empty()) << "they were another patient's";
     EXPECT_TRUE(drawn().empty());
+}
+
+TEST_F(Measuring, LabelsOfMeasuresThatEndSideBySideLieOnNoOther) {
+    for (const double begins : {-55.0, -50.0, -45.0}) {
+        QTest::keyClick(&window_, Qt::Key_M);
+        click_trunk_at(begins);
+        click_trunk_at(-25.0);
+    }
+    ASSERT_EQ(drawn().size(), 3u);
+    window_.view().drawn();
+    const std::vector<PictureBox>& labels = window_.view().scene().measure_labels();
+    ASSERT_EQ(labels.size(), 3u);
+    for (std::size_t a = 0; a < labels.size(); ++a)
+        for (std::size_t b = a + 1; b < labels.size(); ++b)
+            EXPECT_FALSE(overlap(labels[a], labels[b])) << a << " on " << b;
+}
+
+TEST(LabelPlaces, ShiftByTheLeastThatIsFreeAndStayInThePicture) {
+    LabelPlaces places(0.0, 100.0);
+    EXPECT_EQ(places.place({10, 40, 50, 20}), 0.0);
+    EXPECT_EQ(places.place({80, 40, 50, 20}), 0.0) << "beside it";
+    EXPECT_EQ(places.place({20, 45, 50, 20}), 17.0) << "below it";
+    EXPECT_EQ(places.place({20, 35, 50, 20}), -17.0) << "above it";
+    EXPECT_EQ(places.place({10, 85, 10, 15}), 0.0);
+    EXPECT_EQ(places.place({10, 80, 10, 15}), -12.0);
+    EXPECT_EQ(places.place({10, 2, 10, 95}), 0.0) << "there is no room for it";
 }
 
 // Without a window: three vertices, of which two are moved, each its own way.

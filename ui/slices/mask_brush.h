@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "core/image/brush.h"
+#include "core/reconstruction/remade_case.h"
 #include "ui/slices/watchers.h"
 
 namespace hepatica {
 
 // Label of painted voxels until the vessels are rebuilt. It is no vascular system's number, so that
 // painted voxels have a colour of their own.
-inline constexpr std::uint8_t painted_label = 254;
+inline constexpr std::uint8_t painted_label = painted_voxel;
 
 enum class BrushMode { away, paints, erases };
 

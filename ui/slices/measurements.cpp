@@ -21,17 +21,15 @@ double angle_deg(const Vec3& a, const Vec3& vertex, const Vec3& b) {
     return std::atan2(u.cross(v).norm(), u.dot(v)) * 180.0 / std::numbers::pi;
 }
 
-std::string text_of(const Measurement& measurement) {
+std::string text_of(const KeptMeasurement& measurement) {
     const auto& points = measurement.points_mm;
     if (measurement.kind == MeasurementKind::angle)
         return formatted("%L1\u00b0", angle_deg(points[0], points[1], points[2]), 0);
-    return formatted("%L1 mm", (points[1] - points[0]).norm(), 1);
-}
-
-std::string text_of(const LumenCalibre& calibre) {
-    std::string text = formatted("\u2300 %L1 mm", calibre.diameter_mm, 1);
-    if (!calibre.stenosis) return text;
-    const double percent = std::round(100.0 * *calibre.stenosis);
+    const double length_mm = (points[1] - points[0]).norm();
+    if (measurement.kind == MeasurementKind::distance) return formatted("%L1 mm", length_mm, 1);
+    std::string text = formatted("\u2300 %L1 mm", length_mm, 1);
+    if (!measurement.stenosis) return text;
+    const double percent = std::round(100.0 * *measurement.stenosis);
     return text +
            formatted(percent < 0.0 ? Words::tr(", %L1 % wider") : Words::tr(", stenosis %L1 %"),
                      std::abs(percent), 0);
@@ -47,6 +45,31 @@ Vec3 across(const VesselSegment& segment, double arclength_mm, const SlicePlane&
     constexpr double nearly_through = 0.1;
     if (direction.norm() > nearly_through * along.norm()) return direction.normalized();
     return plane.right;
+}
+
+KeptMeasurement diameter_of(const LumenCalibre& calibre, const Vec3& direction) {
+    const Vec3 half = 0.5 * calibre.diameter_mm * direction;
+    return {MeasurementKind::diameter,
+            {calibre.position_mm - half, calibre.position_mm + half},
+            calibre.stenosis};
+}
+
+bool nearly_same(const KeptMeasurement& a, const KeptMeasurement& b) {
+    constexpr double rounding = 1e-6;  // mm, and of a share
+    return (a.points_mm[0] - b.points_mm[0]).norm() < rounding &&
+           (a.points_mm[1] - b.points_mm[1]).norm() < rounding &&
+           a.stenosis.has_value() == b.stenosis.has_value() &&
+           std::abs(a.stenosis.value_or(0.0) - b.stenosis.value_or(0.0)) < rounding;
+}
+
+// As it is on this tree. The same vessel gives the very same numbers; nothing where there is none.
+std::optional<KeptMeasurement> taken_anew(const KeptMeasurement& taken, const VesselTree& tree) {
+    if (taken.kind != MeasurementKind::diameter) return taken;
+    const Vec3 &from = taken.points_mm[0], &to = taken.points_mm[1];
+    const auto calibre = calibre_at(tree, 0.5 * (from + to));
+    if (!calibre) return std::nullopt;
+    KeptMeasurement now = diameter_of(*calibre, (to - from).normalized());
+    return nearly_same(now, taken) ? taken : now;
 }
 
 }  // namespace
@@ -79,11 +102,10 @@ std::string Measurements::add_diameter(const Vec3& position_mm, const SlicePlane
     if (!calibre)
         return Words::tr("There is no vessel. Click on one, or measure a distance").toStdString();
     const auto& segment = tree.segments[static_cast<std::size_t>(calibre->segment)];
-    const Vec3 half = 0.5 * calibre->diameter_mm * across(segment, calibre->arclength_mm, plane);
-    const std::string text = text_of(*calibre);
-    half_made_ = {MeasurementKind::diameter,
-                  {calibre->position_mm - half, calibre->position_mm + half},
-                  text};
+    const KeptMeasurement diameter =
+        diameter_of(*calibre, across(segment, calibre->arclength_mm, plane));
+    const std::string text = text_of(diameter);
+    half_made_ = {diameter, text};
     finish();
     tell();
     // This note is too long to stand beside the vessel.
@@ -94,28 +116,77 @@ std::string Measurements::add_diameter(const Vec3& position_mm, const SlicePlane
 }
 
 void Measurements::finish() {
+    places_.push_back(taken_.size());
+    taken_.push_back(half_made_);
     made_.push_back(std::move(half_made_));
     half_made_ = {};
+    on_work_();
 }
 
 void Measurements::remove_last() {
-    if (!half_made_.points_mm.empty())
-        half_made_ = {};
-    else if (!made_.empty())
+    const bool half = !half_made_.points_mm.empty();
+    half_made_ = {};
+    if (!half && !made_.empty()) {
+        taken_.erase(taken_.begin() + static_cast<std::ptrdiff_t>(places_.back()));
         made_.pop_back();
+        places_.pop_back();
+        on_work_();
+    }
     tell();
 }
 
-void Measurements::remove_diameters() {
-    std::erase_if(made_, [](const Measurement& measurement) {
-        return measurement.kind == MeasurementKind::diameter;
-    });
+void Measurements::remove_all() {
+    clear();
+    on_work_();
+}
+
+void Measurements::bring_back(std::vector<KeptMeasurement> measurements) {
+    half_made_ = {};
+    taken_ = std::move(measurements);
+    made_.clear();
+    places_.clear();
+    for (const KeptMeasurement& taken : taken_) {
+        places_.push_back(made_.size());
+        made_.push_back({taken, text_of(taken)});
+    }
+    on_work_();
     tell();
+}
+
+void Measurements::show_on(const VesselTree& tree) {
+    made_.clear();
+    places_.clear();
+    for (std::size_t i = 0; i < taken_.size(); ++i) {
+        const auto now = taken_anew(taken_[i], tree);
+        if (!now) continue;
+        made_.push_back({*now, text_of(*now)});
+        places_.push_back(i);
+    }
+}
+
+std::size_t Measurements::follow_tree(const VesselTree& tree) {
+    const std::size_t before = made_.size();
+    const std::vector<KeptMeasurement> kept_before = kept();
+    show_on(tree);
+    if (kept() == kept_before) return 0;
+    on_work_();
+    tell();
+    return before > made_.size() ? before - made_.size() : 0;
+}
+
+std::size_t Measurements::show(std::vector<KeptMeasurement> measurements, const VesselTree& tree) {
+    half_made_ = {};
+    taken_ = std::move(measurements);
+    show_on(tree);
+    tell();
+    return taken_.size() - made_.size();
 }
 
 void Measurements::clear() {
     half_made_ = {};
+    taken_.clear();
     made_.clear();
+    places_.clear();
     tell();
 }
 

@@ -8,17 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "core/patient/measurement.h"
 #include "core/tree/vessel_tree.h"
 
 namespace hepatica {
 
-enum class MeasurementKind { distance, angle, diameter };
-
-// Points in patient coordinates, mm: two for a distance, three for an angle with the vertex second,
-// two on the wall across the centreline for a diameter; fewer while it is being made.
-struct Measurement {
-    MeasurementKind kind = MeasurementKind::distance;
-    std::vector<Vec3> points_mm;
+// While it is being made it has fewer points.
+struct Measurement : KeptMeasurement {
     std::string text;  // empty while it is being made
 };
 
@@ -33,6 +29,8 @@ class Measurements {
   public:
     // Called after every change.
     void on_change(std::function<void()> tell) { watchers_.push_back(std::move(tell)); }
+    // Whenever kept() was changed, unless by show() or clear(): it is to be kept with the case.
+    void on_work(std::function<void()> tell) { on_work_ = std::move(tell); }
 
     // Sets what the next points measure; nullopt: nothing. Drops an unfinished measurement.
     void choose(std::optional<MeasurementKind> kind);
@@ -43,25 +41,38 @@ class Measurements {
     // `plane`.
     std::string add_point(const Vec3& position_mm, const SlicePlane& plane, const VesselTree& tree);
     void remove_last();  // an unfinished one first
-    void clear();        // for another patient
-    // To be called when the tree has been corrected.
-    void remove_diameters();
+    void remove_all();
+    // Replaces all, when a person wants them back.
+    void bring_back(std::vector<KeptMeasurement> measurements);
+    // The tree has been corrected: diameters are measured anew. One whose vessel is gone is left
+    // out until the vessel is there again. Returns how many were lost with this tree.
+    std::size_t follow_tree(const VesselTree& tree);
+
+    // Those of a patient who is opened, on his tree. Returns how many of them have no vessel.
+    std::size_t show(std::vector<KeptMeasurement> measurements, const VesselTree& tree);
+    void clear();  // for another patient
 
     const std::vector<Measurement>& made() const { return made_; }
+    // Those made, as a case keeps them.
+    std::vector<KeptMeasurement> kept() const { return {made_.begin(), made_.end()}; }
     const Measurement* half_made() const {
         return half_made_.points_mm.empty() ? nullptr : &half_made_;
     }
 
   private:
     void finish();
+    void show_on(const VesselTree& tree);
     std::string add_diameter(const Vec3& position_mm, const SlicePlane& plane,
                              const VesselTree& tree);
     void tell() const;
 
     std::optional<MeasurementKind> kind_;
     Measurement half_made_;
-    std::vector<Measurement> made_;
+    std::vector<KeptMeasurement> taken_;  // all, as they were when they were taken
+    std::vector<Measurement> made_;       // of these, those that the vessels still have
+    std::vector<std::size_t> places_;     // of each of made_ among taken_
     std::vector<std::function<void()>> watchers_;
+    std::function<void()> on_work_ = [] {};
 };
 
 }  // namespace hepatica

@@ -50,7 +50,6 @@ void SliceScene::show(std::shared_ptr<const Volume> ct, Mask systems, const Vess
 void SliceScene::show_tree(const VesselTree& tree) {
     tree_ = tree;
     centrelines_ = centrelines_of(tree);
-    measurements_.remove_diameters();
     tell_of_voxels();
 }
 

@@ -58,6 +58,8 @@ class SliceScene {
     const Mask& shown_systems() const { return preview_.voxels.empty() ? systems_ : preview_; }
     // The shown voxels, with painted or newly found ones as vessels of unknown system.
     Mask vessels() const;
+    // The same with what the brush painted as painted_voxel (core/reconstruction/remade_case.h).
+    Mask painted_vessels() const { return preview_.voxels.empty() ? systems_ : vessels(); }
     // Other voxels of the same patient; the strokes are painted onto them again. No effect if they
     // equal the present ones.
     void set_systems(Mask systems);

@@ -206,7 +206,8 @@ void SliceView::paint_brush(QPainter& painter) const {
 
 // Shown in the slices near any of its points; a diameter only where the slice cuts the lumen along
 // it.
-void SliceView::paint_measurement(QPainter& painter, const Measurement& measurement) const {
+void SliceView::paint_measurement(QPainter& painter, const Measurement& measurement,
+                                  LabelPlaces& labels) const {
     const auto& points = measurement.points_mm;
     double reach_mm = std::max(1.0, stack().slice_mm());
     if (measurement.kind == MeasurementKind::diameter) reach_mm += (points[1] - points[0]).norm();
@@ -222,17 +223,27 @@ void SliceView::paint_measurement(QPainter& painter, const Measurement& measurem
         seen_mm < 0.5 * (points[1] - points[0]).norm())
         return;
     paint_line(painter, line);
-    const QPointF beside = line.back() + QPointF(7, -5);
-    write_outlined(painter, QRectF(beside - QPointF(0, 20), QSizeF(260, 20)),
-                   Qt::AlignLeft | Qt::AlignBottom, QString::fromStdString(measurement.text),
-                   colour_of_marks);
+    if (measurement.text.empty()) return;
+    const QString text = QString::fromStdString(measurement.text);
+    const QSizeF size(painter.fontMetrics().horizontalAdvance(text), 20);
+    QPointF corner = line.back() + QPointF(7, -25);
+    const double shifted = labels.place({corner.x(), corner.y(), size.width(), size.height()});
+    corner.ry() += shifted;
+    if (shifted != 0.0) {
+        painter.setPen(QPen(colour_of_marks, 1.0));
+        painter.drawLine(line.back(), corner + QPointF(0, 0.5 * size.height()));
+    }
+    write_outlined(painter, QRectF(corner, QSizeF(260, size.height())),
+                   Qt::AlignLeft | Qt::AlignBottom, text, colour_of_marks);
 }
 
 void SliceView::paint_measurements(QPainter& painter) const {
     painter.setBrush(Qt::NoBrush);
-    for (const Measurement& made : scene_.measurements().made()) paint_measurement(painter, made);
+    LabelPlaces labels(0.0, height());
+    for (const Measurement& made : scene_.measurements().made())
+        paint_measurement(painter, made, labels);
     if (const Measurement* half = scene_.measurements().half_made())
-        paint_measurement(painter, *half);
+        paint_measurement(painter, *half, labels);
 }
 
 void SliceView::keep_clear(int top, int bottom) {

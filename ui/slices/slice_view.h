@@ -20,6 +20,7 @@
 #include <optional>
 #include <vector>
 
+#include "render/label_places.h"
 #include "ui/slices/segment_overlay.h"
 #include "ui/slices/slice_scene.h"
 
@@ -86,7 +87,8 @@ class SliceView : public QWidget {
     void paint_line(QPainter& painter, const QPolygonF& line) const;
     void paint_pen(QPainter& painter) const;
     void paint_brush(QPainter& painter) const;
-    void paint_measurement(QPainter& painter, const Measurement& measurement) const;
+    void paint_measurement(QPainter& painter, const Measurement& measurement,
+                           LabelPlaces& labels) const;
     void paint_measurements(QPainter& painter) const;
     void paint_segment_numbers(QPainter& painter) const;
     void paint_centrelines(QPainter& painter) const;

@@ -3,8 +3,10 @@
 
 #include <QGridLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "core/opening/patient_image.h"
@@ -96,7 +98,8 @@ void ViewLayout::connect_scene() {
          [this] { tumours_.show_again(); }});
     scene_.brush().on_stroke({callbacks_.paint_vessels, callbacks_.take_vessel_strokes_back});
     scene_.on_change([this] { mark_crosshair(); });
-    scene_.brush().on_remake([this] { callbacks_.remake(scene_.shared_ct(), scene_.vessels()); });
+    scene_.brush().on_remake(
+        [this] { callbacks_.remake(scene_.shared_ct(), scene_.painted_vessels()); });
     scene_.pen().on_draw({[this](const std::vector<Vec3>& places, VesselPen::Answered answered) {
                               callbacks_.draw(scene_.ct(), places, std::move(answered));
                           },
@@ -148,16 +151,18 @@ void ViewLayout::build(QWidget* view) {
     grid_->addWidget(notice_, 0, 2, 2, 1);
 }
 
-void ViewLayout::show_patient(std::shared_ptr<const PatientCase> patient,
-                              const std::filesystem::path& folder,
-                              const std::filesystem::path& image) {
+std::size_t ViewLayout::show_patient(std::shared_ptr<const PatientCase> patient,
+                                     const std::filesystem::path& folder,
+                                     const std::filesystem::path& image) {
     clear();
     patient_ = patient;
     folder_ = folder;
     segments_.show(patient, folder);
     tumours_.show(patient, folder);
+    const std::size_t lost = scene_.measurements().show(patient->measured, patient->tree);
     keeper_.show(std::move(patient), folder, image);
     if (slices_visible_) set_slices_visible(true);
+    return lost;
 }
 
 void ViewLayout::show_image(std::shared_ptr<const Volume> ct) {
@@ -166,15 +171,16 @@ void ViewLayout::show_image(std::shared_ptr<const Volume> ct) {
     arrange();
 }
 
-void ViewLayout::show_corrected(std::shared_ptr<const PatientCase> patient) {
+std::size_t ViewLayout::show_corrected(std::shared_ptr<const PatientCase> patient) {
     patient_ = std::move(patient);
     segments_.show_corrected(patient_);
-    // Diameters may have been measured in the 3D view alone.
-    if (scene_.empty()) return scene_.measurements().remove_diameters();
+    const std::size_t lost = scene_.measurements().follow_tree(patient_->tree);
+    if (scene_.empty()) return lost;
     // The voxels in memory may differ from those shown.
     if (!patient_->mask.voxels.empty()) scene_.set_systems(patient_->mask);
     scene_.show_tree(patient_->tree);
     want_segments();
+    return lost;
 }
 
 // Shown once there is a CT.
@@ -246,6 +252,21 @@ void ViewLayout::keep_clear(int top, int bottom) {
 
 // A bar at the top covers the upper row and one at the foot the lower row; both cover a picture
 // that stands alone.
+QImage ViewLayout::picture(const QImage& view) const {
+    const bool slices = std::ranges::any_of(
+        views_, [this](const SliceView* slice) { return slice->isVisibleTo(this); });
+    if (!slices) return view;
+    const double ratio = devicePixelRatioF();
+    QImage whole((QSizeF(pictures_->size()) * ratio).toSize(), QImage::Format_RGB32);
+    whole.setDevicePixelRatio(ratio);
+    whole.fill(palette().color(QPalette::Window));
+    QPainter painter(&whole);
+    for (SliceView* slice : views_)
+        if (slice->isVisibleTo(this)) painter.drawPixmap(slice->pos(), slice->grab());
+    if (view_->isVisibleTo(this)) painter.drawImage(QRectF(view_->geometry()), view);
+    return whole;
+}
+
 void ViewLayout::clear_words() {
     const bool two_rows = slices_visible_ && !scene_.empty() && !enlarged_;
     const int at_upper_foot = two_rows ? 0 : covered_bottom_;

@@ -3,6 +3,7 @@
 // be enlarged. Without slices it tells why, and what would help.
 #pragma once
 
+#include <QImage>
 #include <QWidget>
 #include <array>
 #include <filesystem>
@@ -59,14 +60,16 @@ class ViewLayout : public QWidget {
     ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, QWidget* parent = nullptr);
     ~ViewLayout() override;
 
-    // See CtKeeper::show().
-    void show_patient(std::shared_ptr<const PatientCase> patient,
-                      const std::filesystem::path& folder, const std::filesystem::path& image);
+    // See CtKeeper::show(). Returns how many diameters that were kept with him have no vessel.
+    std::size_t show_patient(std::shared_ptr<const PatientCase> patient,
+                             const std::filesystem::path& folder,
+                             const std::filesystem::path& image);
     // Shows the CT of a patient who is still being reconstructed; it can only be looked at. No
     // effect if a patient is shown.
     void show_image(std::shared_ptr<const Volume> ct);
-    // The same patient with other corrections.
-    void show_corrected(std::shared_ptr<const PatientCase> patient);
+    // The same patient with other corrections. Returns how many diameters lost their vessel by
+    // them.
+    std::size_t show_corrected(std::shared_ptr<const PatientCase> patient);
     // The patient's present corrections; the tumours among them are shown.
     void show_tumours(const std::vector<TreeEdit>& edits) { tumours_.follow(edits); }
     // Strokes at the vessels that wait for a rebuild.
@@ -88,6 +91,8 @@ class ViewLayout : public QWidget {
     QWidget& pictures() { return *pictures_; }
     // Bars cover this many points at the top and foot of the pictures; text is kept clear of them.
     void keep_clear(int top, int bottom);
+    // What is shown of view and slices, without what lies over them; `view`: the view's picture.
+    QImage picture(const QImage& view) const;
     SliceScene& slices() { return scene_; }
     // For others that want the same CT.
     CtReadings& ct_readings() { return readings_; }

@@ -12,7 +12,7 @@ namespace {
 struct Component {
     double length_mm = 0.0;
     bool named = false;   // holds a link of a known system
-    bool seeded = false;  // nearest to a seed
+    bool seeded = false;  // nearest to a seed or a kept place
 };
 
 // -1 where there are no links.
@@ -30,26 +30,30 @@ int link_nearest(const VesselGraph& graph, const Vec3& position_mm) {
 }
 
 std::vector<Component> components_of(const VesselGraph& graph, const std::vector<int>& of_node,
-                                     const std::vector<VesselSeed>& seeds) {
+                                     const std::vector<VesselSeed>& seeds,
+                                     const std::vector<Vec3>& kept_mm) {
     std::vector<Component> components(*std::ranges::max_element(of_node) + 1);
     for (const VesselLink& link : graph.links) {
         Component& component = components[of_node[link.from]];
         component.length_mm += length_mm(link);
         if (link.system != VascularSystem::unknown) component.named = true;
     }
-    for (const VesselSeed& seed : seeds)
-        if (const int id = link_nearest(graph, seed.position_mm); id >= 0)
+    const auto keep = [&](const Vec3& position_mm) {
+        if (const int id = link_nearest(graph, position_mm); id >= 0)
             components[of_node[graph.links[id].from]].seeded = true;
+    };
+    for (const VesselSeed& seed : seeds) keep(seed.position_mm);
+    for (const Vec3& place : kept_mm) keep(place);
     return components;
 }
 
 template <class Removes>
 RemovedPieces remove_components(VesselGraph& graph, const std::vector<VesselSeed>& seeds,
-                                const Removes& removes) {
+                                const std::vector<Vec3>& kept_mm, const Removes& removes) {
     RemovedPieces removed;
     if (graph.links.empty()) return removed;
     const std::vector<int> of_node = component_of_nodes(graph);
-    const std::vector<Component> components = components_of(graph, of_node, seeds);
+    const std::vector<Component> components = components_of(graph, of_node, seeds, kept_mm);
     const auto longest = std::ranges::max_element(components, {}, &Component::length_mm);
     std::vector<std::uint8_t> goes(components.size(), 0);
     for (std::size_t c = 0; c < components.size(); ++c) {
@@ -71,11 +75,13 @@ RemovedPieces remove_components(VesselGraph& graph, const std::vector<VesselSeed
 }  // namespace
 
 RemovedPieces remove_short_components(VesselGraph& graph, double shortest_mm,
-                                      const std::vector<VesselSeed>& seeds) {
-    return remove_components(graph, seeds, [&](const Component& component, bool is_longest) {
-        const bool kept = is_longest || component.seeded || (!seeds.empty() && component.named);
-        return !kept && component.length_mm < shortest_mm;
-    });
+                                      const std::vector<VesselSeed>& seeds,
+                                      const std::vector<Vec3>& kept_mm) {
+    return remove_components(
+        graph, seeds, kept_mm, [&](const Component& component, bool is_longest) {
+            const bool kept = is_longest || component.seeded || (!seeds.empty() && component.named);
+            return !kept && component.length_mm < shortest_mm;
+        });
 }
 
 }  // namespace hepatica

@@ -16,9 +16,10 @@ struct RemovedPieces {
 };
 
 // Removes components whose links are shorter than `shortest_mm` in all, except the longest one,
-// those nearest to a seed and, where there are seeds, those with a known system. Joins links at
-// passing nodes; nodes are renumbered.
+// those nearest to a seed or to a kept place and, where there are seeds, those with a known system.
+// Joins links at passing nodes; nodes are renumbered.
 RemovedPieces remove_short_components(VesselGraph& graph, double shortest_mm,
-                                      const std::vector<VesselSeed>& seeds = {});
+                                      const std::vector<VesselSeed>& seeds = {},
+                                      const std::vector<Vec3>& kept_mm = {});
 
 }  // namespace hepatica

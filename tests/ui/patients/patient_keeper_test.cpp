@@ -456,5 +456,31 @@ TEST_F(Keeper, makes_the_edits_again_that_another_program_left) {
     EXPECT_TRUE(ward.workspace().undo_is_of_stroke());
 }
 
+// A case keeps no vessels from before a rebuilding: what undo cannot take back it does not pass
+// over without a word.
+TEST_F(Keeper, undo_says_that_a_rebuilding_from_before_the_case_was_opened_stays) {
+    add(1);
+    ASSERT_TRUE(ward.finish());
+    remake(7);
+    ASSERT_TRUE(ward.finish());
+    add(2);
+    ASSERT_TRUE(ward.finish());
+    save_as("a.hep");
+    ASSERT_TRUE(ward.finish());
+    ward.open("a.hep");
+    ASSERT_TRUE(ward.finish());
+    ward.said.clear();
+    ward.keeper().undo();
+    EXPECT_EQ(edits(), (std::vector<int>{1}));
+    EXPECT_TRUE(ward.said.empty());
+    ward.keeper().undo();
+    EXPECT_EQ(edits(), (std::vector<int>{1})) << "it was made before";
+    ASSERT_EQ(ward.said.size(), 1u);
+    EXPECT_NE(ward.said[0].find("rebuilding stays"), std::string::npos);
+    ward.keeper().undo();
+    EXPECT_EQ(edits(), (std::vector<int>{})) << "now that is known";
+    ASSERT_TRUE(ward.finish());
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -101,7 +101,7 @@ TEST_F(Unsaved, IsGoneWhenItIsSavedOrTheProgramEnds) {
     workspace_.open(reconstructed());
     recovery->follow(workspace_);
     ASSERT_TRUE(rest(*recovery));
-    workspace_.saved("/somewhere/a.hep", workspace_.edits());
+    workspace_.saved("/somewhere/a.hep", workspace_.edits(), {});
     recovery->follow(workspace_);
     recovery.reset();
     EXPECT_TRUE(seen_by_another().empty());
@@ -192,7 +192,7 @@ TEST_F(Unsaved, IsOpenedWholeAndItsCopyGivesWayToTheProgramsOwn) {
     // Saved at once, before the program has a copy of its own: the old one goes all the same.
     request.reconstruct.ct = seen_by_another().at(0);
     workspace_.open(open_patient(request, job));
-    workspace_.saved("/somewhere/a.hep", workspace_.edits());
+    workspace_.saved("/somewhere/a.hep", workspace_.edits(), {});
     auto third = program();
     third->follow(workspace_);
     EXPECT_TRUE(seen_by_another().empty());
@@ -324,7 +324,7 @@ TEST_F(Journal, HoldsAnEditWhoseBodyIsStillBeingMade) {
     Workspace taken_up;
     taken_up.open(opened);
     taken_up.take_up(work.request.left_edits->edits, {});
-    taken_up.saved(case_, taken_up.edits());
+    taken_up.saved(case_, taken_up.edits(), {});
     next.follow(taken_up);
     EXPECT_TRUE(next.left_behind().empty());
 }
@@ -340,7 +340,7 @@ TEST_F(Journal, FollowsUndoAndRedoAndGoesWithTheLastEdit) {
     workspace_.redo();
     program->follow(workspace_);
     EXPECT_TRUE(leaves({1, 2}));
-    workspace_.saved(case_, workspace_.edits());
+    workspace_.saved(case_, workspace_.edits(), {});
     program->follow(workspace_);
     EXPECT_TRUE(left_if_killed_now().empty());
     add(3, *program);
@@ -419,7 +419,7 @@ TEST_F(Journal, HoldsStrokesThatWaitForARemaking) {
     EXPECT_TRUE(leaves_strokes({"1 after 0", "3 after 1"}));
     EXPECT_TRUE(leaves({1}));
     show_body();
-    workspace_.saved(case_, workspace_.edits());
+    workspace_.saved(case_, workspace_.edits(), {});
     program->follow(workspace_);
     EXPECT_TRUE(leaves_strokes({"1 after 0", "3 after 1"})) << "the saved case has none of them";
     workspace_.undo_stroke();

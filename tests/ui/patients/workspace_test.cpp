@@ -5,6 +5,7 @@
 
 #include "core/patient/painted_tumours.h"
 #include "tests/ui/patients/fake_ward.h"
+#include "ui/standing_warnings.h"
 
 namespace hepatica {
 namespace {
@@ -37,7 +38,7 @@ TEST(Workspace, is_dirty_while_its_corrections_are_not_those_on_disk) {
     EXPECT_TRUE(workspace.dirty()) << "also before its body is there";
     workspace.show_body(body_of({edit(1)}));
     EXPECT_TRUE(workspace.dirty());
-    workspace.saved("/disk/b.hep", {edit(1)});
+    workspace.saved("/disk/b.hep", {edit(1)}, {});
     EXPECT_FALSE(workspace.dirty());
     EXPECT_EQ(workspace.title(), "b.hep");
     EXPECT_EQ(workspace.folder(), "/disk/b.hep");
@@ -56,8 +57,30 @@ TEST(Workspace, a_reconstruction_is_worth_saving_and_a_patient_made_at_will_is_n
     opened.worth_saving = true;
     workspace.open(opened);
     EXPECT_TRUE(workspace.dirty());
-    workspace.saved("/disk/a.hep", {});
+    workspace.saved("/disk/a.hep", {}, {});
     EXPECT_FALSE(workspace.dirty());
+}
+
+TEST(Workspace, warnings_of_the_image_outlast_a_rebuilding_and_all_come_back_with_what_was_before) {
+    Workspace workspace;
+    OpenedPatient opened = case_on_disk();
+    opened.warnings = {"thick slices", "a loop"};
+    opened.warnings_of_image = {"thick slices"};
+    workspace.open(opened);
+    EXPECT_EQ(workspace.warnings(), opened.warnings);
+    workspace.show_remade(body_of({}), body_of({}), 0, {"a piece is left out"});
+    EXPECT_EQ(workspace.warnings(),
+              (std::vector<std::string>{"a piece is left out", "thick slices"}));
+    workspace.take_back_remaking();
+    EXPECT_EQ(workspace.warnings(), opened.warnings);
+}
+
+TEST(StandingWarnings, FollowWhatIsSaidOfTheVessels) {
+    const std::vector<std::string> told{"a", "image", "b"};
+    EXPECT_EQ(still_standing(told, {"a", "b"}, {"b", "c"}),
+              (std::vector<std::string>{"c", "image", "b"}));
+    EXPECT_EQ(still_standing(told, {}, {}), told);
+    EXPECT_EQ(still_standing({}, {"never told"}, {"never told"}), std::vector<std::string>());
 }
 
 TEST(Workspace, undo_and_redo_walk_over_what_is_wanted) {

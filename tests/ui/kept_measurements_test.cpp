@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What was measured stays: it is kept with the case, counts as unsaved work, and outlasts
+// corrections.
+#include <QComboBox>
+#include <QPushButton>
+#include <QStatusBar>
+#include <fstream>
+
+#include "core/patient/patient_case.h"
+#include "tests/patient/parted_patient.h"
+#include "tests/ui/window_test.h"
+#include "ui/message_bar.h"
+#include "ui/paths.h"
+#include "ui/slices/view_layout.h"
+
+namespace hepatica::testing {
+namespace {
+
+// Along the straight vessel of parted_tree(), as a share of its length.
+Vec3 along_vessel(double share) {
+    return Vec3(29, 49, 3) + share * Vec3(16, 11, 2);
+}
+
+class KeptMeasurements : public WindowTest {
+  protected:
+    KeptMeasurements()
+        : WindowTest({[](const OpenRequest& request, Job& job) {
+                          if (!request.built_in) return load_patient(request, job);
+                          return play(
+                              std::make_shared<const PatientCase>(test::patient_with_bridges()),
+                              job);
+                      },
+                      [](const std::filesystem::path& path, const PatientCase& patient) {
+                          write_case(path, patient);
+                      },
+                      [](std::shared_ptr<const PatientCase> patient, Job& job) {
+                          return play(std::move(patient), job);
+                      }}) {
+        open_built_in();
+    }
+    const std::vector<Measurement>& made() {
+        return window_.view_layout().slices().measurements().made();
+    }
+    void measure_distance() {
+        QTest::keyClick(&window_, Qt::Key_M);
+        for (const double share : {0.3, 0.7})
+            QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(along_vessel(share)));
+    }
+    void measure_diameter(const Vec3& at_mm) {
+        QTest::keyClick(&window_, Qt::Key_M, Qt::ControlModifier);
+        QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(at_mm));
+    }
+    void save() {
+        window_.save_case(folder_.filePath("p.hep"));
+        wait();
+    }
+    void open(const QString& path) {
+        window_.open(path);
+        wait();
+    }
+    std::filesystem::path file() { return to_path(folder_.filePath("p.hep/measurements.json")); }
+};
+
+TEST_F(KeptMeasurements, CountAsUnsavedAndAreThereWhenTheCaseIsOpenedAgain) {
+    EXPECT_FALSE(window_.isWindowModified());
+    measure_distance();
+    measure_diameter(along_vessel(0.5));
+    ASSERT_EQ(made().size(), 2u);
+    EXPECT_TRUE(window_.isWindowModified());
+    const std::vector<std::string> texts{made()[0].text, made()[1].text};
+    save();
+    EXPECT_FALSE(window_.isWindowModified());
+    QTest::keyClick(&window_, Qt::Key_Delete, Qt::ShiftModifier);
+    EXPECT_TRUE(window_.isWindowModified()) << "one of them is gone";
+    open_built_in();
+    EXPECT_EQ(questions_asked_, 1) << "it would have been lost";
+    EXPECT_TRUE(made().empty());
+    open(folder_.filePath("p.hep"));
+    ASSERT_EQ(made().size(), 2u);
+    EXPECT_EQ((std::vector<std::string>{made()[0].text, made()[1].text}), texts);
+    EXPECT_EQ(window_.view().scene().measures().size(), 2u);
+    EXPECT_FALSE(window_.isWindowModified());
+}
+
+TEST_F(KeptMeasurements, OfAPatientWhoWasNeverSavedAreAskedAboutBeforeTheyAreLost) {
+    measure_distance();
+    unsaved_answer_ = UnsavedAnswer::cancel;
+    EXPECT_FALSE(window_.close());
+    EXPECT_EQ(questions_asked_, 1);
+    EXPECT_EQ(made().size(), 1u);
+}
+
+// A diameter belongs to the vessels: it goes with its vessel, and comes back with it.
+TEST_F(KeptMeasurements, OutlastCorrectionsAndFollowUndo) {
+    measure_distance();
+    measure_diameter(along_vessel(0.5));
+    ASSERT_EQ(made().size(), 2u);
+    save();
+    const auto points = made()[1].points_mm;
+    window_.actions()[ActionId::edit_mode].trigger();
+    auto* tools = window_.findChild<QComboBox*>("EditTool");
+    tools->setCurrentIndex(tools->findText("Delete a whole tree"));
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(along_vessel(0.5)));
+    wait();
+    ASSERT_EQ(made().size(), 1u) << "its vessel is gone";
+    EXPECT_EQ(made()[0].kind, MeasurementKind::distance);
+    EXPECT_TRUE(window_.messages().text().contains("1 diameter"))
+        << window_.messages().text().toStdString();
+    window_.actions()[ActionId::undo_edit].trigger();
+    wait();
+    ASSERT_EQ(made().size(), 2u);
+    EXPECT_EQ(made()[1].points_mm, points);
+    EXPECT_FALSE(window_.isWindowModified()) << "all is as it was saved";
+    window_.actions()[ActionId::redo_edit].trigger();
+    wait();
+    EXPECT_EQ(made().size(), 1u);
+    EXPECT_TRUE(window_.isWindowModified());
+}
+
+TEST_F(KeptMeasurements, StayWhereEscapeIsPressedOnceMore) {
+    measure_distance();
+    for (int i = 0; i < 3; ++i) QTest::keyClick(&window_, Qt::Key_Escape);
+    EXPECT_EQ(made().size(), 1u);
+}
+
+TEST_F(KeptMeasurements, AreBroughtBackAfterTheyWereAllRemoved) {
+    measure_distance();
+    window_.actions()[ActionId::clear_measurements].trigger();
+    EXPECT_TRUE(made().empty());
+    EXPECT_TRUE(window_.messages().text().contains("1 measurement"));
+    auto* back = window_.messages().findChild<QPushButton*>("offer");
+    ASSERT_TRUE(back->isVisible());
+    QTest::mouseClick(back, Qt::LeftButton);
+    EXPECT_EQ(made().size(), 1u);
+    EXPECT_FALSE(window_.messages().isVisible());
+}
+
+TEST_F(KeptMeasurements, InAFileThatIsDamagedAreRefusedWithFileValueAndRemedy) {
+    measure_distance();
+    save();
+    std::ofstream(file()) << R"({"format": "hepatica-measurements", "version": 1, "measurements":
+        [{"kind": "distance", "points_mm": [[1, 2, 3], [1e9, 2, 3]]}]})";
+    window_.open(folder_.filePath("p.hep"));
+    ASSERT_TRUE(wait_for([this] { return !window_.busy(); }));
+    const QString said = window_.messages().text();
+    EXPECT_TRUE(said.contains("measurements.json")) << said.toStdString();
+    EXPECT_TRUE(said.contains("1000000000")) << said.toStdString();
+    EXPECT_TRUE(said.contains("remove the file")) << said.toStdString();
+}
+
+}  // namespace
+}  // namespace hepatica::testing

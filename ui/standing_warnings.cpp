@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/standing_warnings.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/flow/flow_shares.h"
+#include "ui/window_words.h"
+
+namespace hepatica {
+namespace {
+
+bool holds(const std::vector<std::string>& list, const std::string& text) {
+    return std::ranges::find(list, text) != list.end();
+}
+
+}  // namespace
+
+std::vector<std::string> said_of_vessels(const PatientCase& patient) {
+    if (patient.tree.segments.empty()) return {};
+    std::vector<std::string> said = warnings_of_ends(patient.tree, flow_shares(patient.tree));
+    for (std::string& doubt : sentences(patient.doubts, patient.tree))
+        said.push_back(in_window_words(std::move(doubt)));
+    return said;
+}
+
+std::vector<std::string> still_standing(const std::vector<std::string>& told,
+                                        const std::vector<std::string>& said_before,
+                                        const std::vector<std::string>& said_now) {
+    std::vector<std::string> standing;
+    for (const std::string& text : said_now)
+        if (!holds(said_before, text) && !holds(told, text)) standing.push_back(text);
+    for (const std::string& text : told)
+        if (!holds(said_before, text) || holds(said_now, text)) standing.push_back(text);
+    return standing;
+}
+
+}  // namespace hepatica

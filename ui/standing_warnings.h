@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a patient was opened or rebuilt with a warning of, as far as it still holds after his
+// vessels were corrected. No toolkit.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/patient/patient_case.h"
+
+namespace hepatica {
+
+// All that is said of his vessels as they are: ends that take most of the flow, roots, doubts; in
+// the words of the window. Empty without a tree.
+std::vector<std::string> said_of_vessels(const PatientCase& patient);
+
+// Of what was told those sentences that are not about the vessels or are still said of them, behind
+// those that are said now for the first time.
+std::vector<std::string> still_standing(const std::vector<std::string>& told,
+                                        const std::vector<std::string>& said_before,
+                                        const std::vector<std::string>& said_now);
+
+}  // namespace hepatica
