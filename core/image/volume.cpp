@@ -7,11 +7,6 @@
 
 namespace hepatica {
 
-std::size_t object_count(const Mask& mask) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(mask.voxels, [](std::uint8_t voxel) { return voxel != 0; }));
-}
-
 std::optional<Index3> voxel_at(const Grid& grid, const Vec3& position_mm) {
     if (grid.count() == 0) return std::nullopt;
     const Vec3 index = grid.to_index(position_mm);

@@ -85,9 +85,6 @@ using FloatVolume = Image<float>;    // filtered intensities, distances
 using Mask = Image<std::uint8_t>;    // 0 background, anything else object
 using LabelMap = Image<std::uint16_t>;
 
-// Number of voxels that are not 0.
-std::size_t object_count(const Mask& mask);
-
 // The voxel that contains a position, outer faces of the grid included; nothing outside the grid
 // and for positions that are not finite.
 std::optional<Index3> voxel_at(const Grid& grid, const Vec3& position_mm);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/brush.h"
+#include "core/image/mask.h"
 
 #include <gtest/gtest.h>
 
