@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/image/brush.h"
-#include "core/image/mask.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +9,8 @@
 #include <limits>
 #include <numbers>
 #include <random>
+
+#include "core/image/mask.h"
 
 namespace hepatica {
 namespace {
