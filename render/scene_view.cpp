@@ -119,7 +119,8 @@ void SceneView::render(double pixel_ratio) {
         parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
         parts_->stem.place(pixel_ratio);
         parts_->pull_force.place(pixel_ratio);
-        parts_->weak_lines.set_place(-Vec3(eye.GetDirectionOfProjection()), pixel_ratio);
+        parts_->weak_lines.set_place(-Vec3(eye.GetDirectionOfProjection()),
+                                     per_pixel * pixel_ratio);
         parts_->tree.halo().set_place(halo_points * pixel_ratio * per_pixel / distance,
                                       halo_behind_mm * Vec3(eye.GetDirectionOfProjection()));
         parts_->tree.halo().set_background(parts_->look.top, parts_->look.bottom, height);

@@ -18,9 +18,9 @@ namespace hepatica {
 namespace {
 
 constexpr float pause = 0.18f;  // share of an edge left free at each of its ends
-constexpr double line_points = 4.5;
-constexpr double rim_points = 9.0;
-constexpr double lift_mm = 1.0;
+constexpr double line_points = 3.5;
+constexpr double rim_points = 7.0;
+constexpr double line_lift_mm = 1.0, rim_lift_mm = 0.9;
 
 std::vector<float> dashes_of(const Frame& frame) {
     std::vector<float> ends;
@@ -36,18 +36,18 @@ std::vector<float> dashes_of(const Frame& frame) {
 
 }  // namespace
 
-WeakLineActor::WeakLineActor()
-    : dashes_(vtkSmartPointer<vtkPolyData>::New()),
-      actor_(vtkSmartPointer<vtkActor>::New()),
-      rim_(vtkSmartPointer<vtkActor>::New()) {
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(dashes_);
+WeakLineActor::WeakLineActor() {
     const Colour colour = palette::warning(palette::vessel_system(VascularSystem::unknown), 1.0);
-    for (const auto& [actor, of] : {std::pair{actor_.Get(), colour}, {rim_.Get(), palette::rim}}) {
-        actor->SetMapper(mapper);
-        actor->GetProperty()->SetColor(of[0], of[1], of[2]);
-        actor->GetProperty()->SetLighting(false);
-        actor->SetVisibility(false);
+    for (const auto& [ribbons, of] :
+         {std::pair<Ribbons&, Colour>{rim_, palette::rim}, {line_, colour}}) {
+        ribbons.quads = vtkSmartPointer<vtkPolyData>::New();
+        ribbons.actor = vtkSmartPointer<vtkActor>::New();
+        vtkNew<vtkPolyDataMapper> mapper;
+        mapper->SetInputData(ribbons.quads);
+        ribbons.actor->SetMapper(mapper);
+        ribbons.actor->GetProperty()->SetColor(of[0], of[1], of[2]);
+        ribbons.actor->GetProperty()->SetLighting(false);
+        ribbons.actor->SetVisibility(false);
     }
 }
 
@@ -56,24 +56,38 @@ bool WeakLineActor::update(const Frame& frame) {
     if (ends == shown_) return false;
     shown_ = std::move(ends);
     for (vtkActor* actor : actors()) actor->SetVisibility(!shown_.empty());
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkCellArray> lines;
-    for (std::size_t i = 0; i + 5 < shown_.size(); i += 6)
-        lines->InsertNextCell(
-            {points->InsertNextPoint(&shown_[i]), points->InsertNextPoint(&shown_[i + 3])});
-    dashes_->SetPoints(points);
-    dashes_->SetLines(lines);
     return true;
 }
 
-void WeakLineActor::set_place(const Vec3& to_eye, double pixel_ratio) {
-    const auto place = [&](vtkActor& actor, double lifted_mm, double points) {
-        const Vec3 lift = lifted_mm * to_eye;
-        actor.SetPosition(lift.x(), lift.y(), lift.z());
-        actor.GetProperty()->SetLineWidth(static_cast<float>(points * pixel_ratio));
-    };
-    place(*rim_, 0.9 * lift_mm, rim_points);
-    place(*actor_, lift_mm, line_points);
+void WeakLineActor::set_place(const Vec3& to_eye, double mm_per_point) {
+    if (shown_.empty()) return;
+    rim_.lay(shown_, to_eye, rim_points * mm_per_point, rim_lift_mm);
+    line_.lay(shown_, to_eye, line_points * mm_per_point, line_lift_mm);
+}
+
+// As much longer at its ends as it is wider.
+void WeakLineActor::Ribbons::lay(const std::vector<float>& ends, const Vec3& to_eye, double wide_mm,
+                                 double lift_mm) const {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> cells;
+    for (std::size_t i = 0; i + 5 < ends.size(); i += 6) {
+        const Vec3 from(ends[i], ends[i + 1], ends[i + 2]);
+        const Vec3 to(ends[i + 3], ends[i + 4], ends[i + 5]);
+        const Vec3 across = to_eye.cross(to - from);
+        if (across.norm() < 1e-9) continue;  // seen end on
+        const Vec3 half = 0.5 * wide_mm * across.normalized();
+        const Vec3 longer = 0.5 * wide_mm * half.cross(to_eye).normalized();
+        std::array<vtkIdType, 4> ids{};
+        std::size_t next = 0;
+        for (const Vec3& corner : {Vec3(from - longer + half), Vec3(from - longer - half),
+                                   Vec3(to + longer - half), Vec3(to + longer + half)}) {
+            const Vec3 at = corner + lift_mm * to_eye;
+            ids[next++] = points->InsertNextPoint(at.x(), at.y(), at.z());
+        }
+        cells->InsertNextCell(4, ids.data());
+    }
+    quads->SetPoints(points);
+    quads->SetPolys(cells);
 }
 
 }  // namespace hepatica

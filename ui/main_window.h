@@ -295,6 +295,7 @@ class MainWindow : public QMainWindow {
     std::string last_message_;
     std::vector<std::string> warnings_;  // of the patient, that hold
     QString warnings_text_;              // as they were told last
+    std::uint64_t warnings_origin_ = 0;  // of the workspace, whose warnings they are
     QString report_program_;
     QString report_message_;  // tells where the last report is
     QString unfit_message_;   // names lessons that no longer fit

@@ -139,16 +139,19 @@ void MainWindow::colour_by_segments(const std::vector<std::uint8_t>& of_branches
     view_->draw_again();
 }
 
-// A correction tells them again only where one is new, or where they were still to be read.
+// Of what a correction makes doubtful case_editing.h tells; it tells all again only where they were
+// still to be read.
 void MainWindow::show_warnings(bool corrected) {
     const std::vector<std::string> before = std::exchange(warnings_, patient_->warnings);
+    const std::uint64_t origin = keeper_->workspace().origin();
+    const bool other_vessels = std::exchange(warnings_origin_, origin) != origin;
     status_->show_warnings(warnings_.size());
     const QString said = messages_->text();
     bool fresh = false;
     for (const std::string& warning : warnings_) {
         const bool told = corrected && std::ranges::find(before, warning) != before.end();
         if (told || said.contains(translated(warning))) continue;
-        fresh = true;
+        fresh |= !corrected || other_vessels;
         log_->add_warning(translated(keeper_->workspace().title()), translated(warning));
     }
     const bool stand = !warnings_text_.isEmpty() && said == warnings_text_;

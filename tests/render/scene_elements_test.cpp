@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -498,6 +499,38 @@ TEST(ForceLabel, StaysWithinThePicture) {
         EXPECT_GT(label->right - label->left, 20.0) << "it says something";
     }
     context.window().RemoveRenderer(renderer);
+}
+
+// A hairline would not be seen on a whole patient.
+TEST_F(SceneElements, a_cut_line_is_some_pixels_wide_and_has_a_dark_rim) {
+    Frame frame = fake_frame(0.1);
+    const Picture plain = picture_of(frame);
+    const auto place = [&](int vertex) {
+        const float* at = &frame.positions_mm[3 * static_cast<std::size_t>(vertex)];
+        return Vec3(at[0], at[1], at[2]);
+    };
+    std::array<int, 2> front{};
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b, c] : *frame.surface)
+        if (const double away = place(a).y() + place(b).y(); away < nearest) {
+            nearest = away;
+            front = {std::min(a, b), std::max(a, b)};
+        }
+    frame.tear.emplace();
+    frame.tear->weak_edges = std::make_shared<const std::vector<std::array<int, 2>>>(1, front);
+    EXPECT_TRUE(view_.show(frame));
+    const Picture cut = picture();
+    int red = 0, dark = 0;
+    for (std::size_t i = 0; i < cut.rgb.size(); i += 3) {
+        const std::uint8_t* now = &cut.rgb[i];
+        if (std::equal(now, now + 3, &plain.rgb[i])) continue;
+        red += now[0] > 200 && now[1] < 110 && now[2] < 90;
+        dark += now[0] < 60 && now[1] < 60 && now[2] < 60;
+    }
+    const Pixel from = view_.pixel_of(place(front[0])), to = view_.pixel_of(place(front[1]));
+    const double dash = 0.64 * std::hypot(to.x - from.x, to.y - from.y);
+    EXPECT_GT(red, 2.0 * dash);
+    EXPECT_GT(dark, dash);
 }
 
 TEST_F(SceneElements, a_cut_line_that_has_not_torn_is_seen) {
