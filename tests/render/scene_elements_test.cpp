@@ -6,10 +6,8 @@
 #include <vtkActorCollection.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
-#include <vtkPropCollection.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkTextActor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +17,11 @@
 
 #include "core/deform/body/obstacles.h"
 #include "render/bleeding_actor.h"
-#include "render/measure_marks.h"
 #include "render/osmesa_context.h"
 #include "render/scene_view.h"
 #include "render/tool_actor.h"
 #include "tests/render/fake_frame.h"
+#include "tests/render/scene_pictures.h"
 #include "tests/render/screenshot.h"
 
 namespace hepatica {
@@ -40,17 +38,8 @@ struct Box {
     int left, top, right, bottom;
 };
 
-class SceneElements : public ::testing::Test {
+class SceneElements : public testing::ScenePictures {
   protected:
-    Picture picture() {
-        view_.render();
-        return read_picture(context_.window());
-    }
-    Picture picture_of(const Frame& frame) {
-        view_.show(frame);
-        return picture();
-    }
-
     // Of the legend of a drug as it was drawn last, by its points from the top: five lines of 22
     // and a bar of 10 with a gap of 5.
     Box of_legend(const char* element, double from_pt, double to_pt) const {
@@ -60,9 +49,6 @@ class SceneElements : public ::testing::Test {
         return {element, static_cast<int>(legend.left), static_cast<int>(top + from_pt * point),
                 static_cast<int>(legend.right), static_cast<int>(top + to_pt * point)};
     }
-
-    OsmesaContext context_{width, height};
-    SceneView view_{context_.window()};
 };
 
 // The picture with one box of it as it is in another picture.
@@ -301,155 +287,6 @@ TEST_F(SceneElements, obstacles_are_cut_open_with_the_vessels) {
     view_.show(testing::frame_beside_obstacles());
     view_.set_clip(std::nullopt);
     EXPECT_EQ(picture().rgb, whole.rgb);
-}
-
-TEST_F(SceneElements, a_mark_its_number_and_that_it_is_reached_are_each_seen) {
-    view_.show(fake_frame());
-    const Vec3 beside(-30, 0, -30);
-    const Picture without = picture();
-    view_.set_marks({{beside, "", false}});
-    const Picture ball = picture();
-    EXPECT_FALSE(look_alike(ball, without));
-    view_.set_marks({{beside, "1", false}});
-    const Picture numbered = picture();
-    EXPECT_FALSE(look_alike(numbered, ball));
-    EXPECT_TRUE(view_.set_marks({{beside, "1", true}}));
-    EXPECT_FALSE(look_alike(picture(), numbered));
-    EXPECT_FALSE(view_.set_marks({{beside, "1", true}})) << "as it was";
-    view_.set_marks({});
-    EXPECT_TRUE(look_alike(picture(), without));
-}
-
-// Behind the vessels, or in a pool of blood.
-TEST_F(SceneElements, the_number_of_a_mark_is_seen_through_vessels_and_blood) {
-    Frame frame = fake_frame();
-    const auto its_number_is_seen = [&](const Vec3& place) {
-        view_.show(frame);
-        view_.set_marks({{place, "", false}});
-        const Picture ball = picture();
-        view_.set_marks({{place, "1", false}});
-        EXPECT_FALSE(look_alike(picture(), ball));
-    };
-    const std::size_t vertices = frame.positions_mm.size() / 3;
-    Vec3 middle = Vec3::Zero();
-    for (std::size_t i = 0; i < frame.positions_mm.size(); ++i)
-        middle[static_cast<int>(i % 3)] += frame.positions_mm[i] / static_cast<double>(vertices);
-    const Vec3 forward(view_.camera().GetDirectionOfProjection());
-    its_number_is_seen(middle + 15.0 * forward);
-    frame.tear.emplace();
-    frame.tear->leaked_g = 400.0;
-    frame.tear->leaks = {{.at_mm = middle, .share = 1.0}};
-    its_number_is_seen(middle);
-}
-
-// As the lesson measures it: from the tip to the mark.
-TEST_F(SceneElements, a_line_says_how_far_the_tool_is_from_the_mark_and_whether_deeper) {
-    std::string last;
-    view_.set_words([&](const std::string& english) {
-        if (english.ends_with("mm") || english.find("mark") != std::string::npos) last = english;
-        return english;
-    });
-    Frame frame = fake_frame();
-    view_.show(frame);
-    const Vec3 tip(40, 0, 20);
-    frame.tool.emplace();
-    frame.tool->parts = {{tip, tip - Vec3(0, 0, 20), 2.0}};
-    frame.tool->tip_mm = frame.tool->at_mm = frame.tool->centre_mm = tip;
-    const auto said = [&](const std::vector<MarkView>& marks) {
-        view_.set_marks(marks);
-        last.clear();
-        view_.show(frame);
-        return last;
-    };
-    const ViewAxes axes = view_.axes();
-    EXPECT_EQ(said({{tip + 12.0 * axes.right, "", false}}), "12 mm to the mark");
-    EXPECT_EQ(said({{tip + 12.0 * axes.forward, "", false}}), "12 mm to the mark, deeper");
-    EXPECT_EQ(said({{tip - 12.0 * axes.forward, "", false}}), "12 mm to the mark, nearer");
-    EXPECT_EQ(said({{tip + 90.0 * axes.right, "", false}, {tip + 7.0 * axes.up, "", false}}),
-              "7 mm to the mark");
-    const std::string vessel = said({{tip + 12.0 * axes.right, "", true}});
-    EXPECT_TRUE(vessel.ends_with(" mm")) << "it is done with: " << vessel;
-    const Picture near_vessel = picture();
-    said({{tip + 12.0 * axes.forward + 5.0 * axes.up, "", false}});
-    EXPECT_FALSE(look_alike(picture(), near_vessel));
-}
-
-TEST_F(SceneElements, what_was_measured_and_its_value_are_seen) {
-    const Picture plain = picture_of(fake_frame());
-    const MeasureView measure{{Vec3(-20, -30, -50), Vec3(20, -30, -50)}, "40.0 mm"};
-    MeasureView without_value = measure;
-    without_value.text.clear();
-    EXPECT_TRUE(view_.set_measures({measure}));
-    EXPECT_FALSE(view_.set_measures({measure})) << "nothing is new";
-    const Picture whole = picture();
-    EXPECT_TRUE(view_.set_measures({without_value}));
-    const Picture line = picture();
-    EXPECT_FALSE(look_alike(line, whole));
-    EXPECT_FALSE(look_alike(line, plain));
-    // From end to end.
-    for (const Vec3& end : without_value.points_mm) {
-        const Pixel at = view_.pixel_of(end);
-        const std::size_t pixel =
-            3 * static_cast<std::size_t>(static_cast<int>(at.y) * width + static_cast<int>(at.x));
-        EXPECT_GT(line.rgb[pixel], 240);
-        EXPECT_LT(line.rgb[pixel + 2], 100);
-    }
-    EXPECT_TRUE(view_.set_measures({}));
-    EXPECT_EQ(picture().rgb, plain.rgb);
-}
-
-// On a dense screen letters are large, and a vessel may end at any edge.
-TEST_F(SceneElements, the_value_of_a_measure_stays_within_the_picture) {
-    vtkNew<vtkRenderer> renderer;
-    OsmesaContext context(200, 150);
-    context.window().AddRenderer(renderer);
-    MeasureMarks marks(*renderer);
-    for (const std::array<double, 2>& end :
-         {std::array{195.0, 75.0}, {2.0, 2.0}, {100.0, 148.0}, {199.0, 149.0}}) {
-        marks.show({{{Vec3(0, 0, 0), Vec3(1, 0, 0)}, std::to_string(end[0]).substr(0, 3) + " mm"}});
-        marks.update(
-            [&](const Vec3& position) {
-                return std::optional(position.x() > 0.0 ? end : std::array{100.0, 75.0});
-            },
-            2.0);
-        context.window().Render();
-        vtkTextActor* text = nullptr;
-        vtkPropCollection& props = *renderer->GetViewProps();
-        for (int i = 0; i < props.GetNumberOfItems(); ++i)
-            if (auto* one = vtkTextActor::SafeDownCast(props.GetItemAsObject(i))) text = one;
-        ASSERT_NE(text, nullptr);
-        std::array<double, 2> size{};
-        text->GetSize(renderer, size.data());
-        EXPECT_GT(size[0], 40.0) << "it says something";
-        for (int axis = 0; axis < 2; ++axis) {
-            // A window's frame is four pixels wide there.
-            EXPECT_GE(text->GetPosition()[axis], 6.0);
-            EXPECT_LE(text->GetPosition()[axis] + size[axis], axis == 0 ? 194.0 : 144.0);
-        }
-    }
-    context.window().RemoveRenderer(renderer);
-}
-
-TEST_F(SceneElements, every_measure_is_seen_but_what_lies_behind_the_eye) {
-    const Picture plain = picture_of(fake_frame());
-    const MeasureView low{{Vec3(-20, -30, -50), Vec3(20, -30, -50)}, ""};
-    const MeasureView high{{Vec3(-20, -30, 10), Vec3(20, -30, 10)}, ""};
-    view_.set_measures({low, high});
-    const Picture both = picture();
-    for (const MeasureView& measure : {low, high}) {
-        const Pixel at = view_.pixel_of(measure.points_mm[0]);
-        const std::size_t pixel =
-            3 * static_cast<std::size_t>(static_cast<int>(at.y) * width + static_cast<int>(at.x));
-        EXPECT_GT(both.rgb[pixel], 240);
-        EXPECT_LT(both.rgb[pixel + 2], 100);
-    }
-    const ViewAxes axes = view_.axes();
-    const Vec3 eye = view_.ray_through({0.5 * width, 0.5 * height}).origin_mm;
-    const Vec3 behind = eye - 40.0 * axes.forward;
-    for (const Vec3& other : {Vec3(behind + 10.0 * axes.right), Vec3(20, -30, 10), eye}) {
-        view_.set_measures({{{behind, other}, "10.0 mm"}});
-        EXPECT_EQ(picture().rgb, plain.rgb) << other.transpose();
-    }
 }
 
 TEST(Screenshot, another_drivers_smoothing_of_edges_is_not_seen) {
