@@ -21,7 +21,10 @@ class AutomaticSolver final : public LinearSolver {
         : skeleton_(skeleton),
           rest_positions_mm_(rest_positions_mm.begin(), rest_positions_mm.end()) {}
 
-    void plan_ahead(const BlockMatrix& pattern) override { choose(pattern); }
+    void plan_ahead(const BlockMatrix& pattern) override {
+        choose(pattern);
+        chosen_->plan_ahead(pattern);
+    }
     void update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
                 std::span<const int> changed_rows) override;
     SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,

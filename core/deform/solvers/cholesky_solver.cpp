@@ -53,6 +53,11 @@ void CholeskySolver::plan_anew(const BlockMatrix& pattern) {
     begin(pattern);
 }
 
+void CholeskySolver::plan_ahead(const BlockMatrix& pattern) {
+    if (!planned_for(pattern)) plan_anew(pattern);
+    if (!in_double_ && !single_) single_.emplace(pattern, tree_);
+}
+
 void CholeskySolver::follow_split(const BlockMatrix& pattern, std::span<const int> parents) {
     if (parents_.empty()) {
         if (order_.empty() || !planned_for(pattern)) plan_anew(pattern);

@@ -17,10 +17,8 @@ namespace hepatica {
 
 class CholeskySolver final : public LinearSolver {
   public:
-    // The symbolic analysis; the factor is allocated by the first update.
-    void plan_ahead(const BlockMatrix& pattern) override {
-        if (!planned_for(pattern)) plan_anew(pattern);
-    }
+    // The symbolic analysis and the factor's memory.
+    void plan_ahead(const BlockMatrix& pattern) override;
     void update(const BlockMatrix& matrix, std::span<const Vec3> positions_mm,
                 std::span<const int> changed_rows) override;
     void follow_split(const BlockMatrix& pattern, std::span<const int> parents) override;
