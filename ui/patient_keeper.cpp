@@ -7,12 +7,10 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/flow/flow_shares.h"
 #include "core/opening/patient_image.h"
 #include "ui/core_words.h"
 #include "ui/paths.h"
 #include "ui/standing_warnings.h"
-#include "ui/window_words.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -309,10 +307,8 @@ BackgroundJob::Work PatientKeeper::remaking(std::shared_ptr<const Volume> ct,
         note_rebuilding(*before, strokes, made.patient);
         auto loaded = std::make_shared<LoadedPatient>(
             ways_.play_on(std::make_shared<const PatientCase>(std::move(made.patient)), job));
-        std::vector<std::string> warnings =
-            warnings_of_ends(loaded->patient->tree, loaded->flow_shares);
-        for (std::string& warning : made.warnings)
-            warnings.push_back(in_window_words(std::move(warning)));
+        const auto warnings =
+            said_of_remade(loaded->patient->tree, loaded->flow_shares, std::move(made.warnings));
         return [this, before, loaded, strokes, warnings] {
             workspace_.show_remade(before, loaded->patient, strokes, warnings);
             loaded->warnings = workspace_.warnings();
@@ -378,18 +374,12 @@ BackgroundJob::Work PatientKeeper::correction() {
                 std::make_shared<const PatientCase>(ways_.correct(*patient, possible.edits, job));
             loaded = std::make_shared<LoadedPatient>(ways_.play_on(std::move(corrected), job));
         }
-        std::vector<std::string> said_before, said_now;
-        if (loaded) {
-            said_before = said_of_vessels(*patient);
-            said_now = said_of_vessels(*loaded->patient);
-        }
+        const auto said_before = said_of_vessels(*patient);
+        const auto said_now = loaded ? said_of_vessels(*loaded->patient) : said_before;
         return [this, loaded, patient, said_before, said_now, refused = possible.refused] {
             workspace_.show_body(loaded ? loaded->patient : patient);
-            if (loaded) {
-                workspace_.set_warnings(
-                    still_standing(workspace_.warnings(), said_before, said_now));
-                loaded->warnings = workspace_.warnings();
-            }
+            workspace_.set_warnings(still_standing(workspace_.warnings(), said_before, said_now));
+            if (loaded) loaded->warnings = workspace_.warnings();
             if (loaded) screen_.show(std::move(*loaded), true);
             if (!refused.empty()) go_ = nullptr;
             for (const Failure& failure : refused)

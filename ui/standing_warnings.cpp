@@ -24,6 +24,13 @@ std::vector<std::string> said_of_vessels(const PatientCase& patient) {
     return said;
 }
 
+std::vector<std::string> said_of_remade(const VesselTree& tree, const std::vector<double>& shares,
+                                        std::vector<std::string> warnings) {
+    std::vector<std::string> said = warnings_of_ends(tree, shares);
+    for (std::string& warning : warnings) said.push_back(in_window_words(std::move(warning)));
+    return said;
+}
+
 std::vector<std::string> still_standing(const std::vector<std::string>& told,
                                         const std::vector<std::string>& said_before,
                                         const std::vector<std::string>& said_now) {

@@ -14,6 +14,11 @@ namespace hepatica {
 // the words of the window. Empty without a tree.
 std::vector<std::string> said_of_vessels(const PatientCase& patient);
 
+// Of vessels that were made anew: ends that take most of the flow, and what their making warned of.
+// `shares` as from flow_shares().
+std::vector<std::string> said_of_remade(const VesselTree& tree, const std::vector<double>& shares,
+                                        std::vector<std::string> warnings);
+
 // Of what was told those sentences that are not about the vessels or are still said of them, behind
 // those that are said now for the first time.
 std::vector<std::string> still_standing(const std::vector<std::string>& told,
