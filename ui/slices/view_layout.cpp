@@ -250,8 +250,6 @@ void ViewLayout::keep_clear(int top, int bottom) {
     clear_words();
 }
 
-// A bar at the top covers the upper row and one at the foot the lower row; both cover a picture
-// that stands alone.
 QImage ViewLayout::picture(const QImage& view) const {
     const bool slices = std::ranges::any_of(
         views_, [this](const SliceView* slice) { return slice->isVisibleTo(this); });
@@ -267,6 +265,8 @@ QImage ViewLayout::picture(const QImage& view) const {
     return whole;
 }
 
+// A bar at the top covers the upper row and one at the foot the lower row; both cover a picture
+// that stands alone.
 void ViewLayout::clear_words() {
     const bool two_rows = slices_visible_ && !scene_.empty() && !enlarged_;
     const int at_upper_foot = two_rows ? 0 : covered_bottom_;
