@@ -154,15 +154,14 @@ void MainWindow::connect_measuring() {
 // No undo knows of them: they can be had back at once.
 void MainWindow::remove_measurements() {
     Measurements& measurements = view_layout_->slices().measurements();
-    const std::vector<KeptMeasurement> before = measurements.kept();
-    measurements.remove_all();
-    if (before.empty()) return;
-    const auto bring_back = [this, before, origin = workspace().origin()] {
-        if (workspace().origin() == origin)
-            view_layout_->slices().measurements().bring_back(before);
+    const std::vector<KeptMeasurement> removed = measurements.remove_all();
+    if (removed.empty()) return;
+    const auto bring_back = [this, removed, opening = workspace().opening()] {
+        if (workspace().opening() == opening)
+            view_layout_->slices().measurements().bring_back(removed, workspace().patient()->tree);
     };
     messages_->show_notice(
-        Words::tr("%n measurement(s) removed.", nullptr, static_cast<int>(before.size())),
+        Words::tr("%n measurement(s) removed.", nullptr, static_cast<int>(removed.size())),
         Words::tr("Bring back"), bring_back);
 }
 

@@ -46,6 +46,8 @@ class Workspace {
     const std::filesystem::path& base() const { return base_; }
     // Changes with every patient and every rebuild: corrections belong to one origin.
     std::uint64_t origin() const { return origin_; }
+    // Changes with every patient alone.
+    std::uint64_t opening() const { return opened_origin_; }
     // The vessels were rebuilt since he was opened.
     bool remade() const { return origin_ != opened_origin_; }
 

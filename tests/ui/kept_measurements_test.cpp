@@ -135,6 +135,33 @@ TEST_F(KeptMeasurements, AreBroughtBackAfterTheyWereAllRemoved) {
     EXPECT_FALSE(window_.messages().isVisible());
 }
 
+// Also one whose vessel is gone, and on the vessels as they are by then.
+TEST(MeasurementsBroughtBack, StandWithThoseThatWereMadeSince) {
+    const VesselTree tree = test::parted_tree();
+    Measurements measurements;
+    const auto measure = [&](MeasurementKind kind, std::vector<double> shares) {
+        measurements.choose(kind);
+        for (const double share : shares) measurements.add_point(along_vessel(share), {}, tree);
+    };
+    measure(MeasurementKind::diameter, {0.5});
+    measure(MeasurementKind::distance, {0.3, 0.7});
+    EXPECT_EQ(measurements.follow_tree({}), 1u);
+    ASSERT_EQ(measurements.made().size(), 1u);
+    const std::vector<KeptMeasurement> removed = measurements.remove_all();
+    EXPECT_EQ(removed.size(), 2u);
+    EXPECT_TRUE(measurements.kept().empty());
+    measure(MeasurementKind::angle, {0.2, 0.5, 0.8});
+    measurements.bring_back(removed, {});
+    ASSERT_EQ(measurements.made().size(), 2u) << "there is no vessel yet";
+    EXPECT_EQ(measurements.made()[0].kind, MeasurementKind::distance);
+    EXPECT_EQ(measurements.made()[1].kind, MeasurementKind::angle);
+    EXPECT_EQ(measurements.follow_tree(tree), 0u);
+    ASSERT_EQ(measurements.made().size(), 3u);
+    EXPECT_EQ(measurements.kept()[0], removed[0]);
+    measurements.remove_last();
+    EXPECT_EQ(measurements.kept(), removed) << "the angle was the last";
+}
+
 TEST_F(KeptMeasurements, InAFileThatIsDamagedAreRefusedWithFileValueAndRemedy) {
     measure_distance();
     save();

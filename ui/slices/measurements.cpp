@@ -135,20 +135,17 @@ void Measurements::remove_last() {
     tell();
 }
 
-void Measurements::remove_all() {
+std::vector<KeptMeasurement> Measurements::remove_all() {
+    std::vector<KeptMeasurement> removed = std::move(taken_);
     clear();
     on_work_();
+    return removed;
 }
 
-void Measurements::bring_back(std::vector<KeptMeasurement> measurements) {
-    half_made_ = {};
-    taken_ = std::move(measurements);
-    made_.clear();
-    places_.clear();
-    for (const KeptMeasurement& taken : taken_) {
-        places_.push_back(made_.size());
-        made_.push_back({taken, text_of(taken)});
-    }
+void Measurements::bring_back(std::vector<KeptMeasurement> removed, const VesselTree& tree) {
+    removed.insert(removed.end(), taken_.begin(), taken_.end());
+    taken_ = std::move(removed);
+    show_on(tree);
     on_work_();
     tell();
 }

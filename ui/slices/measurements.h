@@ -41,9 +41,10 @@ class Measurements {
     // `plane`.
     std::string add_point(const Vec3& position_mm, const SlicePlane& plane, const VesselTree& tree);
     void remove_last();  // an unfinished one first
-    void remove_all();
-    // Replaces all, when a person wants them back.
-    void bring_back(std::vector<KeptMeasurement> measurements);
+    // Returns what it removed, those without a vessel among them.
+    std::vector<KeptMeasurement> remove_all();
+    // Puts these back before what was measured since; diameters are measured anew on the tree.
+    void bring_back(std::vector<KeptMeasurement> removed, const VesselTree& tree);
     // The tree has been corrected: diameters are measured anew. One whose vessel is gone is left
     // out until the vessel is there again. Returns how many were lost with this tree.
     std::size_t follow_tree(const VesselTree& tree);
