@@ -71,11 +71,12 @@ QString title_of(const RecordingFacts& facts) {
 
 std::array<QString, 2> headings_of(const RecordingFacts& one, const RecordingFacts& other) {
     const bool same_name = one.file.filename() == other.file.filename();
-    const auto heading = [same_name](const RecordingFacts& facts) {
-        const fs::path folder = same_name ? facts.file.parent_path().filename() : fs::path();
-        return QString("%1 (%2)").arg(to_text(folder / facts.file.filename()), title_of(facts));
+    const auto heading = [same_name](int number, const RecordingFacts& facts) {
+        const QString text =
+            QString("%1 (%2)").arg(to_text(facts.file.filename()), title_of(facts));
+        return same_name ? QString("%1: %2").arg(QString::number(number), text) : text;
     };
-    return {heading(one), heading(other)};
+    return {heading(1, one), heading(2, other)};
 }
 
 RecordingDialog::RecordingDialog(const fs::path& folder, QWidget* parent)

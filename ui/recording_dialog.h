@@ -25,8 +25,9 @@ struct RecordingFacts {
 RecordingFacts facts_of(const std::filesystem::path& recording);
 // "Gentle pull, 26 Nov 2026, 03:40"
 QString title_of(const RecordingFacts& facts);
-// Of two that are shown side by side: the file of each, which no other has, before its title, so
-// that a short heading tells them apart, too.
+// Of two that are shown side by side: the file of each before its title, so that a short heading
+// tells them apart, too; numbered where both files have one name. Folders are not named, because
+// saved pictures and films hold the headings and folders are often named after the patient.
 std::array<QString, 2> headings_of(const RecordingFacts& one, const RecordingFacts& other);
 
 // UI thread only.

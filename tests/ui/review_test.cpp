@@ -21,6 +21,7 @@
 #include "tests/ui/window_test.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
+#include "ui/recording_dialog.h"
 #include "ui/review_dock.h"
 #include "ui/review_list.h"
 #include "ui/second_view.h"
@@ -72,6 +73,20 @@ TEST(ReviewList, AVerdictThatIsNotPassedLooksLikeNoStepThatIsReached) {
 
 TEST(ReviewTitle, LeavesANameAsItIs) {
     EXPECT_EQ(gone_through("Half %2 and %1", 0.256), "Half %2 and %1: 25 % gone through");
+}
+
+// Pictures and films hold the headings, and folders are often named after the patient.
+TEST(ReviewTitle, OfTwoFilesOfOneNameTellsThemApartWithoutTheirFolders) {
+    RecordingFacts one, other;
+    one.file = "/data/Anton Beispiel/play.hrec";
+    other.file = "/data/Berta Beispiel/play.hrec";
+    one.lesson = other.lesson = "Gentle pull";
+    const std::array<QString, 2> headings = headings_of(one, other);
+    EXPECT_NE(headings[0], headings[1]);
+    for (const QString& heading : headings) {
+        EXPECT_TRUE(heading.contains("play.hrec (Gentle pull")) << heading.toStdString();
+        EXPECT_FALSE(heading.contains("Beispiel")) << heading.toStdString();
+    }
 }
 
 // The small patient is whatever is opened.
