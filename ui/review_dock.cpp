@@ -227,7 +227,7 @@ void ReviewDock::take(Found found) {
         const fs::path known = ways_.known_case(recording_->patient_hash);
         if (!known.empty() && is_case(known))
             request.reconstruct.ct = known;
-        else if (!known.empty() || (!request.built_in && ways_.patient() != nullptr))
+        else if (!request.built_in && (!known.empty() || ways_.patient() != nullptr))
             return ask_for_case();
         else
             request.built_in = true;  // perhaps it was played on him

@@ -465,6 +465,17 @@ TEST_F(ReviewWindowTest, opens_the_case_that_it_was_played_on_where_that_is_know
     EXPECT_EQ(opened_, 2);
 }
 
+// Nobody needs a case to have him.
+TEST_F(ReviewWindowTest, of_a_lesson_on_the_built_in_patient_needs_no_case_of_him) {
+    opens_other_ = true;
+    open_built_in();
+    settings_.remember_patient(played().recording.patient_hash, folder_.filePath("gone.hep"));
+    opens_other_ = false;
+    dock().open(file_, "look_around");
+    EXPECT_TRUE(wait_for([this] { return opened_ == 2; }));
+    EXPECT_TRUE(wait_for([this] { return !window_.busy() && !dock().busy(); }));
+}
+
 TEST_F(ReviewWindowTest, ends_where_another_patient_is_opened) {
     open_built_in();
     look_back();
