@@ -50,6 +50,13 @@ class KeptMeasurements : public WindowTest {
         QTest::keyClick(&window_, Qt::Key_M, Qt::ControlModifier);
         QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(at_mm));
     }
+    void delete_vessel() {
+        window_.actions()[ActionId::edit_mode].trigger();
+        auto* tools = window_.findChild<QComboBox*>("EditTool");
+        tools->setCurrentIndex(tools->findText("Delete a whole tree"));
+        QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(along_vessel(0.5)));
+        wait();
+    }
     void save() {
         window_.save_case(folder_.filePath("p.hep"));
         wait();
@@ -97,11 +104,7 @@ TEST_F(KeptMeasurements, OutlastCorrectionsAndFollowUndo) {
     ASSERT_EQ(made().size(), 2u);
     save();
     const auto points = made()[1].points_mm;
-    window_.actions()[ActionId::edit_mode].trigger();
-    auto* tools = window_.findChild<QComboBox*>("EditTool");
-    tools->setCurrentIndex(tools->findText("Delete a whole tree"));
-    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(along_vessel(0.5)));
-    wait();
+    delete_vessel();
     ASSERT_EQ(made().size(), 1u) << "its vessel is gone";
     EXPECT_EQ(made()[0].kind, MeasurementKind::distance);
     EXPECT_TRUE(window_.messages().text().contains("1 diameter"))
@@ -115,6 +118,20 @@ TEST_F(KeptMeasurements, OutlastCorrectionsAndFollowUndo) {
     wait();
     EXPECT_EQ(made().size(), 1u);
     EXPECT_TRUE(window_.isWindowModified());
+}
+
+// A case keeps the correction, too, which may be taken back after it is opened again.
+TEST_F(KeptMeasurements, OfAVesselThatIsGoneAreSavedAndComeBackWithIt) {
+    measure_diameter(along_vessel(0.5));
+    delete_vessel();
+    ASSERT_TRUE(made().empty());
+    save();
+    open(folder_.filePath("p.hep"));
+    EXPECT_TRUE(made().empty());
+    EXPECT_FALSE(window_.isWindowModified());
+    window_.actions()[ActionId::undo_edit].trigger();
+    wait();
+    EXPECT_EQ(made().size(), 1u);
 }
 
 TEST_F(KeptMeasurements, StayWhereEscapeIsPressedOnceMore) {
@@ -147,6 +164,7 @@ TEST(MeasurementsBroughtBack, StandWithThoseThatWereMadeSince) {
     measure(MeasurementKind::distance, {0.3, 0.7});
     EXPECT_EQ(measurements.follow_tree({}), 1u);
     ASSERT_EQ(measurements.made().size(), 1u);
+    EXPECT_EQ(measurements.kept().size(), 2u);
     const std::vector<KeptMeasurement> removed = measurements.remove_all();
     EXPECT_EQ(removed.size(), 2u);
     EXPECT_TRUE(measurements.kept().empty());

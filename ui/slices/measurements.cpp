@@ -72,6 +72,10 @@ std::optional<KeptMeasurement> taken_anew(const KeptMeasurement& taken, const Ve
     return nearly_same(now, taken) ? taken : now;
 }
 
+const KeptMeasurement& as_kept(const Measurement& made) {
+    return made;
+}
+
 }  // namespace
 
 void Measurements::choose(std::optional<MeasurementKind> kind) {
@@ -135,6 +139,12 @@ void Measurements::remove_last() {
     tell();
 }
 
+std::vector<KeptMeasurement> Measurements::kept() const {
+    std::vector<KeptMeasurement> all = taken_;
+    for (std::size_t i = 0; i < made_.size(); ++i) all[places_[i]] = made_[i];
+    return all;
+}
+
 std::vector<KeptMeasurement> Measurements::remove_all() {
     std::vector<KeptMeasurement> removed = std::move(taken_);
     clear();
@@ -162,13 +172,12 @@ void Measurements::show_on(const VesselTree& tree) {
 }
 
 std::size_t Measurements::follow_tree(const VesselTree& tree) {
-    const std::size_t before = made_.size();
-    const std::vector<KeptMeasurement> kept_before = kept();
+    const std::vector<KeptMeasurement> before(made_.begin(), made_.end());
     show_on(tree);
-    if (kept() == kept_before) return 0;
+    if (std::ranges::equal(before, made_, {}, {}, as_kept)) return 0;
     on_work_();
     tell();
-    return before > made_.size() ? before - made_.size() : 0;
+    return before.size() > made_.size() ? before.size() - made_.size() : 0;
 }
 
 std::size_t Measurements::show(std::vector<KeptMeasurement> measurements, const VesselTree& tree) {

@@ -54,8 +54,8 @@ class Measurements {
     void clear();  // for another patient
 
     const std::vector<Measurement>& made() const { return made_; }
-    // Those made, as a case keeps them.
-    std::vector<KeptMeasurement> kept() const { return {made_.begin(), made_.end()}; }
+    // All, as a case keeps them: those made, and diameters without a vessel as they were measured.
+    std::vector<KeptMeasurement> kept() const;
     const Measurement* half_made() const {
         return half_made_.points_mm.empty() ? nullptr : &half_made_;
     }
