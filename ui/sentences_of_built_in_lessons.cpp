@@ -81,8 +81,9 @@ constexpr std::array sentences_built_in_lessons{
               "stands still, and there are no beads: the end is the filled target."),
     Words::id("Inject the emulsion until nine tenths of the target are full."),
     Words::id("A little beyond the mark, slowly: Injection panel, mass flow 0.5 g/s."),
-    Words::id("Stop: take the catheter out (Del)."),
-    Words::id("Pausing is not enough: Del removes the drug."),
+    Words::id("Stop the injection: take the catheter out (Del)."),
+    Words::id("Pausing only holds the clock. Del ends the injection and takes the drug out of the "
+              "picture; the dose that was given stays counted."),
 };
 
 }  // namespace

@@ -73,6 +73,11 @@ constexpr std::array sentences_tree{
     Words::id("Give a JSON array of bridges"),
     Words::id("Give a tree in a .vtp, .swc or .json file"),
     Words::id("has a vessel of radius %1"),
+    Words::id("has a node of radius %1"),
+    Words::id("is of the format %1"),
+    Words::id("Give a file of the format \"%1\""),
+    Words::id("Turn its positions into LPS and state \"space\": \"LPS\""),
+    Words::id("must be three numbers, but is a list of %1"),
     Words::id("Give radii in millimetres, from 0.001 to 1000, at every point"),
     Words::id("counts its vascular systems from 0 and does not name them, as older versions did"),
     Words::id("Make the tree anew: phantom and reconstruct give the same one from the same "
