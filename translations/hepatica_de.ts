@@ -8803,5 +8803,17 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>must be three numbers, but is a list of %1</source>
         <translation>erwartet werden drei Zahlen, es ist aber eine Liste von %1</translation>
     </message>
+    <message>
+        <source>%1, tetrahedron %2</source>
+        <translation>%1, Tetraeder %2</translation>
+    </message>
+    <message>
+        <source>%1, vertex %2</source>
+        <translation>%1, Ecke %2</translation>
+    </message>
+    <message>
+        <source>%1, surface</source>
+        <translation>%1, Oberfläche</translation>
+    </message>
 </context>
 </TS>
