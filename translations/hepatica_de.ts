@@ -8763,5 +8763,57 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
             <numerusform>%n Warnungen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>its parameter mesh is %1, not an object</source>
+        <translation>sein Parameter mesh ist %1, kein Objekt</translation>
+    </message>
+    <message>
+        <source>its parameter mesh.%1 is %2, not a number</source>
+        <translation>sein Parameter mesh.%1 ist %2, keine Zahl</translation>
+    </message>
+    <message>
+        <source>its parameter mesh.%1 is %2, not a whole number in range</source>
+        <translation>sein Parameter mesh.%1 ist %2, keine ganze Zahl im erlaubten Bereich</translation>
+    </message>
+    <message>
+        <source>its parameter %1 is %2, not true or false</source>
+        <translation>sein Parameter %1 ist %2, nicht wahr oder falsch</translation>
+    </message>
+    <message>
+        <source>The tumours&apos; masks hold %1 separate pieces, and a case holds %2 tumours at most: the %3 smallest are left out, %4 ml together. Remove specks from the masks.</source>
+        <translation>Die Masken der Tumoren enthalten %1 getrennte Stücke, und ein Fall fasst höchstens %2 Tumoren: Die %3 kleinsten sind weggelassen, zusammen %4 ml. Entfernen Sie Sprenkel aus den Masken.</translation>
+    </message>
+    <message>
+        <source>has a node of radius %1</source>
+        <translation>hat einen Knoten vom Radius %1</translation>
+    </message>
+    <message>
+        <source>is of the format %1</source>
+        <translation>hat das Format %1</translation>
+    </message>
+    <message>
+        <source>Give a file of the format &quot;%1&quot;</source>
+        <translation>Geben Sie eine Datei des Formats „%1“ an</translation>
+    </message>
+    <message>
+        <source>Turn its positions into LPS and state &quot;space&quot;: &quot;LPS&quot;</source>
+        <translation>Rechnen Sie ihre Positionen in LPS um, und schreiben Sie &quot;space&quot;: &quot;LPS&quot; hinein</translation>
+    </message>
+    <message>
+        <source>must be three numbers, but is a list of %1</source>
+        <translation>erwartet werden drei Zahlen, es ist aber eine Liste von %1</translation>
+    </message>
+    <message>
+        <source>%1, tetrahedron %2</source>
+        <translation>%1, Tetraeder %2</translation>
+    </message>
+    <message>
+        <source>%1, vertex %2</source>
+        <translation>%1, Ecke %2</translation>
+    </message>
+    <message>
+        <source>%1, surface</source>
+        <translation>%1, Oberfläche</translation>
+    </message>
 </context>
 </TS>

@@ -81,7 +81,8 @@ const Sentences& sentences() {
 // Writes 3.25 or 12.5 mN with the language's decimal sign; text that only resembles a number
 // (1.2.840, p1.hep, 2.x) stays.
 QString number_in_words(const QString& text) {
-    static const QRegularExpression decimal(R"(^(-?\d+)\.(\d+)((?: [^\s\d.]{1,6}){0,2})$)");
+    static const QRegularExpression decimal(
+        R"(^(-?\d+)\.(\d+(?:e[+-]\d+)?)((?: [^\s\d.]{1,6}){0,2})$)");
     const QRegularExpressionMatch match = decimal.match(text);
     if (!match.hasMatch()) return text;
     return match.captured(1) + QLocale().decimalPoint() + match.captured(2) + match.captured(3);

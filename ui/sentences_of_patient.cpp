@@ -78,6 +78,13 @@ constexpr std::array sentences_patient{
     Words::id("Put the case back that was there, or open this one anew"),
     Words::id("holds another patient than when it was opened"),
     Words::id("holds edits without the tree that they were made on"),
+    Words::id("its parameter mesh is %1, not an object"),
+    Words::id("its parameter mesh.%1 is %2, not a number"),
+    Words::id("its parameter mesh.%1 is %2, not a whole number in range"),
+    Words::id("its parameter %1 is %2, not true or false"),
+    Words::id(
+        "The tumours' masks hold %1 separate pieces, and a case holds %2 tumours at most: the %3 "
+        "smallest are left out, %4 ml together. Remove specks from the masks."),
     Words::id("nothing measures a %1"),
     Words::id("has %1 points_mm in place of %2"),
     Words::id("measures at %1, which is farther than 10 m from the origin"),

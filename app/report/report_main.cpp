@@ -72,7 +72,7 @@ int exit_code_of(const std::function<void()>& work) {
         work();
         return 0;
     } catch (const Cancelled&) {
-        return refuse("interrupted", 130);
+        return refuse(translated("interrupted").toStdString(), 130);
     } catch (const UsageError& error) {
         return refuse(words_of(error), 2);
     } catch (const Error& error) {

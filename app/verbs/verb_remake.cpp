@@ -79,7 +79,7 @@ void paint(const std::vector<BrushStroke>& strokes, Mask& vessels,
             warnings.push_back("The ball at " + place_text(place) +
                                " lies outside of the vessels' voxels, which end near the liver: "
                                "what of it is outside changes nothing.");
-        apply(stroke, unknown, vessels);
+        apply(stroke, painted_voxel, vessels);
     }
 }
 

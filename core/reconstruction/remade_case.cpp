@@ -15,6 +15,7 @@
 #include "core/reconstruction/from_voxels.h"
 #include "core/reconstruction/reconstruct_parameters.h"
 #include "core/segmentation/vessel_systems.h"
+#include "core/tree/extraction/component_pruning.h"
 #include "core/tree/station.h"
 #include "core/tree/system_summary.h"
 
@@ -112,13 +113,12 @@ std::vector<Vec3> take_painted_places(Mask& vessels, const Job& job) {
 // A ball has no centreline, for example.
 void warn_of_painted_left_out(const std::vector<Vec3>& painted_mm, const VesselTree& tree,
                               std::vector<std::string>& warnings) {
-    constexpr double reach_mm = 3.0;
     for (const Vec3& place : painted_mm) {
         const TreePoint at = nearest_point(tree, place);
         const double radius_mm =
             station_at(tree.segments[static_cast<std::size_t>(at.segment)], at.arclength_mm)
                 .radius_mm;
-        if (at.distance_mm <= radius_mm + reach_mm) continue;
+        if (at.distance_mm <= radius_mm + kept_reach_mm) continue;
         warnings.push_back("What was painted at " + place_text(place) +
                            " is left out of the tree: it is too short or too round to be a vessel. "
                            "Paint along the vessel, or undo the rebuilding.");

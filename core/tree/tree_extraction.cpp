@@ -9,11 +9,13 @@
 #include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/tree/extraction/bridged_points.h"
+#include "core/tree/extraction/component_pruning.h"
 #include "core/tree/extraction/lumen_measurement.h"
 #include "core/tree/extraction/skeleton_graph.h"
 #include "core/tree/extraction/spur_pruning.h"
 #include "core/tree/extraction/system_assignment.h"
 #include "core/tree/extraction/vessel_graph.h"
+#include "core/tree/station.h"
 #include "core/tree/systems/blob_removal.h"
 #include "core/tree/systems/loop_opening.h"
 #include "core/tree/systems/portal_trunk.h"
@@ -80,10 +82,18 @@ std::vector<RootWish> all_wishes(const TreeOptions& options, const VesselGraph& 
     return wishes;
 }
 
-// Seeds, and the kept places as seeds that say nothing of a system.
-std::vector<VesselSeed> keepers_of(const TreeOptions& options) {
+bool belongs_to(const VesselTree& tree, const Vec3& place_mm) {
+    if (tree.segments.empty()) return false;
+    const TreePoint at = nearest_point(tree, place_mm);
+    const VesselSegment& segment = tree.segments[static_cast<std::size_t>(at.segment)];
+    return at.distance_mm <= station_at(segment, at.arclength_mm).radius_mm + kept_reach_mm;
+}
+
+// Seeds, and the kept places in the tree as seeds that say nothing of a system.
+std::vector<VesselSeed> keepers_of(const TreeOptions& options, const VesselTree& tree) {
     std::vector<VesselSeed> keepers = options.seeds;
-    for (const Vec3& place : options.kept_mm) keepers.push_back({place, VascularSystem::unknown});
+    for (const Vec3& place : options.kept_mm)
+        if (belongs_to(tree, place)) keepers.push_back({place, VascularSystem::unknown});
     return keepers;
 }
 
@@ -116,7 +126,7 @@ void grow_found_systems(VesselGraph graph, const Volume* ct, const TreeOptions& 
     OpenedLoops opened = open_loops(result.tree);
     result.opened_loops = opened.count;
     if (opened.count > 0) result.tree = directed_by_wishes(opened.graph);
-    const std::vector<VesselSeed> keepers = keepers_of(options);
+    const std::vector<VesselSeed> keepers = keepers_of(options, result.tree);
     if (trunk_mm && options.shorten_trunk && options.roots_mm.empty())
         if (const auto trunk = short_trunk(result.tree, *trunk_mm, keepers)) {
             trunk_mm = trunk->begins_mm;

@@ -3,6 +3,7 @@
 #include "core/tree/extraction/component_pruning.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace hepatica {
@@ -15,18 +16,22 @@ struct Component {
     bool seeded = false;  // nearest to a seed or a kept place
 };
 
-// -1 where there are no links.
-int link_nearest(const VesselGraph& graph, const Vec3& position_mm) {
+// -1 where there are no links whose wall is within reach.
+int link_nearest(const VesselGraph& graph, const Vec3& position_mm,
+                 double reach_mm = std::numeric_limits<double>::infinity()) {
     int nearest = -1;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t id = 0; id < graph.links.size(); ++id)
-        for (const Vec3& point : graph.links[id].points_mm) {
-            const double squared = (point - position_mm).squaredNorm();
+    double least = std::numeric_limits<double>::infinity(), radius_mm = 0.0;
+    for (std::size_t id = 0; id < graph.links.size(); ++id) {
+        const VesselLink& link = graph.links[id];
+        for (std::size_t i = 0; i < link.points_mm.size(); ++i) {
+            const double squared = (link.points_mm[i] - position_mm).squaredNorm();
             if (squared >= least) continue;
             least = squared;
+            radius_mm = link.radii_mm[i];
             nearest = static_cast<int>(id);
         }
-    return nearest;
+    }
+    return std::sqrt(least) <= radius_mm + reach_mm ? nearest : -1;
 }
 
 std::vector<Component> components_of(const VesselGraph& graph, const std::vector<int>& of_node,
@@ -38,12 +43,11 @@ std::vector<Component> components_of(const VesselGraph& graph, const std::vector
         component.length_mm += length_mm(link);
         if (link.system != VascularSystem::unknown) component.named = true;
     }
-    const auto keep = [&](const Vec3& position_mm) {
-        if (const int id = link_nearest(graph, position_mm); id >= 0)
-            components[of_node[graph.links[id].from]].seeded = true;
+    const auto keep = [&](int link) {
+        if (link >= 0) components[of_node[graph.links[link].from]].seeded = true;
     };
-    for (const VesselSeed& seed : seeds) keep(seed.position_mm);
-    for (const Vec3& place : kept_mm) keep(place);
+    for (const VesselSeed& seed : seeds) keep(link_nearest(graph, seed.position_mm));
+    for (const Vec3& place : kept_mm) keep(link_nearest(graph, place, kept_reach_mm));
     return components;
 }
 

@@ -43,6 +43,15 @@ TEST(ComponentPruning, WhatASeedLiesInIsNeverTooShort) {
     EXPECT_NEAR(length_mm(graph.links[0]), 5.0, 1e-9);
 }
 
+TEST(ComponentPruning, AKeptPlaceKeepsOnlyTheVesselThatItBelongsTo) {
+    for (const double beside_mm : {3.5, 4.5}) {
+        VesselGraph graph = three_pieces();
+        const RemovedPieces removed =
+            remove_short_components(graph, 50.0, {}, {Vec3(1, beside_mm, 0)});
+        EXPECT_EQ(removed.count, beside_mm < 4.0 ? 1 : 2) << "of a radius of 1 mm";
+    }
+}
+
 TEST(ComponentPruning, OfNothingTakesNothing) {
     VesselGraph graph;
     EXPECT_EQ(remove_short_components(graph, 6.0, {{Vec3(0, 0, 0)}}).count, 0);
