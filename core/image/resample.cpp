@@ -133,7 +133,7 @@ Grid respaced(const Grid& grid, const Vec3& spacing_mm) {
         const double count = std::round(grid.dims[a] * grid.spacing_mm[a] / spacing_mm[a]);
         if (count > 32767.0)
             throw InputError("is " + number_text(spacing_mm[a]) + ", which makes " +
-                                 number_text(count) + " voxels along an axis",
+                                 fixed_text(count, 0) + " voxels along an axis",
                              "voxel spacing in mm", "Choose a coarser spacing");
         fine.dims[a] = std::max(1, static_cast<int>(count));
         centre_index[a] = 0.5 * (grid.dims[a] - 1);
