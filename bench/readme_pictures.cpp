@@ -28,7 +28,8 @@ class ReadmePictures : Photographer {
         play_drug();
         tool(Qt::Key_6, "tour_3_forceps", QPoint(6, 40), [this] { save("window"); });
         window().actions()[ActionId::remove_drug].trigger();
-        window().actions()[ActionId::toggle_plots].trigger();
+        if (QAction& plots = window().actions()[ActionId::toggle_plots]; plots.isChecked())
+            plots.trigger();
         lesson();
         open_built_in();
         slices();
