@@ -82,7 +82,7 @@ const Sentences& sentences() {
 // (1.2.840, p1.hep, 2.x) stays.
 QString number_in_words(const QString& text) {
     static const QRegularExpression decimal(
-        R"(^(-?\d+)\.(\d+(?:e[+-]\d+)?)((?: [^\s\d.]{1,6}){0,2})$)");
+        R"(^(-?\d+)\.(\d+(?:e[+-]\d+)?)((?: [^\s\d.]{1,6}[23]?){0,2})$)");
     const QRegularExpressionMatch match = decimal.match(text);
     if (!match.hasMatch()) return text;
     return match.captured(1) + QLocale().decimalPoint() + match.captured(2) + match.captured(3);

@@ -205,7 +205,7 @@ TEST(Respaced, SaysTheSpacingThatMakesTooManyVoxels) {
     } catch (const InputError& error) {
         problem = error.problem();
     }
-    EXPECT_EQ(problem, "is 1e-07, which makes 4e+08 voxels along an axis");
+    EXPECT_EQ(problem, "is 1e-07, which makes 400000000 voxels along an axis");
 }
 
 TEST(Resample, ReproducesPolynomialsOfItsOrder) {
