@@ -62,10 +62,14 @@ class IncrementalPotential {
     bool collapse_counts() const { return collapse_counts_; }
     bool collapsed() const { return collapse_.any(); }
     BlockMatrix& matrix() { return matrix_; }
+    // Builds what find_tension() needs, for which its first call would else take time.
+    void plan_tension() {
+        if (!tension_) tension_.emplace(body_, assembly_.plan(), live_);
+    }
     // Finds the taut elements at the positions of the last evaluation; taut(): whether there are
     // any.
     void find_tension() {
-        if (!tension_) tension_.emplace(body_, assembly_.plan(), live_);
+        plan_tension();
         tension_->find(assembly_.slots());
     }
     bool taut() const { return tension_ && tension_->any(); }

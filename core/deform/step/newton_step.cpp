@@ -62,6 +62,7 @@ void NewtonStep::set_settings(const NewtonSettings& settings) {
     settings_ = settings;
     velocity_error_.set(settings.velocity_error);
     potential_.count_collapse(settings.tension);
+    if (settings.tension) potential_.plan_tension();
 }
 
 void NewtonStep::keep_damping(const StepUnderway& step) {
