@@ -2,11 +2,10 @@
 // Counts overlapping voxels and averages distance maps over border voxels.
 #include "core/accuracy/organ_score.h"
 
-#include <algorithm>
 #include <array>
-#include <cstdint>
 
 #include "core/image/filters.h"
+#include "core/image/mask.h"
 #include "core/image/morphology.h"
 
 namespace hepatica {
@@ -42,10 +41,6 @@ Mask border_of(const Mask& mask) {
     return surface;
 }
 
-bool is_empty(const Mask& mask) {
-    return std::ranges::none_of(mask.voxels, [](std::uint8_t voxel) { return voxel != 0; });
-}
-
 struct Distances {
     double sum = 0.0;
     std::size_t count = 0;
@@ -79,7 +74,8 @@ OrganScore organ_score(const Mask& found, const Mask& truth, Job& job) {
     const IndexBox box =
         grow_box(bounding_box(united(found, truth)), found.grid, found.grid.spacing_mm.maxCoeff());
     const Mask a = border_of(crop(found, box)), b = border_of(crop(truth, box));
-    if (is_empty(a) || is_empty(b)) return score;  // fills the image: no surface to measure to
+    if (object_count(a) == 0 || object_count(b) == 0)
+        return score;  // fills the image: no surface to measure to
     Distances distances;
     add_distances(a, b, distances, job);
     add_distances(b, a, distances, job);

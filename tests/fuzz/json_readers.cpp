@@ -7,6 +7,7 @@
 #include "core/lesson/play_notes.h"
 #include "core/links/link_model.h"
 #include "core/patient/case_archive.h"
+#include "core/patient/measurement.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/scene_spec.h"
 #include "core/session/recording_file.h"
@@ -58,6 +59,15 @@ void read_bridges(Bytes bytes) {
     refuse_or([&] { bridges_from_json(text_of(bytes), "corrections"); });
 }
 
+// What can be read comes back from what is written of it.
+void read_measurements(Bytes bytes) {
+    refuse_or([&] {
+        const auto measured = measurements_from_json(text_of(bytes), "measurements.json");
+        const std::string text = measurements_to_json(measured);
+        promise(measurements_from_json(text, "written") == measured, "the same measurements");
+    });
+}
+
 // What can be read can be walked to its leaves.
 void read_model(Bytes bytes) {
     const auto file = file_of(bytes, "links.json");
@@ -94,7 +104,7 @@ constexpr Reader all[] = {{"tree_json", read_json_tree}, {"recording", read_reco
                           {"edits", read_edits},         {"bridges", read_bridges},
                           {"lesson", read_lesson_file},  {"course", read_course_file},
                           {"notes", read_notes_file},    {"result", read_result_file},
-                          {"links", read_model}};
+                          {"links", read_model},         {"measurements", read_measurements}};
 
 }  // namespace
 
