@@ -130,6 +130,7 @@ class MainWindow : public QMainWindow {
     void connect_measuring();
     void follow_measuring();
     void remove_measurements();
+    std::size_t show_in_slices(bool corrected);
     void tell_lost_diameters(std::size_t lost);
     void connect_themes();
     void connect_mouse_schemes();

@@ -62,9 +62,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     tool_panel_->begin_play(true);
     follow_simulation();
     editing_->show_body();
-    const std::size_t lost = corrected ? view_layout_->show_corrected(patient_->patient)
-                                       : view_layout_->show_patient(
-                                             patient_->patient, patient_->folder, patient_->image);
+    const std::size_t lost = show_in_slices(corrected);
     if (!corrected) {
         // The former patient's plane would cut the new one anywhere.
         if (QAction& open = (*actions_)[ActionId::toggle_clip]; open.isChecked()) open.trigger();

@@ -165,6 +165,16 @@ void MainWindow::remove_measurements() {
         Words::tr("Bring back"), bring_back);
 }
 
+// Returns how many diameters have no vessel. Those that an earlier run left wait for its
+// corrections, whose body is still to be made.
+std::size_t MainWindow::show_in_slices(bool corrected) {
+    if (corrected) return view_layout_->show_corrected(patient_->patient);
+    view_layout_->show_patient(patient_->patient, patient_->folder, patient_->image);
+    const std::size_t lost =
+        view_layout_->slices().measurements().show(workspace().measured(), patient_->patient->tree);
+    return workspace().awaits_body() ? 0 : lost;
+}
+
 // Of diameters whose vessel a correction has taken, or another program.
 void MainWindow::tell_lost_diameters(std::size_t lost) {
     if (lost == 0) return;

@@ -186,8 +186,7 @@ void PatientKeeper::arrived(const OpenRequest& request,
         jobs_.drop(JobKind::remake);
         workspace_.open(*loaded);
         // Before the edits there is nothing of him worth keeping, so they come first.
-        if (request.left_edits)
-            workspace_.take_up(request.left_edits->edits, request.left_edits->strokes);
+        if (request.left_edits) workspace_.take_up(*request.left_edits);
         screen_.show(std::move(*loaded), false);
         correct();
     };
