@@ -131,7 +131,7 @@ class MainWindow : public QMainWindow {
     void follow_measuring();
     void remove_measurements();
     std::size_t show_in_slices(bool corrected);
-    void tell_lost_diameters(std::size_t lost);
+    void tell_lost_diameters(std::size_t lost, const QString& said_before);
     void connect_themes();
     void connect_mouse_schemes();
     void connect_languages();

@@ -41,6 +41,7 @@ namespace hepatica {
 
 void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     end_recording();
+    const QString said_before = messages_->text();
     SceneView& scene = view_->scene();
     end_image();
     // Forgets the former patient, so that the camera finds the new one.
@@ -72,7 +73,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     branches_->show_patient(patient_->patient, patient_->flow_shares,
                             keeper_->workspace().folder());
     show_warnings(corrected);
-    tell_lost_diameters(lost);
+    tell_lost_diameters(lost, said_before);
     if (corrected) {
         lessons_->patient_corrected();
         fits_->look(patient_->patient, keeper_->workspace().folder(),

@@ -175,15 +175,19 @@ std::size_t MainWindow::show_in_slices(bool corrected) {
     return workspace().awaits_body() ? 0 : lost;
 }
 
-// Of diameters whose vessel a correction has taken, or another program.
-void MainWindow::tell_lost_diameters(std::size_t lost) {
+// Of diameters whose vessel a correction has taken, or another program. Warnings of the same
+// vessels, which have come since `said_before` or stand still, remain beside it.
+void MainWindow::tell_lost_diameters(std::size_t lost, const QString& said_before) {
     if (lost == 0) return;
     const QString text = Words::tr(
         "%n diameter(s) are not shown any more: the vessel that they were measured on is gone. "
         "Where it comes back, as by Undo, they do.",
         nullptr, static_cast<int>(lost));
     log_->add_warning(Words::tr("Measure"), text);
-    messages_->show_notice(text);
+    const bool warnings_stand = !warnings_text_.isEmpty() && messages_->text() == warnings_text_;
+    if (!warnings_stand && messages_->text() == said_before) return messages_->show_notice(text);
+    messages_->put_before(text);
+    if (warnings_stand) warnings_text_ = messages_->text();
 }
 
 // The choice in the menu and the one above the slices are the same and hold in all views.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window tells its user, and what it remembers of files.
 #include <QClipboard>
+#include <QComboBox>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QToolButton>
@@ -15,6 +16,7 @@
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
 #include "ui/recent_menu.h"
+#include "ui/slices/view_layout.h"
 
 namespace hepatica {
 namespace {
@@ -292,6 +294,31 @@ TEST_F(StandingWarnings, StayAboveTheViewThroughACorrection) {
         << window_.messages().text().toStdString();
     EXPECT_TRUE(window_.messages().text().contains(of_vessels));
     EXPECT_EQ(window_.log().as_text().count(of_image), 1) << "it is told once";
+}
+
+// Of what both say the window is told once, and can be read at once.
+TEST_F(StandingWarnings, StandBesideTheNoticeOfADiameterThatIsLost) {
+    QTest::keyClick(&window_, Qt::Key_M, Qt::ControlModifier);
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(Vec3(37, 54.5, 4)));
+    Measurements& measurements = window_.view_layout().slices().measurements();
+    ASSERT_EQ(measurements.made().size(), 1u);
+    ASSERT_TRUE(window_.messages().text().contains(of_image));
+    window_.actions()[ActionId::edit_mode].trigger();
+    auto* tools = window_.findChild<QComboBox*>("EditTool");
+    tools->setCurrentIndex(tools->findText("Delete a whole tree"));
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(Vec3(37, 54.5, 4)));
+    wait();
+    ASSERT_TRUE(measurements.made().empty()) << "its vessel is gone";
+    const QString both = window_.messages().text();
+    for (const char* part : {"1 diameter", of_image, of_vessels})
+        EXPECT_EQ(both.count(part), 1) << part << " in " << both.toStdString();
+    EXPECT_TRUE(window_.messages().findChild<QPushButton*>("offer")->isVisible());
+    // The warnings go on standing; that of the diameter is of the correction that took it.
+    window_.actions()[ActionId::undo_edit].trigger();
+    wait();
+    ASSERT_EQ(measurements.made().size(), 1u);
+    EXPECT_TRUE(window_.messages().text().contains(of_image));
+    EXPECT_FALSE(window_.messages().text().contains("diameter"));
 }
 
 TEST_F(StandingWarnings, CanBeReadAgainAfterTheyWereClosed) {
