@@ -3,7 +3,6 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QMenuBar>
-#include <QRegularExpression>
 #include <QStatusBar>
 #include <algorithm>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "core/tree/station.h"
 #include "ui/core_words.h"
 #include "ui/curves_dock.h"
+#include "ui/file_name.h"
 #include "ui/fit_keeper.h"
 #include "ui/inject_panel.h"
 #include "ui/lesson_dock.h"
@@ -35,13 +35,6 @@
 
 namespace hepatica {
 namespace {
-
-// Replaces everything but letters and digits.
-QString as_file_name(QString name) {
-    static const QRegularExpression other("[^\\p{L}\\p{N}]+");
-    name = name.simplified().toLower().replace(other, "_");
-    return name.isEmpty() ? "lesson" : name;
-}
 
 QString in_lines(const std::vector<std::string>& sentences) {
     QStringList lines;
@@ -271,7 +264,7 @@ void MainWindow::build_lesson_editor() {
     ways.where_to_save = [this](const QString& name) -> std::optional<std::filesystem::path> {
         const QString file = settings_.choose(Settings::Kind::lesson, [&](const QString& start) {
             return ask_where_to_save_file(*lesson_editor_, Words::tr("Save lesson"),
-                                          start + "/" + as_file_name(name) + ".json",
+                                          start + "/" + as_file_name(name, "lesson") + ".json",
                                           Words::tr("Lessons (*.json)"));
         });
         return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
