@@ -9,6 +9,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "core/lesson/lesson.h"
@@ -227,6 +229,7 @@ class MainWindow : public QMainWindow {
     void show_figures_soon();
     void show_figures();
     void show_message_of(const FrameStatistics& statistics);
+    void tell_simplified();  // that the solver degraded a step
     // Tells at the window's foot and beside the pointer why an action in the view did nothing.
     void hint(const QString& text);
     void say_missed();
@@ -294,6 +297,8 @@ class MainWindow : public QMainWindow {
     int chosen_branch_ = -1;             // in the table
     double picture_ms_ = 0.0;
     std::string last_message_;
+    bool solver_speaks_ = false;         // that is the solver's
+    std::set<std::string> solver_said_;  // sentences in the log, of this patient
     std::vector<std::string> warnings_;  // of the patient, that hold
     QString warnings_text_;              // as they were told last
     std::uint64_t warnings_origin_ = 0;  // of the workspace, whose warnings they are

@@ -3,6 +3,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTableWidget>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -40,6 +41,34 @@ TEST_F(Messages, a_divergence_offers_the_last_good_state_and_a_click_restores_it
     EXPECT_TRUE(
         testing::wait_for([&] { return !window_.actions()[ActionId::restore].isEnabled(); }));
     EXPECT_EQ(window_.messages().text(), "");
+}
+
+// The exact words are for whoever knows the solver; they come again and again.
+TEST_F(Messages, what_the_solver_says_is_told_plainly_and_kept_in_the_log_once) {
+    open_built_in();
+    const QString exact = "the step was shortened: it would have made energy";
+    const auto say = [&](const QString& words) {
+        simulation_->say_of_step(words.toStdString());
+        wait_for_figures();
+    };
+    for (int time = 0; time < 2; ++time) {
+        say(exact);
+        const QString told = window_.statusBar()->currentMessage();
+        EXPECT_TRUE(told.contains("The computation was simplified")) << told.toStdString();
+        EXPECT_FALSE(told.contains("energy")) << told.toStdString();
+        say("");
+        EXPECT_EQ(window_.statusBar()->currentMessage(), told) << "it can be read";
+    }
+    EXPECT_EQ(window_.log().as_text().count(exact), 1);
+    // It stops nothing, also where the play is held just then.
+    window_.actions()[ActionId::pause_simulation].trigger();
+    ASSERT_TRUE(testing::wait_for([&] { return window_.frame().statistics.paused; }));
+    say(exact);
+    EXPECT_EQ(window_.messages().text(), "");
+    open_built_in();
+    say("");
+    say(exact);
+    EXPECT_EQ(window_.log().as_text().count(exact), 2) << "of another patient";
 }
 
 TEST_F(Messages, a_text_shows_its_letters_as_they_are) {
