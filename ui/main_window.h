@@ -126,8 +126,11 @@ class MainWindow : public QMainWindow {
     void connect_play();
     void connect_tools();
     void connect_views();
+    void connect_help();
 
-    // main_window_views.cpp: surroundings of the vessels, measuring, appearance.
+    // main_window_views.cpp: panels that are shown and hidden, surroundings of the vessels,
+    // measuring, appearance.
+    void connect_panels();
     void connect_context();
     void connect_measuring();
     void follow_measuring();
@@ -159,7 +162,16 @@ class MainWindow : public QMainWindow {
     void build_editing();
 
     // main_window_lessons.cpp: lessons and reviews.
+    void build_fits();
     void build_lessons();
+    // Whether nothing forbids to begin a lesson; if not, tells why.
+    bool may_begin_lesson();
+    // Begins a lesson's play with it; null: returns to free play.
+    void use_for_lesson(std::unique_ptr<Simulation> simulation);
+    void stop_after_lesson();
+    // The lesson of this file does not fit the corrected vessels.
+    void tell_not_played(const std::filesystem::path& file, const Lesson& lesson,
+                         const std::vector<std::string>& misfits);
     void build_lesson_editor();
     // Opens a lesson's own patient; when the lesson is left, the former patient is offered again.
     void open_for_lesson(const OpenRequest& request);
