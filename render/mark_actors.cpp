@@ -89,7 +89,7 @@ int MarkActors::beside(const Vec3& at, const MarkView& mark, double pixel_ratio)
 }
 
 // The point on the line from the eye through the place that lies in front of everything that may
-// hide the place.
+// hide the place, or the place itself.
 Vec3 MarkActors::before_all(const Vec3& place_mm, double reach_mm) const {
     vtkCamera& camera = *renderer_.GetActiveCamera();
     const Vec3 eye(camera.GetPosition()), forward(camera.GetDirectionOfProjection());
@@ -101,7 +101,8 @@ Vec3 MarkActors::before_all(const Vec3& place_mm, double reach_mm) const {
 }
 
 void MarkActors::set_scale(double mm_per_point, double pixel_ratio, double reach_mm) {
-    const Vec3 to_eye = -Vec3(renderer_.GetActiveCamera()->GetDirectionOfProjection());
+    vtkCamera& camera = *renderer_.GetActiveCamera();
+    const Vec3 to_eye = -Vec3(camera.GetDirectionOfProjection()), eye(camera.GetPosition());
     const int away = static_cast<int>(std::lround(0.8 * radius_points * pixel_ratio));
     for (std::size_t i = 0; i < drawn_.size(); ++i) {
         const Drawn& drawn = drawn_[i];
@@ -109,9 +110,14 @@ void MarkActors::set_scale(double mm_per_point, double pixel_ratio, double reach
         const Vec3 before = mark.place_mm + before_radii * radius_points * mm_per_point * to_eye;
         const Vec3 number = mark.of_lesson ? before_all(mark.place_mm, reach_mm) : before;
         drawn.number->SetPosition(number.x(), number.y(), number.z());
-        const Vec3& ball = mark.of_lesson ? mark.place_mm : before;
+        // A sphere without a number has to be seen by itself.
+        const bool alone = mark.of_lesson && mark.number.empty() && !mark.reached;
+        const Vec3& ball = alone ? number : mark.of_lesson ? mark.place_mm : before;
         drawn.ball->SetPosition(ball.x(), ball.y(), ball.z());
-        drawn.ball->SetScale(radius_points * mm_per_point);
+        // Nearer to the eye it is smaller, so that it looks as large.
+        const double away_mm = (mark.place_mm - eye).norm();
+        const double share = alone && away_mm > 0.0 ? (ball - eye).norm() / away_mm : 1.0;
+        drawn.ball->SetScale(share * radius_points * mm_per_point);
         if (!mark.of_lesson) give_colour(*drawn.ball, text_colour_);
         style_text(*drawn.number->GetTextProperty(),
                    static_cast<int>(std::lround(text_size * pixel_ratio)), text_colour_);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Places that a lesson refers to: translucent spheres of constant size on the screen, through which
-// the vessel is visible, each with its number. The number is visible even where vessels or blood
-// hide the place. A place that is done is green and ticked. Other places, such as a branch that is
-// too short to be found, have a sphere in the text's colour, moved towards the eye.
+// the vessel is visible, each with its number. The number, or a sphere that has none, is visible
+// even where vessels or blood hide the place. A place that is done is green and ticked. Other
+// places, such as a branch that is too short to be found, have a sphere in the text's colour, moved
+// towards the eye.
 #pragma once
 
 #include <vtkSmartPointer.h>

@@ -8815,5 +8815,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>%1, surface</source>
         <translation>%1, Oberfläche</translation>
     </message>
+    <message>
+        <source>The computation was simplified for a moment to stay stable; forces shown may be rough.</source>
+        <translation>Die Berechnung wurde einen Augenblick vereinfacht, um stabil zu bleiben; angezeigte Kräfte können ungenau sein.</translation>
+    </message>
 </context>
 </TS>

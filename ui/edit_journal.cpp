@@ -55,6 +55,11 @@ void read_change(const Json& json, Journalled& read) {
     go_on_from(json.at("keep").get<std::size_t>(),
                edits_from_json(json.at("add").dump(), "journal"), read.edits);
     read.change = change;
+    if (!json.contains("add_measured")) return;
+    std::vector<KeptMeasurement> measured = read.measured.value_or(std::vector<KeptMeasurement>{});
+    go_on_from(json.at("keep_measured").get<std::size_t>(),
+               measurements_from_json(json.at("add_measured").dump(), "journal"), measured);
+    read.measured = std::move(measured);
 }
 
 void read_strokes(const Json& json, Journalled& read) {
@@ -73,6 +78,15 @@ std::vector<Item> added_to(std::size_t kept, const std::vector<Item>& now) {
     return {now.begin() + static_cast<std::ptrdiff_t>(kept), now.end()};
 }
 
+// Says in a change line how the measurements changed, if they did.
+void note_measured(const Journalled& before, const Journalled& now, Json& change) {
+    if (!now.measured || before.measured == now.measured) return;
+    const std::size_t kept =
+        kept_of(before.measured.value_or(std::vector<KeptMeasurement>{}), *now.measured);
+    change["keep_measured"] = kept;
+    change["add_measured"] = Json::parse(measurements_to_json(added_to(kept, *now.measured)));
+}
+
 // The lines that lead from one state to the next; from none if nothing is written yet, or the last
 // line was cut off.
 std::string lines_from(const std::optional<Journalled>& written, const Journalled& now) {
@@ -86,9 +100,10 @@ std::string lines_from(const std::optional<Journalled>& written, const Journalle
         lines += json.dump() + "\n";
     }
     const std::size_t kept = kept_of(before.edits, now.edits);
-    const Json json{{"change", now.change},
-                    {"keep", kept},
-                    {"add", Json::parse(edits_to_json(added_to(kept, now.edits)))}};
+    Json json{{"change", now.change},
+              {"keep", kept},
+              {"add", Json::parse(edits_to_json(added_to(kept, now.edits)))}};
+    note_measured(before, now, json);
     return lines + json.dump() + "\n";
 }
 

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Journal of corrections, written as soon as they are made: JSON lines that are appended and
-// synchronised with the disk, so that none is lost if the program dies. A base line names the case
-// that they apply to; each change line tells how many of the previous corrections stay ("keep",
-// fewer after an undo) and which follow them:
+// Journal of corrections and measurements, written as soon as they are made: JSON lines that are
+// appended and synchronised with the disk, so that none is lost if the program dies. A base line
+// names the case that they apply to; each change line tells how many of the previous corrections
+// stay ("keep", fewer after an undo) and which follow them:
 //   {"format": "hepatica-edits", "version": 1, "title": "anton.hep", "case": "/data/anton.hep",
 //    "extracted": "0123456789abcdef"}
 //   {"change": 7, "keep": 2, "add": [{"edit": "cut_link", ...}]}
 // A third kind of line does the same for the strokes that wait for a rebuild:
 //   {"keep_strokes": 1, "add_strokes": [{"path_mm": ...}]}
+// Where measurements changed, a change line also says how many of them stay and which follow, as in
+// measurements.json (core/patient/measurement.h). Programs that know none ignore these two:
+//   {"change": 8, "keep": 3, "add": [], "keep_measured": 1, "add_measured": {"format": ...}}
 // After a line that was cut off, as on a full disk, the next one is a base line, and the lines
-// after it start from no corrections and no strokes.
+// after it start from no corrections, strokes and measurements.
 #pragma once
 
 #include <atomic>
@@ -22,6 +25,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/patient/measurement.h"
 #include "core/patient/pending_stroke.h"
 #include "core/tree/editing/tree_edit.h"
 
@@ -42,6 +46,8 @@ struct Journalled {
     std::vector<TreeEdit> edits;         // all present corrections
     std::vector<PendingStroke> strokes;  // waiting for a rebuild
     std::uint64_t change = 0;            // number of the newest change
+    // All present measurements; nullopt: the journal does not say, so those of the base hold.
+    std::optional<std::vector<KeptMeasurement>> measured{};
     bool operator==(const Journalled&) const = default;
 };
 
@@ -58,8 +64,8 @@ class EditJournal {
     EditJournal(const EditJournal&) = delete;
     EditJournal& operator=(const EditJournal&) = delete;
 
-    // These are now the corrections and strokes on this base. Writes nothing if they equal the last
-    // ones and those are written.
+    // These are now the corrections, strokes and measurements on this base. Writes nothing if they
+    // equal the last ones and those are written.
     void append(const Journalled& wanted);
     // Waits until the last ones are on disk or could not be written.
     void wait_until_written();

@@ -23,6 +23,7 @@
 #include "ui/attempts_dialog.h"
 #include "ui/core_words.h"
 #include "ui/course_dialog.h"
+#include "ui/file_name.h"
 #include "ui/lesson_editor/course_editor.h"
 #include "ui/lesson_marks.h"
 #include "ui/lesson_panel.h"
@@ -199,9 +200,10 @@ CourseEditor& LessonDock::course_editor() {
         ways.where_to_save = [this](const QString& question,
                                     const std::string& name) -> std::optional<fs::path> {
             const QString file = ways_.choose(Settings::Kind::course, [&](const QString& start) {
-                return ask_where_to_save_file(*parentWidget(), question,
-                                              QString("%1/%2.json").arg(start, translated(name)),
-                                              Words::tr("Courses (*.json)"));
+                return ask_where_to_save_file(
+                    *parentWidget(), question,
+                    start + "/" + as_file_name(translated(name), "course") + ".json",
+                    Words::tr("Courses (*.json)"));
             });
             return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
         };

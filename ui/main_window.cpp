@@ -26,6 +26,7 @@
 #include "ui/curves_dock.h"
 #include "ui/dial_keeper.h"
 #include "ui/edit_panel.h"
+#include "ui/fit_keeper.h"
 #include "ui/focus_of_view.h"
 #include "ui/help_dialogs.h"
 #include "ui/inject_panel.h"
@@ -94,12 +95,6 @@ QDockWidget* make_dock(QMainWindow& window, const char* name, QWidget* content) 
     return dock;
 }
 
-// Shows a dock in front of those that share its place, or hides it.
-void show_dock(QDockWidget& dock, bool visible) {
-    dock.setVisible(visible);
-    if (visible) dock.raise();
-}
-
 // Tab also reaches panels that are hidden behind others; they are raised then.
 void bring_into_sight(QWidget* focused, const QWidget& window) {
     for (QWidget* up = focused; up != nullptr && up != &window; up = up->parentWidget()) {
@@ -135,6 +130,8 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     connect_recording();
     connect_tools();
     connect_views();
+    connect_panels();
+    connect_help();
     connect_context();
     connect_volume();
     connect_measuring();
@@ -258,6 +255,7 @@ void MainWindow::build_panels() {
     inject_->set_units(flow_units_named(settings_.flow_units()));
     show_units(flow_units_named(settings_.flow_units()));
     build_branches();
+    build_fits();
     build_lessons();
     build_review();
 }
@@ -458,37 +456,13 @@ void MainWindow::connect_views() {
                  [this, &slices] { view_layout_->set_slices_visible(slices.isChecked()); });
     actions_->on(ActionId::full_screen,
                  [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
-    QAction& branches = (*actions_)[ActionId::toggle_branches];
-    actions_->on(ActionId::toggle_branches,
-                 [this, &branches] { show_dock(*branches_, branches.isChecked()); });
-    connect(branches_, &QDockWidget::visibilityChanged, &branches, &QAction::setChecked);
-    connect(branches_, &QDockWidget::visibilityChanged, this, [this] {
-        if (patient_) light_up(TreePoint{});
-    });
-    QAction& plots = (*actions_)[ActionId::toggle_plots];
-    curves_->set_comes_by_itself(settings_.curves_come());
-    curves_->on_choice = [this](bool come) { settings_.set_curves_come(come); };
-    actions_->on(ActionId::toggle_plots, [this, &plots] {
-        curves_->set_comes_by_itself(plots.isChecked());
-        settings_.set_curves_come(plots.isChecked());
-        show_dock(*curves_, plots.isChecked());
-    });
-    connect(curves_, &QDockWidget::visibilityChanged, &plots, &QAction::setChecked);
-    QAction& panels = (*actions_)[ActionId::toggle_panels];
-    panels.setChecked(true);
-    actions_->on(ActionId::toggle_panels, [this, &panels] {
-        for (QDockWidget* dock : findChildren<QDockWidget*>()) {
-            if (dock == curves_ || dock == branches_) continue;
-            const bool has_use = dock == review_    ? review_->reviewing()
-                                 : dock == lessons_ ? lessons_->playing()
-                                                    : true;
-            dock->setVisible(panels.isChecked() && has_use);
-        }
-    });
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
         // The view may have taken it already, see give_focus_back_to().
         if (now == QApplication::focusWidget()) bring_into_sight(now, *this);
     });
+}
+
+void MainWindow::connect_help() {
     actions_->on(ActionId::guide,
                  [this] { attempt(Words::tr("Guide"), [this] { show_guide(*this); }); });
     actions_->on(ActionId::cheat_sheet, [this] { show_cheat_sheet(*this); });

@@ -9,6 +9,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "core/lesson/lesson.h"
@@ -124,13 +126,17 @@ class MainWindow : public QMainWindow {
     void connect_play();
     void connect_tools();
     void connect_views();
+    void connect_help();
 
-    // main_window_views.cpp: surroundings of the vessels, measuring, appearance.
+    // main_window_views.cpp: panels that are shown and hidden, surroundings of the vessels,
+    // measuring, appearance.
+    void connect_panels();
     void connect_context();
     void connect_measuring();
     void follow_measuring();
     void remove_measurements();
-    void tell_lost_diameters(std::size_t lost);
+    std::size_t show_in_slices(bool corrected);
+    void tell_lost_diameters(std::size_t lost, const QString& said_before);
     void connect_themes();
     void connect_mouse_schemes();
     void connect_languages();
@@ -156,7 +162,16 @@ class MainWindow : public QMainWindow {
     void build_editing();
 
     // main_window_lessons.cpp: lessons and reviews.
+    void build_fits();
     void build_lessons();
+    // Whether nothing forbids to begin a lesson; if not, tells why.
+    bool may_begin_lesson();
+    // Begins a lesson's play with it; null: returns to free play.
+    void use_for_lesson(std::unique_ptr<Simulation> simulation);
+    void stop_after_lesson();
+    // The lesson of this file does not fit the corrected vessels.
+    void tell_not_played(const std::filesystem::path& file, const Lesson& lesson,
+                         const std::vector<std::string>& misfits);
     void build_lesson_editor();
     // Opens a lesson's own patient; when the lesson is left, the former patient is offered again.
     void open_for_lesson(const OpenRequest& request);
@@ -226,6 +241,7 @@ class MainWindow : public QMainWindow {
     void show_figures_soon();
     void show_figures();
     void show_message_of(const FrameStatistics& statistics);
+    void tell_simplified();  // that the solver degraded a step
     // Tells at the window's foot and beside the pointer why an action in the view did nothing.
     void hint(const QString& text);
     void say_missed();
@@ -293,6 +309,8 @@ class MainWindow : public QMainWindow {
     int chosen_branch_ = -1;             // in the table
     double picture_ms_ = 0.0;
     std::string last_message_;
+    bool solver_speaks_ = false;         // that is the solver's
+    std::set<std::string> solver_said_;  // sentences in the log, of this patient
     std::vector<std::string> warnings_;  // of the patient, that hold
     QString warnings_text_;              // as they were told last
     std::uint64_t warnings_origin_ = 0;  // of the workspace, whose warnings they are

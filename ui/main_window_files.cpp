@@ -22,6 +22,8 @@
 #include "ui/core_words.h"
 #include "ui/curves_dock.h"
 #include "ui/date_words.h"
+#include "ui/file_name.h"
+#include "ui/lesson_dock.h"
 #include "ui/lesson_editor/lesson_editor.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
@@ -139,13 +141,13 @@ void MainWindow::ask_where_to_archive() {
         ct = *place;
     }
     if (!fs::is_directory(ct, ignored)) ct = ct.parent_path();
-    const QString name = QString::fromStdString(workspace().title());  // such as NAME.hep
+    const QString title = QString::fromStdString(workspace().title());  // such as NAME.hep
+    const QString name = QFileInfo(as_file_name(title, "case")).completeBaseName();
     const QString file = ask_where_to_save_file(
         *this,
         Words::tr("Save the vessels as a DICOM segmentation, which names the patient as the CT "
                   "does"),
-        settings_.last_folder() + "/" + QFileInfo(name).completeBaseName() + ".dcm",
-        Words::tr("DICOM segmentations (*.dcm)"));
+        settings_.last_folder() + "/" + name + ".dcm", Words::tr("DICOM segmentations (*.dcm)"));
     if (file.isEmpty()) return;
     keeper_->archive(ct, to_path(file),
                      [this, digest, ct] { settings_.remember_image(digest, to_text(ct)); });

@@ -3,7 +3,6 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QMenuBar>
-#include <QRegularExpression>
 #include <QStatusBar>
 #include <algorithm>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "core/tree/station.h"
 #include "ui/core_words.h"
 #include "ui/curves_dock.h"
+#include "ui/file_name.h"
 #include "ui/fit_keeper.h"
 #include "ui/inject_panel.h"
 #include "ui/lesson_dock.h"
@@ -36,13 +36,6 @@
 namespace hepatica {
 namespace {
 
-// Replaces everything but letters and digits.
-QString as_file_name(QString name) {
-    static const QRegularExpression other("[^\\p{L}\\p{N}]+");
-    name = name.simplified().toLower().replace(other, "_");
-    return name.isEmpty() ? "lesson" : name;
-}
-
 QString in_lines(const std::vector<std::string>& sentences) {
     QStringList lines;
     for (const std::string& sentence : sentences) lines << translated(sentence);
@@ -51,7 +44,8 @@ QString in_lines(const std::vector<std::string>& sentences) {
 
 }  // namespace
 
-void MainWindow::build_lessons() {
+// Looks which lessons of the library still fit the corrected vessels.
+void MainWindow::build_fits() {
     FitKeeper::Ways fits;
     fits.found = [this](const std::vector<ShelvedLesson>& lessons) { tell_unfit(lessons); };
     fits.failed = [this](const Failure& failure) {
@@ -61,15 +55,13 @@ void MainWindow::build_lessons() {
             messages_->text());
     };
     fits_ = std::make_unique<FitKeeper>(std::move(fits));
+}
+
+void MainWindow::build_lessons() {
     LessonDock::Ways ways;
     ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
     ways.back_end = [this] { return back_ends_->for_play(); };
-    ways.may_begin = [this] {
-        if (keeper_->makes_vessels())
-            messages_->show_notice(
-                Words::tr("No lesson begins while the vessels are corrected: wait for that"));
-        return !keeper_->makes_vessels();
-    };
+    ways.may_begin = [this] { return may_begin_lesson(); };
     ways.open_built_in = [this] { open_for_lesson(OpenRequest{true, {}}); };
     ways.open_case = [this](const QString& folder) {
         OpenRequest request;
@@ -77,25 +69,9 @@ void MainWindow::build_lessons() {
         open_for_lesson(request);
     };
     ways.use = [this](std::unique_ptr<Simulation> simulation) {
-        review_->end();
-        take_report_message_away();
-        const bool begins = simulation != nullptr;
-        if (begins) remember_recorded_patient();
-        use(std::move(simulation));
-        if (!begins) return;
-        inject_->choose_drug(lessons_->running()->drug);
-        show_whole_from_the_front();
-        view_->setFocus();  // so that the keys of the tools reach the play
+        use_for_lesson(std::move(simulation));
     };
-    // What runs on, such as a bleeding, would contradict the judgement and use the processor for
-    // nothing.
-    ways.ended = [this] {
-        if (frame().drug.injection) patient_->simulation->post(PlayDrug{false});
-        patient_->simulation->post(SetPaused{true});
-        // Nor is anything held or pressed any more.
-        view_->let_go();
-        back_to_pulling();
-    };
+    ways.ended = [this] { stop_after_lesson(); };
     ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
         fail(doing, failure_of(error));
     };
@@ -114,15 +90,7 @@ void MainWindow::build_lessons() {
     ways.edit = [this] { lesson_editor().show_editor(); };
     ways.unfit = [this](const std::filesystem::path& file, const Lesson& lesson,
                         const std::vector<std::string>& misfits) {
-        const QString name = QString::fromStdString(lesson.name);
-        messages_->show_notice(
-            Words::tr("%1 is not played: the vessels were corrected since it was made, and its "
-                      "places lie elsewhere now.")
-                    .arg(name) +
-                "\n" + in_lines(misfits) + "\n" +
-                Words::tr("Whoever made it looks at them in the lesson editor and saves it again."),
-            Words::tr("Edit the lesson"), [this, file] { lesson_editor().edit(file); });
-        log_->add_warning(name, in_lines(misfits));
+        tell_not_played(file, lesson, misfits);
     };
     ways.left = [this] {
         if (lesson_editor_) lesson_editor_->back_from_trying();
@@ -140,6 +108,49 @@ void MainWindow::build_lessons() {
     auto* menu = new QMenu(Words::tr("&Lesson"), menuBar());
     lessons_->fill(*menu);
     menuBar()->insertMenu(menuBar()->actions().back(), menu);  // before Help
+}
+
+bool MainWindow::may_begin_lesson() {
+    const bool may = !keeper_->makes_vessels();
+    if (!may)
+        messages_->show_notice(
+            Words::tr("No lesson begins while the vessels are corrected: wait for that"));
+    return may;
+}
+
+void MainWindow::use_for_lesson(std::unique_ptr<Simulation> simulation) {
+    review_->end();
+    take_report_message_away();
+    const bool begins = simulation != nullptr;
+    if (begins) remember_recorded_patient();
+    use(std::move(simulation));
+    if (!begins) return;
+    inject_->choose_drug(lessons_->running()->drug);
+    show_whole_from_the_front();
+    view_->setFocus();  // so that the keys of the tools reach the play
+}
+
+// What runs on, such as a bleeding, would contradict the judgement and use the processor for
+// nothing.
+void MainWindow::stop_after_lesson() {
+    if (frame().drug.injection) patient_->simulation->post(PlayDrug{false});
+    patient_->simulation->post(SetPaused{true});
+    // Nor is anything held or pressed any more.
+    view_->let_go();
+    back_to_pulling();
+}
+
+void MainWindow::tell_not_played(const std::filesystem::path& file, const Lesson& lesson,
+                                 const std::vector<std::string>& misfits) {
+    const QString name = QString::fromStdString(lesson.name);
+    messages_->show_notice(
+        Words::tr("%1 is not played: the vessels were corrected since it was made, and its "
+                  "places lie elsewhere now.")
+                .arg(name) +
+            "\n" + in_lines(misfits) + "\n" +
+            Words::tr("Whoever made it looks at them in the lesson editor and saves it again."),
+        Words::tr("Edit the lesson"), [this, file] { lesson_editor().edit(file); });
+    log_->add_warning(name, in_lines(misfits));
 }
 
 // Everything that a lesson refers to becomes visible, whatever the view was.
@@ -271,7 +282,7 @@ void MainWindow::build_lesson_editor() {
     ways.where_to_save = [this](const QString& name) -> std::optional<std::filesystem::path> {
         const QString file = settings_.choose(Settings::Kind::lesson, [&](const QString& start) {
             return ask_where_to_save_file(*lesson_editor_, Words::tr("Save lesson"),
-                                          start + "/" + as_file_name(name) + ".json",
+                                          start + "/" + as_file_name(name, "lesson") + ".json",
                                           Words::tr("Lessons (*.json)"));
         });
         return file.isEmpty() ? std::nullopt : std::optional(to_path(file));

@@ -41,10 +41,12 @@ namespace hepatica {
 
 void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     end_recording();
+    const QString said_before = messages_->text();
     SceneView& scene = view_->scene();
     end_image();
     // Forgets the former patient, so that the camera finds the new one.
     if (!corrected) scene.show(Frame{});
+    if (!corrected) solver_said_.clear();
     curves_->clear();
     patient_ = std::move(patient);
     dial_->show(patient_->patient, back_ends_->for_play());
@@ -62,9 +64,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     tool_panel_->begin_play(true);
     follow_simulation();
     editing_->show_body();
-    const std::size_t lost = corrected ? view_layout_->show_corrected(patient_->patient)
-                                       : view_layout_->show_patient(
-                                             patient_->patient, patient_->folder, patient_->image);
+    const std::size_t lost = show_in_slices(corrected);
     if (!corrected) {
         // The former patient's plane would cut the new one anywhere.
         if (QAction& open = (*actions_)[ActionId::toggle_clip]; open.isChecked()) open.trigger();
@@ -74,7 +74,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     branches_->show_patient(patient_->patient, patient_->flow_shares,
                             keeper_->workspace().folder());
     show_warnings(corrected);
-    tell_lost_diameters(lost);
+    tell_lost_diameters(lost, said_before);
     if (corrected) {
         lessons_->patient_corrected();
         fits_->look(patient_->patient, keeper_->workspace().folder(),
@@ -296,7 +296,10 @@ void MainWindow::show_message_of(const FrameStatistics& statistics) {
     if (statistics.message == last_message_) return;
     if (messages_->text() == translated(last_message_)) messages_->dismiss();
     last_message_ = statistics.message;
+    const bool solver_spoke = std::exchange(solver_speaks_, statistics.message_of_solver);
+    if (solver_speaks_) return tell_simplified();
     const QString text = translated(last_message_);
+    if (text.isEmpty() && solver_spoke) return;  // its words go by themselves
     if (!statistics.paused || text.isEmpty()) {
         statusBar()->showMessage(text, 4000);
         return;
@@ -305,6 +308,17 @@ void MainWindow::show_message_of(const FrameStatistics& statistics) {
     if (!statistics.diverged) return messages_->show_notice(text);
     messages_->show_notice(text, Words::tr("Back to the last good state"),
                            [this] { (*actions_)[ActionId::restore].trigger(); });
+}
+
+// In plain words. The solver's own are for the log, each sentence once for a patient: they come
+// with single steps, again and again.
+void MainWindow::tell_simplified() {
+    if (solver_said_.insert(last_message_).second)
+        log_->add_warning(Words::tr("Simulation"), translated(last_message_));
+    statusBar()->showMessage(
+        Words::tr("The computation was simplified for a moment to stay stable; "
+                  "forces shown may be rough."),
+        6000);
 }
 
 void MainWindow::hint(const QString& text) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of the window for the view's surroundings, measuring, and the look of window and view.
+// The part of the window for the panels that are shown and hidden, the view's surroundings,
+// measuring, and the look of window and view.
 #include <QActionGroup>
 #include <QApplication>
 #include <QMenu>
@@ -8,12 +9,16 @@
 #include <array>
 #include <utility>
 
+#include "ui/branch_dock.h"
 #include "ui/core_words.h"
+#include "ui/curves_dock.h"
 #include "ui/language.h"
+#include "ui/lesson_dock.h"
 #include "ui/liver_keeper.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
+#include "ui/review_dock.h"
 #include "ui/slices/view_layout.h"
 #include "ui/theme.h"
 #include "ui/view_ruler.h"
@@ -21,6 +26,45 @@
 #include "ui/words.h"
 
 namespace hepatica {
+namespace {
+
+// Shows a dock in front of those that share its place, or hides it.
+void show_dock(QDockWidget& dock, bool visible) {
+    dock.setVisible(visible);
+    if (visible) dock.raise();
+}
+
+}  // namespace
+
+void MainWindow::connect_panels() {
+    QAction& branches = (*actions_)[ActionId::toggle_branches];
+    actions_->on(ActionId::toggle_branches,
+                 [this, &branches] { show_dock(*branches_, branches.isChecked()); });
+    connect(branches_, &QDockWidget::visibilityChanged, &branches, &QAction::setChecked);
+    connect(branches_, &QDockWidget::visibilityChanged, this, [this] {
+        if (patient_) light_up(TreePoint{});
+    });
+    QAction& plots = (*actions_)[ActionId::toggle_plots];
+    curves_->set_comes_by_itself(settings_.curves_come());
+    curves_->on_choice = [this](bool come) { settings_.set_curves_come(come); };
+    actions_->on(ActionId::toggle_plots, [this, &plots] {
+        curves_->set_comes_by_itself(plots.isChecked());
+        settings_.set_curves_come(plots.isChecked());
+        show_dock(*curves_, plots.isChecked());
+    });
+    connect(curves_, &QDockWidget::visibilityChanged, &plots, &QAction::setChecked);
+    QAction& panels = (*actions_)[ActionId::toggle_panels];
+    panels.setChecked(true);
+    actions_->on(ActionId::toggle_panels, [this, &panels] {
+        for (QDockWidget* dock : findChildren<QDockWidget*>()) {
+            if (dock == curves_ || dock == branches_) continue;
+            const bool has_use = dock == review_    ? review_->reviewing()
+                                 : dock == lessons_ ? lessons_->playing()
+                                                    : true;
+            dock->setVisible(panels.isChecked() && has_use);
+        }
+    });
+}
 
 // Liver surface, and the plane that opens the view.
 void MainWindow::connect_context() {
@@ -165,15 +209,29 @@ void MainWindow::remove_measurements() {
         Words::tr("Bring back"), bring_back);
 }
 
-// Of diameters whose vessel a correction has taken, or another program.
-void MainWindow::tell_lost_diameters(std::size_t lost) {
+// Returns how many diameters have no vessel. Those that an earlier run left wait for its
+// corrections, whose body is still to be made.
+std::size_t MainWindow::show_in_slices(bool corrected) {
+    if (corrected) return view_layout_->show_corrected(patient_->patient);
+    view_layout_->show_patient(patient_->patient, patient_->folder, patient_->image);
+    const std::size_t lost =
+        view_layout_->slices().measurements().show(workspace().measured(), patient_->patient->tree);
+    return workspace().awaits_body() ? 0 : lost;
+}
+
+// Of diameters whose vessel a correction has taken, or another program. Warnings of the same
+// vessels, which have come since `said_before` or stand still, remain beside it.
+void MainWindow::tell_lost_diameters(std::size_t lost, const QString& said_before) {
     if (lost == 0) return;
     const QString text = Words::tr(
         "%n diameter(s) are not shown any more: the vessel that they were measured on is gone. "
         "Where it comes back, as by Undo, they do.",
         nullptr, static_cast<int>(lost));
     log_->add_warning(Words::tr("Measure"), text);
-    messages_->show_notice(text);
+    const bool warnings_stand = !warnings_text_.isEmpty() && messages_->text() == warnings_text_;
+    if (!warnings_stand && messages_->text() == said_before) return messages_->show_notice(text);
+    messages_->put_before(text);
+    if (warnings_stand) warnings_text_ = messages_->text();
 }
 
 // The choice in the menu and the one above the slices are the same and hold in all views.

@@ -80,6 +80,11 @@ void MessageBar::show_notice(const QString& text, const QString& button,
     offer(first_, button, std::move(act));
 }
 
+void MessageBar::put_before(const QString& text) {
+    lines_ = text.split("\n") + lines_;
+    write();
+}
+
 void MessageBar::offer_also(const QString& button, std::function<void()> act) {
     offer(second_, button, std::move(act));
 }

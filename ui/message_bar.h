@@ -28,6 +28,8 @@ class MessageBar : public OverlayBar {
     void show_notice(const QString& text);
     // With a button of this name that calls `act` and dismisses the message.
     void show_notice(const QString& text, const QString& button, std::function<void()> act);
+    // Puts these lines before those of the notice that is shown, which keeps its buttons.
+    void put_before(const QString& text);
     // Adds a second button to the notice that is shown.
     void offer_also(const QString& button, std::function<void()> act);
     // Called with the index of a branch whose name in the message was clicked.

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/opening/patient_image.h"
 #include "ui/core_words.h"
+#include "ui/file_name.h"
 #include "ui/paths.h"
 #include "ui/standing_warnings.h"
 #include "ui/words.h"
@@ -186,8 +187,7 @@ void PatientKeeper::arrived(const OpenRequest& request,
         jobs_.drop(JobKind::remake);
         workspace_.open(*loaded);
         // Before the edits there is nothing of him worth keeping, so they come first.
-        if (request.left_edits)
-            workspace_.take_up(request.left_edits->edits, request.left_edits->strokes);
+        if (request.left_edits) workspace_.take_up(*request.left_edits);
         screen_.show(std::move(*loaded), false);
         correct();
     };
@@ -412,13 +412,13 @@ bool PatientKeeper::ask_and_save() {
 }
 
 // Without a folder: the CT may lie in an archive or on a disc. The case is named after the patient:
-// "ct.nii.gz" and a folder "ct" both give "ct.hep".
+// "ct.nii.gz", a folder "ct" and a copy of unsaved work "ct.hep" all give "ct.hep".
 std::filesystem::path PatientKeeper::proposed_folder() const {
     if (!workspace_.folder().empty()) return workspace_.folder();
-    std::filesystem::path name = to_path(translated(workspace_.title())).filename();
-    for (const char* ending : {".gz", ".nii", ".mha", ".mhd", ".nrrd", ".nhdr"})
-        if (name.extension() == ending) name = name.stem();
-    return name.string() + ".hep";
+    QString name = translated(workspace_.title());
+    for (const char* ending : {".gz", ".nii", ".mha", ".mhd", ".nrrd", ".nhdr", ".hep", ".hepz"})
+        if (name.endsWith(ending)) name.chop(QString(ending).size());
+    return to_path(as_file_name(name, "case") + ".hep");
 }
 
 void PatientKeeper::save_as(const std::filesystem::path& folder) {

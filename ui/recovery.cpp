@@ -133,7 +133,8 @@ Recovery::Wanted Recovery::wanted_of(const Workspace& workspace) {
     return {{{workspace.title(), workspace.base(), hash_of_extracted(*workspace.patient())},
              workspace.edits(),
              workspace.strokes(),
-             workspace.version()},
+             workspace.version(),
+             workspace.measured()},
             workspace.base().empty() && !built_in,
             workspace.origin()};
 }
@@ -290,7 +291,8 @@ UnsavedWork Recovery::unsaved_work(const fs::path& left) {
     work.request.reconstruct.ct = base_of(*noted, left);
     work.request.built_in = work.request.reconstruct.ct.empty();
     work.request.unsaved_copy = noted->base.place == copy_beside;
-    work.request.left_edits = LeftEdits{noted->edits, noted->strokes, noted->base.extracted, left};
+    work.request.left_edits =
+        LeftEdits{noted->edits, noted->strokes, noted->base.extracted, left, noted->measured};
     return work;
 }
 

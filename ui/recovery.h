@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps unsaved work in the user's data folder until it is saved or discarded: each correction and
-// stroke at once in a journal, and half a second after a reconstruction or correction a copy of the
-// whole case. What a program left after a crash or power cut is offered at the next start.
+// Keeps unsaved work in the user's data folder until it is saved or discarded: each correction,
+// stroke and measurement at once in a journal, and half a second after a reconstruction or
+// correction a copy of the whole case. What a program left after a crash or power cut is offered at
+// the next start.
 #pragma once
 
 #include <QTimer>
@@ -59,7 +60,7 @@ class Recovery {
         std::uint64_t version = 0, origin = 0;  // of the workspace
     };
 
-    // The present corrections and strokes, and whose they are.
+    // The present corrections, strokes and measurements, and whose they are.
     struct Wanted {
         Journalled noted;         // its base as far as known without the copy
         bool needs_copy = false;  // they need a copy as their base

@@ -6,12 +6,12 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
-#include <QRegularExpression>
 #include <string>
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "core/lesson/attempts.h"
+#include "ui/file_name.h"
 #include "ui/language.h"
 #include "ui/paths.h"
 #include "ui/words.h"
@@ -95,11 +95,8 @@ class Running {
 }  // namespace
 
 fs::path report_folder(const fs::path& chosen, const QString& lesson, const QDateTime& played) {
-    // Characters that some file systems refuse.
-    static const QRegularExpression other("[^\\p{L}\\p{N} _-]+");
-    const QString name = (QString(lesson).replace(other, " ").simplified() + " " +
-                          played.toString("yyyy-MM-dd hh-mm"))
-                             .trimmed();
+    const QString name =
+        (as_file_name(lesson, {}) + " " + played.toString("yyyy-MM-dd hh-mm")).trimmed();
     fs::path folder = chosen / to_path(name);
     std::error_code ignored;
     for (int number = 2; fs::exists(folder, ignored); ++number)

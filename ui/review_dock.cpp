@@ -253,6 +253,7 @@ void ReviewDock::ask_for_case() {
                               "vessels by now")
                               .arg(to_text(known))
                               .toStdString();
+    asks_ = true;
     ways_.choose_case(failure, [this, asked = std::weak_ptr(recording_)](const fs::path& place) {
         if (!asked.expired() && asked.lock() == recording_) open_case(place);
     });
@@ -263,7 +264,10 @@ void ReviewDock::patient_not_shown() {
 }
 
 void ReviewDock::patient_shown() {
-    if (std::exchange(waits_, false)) return QTimer::singleShot(0, this, [this] { begin(); });
+    const bool comes_by_hand =
+        asks_ && ways_.patient() && hash_of(*ways_.patient()) == recording_->patient_hash;
+    if (std::exchange(waits_, false) || comes_by_hand)
+        return QTimer::singleShot(0, this, [this] { begin(); });
     // A review of another patient ends, even if nothing of it is shown yet.
     if (patient_ != nullptr && ways_.patient() != patient_) forget();
 }
@@ -272,6 +276,7 @@ void ReviewDock::begin() {
     const auto patient = ways_.patient();
     if (recording_ == nullptr || patient == nullptr) return;
     if (hash_of(*patient) != recording_->patient_hash) return ask_for_case();
+    asks_ = false;
     patient_ = patient;
     places_.reset();
     if (lesson_ && is_same_scene(recording_->scene, lesson_->scene))
@@ -484,7 +489,7 @@ void ReviewDock::forget() {
     places_.reset();
     lesson_.reset();
     notes_.clear();
-    waits_ = false;
+    waits_ = asks_ = false;
     events_->fill({}, {}, {});
     line_->set_ticks({});
     hide();

@@ -84,8 +84,8 @@ class ReviewDock : public QDockWidget {
     void end() { forget(); }
     // The patient being opened will not come: a recording that waits for him is dropped.
     void patient_not_shown();
-    // Another patient is shown: a recording that waited for him begins, one of another patient
-    // ends.
+    // Another patient is shown: a recording that waited for him, or asked for his case, begins; one
+    // of another patient ends.
     void patient_shown();
     // Shows another recording of the same patient beside it; an empty path ends that.
     void compare(const std::filesystem::path& other);
@@ -138,7 +138,8 @@ class ReviewDock : public QDockWidget {
     std::shared_ptr<const Recording> recording_;
     std::optional<Lesson> lesson_;
     std::unique_ptr<const PlayMeter> places_;  // places of the marks; null: none on these vessels
-    bool waits_ = false;                       // for its patient
+    bool waits_ = false;                       // for its patient, who is being opened
+    bool asks_ = false;                        // for his case: whoever opens it begins the review
     std::shared_ptr<const PatientCase> patient_;  // the patient it was begun on
     std::unique_ptr<BackgroundJob> job_;
     std::shared_ptr<ReviewTape> tape_;

@@ -19,9 +19,9 @@ const char* const recent_key = "recent_files";
 // Version of the layout: a state saved with other docks is not restored.
 const char* const layout_key = "window/layout_1";
 const char* const geometry_key = "window/geometry";
-const char* const images_key = "images/";
+const char* const images_key = "images";
 const char* const folder_key = "last_folder";
-const char* const patients_key = "patients/";
+const char* const patients_key = "patients";
 const char* const theme_key = "theme";
 const char* const mouse_scheme_key = "mouse_scheme";
 const char* const language_key = "language";
@@ -38,6 +38,35 @@ const char* const case_folder_key = "case_folder";
 const char* const self_contact_key = "contact/vessels";
 const char* const obstacles_key = "contact/obstacles";
 const char* const friction_key = "contact/friction";
+constexpr qsizetype most_places = 50;  // of each group
+
+// Places by key in a group of the settings. Beside the group lies a list of its keys, those used
+// last first. Keys that it lacks are of an older program, or of one that ran at the same time, and
+// count as the oldest.
+void use_place(QSettings& store, const QString& group, const QString& key) {
+    const QString list = group + "_used";
+    QStringList used = store.value(list).toStringList();
+    if (!used.isEmpty() && used.front() == key) return;
+    used.removeAll(key);
+    used.prepend(key);
+    store.beginGroup(group);
+    for (const QString& other : store.childKeys())
+        if (!used.contains(other)) used.append(other);
+    for (const QString& oldest : used.mid(most_places)) store.remove(oldest);
+    store.endGroup();
+    store.setValue(list, used.mid(0, most_places));
+}
+
+QString place_in(QSettings& store, const QString& group, const QString& key) {
+    QString place = store.value(group + "/" + key).toString();
+    if (!place.isEmpty()) use_place(store, group, key);
+    return place;
+}
+
+void remember_in(QSettings& store, const QString& group, const QString& key, const QString& place) {
+    store.setValue(group + "/" + key, place);
+    use_place(store, group, key);
+}
 
 }  // namespace
 
@@ -95,9 +124,9 @@ void Settings::set_window(const QByteArray& geometry, const QByteArray& layout) 
     store_->setValue(layout_key, layout);
 }
 
-QString Settings::place_of_image(const std::string& sha256) const {
+QString Settings::place_of_image(const std::string& sha256) {
     if (sha256.empty()) return {};
-    if (store_) return store_->value(images_key + QString::fromStdString(sha256)).toString();
+    if (store_) return place_in(*store_, images_key, QString::fromStdString(sha256));
     const auto found = images_in_safe_mode_.find(sha256);
     return found == images_in_safe_mode_.end() ? QString() : found->second;
 }
@@ -106,7 +135,7 @@ void Settings::remember_image(const std::string& sha256, const QString& path) {
     if (sha256.empty()) return;
     const QString place = QDir::cleanPath(QFileInfo(path).absoluteFilePath());
     if (store_)
-        store_->setValue(images_key + QString::fromStdString(sha256), place);
+        remember_in(*store_, images_key, QString::fromStdString(sha256), place);
     else
         images_in_safe_mode_[sha256] = place;
 }
@@ -261,15 +290,17 @@ void Settings::set_case_folder(const QString& folder) {
     store_ ? store_->setValue(case_folder_key, folder) : void(case_folder_in_safe_mode_ = folder);
 }
 
-QString Settings::place_of_patient(std::uint64_t hash) const {
-    if (store_) return store_->value(patients_key + QString::number(hash, 16)).toString();
+QString Settings::place_of_patient(std::uint64_t hash) {
+    if (store_) return place_in(*store_, patients_key, QString::number(hash, 16));
     const auto found = patients_in_safe_mode_.find(hash);
     return found == patients_in_safe_mode_.end() ? QString() : found->second;
 }
 
 void Settings::remember_patient(std::uint64_t hash, const QString& place) {
-    store_ ? store_->setValue(patients_key + QString::number(hash, 16), place)
-           : void(patients_in_safe_mode_[hash] = place);
+    if (store_)
+        remember_in(*store_, patients_key, QString::number(hash, 16), place);
+    else
+        patients_in_safe_mode_[hash] = place;
 }
 
 QString Settings::choose(Kind kind, const Ask& ask) {

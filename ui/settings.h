@@ -43,13 +43,14 @@ class Settings {
     void set_window(const QByteArray& geometry, const QByteArray& layout);
 
     // Place from which the CT with this digest was last read; empty if unknown. Paths often contain
-    // patients' names: they are stored here and never in a case.
-    QString place_of_image(const std::string& sha256) const;
+    // patients' names: they are stored here and never in a case. Of images, and of patients below,
+    // the 50 are kept that were remembered or asked for last.
+    QString place_of_image(const std::string& sha256);
     void remember_image(const std::string& sha256, const QString& path);
 
     // Where the case lay of a patient with this hash (hash_of()) who was recorded; empty where that
     // is not known. A recording names its patient by the hash alone.
-    QString place_of_patient(std::uint64_t hash) const;
+    QString place_of_patient(std::uint64_t hash);
     void remember_patient(std::uint64_t hash, const QString& place);
 
     // Folder of recorded plays: in the user's data folder, in safe mode a temporary one.

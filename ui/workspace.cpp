@@ -28,10 +28,11 @@ void Workspace::open(const OpenedPatient& opened) {
     want(saved_edits_);
 }
 
-void Workspace::take_up(const Edits& edits, std::vector<PendingStroke> strokes) {
-    strokes_ = PendingStrokes(std::move(strokes));
+void Workspace::take_up(const LeftEdits& left) {
+    strokes_ = PendingStrokes(left.strokes);
     ++strokes_version_;
-    want(edits);
+    if (left.measured) measured_ = *left.measured;
+    want(left.edits);
 }
 
 void Workspace::want(Edits edits) {

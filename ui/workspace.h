@@ -64,8 +64,9 @@ class Workspace {
     // done before he was opened the voxels from before are not kept.
     bool undo_passes_rebuilding() const;
     void add(const TreeEdit& edit);
-    // Replaces corrections and pending strokes by those that an earlier run left.
-    void take_up(const Edits& edits, std::vector<PendingStroke> strokes);
+    // Replaces corrections, pending strokes and, where it knows them, measurements by those that an
+    // earlier run left.
+    void take_up(const LeftEdits& left);
     // Undoes the last correction; returns whether that changes the tree. No effect if there is none
     // or the last step was a rebuild.
     bool undo();

@@ -18,12 +18,15 @@
 
 namespace hepatica {
 
-// Unsaved corrections that an earlier run of the program left behind (ui/edit_journal.h).
+// Unsaved corrections and measurements that an earlier run of the program left behind
+// (ui/edit_journal.h).
 struct LeftEdits {
     std::vector<TreeEdit> edits;         // the whole list; replaces that of the case
     std::vector<PendingStroke> strokes;  // on the vessels' voxels, not yet applied by a rebuild
     std::uint64_t extracted = 0;         // hash_of_extracted() of the patient they belong to
     std::filesystem::path file{};        // the file that holds them
+    // The whole list; replaces that of the case. nullopt: those of the case hold.
+    std::optional<std::vector<KeptMeasurement>> measured{};
 };
 
 struct OpenRequest {

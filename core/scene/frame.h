@@ -106,7 +106,8 @@ struct FrameStatistics {
     bool resting = false;   // nothing changes and no frame follows until the next command
     bool diverged = false;  // it stopped and was taken back to its last good state; RestoreSnapshot
                             // and SetPaused{false} go on from there
-    std::string message;    // for the user; usually empty
+    bool message_of_solver = false;  // the message is what the solver says of a degraded step
+    std::string message;             // for the user; usually empty
 };
 
 struct Frame {

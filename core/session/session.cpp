@@ -355,6 +355,7 @@ void Session::publish(SessionStep& step, Clock::time_point start) {
     statistics.paused = paused_;
     statistics.diverged = diverged_;
     statistics.resting = resting_;
+    statistics.message_of_solver = message_.empty() && !step.deform.message.empty();
     statistics.message = message_.empty() ? step.deform.message : message_;
     show_to_watch(frame);
     // Measured last, so that filling the frame counts; publishing is one exchange of an index.

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "core/image/brush.h"
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
 #include "core/patient/patient_case.h"
@@ -71,6 +72,59 @@ TEST_F(Remake, ErasesATwigAndTakesTheMaskOfAnotherProgram) {
     const PatientCase back = read_case(other);
     EXPECT_EQ(back.mask.voxels, before.mask.voxels);
     EXPECT_EQ(hash_of(back), hash_of(before)) << "tree and body, to the bit";
+}
+
+// Within the grid, as far from all vessels as there is room.
+Vec3 far_from_vessels(const PatientCase& patient) {
+    const Grid& grid = patient.mask.grid;
+    Vec3 place = Vec3::Zero();
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < patient.mask.voxels.size(); i += 97) {
+        const Index3 at = grid.index_of(i);
+        bool inside = true;
+        for (int axis = 0; axis < 3; ++axis)
+            inside = inside && at[axis] >= 14 && at[axis] + 14 < grid.dims[axis];
+        const Vec3 here = grid.to_mm(at[0], at[1], at[2]);
+        if (!inside) continue;
+        const double away = nearest_point(patient.tree, here).distance_mm;
+        if (away <= farthest) continue;
+        farthest = away;
+        place = here;
+    }
+    return place;
+}
+
+// A piece of 10 mm that nothing joins: a person who paints it says that it is a vessel; a file is
+// only what some program took for vessels.
+TEST_F(Remake, KeepsWhatIsPaintedAndJudgesWhatAFileHolds) {
+    const PatientCase before = read_case(made());
+    const Vec3 place = far_from_vessels(before);
+    ASSERT_GT(nearest_point(before.tree, place).distance_mm, 12.0);
+    const fs::path painted = folder() / "painted.hep", drawn = folder() / "drawn.hep";
+    std::vector<std::string> arguments{"remake",      made().string(), "--ct",
+                                       ct().string(), "--out",         painted.string()};
+    BrushStroke stroke;
+    stroke.radius_mm = 1.5;
+    for (int along = -5; along <= 5; ++along) {
+        const Vec3 at = place + Vec3(along, 0, 0);
+        stroke.path_mm.push_back(at);
+        arguments.insert(arguments.end(),
+                         {"--paint", std::to_string(at.x()) + "," + std::to_string(at.y()) + "," +
+                                         std::to_string(at.z()) + ",1.5"});
+    }
+    const Json said = answer(arguments);
+    EXPECT_GT(said.at("vessel_voxels"), said.at("vessel_voxels_before"));
+    const PatientCase after = read_case(painted);
+    EXPECT_LT(nearest_point(after.tree, place).distance_mm, 2.0);
+    ASSERT_EQ(after.corrections.rebuilt.size(), 1u);
+    EXPECT_EQ(after.corrections.rebuilt[0].strokes, 11u);
+
+    Mask voxels = before.mask;
+    apply(stroke, static_cast<std::uint8_t>(number_of(VascularSystem::unknown)), voxels);
+    write_nifti(folder() / "drawn.nii.gz", voxels);
+    answer({"remake", made().string(), "--ct", ct().string(), "--vessels",
+            (folder() / "drawn.nii.gz").string(), "--out", drawn.string()});
+    EXPECT_GT(nearest_point(read_case(drawn).tree, place).distance_mm, 8.0);
 }
 
 TEST_F(Remake, ABallOutsideOfTheVoxelsIsSaid) {

@@ -49,10 +49,10 @@ TEST_F(MarksAndMeasures, the_number_of_a_mark_is_seen_through_vessels_and_blood)
     Frame frame = fake_frame();
     const auto its_number_is_seen = [&](const Vec3& place) {
         view_.show(frame);
-        view_.set_marks({{place, "", false}});
-        const Picture ball = picture();
+        view_.set_marks({{place, "8", false}});
+        const Picture other = picture();
         view_.set_marks({{place, "1", false}});
-        EXPECT_FALSE(look_alike(picture(), ball));
+        EXPECT_FALSE(look_alike(picture(), other));
     };
     const std::size_t vertices = frame.positions_mm.size() / 3;
     Vec3 middle = Vec3::Zero();
@@ -64,6 +64,61 @@ TEST_F(MarksAndMeasures, the_number_of_a_mark_is_seen_through_vessels_and_blood)
     frame.tear->leaked_g = 400.0;
     frame.tear->leaks = {{.at_mm = middle, .share = 1.0}};
     its_number_is_seen(middle);
+}
+
+// As that of the only place of a lesson, and those in the lesson editor.
+TEST_F(MarksAndMeasures, a_mark_without_a_number_is_seen_through_vessels_and_blood) {
+    Frame frame = fake_frame();
+    const Vec3 trunk(0, 0, -40);
+    view_.show(frame);
+    const Vec3 behind = trunk + 15.0 * view_.axes().forward;
+    const auto colour_there = [&](const Picture& seen, const Vec3& place) {
+        const Pixel at = view_.pixel_of(place);
+        const std::size_t pixel =
+            3 * static_cast<std::size_t>(static_cast<int>(at.y) * width + static_cast<int>(at.x));
+        return std::array<int, 3>{seen.rgb[pixel], seen.rgb[pixel + 1], seen.rgb[pixel + 2]};
+    };
+    const auto is_seen_at = [&](const Vec3& place) {
+        view_.set_marks({});
+        const auto without = colour_there(picture(), place);
+        view_.set_marks({{place, "", false}});
+        const auto with = colour_there(picture(), place);
+        int difference = 0;
+        for (std::size_t c = 0; c < 3; ++c) difference += std::abs(with[c] - without[c]);
+        EXPECT_GT(difference, 20) << place.transpose();
+    };
+    ASSERT_GE(view_.pick(view_.pixel_of(behind)).triangle, 0) << "the trunk is before it";
+    is_seen_at(behind);
+    frame.tear.emplace();
+    frame.tear->leaked_g = 400.0;
+    frame.tear->leaks = {{.at_mm = trunk, .share = 1.0}};
+    view_.show(frame);
+    is_seen_at(trunk);
+}
+
+// As large before the vessels as at its place, where nothing hides it.
+TEST_F(MarksAndMeasures, a_mark_without_a_number_is_as_large_as_one_with_a_number) {
+    view_.show(fake_frame());
+    const Vec3 beside(-30, 0, -30);
+    view_.set_marks({});
+    const Picture without = picture();
+    const auto pixels_of = [&](const char* number) {
+        view_.set_marks({{beside, number, false}});
+        const Picture with = picture();
+        // Below the middle, where no number stands.
+        const Pixel middle = view_.pixel_of(beside);
+        const int row = static_cast<int>(middle.y) + 4, column = static_cast<int>(middle.x);
+        int changed = 0;
+        for (int x = column - 30; x < column + 30; ++x) {
+            const auto pixel = 3 * static_cast<std::ptrdiff_t>(row * width + x);
+            changed += !std::equal(with.rgb.begin() + pixel, with.rgb.begin() + pixel + 3,
+                                   without.rgb.begin() + pixel);
+        }
+        return changed;
+    };
+    const int numbered = pixels_of("1");
+    EXPECT_GT(numbered, 10);
+    EXPECT_NEAR(pixels_of(""), numbered, 2);
 }
 
 // As the lesson measures it: from the tip to the mark.

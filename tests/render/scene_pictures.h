@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "render/osmesa_context.h"
+#include "render/picture.h"
 #include "render/scene_view.h"
 
 namespace hepatica::testing {

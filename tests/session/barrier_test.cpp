@@ -227,5 +227,31 @@ TEST(Barrier, TheSimulationThreadLivesOnThroughAnyOfThem) {
     }
 }
 
+// The window has plain words in place of a solver's, but none in place of the session's own.
+TEST(WordsOfTheSolver, AreToldFromThoseOfTheSession) {
+    const auto words = std::make_shared<std::string>("the body was slowed down");
+    Job job;
+    Session session(small_patient(), default_scene(), job,
+                    test::failing_back_end(std::make_shared<Fault>(), words));
+    const auto said = [&](const Command& command) {
+        session.post(command);
+        session.step();
+        session.update_frame();
+        return session.frame().statistics;
+    };
+    const Vec3 held = middle_of(small_patient()->tree, 0);
+    const FrameStatistics of_solver = said(GrabPoint{held});
+    EXPECT_EQ(of_solver.message, *words);
+    EXPECT_TRUE(of_solver.message_of_solver);
+    const FrameStatistics refused = said(InjectDrug{.pressure_model = "nonsense"});
+    EXPECT_NE(refused.message.find("nonsense"), std::string::npos) << refused.message;
+    EXPECT_FALSE(refused.message_of_solver);
+    EXPECT_TRUE(refused.degraded);
+    words->clear();
+    const FrameStatistics none = said(MoveGrab{held});
+    EXPECT_EQ(none.message, "");
+    EXPECT_FALSE(none.message_of_solver);
+}
+
 }  // namespace
 }  // namespace hepatica

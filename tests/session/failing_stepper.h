@@ -19,8 +19,10 @@ using Fault = std::function<void(const std::string& call)>;
 
 class FailingStepper final : public Stepper {
   public:
-    FailingStepper(std::unique_ptr<Stepper> stepper, std::shared_ptr<Fault> fault)
-        : stepper_(std::move(stepper)), fault_(std::move(fault)) {}
+    // What `words` holds every step says of itself, as degraded ones do; null or empty: none.
+    FailingStepper(std::unique_ptr<Stepper> stepper, std::shared_ptr<Fault> fault,
+                   std::shared_ptr<const std::string> words = nullptr)
+        : stepper_(std::move(stepper)), fault_(std::move(fault)), words_(std::move(words)) {}
 
     void set_grabs(std::span<const Grab> grabs) override { stepper_->set_grabs(grabs); }
     void set_gravity(const Vec3& gravity_mm_per_s2) override {
@@ -38,8 +40,12 @@ class FailingStepper final : public Stepper {
     }
     StepReport step(double dt_s, const std::stop_token& stop) override {
         meet("begin step");
-        const StepReport report = stepper_->step(dt_s, stop);
+        StepReport report = stepper_->step(dt_s, stop);
         meet("step");  // with the state changed already
+        if (words_ && !words_->empty()) {
+            report.degraded = true;
+            report.message = *words_;
+        }
         return report;
     }
     bool on_device() const override { return stepper_->on_device(); }
@@ -69,15 +75,17 @@ class FailingStepper final : public Stepper {
 
     std::unique_ptr<Stepper> stepper_;
     std::shared_ptr<Fault> fault_;
+    std::shared_ptr<const std::string> words_;
 };
 
-inline DeformBackEnd failing_back_end(const std::shared_ptr<Fault>& fault) {
+inline DeformBackEnd failing_back_end(const std::shared_ptr<Fault>& fault,
+                                      const std::shared_ptr<const std::string>& words = nullptr) {
     DeformBackEnd back_end = cpu_back_end();
-    back_end.make = [make = back_end.make, fault](const BodyDescription& body,
-                                                  const StepperOptions& options,
-                                                  const LiveRegionOptions& region) {
+    back_end.make = [make = back_end.make, fault, words](const BodyDescription& body,
+                                                         const StepperOptions& options,
+                                                         const LiveRegionOptions& region) {
         if (*fault) (*fault)("make");
-        return std::make_unique<FailingStepper>(make(body, options, region), fault);
+        return std::make_unique<FailingStepper>(make(body, options, region), fault, words);
     };
     return back_end;
 }

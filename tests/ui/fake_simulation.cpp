@@ -35,6 +35,11 @@ bool FakeSimulation::update_frame() {
     return true;
 }
 
+void FakeSimulation::say_of_step(const std::string& words) {
+    frame_.statistics.degraded = frame_.statistics.message_of_solver = !words.empty();
+    frame_.statistics.message = words;
+}
+
 void FakeSimulation::stop() {
     frame_.grab.reset();
     frame_.statistics.paused = true;

@@ -30,6 +30,9 @@ class FakeSimulation : public Simulation {
     // why.
     void diverge() { diverges_ = true; }
 
+    // As a solver says it of a degraded step; empty: of none.
+    void say_of_step(const std::string& words);
+
     // From the next frame on.
     void show_tear(const std::optional<TearView>& tear) { tear_ = tear; }
 

@@ -5,9 +5,12 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTimer>
 
+#include "core/base/atomic_write.h"
 #include "tests/ui/fake_window_test.h"
+#include "ui/file_name.h"
 #include "ui/message_bar.h"
 #include "ui/open_case_dialog.h"
 #include "ui/paths.h"
@@ -99,14 +102,16 @@ class NamedFiles : public testing::FakeWindowTest {
         });
         answering_.start(20);
     }
-    // Where the next dialog of files begins that this opens; it is closed unanswered.
-    QString begins_in(const std::function<void()>& open) {
+    // Where the next dialog of files begins that this opens, and the name that it proposes; it is
+    // closed unanswered.
+    QString begins_in(const std::function<void()>& open, QString* proposed = nullptr) {
         QString folder;
         QTimer looking;
         QObject::connect(&looking, &QTimer::timeout, &looking, [&] {
             auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
             if (!dialog) return;
             folder = dialog->directory().absolutePath();
+            if (proposed) *proposed = dialog->findChild<QLineEdit*>("fileNameEdit")->text();
             dialog->reject();
         });
         looking.start(20);
@@ -159,6 +164,38 @@ TEST_F(NamedFiles, GetTheSuffixOfTheirKind) {
     type_when_asked(folder_.filePath("branches"));
     EXPECT_EQ(ask_where_to_save_file(window_, "Save", folder_.filePath("x.csv"), "Tables (*.csv)"),
               folder_.filePath("branches.csv"));
+}
+
+// A "/" would propose a folder, and the other characters a name that not every disk takes.
+TEST_F(NamedFiles, AreCoursesCalledAsTheyAreAsFarAsAFileCanBe) {
+    const QString course = folder_.filePath("course.json");
+    write_text_atomically(to_path(course), R"({"format": "hepatica-course", "version": 1,
+        "name": "Week 1/2: <veins>", "lessons": []})");
+    QDir(folder_.path()).mkpath("Week 1");
+    type_when_asked(course);
+    choose_from_menu("Open co&urse…");
+    answering_.stop();
+    choose_from_menu("Edi&t course…");
+    auto* copy = window_.findChild<QPushButton*>("courseCopy");
+    ASSERT_NE(copy, nullptr);
+    QString proposed;
+    EXPECT_EQ(begins_in([copy] { copy->click(); }, &proposed), folder_.path());
+    EXPECT_EQ(proposed, "Week 1 2 veins.json");
+}
+
+TEST(FileName, HoldsNothingThatAFileSystemRefuses) {
+    EXPECT_EQ(as_file_name("Gentle pull, 2nd", "x"), "Gentle pull, 2nd");
+    EXPECT_EQ(as_file_name("Über–Größe", "x"), "Über–Größe");
+    EXPECT_EQ(as_file_name("../a\\b:c*d?e\"f<g>h|i\nj\x7fk", "x"), "a b c d e f g h i j k");
+    EXPECT_EQ(as_file_name(".hidden. ", "x"), "hidden");
+    for (const char* nothing : {"", " ", "/", "...", "?*"})
+        EXPECT_EQ(as_file_name(nothing, "lesson"), "lesson") << nothing;
+    const QString many = QString("a") + QString::fromUtf8("😀").repeated(200);
+    const QString some = as_file_name(many, "x");
+    EXPECT_LE(some.toUtf8().size(), 180);
+    EXPECT_GE(some.toUtf8().size(), 170);
+    EXPECT_TRUE(many.startsWith(some));
+    EXPECT_EQ(QString::fromUtf8(some.toUtf8()), some) << "no half of a letter is left";
 }
 
 TEST_F(NamedFiles, AreCasesCalledAsThePatientAndLieWhereTheyDo) {

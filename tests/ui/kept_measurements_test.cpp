@@ -180,6 +180,29 @@ TEST(MeasurementsBroughtBack, StandWithThoseThatWereMadeSince) {
     EXPECT_EQ(measurements.kept(), removed) << "the angle was the last";
 }
 
+// By a program that was killed before it had a copy of the case.
+TEST_F(KeptMeasurements, ThatAnEarlierRunLeftInItsJournalAreShown) {
+    measure_distance();
+    const std::vector<KeptMeasurement> left = window_.workspace().measured();
+    ASSERT_EQ(left.size(), 1u);
+    window_.actions()[ActionId::clear_measurements].trigger();
+    save();
+    OpenRequest request;
+    request.reconstruct.ct = to_path(folder_.filePath("p.hep"));
+    request.left_edits.emplace();
+    request.left_edits->extracted = hash_of_extracted(*window_.workspace().patient());
+    request.left_edits->file = to_path(folder_.filePath("left/edits.jsonl"));
+    request.left_edits->measured = left;
+    window_.open(request);
+    wait();
+    ASSERT_EQ(made().size(), 1u);
+    EXPECT_EQ(window_.view().scene().measures().size(), 1u);
+    EXPECT_TRUE(window_.isWindowModified()) << "no case holds it yet";
+    save();
+    open(folder_.filePath("p.hep"));
+    EXPECT_EQ(made().size(), 1u);
+}
+
 TEST_F(KeptMeasurements, InAFileThatIsDamagedAreRefusedWithFileValueAndRemedy) {
     measure_distance();
     save();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window tells its user, and what it remembers of files.
 #include <QClipboard>
+#include <QComboBox>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTableWidget>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -15,6 +17,7 @@
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
 #include "ui/recent_menu.h"
+#include "ui/slices/view_layout.h"
 
 namespace hepatica {
 namespace {
@@ -38,6 +41,34 @@ TEST_F(Messages, a_divergence_offers_the_last_good_state_and_a_click_restores_it
     EXPECT_TRUE(
         testing::wait_for([&] { return !window_.actions()[ActionId::restore].isEnabled(); }));
     EXPECT_EQ(window_.messages().text(), "");
+}
+
+// The exact words are for whoever knows the solver; they come again and again.
+TEST_F(Messages, what_the_solver_says_is_told_plainly_and_kept_in_the_log_once) {
+    open_built_in();
+    const QString exact = "the step was shortened: it would have made energy";
+    const auto say = [&](const QString& words) {
+        simulation_->say_of_step(words.toStdString());
+        wait_for_figures();
+    };
+    for (int time = 0; time < 2; ++time) {
+        say(exact);
+        const QString told = window_.statusBar()->currentMessage();
+        EXPECT_TRUE(told.contains("The computation was simplified")) << told.toStdString();
+        EXPECT_FALSE(told.contains("energy")) << told.toStdString();
+        say("");
+        EXPECT_EQ(window_.statusBar()->currentMessage(), told) << "it can be read";
+    }
+    EXPECT_EQ(window_.log().as_text().count(exact), 1);
+    // It stops nothing, also where the play is held just then.
+    window_.actions()[ActionId::pause_simulation].trigger();
+    ASSERT_TRUE(testing::wait_for([&] { return window_.frame().statistics.paused; }));
+    say(exact);
+    EXPECT_EQ(window_.messages().text(), "");
+    open_built_in();
+    say("");
+    say(exact);
+    EXPECT_EQ(window_.log().as_text().count(exact), 2) << "of another patient";
 }
 
 TEST_F(Messages, a_text_shows_its_letters_as_they_are) {
@@ -292,6 +323,31 @@ TEST_F(StandingWarnings, StayAboveTheViewThroughACorrection) {
         << window_.messages().text().toStdString();
     EXPECT_TRUE(window_.messages().text().contains(of_vessels));
     EXPECT_EQ(window_.log().as_text().count(of_image), 1) << "it is told once";
+}
+
+// Of what both say the window is told once, and can be read at once.
+TEST_F(StandingWarnings, StandBesideTheNoticeOfADiameterThatIsLost) {
+    QTest::keyClick(&window_, Qt::Key_M, Qt::ControlModifier);
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(Vec3(37, 54.5, 4)));
+    Measurements& measurements = window_.view_layout().slices().measurements();
+    ASSERT_EQ(measurements.made().size(), 1u);
+    ASSERT_TRUE(window_.messages().text().contains(of_image));
+    window_.actions()[ActionId::edit_mode].trigger();
+    auto* tools = window_.findChild<QComboBox*>("EditTool");
+    tools->setCurrentIndex(tools->findText("Delete a whole tree"));
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(Vec3(37, 54.5, 4)));
+    wait();
+    ASSERT_TRUE(measurements.made().empty()) << "its vessel is gone";
+    const QString both = window_.messages().text();
+    for (const char* part : {"1 diameter", of_image, of_vessels})
+        EXPECT_EQ(both.count(part), 1) << part << " in " << both.toStdString();
+    EXPECT_TRUE(window_.messages().findChild<QPushButton*>("offer")->isVisible());
+    // The warnings go on standing; that of the diameter is of the correction that took it.
+    window_.actions()[ActionId::undo_edit].trigger();
+    wait();
+    ASSERT_EQ(measurements.made().size(), 1u);
+    EXPECT_TRUE(window_.messages().text().contains(of_image));
+    EXPECT_FALSE(window_.messages().text().contains("diameter"));
 }
 
 TEST_F(StandingWarnings, CanBeReadAgainAfterTheyWereClosed) {

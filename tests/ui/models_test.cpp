@@ -113,6 +113,53 @@ TEST(Settings, remember_the_course_the_folder_of_cases_and_what_vessels_touch) {
     EXPECT_LE(Settings(file).contact()->friction, greatest_friction);
 }
 
+// Of CTs and of patients, each.
+TEST(Settings, keep_the_fifty_places_that_were_used_last) {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("s.ini");
+    {
+        Settings settings(file);
+        for (unsigned i = 1; i <= 50; ++i) {
+            settings.remember_patient(i, QString("/p%1").arg(i));
+            settings.remember_image(std::to_string(i), QString("/ct%1").arg(i));
+        }
+    }
+    {
+        Settings again(file);
+        EXPECT_EQ(again.place_of_patient(1), "/p1");
+        EXPECT_EQ(again.place_of_image("2"), "/ct2");
+        again.remember_image("1", "/elsewhere");
+        again.remember_patient(51, "/p51");
+        again.remember_image("51", "/ct51");
+        EXPECT_EQ(again.place_of_patient(99), "") << "asking for it keeps no place";
+    }
+    Settings last(file);
+    EXPECT_EQ(last.place_of_patient(1), "/p1") << "it was asked for";
+    EXPECT_EQ(last.place_of_patient(2), "") << "the one that was used longest ago";
+    EXPECT_EQ(last.place_of_image("1"), "/elsewhere");
+    EXPECT_EQ(last.place_of_image("2"), "/ct2");
+    EXPECT_EQ(last.place_of_image("3"), "");
+    for (unsigned i = 4; i <= 51; ++i) {
+        EXPECT_EQ(last.place_of_patient(i), QString("/p%1").arg(i));
+        EXPECT_EQ(last.place_of_image(std::to_string(i)), QString("/ct%1").arg(i));
+    }
+}
+
+// Nobody knows when they were used.
+TEST(Settings, of_an_older_program_lose_the_places_above_fifty) {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("s.ini");
+    {
+        QSettings store(file, QSettings::IniFormat);
+        for (int i = 100; i < 170; ++i) store.setValue(QString("images/%1").arg(i), "/ct");
+    }
+    Settings(file).remember_image("new", "/new");
+    QSettings store(file, QSettings::IniFormat);
+    EXPECT_EQ(store.value("images/new").toString(), "/new");
+    store.beginGroup("images");
+    EXPECT_EQ(store.childKeys().size(), 50);
+}
+
 TEST(Settings, in_safe_mode_read_and_write_nothing) {
     Settings settings(Settings::Mode::safe);
     settings.set_window("geometry", "layout");

@@ -2,65 +2,27 @@
 // Looking back on a recording in the window: its frames, its time line, jumps, notes, and the way
 // back to free play.
 #include <QComboBox>
-#include <QDir>
 #include <QElapsedTimer>
-#include <QFile>
-#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QToolButton>
 #include <algorithm>
-#include <atomic>
 
 #include "core/lesson/play_notes.h"
-#include "core/session/recording_file.h"
-#include "tests/session/new_session.h"
-#include "tests/session/recorded.h"
-#include "tests/ui/window_test.h"
+#include "tests/ui/review_window_test.h"
 #include "ui/message_bar.h"
-#include "ui/paths.h"
 #include "ui/recording_dialog.h"
-#include "ui/review_dock.h"
 #include "ui/review_list.h"
 #include "ui/second_view.h"
 #include "ui/slices/view_layout.h"
-#include "ui/time_line.h"
 
 namespace hepatica {
 namespace {
 
+using testing::ReviewWindowTest;
 using testing::wait_for;
-
-// A pull that begins at the tenth of a hundred steps.
-constexpr int steps = 100, pull_begins = 10, pull_ends = 40;
-
-struct Played {
-    Recording recording;
-    std::vector<Frame> frames;
-};
-
-const Played& played() {
-    static const Played play = [] {
-        const auto session = test::new_session();
-        const auto recording = test::keep_recording(*session);
-        const Vec3 hand = test::middle_of(test::small_patient()->tree, 2);
-        Played made;
-        for (int k = 0; k < steps; ++k) {
-            if (k == pull_begins) session->post(GrabPoint{hand});
-            if (k > pull_begins && k < pull_ends)
-                session->post(MoveGrab{hand + 0.3 * (k - pull_begins) * Vec3(1, 0, 0)});
-            if (k == pull_ends) session->post(ReleaseGrab{});
-            session->step();
-            session->update_frame();
-            made.frames.push_back(session->frame());
-        }
-        made.recording = *recording;
-        return made;
-    }();
-    return play;
-}
 
 TEST(ReviewList, AVerdictThatIsNotPassedLooksLikeNoStepThatIsReached) {
     ReviewList list;
@@ -88,65 +50,6 @@ TEST(ReviewTitle, OfTwoFilesOfOneNameTellsThemApartWithoutTheirFolders) {
         EXPECT_FALSE(heading.contains("Beispiel")) << heading.toStdString();
     }
 }
-
-// The small patient is whatever is opened.
-class ReviewWindowTest : public testing::WindowTest {
-  protected:
-    ReviewWindowTest()
-        : WindowTest({[this](const OpenRequest&, Job& job) {
-                          while (endless_) job.throw_if_cancelled();
-                          ++opened_;
-                          return play(opens_other_ ? other_patient() : test::small_patient(), job);
-                      },
-                      [](const std::filesystem::path&, const PatientCase&) {}}),
-          file_(to_path(folder_.filePath("play.hrec"))) {
-        write_recording(file_, played().recording);
-    }
-
-    ReviewDock& dock() { return window_.review(); }
-    TimeLine& line() { return *dock().findChild<TimeLine*>("reviewLine"); }
-    QListWidget& events() { return *dock().findChild<QListWidget*>("reviewEvents"); }
-    void click(const char* name) { dock().findChild<QAbstractButton*>(name)->click(); }
-    void look_back() {
-        window_.open(to_text(file_));
-        ASSERT_TRUE(wait_for([this] { return dock().complete(); }));
-        if (dock().playing()) click("reviewPlay");
-    }
-    // The step whose frame the window shows, from 0; -1 where it is not that frame.
-    int shown_step() {
-        const Frame& shown = window_.frame();
-        const Frame& was = played().frames.at(static_cast<std::size_t>(shown.step - 1));
-        return shown.positions_mm == was.positions_mm ? static_cast<int>(was.step) - 1 : -1;
-    }
-    bool shows_step(int wanted) {
-        return wait_for([&] { return shown_step() == wanted; });
-    }
-
-    std::filesystem::path file_;
-    // Whose vessels lie elsewhere.
-    static std::shared_ptr<const PatientCase> other_patient() {
-        auto other = std::make_shared<PatientCase>(*test::small_patient());
-        for (Vec3& vertex : other->mesh.vertices_mm) vertex.x() += 1.0;
-        return other;
-    }
-    // Types it into the next dialog of files.
-    void choose_file(const QString& name) {
-        auto* timer = new QTimer(&window_);
-        QObject::connect(timer, &QTimer::timeout, timer, [timer, name] {
-            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-            if (dialog == nullptr) return;
-            timer->deleteLater();
-            QApplication::setActiveWindow(dialog);
-            dialog->findChild<QLineEdit*>("fileNameEdit")->setText(name);
-            QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
-        });
-        timer->start(20);
-    }
-
-    std::atomic<bool> opens_other_ = false;
-    std::atomic<int> opened_ = 0;
-    std::atomic<bool> endless_ = false;  // nobody can be opened until he is given up
-};
 
 TEST_F(ReviewWindowTest, goes_to_any_moment_of_the_play) {
     open_built_in();
@@ -397,93 +300,6 @@ TEST_F(ReviewWindowTest, notes_that_cannot_be_kept_are_not_shown) {
     EXPECT_FALSE(window_.messages().text().isEmpty());
     EXPECT_EQ(note->text(), "Slower") << "it is not lost";
     EXPECT_EQ(events().count(), 2);
-}
-
-// A later patient does not begin what was given up, be it the same one.
-TEST_F(ReviewWindowTest, is_given_up_with_the_opening_of_its_patient) {
-    endless_ = true;
-    window_.open(to_text(file_));
-    ASSERT_TRUE(wait_for([this] { return window_.busy(); }));
-    window_.cancel_job();
-    ASSERT_TRUE(wait_for([this] { return !window_.busy(); }));
-    endless_ = false;
-    open_built_in();
-    paint();
-    EXPECT_FALSE(dock().reviewing());
-    EXPECT_FALSE(dock().busy());
-}
-
-TEST_F(ReviewWindowTest, of_another_patient_is_refused_with_the_remedy) {
-    open_built_in();
-    Recording other = played().recording;
-    other.patient_hash ^= 1;
-    write_recording(file_, other);
-    window_.open(to_text(file_));
-    EXPECT_TRUE(wait_for([this] { return window_.messages().text().contains("another patient"); }));
-    EXPECT_TRUE(window_.messages().text().contains("Choose the case that was played on"));
-    EXPECT_FALSE(dock().reviewing());
-    EXPECT_EQ(opened_, 1);
-}
-
-// A free play on a case that lies elsewhere now.
-TEST_F(ReviewWindowTest, names_the_case_that_it_was_played_on_and_lets_one_choose_it) {
-    opens_other_ = true;
-    open_built_in();
-    const QString lay = folder_.filePath("anna.hep");
-    settings_.remember_patient(played().recording.patient_hash, lay);
-    window_.open(to_text(file_));
-    EXPECT_TRUE(wait_for([&] { return window_.messages().text().contains(lay); }))
-        << window_.messages().text().toStdString();
-    auto* choose = window_.messages().findChild<QPushButton*>("secondOffer");
-    ASSERT_TRUE(choose->isVisible());
-    QDir(folder_.path()).mkpath("moved/anna.hep");
-    QFile header(folder_.filePath("moved/anna.hep/case.json"));
-    ASSERT_TRUE(header.open(QIODevice::WriteOnly));
-    header.close();
-    opens_other_ = false;
-    choose_file(folder_.filePath("moved/anna.hep"));
-    QTest::mouseClick(choose, Qt::LeftButton);
-    EXPECT_TRUE(wait_for([this] { return dock().complete(); }));
-    EXPECT_EQ(opened_, 2);
-}
-
-// As long as it lies there, nobody is asked.
-TEST_F(ReviewWindowTest, opens_the_case_that_it_was_played_on_where_that_is_known) {
-    opens_other_ = true;
-    open_built_in();
-    QDir(folder_.path()).mkpath("anna.hep");
-    QFile header(folder_.filePath("anna.hep/case.json"));
-    ASSERT_TRUE(header.open(QIODevice::WriteOnly));
-    header.close();
-    settings_.remember_patient(played().recording.patient_hash, folder_.filePath("anna.hep"));
-    opens_other_ = false;
-    std::filesystem::create_directories(to_path(folder_.filePath("plays")));
-    const auto elsewhere = to_path(folder_.filePath("plays/play.hrec"));
-    std::filesystem::copy(file_, elsewhere);
-    window_.open(to_text(elsewhere));
-    EXPECT_TRUE(wait_for([this] { return dock().complete(); }));
-    EXPECT_EQ(opened_, 2);
-}
-
-// Nobody needs a case to have him.
-TEST_F(ReviewWindowTest, of_a_lesson_on_the_built_in_patient_needs_no_case_of_him) {
-    opens_other_ = true;
-    open_built_in();
-    settings_.remember_patient(played().recording.patient_hash, folder_.filePath("gone.hep"));
-    opens_other_ = false;
-    dock().open(file_, "look_around");
-    EXPECT_TRUE(wait_for([this] { return opened_ == 2; }));
-    EXPECT_TRUE(wait_for([this] { return !window_.busy() && !dock().busy(); }));
-}
-
-TEST_F(ReviewWindowTest, ends_where_another_patient_is_opened) {
-    open_built_in();
-    look_back();
-    window_.open(OpenRequest{true, {}});
-    EXPECT_TRUE(wait_for([this] { return opened_ == 2 && !window_.busy(); }));
-    paint();
-    EXPECT_FALSE(dock().reviewing());
-    EXPECT_TRUE(dock().isHidden());
 }
 
 TEST(ClockText, SaysMinutesSecondsAndTenths) {

@@ -151,18 +151,16 @@ void ViewLayout::build(QWidget* view) {
     grid_->addWidget(notice_, 0, 2, 2, 1);
 }
 
-std::size_t ViewLayout::show_patient(std::shared_ptr<const PatientCase> patient,
-                                     const std::filesystem::path& folder,
-                                     const std::filesystem::path& image) {
+void ViewLayout::show_patient(std::shared_ptr<const PatientCase> patient,
+                              const std::filesystem::path& folder,
+                              const std::filesystem::path& image) {
     clear();
     patient_ = patient;
     folder_ = folder;
     segments_.show(patient, folder);
     tumours_.show(patient, folder);
-    const std::size_t lost = scene_.measurements().show(patient->measured, patient->tree);
     keeper_.show(std::move(patient), folder, image);
     if (slices_visible_) set_slices_visible(true);
-    return lost;
 }
 
 void ViewLayout::show_image(std::shared_ptr<const Volume> ct) {

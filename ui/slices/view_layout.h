@@ -60,10 +60,9 @@ class ViewLayout : public QWidget {
     ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, QWidget* parent = nullptr);
     ~ViewLayout() override;
 
-    // See CtKeeper::show(). Returns how many diameters that were kept with him have no vessel.
-    std::size_t show_patient(std::shared_ptr<const PatientCase> patient,
-                             const std::filesystem::path& folder,
-                             const std::filesystem::path& image);
+    // See CtKeeper::show(). Without measurements: slices().measurements() shows them.
+    void show_patient(std::shared_ptr<const PatientCase> patient,
+                      const std::filesystem::path& folder, const std::filesystem::path& image);
     // Shows the CT of a patient who is still being reconstructed; it can only be looked at. No
     // effect if a patient is shown.
     void show_image(std::shared_ptr<const Volume> ct);

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <fstream>
 
+#include "core/base/text_file.h"
 #include "tests/ui/patients/fake_ward.h"
 
 namespace hepatica {
@@ -104,6 +105,91 @@ TEST_F(JournalFile, GoesOnAfterALineThatWasCutOff) {
     later.change = 3;
     note(later, journal);
     EXPECT_EQ(read_edit_journal(file_), later);
+}
+
+KeptMeasurement distance(double to_mm) {
+    return {MeasurementKind::distance, {Vec3::Zero(), Vec3(0, 0, to_mm)}};
+}
+
+// Each line says only what has changed.
+TEST_F(JournalFile, HoldsWhatWasMeasured) {
+    EditJournal journal(file_);
+    Journalled now = state(1, {1});
+    now.measured = {distance(1), {MeasurementKind::diameter, {Vec3::Zero(), Vec3(0, 3, 0)}, 0.25}};
+    note(now, journal);
+    EXPECT_EQ(read_edit_journal(file_), now);
+    now.measured->push_back(distance(5));
+    now.change = 2;
+    note(now, journal);
+    EXPECT_EQ(read_edit_journal(file_), now);
+    now.measured->erase(now.measured->begin());
+    now.change = 3;
+    note(now, journal);
+    EXPECT_EQ(read_edit_journal(file_), now);
+    const std::uintmax_t before = fs::file_size(file_);
+    now.edits.push_back(testing::edit(2));
+    now.change = 4;
+    note(now, journal);
+    EXPECT_EQ(read_edit_journal(file_), now);
+    const std::string line = read_text_file(file_, "").substr(before);
+    EXPECT_NE(line.find("add"), std::string::npos);
+    EXPECT_EQ(line.find("measured"), std::string::npos) << line;
+    now.measured->clear();
+    now.change = 5;
+    note(now, journal);
+    EXPECT_EQ(read_edit_journal(file_), now) << "that all were removed is said, too";
+}
+
+TEST_F(JournalFile, BeginsItsMeasurementsAnewAfterALineThatWasCutOff) {
+    EditJournal journal(file_);
+    Journalled now = state(1, {});
+    now.measured = {distance(1), distance(2)};
+    note(now, journal);
+    const std::uintmax_t whole = fs::file_size(file_);
+    now.measured->push_back(distance(3));
+    now.change = 2;
+    {
+        const SmallDisk full(whole + 10);
+        note(now, journal);
+    }
+    ASSERT_TRUE(journal.failed());
+    note(now, journal);
+    EXPECT_EQ(read_edit_journal(file_), now);
+}
+
+// As programs wrote them that noted no measurements: those of the case hold.
+TEST_F(JournalFile, OfAnOlderProgramSaysNothingOfMeasurements) {
+    add(R"({"format": "hepatica-edits", "version": 1, "title": "anton.hep", )"
+        R"("case": "/data/anton.hep", "extracted": "7"})"
+        "\n{\"change\": 3, \"keep\": 0, \"add\": []}\n");
+    const auto read = read_edit_journal(file_);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(*read, state(3, {}));
+    EXPECT_FALSE(read->measured);
+}
+
+// Lines behind a measurement that nobody could have made are not believed.
+TEST_F(JournalFile, RefusesMeasurementsThatAreDamaged) {
+    const Journalled whole = state(1, {1});
+    const std::string none =
+        R"({"format": "hepatica-measurements", "version": 1, "measurements": []})";
+    const auto read_with = [&](const std::string& measured) {
+        fs::remove(file_);
+        {
+            EditJournal journal(file_);
+            note(whole, journal);
+        }
+        add(R"({"change": 2, "keep": 1, "add": [], )" + measured + "}\n");
+        return read_edit_journal(file_);
+    };
+    Journalled next = whole;
+    next.change = 2;
+    next.measured.emplace();
+    EXPECT_EQ(read_with(R"("keep_measured": 0, "add_measured": )" + none), next);
+    for (const std::string& damaged :
+         {R"("keep_measured": 1, "add_measured": )" + none, R"("add_measured": )" + none,
+          std::string(R"("keep_measured": 0, "add_measured": [])")})
+        EXPECT_EQ(read_with(damaged), whole) << damaged;
 }
 
 }  // namespace

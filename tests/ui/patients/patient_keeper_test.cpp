@@ -416,7 +416,10 @@ TEST_F(Keeper, a_stroke_is_not_taken_back_through_a_rebuilding) {
 TEST_F(Keeper, a_case_is_proposed_where_it_lies_or_by_its_name_alone) {
     ward.keeper().ask_and_save();
     EXPECT_EQ(ward.proposed, FakeWard::path_of("a.hep"));
-    for (const auto& [ct, proposed] : {std::pair{"ct.nii.gz", "ct.hep"}, {"ct9", "ct9.hep"}}) {
+    for (const auto& [ct, proposed] : {std::pair{"ct.nii.gz", "ct.hep"},
+                                       {"ct9", "ct9.hep"},
+                                       {"ct copy.hep", "ct copy.hep"},
+                                       {"ct: 7?.nii", "ct 7.hep"}}) {
         ward.open(ct);
         ASSERT_TRUE(ward.finish());
         ward.answer = UnsavedAnswer::discard;
