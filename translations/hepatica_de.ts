@@ -8815,5 +8815,13 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>%1, surface</source>
         <translation>%1, Oberfläche</translation>
     </message>
+    <message>
+        <source>ended after %1 of %2 bytes: it was cut while it was read</source>
+        <translation>endete nach %1 von %2 Bytes: Die Datei wurde gekürzt, während sie gelesen wurde</translation>
+    </message>
+    <message>
+        <source>Read it again when no other program writes it</source>
+        <translation>Lesen Sie sie noch einmal, wenn kein anderes Programm sie schreibt</translation>
+    </message>
 </context>
 </TS>
