@@ -8819,5 +8819,13 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>The computation was simplified for a moment to stay stable; forces shown may be rough.</source>
         <translation>Die Berechnung wurde einen Augenblick vereinfacht, um stabil zu bleiben; angezeigte Kräfte können ungenau sein.</translation>
     </message>
+    <message>
+        <source>ended after %1 of %2 bytes: it was cut while it was read</source>
+        <translation>endete nach %1 von %2 Bytes: Die Datei wurde gekürzt, während sie gelesen wurde</translation>
+    </message>
+    <message>
+        <source>Read it again when no other program writes it</source>
+        <translation>Lesen Sie sie noch einmal, wenn kein anderes Programm sie schreibt</translation>
+    </message>
 </context>
 </TS>

@@ -31,6 +31,8 @@ constexpr std::array sentences_common{
     Words::id("cannot be read"),
     Words::id("cannot be read (%1)"),
     Words::id("cannot be read; check its permissions"),
+    Words::id("ended after %1 of %2 bytes: it was cut while it was read"),
+    Words::id("Read it again when no other program writes it"),
     Words::id("Check that it exists"),
     Words::id("Check that it exists and may be read"),
     Words::id("must be a whole number in range, but is %1"),

@@ -10,6 +10,7 @@
 #include "core/base/atomic_write.h"
 #include "core/base/csv_cell.h"
 #include "core/base/error.h"
+#include "core/base/text_file.h"
 
 namespace hepatica {
 
@@ -38,9 +39,10 @@ std::optional<std::string> cell_from(const std::string& text, std::size_t& at) {
 
 // The pseudonyms and scans in the file; names may hold line breaks.
 std::map<std::string, std::string> read_names(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
     std::map<std::string, std::string> names;
+    if (std::error_code ignored; !fs::exists(file, ignored)) return names;
+    const std::string text =
+        read_text_file(file, "Make it readable: it alone says which case is whose");
     if (text.empty()) return names;
     const auto check = [&](bool as_written) {
         if (!as_written)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // train: learns on synthetic patients which lines of a CT are vessels
 // (core/training/link_training.h).
+#include <spdlog/spdlog.h>
+
 #include <cstdint>
 #include <filesystem>
 
@@ -25,14 +27,20 @@ Json run_train(TrainChoices options, Job& job) {
                          "Give a whole number from 1 on");
     options.training.seed = static_cast<std::uint64_t>(options.seed);
     require_writable(options.out);
-    const LinkModel model = trained_links(options.training, job);
+    int left_out = 0;
+    const LinkModel model =
+        trained_links(options.training, job, [&](std::uint64_t number, const InputError& reason) {
+            ++left_out;
+            spdlog::warn("the patient of seed {} is left out: {}", number, reason.what());
+        });
     write_link_model(options.out, model);
     std::size_t nodes = 0;
     for (const auto& tree : model.forest.trees) nodes += tree.size();
     return {{"model", options.out.string()},
             {"made_by", model.made_by},
             {"trees", model.forest.trees.size()},
-            {"nodes", nodes}};
+            {"nodes", nodes},
+            {"patients_left_out", left_out}};
 }
 
 }  // namespace

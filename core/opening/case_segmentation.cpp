@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Maps systems and organs of a case to the segments and SNOMED codes of a DICOM segmentation.
+// Maps systems and organs of a case to segments with names, colours and SNOMED codes.
 #include "core/opening/case_segmentation.h"
 
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/base/vascular_system.h"
+#include "core/image/memory_limit.h"
 #include "core/image/segmentation_writer.h"
+#include "core/image/volume_writer.h"
 #include "core/opening/patient_image.h"
 
 namespace hepatica {
@@ -80,21 +84,75 @@ class Segments {
     std::vector<SegmentLayer> layers;
 };
 
-}  // namespace
-
-void write_case_segmentation(const PatientCase& patient, const fs::path& ct, const fs::path& file,
-                             const std::string& program_version, Job& job) {
+// Vessels first, which lie in organs. Throws InputError where the case has no voxels.
+Segments segments_of(const PatientCase& patient) {
     if (patient.mask.voxels.empty() && patient.organs.voxels.empty())
         throw InputError("holds no voxels of vessels or organs", patient.source.name,
                          "Reconstruct the case from its CT");
-    const int series = found_image_of(patient, ct, job).series;
     Segments segments;
     segments.add(patient.mask, [](std::uint8_t label) {
         return std::optional(meaning_of(static_cast<VascularSystem>(label)));
     });
     segments.add(patient.organs, meaning_of_organ);
+    return segments;
+}
+
+// A case's file may come from anybody.
+void require_usable(const Grid& grid, const std::string& name) {
+    const Mat3 product = grid.direction.transpose() * grid.direction;
+    bool usable = grid.origin_mm.allFinite() && grid.spacing_mm.allFinite() &&
+                  grid.spacing_mm.minCoeff() > 0.0 && product.isIdentity(1e-6);
+    for (const int n : grid.dims) usable = usable && n > 0;
+    if (!usable)
+        throw InputError("does not say which voxels its CT had", name,
+                         "Reconstruct the case from its CT");
+    require_memory(bytes_of(grid.dims[0], grid.dims[1], grid.dims[2], sizeof(std::uint16_t)), name);
+}
+
+// 0, or the number from 1 of the first layer's segment at this position.
+std::uint16_t number_at(const std::vector<SegmentLayer>& layers, const Vec3& position_mm) {
+    for (const SegmentLayer& layer : layers) {
+        const auto found = layer.segment_of.find(value_at(*layer.voxels, position_mm));
+        if (found != layer.segment_of.end()) return static_cast<std::uint16_t>(found->second + 1);
+    }
+    return 0;
+}
+
+std::vector<SegmentDescription> descriptions_of(const std::vector<SegmentMeaning>& meanings) {
+    std::vector<SegmentDescription> descriptions;
+    for (const SegmentMeaning& meaning : meanings) {
+        const auto [red, green, blue] = meaning.srgb;
+        descriptions.push_back({static_cast<std::uint16_t>(descriptions.size() + 1), meaning.label,
+                                Vec3(red, green, blue) / 255.0});
+    }
+    return descriptions;
+}
+
+}  // namespace
+
+void write_case_segmentation(const PatientCase& patient, const fs::path& ct, const fs::path& file,
+                             const std::string& program_version, Job& job) {
+    const Segments segments = segments_of(patient);
+    const int series = found_image_of(patient, ct, job).series;
     write_dicom_segmentation(file, segments.meanings, segments.layers, ct, series, program_version,
                              job);
+}
+
+void write_case_labels(const PatientCase& patient, const fs::path& file, Job& job) {
+    const Segments segments = segments_of(patient);
+    const Grid& grid = patient.source.image_grid;
+    require_usable(grid, patient.source.name);
+    job.begin_stage("Writing the segmentation");
+    LabelMap labels(grid);
+    parallel_blocks(static_cast<std::size_t>(grid.dims[2]), 1, [&](std::size_t z, std::size_t) {
+        job.throw_if_cancelled();
+        std::size_t i = grid.offset(0, 0, static_cast<int>(z));
+        for (int y = 0; y < grid.dims[1]; ++y)
+            for (int x = 0; x < grid.dims[0]; ++x, ++i)
+                labels.voxels[i] =
+                    number_at(segments.layers, grid.to_mm(x, y, static_cast<int>(z)));
+    });
+    write_segmentation(file, labels, descriptions_of(segments.meanings));
 }
 
 }  // namespace hepatica

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes a case's vessels and organs as a DICOM segmentation of its CT, for archives and other
-// viewers.
+// Writes a case's vessels and organs as a segmentation: of DICOM, for archives and other viewers,
+// or in the file that 3D Slicer opens.
 #pragma once
 
 #include <filesystem>
@@ -21,5 +21,12 @@ namespace hepatica {
 void write_case_segmentation(const PatientCase& patient, const std::filesystem::path& ct,
                              const std::filesystem::path& file, const std::string& program_version,
                              Job& job);
+
+// Writes the same segments, numbered from 1 in that order, as a .seg.nrrd (write_segmentation() in
+// volume_writer.h) on the CT's grid, without a CT and without the patient's name. A voxel takes the
+// value of the case's voxel that contains its centre, and belongs to one segment: where a vessel
+// lies in an organ it belongs to the vessel. Begins one stage. Throws Cancelled, and InputError
+// where the case has no voxels or no usable grid of its CT, and as write_segmentation() does.
+void write_case_labels(const PatientCase& patient, const std::filesystem::path& file, Job& job);
 
 }  // namespace hepatica

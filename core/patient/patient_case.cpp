@@ -2,9 +2,10 @@
 // Reads and writes the files of a case, in a folder or unpacked from an archive.
 #include "core/patient/patient_case.h"
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <system_error>
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
@@ -84,12 +85,17 @@ void read_corrections(const fs::path& folder, const CaseHeader& header, PatientC
     if (old && !seeded) rename_systems_of_format_1(patient.tree);
 }
 
+// A file that a case may lack; none where it does.
+std::optional<std::string> text_beside(const fs::path& file) {
+    if (std::error_code ignored; !fs::exists(file, ignored)) return std::nullopt;
+    return read_text_file(file, "Make it readable, or remove it: the case is whole without it");
+}
+
 std::vector<KeptMeasurement> measured_in(const fs::path& folder) {
     const fs::path file = folder / case_file::measurements;
-    if (std::error_code ignored; !fs::exists(file, ignored)) return {};
-    const std::string text =
-        read_text_file(file, "Make it readable, or remove it: the case is whole without it");
-    return measurements_from_json(text, file.string());
+    const std::optional<std::string> text = text_beside(file);
+    if (!text) return {};
+    return measurements_from_json(*text, file.string());
 }
 
 void read_all_voxels(const fs::path& folder, const CaseHeader& header, PatientCase& patient) {
@@ -139,8 +145,7 @@ PatientCase read(const fs::path& folder, bool with_voxels) {
     if (with_voxels) read_all_voxels(folder, header, patient);
     patient.surface = read_vtp(folder / case_file::surface);
     patient.mesh = read_vtu(folder / case_file::mesh);
-    if (std::ifstream dial(folder / case_file::dial); dial)
-        patient.dial_json.assign(std::istreambuf_iterator<char>(dial), {});
+    patient.dial_json = text_beside(folder / case_file::dial).value_or("");
     patient.measured = measured_in(folder);
     return patient;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // For each candidate voxel, rays along the 26 grid directions are followed until they meet the
-// organ, fat, gas or bone. Cost: 26 rays of up to 60 mm per candidate, in parallel over slices.
+// organ, fat, gas or bone, leave the image or are 60 mm long. Cost: 26 such rays per candidate, in
+// parallel over slices.
 #include "core/segmentation/enclosed_tissue.h"
 
 #include <vector>
@@ -34,6 +35,8 @@ std::vector<Way> ways_of(const Grid& grid) {
 
 enum class End { organ, elsewhere, unseen };
 
+// Unseen is a ray that leaves the image and crosses slices: a scan often ends within the body along
+// z, where the rest of the organ may lie; within a slice it shows all of the body.
 End end_of(const Way& way, Index3 at, const FloatVolume& smooth, const Mask& organ) {
     for (int step = 0; step < way.steps; ++step) {
         for (std::size_t a = 0; a < 3; ++a) at[a] += way.step[a];

@@ -213,6 +213,7 @@ Recording read_recording(const std::filesystem::path& file) {
             throw InputError(json_problem(error), place, "The recording is damaged");
         }
     }
+    if (in.bad()) throw InputError("cannot be read to its end", file.string(), "Check the disk");
     if (number == 0) throw InputError("is empty", file.string(), how_to_record);
     return recording;
 }

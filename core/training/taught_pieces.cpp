@@ -3,12 +3,9 @@
 // the true centrelines.
 #include "core/training/taught_pieces.h"
 
-#include <optional>
-
 #include "core/phantom/random_patient.h"
 #include "core/reconstruction/chosen_vessels.h"
 #include "core/reconstruction/detected_vessels.h"
-#include "core/segmentation/organ_surroundings.h"
 #include "core/tree/extraction/centreline_locator.h"
 
 namespace hepatica {
@@ -17,17 +14,6 @@ namespace {
 
 constexpr double tolerance_mm = 2.0;  // the same as SystemScoreOptions::length_tolerance_mm
 constexpr std::uint64_t liver_found_every = 3;
-
-// None where no liver is found.
-std::optional<DetectedVessels> detected_in(const Phantom& patient,
-                                           const SegmentationOptions& options, double line_share,
-                                           Job& job) {
-    try {
-        return detect_in_liver(patient.ct, options, line_share, job);
-    } catch (const NoLiverFound&) {
-        return std::nullopt;
-    }
-}
 
 }  // namespace
 
@@ -44,9 +30,9 @@ std::vector<float> shares_of_truth(const std::vector<LinePiece>& pieces, const V
 
 std::vector<TaughtPiece> taught_on(const Phantom& patient, const SegmentationOptions& options,
                                    double line_share, Job& job) {
-    const auto found = detected_in(patient, options, line_share, job);
-    if (!found || !found->detection.evidence) return {};
-    const MeasuredPieces measured = measured_pieces(*found, patient.ct.grid.spacing_mm, job);
+    const DetectedVessels found = detect_in_liver(patient.ct, options, line_share, job);
+    if (!found.detection.evidence) return {};
+    const MeasuredPieces measured = measured_pieces(found, patient.ct.grid.spacing_mm, job);
     const std::vector<float> shares = shares_of_truth(measured.pieces, patient.tree);
     std::vector<TaughtPiece> taught;
     for (std::size_t i = 0; i < shares.size(); ++i)

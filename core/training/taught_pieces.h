@@ -22,9 +22,8 @@ struct TaughtPiece {
 // sloppily drawn liver mask is given, in the third the liver is found. Otherwise as taught_on().
 std::vector<TaughtPiece> taught_by(std::uint64_t number, double line_share, Job& job);
 
-// The pieces of any patient whose vessels are known. Empty where no liver is found or no line rises
-// above the noise. Throws InputError where a given liver or another option cannot be used;
-// Cancelled.
+// The pieces of any patient whose vessels are known. Empty where no line rises above the noise.
+// Throws NoLiverFound; InputError where a given liver or another option cannot be used; Cancelled.
 std::vector<TaughtPiece> taught_on(const Phantom& patient, const SegmentationOptions& options,
                                    double line_share, Job& job);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A case as a DICOM segmentation of its CT, through the real program.
+// A case as a DICOM segmentation of its CT, and for 3D Slicer, through the real program.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -74,6 +74,45 @@ TEST_F(Export, RefusesAnotherCtAndAFileThatIsNoSegmentation) {
     EXPECT_NE(over.errors.find("is there and is no segmentation"), std::string::npos)
         << over.errors;
     EXPECT_EQ(fs::file_size(slice), size);
+}
+
+TEST_F(Export, ForSlicerNeedsNoCt) {
+    const fs::path out = folder() / "vessels.seg.nrrd";
+    answer({"export", made().string(), "--out", out.string()});
+    const PatientCase patient = read_case(made());
+    Job job;
+    const LabelMap labels = read_label_map(out, job);
+    EXPECT_TRUE(same_grid(labels.grid, read_volume(ct(), job).grid));
+    // This phantom has one system; the liver is what is left of it beside the vessels.
+    std::size_t vessels = 0;
+    for (std::size_t i = 0; i < labels.voxels.size(); ++i) {
+        const auto [x, y, z] = labels.grid.index_of(i);
+        const Vec3 p = patient.source.image_grid.to_mm(x, y, z);
+        const bool vessel = value_at(patient.mask, p) != 0;
+        const bool liver = value_at(patient.organs, p) == organ_label::liver;
+        ASSERT_EQ(labels.voxels[i], vessel ? 1 : (liver ? 2 : 0)) << p.transpose();
+        vessels += vessel;
+    }
+    EXPECT_GT(vessels, 100u);
+}
+
+TEST_F(Export, SaysWhichNameGoesWithWhat) {
+    const auto refused = [](std::vector<std::string> options) {
+        options.insert(options.begin(), {"export", made().string()});
+        const auto run = run_cli(options);
+        EXPECT_EQ(run.exit_code, 2) << run.errors;
+        return run.errors;
+    };
+    const auto in_folder = [](const char* name) { return (folder() / name).string(); };
+    EXPECT_NE(refused({"--out", in_folder("v.dcm")}).find("--ct: is missing"), std::string::npos);
+    EXPECT_NE(
+        refused({"--out", in_folder("v.seg.nrrd"), "--ct", ct().string()}).find("is not used"),
+        std::string::npos);
+    EXPECT_NE(refused({"--out", in_folder("v.nrrd"), "--ct", ct().string()})
+                  .find("does not end in .seg.nrrd"),
+              std::string::npos);
+    for (const char* name : {"v.dcm", "v.seg.nrrd", "v.nrrd"})
+        EXPECT_FALSE(fs::exists(in_folder(name))) << name;
 }
 
 }  // namespace

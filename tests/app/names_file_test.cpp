@@ -84,5 +84,16 @@ TEST_F(NamesFile, IsNotWrittenAnewWhereItIsDamaged) {
     }
 }
 
+// A file that cannot be read was not empty: what stands in it must not be lost.
+TEST_F(NamesFile, IsNotWrittenAnewWhereItCannotBeRead) {
+    fs::create_directories(out_ / "names.csv");
+    EXPECT_THAT(refusal({patient("P-2", "berta")}), HasSubstr("is a folder"));
+    fs::remove(out_ / "names.csv");
+    if (!fs::exists("/proc/self/mem")) GTEST_SKIP() << "no file whose reading fails";
+    fs::create_symlink("/proc/self/mem", out_ / "names.csv");
+    EXPECT_THAT(refusal({patient("P-2", "berta")}), HasSubstr("cannot be read"));
+    EXPECT_TRUE(fs::is_symlink(out_ / "names.csv"));
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A case as a DICOM segmentation: each system and organ under its own name and code of SNOMED CT
-// (DICOM PS3.16), where its voxels are.
+// A case as a segmentation: each system and organ where its voxels are, under its own name, and in
+// DICOM's under its code of SNOMED CT (DICOM PS3.16).
 #include "core/opening/case_segmentation.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 
 #include "core/base/error.h"
 #include "core/base/vascular_system.h"
@@ -108,6 +111,86 @@ TEST_F(CaseSegmentation, OfACaseWithoutVoxelsIsRefused) {
         EXPECT_EQ(error.place(), "somebody");
     }
     EXPECT_FALSE(fs::exists(file_));
+}
+
+// The names and label values of a .seg.nrrd's header, in its order.
+std::vector<Known> segments_in(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::vector<Known> segments;
+    for (std::string line; std::getline(in, line) && !line.empty();) {
+        const std::string value = line.substr(line.find('=') + 1);
+        if (line.find("_LabelValue:=") != std::string::npos)
+            segments.push_back({static_cast<std::uint8_t>(std::stoi(value)), "", ""});
+        if (line.find("_Name:=") != std::string::npos) segments.back().name = value;
+    }
+    return segments;
+}
+
+TEST_F(CaseSegmentation, ForSlicerHasEachVoxelOnceAndVesselsBeforeOrgans) {
+    patient_.mask = slices_of(systems);
+    for (std::size_t i = 0; i < patient_.mask.voxels.size(); ++i)
+        if (patient_.mask.grid.index_of(i)[1] > 5) patient_.mask.voxels[i] = 0;
+    patient_.organs = slices_of(organs);
+    patient_.organs.at(11, 3, 2) = 5;  // no organ has this label
+    const fs::path file = folder_ / "out.seg.nrrd";
+    write_case_labels(patient_, file, job_);
+    const std::vector<Known> segments = segments_in(file);
+    ASSERT_EQ(segments.size(), 8u);
+    const auto value_of = [&](const std::vector<Known>& known, int label) {
+        const auto at = std::ranges::find(known, label, [](const Known& k) { return k.label; });
+        if (at == known.end()) return 0;
+        const auto found = std::ranges::find(segments, at->name, &Known::name);
+        EXPECT_NE(found, segments.end()) << at->name;
+        return found != segments.end() ? found->label : -1;
+    };
+    const LabelMap labels = read_label_map(file, job_);
+    ASSERT_TRUE(same_grid(labels.grid, ct_.grid));
+    for (std::size_t i = 0; i < labels.voxels.size(); ++i) {
+        const int vessel = value_of(systems, patient_.mask.voxels[i]);
+        const int organ = value_of(organs, patient_.organs.voxels[i]);
+        ASSERT_EQ(labels.voxels[i], vessel != 0 ? vessel : organ) << i;
+    }
+    for (std::size_t i = 0; i < segments.size(); ++i) EXPECT_EQ(segments[i].label, i + 1);
+}
+
+// The case's voxels may be those of a part of the CT, and of another size.
+TEST_F(CaseSegmentation, ForSlicerLiesOnTheGridOfTheCt) {
+    Grid half{{14, 6, 4}};
+    half.spacing_mm = {0.5, 0.5, 0.5};
+    half.origin_mm = {2.75, 4.75, 1.75};
+    patient_.mask = Mask(half, number_of(VascularSystem::portal));
+    const fs::path file = folder_ / "part.seg.nrrd";
+    write_case_labels(patient_, file, job_);
+    const LabelMap labels = read_label_map(file, job_);
+    ASSERT_TRUE(same_grid(labels.grid, ct_.grid));
+    for (std::size_t i = 0; i < labels.voxels.size(); ++i) {
+        const auto [x, y, z] = ct_.grid.index_of(i);
+        const bool inside = x >= 3 && x < 10 && y >= 5 && y < 8 && z >= 2 && z < 4;
+        ASSERT_EQ(labels.voxels[i], inside ? 1 : 0) << x << ' ' << y << ' ' << z;
+    }
+}
+
+TEST_F(CaseSegmentation, ForSlicerIsRefusedWithoutVoxelsAndForGridsThatAreNone) {
+    const fs::path file = folder_ / "none.seg.nrrd";
+    EXPECT_THROW(write_case_labels(patient_, file, job_), InputError);
+    patient_.mask = slices_of(systems);
+    const Grid good = patient_.source.image_grid;
+    const std::function<void(Grid&)> damages[]{[](Grid& g) { g.dims[2] = 0; },
+                                               [](Grid& g) { g.dims[0] = -1; },
+                                               [](Grid& g) { g.spacing_mm[1] = 0.0; },
+                                               [](Grid& g) { g.spacing_mm[0] = INFINITY; },
+                                               [](Grid& g) { g.origin_mm[0] = NAN; },
+                                               [](Grid& g) { g.direction(0, 1) = 0.5; },
+                                               [](Grid& g) {
+                                                   g.dims = {30000, 30000, 30000};
+                                               }};
+    for (const auto& damage : damages) {
+        damage(patient_.source.image_grid);
+        EXPECT_THROW(write_case_labels(patient_, file, job_), InputError);
+        EXPECT_FALSE(fs::exists(file));
+        patient_.source.image_grid = good;
+    }
+    EXPECT_NO_THROW(write_case_labels(patient_, file, job_));
 }
 
 }  // namespace

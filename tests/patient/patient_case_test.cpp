@@ -186,5 +186,19 @@ TEST_F(PatientCaseTest, LeavesNothingWhereItCannotWrite) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
+// The dial and the measurements may be missing; they are not taken for missing where they cannot be
+// read.
+TEST_F(PatientCaseTest, SaysWhichFileBesideItCannotBeRead) {
+    for (const char* name : {case_file::dial, case_file::measurements}) {
+        write_case(case_, some_patient());
+        fs::remove_all(case_ / name);
+        EXPECT_EQ(refusal(case_), "");
+        fs::create_directories(case_ / name);
+        EXPECT_NE(refusal(case_).find("is a folder"), std::string::npos) << name;
+        EXPECT_NE(refusal(case_).find((case_ / name).string()), std::string::npos) << name;
+        fs::remove_all(case_);
+    }
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -186,6 +186,27 @@ TEST(Companions, RunBesideThePortalVeinWithoutTouchingItWhereTheyCanDoSo) {
     EXPECT_TRUE(companions(tree, 0.1, Vec3::UnitZ(), VascularSystem::artery).segments.empty());
 }
 
+// Two branches that leave the root's own node: their companions have that node in common, too.
+TEST(Companions, BranchWhereThePortalVeinDoes) {
+    VesselTree tree;
+    tree.nodes = {{Vec3(0, 0, 0), 3.0}, {Vec3(30, 0, 0), 2.0}, {Vec3(0, 30, 0), 2.0}};
+    for (const int end : {1, 2}) {
+        VesselSegment branch;
+        branch.proximal_node = 0;
+        branch.distal_node = end;
+        branch.system = VascularSystem::portal;
+        branch.points_mm = {tree.nodes[0].position_mm, tree.nodes[end].position_mm};
+        branch.radii_mm = {3.0, 2.0};
+        tree.segments.push_back(branch);
+    }
+    const VesselTree beside = companions(tree, 0.4, Vec3::UnitZ(), VascularSystem::artery);
+    ASSERT_NO_THROW(validate(beside));
+    EXPECT_EQ(beside.nodes.size(), 3u);
+    ASSERT_EQ(beside.segments.size(), 2u);
+    EXPECT_EQ(beside.segments[0].proximal_node, beside.segments[1].proximal_node);
+    EXPECT_NE(beside.segments[0].distal_node, beside.segments[1].distal_node);
+}
+
 TEST(Disturbances, StreaksChangeTheScan) {
     Disturbances streaks;
     streaks.streaks = 20;

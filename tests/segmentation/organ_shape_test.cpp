@@ -241,6 +241,23 @@ TEST(EnclosedTissue, MayLieOpenToOneSideWhicheverItIsButNotToTwo) {
         }
 }
 
+// As a vessel is: the thinnest width is that of organ and piece together.
+TEST(EnclosedTissue, MayBeThinBetweenWallsOfTheOrgan) {
+    const Grid grid = grid_of(50, 50, 50, 3.0);
+    const Vec3 middle(75, 75, 75);
+    FloatVolume smooth(grid, -100.0f);
+    Mask organ(grid);
+    for (std::size_t i = 0; i < organ.voxels.size(); ++i) {
+        const auto [x, y, z] = grid.index_of(i);
+        const Vec3 p = grid.to_mm(x, y, z);
+        const bool thin = in_ball(p, middle, 20) && std::abs(p.x() - middle.x()) < 2.0;
+        organ.voxels[i] = in_ball(p, middle, 50) && !thin;
+        if (in_ball(p, middle, 50)) smooth.voxels[i] = thin ? 180.0f : 110.0f;
+    }
+    Job job;
+    EXPECT_EQ(value_at(enclosed_tissue(smooth, organ, job), middle), 1);
+}
+
 // Nothing is known of a slab between inside and outside: the border lies where a surface is cheap.
 TEST(OrganBorder, RunsWhereTheImageHasAnEdge) {
     const Grid grid = grid_of(40, 16, 16, 2.0);

@@ -256,6 +256,20 @@ TEST(RecordingFile, ADamagedLineInTheMiddleIsRefusedByItsNumber) {
                 HasSubstr("line 6"));
 }
 
+// Reading a process's memory from address 0 on fails: the file is not taken for an empty one, as
+// one that breaks off later is not taken for a shorter play.
+TEST(RecordingFile, ThatFailsToBeReadIsRefused) {
+    const fs::path file = "/proc/self/mem";
+    if (!fs::exists(file)) GTEST_SKIP() << "no " << file;
+    try {
+        read_recording(file);
+        FAIL() << "it was read";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problem(), "cannot be read to its end");
+        EXPECT_EQ(error.place(), file.string());
+    }
+}
+
 // What is in the file while the session still goes on is a recording.
 TEST(RecordingFile, GrowsAsTheSessionGoes) {
     const fs::path file = fs::path(testing::TempDir()) / "growing.hrec";

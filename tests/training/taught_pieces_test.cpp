@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/phantom/random_patient.h"
+#include "core/segmentation/organ_surroundings.h"
 
 namespace hepatica {
 namespace {
@@ -58,11 +59,11 @@ TEST(TaughtPieces, HoldVesselsAndWhatIsNone) {
     EXPECT_GT(none, 5);
 }
 
-TEST(TaughtPieces, AreNoneWithoutALiverButABadLiverIsRefused) {
+TEST(TaughtPieces, AreRefusedWithoutALiver) {
     Job job;
     Phantom patient;
     patient.ct = Volume(Grid{{40, 40, 40}}, -100);
-    EXPECT_TRUE(taught_on(patient, {}, 0.6, job).empty()) << "none is found";
+    EXPECT_THROW(taught_on(patient, {}, 0.6, job), NoLiverFound);
     SegmentationOptions options;
     options.liver = Mask(patient.ct.grid);
     EXPECT_THROW(taught_on(patient, options, 0.6, job), InputError) << "the given one is empty";

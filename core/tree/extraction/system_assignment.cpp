@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <queue>
 #include <tuple>
 
@@ -81,11 +82,12 @@ VascularSystem system_of_label(int label) {
     return system_numbered(label).value_or(VascularSystem::unknown);
 }
 
-// Index that best splits a link into two stretches of one label each; 0 where a stretch would be
-// too short to be more than the edge of the other.
-std::size_t label_change(const std::vector<int>& values) {
+// Index that best splits a link into two stretches of one label each, the first of several; none
+// where a stretch would be too short to be more than the edge of the other.
+std::optional<std::size_t> label_change(const std::vector<int>& values) {
     constexpr std::size_t least_points = 4;
-    std::size_t best = 0, most_right = 0;
+    std::optional<std::size_t> best;
+    std::size_t most_right = 0;
     for (std::size_t cut = least_points; cut + least_points <= values.size(); ++cut) {
         const auto middle = values.begin() + static_cast<std::ptrdiff_t>(cut);
         const int left = most_frequent({values.begin(), middle});
@@ -118,12 +120,12 @@ void decide(VesselLink& link, const std::vector<int>& values, std::size_t end) {
 void assign_systems(VesselGraph& graph, const Mask& systems) {
     for (std::size_t id = 0; id < graph.links.size(); ++id) {  // grows while links are split
         const std::vector<int> values = labels_along(graph.links[id], systems);
-        const std::size_t cut = label_change(values);
-        if (cut > 0) {
-            const double at_mm = arclengths_mm(graph.links[id].points_mm)[cut];
+        const std::optional<std::size_t> cut = label_change(values);
+        if (cut) {
+            const double at_mm = arclengths_mm(graph.links[id].points_mm)[*cut];
             split_link(graph, static_cast<int>(id), at_mm, 0.0);
         }
-        decide(graph.links[id], values, cut > 0 ? cut : values.size());
+        decide(graph.links[id], values, cut.value_or(values.size()));
     }
     flood(graph);
     join_passing_nodes(graph);  // parts of one system

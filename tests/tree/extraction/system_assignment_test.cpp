@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 #include <random>
+#include <utility>
 
 #include "tests/support/test_trees.h"
 
@@ -85,6 +86,31 @@ TEST(SystemAssignment, LabelsOfTheMaskPartALink) {
     assign_systems(graph, halved(portal));
     ASSERT_EQ(graph.links.size(), 1u);
     EXPECT_EQ(graph.links[0].system_confidence, 1.0);
+}
+
+//   one link whose middle lies in no vessel: any place there parts the labels as well
+TEST(SystemAssignment, ALinkIsPartedWhereTheFirstLabelEnds) {
+    constexpr auto none = static_cast<VascularSystem>(0);
+    for (const auto& [left, right] : {std::pair(portal, hepatic), std::pair(hepatic, portal)}) {
+        VesselGraph graph;
+        graph.nodes = {{Vec3(0, 0, 0), 2.0}, {Vec3(40, 0, 0), 2.0}};
+        VesselLink link{0, 1, unknown, 0.0, {}, {}};
+        for (int x = 0; x <= 40; ++x) {
+            link.points_mm.push_back(Vec3(x, 0, 0));
+            link.radii_mm.push_back(2.0);
+        }
+        graph.links = {link};
+        assign_systems(graph, systems_by([&](const Vec3& p) {
+                           return p.x() < 14.5 ? left : (p.x() < 25.5 ? none : right);
+                       }));
+        ASSERT_EQ(graph.links.size(), 2u);
+        EXPECT_EQ(graph.links[0].system, left);
+        EXPECT_EQ(graph.links[1].system, right);
+        EXPECT_EQ(graph.links[0].points_mm.back(), Vec3(15, 0, 0));
+        EXPECT_EQ(graph.links[1].points_mm.front(), Vec3(15, 0, 0));
+        EXPECT_EQ(graph.links[0].system_confidence, 1.0);
+        EXPECT_NEAR(graph.links[1].system_confidence, 15.0 / 26.0, 1e-12);
+    }
 }
 
 // Whatever the voxels say, the directed tree is valid and as long as before, and every component
