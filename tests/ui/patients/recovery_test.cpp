@@ -465,40 +465,14 @@ TEST_F(Journal, SaysMoreThanACopyWhereStrokesWait) {
         << "the copy holds as much";
 }
 
-// No copy of the case is ever written: the journal alone holds it.
-TEST_F(Journal, HoldsWhatWasMeasuredSinceTheLastCopy) {
-    const std::vector<KeptMeasurement> measured{
-        {MeasurementKind::distance, {Vec3(1, 2, 3), Vec3(1, 2, 8)}}};
-    auto program = this->program([](const fs::path& place, const PatientCase&) {
-        throw InputError("the disk is full", place.string(), "make room");
-    });
+TEST_F(Journal, HoldsWhatWasMeasuredThoughNoCopyIsEverWritten) {
+    auto program = this->program(
+        [](const fs::path&, const PatientCase&) { throw InputError("the disk is full", "", ""); });
     workspace_.open(from_disk());
-    program->follow(workspace_);
-    ASSERT_TRUE(workspace_.measure(measured));
+    ASSERT_TRUE(workspace_.measure({{MeasurementKind::distance, {Vec3(1, 2, 3), Vec3(1, 2, 8)}}}));
     program->follow(workspace_);
     ASSERT_TRUE(leaves({}));
-    const UnsavedWork work = left_if_killed_now().at(0);
-    EXPECT_EQ(work.request.left_edits->measured, measured);
-
-    Job job;
-    Workspace taken_up;
-    taken_up.open(open_patient(work.request, job));
-    taken_up.take_up(*work.request.left_edits);
-    EXPECT_EQ(taken_up.measured(), measured);
-    EXPECT_TRUE(taken_up.dirty());
-}
-
-// A journal of a program that noted none says nothing of them.
-TEST_F(Journal, WithoutMeasurementsLeavesThoseOfTheCase) {
-    OpenedPatient opened = from_disk();
-    auto patient = std::make_shared<PatientCase>(*opened.patient);
-    patient->measured = {{MeasurementKind::distance, {Vec3(1, 2, 3), Vec3(1, 2, 8)}}};
-    opened.patient = patient;
-    workspace_.open(opened);
-    workspace_.take_up({{testing::edit(1)}, {}, 0, "edits.jsonl"});
-    EXPECT_EQ(workspace_.measured(), patient->measured);
-    workspace_.take_up({{testing::edit(1)}, {}, 0, "edits.jsonl", std::vector<KeptMeasurement>{}});
-    EXPECT_TRUE(workspace_.measured().empty()) << "they had all been removed";
+    EXPECT_EQ(left_if_killed_now().at(0).request.left_edits->measured, workspace_.measured());
 }
 
 // What the program before has left is let go only when this one's own journal is on disk.

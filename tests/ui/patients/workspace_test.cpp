@@ -83,6 +83,28 @@ TEST(StandingWarnings, FollowWhatIsSaidOfTheVessels) {
     EXPECT_EQ(still_standing({}, {"never told"}, {"never told"}), std::vector<std::string>());
 }
 
+// A journal of a program that noted none says nothing of measurements.
+TEST(Workspace, takes_up_the_measurements_that_an_earlier_run_left_where_it_knew_them) {
+    const std::vector<KeptMeasurement> in_case{
+        {MeasurementKind::distance, {Vec3(1, 2, 3), Vec3(1, 2, 8)}}};
+    const std::vector<KeptMeasurement> left{
+        {MeasurementKind::distance, {Vec3(0, 0, 0), Vec3(0, 0, 4)}}};
+    OpenedPatient opened = case_on_disk();
+    auto patient = std::make_shared<PatientCase>();
+    patient->measured = in_case;
+    opened.patient = patient;
+    Workspace workspace;
+    workspace.open(opened);
+    workspace.take_up({{}, {}, 0, "edits.jsonl"});
+    EXPECT_EQ(workspace.measured(), in_case);
+    EXPECT_FALSE(workspace.dirty());
+    workspace.take_up({{}, {}, 0, "edits.jsonl", left});
+    EXPECT_EQ(workspace.measured(), left);
+    EXPECT_TRUE(workspace.dirty());
+    workspace.take_up({{}, {}, 0, "edits.jsonl", std::vector<KeptMeasurement>{}});
+    EXPECT_TRUE(workspace.measured().empty()) << "they had all been removed";
+}
+
 TEST(Workspace, undo_and_redo_walk_over_what_is_wanted) {
     Workspace workspace;
     workspace.open(case_on_disk());
