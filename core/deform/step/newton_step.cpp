@@ -130,7 +130,7 @@ SolverCheckpoint NewtonStep::origin_of(const StepUnderway& step) const {
                          .held = potential_.live().held(),
                          .grabs = step.potentials.grabs(),
                          .velocity_error = settings_.velocity_error},
-        .overlaps = step.potentials.kept_overlaps()};
+        .overlaps = step.potentials.surfaces().kept_overlaps()};
     if (step.potentials.tool())
         origin.tool = ToolOrigin{*step.potentials.tool(), step.start.positions_mm};
     if (step.potentials.obstacles() || step.potentials.self_friction())
