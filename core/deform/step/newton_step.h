@@ -34,7 +34,8 @@ struct NewtonSettings {
     bool audit = false;  // see StepperOptions
 };
 
-// Keeps references to the body and to the potential. Not thread-safe.
+// Vectors have one entry per node: positions in mm, velocities in mm/s. Keeps references to the
+// body and to the potential. Not thread-safe; the same bits for any number of threads.
 class NewtonStep {
   public:
     NewtonStep(const Body& body, IncrementalPotential& potential,
