@@ -76,9 +76,9 @@ TEST(ContactSession, VesselsThatTouchFromNowOnDoWhatAScenesDo) {
 TEST(ContactSession, IsSwitchedInTheListOfParts) {
     const auto session = new_session(moving());
     const auto names = [&] {
-        std::vector<std::string> names;
-        for (const PartCost& part : session->world().parts()) names.push_back(part.name);
-        return names;
+        std::vector<std::string> found;
+        for (const PartCost& part : session->world().parts()) found.push_back(part.name);
+        return found;
     };
     using Names = std::vector<std::string>;
     EXPECT_EQ(names(), (Names{"shape", "deform"}));
