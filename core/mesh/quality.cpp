@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "core/base/disjoint_sets.h"
@@ -49,7 +50,7 @@ DihedralRange dihedral_angles(const Vec3& a, const Vec3& b, const Vec3& c, const
 MeshQuality quality_of(const TetMesh& mesh) {
     MeshQuality quality;
     if (mesh.tetrahedra.empty()) return quality;
-    quality.min_dihedral_deg = 180.0;
+    quality.min_dihedral_deg = std::numeric_limits<double>::infinity();
     for (const auto& [a, b, c, d] : mesh.tetrahedra) {
         const DihedralRange range = dihedral_angles(mesh.vertices_mm[a], mesh.vertices_mm[b],
                                                     mesh.vertices_mm[c], mesh.vertices_mm[d]);

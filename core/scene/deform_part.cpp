@@ -4,26 +4,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <string>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/base/number_text.h"
-#include "core/mesh/surface.h"
 #include "core/scene/measured_dial.h"
 #include "core/scene/setting_json.h"
+#include "core/scene/tool_at_body.h"
 #include "core/tear/tearing.h"
 
 namespace hepatica {
 
 namespace {
-
-// Counts as the limit, because a tool moves in increments and stops before exceeding it.
-constexpr double at_limit_share = 0.9;
 
 const MaterialPreset& material_named(const std::string& name) {
     std::string known;
@@ -59,13 +54,8 @@ CoarseSkeleton skeleton_of(const VesselTree& tree) {
     return resample(polylines);
 }
 
-// The obstacles that a tool cannot pass: see ToolObstacle.
-std::vector<const Obstacle*> solids_of(const BodyDescription& body) {
-    std::vector<const Obstacle*> solids;
-    if (!body.obstacles) return solids;
-    for (const Obstacle& obstacle : body.obstacles->all)
-        if (obstacle.kind == SurfaceKind::solid) solids.push_back(&obstacle);
-    return solids;
+std::vector<Grab> grabs_of(const std::optional<Hold>& hold) {
+    return hold ? springs_of(*hold) : std::vector<Grab>{};
 }
 
 }  // namespace
@@ -99,9 +89,8 @@ DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
     body_.skeleton = skeleton_of(patient.tree);
     validate_wall(spec.wall_mm);
     if (spec.wall_mm > 0.0) make_hollow(body_, spec.wall_mm);
-    surface_vertices_ = surface_of(body_.mesh).body_vertex;
-    places_ = places_of(body_.mesh.vertices_mm, patient.tree);
-    fix_ends(patient.tree, spec.fixed);
+    vertices_.emplace(body_.mesh, patient.tree, spec.fixed);
+    body_.fixed = vertices_->fixed();
     Vec3 low = body_.mesh.vertices_mm.front(), high = low;
     for (const Vec3& vertex : body_.mesh.vertices_mm) {
         low = low.cwiseMin(vertex);
@@ -111,40 +100,18 @@ DeformPart::DeformPart(const PatientCase& patient, const DeformSpec& spec,
     edge_mm_ = mean_edge_mm(body_.mesh);
     tear_ = tear;
     body_.tear = law_of(tear);
-    rest_mm_ = body_.mesh.vertices_mm;
-    fixed_ = body_.fixed;
     stepper_ = back_end_.make(body_, setting_, region_);
     stepper_->set_gravity(gravity_mm_per_s2_);
 }
 
 DeformPart::~DeformPart() = default;
 
-void DeformPart::fix_ends(const VesselTree& tree, FixedEnds ends) {
-    body_.fixed.assign(body_.mesh.vertices_mm.size(), 0);
-    if (ends == FixedEnds::none) return;
-    const std::vector<int> degrees = node_degrees(tree);
-    std::vector<std::vector<int>> vertices_of(tree.segments.size());
-    for (std::size_t v = 0; v < places_.size(); ++v)
-        vertices_of[places_[v].on_tree.segment].push_back(static_cast<int>(v));
-    for (std::size_t s = 0; s < tree.segments.size(); ++s) {
-        const VesselSegment& segment = tree.segments[s];
-        const auto fix_around = [&](const Vec3& end, double radius_mm) {
-            for (const int v : vertices_of[s])
-                if ((body_.mesh.vertices_mm[v] - end).norm() < 1.3 * radius_mm) body_.fixed[v] = 1;
-        };
-        if (segment.parent < 0 && degrees[segment.proximal_node] == 1)
-            fix_around(segment.points_mm.front(), segment.radii_mm.front());
-        if (ends == FixedEnds::all && degrees[segment.distal_node] == 1)
-            fix_around(segment.points_mm.back(), segment.radii_mm.back());
-    }
-}
-
 void DeformPart::rebuild(BodyDescription body, const StepperOptions& setting) {
     std::unique_ptr<Stepper> stepper = back_end_.make(body, setting, region_);
     stepper->set_gravity(gravity_mm_per_s2_);
     if (stepper_->tearing() != nullptr) stepper->set_tear(stepper_->tearing()->state());
     give_state(*stepper, state());
-    stepper->set_grabs(springs_of(hold_));
+    stepper->set_grabs(grabs_of(hold_));
     if (body.touchable) stepper->set_tool(stepper_->tool());
     // Nothing below throws, except for lack of memory.
     body_ = std::move(body);
@@ -162,18 +129,14 @@ StepReport DeformPart::step(double dt_s, const std::stop_token& stop) {
 void DeformPart::grab(const Vec3& point_mm) {
     if (!point_mm.allFinite())
         throw InputError("the point to hold is not finite", "grab", "Give finite numbers");
-    const std::span<const Vec3> positions = positions_mm();
-    int nearest = surface_vertices_.front();
-    for (const int v : surface_vertices_)
-        if ((positions[v] - point_mm).squaredNorm() < (positions[nearest] - point_mm).squaredNorm())
-            nearest = v;
-    close_hand(nearest, point_mm);
+    close_hand(vertices_->nearest(point_mm, positions_mm()), point_mm);
 }
 
 void DeformPart::grab_vertex(int vertex) {
-    if (vertex < 0 || vertex >= static_cast<int>(rest_mm_.size()))
+    const std::size_t count = vertices_->rest_mm().size();
+    if (vertex < 0 || vertex >= static_cast<int>(count))
         throw InputError("vertex " + std::to_string(vertex) + " does not exist", "grab",
-                         "The body has vertices 0 to " + std::to_string(rest_mm_.size() - 1));
+                         "The body has vertices 0 to " + std::to_string(count - 1));
     close_hand(vertex, positions_mm()[vertex]);
 }
 
@@ -184,28 +147,8 @@ double DeformPart::hand_pressure_pa() const {
 }
 
 void DeformPart::close_hand(int vertex, const Vec3& point_mm) {
-    const std::span<const Vec3> positions = positions_mm();
-    const double radius_mm = places_[vertex].radius_mm;
-    const Vec3 centre_now = positions[vertex];
-    const Vec3 centre_at_rest = rest_mm_[vertex];
-    Hold hold;
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-        // The vertices must be near at rest, too, so that another vessel that lies beside this one
-        // is not held.
-        const bool near = (positions[v] - centre_now).norm() <= radius_mm &&
-                          (rest_mm_[v] - centre_at_rest).norm() <= 2.0 * radius_mm;
-        if (near && fixed_[v] == 0) hold.vertices.push_back(static_cast<int>(v));
-    }
-    if (hold.vertices.empty()) hold.vertices.push_back(vertex);
-    for (const int v : hold.vertices) hold.offsets_mm.push_back(positions[v] - point_mm);
-    // All springs together are as stiff as a piece of the vessel one radius long. Their force limit
-    // is high, because a weaker hand could not move a vessel that its tissue holds.
-    const double modulus_pa = body_.material.young_modulus_pa;
-    const auto springs = static_cast<double>(hold.vertices.size());
-    hold.target_mm = point_mm;
-    hold.stiffness_un_per_mm = modulus_pa * M_PI * radius_mm / springs;
-    hold.force_limit_un = hand_pressure_pa() * M_PI * radius_mm * radius_mm / springs;
-    set_hold(std::move(hold));
+    set_hold(hold_around(vertex, point_mm, *vertices_, positions_mm(),
+                         body_.material.young_modulus_pa, hand_pressure_pa()));
 }
 
 void DeformPart::move_grab(const Vec3& target_mm) {
@@ -221,53 +164,16 @@ void DeformPart::release() {
     if (hold_) set_hold(std::nullopt);
 }
 
-std::vector<Grab> DeformPart::springs_of(const std::optional<Hold>& hold) {
-    std::vector<Grab> grabs;
-    for (std::size_t i = 0; hold && i < hold->vertices.size(); ++i) {
-        Grab spring;
-        spring.vertices[0] = hold->vertices[i];
-        spring.target_mm = hold->target_mm + hold->offsets_mm[i];
-        spring.stiffness_un_per_mm = hold->stiffness_un_per_mm;
-        spring.force_limit_un = hold->force_limit_un;
-        grabs.push_back(spring);
-    }
-    return grabs;
-}
-
 void DeformPart::set_hold(std::optional<Hold> hold) {
-    stepper_->set_grabs(springs_of(hold));
+    stepper_->set_grabs(grabs_of(hold));
     hold_ = std::move(hold);
 }
 
 void DeformPart::add_tool(const ToolChoice& choice, const Vec3& towards_mm) {
     Tool tool = tool_of(choice, towards_mm, body_.material.young_modulus_pa, hand_pressure_pa());
-    const Vec3 direction = choice.direction.normalized();
-    // Starts outside: farther away than anything of a plausible body.
-    Box box;
-    for (const Vec3& x : positions_mm()) box.add(x);
-    for (const Obstacle* solid : solids_of(body_))
-        for (const Vec3& x : solid->surface.vertices_mm) box.add(x);
-    Vec3 length = Vec3::Zero();
-    for (const ToolPart& part : tool.parts) {
-        box.add(part.shape.centre_mm);
-        const Vec3 half = part.shape.half_axis_mm + part.shape.radius_mm * direction;
-        if (half.norm() > length.norm()) length = half;
-    }
-    const Vec3 way = (box.high - box.low).norm() * direction;
-    const Vec3 there = tool.parts.front().shape.centre_mm;
-    for (ToolPart& part : tool.parts) part.shape.centre_mm -= way;
-    for (ToolPart& part : tool.parts) part.shape.centre_mm -= 2.0 * length;
-    const SurfacePatches surface(torn() != nullptr ? torn()->surface()
-                                                   : boundary_triangles(body_.mesh));
-    Vec3 gone = approach(tool.shapes(), {{surface, positions_mm()}},
-                         there - tool.parts.front().shape.centre_mm, tool.pad_mm);
-    for (const Obstacle* solid : solids_of(body_))
-        gone = approach(tool.shapes(),
-                        {{SurfacePatches(solid->surface.triangles), solid->surface.vertices_mm}},
-                        gone, tool.pad_mm);
-    for (ToolPart& part : tool.parts) part.shape.centre_mm += gone;
-    tool.target_mm = tool.centre_mm();
-    stepper_->set_tool(tool);
+    stepper_->set_tool(brought_from_outside(std::move(tool), choice.direction.normalized(),
+                                            present_surface(body_.mesh, torn()), positions_mm(),
+                                            body_.obstacles.get()));
 }
 
 void DeformPart::lead_jaws(bool open, double share) {
@@ -282,42 +188,12 @@ void DeformPart::lead_jaws(bool open, double share) {
 std::optional<ToolView> DeformPart::tool_view() const {
     const std::optional<Tool>& tool = stepper_->tool();
     if (!tool) return std::nullopt;
-    ToolView view;
-    const auto share = 1.0 / static_cast<double>(tool->parts.size());
-    for (const ToolPart& part : tool->parts) {
-        const Segment axis = part.shape.axis();
-        view.parts.push_back({axis[0], axis[1], part.shape.radius_mm});
-        view.tip_mm += share * axis[1];
-    }
-    view.centre_mm = tool->centre_mm();
-    view.opening_mm = tool->opening_mm;
-    const ToolLoad& load = stepper_->tool_load();
-    view.force_un = load.force_un;
-    view.at_mm = load.at_mm;
-    view.grip_un = load.grip_un;
-    view.at_limit =
-        std::max(load.force_un.norm(), load.grip_un) >= at_limit_share * tool->force_limit_un;
-    view.touched = load.touched;
-    return view;
+    return view_of(*tool, stepper_->tool_load());
 }
 
 std::optional<GrabView> DeformPart::grab_view() const {
     if (!hold_) return std::nullopt;
-    const std::span<const Vec3> positions = positions_mm();
-    GrabView view;
-    view.target_mm = hold_->target_mm;
-    Vec3 force_un = Vec3::Zero();
-    std::size_t limited = 0;
-    for (std::size_t i = 0; i < hold_->vertices.size(); ++i) {
-        const Vec3 held = positions[hold_->vertices[i]] - hold_->offsets_mm[i];
-        view.point_mm += held / static_cast<double>(hold_->vertices.size());
-        const Vec3 pull = hold_->stiffness_un_per_mm * (hold_->target_mm - held);
-        limited += pull.norm() >= hold_->force_limit_un ? 1 : 0;
-        force_un += pull * std::min(1.0, hold_->force_limit_un / std::max(pull.norm(), 1e-300));
-    }
-    view.force_un = force_un.norm();
-    view.at_limit = 2 * limited >= hold_->vertices.size();
-    return view;
+    return view_of(*hold_, positions_mm());
 }
 
 void DeformPart::set_gravity(const Vec3& gravity_mm_per_s2) {
@@ -416,17 +292,8 @@ DeformCheckpoint DeformPart::checkpoint() const {
 
 void DeformPart::restore(const DeformCheckpoint& checkpoint,
                          std::shared_ptr<const Obstacles> obstacles) {
-    if (checkpoint.hold) {
-        const Hold& hold = *checkpoint.hold;
-        const auto exists = [&](int v) {
-            return v >= 0 &&
-                   static_cast<std::size_t>(v) < checkpoint.stepper.nodes.positions_mm.size();
-        };
-        if (hold.offsets_mm.size() != hold.vertices.size() ||
-            !std::ranges::all_of(hold.vertices, exists))
-            throw InputError("holds vertices that the body does not have", "checkpoint",
-                             "Give a checkpoint of the same patient");
-    }
+    if (checkpoint.hold)
+        require_hold_of(checkpoint.stepper.nodes.positions_mm.size(), *checkpoint.hold);
     use(checkpoint.settings, std::move(obstacles));
     stepper_->restore(checkpoint.stepper);
     follow_tear();
@@ -444,20 +311,14 @@ std::uint64_t DeformPart::state_hash() const {
     if (body_.obstacles) hasher.add_bytes(&obstacles_hash_, sizeof obstacles_hash_);
     if (body_.self && body_.self->friction > 0.0)
         hasher.add_bytes(&body_.self->friction, sizeof body_.self->friction);
-    if (hold_) {
-        const std::array<double, 2> spring{hold_->stiffness_un_per_mm, hold_->force_limit_un};
-        hasher.add(std::span<const int>(hold_->vertices));
-        for (const Vec3& offset : hold_->offsets_mm) hasher.add_bytes(offset.data(), sizeof(Vec3));
-        hasher.add_bytes(hold_->target_mm.data(), sizeof(Vec3));
-        hasher.add(std::span<const double>(spring));
-    }
+    if (hold_) add_to(hasher, *hold_);
     return hasher.value();
 }
 
 bool DeformPart::plausible() const {
     const std::span<const Vec3> positions = positions_mm();
     for (std::size_t v = 0; v < positions.size(); ++v) {
-        const double moved_mm = (positions[v] - rest_mm_[v]).norm();
+        const double moved_mm = (positions[v] - vertices_->rest_mm()[v]).norm();
         if (!(moved_mm <= 10.0 * size_mm_)) return false;
     }
     return true;

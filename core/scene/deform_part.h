@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of a world that moves: the body, its fixed ends, and the hand that holds it.
+// The part of a world that moves: a body and its settings, and what a person does to it by the
+// hand (hand.h), by tools (tool_at_body.h) and by tearing it.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +16,14 @@
 #include "core/deform/stepper/stepper.h"
 #include "core/deform/stepper/stepper_checkpoint.h"
 #include "core/patient/patient_case.h"
+#include "core/scene/body_vertices.h"
 #include "core/scene/deform_back_end.h"
 #include "core/scene/frame.h"
+#include "core/scene/hand.h"
 #include "core/scene/pressed_stretches.h"
 #include "core/scene/scene_spec.h"
 #include "core/scene/through_tears.h"
 #include "core/scene/tools/tool_choice.h"
-#include "core/scene/vertex_places.h"
 #include "core/scene/weak_edges.h"
 
 namespace hepatica {
@@ -38,15 +40,6 @@ struct DeformSettings {
     bool obstacles = false;                 // vessels touch the obstacles
 };
 
-// The hand, closed around some vertices.
-struct Hold {
-    std::vector<int> vertices;
-    std::vector<Vec3> offsets_mm;  // from the held point, when the hand closed
-    Vec3 target_mm = Vec3::Zero();
-    double stiffness_un_per_mm = 0.0;  // of each spring
-    double force_limit_un = 0.0;       // of each spring
-};
-
 // Everything that determines the part's next steps, apart from the case and the scene's spec.
 struct DeformCheckpoint {
     DeformSettings settings;
@@ -54,6 +47,7 @@ struct DeformCheckpoint {
     StepperCheckpoint stepper;
 };
 
+// Not thread-safe. Positions are in mm, one per vertex of the present body.
 class DeformPart {
   public:
     // Tissue makes a pull fade along the vessel, so that most of the tree may rest. Values chosen
@@ -154,7 +148,7 @@ class DeformPart {
     std::span<const Vec3> positions_mm() const { return stepper_->positions_mm(); }
     std::span<const Vec3> velocities_mm_per_s() const { return stepper_->velocities_mm_per_s(); }
     // Rest positions; vertices that were split off have those of their parents.
-    const std::vector<Vec3>& rest_positions_mm() const { return rest_mm_; }
+    const std::vector<Vec3>& rest_positions_mm() const { return vertices_->rest_mm(); }
     const BodyDescription& body() const { return body_; }  // as built from the case: whole
     TetMesh shape() const;                                 // as it is now, torn
     // The state for snapshots: every node of the present element, the vertices first. set_state()
@@ -172,7 +166,7 @@ class DeformPart {
     // Hash of everything in a checkpoint: equal hashes mean equal next steps.
     std::uint64_t state_hash() const;
 
-    const std::vector<VertexPlace>& places() const { return places_; }
+    const std::vector<VertexPlace>& places() const { return vertices_->places(); }
 
     // False where a position is not finite or farther from its rest position than ten times the
     // body's size.
@@ -184,18 +178,15 @@ class DeformPart {
     std::shared_ptr<const std::vector<float>> vertex_loads() const;
     const std::vector<VertexPlace>& places_of_tetrahedra(const VesselTree& tree);
     void require_tear() const;
-    int vertex_near(const Vec3& point_mm) const;
-    Vec3 axis_near(const VertexPlace& place) const;
+    int vertex_near(const Vec3& point_mm) const;  // throws InputError where it is not finite
     // Lets what is kept per vertex follow the body's vertices.
-    void follow_tear();
+    void follow_tear() { vertices_->follow(body_.mesh, torn()); }
     void give_state(Stepper& stepper, const BodyState& state) const;
-    void fix_ends(const VesselTree& tree, FixedEnds ends);
     // Closes the hand around a vertex; the held point is `point_mm`.
     void close_hand(int vertex, const Vec3& point_mm);
     // The largest pressure of a hand or a tool over the section that it holds. Where vessels may
     // tear, it is high enough to tear them.
     double hand_pressure_pa() const;
-    static std::vector<Grab> springs_of(const std::optional<Hold>& hold);
     // The hand is unchanged where the stepper throws.
     void set_hold(std::optional<Hold> hold);
     // Continues from the present state with another body or setting.
@@ -205,9 +196,7 @@ class DeformPart {
     DeformBackEnd back_end_;
     BodyDescription body_;
     std::uint64_t obstacles_hash_ = 0;
-    std::vector<int> surface_vertices_;
-    std::vector<VertexPlace> places_;        // per vertex
-    mutable std::vector<double> areas_mm2_;  // of the surface at rest, per vertex, once needed
+    std::optional<BodyVertices> vertices_;  // always set, once the mesh is known to be there
     StepperOptions setting_;
     double wall_mm_;
     Vec3 gravity_mm_per_s2_;
@@ -216,11 +205,8 @@ class DeformPart {
     double strength_pa_ = 0.0;
     double fracture_energy_j_m2_ = 0.0;
     std::optional<TearSpec> tear_;
-    std::vector<Vec3> rest_mm_;            // per vertex
-    std::vector<std::uint8_t> fixed_;      // per vertex
     std::vector<VertexPlace> tetrahedra_;  // places of the tetrahedra, once needed
     mutable WeakEdges weak_edges_;         // as they were shown last
-    std::uint64_t followed_ = 1;           // version of the topology
     std::optional<Hold> hold_;
     std::unique_ptr<Stepper> stepper_;
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -104,41 +103,12 @@ double DeformPart::critical_opening_mm() const {
 std::vector<PressedStretch> DeformPart::pressed() const {
     const ToolLoad& load = stepper_->tool_load();
     if (!tool() || load.touched.empty()) return {};
-    if (areas_mm2_.empty())
-        areas_mm2_ = vertex_areas_mm2(
-            torn() != nullptr ? torn()->surface() : boundary_triangles(body_.mesh), rest_mm_);
-    return pressed_stretches(load, places_, areas_mm2_);
+    return pressed_stretches(load, places(), vertices_->areas_mm2(body_.mesh, torn()));
 }
 
 const TornTopology* DeformPart::torn() const {
     const Tearing* tearing = stepper_->tearing();
     return tearing != nullptr ? &tearing->topology() : nullptr;
-}
-
-void DeformPart::follow_tear() {
-    const TornTopology* topology = torn();
-    const std::uint64_t version = topology != nullptr ? topology->version() : 1;
-    if (version == followed_) return;
-    areas_mm2_.clear();
-    const std::size_t whole = body_.mesh.vertices_mm.size();
-    std::vector<int> parents(whole);
-    std::iota(parents.begin(), parents.end(), 0);
-    if (topology != nullptr) parents.assign(topology->parents().begin(), topology->parents().end());
-    // Vertices of another tear have other parents.
-    rest_mm_.resize(whole);
-    fixed_.resize(whole);
-    places_.resize(whole);
-    inherit(parents, rest_mm_);
-    inherit(parents, fixed_);
-    inherit(parents, places_);
-    const auto surface = topology != nullptr ? topology->surface() : boundary_triangles(body_.mesh);
-    std::vector<std::uint8_t> on_surface(parents.size(), 0);
-    for (const auto& triangle : surface)
-        for (const int v : triangle) on_surface[v] = 1;
-    surface_vertices_.clear();
-    for (std::size_t v = 0; v < on_surface.size(); ++v)
-        if (on_surface[v]) surface_vertices_.push_back(static_cast<int>(v));
-    followed_ = version;  // at the end: where memory lacks, the next call tries again
 }
 
 TetMesh DeformPart::shape() const {
@@ -157,12 +127,7 @@ void DeformPart::require_tear() const {
 int DeformPart::vertex_near(const Vec3& point_mm) const {
     if (!point_mm.allFinite())
         throw InputError("the point is not finite", "cut", "Give finite numbers");
-    const std::span<const Vec3> positions = positions_mm();
-    int nearest = surface_vertices_.front();
-    for (const int v : surface_vertices_)
-        if ((positions[v] - point_mm).squaredNorm() < (positions[nearest] - point_mm).squaredNorm())
-            nearest = v;
-    return nearest;
+    return vertices_->nearest(point_mm, positions_mm());
 }
 
 const std::vector<VertexPlace>& DeformPart::places_of_tetrahedra(const VesselTree& tree) {
@@ -199,8 +164,8 @@ void DeformPart::cut_line(const VesselTree& tree, const Vec3& from_mm, const Vec
     if (!(strength >= 0.0 && strength <= 1.0))
         throw InputError("is " + number_text(strength), "strength along a cut line",
                          "Choose a value from 0 (nothing holds) to 1 (as before)");
-    const TreePoint from = places_[vertex_near(from_mm)].on_tree;
-    const TreePoint to = places_[vertex_near(to_mm)].on_tree;
+    const TreePoint from = places()[vertex_near(from_mm)].on_tree;
+    const TreePoint to = places()[vertex_near(to_mm)].on_tree;
     const std::vector<int> joints =
         joints_along(tree, torn()->joints(), places_of_tetrahedra(tree), from, to, edge_mm_);
     if (joints.empty())
@@ -209,32 +174,16 @@ void DeformPart::cut_line(const VesselTree& tree, const Vec3& from_mm, const Vec
     stepper_->weaken(joints, strength);
 }
 
-// The centre of the present positions of the vessel within a radius along it.
-Vec3 DeformPart::axis_near(const VertexPlace& place) const {
-    const std::span<const Vec3> positions = positions_mm();
-    Vec3 sum = Vec3::Zero();
-    int count = 0;
-    for (std::size_t v = 0; v < places_.size(); ++v) {
-        const TreePoint& other = places_[v].on_tree;
-        if (other.segment != place.on_tree.segment ||
-            std::abs(other.arclength_mm - place.on_tree.arclength_mm) > place.radius_mm)
-            continue;
-        sum += positions[v];
-        ++count;
-    }
-    return sum / count;
-}
-
 void DeformPart::cut(const VesselTree& tree, const Vec3& from_mm, const Vec3& to_mm) {
     require_tear();
     const Vec3 middle = 0.5 * (from_mm + to_mm);
-    const VertexPlace place = places_[vertex_near(middle)];
+    const VertexPlace place = places()[vertex_near(middle)];
     BladeSweep sweep = blade_sweep(from_mm, to_mm, vessel_direction(tree, place.on_tree),
                                    blade_radii * place.radius_mm);
     // The way may be drawn on the vessel's wall, but the blade is centred on the vessel's axis, so
     // that nothing behind the vessel is cut.
     const Vec3 edge = sweep.edge_mm.normalized();
-    sweep.corner_mm += (axis_near(place) - middle).dot(edge) * edge;
+    sweep.corner_mm += (vertices_->axis_near(place, positions_mm()) - middle).dot(edge) * edge;
     stepper_->cut(sweep.corner_mm, sweep.way_mm, sweep.edge_mm);
     follow_tear();
 }

@@ -77,6 +77,19 @@ TEST(DrugFront, EndsAStepWhereAFrontReachesANode) {
     EXPECT_NEAR(front.outlet_mass_g()[0], (10.0 - pi) * 1.06e-2, 1e-12);
 }
 
+// A vessel of a third of a cubic millimetre, and beside it a closed one that holds nothing.
+TEST(DrugFront, FillsThinVesselsAndNothingWhereThereIsNoRoom) {
+    FlowNetwork network = tube(0.1, 10.0);
+    network.cones.push_back({0.1, 0.1, 0.0});
+    FlowSegment closed{1, 1, 1, 1, 1};
+    closed.open = false;
+    network.segments.push_back(closed);
+    DrugFront front(network, injection_of(pure(blood()), 1.06e-4), 0);  // 0.1 mm3/s
+    front.step(1.0);
+    EXPECT_NEAR(front.filled_fraction(0), 1.0 / pi, 1e-12);
+    EXPECT_EQ(front.filled_fraction(1), 0.0);
+}
+
 // A cylinder between two pressures. The resistance changes linearly with the filled volume, so
 // V' = P/(a + bV): aV + bV^2/2 = Pt.
 TEST(DrugFront, AcceleratesOrSlowsDownAsAThinnerOrThickerFluidComes) {

@@ -236,6 +236,24 @@ TEST(BadFile, IsRefusedByNameWithARemedy) {
     EXPECT_NE(refusal([&] { read_mask(folder / "folder.nii.gz", job); }), "");
 }
 
+// The mark at byte 344 is n+1 where the voxels follow, ni1 where they lie in a file of their own;
+// anything else is older than NIfTI, also where it differs in one letter only.
+TEST(BadHeader, OfAnotherFormatIsRefusedByItsName) {
+    for (const auto& [second, reason] : {std::pair('i', "two-file NIfTI"),
+                                         {'\0', "Analyze"},
+                                         {'x', "Analyze"},
+                                         {'1', "Analyze"}}) {
+        const TemporaryFolder folder;
+        EXPECT_NE(NiftiFile(folder).set(345, second).refusal_of_volume().find(reason),
+                  std::string::npos)
+            << reason;
+    }
+    const TemporaryFolder folder;
+    EXPECT_NE(NiftiFile(folder).set(344, 'x').refusal_of_volume().find("Analyze"),
+              std::string::npos);
+    EXPECT_EQ(NiftiFile(folder).set(345, '+').refusal_of_volume(), "");
+}
+
 TEST(BadHeader, OfAHundredThousandSlicesIsRefusedBeforeAllocating) {
     const TemporaryFolder folder;
     NiftiFile nifti(folder);

@@ -130,4 +130,15 @@ std::vector<Grip> ObstacleFriction::grips_of(std::span<const Vec3> start_mm, dou
     return grips;
 }
 
+ObstacleLoad load_of(const ObstacleContact& contact, const ObstacleFriction& friction,
+                     std::span<const Vec3> positions_mm) {
+    ObstacleLoad load;
+    load.touch = load_of(contact.contacts(positions_mm));
+    std::vector<Vec3> on_body(positions_mm.size(), Vec3::Zero());
+    contact.add_forces(positions_mm, on_body);
+    for (const auto& point : friction.point_forces(positions_mm)) load.force_un -= point.force_un;
+    for (const Vec3& force : on_body) load.force_un -= force;
+    return load;
+}
+
 }  // namespace hepatica

@@ -11,6 +11,7 @@
 #include "core/deform/body/body.h"
 #include "core/deform/potentials/coulomb_friction.h"
 #include "core/deform/potentials/potential.h"
+#include "core/deform/potentials/self_load.h"
 #include "core/deform/potentials/surface_pairs.h"
 
 namespace hepatica {
@@ -96,5 +97,9 @@ class ObstacleFriction final : public CoulombFriction {
 
     const ObstacleContact& contact_;
 };
+
+// The load on the obstacles, friction included, without its impulse.
+ObstacleLoad load_of(const ObstacleContact& contact, const ObstacleFriction& friction,
+                     std::span<const Vec3> positions_mm);
 
 }  // namespace hepatica

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/base/error.h"
 #include "core/deform/potentials/grab_springs.h"
 #include "core/deform/potentials/gravity.h"
 #include "core/deform/potentials/load_input.h"
@@ -102,35 +101,12 @@ bool PotentialList::free_of_tool(std::span<const Vec3> positions_mm) const {
 
 ToolLoad PotentialList::tool_load(std::span<const Vec3> positions_mm, double dt_s) const {
     if (!tool()) return {};
-    ToolLoadSum sum(*tool());
-    const std::vector<PadContact> contacts = contact_->contacts(positions_mm);
-    for (const PadContact& contact : contacts) sum.press(contact);
-    for (const auto& point : friction_->point_forces(positions_mm))
-        sum.drag(point.at_mm, point.force_un);
-    const Vec3 of_body_un = sum.load().force_un;
-    const ToolContact::ObstaclePress obstacles = contact_->pressed_by_obstacles();
-    for (const PadContact& contact : obstacles.contacts) sum.press(contact, obstacles.share);
-    ToolLoad load = sum.load();
-    load.impulse_un_s = dt_s * of_body_un;
-    load.contacts = static_cast<int>(contacts.size());
-    for (const PadContact& contact : contacts)
-        for (const int node : contact_->nodes_of(contact)) load.touched.push_back(node);
-    std::ranges::sort(load.touched);
-    load.touched.erase(std::unique(load.touched.begin(), load.touched.end()), load.touched.end());
-    load.least_gap_mm = std::min(contact_->least_gap_mm(positions_mm), obstacles.least_gap_mm);
-    return load;
+    return load_of(*contact_, *friction_, positions_mm, dt_s);
 }
 
 ObstacleLoad PotentialList::obstacle_load(std::span<const Vec3> positions_mm) const {
-    ObstacleLoad load;
-    if (!obstacles_) return load;
-    load.touch = load_of(obstacles_->contacts(positions_mm));
-    std::vector<Vec3> on_body(nodes_, Vec3::Zero());
-    obstacles_->add_forces(positions_mm, on_body);
-    for (const auto& point : obstacle_friction_->point_forces(positions_mm))
-        load.force_un -= point.force_un;
-    for (const Vec3& force : on_body) load.force_un -= force;
-    return load;
+    if (!obstacles_) return {};
+    return load_of(*obstacles_, *obstacle_friction_, positions_mm);
 }
 
 TouchList PotentialList::touches_along(std::span<const Vec3> from_mm,
@@ -219,48 +195,6 @@ void PotentialList::add_product(std::span<const Vec3> positions_mm, double facto
                                 std::span<Vec3> product) const {
     for (const auto& potential : all_)
         potential->add_product(positions_mm, factor, d, pattern, product);
-}
-
-SurfacesKept PotentialList::kept_overlaps() const {
-    SurfacesKept kept;
-    if (self_) kept.self = self_->pairs().kept_overlaps();
-    if (obstacles_) kept.obstacles = obstacles_->pairs().kept_overlaps();
-    return kept;
-}
-
-void PotentialList::set_overlaps(const SurfacesKept& kept) {
-    const auto take = [](const std::optional<OverlapsKept>& some, auto* contact) {
-        return !some || (contact && contact->pairs().set_overlaps(*some));
-    };
-    const SurfacesKept before = kept_overlaps();
-    if (take(kept.self, self_) && take(kept.obstacles, obstacles_)) return;
-    take(before.self, self_);
-    throw InputError("has surfaces that touch otherwise", "the checkpoint of a body",
-                     "Make the stepper of the body that it was taken of");
-}
-
-void PotentialList::let_go(std::span<const Vec3> positions_mm) const {
-    if (self_) self_->pairs().let_go(positions_mm);
-    if (obstacles_) obstacles_->let_go(positions_mm);
-}
-
-void PotentialList::find_overlaps(std::span<const Vec3> positions_mm) const {
-    if (self_) self_->pairs().find_overlaps(positions_mm);
-    if (obstacles_) obstacles_->find_overlaps(positions_mm);
-}
-
-PotentialList::SurfacesBeforeTear PotentialList::before_tear() const {
-    SurfacesBeforeTear before;
-    if (self_) before.self = std::make_shared<BeforeTear>(self_->pairs().before_tear());
-    if (obstacles_)
-        before.obstacles = std::make_shared<BeforeTear>(obstacles_->pairs().before_tear());
-    return before;
-}
-
-void PotentialList::follow_split(const SurfacesBeforeTear& before, std::span<const int> parents,
-                                 std::span<const Vec3> positions_mm) const {
-    if (before.self) self_->pairs().follow_split(*before.self, parents, positions_mm);
-    if (before.obstacles) obstacles_->follow_split(*before.obstacles, parents, positions_mm);
 }
 
 bool PotentialList::coupled(std::span<const Vec3> positions_mm) const {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The potentials that act on one body, in this order: weight, surrounding tissue, grabs; then,
 // where the body has them, contact and friction of its own surfaces, of obstacles, the ties of
-// parted joints, and contact and friction of a tool. Each function is the sum over all in this
-// order.
+// parted joints, and contact and friction of a tool. What every potential has is summed over all in
+// this order; what one of them has alone is reached through it, or asked here whether or not the
+// body has it.
 #pragma once
 
 #include <memory>
@@ -12,6 +13,7 @@
 
 #include "core/base/vector.h"
 #include "core/deform/body/body.h"
+#include "core/deform/potentials/body_surfaces.h"
 #include "core/deform/potentials/grab.h"
 #include "core/deform/potentials/potential.h"
 #include "core/deform/potentials/self_load.h"
@@ -29,8 +31,8 @@ class SelfFriction;
 class ObstacleContact;
 class ObstacleFriction;
 class SofteningTies;
-struct BeforeTear;
 
+// All positions are in mm, forces in uN, energies in nJ; spans have one entry per node of the body.
 // Keeps a reference to the body. Not thread-safe.
 class PotentialList {
   public:
@@ -69,20 +71,8 @@ class PotentialList {
     bool touches(std::span<const Vec3> positions_mm) const;
     // The ties of parted joints; null where the body does not tear.
     SofteningTies* ties() const { return ties_; }
-    // What overlaps on the body's surfaces. set_overlaps() takes what a checkpoint kept; it throws
-    // InputError and changes nothing where that is of another body.
-    SurfacesKept kept_overlaps() const;
-    void set_overlaps(const SurfacesKept& kept);
-    // let_go(): separated pairs may touch again. find_overlaps(): searches from scratch.
-    void let_go(std::span<const Vec3> positions_mm) const;
-    void find_overlaps(std::span<const Vec3> positions_mm) const;
-    // What the surfaces of a body hand over to those of the body that it is torn into.
-    struct SurfacesBeforeTear {
-        std::shared_ptr<const BeforeTear> self, obstacles;  // null: none
-    };
-    SurfacesBeforeTear before_tear() const;
-    void follow_split(const SurfacesBeforeTear& before, std::span<const int> parents,
-                      std::span<const Vec3> positions_mm) const;
+    // What its surfaces keep from step to step.
+    BodySurfaces surfaces() const { return {self_, obstacles_}; }
 
     std::span<const std::unique_ptr<Potential>> all() const { return all_; }
 

@@ -5,7 +5,31 @@
 #include <cmath>
 #include <limits>
 
+#include "core/deform/potentials/tool_contact.h"
+#include "core/deform/potentials/tool_friction.h"
+
 namespace hepatica {
+
+ToolLoad load_of(const ToolContact& contact, const ToolFriction& friction,
+                 std::span<const Vec3> positions_mm, double dt_s) {
+    ToolLoadSum sum(*contact.tool());
+    const std::vector<PadContact> contacts = contact.contacts(positions_mm);
+    for (const PadContact& pressed : contacts) sum.press(pressed);
+    for (const auto& point : friction.point_forces(positions_mm))
+        sum.drag(point.at_mm, point.force_un);
+    const Vec3 of_body_un = sum.load().force_un;
+    const ToolContact::ObstaclePress obstacles = contact.pressed_by_obstacles();
+    for (const PadContact& pressed : obstacles.contacts) sum.press(pressed, obstacles.share);
+    ToolLoad load = sum.load();
+    load.impulse_un_s = dt_s * of_body_un;
+    load.contacts = static_cast<int>(contacts.size());
+    for (const PadContact& pressed : contacts)
+        for (const int node : contact.nodes_of(pressed)) load.touched.push_back(node);
+    std::ranges::sort(load.touched);
+    load.touched.erase(std::unique(load.touched.begin(), load.touched.end()), load.touched.end());
+    load.least_gap_mm = std::min(contact.least_gap_mm(positions_mm), obstacles.least_gap_mm);
+    return load;
+}
 
 void ToolLoadSum::press(const PadContact& contact, double share) {
     const double size = share * contact.force_un;

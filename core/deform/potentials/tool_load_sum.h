@@ -2,11 +2,20 @@
 // Sums the normal and friction forces on a tool.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/deform/potentials/tool_pad.h"
 
 namespace hepatica {
+
+class ToolContact;
+class ToolFriction;
+
+// The load on a tool, which there must be: by the body, friction included, and by obstacles. The
+// impulse is the body's force times dt_s. positions_mm: one per node of the body.
+ToolLoad load_of(const ToolContact& contact, const ToolFriction& friction,
+                 std::span<const Vec3> positions_mm, double dt_s);
 
 // Keeps a reference to the tool.
 class ToolLoadSum {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parallel loops over the nodes of a body, and the dot product of two nodal fields, with the same
+// Parallel loops over the nodes of a body: copies and dot products of nodal fields, with the same
 // bits for any number of threads. The blocks are large enough that a small body runs on one thread.
 #pragma once
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "core/base/parallel.h"
 #include "core/base/vector.h"
@@ -29,6 +30,12 @@ double sum_over_nodes(std::size_t count, const Term& term) {
         for (std::size_t i = begin; i < end; ++i) sum += term(i);
         return sum;
     });
+}
+
+// Gives `to` the size and the values of `from`.
+inline void copy_nodes(const std::vector<Vec3>& from, std::vector<Vec3>& to) {
+    to.resize(from.size());
+    for_each_node(from.size(), [&](std::size_t i) { to[i] = from[i]; });
 }
 
 // Sum of a[i] . b[i]; the sizes must be equal.

@@ -43,11 +43,6 @@ double longest_of(const std::vector<Vec3>& vectors) {
     return std::sqrt(*std::ranges::max_element(squared));
 }
 
-void copy_nodes(const std::vector<Vec3>& from, std::vector<Vec3>& to) {
-    to.resize(from.size());
-    for_each_node(from.size(), [&](std::size_t i) { to[i] = from[i]; });
-}
-
 }  // namespace
 
 NewtonStep::NewtonStep(const Body& body, IncrementalPotential& potential,
@@ -55,6 +50,7 @@ NewtonStep::NewtonStep(const Body& body, IncrementalPotential& potential,
     : body_(body),
       potential_(potential),
       system_(body, potential, std::move(solver)),
+      damping_(body, potential),
       change_(body.node_count()),
       product_(body.node_count()) {}
 
@@ -65,51 +61,12 @@ void NewtonStep::set_settings(const NewtonSettings& settings) {
     if (settings.tension) potential_.plan_tension();
 }
 
-void NewtonStep::keep_damping(const StepUnderway& step) {
-    potential_.keep_damping(step, first_mm_,
-                            velocity_error_.any() ? &velocity_error_.matrix() : nullptr);
-}
-
-void NewtonStep::find_damping(StepUnderway& step) {
-    if (body_.damping.beta_s == 0.0 || !step.damping_force.empty()) return;
-    damping_of_first(step, step.velocity, step.damping_force);
-}
-
-// Uses the matrix of the first iterate, which must still be in place.
-void NewtonStep::damping_of_first(const StepUnderway& step, const std::vector<Vec3>& velocity,
-                                  std::vector<Vec3>& damping) {
-    multiply(potential_.matrix(), velocity, product_);
-    damping_by(step, velocity, damping);
-}
-
-// Expects that matrix times `velocity` in product_.
-void NewtonStep::damping_by(const StepUnderway& step, const std::vector<Vec3>& velocity,
-                            std::vector<Vec3>& damping) {
-    if (velocity_error_.any()) {
-        multiply(velocity_error_.matrix(), velocity, damping);
-        for_each_node(product_.size(), [&](std::size_t i) { product_[i] -= damping[i]; });
-    }
-    potential_.damping_from(step, first_mm_, velocity, product_, damping);
-}
-
 // product_ = matrix * change_.
 void NewtonStep::find_product_of_change() {
     if (const std::vector<Vec3>* known = system_.product())
         copy_nodes(*known, product_);
     else
         multiply(potential_.matrix(), change_, product_);
-}
-
-// For a first iterate with w != 0: computes beta K_0 w and adds its effect to the residual and the
-// value.
-void NewtonStep::begin_damping(StepUnderway& step) {
-    if (body_.damping.beta_s == 0.0) return;
-    multiply(potential_.matrix(), step.velocity, product_);
-    potential_.damping_from(step, first_mm_, step.velocity, product_, step.damping_force);
-    for_each_node(residual_.size(),
-                  [&](std::size_t i) { residual_[i] -= step.dt_s * step.damping_force[i]; });
-    step.damping_form = dot(step.velocity, step.damping_force);
-    step.value += 0.5 * step.dt_s * step.damping_form;
 }
 
 // Adds factor * matrix * x to the residual of the nodes that are not held.
@@ -166,14 +123,14 @@ SolverCheckpoint NewtonStep::origin_of(const StepUnderway& step) const {
     SolverCheckpoint origin{
         .made_from =
             MatrixOrigin{.dt_s = step.dt_s,
-                         .first_mm = first_mm_,
+                         .first_mm = damping_.first_mm(),
                          .iterate_mm = step.iterate > 0 ? step.positions : std::vector<Vec3>{},
                          .taut_mm = taut(step) ? step.start.positions_mm : std::vector<Vec3>{},
                          .collapse = potential_.collapse_counts(),
                          .held = potential_.live().held(),
                          .grabs = step.potentials.grabs(),
                          .velocity_error = settings_.velocity_error},
-        .overlaps = step.potentials.kept_overlaps()};
+        .overlaps = step.potentials.surfaces().kept_overlaps()};
     if (step.potentials.tool())
         origin.tool = ToolOrigin{*step.potentials.tool(), step.start.positions_mm};
     if (step.potentials.obstacles() || step.potentials.self_friction())
@@ -191,7 +148,7 @@ void NewtonStep::keep_linearised_work(StepUnderway& step) {
     step.potentials.add_coupling(step.positions, 1.0, dx, product_);
     step.linearised.start_force = dot(dx, step.start_force);
     step.linearised.curvature = elastic_form + dot(dx, product_);
-    direction_form_ = body_.damping.beta_s * elastic_form / (step.dt_s * step.dt_s);
+    damping_.take_from_rest(step, elastic_form);
     find_product_of_change();
     add_coupling(step, change_, product_);
     step.linearised.residual = dot(direction_, product_) - dot(direction_, residual_);
@@ -200,25 +157,8 @@ void NewtonStep::keep_linearised_work(StepUnderway& step) {
     step.linearised.residual -= dot(direction_, product_);
 }
 
-// Damping at the present velocity, to which step_length * direction was added.
-void NewtonStep::damp(StepUnderway& step, double step_length) {
-    if (body_.damping.beta_s == 0.0) return;
-    if (step.iterate == 0 && !step.predicted) {
-        step.damping_form = step_length * step_length * direction_form_;
-        return;
-    }
-    if (step.iterate == 0)
-        for_each_node(step.velocity.size(), [&](std::size_t i) {
-            step.damping_force[i] = damping_before_[i] + step_length * damping_along_[i];
-        });
-    else
-        potential_.damping_of(step.velocity, step.damping_force);
-    step.damping_form = dot(step.velocity, step.damping_force);
-}
-
 bool NewtonStep::try_step_length(StepUnderway& step, double step_length, double slope) {
     copy_nodes(step.velocity, velocity_before_);
-    const double form_before = step.damping_form;
     // Where another iterate will follow, the stiffness is evaluated together with the forces, which
     // is cheaper than evaluating all elements again later.
     const int iterates_on = !step.predicted ? rescue_iterates : taut(step) ? 1 : 0;
@@ -229,7 +169,7 @@ bool NewtonStep::try_step_length(StepUnderway& step, double step_length, double 
         step.positions[i] = step.start.positions_mm[i] + step.dt_s * step.velocity[i];
     });
     if (all_finite(step.positions)) {
-        damp(step, step_length);
+        damping_.advance(step, step_length);
         if (goes_on)
             potential_.evaluate(step.positions);
         else
@@ -243,8 +183,7 @@ bool NewtonStep::try_step_length(StepUnderway& step, double step_length, double 
         if (!settings_.line_search && std::isfinite(value)) return true;
     }
     copy_nodes(velocity_before_, step.velocity);
-    copy_nodes(damping_before_, step.damping_force);
-    step.damping_form = form_before;
+    damping_.release(step);
     return false;
 }
 
@@ -265,7 +204,7 @@ double NewtonStep::free_length(const StepUnderway& step) const {
 // unchanged.
 bool NewtonStep::search_line(StepUnderway& step) {
     const double slope = -dot(steepest_, direction_);  // of the potential, along the direction
-    copy_nodes(step.damping_force, damping_before_);
+    damping_.hold(step);
     step.free = free_length(step);
     const double shortest = meets_pads(step) ? shortest_onto_pad : shortest_step_length;
     for (double length = step.free; length > shortest; length *= 0.5) {
@@ -284,15 +223,12 @@ bool NewtonStep::search_line(StepUnderway& step) {
 
 bool NewtonStep::iterate(StepUnderway& step, StepReport& report) {
     throw_if_stopped(step.stop);
-    if (step.iterate == 0) copy_nodes(step.positions, first_mm_);
-    if (step.iterate == 1 && body_.damping.beta_s > 0.0) {
-        keep_damping(step);
-        potential_.damping_of(step.velocity, step.damping_force);
-    }
+    if (step.iterate == 0) damping_.begin(step.positions);
+    if (step.iterate == 1) damping_.keep(step, velocity_error());
     potential_.descent(step, residual_);
     potential_.assemble(step);
     if (step.iterate == 0 && step.predicted) {
-        begin_damping(step);
+        damping_.add_at_start(step, residual_);
         // With damping counted, the predicted velocity may be worse than rest.
         if (step.value > step.standing) {
             stay_at_start(step);
@@ -307,9 +243,9 @@ bool NewtonStep::iterate(StepUnderway& step, StepReport& report) {
     ++report.newton_iterations;
     copy_nodes(change_, direction_);
     if (step.iterate == 0 && step.predicted) {
-        if (body_.damping.beta_s > 0.0) {
+        if (damping_.any()) {
             find_product_of_change();
-            damping_by(step, direction_, damping_along_);
+            damping_.take(step, direction_, product_, velocity_error());
         }
     } else if (step.iterate == 0) {
         for_each_node(change_.size(),
@@ -397,15 +333,7 @@ bool NewtonStep::replace_velocity(StepUnderway& step, const std::vector<Vec3>& v
     step.velocity = velocity;
     step.positions = std::move(positions);
     step.whole = false;
-    if (body_.damping.beta_s > 0.0) {
-        if (step.iterate > 0) {
-            potential_.damping_of(step.velocity, step.damping_force);
-        } else {
-            step.damping_force.clear();
-            find_damping(step);
-        }
-        step.damping_form = dot(step.velocity, step.damping_force);
-    }
+    damping_.find_again(step, velocity_error());
     potential_.evaluate_forces(step.positions);
     step.value = potential_.value(step);
     return true;

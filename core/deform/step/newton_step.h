@@ -11,6 +11,7 @@
 #include "core/deform/body/body.h"
 #include "core/deform/solvers/linear_solver.h"
 #include "core/deform/step/incremental_potential.h"
+#include "core/deform/step/step_damping.h"
 #include "core/deform/step/step_report.h"
 #include "core/deform/step/step_system.h"
 #include "core/deform/step/step_underway.h"
@@ -33,7 +34,8 @@ struct NewtonSettings {
     bool audit = false;  // see StepperOptions
 };
 
-// Keeps references to the body and to the potential. Not thread-safe.
+// Vectors have one entry per node: positions in mm, velocities in mm/s. Keeps references to the
+// body and to the potential. Not thread-safe; the same bits for any number of threads.
 class NewtonStep {
   public:
     NewtonStep(const Body& body, IncrementalPotential& potential,
@@ -50,7 +52,7 @@ class NewtonStep {
     std::unique_ptr<LinearSolver> release_solver() { return system_.release_solver(); }
 
     // Fills the step's damping_force, which a first iterate from rest leaves out.
-    void find_damping(StepUnderway& step);
+    void find_damping(StepUnderway& step) { damping_.complete(step, velocity_error()); }
 
     // Replaces the velocity at the end of the step and evaluates the potential there. Returns false
     // and changes nothing where that motion would pass through something.
@@ -72,14 +74,11 @@ class NewtonStep {
     bool iterate_from_here(StepUnderway& step, int most_solves, StepReport& report);
     bool iterate(StepUnderway& step, StepReport& report);
     int iterates_after_cut(const StepUnderway& step) const;
-    void begin_damping(StepUnderway& step);
-    void damping_of_first(const StepUnderway& step, const std::vector<Vec3>& velocity,
-                          std::vector<Vec3>& damping);
-    void damping_by(const StepUnderway& step, const std::vector<Vec3>& velocity,
-                    std::vector<Vec3>& damping);
+    // What the first iterate's matrix holds beside eq. (12); may be null.
+    const BlockMatrix* velocity_error() const {
+        return velocity_error_.any() ? &velocity_error_.matrix() : nullptr;
+    }
     void find_product_of_change();
-    void keep_damping(const StepUnderway& step);
-    void damp(StepUnderway& step, double step_length);
     void add_to_free(double factor, const BlockMatrix& matrix, const std::vector<Vec3>& x);
     void solve(const StepUnderway& step, StepReport& report);
     void add_coupling(const StepUnderway& step, std::span<const Vec3> d,
@@ -97,12 +96,9 @@ class NewtonStep {
     StepSystem system_;
     NewtonSettings settings_;
     VelocityError velocity_error_;
-    std::vector<Vec3> first_mm_;   // positions of the first iterate's matrix
-    double direction_form_ = 0.0;  // first direction from rest: direction^T beta K_0 direction
+    StepDamping damping_;
     std::vector<Vec3> direction_;  // of the velocity
     std::vector<Vec3> velocity_before_;
-    // beta K_0 times the velocity before the direction is taken, and times the first direction.
-    std::vector<Vec3> damping_before_, damping_along_;
     std::vector<Vec3> residual_, steepest_, change_, product_;
 };
 

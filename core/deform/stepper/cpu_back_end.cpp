@@ -97,8 +97,10 @@ class OwnCpuBackEnd final : public CpuBackEnd {
     bool tool_in_obstacle() const override { return potentials_->tool_in_obstacle(); }
     ToolLoad tool_load() const override { return potentials_->tool_load(state_.positions_mm); }
 
-    SurfacesKept overlaps() const override { return potentials_->kept_overlaps(); }
-    void set_overlaps(const SurfacesKept& kept) override { potentials_->set_overlaps(kept); }
+    SurfacesKept overlaps() const override { return potentials_->surfaces().kept_overlaps(); }
+    void set_overlaps(const SurfacesKept& kept) override {
+        potentials_->surfaces().set_overlaps(kept);
+    }
     std::vector<std::array<int, 2>> touching_nodes() const override;
 
     bool set_options(const StepperOptions& options) override {
@@ -140,7 +142,7 @@ class OwnCpuBackEnd final : public CpuBackEnd {
     const BodyState& state() const override { return state_; }
     void set_state(const BodyState& state) override {
         state_ = state;
-        potentials_->find_overlaps(state_.positions_mm);
+        potentials_->surfaces().find_overlaps(state_.positions_mm);
         if (potentials_->ties()) potentials_->ties()->turn(state_.positions_mm);
         integrator_->forget();
     }
@@ -170,7 +172,7 @@ class OwnCpuBackEnd final : public CpuBackEnd {
             report.energy.tear_loss = potentials_->ties()->settle(state_.positions_mm);
             report.energy.cohesion -= report.energy.tear_loss;
         }
-        potentials_->let_go(state_.positions_mm);
+        potentials_->surfaces().let_go(state_.positions_mm);
     }
     // The terms of the potentials.
     EnergyLedger outside_energies() const {
@@ -201,7 +203,7 @@ void OwnCpuBackEnd::tear(const BodyDescription& whole, const TornBody& tear) {
     const std::vector<Grab> grabs = potentials_->grabs();
     const Vec3 gravity = potentials_->gravity_mm_per_s2();
     const std::optional<Tool> tool = potentials_->tool();
-    const PotentialList::SurfacesBeforeTear surfaces = potentials_->before_tear();
+    const SurfacesBeforeTear surfaces = potentials_->surfaces().before_tear();
     const Body before =
         std::exchange(body_, build_body(torn(whole, tear), options_.model, options_.order));
     body_.parted_pairs = tear.parted_pairs;
@@ -213,7 +215,7 @@ void OwnCpuBackEnd::tear(const BodyDescription& whole, const TornBody& tear) {
     potentials_->set_gravity(gravity);
     potentials_->set_tool(tool);
     potentials_->ties()->set(tear.law, tear.ties, state_.positions_mm);
-    potentials_->follow_split(surfaces, tear.parents, state_.positions_mm);
+    potentials_->surfaces().follow_split(surfaces, tear.parents, state_.positions_mm);
     integrator_->follow_split(before, tear.parents);
 }
 
