@@ -8827,5 +8827,13 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Read it again when no other program writes it</source>
         <translation>Lesen Sie sie noch einmal, wenn kein anderes Programm sie schreibt</translation>
     </message>
+    <message>
+        <source>the drug would leave the vessels right where it is injected</source>
+        <translation>das Mittel verließe die Gefäße gleich dort, wo es eingespritzt wird</translation>
+    </message>
+    <message>
+        <source>Inject farther up the stream</source>
+        <translation>Spritzen Sie weiter stromaufwärts ein</translation>
+    </message>
 </context>
 </TS>

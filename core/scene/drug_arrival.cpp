@@ -41,12 +41,13 @@ Arrivals stepped_arrivals(const VesselTree& tree, const InjectionOptions& option
                       result.balance.error_relative()})};
 }
 
-// When the drug's clock ends: five times the median arrival time of the reached vertices. Segments
-// with almost no flow would otherwise stretch clock and colours over days.
+// When the drug's clock ends: five times the median arrival time of the vertices that are reached
+// after the injection has begun; at the tip itself there may be many more. Segments with almost no
+// flow would otherwise stretch clock and colours over days.
 double useful_end_s(const std::vector<float>& arrival_s) {
     std::vector<float> reached;
     for (const float time_s : arrival_s)
-        if (std::isfinite(time_s)) reached.push_back(time_s);
+        if (time_s > 0.0f && std::isfinite(time_s)) reached.push_back(time_s);
     if (reached.empty()) return std::numeric_limits<double>::infinity();
     return 5.0 * static_cast<double>(median(std::move(reached)));
 }
@@ -99,6 +100,9 @@ DrugArrival drug_arrival(const VesselTree& tree, std::span<const TreePoint> plac
     arrival.mass_error_relative = arrivals.mass_error_relative;
     arrival.end_s = std::min({arrivals.times.end_s(), useful_end_s(arrival_s),
                               longest_run_in_fillings * filling_s(tree, options)});
+    if (!(arrival.end_s > 0.0))
+        throw InputError("the drug would leave the vessels right where it is injected", "injection",
+                         "Inject farther up the stream");
     arrival.arrival_s = std::make_shared<const std::vector<float>>(std::move(arrival_s));
     return arrival;
 }

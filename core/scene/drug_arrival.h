@@ -36,13 +36,13 @@ bool flows_like_blood(const InjectionOptions& options);
 
 struct DrugArrival {
     std::shared_ptr<const std::vector<float>> arrival_s;  // per vertex; infinity: never reached
-    double end_s = 0.0;  // when most vertices have been reached; some may be later
+    double end_s = 0.0;  // > 0: when most vertices have been reached; some may be later
     // Largest imbalance of a node of the flow, relative to the injected flow.
     double mass_error_relative = 0.0;
 };
 
 // `places` are the vertices' places on the tree. The same bits on any thread. Throws InputError
-// where nothing can flow, and Cancelled.
+// where nothing can flow or no vessel would be filled, and Cancelled.
 DrugArrival drug_arrival(const VesselTree& tree, std::span<const TreePoint> places,
                          const InjectionOptions& options, Job& job);
 

@@ -94,7 +94,7 @@ std::vector<float> steady(const VesselTree& tree, const Injection& injection, co
     return times;
 }
 
-TEST(FlowPart, FillsATubeWithItsVolumeWhateverTheDrug) {
+VesselTree tube_of_40_mm() {
     VesselTree tree;
     tree.nodes = {{Vec3(0, 0, 0)}, {Vec3(40, 0, 0)}};
     VesselSegment segment;
@@ -103,6 +103,11 @@ TEST(FlowPart, FillsATubeWithItsVolumeWhateverTheDrug) {
     segment.points_mm = {Vec3(0, 0, 0), Vec3(20, 0, 0), Vec3(40, 0, 0)};
     segment.radii_mm = {2.0, 2.0, 2.0};
     tree.segments = {segment};
+    return tree;
+}
+
+TEST(FlowPart, FillsATubeWithItsVolumeWhateverTheDrug) {
+    const VesselTree tree = tube_of_40_mm();
     for (const char* second : {"gas", "lipiodol"}) {
         const Injection injection{.at = {0, 0.0, 0.0},
                                   .mass_flow_g_s = 1.5,
@@ -113,6 +118,26 @@ TEST(FlowPart, FillsATubeWithItsVolumeWhateverTheDrug) {
         const double filled_s = std::numbers::pi * 4.0 * 40.0 * density / 1.5;
         for (int k = 0; k <= 10; ++k) EXPECT_NEAR(times[k], 0.1 * k * filled_s, 1e-5 * filled_s);
     }
+}
+
+TEST(FlowPart, TheClockRunsThoughMostVerticesLieAtTheTip) {
+    const std::vector<VertexPlace> places{
+        {{0, 0.0, 0.0}, 1.0}, {{0, 0.0, 0.0}, 1.0}, {{0, 0.0, 0.0}, 1.0}, {{0, 40.0, 0.0}, 1.0}};
+    BodyTopology topology(places.size(), {});
+    FlowPart part(tube_of_40_mm(), places, {}, topology);
+    const Injection injection{.at = {0, 0.0, 0.0}};
+    part.inject(injection);
+    const double filled_s =
+        std::numbers::pi * 4.0 * 40.0 * blood().density_g_mm3 / injection.mass_flow_g_s;
+    EXPECT_NEAR(part.drug().end_s, filled_s, 1e-6 * filled_s);
+}
+
+TEST(FlowPart, AnInjectionIntoTheEndOfAVesselIsRefused) {
+    Shown made(tube_of_40_mm());
+    made.part.inject({.at = {0, 0.0, 0.0}});
+    const auto before = made.part.drug().arrival_s;
+    EXPECT_THROW(made.part.inject({.at = {0, 40.0, 0.0}}), InputError);
+    EXPECT_EQ(made.part.drug().arrival_s, before);
 }
 
 // A wide branch that takes all the blood and three hair-thin ones, in which most places lie.
