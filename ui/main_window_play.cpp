@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/lesson/allowed_commands.h"
+#include "core/tree/station.h"
 #include "ui/branch_dock.h"
 #include "ui/case_editing.h"
 #include "ui/core_words.h"
@@ -362,10 +363,13 @@ void MainWindow::light_up(const TreePoint& under_mouse) {
     view_->draw_again();
 }
 
+// To the centreline, since the vertex itself lies on the wall.
 void MainWindow::lead_crosshair_to(int vertex) {
-    const std::vector<Vec3>& at_rest = patient_->patient->mesh.vertices_mm;
-    if (vertex >= 0 && static_cast<std::size_t>(vertex) < at_rest.size())
-        view_layout_->slices().set_crosshair(at_rest[static_cast<std::size_t>(vertex)]);
+    const TreePoint point = patient_->anatomy.tree_point(vertex);
+    if (point.segment < 0) return;
+    const VesselSegment& segment =
+        patient_->patient->tree.segments[static_cast<std::size_t>(point.segment)];
+    view_layout_->slices().set_crosshair(station_at(segment, point.arclength_mm).position_mm);
 }
 
 void MainWindow::inject(const SurfacePick& pick) {
