@@ -27,7 +27,7 @@ struct NewtonSettings {
     bool line_search = true;
     // Linear solves of one step in addition to `iterations`: for iterates after a shortened step
     // from rest, and for the halves of a divided step. The budget is the sum of both.
-    int extra_solves = 4;
+    int extra_solves = 24;
     bool tension = false;              // see StepperOptions
     RayleighDamping velocity_error{};  // E of eq. (11), see StepperOptions
     SolveLimits linear{};
