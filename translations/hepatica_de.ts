@@ -1718,14 +1718,6 @@
         <translation>Der Fall wird kopiert</translation>
     </message>
     <message>
-        <source>there is a case of this name already</source>
-        <translation>Es gibt schon einen Fall dieses Namens</translation>
-    </message>
-    <message>
-        <source>Give the file another name, or take the other case away</source>
-        <translation>Geben Sie der Datei einen anderen Namen, oder nehmen Sie den anderen Fall weg</translation>
-    </message>
-    <message>
         <source>Simulation</source>
         <translation>Simulation</translation>
     </message>
@@ -6861,10 +6853,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Gefäße, Leber und Tumoren als Segmentierung des CTs schreiben, für das Archiv und andere Programme</translation>
     </message>
     <message>
-        <source>Save the vessels as a DICOM segmentation, which names the patient as the CT does</source>
-        <translation>Gefäße als DICOM-Segmentierung speichern, mit den Patientendaten des CTs</translation>
-    </message>
-    <message>
         <source>DICOM segmentations (*.dcm)</source>
         <translation>DICOM-Segmentierungen (*.dcm)</translation>
     </message>
@@ -8834,6 +8822,30 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Inject farther up the stream</source>
         <translation>Spritzen Sie weiter stromaufwärts ein</translation>
+    </message>
+    <message>
+        <source>There is a case “%1” here already; it was not replaced. Both can be kept, the new one as “%2”.</source>
+        <translation>Hier liegt schon ein Fall „%1“; er wurde nicht ersetzt. Beide können bleiben, der neue als „%2“.</translation>
+    </message>
+    <message>
+        <source>Keep both</source>
+        <translation>Beide behalten</translation>
+    </message>
+    <message>
+        <source>Save the vessels as a DICOM segmentation</source>
+        <translation>Die Gefäße als DICOM-Segmentierung speichern</translation>
+    </message>
+    <message>
+        <source>The DICOM segmentation will name the patient.</source>
+        <translation>Die DICOM-Segmentierung wird den Patienten nennen.</translation>
+    </message>
+    <message>
+        <source>The patient&apos;s name, number and other data are written into the file as they stand in the CT, so that an archive finds where it belongs. Pass it on only as you would pass on the CT.</source>
+        <translation>Name, Nummer und weitere Daten des Patienten werden so in die Datei geschrieben, wie sie im CT stehen, damit ein Archiv sie zuordnen kann. Geben Sie die Datei nur so weiter, wie Sie auch das CT weitergeben würden.</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
     </message>
 </context>
 </TS>

@@ -20,7 +20,7 @@
     <message numerus="yes">
         <source>%n gap(s) were bridged by the reconstruction, %L1 mm in all.</source>
         <translation>
-            <numerusform>%n gap were bridged by the reconstruction, %L1 mm in all.</numerusform>
+            <numerusform>%n gap was bridged by the reconstruction, %L1 mm in all.</numerusform>
             <numerusform>%n gaps were bridged by the reconstruction, %L1 mm in all.</numerusform>
         </translation>
     </message>

@@ -58,6 +58,11 @@ QString text_of(const TreeEdit& edit, const VesselTree& tree) {
     return Words::tr("%1 at %2").arg(name_of(edit), there(edit.at_mm, tree));
 }
 
+// The tree before the first correction.
+const VesselTree& as_reconstructed(const PatientCase& patient) {
+    return patient.corrections.edits.empty() ? patient.tree : patient.corrections.extracted;
+}
+
 QString text_of(const BrushStroke& stroke, const VesselTree& tree) {
     return Words::tr("%1 at %2")
         .arg(stroke.erases ? Words::tr("Vessels erased (waits for Rebuild)")
@@ -170,7 +175,7 @@ void CaseEditing::update_panel() {
     if (built > 0)
         state << Words::tr("%n gap(s) were bridged by the reconstruction, %L1 mm in all.", nullptr,
                            static_cast<int>(built))
-                     .arg(bridged_length_mm(patient.tree), 0, 'f', 1);
+                     .arg(bridged_length_mm(as_reconstructed(patient)), 0, 'f', 1);
     for (const std::string& doubt : doubts_) state << "⚠ " + translated(doubt);
     panel_.show_state(state.join("\n"));
 }

@@ -10,11 +10,13 @@
 #include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <string>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/patient/patient_case.h"
 #include "ui/case_lessons.h"
+#include "ui/message_bar.h"
 #include "ui/on_screen.h"
 #include "ui/paths.h"
 #include "ui/untinted_icon.h"
@@ -23,6 +25,23 @@
 namespace hepatica {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+bool is_taken(const fs::path& folder, const fs::path& name) {
+    return fs::exists(folder / fs::path(name).concat(".hep")) ||
+           fs::exists(folder / fs::path(name).concat(".hepz"));
+}
+
+// "anton 2", or the first free number after it.
+fs::path free_name(const fs::path& folder, const fs::path& name) {
+    for (int number = 2;; ++number) {
+        const fs::path other = fs::path(name).concat(" " + std::to_string(number));
+        if (!is_taken(folder, other)) return other;
+    }
+}
+
+}  // namespace
 
 LibraryDialog::LibraryDialog(Settings& settings, Ways ways, QWidget* parent)
     : QDialog(parent), settings_(settings), ways_(std::move(ways)) {
@@ -63,6 +82,7 @@ void LibraryDialog::build_list() {
     list_->setResizeMode(QListView::Adjust);
     list_->setMovement(QListView::Static);
     list_->setWordWrap(true);
+    messages_ = new MessageBar(list_);
     connect(list_, &QListWidget::currentRowChanged, this, [this] { show_chosen(); });
     connect(list_, &QListWidget::itemActivated, this, [this] { open_->click(); });
 }
@@ -144,8 +164,12 @@ void LibraryDialog::choose_folder() {
 
 void LibraryDialog::run(const QString& doing, BackgroundJob::Work work) {
     job_.reset();
+    messages_->dismiss();
     BackgroundJob::Callbacks callbacks;
-    callbacks.failed = [this, doing](const Failure& failure) { ways_.failed(doing, failure); };
+    callbacks.failed = [this, doing](const Failure& failure) {
+        messages_->show_failure(failure);  // the main window's lies behind this one
+        ways_.failed(doing, failure);
+    };
     callbacks.ended = [this] {
         if (std::exchange(reread_, false))
             return QTimer::singleShot(0, this, [this] { read_folder(); });
@@ -217,12 +241,15 @@ void LibraryDialog::give_away(const fs::path& to) {
 }
 
 void LibraryDialog::take_in(const fs::path& from) {
-    const fs::path to = to_path(settings_.library_folder()) / from.stem().concat(".hep");
-    if (fs::exists(to))
-        return ways_.failed(Words::tr("Take in a case"),
-                            {Words::id("there is a case of this name already"), to.string(),
-                             Words::id("Give the file another name, or take the other case away")});
-    copy(from, to);
+    const fs::path folder = to_path(settings_.library_folder()), name = from.stem();
+    if (!is_taken(folder, name)) return copy(from, folder / fs::path(name).concat(".hep"));
+    const fs::path other = free_name(folder, name);
+    messages_->show_notice(
+        Words::tr("There is a case “%1” here already; it was not replaced. Both can be kept, the "
+                  "new one as “%2”.")
+            .arg(to_text(name), to_text(other)),
+        Words::tr("Keep both"),
+        [this, from, to = folder / fs::path(other).concat(".hep")] { copy(from, to); });
 }
 
 }  // namespace hepatica

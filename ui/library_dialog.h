@@ -20,6 +20,7 @@ class QPushButton;
 namespace hepatica {
 
 class CaseLessons;
+class MessageBar;
 
 // UI thread only.
 class LibraryDialog : public QDialog {
@@ -42,9 +43,11 @@ class LibraryDialog : public QDialog {
 
     // Copies the chosen case to NAME.hep or NAME.hepz. Not while busy().
     void give_away(const std::filesystem::path& to);
-    // Copies a case into the folder under its own name; if there is one of that name, reports that
-    // and does nothing. Not while busy().
+    // Copies a case into the folder under its own name; if there is one of that name, says so and
+    // offers to keep both. Not while busy().
     void take_in(const std::filesystem::path& from);
+    // What is said above the cases: failures, and a name that is taken.
+    MessageBar& messages() { return *messages_; }
 
   private:
     void build();
@@ -70,6 +73,7 @@ class LibraryDialog : public QDialog {
     bool reread_ = false;  // read the folder when the job has ended
     QLabel* folder_ = nullptr;
     QListWidget* list_ = nullptr;
+    MessageBar* messages_ = nullptr;
     QLabel* facts_ = nullptr;
     CaseLessons* lessons_ = nullptr;
     QPushButton* open_ = nullptr;

@@ -131,6 +131,7 @@ void MainWindow::ask_where_to_save_picture() {
 // Asks for the CT only if the settings do not know its place.
 void MainWindow::ask_where_to_archive() {
     namespace fs = std::filesystem;
+    if (!ask_export_with_name(*this)) return;
     // A copy: dialogs follow.
     const std::string digest = workspace().patient()->source.image_sha256;
     fs::path ct = to_path(settings_.place_of_image(digest));
@@ -144,9 +145,7 @@ void MainWindow::ask_where_to_archive() {
     const QString title = QString::fromStdString(workspace().title());  // such as NAME.hep
     const QString name = QFileInfo(as_file_name(title, "case")).completeBaseName();
     const QString file = ask_where_to_save_file(
-        *this,
-        Words::tr("Save the vessels as a DICOM segmentation, which names the patient as the CT "
-                  "does"),
+        *this, Words::tr("Save the vessels as a DICOM segmentation"),
         settings_.last_folder() + "/" + name + ".dcm", Words::tr("DICOM segmentations (*.dcm)"));
     if (file.isEmpty()) return;
     keeper_->archive(ct, to_path(file),
@@ -163,6 +162,7 @@ void MainWindow::save_plots(bool picture) {
         require_folder_of(file);
         PlotPanel& plots = curves_->plots();
         picture ? plots.save_picture(file) : plots.save_table(file);
+        statusBar()->showMessage(Words::tr("Saved %1").arg(file), 6000);
     });
 }
 
@@ -174,6 +174,7 @@ void MainWindow::save_table(const QString& name, const std::string& csv) {
     attempt(Words::tr("Save the table"), [&] {
         require_folder_of(file);
         write_text_atomically(to_path(file), csv);
+        statusBar()->showMessage(Words::tr("Saved %1").arg(file), 6000);
     });
 }
 

@@ -305,6 +305,7 @@ void MainWindow::wait_for_place() {
     view_->setFocus();
     messages_->show_notice(Words::tr("Click on a vessel: the place is there"),
                            Words::tr("Back to the lesson editor"), [this] { back_to_pulling(); });
+    messages_->when_closed([this] { back_to_pulling(); });
     place_message_ = messages_->text();
 }
 

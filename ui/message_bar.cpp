@@ -47,7 +47,11 @@ MessageBar::MessageBar(QWidget* pictures)
     close->setText("✕");
     close->setAutoRaise(true);
     close->setAccessibleName(Words::tr("Dismiss"));
-    connect(close, &QToolButton::clicked, this, [this] { dismiss(); });
+    close->setObjectName("closeMessage");
+    connect(close, &QToolButton::clicked, this, [this] {
+        dismiss();
+        if (const std::function<void()> act = std::exchange(closed_, {})) act();
+    });
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(12, 3, 6, 3);
     row->addWidget(label_, 1);
@@ -107,6 +111,7 @@ void MessageBar::show_as(const char* kind, const QStringList& lines) {
     lines_ = lines;
     strong_ = QString(kind) == "failure";
     open_ = false;
+    closed_ = {};
     first_.button->hide();
     second_.button->hide();
     show();

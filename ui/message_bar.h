@@ -6,6 +6,7 @@
 
 #include <QStringList>
 #include <functional>
+#include <utility>
 
 #include "ui/background_job.h"
 #include "ui/overlay_bar.h"
@@ -32,6 +33,8 @@ class MessageBar : public OverlayBar {
     void put_before(const QString& text);
     // Adds a second button to the notice that is shown.
     void offer_also(const QString& button, std::function<void()> act);
+    // Called when the notice that is shown is closed by its ×.
+    void when_closed(std::function<void()> act) { closed_ = std::move(act); }
     // Called with the index of a branch whose name in the message was clicked.
     std::function<void(int branch)> on_branch;
     void dismiss() { hide(); }
@@ -64,6 +67,7 @@ class MessageBar : public OverlayBar {
     void offer(Offer& offer, const QString& button, std::function<void()> act);
 
     Offer first_, second_;
+    std::function<void()> closed_;
 };
 
 }  // namespace hepatica

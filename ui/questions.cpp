@@ -124,6 +124,21 @@ std::optional<std::filesystem::path> ask_where_ct_lies(QWidget& parent, Settings
     return to_path(place);
 }
 
+bool ask_export_with_name(QWidget& parent) {
+    QMessageBox box(QMessageBox::Warning, "Hepatica",
+                    Words::tr("The DICOM segmentation will name the patient."), QMessageBox::Cancel,
+                    &parent);
+    box.setInformativeText(
+        Words::tr("The patient's name, number and other data are written into the file as they "
+                  "stand in the CT, so that an archive finds where it belongs. Pass it on only as "
+                  "you would pass on the CT."));
+    QPushButton* go_on = box.addButton(Words::tr("&Export…"), QMessageBox::AcceptRole);
+    box.setDefaultButton(go_on);
+    box.setEscapeButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == go_on;
+}
+
 void tell_failure(QWidget& window, const QString& doing, const Failure& failure) {
     const QStringList lines = lines_of(failure);
     auto* box =

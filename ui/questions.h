@@ -21,6 +21,9 @@ PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& s
 // offers both. nullopt: cancelled.
 std::optional<std::filesystem::path> ask_where_ct_lies(QWidget& parent, Settings& settings);
 
+// Whether a file may be written that names the patient as the CT does.
+bool ask_export_with_name(QWidget& parent);
+
 // Shows a failure in a message box in front of `window`. Returns at once.
 void tell_failure(QWidget& window, const QString& doing, const Failure& failure);
 

@@ -47,6 +47,17 @@ OpenedPatient opened_from(Reconstruction made) {
     return opened;
 }
 
+// What its reconstruction warned of, and the doubts about its vessels as they are now.
+void tell_warnings_of_case(OpenedPatient& opened) {
+    const PatientCase& patient = *opened.patient;
+    opened.warnings = patient.warnings;
+    opened.warnings_of_image.assign(
+        patient.warnings.begin(),
+        patient.warnings.begin() + static_cast<std::ptrdiff_t>(patient.warnings_of_image));
+    for (std::string& doubt : sentences(patient.doubts, patient.tree))
+        opened.warnings.push_back(std::move(doubt));
+}
+
 OpenedPatient built_in_patient(const BuiltInCache& cache, Job& job) {
     OpenedPatient opened;
     if (holds_patient(cache)) {
@@ -57,10 +68,12 @@ OpenedPatient built_in_patient(const BuiltInCache& cache, Job& job) {
         }
     }
     const TemporaryFolder scan;
-    opened = opened_from(reconstruct_built_in(scan.path(), job));
+    Reconstruction made = reconstruct_built_in(scan.path(), job);
     // The warnings ask for a better scan or for seeds, which does not apply to a synthetic patient.
-    opened.warnings.clear();
-    opened.warnings_of_image.clear();
+    made.warnings.clear();
+    made.patient.warnings.clear();
+    made.warnings_of_image = made.patient.warnings_of_image = 0;
+    opened = opened_from(std::move(made));
     keep(cache, *opened.patient);
     return opened;
 }
@@ -164,7 +177,7 @@ OpenedPatient open_patient(const OpenRequest& request, Job& job) {
         job.begin_stage("Reading the case");
         opened.patient = std::make_shared<const PatientCase>(read_case_without_voxels(path));
         opened.folder = path;
-        opened.warnings = sentences(opened.patient->doubts, opened.patient->tree);
+        tell_warnings_of_case(opened);
     } else if (is_tree_file(path)) {
         job.begin_stage("Reading the tree");
         opened.patient = std::make_shared<const PatientCase>(patient_of(read_tree(path), job));

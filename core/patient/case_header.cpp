@@ -2,6 +2,7 @@
 // Reads and writes case.json in versions 1 to 3.
 #include "core/patient/case_header.h"
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +11,7 @@
 #include "core/base/hash.h"
 #include "core/base/json_number.h"
 #include "core/base/json_problem.h"
+#include "core/base/quoted_name.h"
 #include "core/base/sha256.h"
 #include "core/patient/doubts_json.h"
 #include "core/patient/format_1.h"
@@ -58,6 +60,20 @@ Json to_json(const VesselTree& tree) {
             {"systems", json_of(systems_of(tree))}};
 }
 
+void read_warnings(const Json& json, CaseHeader& header) {
+    header.warnings = json.at("warnings").get<std::vector<std::string>>();
+    header.warnings_of_image =
+        std::min(whole_number<std::size_t>(json.value("warnings_of_image", Json(0))),
+                 header.warnings.size());
+}
+
+void write_warnings(const PatientCase& patient, Json& json) {
+    if (patient.warnings.empty()) return;
+    for (const std::string& warning : patient.warnings)
+        json["warnings"].push_back(without_names(warning));
+    json["warnings_of_image"] = patient.warnings_of_image;
+}
+
 CaseHeader header_from(const Json& json, int version) {
     CaseHeader header;
     header.version = version;
@@ -71,6 +87,7 @@ CaseHeader header_from(const Json& json, int version) {
     header.source.name = json.value("name", "");
     if (json.contains("mask_grid")) header.mask_grid = grid_from(json.at("mask_grid"));
     if (json.contains("doubts")) header.doubts = doubts_from(json.at("doubts"));
+    if (json.contains("warnings")) read_warnings(json, header);
     header.source.image_sha256 = source.at("image_sha256").get<std::string>();
     header.source.parameters_json = json.at("parameters").dump();
     header.digests = json.at("sha256").get<std::map<std::string, std::string>>();
@@ -134,6 +151,7 @@ void write_case_header(const fs::path& folder, const PatientCase& patient) {
     json["tree"] = to_json(patient.tree);
     if (!patient.couinaud.voxels.empty()) json["segments_ml"] = segments_ml_json(patient.couinaud);
     if (patient.doubts) json["doubts"] = json_of(*patient.doubts);
+    write_warnings(patient, json);
     for (const char* name : {mask, skeleton, organs, unpainted, couinaud, tree, swc, surface, mesh,
                              corrections, extracted})
         if (fs::exists(folder / name)) json["sha256"][name] = sha256_of_file(folder / name);

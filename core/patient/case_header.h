@@ -4,10 +4,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/patient/patient_case.h"
 
@@ -38,6 +40,8 @@ struct CaseHeader {
     int version = 0;
     CaseSource source;
     std::optional<Doubts> doubts;
+    std::vector<std::string> warnings;  // as in PatientCase
+    std::size_t warnings_of_image = 0;
     // Grid of mask and skeleton in double precision, which their files lack; none in older cases.
     std::optional<Grid> mask_grid;
     std::map<std::string, std::string> digests;  // by file name: SHA-256; format 1: another hash

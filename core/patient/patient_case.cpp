@@ -134,6 +134,8 @@ PatientCase read(const fs::path& folder, bool with_voxels) {
     const CaseHeader header = read_case_header(folder);
     patient.source = header.source;
     patient.doubts = header.doubts;
+    patient.warnings = header.warnings;
+    patient.warnings_of_image = header.warnings_of_image;
     for (const char* name : {case_file::tree, case_file::surface, case_file::mesh})
         check_case_file(folder, header, name);
     patient.tree = read_tree_vtp(folder / case_file::tree, in_case);

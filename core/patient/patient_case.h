@@ -12,6 +12,7 @@
 // (format_1.h).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -75,6 +76,11 @@ struct PatientCase {
     Corrections corrections;
     // Of the reconstruction, before any correction; none in cases of older programs.
     std::optional<Doubts> doubts;
+    // What the reconstruction warned of besides the doubts, in core's English sentences; the first
+    // `warnings_of_image` of them are of the image and hold for other vessels, too. Empty in cases
+    // of older programs. Written to case.json without the names that they quote.
+    std::vector<std::string> warnings;
+    std::size_t warnings_of_image = 0;
     // The quality dial measured on this mesh, one JSON object (core/scene/measured_dial.h); empty
     // where it was not measured. Kept in dial.json, which may be removed.
     std::string dial_json;

@@ -108,9 +108,14 @@ VoxelChecks make_tree(const FromVoxelsOptions& options, const Volume& ct, Patien
 void make_body(const MeshOptions& options, PatientCase& patient, std::vector<std::string>& warnings,
                Job& job) {
     label_segments(patient, job);
+    patient.warnings = warnings;
+    patient.warnings_of_image = 0;
     std::ranges::copy(sentences(patient.doubts, patient.tree), std::back_inserter(warnings));
     job.begin_stage("Meshing the vessels");
-    patient.mesh = tetrahedralize(patient.tree, options, job, &warnings);
+    std::vector<std::string> of_mesh;
+    patient.mesh = tetrahedralize(patient.tree, options, job, &of_mesh);
+    for (std::vector<std::string>* list : {&patient.warnings, &warnings})
+        list->insert(list->end(), of_mesh.begin(), of_mesh.end());
     job.throw_if_cancelled();
     patient.surface = surface_of(patient.mesh).mesh;
 }

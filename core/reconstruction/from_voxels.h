@@ -51,6 +51,7 @@ VoxelChecks make_tree(const FromVoxelsOptions& options, const Volume& ct, Patien
 inline constexpr int make_tree_stages = 4;
 
 // Divides the liver into segments, appends the doubts to `warnings`, and makes mesh and surface.
+// The patient keeps the warnings without the doubts, none of them as of the image.
 // Begins one stage. Throws InputError, Cancelled.
 void make_body(const MeshOptions& options, PatientCase& patient, std::vector<std::string>& warnings,
                Job& job);

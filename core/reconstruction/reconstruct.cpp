@@ -150,6 +150,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
         throw InputError("the vessels found are too small for a tree", options.ct.string(),
                          "Give a window (--window LO,HI) or a vessel mask (--vessel-mask)");
     make_body(options.mesh, patient, warnings, job);
+    patient.warnings_of_image = result.warnings_of_image;
     result.stages = job.stage_times();
     result.warnings = warnings;
     return result;

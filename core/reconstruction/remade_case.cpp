@@ -125,6 +125,14 @@ void warn_of_painted_left_out(const std::vector<Vec3>& painted_mm, const VesselT
     }
 }
 
+// Other vessels change nothing of what was said of the image.
+void keep_warnings_of_image(const PatientCase& before, PatientCase& made) {
+    made.warnings_of_image = before.warnings_of_image;
+    made.warnings.insert(
+        made.warnings.begin(), before.warnings.begin(),
+        before.warnings.begin() + static_cast<std::ptrdiff_t>(before.warnings_of_image));
+}
+
 }  // namespace
 
 RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Job& job) {
@@ -151,6 +159,7 @@ RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Jo
     if (!edits.empty()) made = with_edited_tree(made, edits);
     paint_tumours(made, edits);
     make_body(mesh_options_of(made), made, result.warnings, job);
+    keep_warnings_of_image(patient, made);
     return result;
 }
 

@@ -43,6 +43,18 @@ TEST_F(Opening, a_case_is_where_it_lies_and_nothing_of_it_is_lost_by_leaving) {
     }
 }
 
+TEST_F(Opening, a_case_tells_what_its_reconstruction_warned_of) {
+    PatientCase patient = test::patient_with_bridges();
+    patient.warnings = {"thick slices", "a piece is left out"};
+    patient.warnings_of_image = 1;
+    write_case(folder_ / "warned.hep", patient);
+    const OpenedPatient opened = open(folder_ / "warned.hep");
+    ASSERT_GE(opened.warnings.size(), 2u);
+    EXPECT_EQ(opened.warnings[0], "thick slices");
+    EXPECT_EQ(opened.warnings[1], "a piece is left out");
+    EXPECT_EQ(opened.warnings_of_image, std::vector<std::string>{"thick slices"});
+}
+
 TEST_F(Opening, a_tree_gets_a_body) {
     write_tree_vtp(folder_ / "tree.vtp", test::forked_tree());
     const OpenedPatient opened = open(folder_ / "tree.vtp");

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/quoted_name.h"
 #include "core/base/sha256.h"
 #include "core/patient/case_header.h"
 #include "core/patient/corrections.h"
@@ -130,6 +131,22 @@ TEST_F(PatientCaseTest, CaseJsonHoldsTheDigestsAndTheSystems) {
     unnamed.source.name.clear();
     write_case(case_, unnamed);
     EXPECT_FALSE(nlohmann::json::parse(text_of(case_ / "case.json")).contains("name"));
+}
+
+TEST_F(PatientCaseTest, KeepsWhatItsReconstructionWarnedOf) {
+    PatientCase patient = some_patient();
+    write_case(case_, patient);
+    EXPECT_FALSE(nlohmann::json::parse(text_of(case_ / "case.json")).contains("warnings"));
+    EXPECT_TRUE(read_case(case_).warnings.empty());
+    patient.warnings = {"The slices are 1.6 mm apart", "in " + quoted_name("Anna") + " is a loop"};
+    patient.warnings_of_image = 1;
+    write_case(case_, patient);
+    for (const PatientCase& back : {read_case(case_), read_case_without_voxels(case_)}) {
+        EXPECT_EQ(back.warnings,
+                  (std::vector<std::string>{"The slices are 1.6 mm apart", "in “…” is a loop"}));
+        EXPECT_EQ(back.warnings_of_image, 1u);
+    }
+    EXPECT_EQ(text_of(case_ / "case.json").find("Anna"), std::string::npos);
 }
 
 TEST_F(PatientCaseTest, RefusesAChangedAMissingAndAForeignFile) {

@@ -286,6 +286,19 @@ TEST_F(RemadeCaseTest, TumoursThatWerePaintedStayAndChangeNoVessel) {
     EXPECT_EQ(back.organs.voxels, patient_->organs.voxels);
 }
 
+TEST_F(RemadeCaseTest, KeepsWhatWasWarnedOfTheImageAndNoOldWarningOfVessels) {
+    ASSERT_EQ(patient_->warnings_of_image, 1u);
+    const std::string of_image = patient_->warnings[0];
+    EXPECT_TRUE(of_image.starts_with("The slices are 2.0 mm apart")) << of_image;
+    PatientCase warned = *patient_;
+    warned.warnings.emplace_back("of the old vessels");
+    const PatientCase made = remade_of(patient_->mask, warned).patient;
+    EXPECT_EQ(made.warnings_of_image, 1u);
+    EXPECT_EQ(made.warnings.at(0), of_image);
+    EXPECT_EQ(std::ranges::count(made.warnings, "of the old vessels"), 0);
+    EXPECT_EQ(std::ranges::count(made.warnings, of_image), 1);
+}
+
 TEST_F(RemadeCaseTest, ASeedWhoseVesselIsErasedIsLeftOut) {
     const Station at = twig();
     PatientCase seeded = *patient_;

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSlider>
@@ -146,6 +147,24 @@ TEST_F(Editing, a_click_on_a_dashed_line_bridges_the_gap_and_can_be_undone) {
     window_.actions()[ActionId::redo_edit].trigger();
     wait();
     EXPECT_EQ(roots(saved().tree).size(), 1u);
+}
+
+// A link by hand makes the tree's bridges longer; what the reconstruction bridged stays as it was.
+TEST_F(Editing, gaps_of_the_reconstruction_are_told_without_links_by_hand) {
+    PatientCase patient = test::patient_with_bridges();
+    patient.corrections.bridges[1].built = true;
+    write_case(to_path(folder_.filePath("built.hep")), patient);
+    window_.open(folder_.filePath("built.hep"));
+    wait();
+    child<QSlider>("bridgeConfidence").setValue(20);
+    child<QPushButton>("acceptAll").click();
+    wait();
+    ASSERT_GT(bridged_length_mm(window_.workspace().patient()->tree), 5.0);
+    QString told;
+    for (const auto* label : window_.findChildren<QLabel*>())
+        if (label->text().contains("by the reconstruction")) told = label->text();
+    EXPECT_TRUE(told.contains("1 gap was bridged by the reconstruction, 0.0 mm in all."))
+        << told.toStdString();
 }
 
 // The slider shows fewer gaps and the button bridges those that are shown.

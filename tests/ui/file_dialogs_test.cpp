@@ -2,10 +2,13 @@
 // Which case is opened and under which name something is saved, as a person types and clicks it.
 #include <QAbstractButton>
 #include <QDir>
+#include <QDockWidget>
 #include <QFile>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QStatusBar>
+#include <QTableWidget>
 #include <QTimer>
 
 #include "core/base/atomic_write.h"
@@ -164,6 +167,18 @@ TEST_F(NamedFiles, GetTheSuffixOfTheirKind) {
     type_when_asked(folder_.filePath("branches"));
     EXPECT_EQ(ask_where_to_save_file(window_, "Save", folder_.filePath("x.csv"), "Tables (*.csv)"),
               folder_.filePath("branches.csv"));
+}
+
+TEST_F(NamedFiles, OfTheBranchesAreConfirmedInTheStatusBar) {
+    open_built_in();
+    auto* table = window_.findChild<QTableWidget*>("branches");
+    window_.findChild<QDockWidget*>("Branches")->show();
+    ASSERT_TRUE(testing::wait_for([&] { return table->rowCount() > 0; }));
+    const QString file = folder_.filePath("branches.csv");
+    type_when_asked(file);
+    window_.findChild<QPushButton*>("saveBranches")->click();
+    EXPECT_TRUE(QFile::exists(file));
+    EXPECT_EQ(window_.statusBar()->currentMessage(), "Saved " + file);
 }
 
 // A "/" would propose a folder, and the other characters a name that not every disk takes.

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QTabWidget>
+#include <QToolButton>
 
 #include "core/base/error.h"
 #include "core/lesson/attempts.h"
@@ -100,6 +101,11 @@ TEST_F(LessonEditorWindowTest, it_does_not_cover_the_vessels_that_are_to_be_clic
     window_.messages().findChild<QPushButton*>("offer")->click();
     EXPECT_TRUE(editor().isVisible());
     EXPECT_TRUE(window_.view().mouse().mode() == MouseMode::pull);
+    click("mark0click");
+    ASSERT_TRUE(window_.view().mouse().mode() == MouseMode::place);
+    window_.messages().findChild<QToolButton*>("closeMessage")->click();
+    EXPECT_TRUE(editor().isVisible());
+    EXPECT_TRUE(window_.view().mouse().mode() == MouseMode::pull) << "no mode without a sign of it";
 }
 
 TEST_F(LessonEditorWindowTest, a_lesson_is_tried_and_leaves_no_attempt) {

@@ -290,8 +290,30 @@ TEST_F(LibraryTest, gives_a_case_away_and_takes_one_in) {
     EXPECT_EQ(hash_of(read_case(cases_ / "gift.hep")), hash_of(*test::small_patient()));
     const auto before = fs::last_write_time(cases_ / "gift.hep");
     dialog().take_in(file);
-    EXPECT_TRUE(window_.messages().text().contains("There is a case of this name already"));
     EXPECT_EQ(fs::last_write_time(cases_ / "gift.hep"), before);
+    EXPECT_FALSE(dialog().busy());
+    EXPECT_TRUE(dialog().messages().text().contains("a case “gift” here already"))
+        << dialog().messages().text().toStdString();
+    for (const char* kept : {"gift 2.hep", "gift 3.hep"}) {
+        dialog().take_in(file);
+        dialog().messages().findChild<QPushButton*>("offer")->click();
+        ASSERT_TRUE(wait_for([this] { return !dialog().busy(); }));
+        EXPECT_EQ(hash_of(read_case(cases_ / kept)), hash_of(*test::small_patient()));
+        EXPECT_TRUE(dialog().messages().isHidden());
+    }
+    EXPECT_EQ(fs::last_write_time(cases_ / "gift.hep"), before);
+}
+
+// The bar of the main window lies behind the library.
+TEST_F(LibraryTest, says_itself_why_a_case_cannot_be_taken_in) {
+    open_library();
+    const fs::path file = to_path(folder_.filePath("torn.hepz"));
+    std::ofstream(file) << "no archive";
+    dialog().take_in(file);
+    ASSERT_TRUE(wait_for([this] { return !dialog().busy(); }));
+    EXPECT_FALSE(dialog().messages().isHidden());
+    EXPECT_TRUE(dialog().messages().text().contains("torn.hepz"))
+        << dialog().messages().text().toStdString();
 }
 
 TEST_F(LibraryTest, says_that_a_folder_holds_no_case_or_cannot_be_read) {

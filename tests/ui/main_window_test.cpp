@@ -9,6 +9,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -177,14 +178,20 @@ class ArchiveWindow : public Window {
 TEST_F(ArchiveWindow, asks_for_the_file_of_a_ct_whose_place_nobody_knows) {
     const QString slice = folder_.filePath("slice.dcm");
     QFile(slice).open(QIODevice::WriteOnly);
-    archive({"File…", slice, folder_.filePath("vessels")});
+    archive({"&Export…", "File…", slice, folder_.filePath("vessels")});
     EXPECT_EQ(archived_[0], to_path(folder_.path()));
     EXPECT_EQ(archived_[1], to_path(folder_.filePath("vessels.dcm")));
 }
 
 TEST_F(ArchiveWindow, takes_the_folder_of_a_dicom_series) {
-    archive({"Folder…", folder_.path(), folder_.filePath("vessels")});
+    archive({"&Export…", "Folder…", folder_.path(), folder_.filePath("vessels")});
     EXPECT_EQ(archived_[0], to_path(folder_.path()));
+}
+
+// It names the patient: that is said before anything is asked, and may be refused.
+TEST_F(ArchiveWindow, writes_nothing_that_names_the_patient_unless_told_to) {
+    archive({QMessageBox::tr("Cancel")});
+    EXPECT_EQ(archived_[1], std::filesystem::path());
 }
 
 TEST_F(Window, saves_the_case_beside_its_work) {
