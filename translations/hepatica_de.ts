@@ -321,7 +321,7 @@
     </message>
     <message>
         <source>Open it &amp;deeper</source>
-        <translation>Tie&amp;fer öffnen</translation>
+        <translation>Tie&amp;fer aufschneiden</translation>
     </message>
     <message>
         <source>Move that plane 2 mm away from where it was put</source>
@@ -3010,7 +3010,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Reset</source>
-        <translation>Reset</translation>
+        <translation>Zurücksetzen</translation>
     </message>
     <message>
         <source>First steps</source>
@@ -7330,11 +7330,11 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Open the vie&amp;w</source>
-        <translation>A&amp;nsicht öffnen</translation>
+        <translation>A&amp;nsicht aufschneiden</translation>
     </message>
     <message>
         <source>Open it l&amp;ess deep</source>
-        <translation>&amp;Weniger tief öffnen</translation>
+        <translation>&amp;Weniger tief aufschneiden</translation>
     </message>
     <message>
         <source>Light</source>
@@ -8846,6 +8846,18 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>counted: %1</source>
+        <translation>gezählt: %1</translation>
+    </message>
+    <message>
+        <source>the CT %1 is not there any more</source>
+        <translation>das CT %1 liegt nicht mehr dort</translation>
+    </message>
+    <message>
+        <source>choose the folder or file where it lies now, or connect its disk</source>
+        <translation>wählen Sie den Ordner oder die Datei, wo es jetzt liegt, oder schließen Sie das Laufwerk an</translation>
     </message>
 </context>
 </TS>

@@ -37,8 +37,9 @@ bool missed_for_good(const BoundStanding& mark) {
 QString row_of(const BoundStanding& bound, const std::vector<std::string>& marks, FlowUnits units,
                const char* kept, const char* broken) {
     const bool known = !std::isnan(bound.value);
-    const QString now =
-        known ? translated(to_words_beside(bound.predicate, bound.value, units)) : "";
+    QString now = known ? translated(to_words_beside(bound.predicate, bound.value, units)) : "";
+    // Else it would read "no vessels held by the hand 1".
+    if (known && allows_none(bound.predicate)) now = Words::tr("counted: %1").arg(now);
     return QString(
                "<tr><td width='18'>%1</td><td>%2</td>"
                "<td align='right'>&nbsp;<b>%3</b></td></tr>")

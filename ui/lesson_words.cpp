@@ -118,6 +118,10 @@ std::string to_words(Quantity quantity, double value, FlowUnits units) {
     return number_words(number.value, decimals_of(quantity, units)) + number.unit;
 }
 
+bool allows_none(const Predicate& predicate) {
+    return is_count(predicate.quantity) && !predicate.at_least && predicate.bound == 0.0;
+}
+
 std::string to_words_beside(const Predicate& predicate, double value, FlowUnits units) {
     const Shown broke = shown(predicate.quantity, value, units);
     const double bound = shown(predicate.quantity, predicate.bound, units).value;
@@ -134,8 +138,7 @@ std::string to_words_beside(const Predicate& predicate, double value, FlowUnits 
 std::string to_words(const Predicate& predicate, std::span<const std::string> mark_names,
                      FlowUnits units) {
     const QuantityWords& words = words_of(predicate.quantity);
-    const bool none = is_count(predicate.quantity) && !predicate.at_least && predicate.bound == 0.0;
-    if (none) return std::string("no ") + words.words;
+    if (allows_none(predicate)) return std::string("no ") + words.words;
     if (words.of_mark) return to_words(predicate, mark_names);
     return words.words + std::string(predicate.at_least ? " at least " : " at most ") +
            bound_words(predicate, units);

@@ -18,6 +18,8 @@ namespace hepatica {
 std::string to_words(Quantity quantity, double value, FlowUnits units);
 // The same with as many digits as needed to differ from the bound.
 std::string to_words_beside(const Predicate& bound, double value, FlowUnits units);
+// Whether a count must stay at none.
+bool allows_none(const Predicate& predicate);
 // As to_words() of core/lesson/predicate.h, but "no pieces torn off" if none is allowed.
 std::string to_words(const Predicate& predicate, std::span<const std::string> mark_names,
                      FlowUnits units);

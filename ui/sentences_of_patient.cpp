@@ -43,6 +43,8 @@ constexpr std::array sentences_patient{
     Words::id("there is no such file or folder"),
     Words::id("holds no voxels of vessels or organs"),
     Words::id("Reconstruct the case from its CT"),
+    Words::id("the CT %1 is not there any more"),
+    Words::id("choose the folder or file where it lies now, or connect its disk"),
     Words::id("it is not known where this patient's CT lies"),
     Words::id("choose its folder or file"),
     Words::id("this is not the CT that the patient was reconstructed from"),

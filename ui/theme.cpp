@@ -24,7 +24,7 @@ const char* const rules = R"(
 QToolTip { color: {text}; background: {button}; border: 1px solid {frame}; padding: 4px; }
 QMainWindow::separator { background: {frame}; width: 4px; height: 4px; }
 QToolBar { background: {bar}; border: none; spacing: 4px; padding: 4px; }
-QToolBar QToolButton { padding: 5px 10px; border-radius: 4px; }
+QToolBar QToolButton { padding: 5px 8px; border-radius: 4px; }
 QToolBar QToolButton:hover { background: {button_hover}; }
 QToolBar QToolButton:checked { background: {accent}; color: {accent_text}; }
 QToolBar QToolButton:checked:disabled { background: {bar}; color: {disabled}; }

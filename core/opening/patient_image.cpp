@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/quoted_name.h"
 #include "core/image/volume_reader.h"
 #include "core/patient/image_digest.h"
 #include "core/patient/liver_segments.h"
@@ -44,6 +45,15 @@ std::optional<Volume> built_in_image(const PatientCase& patient, Job& job) {
     return ct;
 }
 
+void require_there(const fs::path& place) {
+    std::error_code ignored;
+    if (fs::exists(place, ignored)) return;
+    const fs::path name = place.has_filename() ? place : place.parent_path();
+    throw InputError("the CT " + quoted_name(name.filename().string()) + " is not there any more",
+                     place.string(),
+                     "choose the folder or file where it lies now, or connect its disk");
+}
+
 }  // namespace
 
 Volume image_of(const PatientCase& patient, const fs::path& place, Job& job) {
@@ -56,6 +66,7 @@ FoundImage found_image_of(const PatientCase& patient, const fs::path& place, Job
         throw InputError("it is not known where this patient's CT lies", patient.source.name,
                          "choose its folder or file");
     }
+    require_there(place);
     Volume first = read_volume(place, job);
     if (is_image_of(patient, first, job)) return {std::move(first), 0};
     first = {};

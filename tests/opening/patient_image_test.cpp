@@ -57,6 +57,20 @@ TEST_F(PatientImage, OfAnotherPatientIsRefused) {
     EXPECT_THROW(image_of(made_from(ct), {}, job_), InputError) << "nobody said where it lies";
 }
 
+TEST_F(PatientImage, ThatIsGoneIsNamedWithWhatToDo) {
+    const Volume ct(Grid{{16, 16, 8}}, 40);
+    for (const fs::path& place : {folder_ / "gone.nii.gz", folder_ / "gone.nii.gz" / ""}) {
+        try {
+            image_of(made_from(ct), place, job_);
+            FAIL();
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.problem(), "the CT “gone.nii.gz” is not there any more");
+            EXPECT_EQ(error.place(), place.string());
+            EXPECT_TRUE(error.remedy().starts_with("choose the folder or file where it lies now"));
+        }
+    }
+}
+
 TEST_F(PatientImage, OfTheBuiltInPatientIsMadeAnew) {
     const Volume ct = built_in_truth(job_).ct;
     EXPECT_EQ(image_of(made_from(ct), {}, job_).voxels, ct.voxels);

@@ -202,6 +202,11 @@ TEST_F(GermanWindow, HasItsLessonEditorWhollyOnTheScreen) {
         << editor.frameGeometry().right() << " of " << screen.right();
 }
 
+TEST_F(GermanWindow, SaysInItsToolBarWhatItsMenuSays) {
+    EXPECT_EQ(window_.actions()[ActionId::reset].iconText(), "Zurücksetzen");
+    EXPECT_EQ(window_.actions()[ActionId::toggle_clip].text(), "A&nsicht aufschneiden");
+}
+
 TEST_F(GermanWindow, ShowsAllOfItsToolBarOnASmallScreen) {
     EXPECT_LE(window_.findChild<QToolBar*>("Tools")->sizeHint().width(), 1280);
 }

@@ -75,6 +75,14 @@ TEST_F(LessonPanelTest, says_the_step_its_goal_and_the_limits) {
     EXPECT_TRUE(button("lessonReport")->isHidden());
 }
 
+TEST_F(LessonPanelTest, says_of_what_must_not_be_that_the_number_beside_it_was_counted) {
+    standing_.limits = {{{Quantity::holding, -1, false, 0.0}, 1.0, false}};
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonLimits").contains("no vessels held by the hand"));
+    EXPECT_TRUE(text("lessonLimits").contains("<b>counted: 1</b>"))
+        << text("lessonLimits").toStdString();
+}
+
 // Who knows them only in the end plays for something else.
 TEST_F(LessonPanelTest, says_the_pass_marks_from_the_start) {
     standing_.pass = {{{Quantity::impulse_mn_s, -1, false, 6000.0}, std::nan(""), false}};
