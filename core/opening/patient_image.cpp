@@ -45,7 +45,7 @@ std::optional<Volume> built_in_image(const PatientCase& patient, Job& job) {
     return ct;
 }
 
-void require_there(const fs::path& place) {
+void require_ct_there(const fs::path& place) {
     std::error_code ignored;
     if (fs::exists(place, ignored)) return;
     const fs::path name = place.has_filename() ? place : place.parent_path();
@@ -66,7 +66,7 @@ FoundImage found_image_of(const PatientCase& patient, const fs::path& place, Job
         throw InputError("it is not known where this patient's CT lies", patient.source.name,
                          "choose its folder or file");
     }
-    require_there(place);
+    require_ct_there(place);
     Volume first = read_volume(place, job);
     if (is_image_of(patient, first, job)) return {std::move(first), 0};
     first = {};
