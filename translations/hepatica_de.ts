@@ -8667,10 +8667,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>schaffen Sie Platz auf der Platte; bauen Sie die Gefäße neu und speichern Sie den Fall</translation>
     </message>
     <message>
-        <source>Take the tool out of the picture, or end measuring, and pull with the mouse again</source>
-        <translation>Das Werkzeug aus dem Bild nehmen oder das Messen beenden und wieder mit der Maus ziehen</translation>
-    </message>
-    <message>
         <source>Choose the case…</source>
         <translation>Den Fall wählen…</translation>
     </message>
@@ -8826,6 +8822,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Read it again when no other program writes it</source>
         <translation>Lesen Sie sie noch einmal, wenn kein anderes Programm sie schreibt</translation>
+    </message>
+    <message>
+        <source>Let go of the vessel; else take the tool out of the picture, or end measuring, and pull with the mouse again</source>
+        <translation>Das Gefäß loslassen; sonst das Werkzeug aus dem Bild nehmen oder das Messen beenden und wieder mit der Maus ziehen</translation>
     </message>
 </context>
 </TS>
