@@ -36,7 +36,7 @@ Vec3 nearest_to(const Vec3& point, const std::vector<float>& positions_mm) {
 const char* way_to_mark(double deeper_mm, double away_mm) {
     constexpr double hardly = 0.5;  // share of the whole distance
     if (std::abs(deeper_mm) < hardly * away_mm) return " to the mark";
-    return deeper_mm > 0.0 ? " to the mark, deeper" : " to the mark, nearer";
+    return deeper_mm > 0.0 ? " to the mark, move deeper" : " to the mark, move nearer";
 }
 
 const MarkView* nearest_waiting(const Vec3& point, const std::vector<MarkView>& marks) {

@@ -84,7 +84,7 @@ bool SceneView::show(const Frame& frame) {
         parts_->stem.update(frame.tool, frame.positions_mm, parts_->marks.shown(),
                             Vec3(camera().GetDirectionOfProjection()));
     const GrabView pull = frame.grab.value_or(GrabView{});
-    const std::string pull_force = said(parts_->words, force_text(pull.force_un));
+    const std::string pull_force = said(parts_->words, force_text(pull.shown_un()));
     const bool force_changed = parts_->pull_force.show(pull_force, pull.target_mm);
     const bool blood_changed = parts_->bleeding.update(frame.tear);
     set_frame_shown(parts_->legend, frame, parts_->warned, parts_->least_drug_end_s);

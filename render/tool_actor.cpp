@@ -157,21 +157,23 @@ void ToolActor::set_scale(double mm_per_point, double pixel_ratio) {
 
 // The arrow starts on the side of the tool away from what presses on it and points along the force.
 void ToolActor::place_arrow() {
-    const double force_un = shown_ ? shown_->force_un.norm() : 0.0;
+    const double force_un = shown_ ? shown_->shown_un() : 0.0;
+    const double now_un = shown_ ? shown_->force_un.norm() : 0.0;  // gives the direction
     const std::string force = force_text(force_un);
     const std::string grip = shown_ ? force_text(shown_->grip_un) : std::string();
-    arrow_->SetVisibility(!force.empty());
+    const bool points = !force.empty() && now_un > 0.0;
+    arrow_->SetVisibility(points);
     if (force.empty() && grip.empty()) {
         label_.show({}, {});
         return;
     }
     const std::string text =
         force + (force.empty() || grip.empty() ? "" : ", ") + (grip.empty() ? "" : "grip " + grip);
-    if (force.empty()) {
+    if (!points) {
         label_.show(said(words_, text), shown_->tip_mm);
         return;
     }
-    const Vec3 along = shown_->force_un / force_un;
+    const Vec3 along = shown_->force_un / now_un;
     const double length = points_a_decade * std::log10(1.0 + 1e-3 * force_un / 0.3) * mm_per_point_;
     const Vec3 from = shown_->at_mm + 2.0 * shown_->parts.front().radius_mm * along;
     const Vec3 u = along.unitOrthogonal(), v = along.cross(u);

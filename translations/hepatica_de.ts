@@ -8324,14 +8324,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Blut</translation>
     </message>
     <message>
-        <source>%1 mm to the mark, deeper</source>
-        <translation>%1 mm bis zur Marke, tiefer</translation>
-    </message>
-    <message>
-        <source>%1 mm to the mark, nearer</source>
-        <translation>%1 mm bis zur Marke, näher</translation>
-    </message>
-    <message>
         <source>; pressed to %L1 % of its lumen</source>
         <translation>; auf %L1 % seines Lumens gedrückt</translation>
     </message>
@@ -8655,10 +8647,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>schaffen Sie Platz auf der Platte; bauen Sie die Gefäße neu und speichern Sie den Fall</translation>
     </message>
     <message>
-        <source>Take the tool out of the picture, or end measuring, and pull with the mouse again</source>
-        <translation>Das Werkzeug aus dem Bild nehmen oder das Messen beenden und wieder mit der Maus ziehen</translation>
-    </message>
-    <message>
         <source>Choose the case…</source>
         <translation>Den Fall wählen…</translation>
     </message>
@@ -8858,6 +8846,22 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>choose the folder or file where it lies now, or connect its disk</source>
         <translation>wählen Sie den Ordner oder die Datei, wo es jetzt liegt, oder schließen Sie das Laufwerk an</translation>
+    </message>
+    <message>
+        <source>Let go of the vessel; else take the tool out of the picture, or end measuring, and pull with the mouse again</source>
+        <translation>Das Gefäß loslassen; sonst das Werkzeug aus dem Bild nehmen oder das Messen beenden und wieder mit der Maus ziehen</translation>
+    </message>
+    <message>
+        <source>%1 mm to the mark, move deeper</source>
+        <translation>%1 mm bis zur Marke, tiefer führen</translation>
+    </message>
+    <message>
+        <source>%1 mm to the mark, move nearer</source>
+        <translation>%1 mm bis zur Marke, näher führen</translation>
+    </message>
+    <message>
+        <source>Open the unsaved work first (File &gt; Open unsaved work)</source>
+        <translation>Zuerst die ungespeicherte Arbeit öffnen (Datei &gt; Ungespeicherte Arbeit öffnen)</translation>
     </message>
 </context>
 </TS>

@@ -86,7 +86,8 @@ constexpr std::array table{
     ActionSpec{
         put_tool_away, Words::id("&Play"), Words::id("Put the tool a&way"), "Esc",
         Words::id(
-            "Take the tool out of the picture, or end measuring, and pull with the mouse again")},
+            "Let go of the vessel; else take the tool out of the picture, or end measuring, and "
+            "pull with the mouse again")},
     ActionSpec{choose_threshold, Words::id("&Play"), Words::id("More or fewer &vessels…"), "F4",
                Words::id("Try another threshold in the slices, and make the vessels anew of it"),
                false, true},

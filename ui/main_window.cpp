@@ -420,6 +420,10 @@ void MainWindow::connect_tools() {
     actions_->on(ActionId::turn_tool_back, [&hand] { hand.turn(-turn_rad); });
     actions_->on(ActionId::close_or_open, [&hand] { hand.close_or_open(); });
     actions_->on(ActionId::put_tool_away, [this] {
+        if (view_->mouse().holds()) {  // a vessel, or a line half drawn
+            view_->let_go();
+            return view_->draw_again();
+        }
         const MouseMode mode = view_->mouse().mode();
         const bool draws = mode == MouseMode::cut || mode == MouseMode::weaken;
         if (draws || mode == MouseMode::measure || mode == MouseMode::place ||

@@ -369,6 +369,7 @@ void MainWindow::build_review() {
     ways.known_case = [this](std::uint64_t hash) {
         return to_path(settings_.place_of_patient(hash));
     };
+    ways.work_is_unsaved = [this] { return !recovery_->left_behind().empty(); };
     ways.choose_case = [this](const Failure& failure,
                               std::function<void(const std::filesystem::path&)> chosen) {
         fail(Words::tr("Look back on a recording"), failure);

@@ -192,10 +192,10 @@ void ReviewDock::open(const fs::path& recording, const std::string& lesson) {
     BackgroundJob::Callbacks callbacks;
     callbacks.failed = [this](const Failure& failure) { ways_.failed(failure); };
     callbacks.ended = [this] { job_.reset(); };
-    const auto shown = ways_.patient();
     ways_.say(Words::tr("Reading the recording…"));
     job_ = std::make_unique<BackgroundJob>(
-        [this, file = recording, lesson, shown](Job& job) -> std::function<void()> {
+        [this, file = recording, lesson,
+         shown = ways_.patient()](Job& job) -> std::function<void()> {
             Found found;
             found.recording = std::make_shared<const Recording>(read_recording(file));
             found.lesson = lesson.empty() ? built_in_lesson_of(*found.recording)
@@ -253,6 +253,8 @@ void ReviewDock::ask_for_case() {
                               "vessels by now")
                               .arg(to_text(known))
                               .toStdString();
+    if (ways_.work_is_unsaved())
+        failure.remedy = Words::id("Open the unsaved work first (File > Open unsaved work)");
     asks_ = true;
     ways_.choose_case(failure, [this, asked = std::weak_ptr(recording_)](const fs::path& place) {
         if (!asked.expired() && asked.lock() == recording_) open_case(place);

@@ -63,6 +63,8 @@ class ReviewDock : public QDockWidget {
         std::function<std::filesystem::path(std::uint64_t hash)> known_case = [](std::uint64_t) {
             return std::filesystem::path();
         };
+        // An earlier run left unsaved work, which may hold the vessels of a recording.
+        std::function<bool()> work_is_unsaved = [] { return false; };
         // Says what failed, and lets the person choose the case in question.
         std::function<void(const Failure&, std::function<void(const std::filesystem::path&)>)>
             choose_case =

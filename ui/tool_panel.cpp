@@ -259,8 +259,8 @@ void ToolPanel::show_kind(const std::string& kind) {
 void ToolPanel::show_force(const std::optional<ToolView>& tool,
                            const std::optional<GrabView>& hand) {
     const bool pulls = !tool && hand;
-    const std::string force = tool    ? force_text(tool->force_un.norm())
-                              : pulls ? force_text(hand->force_un)
+    const std::string force = tool    ? force_text(tool->shown_un())
+                              : pulls ? force_text(hand->shown_un())
                                       : std::string();
     const std::string grip = tool ? force_text(tool->grip_un) : std::string();
     const bool at_limit = tool ? tool->at_limit : pulls && hand->at_limit;

@@ -67,7 +67,7 @@ PlayMeter::PlayMeter(const Lesson& lesson, std::shared_ptr<const PatientCase> pa
       rest_mm_(rest_of(lesson, *patient_)),
       on_surface_(surface_vertices(*patient_, lesson.scene.deform.has_value())),
       surface_(rest_mm_),
-      felt_force_mn_(felt_over_s, dt_s_) {
+      felt_force_(dt_s_) {
     if (on_surface_.empty())
         throw InputError("has no surface", "the patient", "Reconstruct the patient first");
     std::vector<Vec3> places;
@@ -145,7 +145,8 @@ void PlayMeter::see_hand(const Frame& frame) {
     double force_un = 0.0;
     if (frame.grab) force_un += frame.grab->force_un;
     if (frame.tool) force_un += frame.tool->force_un.norm();
-    moment_.force_mn = felt_force_mn_.take(millinewton_per_un * force_un);
+    felt_force_.see(frame);
+    moment_.force_mn = felt_force_.sum_mn();
     moment_.grip_mn = frame.tool ? millinewton_per_un * frame.tool->grip_un : 0.0;
     metrics_.peak_force_mn = std::max(metrics_.peak_force_mn, moment_.force_mn);
     metrics_.impulse_mn_s += millinewton_per_un * force_un * dt_s_;

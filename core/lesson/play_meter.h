@@ -10,9 +10,9 @@
 #include "core/lesson/dose_account.h"
 #include "core/lesson/lesson.h"
 #include "core/lesson/metrics.h"
-#include "core/lesson/moving_mean.h"
 #include "core/lesson/surface_stretch.h"
 #include "core/patient/patient_case.h"
+#include "core/scene/felt_force.h"
 #include "core/scene/frame.h"
 #include "core/scene/vertex_places.h"
 
@@ -41,7 +41,7 @@ class PlayMeter {
     static constexpr double same_contact_s = 0.1;
     // Forces are means over this time, the integral excepted: a hand is judged by what it would
     // feel, not by the jump of a single step.
-    static constexpr double felt_over_s = 0.05;
+    static constexpr double felt_over_s = FeltForce::over_s;
 
   private:
     void place_marks(const Lesson& lesson, const std::vector<VertexPlace>& on_tree);
@@ -63,7 +63,7 @@ class PlayMeter {
     std::optional<DoseAccount> dose_;  // if the scene has flow
     LessonMetrics metrics_;
     LessonMoment moment_;
-    MovingMean felt_force_mn_;
+    FeltForce felt_force_;
     std::optional<Vec3> tip_, hand_;  // of the frame before
     double since_touch_s_ = 1e9;
     TearView before_;  // of the first frame

@@ -64,8 +64,12 @@ struct Predicate {
     bool at_least = true;
     double bound = 0.0;
 
-    // NaN (unknown) never holds.
-    bool holds(double value) const { return at_least ? value >= bound : value <= bound; }
+    // NaN (unknown) never holds. Times are sums of steps: their rounding breaks no bound.
+    bool holds(double value) const {
+        const bool is_time = quantity == Quantity::time_s || quantity == Quantity::step_time_s;
+        const double rounding = is_time ? 1e-9 : 0.0;
+        return at_least ? value >= bound - rounding : value <= bound + rounding;
+    }
     // The worse of two values, for a limit.
     double worse(double a, double b) const { return (a < b) == at_least ? a : b; }
     bool operator==(const Predicate&) const = default;

@@ -23,7 +23,9 @@ struct GrabView {
     Vec3 point_mm = Vec3::Zero();
     Vec3 target_mm = Vec3::Zero();
     double force_un = 0.0;
-    bool at_limit = false;  // at least half of the springs are at their force limit
+    bool at_limit = false;               // at least half of the springs are at their force limit
+    std::optional<double> felt_un = {};  // mean of force_un, see FeltForce; none: outside a play
+    double shown_un() const { return felt_un.value_or(force_un); }
 };
 
 // A tool beside the vessels, and the load on it.
@@ -39,10 +41,12 @@ struct ToolView {
     Vec3 tip_mm = Vec3::Zero();     // the mean of its parts' far ends
     double opening_mm = 0.0;        // of the jaws
     Vec3 force_un = Vec3::Zero();   // of vessels and obstacles on the tool
+    std::optional<double> felt_un;  // mean of |force_un|, see FeltForce; none: outside a play
     Vec3 at_mm = Vec3::Zero();      // force-weighted mean of its contacts
     double grip_un = 0.0;           // pressing the jaws apart
     bool at_limit = false;          // near its force limit, where it neither moves on nor closes
     std::vector<int> touched;       // vertices of the touched triangles, ascending
+    double shown_un() const { return felt_un.value_or(force_un.norm()); }
     bool operator==(const ToolView&) const = default;
 };
 

@@ -45,7 +45,8 @@ bool begins_way(const Command& command) {
 Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job,
                  const DeformBackEnd& back_end)
     : dial_(spec.tear ? dial_that_tears(dial_of(*patient, back_end)) : dial_of(*patient, back_end)),
-      world_(std::make_unique<World>(patient, spec, job, back_end)) {
+      world_(std::make_unique<World>(patient, spec, job, back_end)),
+      felt_force_(spec.dt_s) {
     message_.reserve(longest_message);
     recording_start_.program = program_version();
     recording_start_.back_end = back_end.name;
@@ -357,6 +358,8 @@ void Session::publish(SessionStep& step, Clock::time_point start) {
     statistics.resting = resting_;
     statistics.message_of_solver = message_.empty() && !step.deform.message.empty();
     statistics.message = message_.empty() ? step.deform.message : message_;
+    felt_force_.see(frame);
+    felt_force_.show_in(frame);
     show_to_watch(frame);
     // Measured last, so that filling the frame counts; publishing is one exchange of an index.
     statistics.step_ms = step.step_ms = milliseconds_since(start);

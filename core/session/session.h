@@ -28,6 +28,7 @@
 #include "core/deform/stepper/stepper.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/deform_back_end.h"
+#include "core/scene/felt_force.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
 #include "core/session/command.h"
@@ -190,6 +191,7 @@ class Session {
     std::shared_ptr<const Keyframe> last_good_;
     double real_time_factor_ = 1.0;
     bool resting_ = false;
+    FeltForce felt_force_;  // for the frames alone
 
     TripleBuffer<Frame> frames_;
     std::mutex listener_mutex_;

@@ -13,6 +13,18 @@
 namespace hepatica {
 namespace {
 
+// 10,800 steps of 1/60 s are 180 s, though their sum is a little more.
+TEST(Predicate, TheRoundingOfASumOfStepsBreaksNoBound) {
+    double time_s = 0.0;
+    for (int i = 0; i < 10800; ++i) time_s += 1.0 / 60.0;
+    ASSERT_NE(time_s, 180.0);
+    for (const bool at_least : {false, true})
+        EXPECT_TRUE((Predicate{Quantity::time_s, -1, at_least, 180.0}.holds(time_s)));
+    const Predicate most{Quantity::time_s, -1, false, 180.0};
+    EXPECT_FALSE(most.holds(180.0 + 1.0 / 60.0));
+    EXPECT_EQ(to_words_beside(most, time_s + 1.0 / 60.0), "180.02 s");
+}
+
 TEST(Predicate, TheTableStandsInTheOrderOfTheEnumeration) {
     std::set<std::string> names;
     int place = 0;

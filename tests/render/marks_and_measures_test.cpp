@@ -142,8 +142,8 @@ TEST_F(MarksAndMeasures, a_line_says_how_far_the_tool_is_from_the_mark_and_wheth
     };
     const ViewAxes axes = view_.axes();
     EXPECT_EQ(said({{tip + 12.0 * axes.right, "", false}}), "12 mm to the mark");
-    EXPECT_EQ(said({{tip + 12.0 * axes.forward, "", false}}), "12 mm to the mark, deeper");
-    EXPECT_EQ(said({{tip - 12.0 * axes.forward, "", false}}), "12 mm to the mark, nearer");
+    EXPECT_EQ(said({{tip + 12.0 * axes.forward, "", false}}), "12 mm to the mark, move deeper");
+    EXPECT_EQ(said({{tip - 12.0 * axes.forward, "", false}}), "12 mm to the mark, move nearer");
     EXPECT_EQ(said({{tip + 90.0 * axes.right, "", false}, {tip + 7.0 * axes.up, "", false}}),
               "7 mm to the mark");
     const std::string vessel = said({{tip + 12.0 * axes.right, "", true}});

@@ -97,6 +97,30 @@ TEST(Session, AHandThatJumpsPullsNoHarderThanItsLimit) {
     EXPECT_TRUE(session->frame().grab->at_limit);
 }
 
+// Three steps of 1/60 s. What is shown is what a lesson judges.
+TEST(Session, FramesCarryTheForceOfAStepAndTheMeanThatAHandWouldFeel) {
+    const auto session = new_session();
+    const Vec3 start = middle_of(small_patient()->tree, 0);
+    session->post(GrabPoint{start});
+    session->post(MoveGrab{start + Vec3(6, 0, 0)});
+    std::vector<double> forces;
+    FeltForce judged(1.0 / 60.0);
+    for (int i = 0; i < 5; ++i) {
+        session->step();
+        session->update_frame();
+        forces.push_back(session->frame().grab->force_un);
+        judged.see(session->frame());
+    }
+    ASSERT_NE(forces[4], forces[2]);
+    const double felt_un = session->frame().grab->felt_un.value();
+    EXPECT_NEAR(felt_un, (forces[2] + forces[3] + forces[4]) / 3.0, 1e-9 * felt_un);
+    EXPECT_DOUBLE_EQ(1e-3 * felt_un, judged.sum_mn());
+    session->post(SetPaused{true});
+    session->step();
+    session->update_frame();
+    EXPECT_EQ(session->frame().grab->felt_un, felt_un) << "no time has passed";
+}
+
 TEST(Session, FramesCarryTheExpectedErrorOfTheDial) {
     const auto session = new_session();
     ASSERT_TRUE(session->update_frame());

@@ -39,6 +39,32 @@ TEST_F(ReviewWindowTest, of_another_patient_is_refused_with_the_remedy) {
     EXPECT_EQ(opened_, 1);
 }
 
+// After a crash the vessels that were played on may be those of the unsaved corrections.
+TEST_F(ReviewWindowTest, of_another_patient_names_the_unsaved_work_where_there_is_some) {
+    Recording other = played().recording;
+    other.patient_hash ^= 1;
+    write_recording(file_, other);
+    for (const bool unsaved : {false, true}) {
+        std::string remedy;
+        ReviewDock::Ways ways;
+        ways.patient = [] { return test::small_patient(); };
+        ways.beside = [](const auto&...) {};
+        ways.lesson_runs = [] { return false; };
+        ways.failed = [](const Failure& failure) { ADD_FAILURE() << failure.problem; };
+        ways.say = [](const QString&) {};
+        ways.work_is_unsaved = [unsaved] { return unsaved; };
+        ways.choose_case = [&remedy](const Failure& failure, const auto&) {
+            remedy = failure.remedy;
+        };
+        ReviewDock review(std::move(ways), nullptr);
+        review.open(file_);
+        ASSERT_TRUE(wait_for([&] { return !remedy.empty(); }));
+        EXPECT_EQ(remedy.find("Open the unsaved work first (File > Open unsaved work)") == 0,
+                  unsaved)
+            << remedy;
+    }
+}
+
 // A free play on a case that lies elsewhere now.
 TEST_F(ReviewWindowTest, names_the_case_that_it_was_played_on_and_lets_one_choose_it) {
     opens_other_ = true;

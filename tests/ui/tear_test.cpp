@@ -92,6 +92,24 @@ TEST_F(TearTest, escape_puts_the_blade_away) {
     EXPECT_EQ(window_.view().mouse().mode(), MouseMode::pull);
 }
 
+TEST_F(TearTest, escape_first_lets_go_of_the_vessel_and_of_the_line) {
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_trunk());
+    ASSERT_EQ(commands_of_type<GrabPoint>().size(), 1u);
+    QTest::keyClick(&window_, Qt::Key_Escape);
+    EXPECT_EQ(commands_of_type<ReleaseGrab>().size(), 1u);
+    EXPECT_FALSE(window_.view().mouse().pulling());
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, on_trunk());
+    EXPECT_EQ(commands_of_type<ReleaseGrab>().size(), 1u);
+    QTest::keyClick(&window_, Qt::Key_8);
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_trunk() - QPoint(60, 5));
+    ASSERT_TRUE(window_.view().mouse().holds());
+    QTest::keyClick(&window_, Qt::Key_Escape);
+    EXPECT_FALSE(window_.view().mouse().holds());
+    EXPECT_EQ(window_.view().mouse().mode(), MouseMode::cut) << "once more puts it away";
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, on_trunk() + QPoint(60, 5));
+    EXPECT_EQ(commands_of_type<Blade>().size(), 0u);
+}
+
 TEST_F(TearTest, the_panel_switches_tearing_with_its_factor) {
     auto* factor = window_.findChild<QDoubleSpinBox*>("tearFactor");
     factor->setValue(0.1);

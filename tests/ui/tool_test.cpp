@@ -217,7 +217,7 @@ TEST_F(ToolInHand, the_panel_says_what_it_feels) {
     point_at(on_trunk() + QPoint(40, 0));
     paint();
     wait_for_figures();
-    const double felt_un = window_.frame().tool->force_un.norm();
+    const double felt_un = window_.frame().tool->shown_un();
     EXPECT_EQ(force->text(), QString("Force %1 mN").arg(1e-3 * felt_un, 0, 'f', 1));
 }
 
@@ -230,8 +230,16 @@ TEST(ToolPanel, says_how_hard_the_hand_pulls_and_when_it_pulls_no_harder) {
     hand.at_limit = true;
     panel.show_force(std::nullopt, hand);
     EXPECT_EQ(force->text(), "Pull 12 mN, the most it has");
+    hand.felt_un = 5.2e3;  // it is what a lesson judges
+    panel.show_force(std::nullopt, hand);
+    EXPECT_EQ(force->text(), "Pull 5.2 mN, the most it has");
     panel.show_force(ToolView{}, hand);
     EXPECT_EQ(force->text(), "touches nothing");
+    ToolView tool;
+    tool.force_un = Vec3(0, 1571e3, 0);
+    tool.felt_un = 590e3;
+    panel.show_force(tool, std::nullopt);
+    EXPECT_EQ(force->text(), "Force 590 mN");
     panel.show_force(std::nullopt, std::nullopt);
     EXPECT_EQ(force->text(), "no tool");
 }

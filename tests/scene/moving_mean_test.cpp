@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lesson/moving_mean.h"
+#include "core/scene/moving_mean.h"
 
 #include <gtest/gtest.h>
 
