@@ -82,7 +82,7 @@ struct EnhancedCt {
     static int intercept_of(int frame) { return -1024 - frame; }
 
     std::vector<std::int16_t> stored(int frame) const {
-        const std::size_t pixels = volume.grid.offset(0, 0, 1);
+        const std::size_t count = volume.grid.offset(0, 0, 1);
         std::vector<std::int16_t> values(pixels);
         const auto from =
             volume.voxels.begin() + static_cast<std::ptrdiff_t>(pixels) * slice_of(frame);
