@@ -137,5 +137,43 @@ TEST_P(SelfFrictionTest, IsNotThereOutsideOfAStep) {
 
 INSTANTIATE_TEST_SUITE_P(StickingAndSlipping, SelfFrictionTest, testing::Values(0.3, 0.8, 30.0));
 
+// Contacts that slip far beyond the creep.
+class SlippingSelfFriction : public SelfFrictionTest {
+  protected:
+    // K u at node i, where u moves that node alone, once friction was told these forces.
+    Vec3 stiffness_at(std::size_t i, const std::vector<Vec3>& told) {
+        list_.foresee(x_, told);
+        std::vector<Vec3> u(x_.size(), Vec3::Zero()), product = u;
+        u[i] = Vec3(0.8, -0.6, 0.1);
+        friction().add_coupling(x_, 1.0, u, product);
+        BlockMatrix matrix;
+        Assembly(body_).gather_stiffness(0.0, matrix);
+        friction().add_product(x_, 1.0, u, matrix, product);
+        return product[i];
+    }
+};
+
+// A force that holds one corner of a contact holds all contacts of that corner, as if all were
+// held.
+TEST_P(SlippingSelfFriction, EveryCornerOfAContactIsToldWhetherItWillHold) {
+    const std::vector<Vec3> none(x_.size(), Vec3::Zero()), rubbed = forces(x_);
+    std::vector<Vec3> all = none;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        all[i] = (upper(i) ? -1e6 : 1e6) * Vec3(0.8, -0.6, 0.1);
+    int corners = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (rubbed[i].norm() < 1e-9) continue;
+        ++corners;
+        std::vector<Vec3> one = none;
+        one[i] = all[i];
+        const Vec3 held = stiffness_at(i, all);
+        EXPECT_GT((held - stiffness_at(i, none)).norm(), 0.5 * held.norm()) << i;
+        EXPECT_LT((held - stiffness_at(i, one)).norm(), 1e-9 * held.norm()) << i;
+    }
+    EXPECT_GT(corners, 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Far, SlippingSelfFriction, testing::Values(30.0));
+
 }  // namespace
 }  // namespace hepatica
