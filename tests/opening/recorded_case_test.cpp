@@ -7,6 +7,7 @@
 
 #include <fstream>
 
+#include "core/base/error.h"
 #include "core/base/temporary_folder.h"
 #include "core/patient/patient_case.h"
 #include "tests/patient/parted_patient.h"
