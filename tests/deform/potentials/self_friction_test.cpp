@@ -159,7 +159,7 @@ TEST_P(SlippingSelfFriction, EveryCornerOfAContactIsToldWhetherItWillHold) {
     const std::vector<Vec3> none(x_.size(), Vec3::Zero()), rubbed = forces(x_);
     std::vector<Vec3> all = none;
     for (std::size_t i = 0; i < all.size(); ++i)
-        all[i] = (upper(i) ? -1e6 : 1e6) * Vec3(0.8, -0.6, 0.1);
+        all[i] = (upper(i) ? -1e12 : 1e12) * Vec3(0.8, -0.6, 0.1);
     int corners = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (rubbed[i].norm() < 1e-9) continue;
@@ -168,7 +168,7 @@ TEST_P(SlippingSelfFriction, EveryCornerOfAContactIsToldWhetherItWillHold) {
         one[i] = all[i];
         const Vec3 held = stiffness_at(i, all);
         EXPECT_GT((held - stiffness_at(i, none)).norm(), 0.5 * held.norm()) << i;
-        EXPECT_LT((held - stiffness_at(i, one)).norm(), 1e-9 * held.norm()) << i;
+        EXPECT_LT((held - stiffness_at(i, one)).norm(), 1e-6 * held.norm()) << i;
     }
     EXPECT_GT(corners, 8);
 }
