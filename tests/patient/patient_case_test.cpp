@@ -206,6 +206,12 @@ TEST_F(PatientCaseTest, LeavesNothingWhereItCannotWrite) {
 // The dial and the measurements may be missing; they are not taken for missing where they cannot be
 // read.
 TEST_F(PatientCaseTest, SaysWhichFileBesideItCannotBeRead) {
+    write_case(case_, some_patient());
+    fs::remove(case_ / case_file::header);
+    EXPECT_NE(refusal(case_).find("holds no case.json"), std::string::npos);
+    fs::create_directories(case_ / case_file::header);
+    EXPECT_NE(refusal(case_).find("is a folder"), std::string::npos) << refusal(case_);
+    fs::remove_all(case_);
     for (const char* name : {case_file::dial, case_file::measurements}) {
         write_case(case_, some_patient());
         fs::remove_all(case_ / name);
@@ -215,6 +221,16 @@ TEST_F(PatientCaseTest, SaysWhichFileBesideItCannotBeRead) {
         EXPECT_NE(refusal(case_).find((case_ / name).string()), std::string::npos) << name;
         fs::remove_all(case_);
     }
+}
+
+// Reading a process's memory from address 0 on fails.
+TEST_F(PatientCaseTest, WhoseHeaderFailsToBeReadIsRefusedByName) {
+    if (!fs::exists("/proc/self/mem")) GTEST_SKIP() << "no file whose reading fails";
+    write_case(case_, some_patient());
+    fs::remove(case_ / case_file::header);
+    fs::create_symlink("/proc/self/mem", case_ / case_file::header);
+    EXPECT_NE(refusal(case_).find("cannot be read"), std::string::npos) << refusal(case_);
+    EXPECT_NE(refusal(case_).find((case_ / case_file::header).string()), std::string::npos);
 }
 
 }  // namespace
