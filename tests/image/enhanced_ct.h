@@ -82,12 +82,12 @@ struct EnhancedCt {
     static int intercept_of(int frame) { return -1024 - frame; }
 
     std::vector<std::int16_t> stored(int frame) const {
-        const std::size_t pixels = volume.grid.offset(0, 0, 1);
-        std::vector<std::int16_t> values(pixels);
+        const std::size_t count = volume.grid.offset(0, 0, 1);
+        std::vector<std::int16_t> values(count);
         const auto from =
-            volume.voxels.begin() + static_cast<std::ptrdiff_t>(pixels) * slice_of(frame);
+            volume.voxels.begin() + static_cast<std::ptrdiff_t>(count) * slice_of(frame);
         std::transform(
-            from, from + static_cast<std::ptrdiff_t>(pixels), values.begin(),
+            from, from + static_cast<std::ptrdiff_t>(count), values.begin(),
             [&](std::int16_t hu) { return static_cast<std::int16_t>(hu - intercept_of(frame)); });
         return values;
     }
