@@ -223,6 +223,24 @@ TEST_F(PatientCaseTest, SaysWhichFileBesideItCannotBeRead) {
     }
 }
 
+TEST_F(PatientCaseTest, WhoseRebuildingsHaveNoNumbersIsRefused) {
+    PatientCase patient = some_patient();
+    patient.corrections.rebuilt = {{0, 2}};
+    for (const char* key : {"after_edits", "strokes"})
+        for (const nlohmann::json& wrong : {nlohmann::json(-1), nlohmann::json(1.5)}) {
+            write_case(case_, patient);
+            const fs::path file = case_ / case_file::corrections;
+            auto corrections = nlohmann::json::parse(text_of(file));
+            corrections.at("rebuilt").at(0).at(key) = wrong;
+            std::ofstream(file) << corrections.dump();
+            auto header = nlohmann::json::parse(text_of(case_ / case_file::header));
+            header.at("sha256").at(case_file::corrections) = sha256_of_file(file);
+            std::ofstream(case_ / case_file::header) << header.dump();
+            EXPECT_NE(refusal(case_).find("must be a whole number"), std::string::npos)
+                << key << refusal(case_);
+        }
+}
+
 // Reading a process's memory from address 0 on fails.
 TEST_F(PatientCaseTest, WhoseHeaderFailsToBeReadIsRefusedByName) {
     if (!fs::exists("/proc/self/mem")) GTEST_SKIP() << "no file whose reading fails";
