@@ -8863,5 +8863,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Open the unsaved work first (File &gt; Open unsaved work)</source>
         <translation>Zuerst die ungespeicherte Arbeit öffnen (Datei &gt; Ungespeicherte Arbeit öffnen)</translation>
     </message>
+    <message>
+        <source>is cut within its NIfTI-2 header</source>
+        <translation>ist innerhalb seines NIfTI-2-Kopfes abgeschnitten</translation>
+    </message>
 </context>
 </TS>

@@ -51,7 +51,8 @@ struct Journalled {
     bool operator==(const Journalled&) const = default;
 };
 
-// Reads a journal without the lines from a damaged one to the next base line. nullopt if there is
+// Reads a journal without the lines from a damaged one to the next base line, and without those
+// from where a read fails: corrections before it are worth more than a refusal. nullopt if there is
 // no change with a base. Never throws because of the file's content.
 std::optional<Journalled> read_edit_journal(const std::filesystem::path& file);
 

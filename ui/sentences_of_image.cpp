@@ -127,6 +127,7 @@ constexpr std::array sentences_image{
     Words::id("is an Analyze image, which does not say left from right"),
     Words::id("is not a NIfTI image"),
     Words::id("is the header of a two-file NIfTI image (.hdr and .img)"),
+    Words::id("is cut within its NIfTI-2 header"),
     Words::id("is too short to be a NIfTI image"),
     Words::id("does not have three space directions"),
     Words::id("does not say which way its axes run in the patient (no \"space\" field)"),

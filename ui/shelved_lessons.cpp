@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/text_file.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_ties.h"
 #include "ui/core_words.h"
@@ -25,14 +26,18 @@ using Patient = ShelvedLesson::Patient;
 // Bytes; larger JSON files, such as meshes, are no lessons.
 constexpr std::uintmax_t longest_lesson = 1 << 20;
 
-// Whether the file declares itself a lesson, readable or not.
+// Whether the file declares itself a lesson, readable or not, or fails to be read.
 bool claims_to_be_lesson(const fs::path& file) {
     std::error_code failed;
     if (!fs::is_regular_file(file, failed) || fs::file_size(file, failed) > longest_lesson)
         return false;
-    std::ifstream in(file);
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    return text.find("\"hepatica-lesson\"") != std::string::npos;
+    std::ifstream in(file, std::ios::binary);
+    if (!in) return false;
+    try {
+        return read_text_stream(in, 0, file).find("\"hepatica-lesson\"") != std::string::npos;
+    } catch (const InputError&) {
+        return true;  // shelved() says why
+    }
 }
 
 // nullopt for a lesson on the built-in patient, who is no case of a library.

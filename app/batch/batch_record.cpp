@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/batch_record.h"
 
-#include <fstream>
+#include <system_error>
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "core/base/quoted_name.h"
+#include "core/base/text_file.h"
 #include "core/tree/territories/couinaud_segments.h"
 
 namespace hepatica {
@@ -19,9 +20,11 @@ fs::path file_of(const fs::path& out, const std::string& patient) {
     return out / "records" / (patient + ".json");
 }
 
+// Null where there is none. Throws InputError where it cannot be read.
 Json read_json(const fs::path& file) {
-    std::ifstream in(file);
-    return in ? Json::parse(in, nullptr, false) : Json();
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) return {};
+    return Json::parse(read_text_file(file, "Move it away, or give another --out"), nullptr, false);
 }
 
 }  // namespace

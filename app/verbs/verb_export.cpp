@@ -28,6 +28,11 @@ bool is_for_slicer(const ExportChoices& options) {
     if (!for_slicer && name.ends_with(".nrrd"))
         throw UsageError("does not end in .seg.nrrd, by which 3D Slicer knows a segmentation",
                          options.out.string(), "Choose such a name, or one that ends in .dcm");
+    // DICOM files are often without an ending.
+    const std::string ending = lower_case(options.out.extension().string());
+    if (!for_slicer && !ending.empty() && ending != ".dcm" && ending != ".dicom")
+        throw UsageError("a segmentation is not written as a \"" + ending + "\" file",
+                         options.out.string(), "Choose a name that ends in .dcm or .seg.nrrd");
     if (for_slicer && !options.ct.empty())
         throw UsageError("is not used for a .seg.nrrd", "--ct", "Leave it out");
     if (!for_slicer && options.ct.empty())

@@ -32,6 +32,7 @@ Fields read_fields(std::ifstream& in, const fs::path& file) {
         fields[name] = trimmed(line.substr(equals + 1));
         if (name == "elementdatafile") return fields;
     }
+    if (in.bad()) throw InputError("cannot be read to its end", file.string(), "Check the disk");
     reject(file, "is not a MetaImage (it names no ElementDataFile)");
 }
 

@@ -190,6 +190,7 @@ VoxelFile read_nifti_header(const fs::path& path) {
     const bool swap = !is_size(native.get<std::int32_t>(0));
     const HeaderBytes& h = swap ? swapped : native;
     const bool version_2 = h.get<std::int32_t>(0) == 540;
+    if (version_2 && got < 540) reject_nifti(path, "is cut within its NIfTI-2 header");
     const char* magic = reinterpret_cast<const char*>(bytes.data()) + (version_2 ? 4 : 344);
     if (std::strncmp(magic, "ni", 2) == 0)
         reject_nifti(path, "is the header of a two-file NIfTI image (.hdr and .img)");

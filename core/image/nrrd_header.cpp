@@ -38,6 +38,7 @@ Fields read_fields(std::ifstream& in, const fs::path& file) {
         fields[lower_case(line.substr(0, colon))] = trimmed(line.substr(colon + 1));
         if (in.tellg() > (1 << 24)) reject_nrrd(file, "has a header without an end");
     }
+    if (in.bad()) throw InputError("cannot be read to its end", file.string(), "Check the disk");
     return fields;
 }
 

@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <exception>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 #include <vector>
 
 #include "core/base/atomic_write.h"
+#include "core/base/error.h"
 #include "core/base/sha256.h"
+#include "core/base/text_file.h"
 #include "core/patient/case_header.h"
 #include "core/reconstruction/built_in_patient.h"
 
@@ -48,11 +48,19 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
+// The content of the label; empty where it is missing or cannot be read.
+std::string label_of(const BuiltInCache& cache) {
+    try {
+        return read_text_file(entry_of(cache) / label_name, "");
+    } catch (const InputError&) {
+        return {};
+    }
+}
+
 // The digest of case.json. None where the label is missing, damaged or written for another program.
 std::optional<std::string> kept_case_digest(const BuiltInCache& cache) {
     if (cache.folder.empty()) return std::nullopt;
-    std::ifstream file(entry_of(cache) / label_name, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = label_of(cache);
     const std::size_t first_line = text.find('\n');
     if (first_line == std::string::npos) return std::nullopt;
     const std::string below = text.substr(first_line + 1);

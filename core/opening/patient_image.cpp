@@ -33,6 +33,17 @@ bool is_image_of(const PatientCase& patient, const Volume& ct, Job& job) {
     return wanted.empty() || digest_of(ct, job) == wanted;
 }
 
+// None where the series is not the patient's, or cannot be read, as one that lacks slices.
+std::optional<Volume> image_in_series(const PatientCase& patient, const fs::path& place, int series,
+                                      Job& job) {
+    try {
+        Volume ct = read_volume(place, job, nullptr, series);
+        if (is_image_of(patient, ct, job)) return ct;
+    } catch (const InputError&) {
+    }
+    return std::nullopt;
+}
+
 // None where the patient is not the built-in one.
 std::optional<Volume> built_in_image(const PatientCase& patient, Job& job) {
     const PhantomOptions made;
@@ -67,16 +78,21 @@ FoundImage found_image_of(const PatientCase& patient, const fs::path& place, Job
                          "choose its folder or file");
     }
     require_ct_there(place);
-    Volume first = read_volume(place, job);
-    if (is_image_of(patient, first, job)) return {std::move(first), 0};
-    first = {};
+    std::optional<InputError> unread;  // what is wrong with the first series
+    try {
+        Volume first = read_volume(place, job);
+        if (is_image_of(patient, first, job)) return {std::move(first), 0};
+    } catch (const InputError& error) {
+        unread = error;
+    }
     std::error_code ignored;
     const std::size_t series =
         fs::is_directory(place, ignored) ? list_series(place, job).size() : 0;
     for (std::size_t i = 2; i <= series; ++i) {
-        Volume next = read_volume(place, job, nullptr, static_cast<int>(i));
-        if (is_image_of(patient, next, job)) return {std::move(next), static_cast<int>(i)};
+        std::optional<Volume> next = image_in_series(patient, place, static_cast<int>(i), job);
+        if (next) return {*std::move(next), static_cast<int>(i)};
     }
+    if (unread) throw *unread;
     throw InputError("this is not the CT that the patient was reconstructed from", place.string(),
                      "choose the one that was opened when the case was made; its files may have "
                      "other names, but the voxels must be the same");

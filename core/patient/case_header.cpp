@@ -3,7 +3,6 @@
 #include "core/patient/case_header.h"
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_write.h"
@@ -13,6 +12,7 @@
 #include "core/base/json_problem.h"
 #include "core/base/quoted_name.h"
 #include "core/base/sha256.h"
+#include "core/base/text_file.h"
 #include "core/patient/doubts_json.h"
 #include "core/patient/format_1.h"
 #include "core/patient/liver_segments.h"
@@ -26,6 +26,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+constexpr const char* how_to_make_case =
+    "Reconstruct the patient again: hepatica-cli reconstruct CT --out CASE.hep";
 constexpr int oldest_version = 1;
 constexpr int usual_version = 2;
 constexpr int painted_version = 3;  // holds tumour strokes, which older programs do not know
@@ -97,8 +99,7 @@ CaseHeader header_from(const Json& json, int version) {
 }  // namespace
 
 void refuse_case(const fs::path& place, const std::string& problem) {
-    throw InputError(problem, place.string(),
-                     "Reconstruct the patient again: hepatica-cli reconstruct CT --out CASE.hep");
+    throw InputError(problem, place.string(), how_to_make_case);
 }
 
 CaseHeader read_case_header(const fs::path& folder) {
@@ -107,9 +108,9 @@ CaseHeader read_case_header(const fs::path& folder) {
     if (!fs::exists(folder, ignored))
         throw InputError("does not exist", folder.string(),
                          "Check the path: a case is a folder NAME.hep or one file NAME.hepz");
-    std::ifstream in(file);
-    if (!in) refuse_case(folder, "is not a patient's case: it holds no case.json");
-    const Json json = Json::parse(in, nullptr, false);
+    if (!fs::exists(file, ignored))
+        refuse_case(folder, "is not a patient's case: it holds no case.json");
+    const Json json = Json::parse(read_text_file(file, how_to_make_case), nullptr, false);
     if (json.is_discarded() || !json.is_object()) refuse_case(file, "is damaged");
     try {
         if (json.value("format", "") != "hepatica-case")

@@ -9,6 +9,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/base/json_number.h"
 #include "core/base/json_problem.h"
 #include "core/base/temporary_folder.h"
 #include "core/base/text_file.h"
@@ -59,8 +60,8 @@ std::vector<Rebuilding> rebuilt_from(const Json& corrections) {
     std::vector<Rebuilding> rebuilt;
     if (const auto list = corrections.find("rebuilt"); list != corrections.end())
         for (const Json& one : *list)
-            rebuilt.push_back(
-                {one.at("after_edits").get<std::size_t>(), one.at("strokes").get<std::size_t>()});
+            rebuilt.push_back({whole_number<std::size_t>(one.at("after_edits")),
+                               whole_number<std::size_t>(one.at("strokes"))});
     return rebuilt;
 }
 

@@ -101,10 +101,11 @@ struct FrameStatistics {
     int linear_iterations = 0;
     double expected_error = 0.0;  // relative, of the present setting of the dial; 0: unknown
     std::string error_reference;  // the reference of that error
-    double quality = 0.0;         // of the present setting: 0 fastest, 1 most accurate
-    bool automatic = false;       // the session picks the setting
-    std::string setting;          // in words
-    std::string device;           // makes the steps; empty: the processor
+    // Of the present setting: 0 fastest, 1 most accurate; 0 where it is not on the dial.
+    double quality = 0.0;
+    bool automatic = false;  // the session picks the setting
+    std::string setting;     // in words
+    std::string device;      // makes the steps; empty: the processor
     bool degraded = false;
     bool paused = false;    // the world stands still, and the drug's clock too
     bool resting = false;   // nothing changes and no frame follows until the next command

@@ -158,8 +158,11 @@ void Session::Apply::operator()(const UseTear& c) const {
     if (!c.on) return part.set_tear(std::nullopt);
     const QualityDial able = dial_that_tears(session.dial_.dial());
     if (part.setting().order != ElementOrder::linear ||
-        part.setting().solver == LinearSolverKind::skeleton)
+        part.setting().solver == LinearSolverKind::skeleton) {
         part.use(able.at(session.dial_.quality().value_or(0.5)).options);
+        // Recorded before this command: the dial where it is replayed may be another.
+        session.recorded_.commands.emplace_back(UseSetting{part.setting()});
+    }
     part.set_tear(TearSpec{.tear_factor = c.tear_factor});
     session.take_dial(able);
 }

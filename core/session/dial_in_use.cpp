@@ -75,7 +75,7 @@ void DialInUse::fill(FrameStatistics& statistics) const {
     statistics.automatic = automatic_;
     statistics.expected_error = point_ ? dial_.front()[*point_].error_relative : 0.0;
     statistics.error_reference = point_ ? dial_.front()[*point_].reference : "";
-    if (point_) statistics.quality = dial_.quality_of(*point_);
+    statistics.quality = quality().value_or(0.0);
 }
 
 }  // namespace hepatica

@@ -41,6 +41,15 @@ double number(const Json& json, const char* key, double otherwise) {
     return found->get<double>();
 }
 
+// A time of which the steps can be counted; 0 where it is left out.
+double seconds(const Json& json, const char* key) {
+    constexpr double most_s = 86400.0;
+    const double time_s = number(json, key, 0.0);
+    if (!(time_s >= 0.0 && time_s <= most_s))
+        refuse(std::string(key) + " must lie from 0 to 86400 s, which is a day");
+    return time_s;
+}
+
 Vec3 vector_of(const Json& json, const char* key) {
     const auto found = json.find(key);
     if (found == json.end() || !found->is_array() || found->size() != 3 ||
@@ -113,7 +122,7 @@ Keys read_action(const Json& json, ScriptAction& action) {
     }
     if (action.what == "move") {
         action.by_mm = vector_of(json, "by_mm");
-        action.over_s = number(json, "over_s", 0.0);
+        action.over_s = seconds(json, "over_s");
         return {"by_mm", "over_s"};
     }
     if (action.what == "inject") {
@@ -132,11 +141,11 @@ Keys read_action(const Json& json, ScriptAction& action) {
             action.to_mm = vector_of(json, "to_mm");
         else
             action.by_mm = vector_of(json, "by_mm");
-        action.over_s = number(json, "over_s", 0.0);
+        action.over_s = seconds(json, "over_s");
         return {"to_mm", "by_mm", "over_s"};
     }
     if (action.what == "close_forceps" || action.what == "open_forceps") {
-        action.over_s = number(json, "over_s", 0.0);
+        action.over_s = seconds(json, "over_s");
         return {"over_s"};
     }
     if (action.what == "cut_line") {
@@ -151,7 +160,7 @@ Keys read_action(const Json& json, ScriptAction& action) {
     }
     if (action.what == "blade") {
         action.command = Blade{vector_of(json, "from_mm"), vector_of(json, "to_mm")};
-        action.over_s = number(json, "over_s", 0.0);
+        action.over_s = seconds(json, "over_s");
         return {"from_mm", "to_mm", "over_s"};
     }
     if (action.what == "release") {
@@ -167,8 +176,7 @@ Keys read_action(const Json& json, ScriptAction& action) {
 ScriptAction action_from(const Json& json) {
     if (!json.is_object()) refuse("is not an object");
     ScriptAction action;
-    action.at_s = number(json, "at_s", 0.0);
-    if (!(action.at_s >= 0.0)) refuse("at_s must be 0 or more");
+    action.at_s = seconds(json, "at_s");
     const auto what = json.find("do");
     if (what == json.end() || !what->is_string()) refuse(R"(needs a "do")");
     action.what = what->get<std::string>();

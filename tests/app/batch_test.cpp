@@ -166,6 +166,18 @@ TEST_F(Batch, OfAVersionWithoutPseudonymsGoesOn) {
     EXPECT_EQ(answer(call({"--task", "2", "--of", "3"})).at("made_now"), 0);
 }
 
+TEST_F(Batch, SaysWhichOfItsOwnFilesCannotBeRead) {
+    EXPECT_EQ(answer(call({"--task", "1", "--of", "3"})).at("made_now"), 1);
+    for (const char* name : {"out/records/anton.json", "out/batch.json"}) {
+        ASSERT_TRUE(fs::remove(root() / name)) << name;
+        fs::create_directories(root() / name);
+        const Outcome outcome = run_cli(call({"--task", "1", "--of", "3"}));
+        EXPECT_EQ(outcome.exit_code, 1) << outcome.errors;
+        EXPECT_NE(outcome.errors.find(name), std::string::npos) << outcome.errors;
+        EXPECT_NE(outcome.errors.find("is a folder"), std::string::npos) << outcome.errors;
+    }
+}
+
 // One table must not mix what was begun otherwise.
 TEST_F(Batch, GoesOnOnlyAsItWasBegun) {
     EXPECT_EQ(answer(call({"--task", "2", "--of", "3"})).at("made_now"), 1);

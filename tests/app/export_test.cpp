@@ -111,6 +111,11 @@ TEST_F(Export, SaysWhichNameGoesWithWhat) {
     EXPECT_NE(refused({"--out", in_folder("v.nrrd"), "--ct", ct().string()})
                   .find("does not end in .seg.nrrd"),
               std::string::npos);
+    for (const char* name : {"v.png", "v.nii.gz", "v.seg"}) {
+        const std::string said = refused({"--out", in_folder(name), "--ct", ct().string()});
+        EXPECT_NE(said.find("ends in .dcm or .seg.nrrd"), std::string::npos) << said;
+        EXPECT_FALSE(fs::exists(in_folder(name))) << name;
+    }
     for (const char* name : {"v.dcm", "v.seg.nrrd", "v.nrrd"})
         EXPECT_FALSE(fs::exists(in_folder(name))) << name;
 }

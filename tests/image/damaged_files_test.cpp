@@ -10,6 +10,7 @@
 
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
+#include "core/image/voxel_file.h"
 #include "tests/image/image_fixtures.h"
 
 namespace hepatica {
@@ -93,6 +94,17 @@ TEST(DamagedFile, OfACompressedDicomSeriesIsReadOrRefused) {
         ASSERT_TRUE(writer.Write());
         EXPECT_GT(refusals(file, folder / "ct", 1200, 150), 10)
             << gdcm::TransferSyntax::GetTSString(syntax);
+    }
+}
+
+// Reading a process's memory from address 0 on fails: it is not taken for a header that ended.
+TEST(DamagedFile, WhoseReadingFailsIsNotTakenForAShorterOne) {
+    const fs::path file = "/proc/self/mem";
+    if (!fs::exists(file)) GTEST_SKIP() << "no " << file;
+    for (const std::string& said :
+         {refusal([&] { read_meta_header(file); }), refusal([&] { read_nrrd_header(file); })}) {
+        EXPECT_NE(said.find("cannot be read to its end"), std::string::npos) << said;
+        EXPECT_NE(said.find(file.string()), std::string::npos) << said;
     }
 }
 

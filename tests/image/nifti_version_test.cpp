@@ -115,5 +115,25 @@ TEST(NiftiVersions, SayTheSameOfOneImage) {
     }
 }
 
+// Its first 348 bytes are as many as the whole header of the first version has.
+TEST(NiftiVersions, SayThatTheHeaderOfTheSecondIsCut) {
+    const TemporaryFolder folder;
+    Job job;
+    write_nifti(folder / "first.nii", patterned_volume(turned_grid()));
+    const std::string first = bytes_of_file(folder / "first.nii");
+    const auto said_of_bytes = [&](bool swapped, std::size_t bytes) {
+        write_bytes(folder / "second.nii", SecondVersion(first, swapped).bytes().substr(0, bytes));
+        return refusal([&] { read_volume(folder / "second.nii", job); });
+    };
+    for (const bool swapped : {false, true}) {
+        for (const std::size_t bytes : {348u, 400u, 539u})
+            EXPECT_NE(said_of_bytes(swapped, bytes).find("is cut within its NIfTI-2 header"),
+                      std::string::npos)
+                << said_of_bytes(swapped, bytes);
+        EXPECT_NE(said_of_bytes(swapped, data_of_second).find("which a file of"), std::string::npos)
+            << "the header is whole";
+    }
+}
+
 }  // namespace
 }  // namespace hepatica

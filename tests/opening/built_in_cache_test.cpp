@@ -91,6 +91,16 @@ TEST_F(BuiltInCacheTest, whatever_is_damaged_counts_as_absent) {
     }
 }
 
+// Reading a process's memory from address 0 on fails.
+TEST_F(BuiltInCacheTest, what_fails_to_be_read_counts_as_absent) {
+    if (!fs::exists("/proc/self/mem")) GTEST_SKIP() << "no file whose reading fails";
+    const fs::path label = cache_.folder / "built_in_patient" / "label.txt";
+    ASSERT_TRUE(fs::remove(label));
+    fs::create_symlink("/proc/self/mem", label);
+    EXPECT_FALSE(holds_patient(cache_));
+    EXPECT_FALSE(patient_of(cache_).has_value());
+}
+
 TEST_F(BuiltInCacheTest, something_foreign_in_its_place_is_no_error) {
     fs::remove_all(cache_.folder / "built_in_patient");
     write(cache_.folder / "built_in_patient", "a file");

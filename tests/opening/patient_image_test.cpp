@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstdlib>
 
 #include "core/base/error.h"
@@ -40,6 +41,29 @@ TEST_F(PatientImage, IsFoundAmongTheSeriesOfAFolderByItsContent) {
     write_dicom_series(folder_ / "scan" / "thick", thick, {}, job_);
     EXPECT_EQ(image_of(made_from(thin), folder_ / "scan", job_).voxels, thin.voxels);
     EXPECT_EQ(image_of(made_from(thick), folder_ / "scan", job_).voxels, thick.voxels);
+}
+
+// The best of a folder's series and others may lack slices; the patient's is another.
+TEST_F(PatientImage, IsFoundBesideSeriesThatCannotBeRead) {
+    const Volume thin(Grid{{16, 16, 8}}, 40), thick(Grid{{16, 16, 4}}, 70);
+    const fs::path scan = folder_ / "broken scan";
+    write_dicom_series(scan / "thin", thin, {}, job_);
+    write_dicom_series(scan / "thick", thick, {}, job_);
+    for (const int slices : {12, 6}) {
+        const fs::path broken = scan / std::to_string(slices);
+        write_dicom_series(
+            broken, Volume(Grid{{16, 16, slices}}, static_cast<std::int16_t>(slices)), {}, job_);
+        ASSERT_TRUE(fs::remove(broken / "slice_0003.dcm"));
+    }
+    EXPECT_EQ(image_of(made_from(thin), scan, job_).voxels, thin.voxels);
+    EXPECT_EQ(image_of(made_from(thick), scan, job_).voxels, thick.voxels);
+    // Without it, what is wrong with the best is said.
+    try {
+        image_of(made_from(Volume(Grid{{16, 16, 8}}, 41)), scan, job_);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_NE(error.problem().find("1 slice is missing"), std::string::npos) << error.problem();
+    }
 }
 
 TEST_F(PatientImage, OfAnotherPatientIsRefused) {

@@ -206,6 +206,12 @@ TEST_F(PatientCaseTest, LeavesNothingWhereItCannotWrite) {
 // The dial and the measurements may be missing; they are not taken for missing where they cannot be
 // read.
 TEST_F(PatientCaseTest, SaysWhichFileBesideItCannotBeRead) {
+    write_case(case_, some_patient());
+    fs::remove(case_ / case_file::header);
+    EXPECT_NE(refusal(case_).find("holds no case.json"), std::string::npos);
+    fs::create_directories(case_ / case_file::header);
+    EXPECT_NE(refusal(case_).find("is a folder"), std::string::npos) << refusal(case_);
+    fs::remove_all(case_);
     for (const char* name : {case_file::dial, case_file::measurements}) {
         write_case(case_, some_patient());
         fs::remove_all(case_ / name);
@@ -215,6 +221,34 @@ TEST_F(PatientCaseTest, SaysWhichFileBesideItCannotBeRead) {
         EXPECT_NE(refusal(case_).find((case_ / name).string()), std::string::npos) << name;
         fs::remove_all(case_);
     }
+}
+
+TEST_F(PatientCaseTest, WhoseRebuildingsHaveNoNumbersIsRefused) {
+    PatientCase patient = some_patient();
+    patient.corrections.rebuilt = {{0, 2}};
+    for (const char* key : {"after_edits", "strokes"})
+        for (const nlohmann::json& wrong : {nlohmann::json(-1), nlohmann::json(1.5)}) {
+            write_case(case_, patient);
+            const fs::path file = case_ / case_file::corrections;
+            auto corrections = nlohmann::json::parse(text_of(file));
+            corrections.at("rebuilt").at(0).at(key) = wrong;
+            std::ofstream(file) << corrections.dump();
+            auto header = nlohmann::json::parse(text_of(case_ / case_file::header));
+            header.at("sha256").at(case_file::corrections) = sha256_of_file(file);
+            std::ofstream(case_ / case_file::header) << header.dump();
+            EXPECT_NE(refusal(case_).find("must be a whole number"), std::string::npos)
+                << key << refusal(case_);
+        }
+}
+
+// Reading a process's memory from address 0 on fails.
+TEST_F(PatientCaseTest, WhoseHeaderFailsToBeReadIsRefusedByName) {
+    if (!fs::exists("/proc/self/mem")) GTEST_SKIP() << "no file whose reading fails";
+    write_case(case_, some_patient());
+    fs::remove(case_ / case_file::header);
+    fs::create_symlink("/proc/self/mem", case_ / case_file::header);
+    EXPECT_NE(refusal(case_).find("cannot be read"), std::string::npos) << refusal(case_);
+    EXPECT_NE(refusal(case_).find((case_ / case_file::header).string()), std::string::npos);
 }
 
 }  // namespace

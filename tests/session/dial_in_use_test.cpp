@@ -48,9 +48,11 @@ TEST(DialInUse, KnowsNoQualityBeforeItHasSeenTheBody) {
     FrameStatistics said;
     said.expected_error = 7.0;
     said.error_reference = "another";
+    said.quality = 0.7;
     said.automatic = true;
     dial.fill(said);
     EXPECT_EQ(said.expected_error, 0.0);
+    EXPECT_EQ(said.quality, 0.0);
     EXPECT_EQ(said.error_reference, "");
     EXPECT_FALSE(said.automatic);
 }
@@ -76,6 +78,7 @@ TEST(DialInUse, FindsTheBodysSettingWhereTheDialHasIt) {
     EXPECT_EQ(part.setting().substeps, 3) << "it looks only";
     dial.fill(said);
     EXPECT_EQ(said.expected_error, 0.0);
+    EXPECT_EQ(said.quality, 0.0) << "a frame's statistics are filled again and again";
     EXPECT_EQ(said.error_reference, "");
 }
 

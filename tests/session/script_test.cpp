@@ -150,6 +150,23 @@ TEST_F(ScriptFile, NamesTheActionThatIsWrong) {
     EXPECT_THROW(read("{"), InputError);
 }
 
+// The steps up to such a time cannot be counted.
+TEST_F(ScriptFile, RefusesATimeThatIsNoneOfAPlay) {
+    for (const char* time : {"-1", "86401", "1e300"})
+        for (const std::string& action :
+             {std::string(R"({"do": "release", "at_s": )"),
+              std::string(R"({"do": "move", "by_mm": [1, 2, 3], "over_s": )"),
+              std::string(R"({"do": "move_tool", "by_mm": [1, 2, 3], "over_s": )"),
+              std::string(R"({"do": "close_forceps", "over_s": )"),
+              std::string(
+                  R"({"do": "blade", "from_mm": [1, 2, 3], "to_mm": [1, 2, 4], "over_s": )")}) {
+            const std::string said = refusal(action + time + "}");
+            EXPECT_NE(said.find("_s must lie from 0 to 86400"), std::string::npos)
+                << action << time << said;
+            EXPECT_EQ(refusal(action + "86400}"), "") << action;
+        }
+}
+
 // {"over": 2} in the place of "over_s" once made a move of a single step, without a word.
 TEST_F(ScriptFile, RefusesAMisspeltKeyAndNamesTheNearest) {
     const std::string where = R"("where": {"share_of_longest_path": 0.5})";

@@ -188,5 +188,25 @@ TEST(Session, TakesAnotherDialInMidPlayAndRecordsWhatItUsesFromThere) {
     EXPECT_EQ(same.state_hash, last.state_hash);
 }
 
+// What can tear is taken from this dial; the replay has the built-in one.
+TEST(Session, RecordsTheSettingThatTearingTakesFromItsDial) {
+    const auto session = new_session();
+    const auto kept = keep_recording(*session);
+    session->use_dial(dial_with(5, 6));
+    session->post(UseSetting{{.order = ElementOrder::quadratic}});
+    session->post(GrabPoint{middle_of(small_patient()->tree, 1)});
+    session->post(MoveGrab{middle_of(small_patient()->tree, 1) + Vec3(4, 0, 0)});
+    session->step();
+    session->post(UseTear{true, 1.0});
+    session->step();
+    ASSERT_EQ(session->world().deform()->setting().order, ElementOrder::linear);
+    ASSERT_EQ(session->world().deform()->setting().substeps, 5);
+    const SessionStep last = play(*session, 3);
+    Job job;
+    const ReplayResult same = replay(*kept, small_patient(), job);
+    EXPECT_FALSE(same.diverged_at.has_value()) << *same.diverged_at;
+    EXPECT_EQ(same.state_hash, last.state_hash);
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -21,7 +21,9 @@ inline void hide_from_compiler(void* bytes) {
 
 // A number below a million that differs where the bytes of `T{}` do. Objects are made in storage of
 // two fillings, which shows what they leave unwritten; bytes of 0 count as unwritten, because
-// compilers are free to clear padding. Addresses, which differ from run to run, are left out.
+// compilers are free to clear padding. Addresses, which differ from run to run, are left out. The
+// place of a value counts: a member put before others changes the figure, and that of each struct
+// that holds this one before others.
 template <class T>
 double initial_figure() {
     static_assert(!std::is_polymorphic_v<T>, "its table of functions has an address");

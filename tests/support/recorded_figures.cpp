@@ -11,6 +11,7 @@
 #include <fstream>
 #include <map>
 #include <random>
+#include <system_error>
 
 namespace hepatica::test {
 
@@ -47,6 +48,15 @@ void write(const std::string& room, const std::map<std::string, double>& recorde
 
 bool is_of(const std::string& name, const std::string& result) {
     return name.starts_with(result + ".");
+}
+
+// The command that records the figures of the running test.
+std::string how_to_record_figures() {
+    std::error_code ignored;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+    return "HEPATICA_UPDATE_BASELINES=1 " + program.string() +
+           " --gtest_filter=" + test->test_suite_name() + "." + test->name();
 }
 
 }  // namespace
@@ -89,7 +99,7 @@ void expect_recorded(const std::string& room, const std::string& result, const F
         const auto found = recorded.find(result + "." + figure.name);
         if (found == recorded.end()) {
             ADD_FAILURE() << file_of(room) << " does not hold " << result << "." << figure.name
-                          << "; record it with HEPATICA_UPDATE_BASELINES=1";
+                          << "; record it by " << how_to_record_figures();
             continue;
         }
         const double tolerance =
@@ -97,9 +107,12 @@ void expect_recorded(const std::string& room, const std::string& result, const F
         // Written so that what is no number fails, too.
         const bool same =
             std::abs(figure.value - found->second) <= tolerance || figure.value == found->second;
-        EXPECT_TRUE(same)
-            << found->first << " was " << found->second << " and is " << figure.value
-            << ". If that is meant, record it with HEPATICA_UPDATE_BASELINES=1 and say why";
+        EXPECT_TRUE(same) << found->first << " was " << found->second << " and is " << figure.value
+                          << (result == "initial"
+                                  ? ". Its defaults or the places of its members changed"
+                                  : "")
+                          << ". If that is meant, say why and record it by "
+                          << how_to_record_figures();
         recorded.erase(found);
     }
     for (const auto& [name, value] : recorded)

@@ -143,6 +143,20 @@ TEST(CaseShelf, TellsWhichLessonsGoWithEachCase) {
     EXPECT_EQ(cases[0].lessons[1].about, "Take <it>.");
 }
 
+// Reading a process's memory from address 0 on fails. What cannot be read may be a lesson.
+TEST(CaseShelf, TellsOfALessonThatFailsToBeRead) {
+    if (!fs::exists("/proc/self/mem")) GTEST_SKIP() << "no file whose reading fails";
+    const TemporaryFolder folder;
+    write_lesson_for(folder.path() / "a.json", "Of anybody", "any");
+    fs::create_symlink("/proc/self/mem", folder.path() / "b.json");
+    Job job;
+    const std::vector<ShelvedLesson> lessons = lessons_in(folder.path(), job);
+    ASSERT_GE(lessons.size(), 2u);
+    EXPECT_EQ(lessons[0].name, "Of anybody");
+    EXPECT_EQ(names_of(lessons, ShelvedLesson::Patient::unreadable), QStringList{"b.json"});
+    EXPECT_TRUE(lessons[1].about.contains("cannot be read")) << lessons[1].about.toStdString();
+}
+
 // Whoever chooses a case sees which of its lessons a correction has made unfit.
 TEST(CaseShelf, TellsWhichLessonsFitTheirCaseNoMore) {
     const TemporaryFolder folder, recordings;
