@@ -8443,10 +8443,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Es wurde keine Leber gefunden: Das größte weiche Organ hat keinen Rand, an dem es zu erkennen ist</translation>
     </message>
     <message>
-        <source>The play stands as it was judged: the first thing you do lets it go on.</source>
-        <translation>Die Übung steht, wie sie beurteilt wurde: Sobald Sie etwas tun, geht sie weiter.</translation>
-    </message>
-    <message>
         <source>Back to the lesson editor</source>
         <translation>Zurück zum Lektionseditor</translation>
     </message>
@@ -8862,6 +8858,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Open the unsaved work first (File &gt; Open unsaved work)</source>
         <translation>Zuerst die ungespeicherte Arbeit öffnen (Datei &gt; Ungespeicherte Arbeit öffnen)</translation>
+    </message>
+    <message>
+        <source>The play stands as it was judged, and the hand is empty, so that the wheel zooms: the first thing you do lets the play go on.</source>
+        <translation>Die Übung steht, wie sie beurteilt wurde, und die Hand ist leer, sodass das Rad zoomt: Sobald Sie etwas tun, geht die Übung weiter.</translation>
+    </message>
+    <message>
+        <source>The lesson is judged: the tool is put away, and the wheel zooms</source>
+        <translation>Die Lektion ist beurteilt: Das Instrument ist weggelegt, und das Rad zoomt</translation>
     </message>
 </context>
 </TS>
