@@ -2868,10 +2868,6 @@
         <translation>heil</translation>
     </message>
     <message>
-        <source>nothing torn</source>
-        <translation>nichts gerissen</translation>
-    </message>
-    <message>
         <source>; stopped by the %1 budget</source>
         <translation>; angehalten vom Budget für %1</translation>
     </message>
@@ -4223,14 +4219,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>joints broken</source>
         <translation>gerissene Verbindungen</translation>
-    </message>
-    <message>
-        <source>pieces torn off</source>
-        <translation>abgerissene Stücke</translation>
-    </message>
-    <message>
-        <source>torn area</source>
-        <translation>Rissfläche</translation>
     </message>
     <message>
         <source>blood lost</source>
@@ -6105,14 +6093,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>erzeugt</translation>
     </message>
     <message>
-        <source>torn</source>
-        <translation>gerissen</translation>
-    </message>
-    <message>
-        <source>torn off</source>
-        <translation>abgerissen</translation>
-    </message>
-    <message>
         <source>bleeding</source>
         <translation>Blutung</translation>
     </message>
@@ -6175,10 +6155,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>A gap, and how sure</source>
         <translation>Eine Lücke, und wie sicher</translation>
-    </message>
-    <message>
-        <source>Torn</source>
-        <translation>Gerissen</translation>
     </message>
     <message>
         <source>%1 mm at the depth of the view&apos;s centre</source>
@@ -7241,10 +7217,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>keine gerissenen Verbindungen</translation>
     </message>
     <message>
-        <source>no pieces torn off</source>
-        <translation>keine abgerissenen Stücke</translation>
-    </message>
-    <message>
         <source>no injections that are running</source>
         <translation>keine laufenden Injektionen</translation>
     </message>
@@ -8161,10 +8133,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Couinaud-Segmente I bis VIII, in den Farben der Äste, die sie versorgen (F6)</translation>
     </message>
     <message>
-        <source>torn at %1 places, %2 pieces</source>
-        <translation>an %1 Stellen gerissen, %2 Stücke</translation>
-    </message>
-    <message>
         <source>Damage, as entropy produced by tearing: %L1 nats</source>
         <translation>Schaden, als beim Reißen erzeugte Entropie: %L1 nat</translation>
     </message>
@@ -8866,6 +8834,42 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>The lesson is judged: the tool is put away, and the wheel zooms</source>
         <translation>Die Lektion ist beurteilt: Das Instrument ist weggelegt, und das Rad zoomt</translation>
+    </message>
+    <message>
+        <source>pieces off</source>
+        <translation>abgetrennte Stücke</translation>
+    </message>
+    <message>
+        <source>area cut or torn</source>
+        <translation>Schnitt- und Rissfläche</translation>
+    </message>
+    <message>
+        <source>no pieces off</source>
+        <translation>keine abgetrennten Stücke</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Geschnitten</translation>
+    </message>
+    <message>
+        <source>cut or torn</source>
+        <translation>geschnitten oder gerissen</translation>
+    </message>
+    <message>
+        <source>piece off</source>
+        <translation>Stück abgetrennt</translation>
+    </message>
+    <message>
+        <source>Cut or torn</source>
+        <translation>Geschnitten oder gerissen</translation>
+    </message>
+    <message>
+        <source>nothing cut or torn</source>
+        <translation>nichts geschnitten oder gerissen</translation>
+    </message>
+    <message>
+        <source>cut or torn at %1 places, %2 pieces</source>
+        <translation>an %1 Stellen geschnitten oder gerissen, %2 Stücke</translation>
     </message>
 </context>
 </TS>

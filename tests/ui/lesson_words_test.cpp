@@ -55,9 +55,9 @@ TEST(LessonWords, SayThatNoneIsAllowedWhereNoneIs) {
     EXPECT_EQ(to_words(Predicate{Quantity::holding, -1, false, 0.0}, {}, computed),
               "no vessels held by the hand");
     EXPECT_EQ(to_words(Predicate{Quantity::pieces_off, -1, false, 1.0}, {}, computed),
-              "pieces torn off at most 1");
+              "pieces off at most 1");
     EXPECT_EQ(to_words(Predicate{Quantity::pieces_off, -1, true, 0.0}, {}, computed),
-              "pieces torn off at least 0");
+              "pieces off at least 0");
     EXPECT_EQ(to_words(Predicate{Quantity::force_mn, -1, false, 0.0}, {}, computed),
               "force at most 0 mN");
 }

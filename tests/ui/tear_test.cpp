@@ -134,7 +134,7 @@ TEST_F(TearTest, the_curves_of_a_tear_appear_with_what_happened) {
     simulation_->show_tear(torn);
     ASSERT_TRUE(testing::wait_for([&] { return !dock->isHidden(); }));
     ASSERT_EQ(panel->tear().events().size(), 3u);
-    EXPECT_EQ(panel->tear().events()[0].text, "torn");
+    EXPECT_EQ(panel->tear().events()[0].text, "cut or torn");
     EXPECT_EQ(panel->tear().events()[2].text, "bleeding");
     EXPECT_TRUE(panel->tear().isVisible());
     simulation_->show_tear(std::nullopt);
