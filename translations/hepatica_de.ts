@@ -232,10 +232,6 @@
         <translation>Die Simulation anhalten; die Ansicht bleibt bedienbar</translation>
     </message>
     <message>
-        <source>Back to the rest shape: no pull, no tool, no drug</source>
-        <translation>Zurück zur Ruheform: kein Zug, kein Werkzeug, kein Wirkstoff</translation>
-    </message>
-    <message>
         <source>Back to the last &amp;good state</source>
         <translation>Zum &amp;letzten guten Zustand</translation>
     </message>
@@ -8833,7 +8829,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>The lesson is judged: the tool is put away, and the wheel zooms</source>
-        <translation>Die Lektion ist beurteilt: Das Instrument ist weggelegt, und das Rad zoomt</translation>
+        <translation>Die Lektion ist beurteilt: Das Werkzeug ist weggelegt, und das Rad zoomt</translation>
     </message>
     <message>
         <source>pieces off</source>
@@ -8870,6 +8866,18 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>cut or torn at %1 places, %2 pieces</source>
         <translation>an %1 Stellen geschnitten oder gerissen, %2 Stücke</translation>
+    </message>
+    <message>
+        <source>Back to the rest shape: no pull, no tool, no cut, no drug</source>
+        <translation>Zurück zur Ruheform: kein Zug, kein Werkzeug, kein Schnitt, kein Wirkstoff</translation>
+    </message>
+    <message>
+        <source>Undo is for corrections and takes no cut back: Begin again makes the vessels whole</source>
+        <translation>Rückgängig gilt Korrekturen und nimmt keinen Schnitt zurück: Von vorn beginnen macht die Gefäße wieder ganz</translation>
+    </message>
+    <message>
+        <source>Undo is for corrections of the vessels: what was cut or torn in the play stays so. Reset (Backspace) makes the vessels whole.</source>
+        <translation>Rückgängig gilt Korrekturen der Gefäße: Was im Spiel geschnitten wurde oder riss, bleibt so. Zurücksetzen (Rücktaste) macht die Gefäße wieder ganz.</translation>
     </message>
 </context>
 </TS>

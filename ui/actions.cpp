@@ -102,7 +102,7 @@ constexpr std::array table{
     ActionSpec{pause_simulation, Words::id("&Play"), Words::id("&Hold the clock"), "H",
                Words::id("Stop the simulation; the view stays alive"), true, true},
     ActionSpec{reset, Words::id("&Play"), Words::id("Re&set"), "Backspace",
-               Words::id("Back to the rest shape: no pull, no tool, no drug"), false, true},
+               Words::id("Back to the rest shape: no pull, no tool, no cut, no drug"), false, true},
     ActionSpec{restore, Words::id("&Play"), Words::id("Back to the last &good state"),
                "Ctrl+Backspace",
                Words::id("After the simulation diverged: take back the last moments and go on"),
