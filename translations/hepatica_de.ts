@@ -3157,20 +3157,12 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Injizieren Sie so, dass 3 g das Gewebe des Ziels erreichen.</translation>
     </message>
     <message>
-        <source>Far beyond the mark: point at a vessel to see what lies downstream of it, then double-click.</source>
-        <translation>Weit jenseits der Marke: Zeigen Sie auf ein Gefäß, um zu sehen, was stromabwärts liegt, dann doppelklicken Sie.</translation>
-    </message>
-    <message>
         <source>Draw a cut line across a branch and pull it off along the line. Without the line the pull would stretch the branch long before it tears.</source>
         <translation>Ziehen Sie eine Schwächungslinie quer über einen Ast, und ziehen Sie ihn entlang der Linie ab. Ohne die Linie würde der Zug den Ast weit dehnen, ehe er reißt.</translation>
     </message>
     <message>
         <source>Draw a cut line across the branch at the first mark, take the branch at the second and pull until it comes off.</source>
         <translation>Ziehen Sie an der ersten Marke eine Schwächungslinie quer über den Ast, fassen Sie den Ast an der zweiten, und ziehen Sie, bis er abgeht.</translation>
-    </message>
-    <message>
-        <source>Key 9 draws cut lines; key 1 pulls again. Give the line a strength near 0.</source>
-        <translation>Taste 9 zieht Schwächungslinien; Taste 1 zieht wieder. Geben Sie der Linie eine Festigkeit nahe 0.</translation>
     </message>
     <message>
         <source>Inject the emulsion until nine tenths of the target are full.</source>
@@ -8236,24 +8228,12 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Ein Ast wurde durchtrennt und blutet. Drücken Sie mit der Sonde auf seinen Stumpf, dann fassen Sie ihn mit der Pinzette: Wo ein Werkzeug stärker drückt als das Blut, verengt sich das Gefäß und blutet weniger. Bewertet wird, wie bald und wie sanft Sie die Blutung stillen.</translation>
     </message>
     <message>
-        <source>Press on the stump with the probe until it bleeds less than 2 g/s, for half a second.</source>
-        <translation>Drücken Sie mit der Sonde auf den Stumpf, bis er eine halbe Sekunde lang weniger als 2 g/s blutet.</translation>
-    </message>
-    <message>
         <source>Key 4 takes the probe. Come from the side of the root, and press some millimetres in.</source>
         <translation>Taste 4 nimmt die Sonde. Kommen Sie von der Seite der Wurzel, und drücken Sie einige Millimeter hinein.</translation>
     </message>
     <message>
-        <source>Take the stump with the forceps until it bleeds less than 0.5 g/s, for half a second.</source>
-        <translation>Fassen Sie den Stumpf mit der Pinzette, bis er eine halbe Sekunde lang weniger als 0,5 g/s blutet.</translation>
-    </message>
-    <message>
         <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. In a play a pump drives the drug, so that the flow itself never stands still, and there are no beads: the end is the filled target.</source>
         <translation>Füllen Sie die Gefäße des Ziels mit einer Lipiodol-Emulsion, und hören Sie auf, bevor sie in die anderen zurückläuft. Im Spiel treibt eine Pumpe den Wirkstoff, sodass der Fluss selbst nie stillsteht, und es gibt keine Partikel: Das Ende ist das gefüllte Ziel.</translation>
-    </message>
-    <message>
-        <source>A little beyond the mark, slowly: Injection panel, mass flow 0.5 g/s.</source>
-        <translation>Etwas jenseits der Marke, langsam: Bereich Injektion, Massenstrom 0,5 g/s.</translation>
     </message>
     <message>
         <source>Stop the injection: take the catheter out (Del).</source>
@@ -8878,6 +8858,26 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Undo is for corrections of the vessels: what was cut or torn in the play stays so. Reset (Backspace) makes the vessels whole.</source>
         <translation>Rückgängig gilt Korrekturen der Gefäße: Was im Spiel geschnitten wurde oder riss, bleibt so. Zurücksetzen (Rücktaste) macht die Gefäße wieder ganz.</translation>
+    </message>
+    <message>
+        <source>Far beyond the mark: point at a vessel to see what lies downstream of it. A double click injects there; after key 2, one click does.</source>
+        <translation>Weit jenseits der Marke: Zeigen Sie auf ein Gefäß, um zu sehen, was stromabwärts liegt. Ein Doppelklick injiziert dort; nach Taste 2 genügt ein Klick.</translation>
+    </message>
+    <message>
+        <source>Press on the stump with the probe until it bleeds less than the goal says, for half a second.</source>
+        <translation>Drücken Sie mit der Sonde auf den Stumpf, bis er eine halbe Sekunde lang weniger blutet, als das Ziel sagt.</translation>
+    </message>
+    <message>
+        <source>Take the stump with the forceps until it bleeds less than the goal says, for half a second.</source>
+        <translation>Fassen Sie den Stumpf mit der Pinzette, bis er eine halbe Sekunde lang weniger blutet, als das Ziel sagt.</translation>
+    </message>
+    <message>
+        <source>Key 9 draws cut lines; key 1 pulls again. Set &quot;Along a line&quot; in the panel Tool near 0: it is what the line leaves of the strength.</source>
+        <translation>Taste 9 zieht Schwächungslinien; Taste 1 zieht wieder. Stellen Sie „Entlang Linie“ im Bereich Werkzeug nahe 0: So viel lässt die Linie von der Festigkeit.</translation>
+    </message>
+    <message>
+        <source>A little beyond the mark, slowly: in the panel Injection, a flow of 0.5 g/s, which is about 30 mL/min.</source>
+        <translation>Etwas jenseits der Marke, langsam: im Bereich Injektion ein Fluss von 0,5 g/s, das sind etwa 30 mL/min.</translation>
     </message>
 </context>
 </TS>
