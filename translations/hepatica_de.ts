@@ -144,10 +144,6 @@
         <translation>S&amp;tabsonde</translation>
     </message>
     <message>
-        <source>Probe: the mouse leads a rod that pushes the vessels</source>
-        <translation>Sonde: Die Maus führt einen Stab, der die Gefäße wegdrückt</translation>
-    </message>
-    <message>
         <source>&amp;Forceps</source>
         <translation>&amp;Pinzette</translation>
     </message>
@@ -8403,10 +8399,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Nicht gezeichnet: Verlassen Sie erst die Lektion</translation>
     </message>
     <message>
-        <source>not judged</source>
-        <translation>nicht gewertet</translation>
-    </message>
-    <message>
         <source>Drawing pictures and curves</source>
         <translation>Bilder und Kurven zeichnen</translation>
     </message>
@@ -8878,6 +8870,18 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>A little beyond the mark, slowly: in the panel Injection, a flow of 0.5 g/s, which is about 30 mL/min.</source>
         <translation>Etwas jenseits der Marke, langsam: im Bereich Injektion ein Fluss von 0,5 g/s, das sind etwa 30 mL/min.</translation>
+    </message>
+    <message>
+        <source>Rod probe: the mouse leads a rod that pushes the vessels</source>
+        <translation>Stabsonde: Die Maus führt einen Stab, der die Gefäße wegdrückt</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>not judged: the lesson did not reach its end</source>
+        <translation>nicht beurteilt: Die Lektion kam nicht ans Ende</translation>
     </message>
 </context>
 </TS>

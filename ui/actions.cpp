@@ -66,7 +66,7 @@ constexpr std::array table{
     ActionSpec{sphere_tool, Words::id("&Play"), Words::id("P&robe"), "4",
                Words::id("Probe: the mouse leads a ball that pushes the vessels"), true},
     ActionSpec{capsule_tool, Words::id("&Play"), Words::id("Rod pro&be"), "5",
-               Words::id("Probe: the mouse leads a rod that pushes the vessels"), true},
+               Words::id("Rod probe: the mouse leads a rod that pushes the vessels"), true},
     ActionSpec{forceps_tool, Words::id("&Play"), Words::id("&Forceps"), "6",
                Words::id("Forceps: the mouse leads two jaws that hold a vessel and pull it"), true},
     ActionSpec{hook_tool, Words::id("&Play"), Words::id("Hoo&k"), "7",
@@ -350,8 +350,9 @@ QString Actions::cheat_sheet() {
         if (!*spec.keys) continue;
         if (std::string_view(menu) != spec.menu)
             heading(Words::tr("Menu %1").arg(plain(menu = spec.menu)));
+        const QString name = plain(spec.text) + ": ", tip = Words::tr(spec.tip);
         row(QKeySequence::fromString(spec.keys).toString(QKeySequence::NativeText),
-            plain(spec.text) + ": " + Words::tr(spec.tip));
+            tip.startsWith(name) ? tip : name + tip);
     }
     return html + "</table>";
 }
