@@ -120,7 +120,7 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     if (content.touched) swatch("Touch and force", palette::touch);
     if (content.places) swatch("A place of the lesson", palette::torn_circle);
     if (content.gaps) swatch("A gap, and how sure", palette::bridge);
-    if (content.torn) swatch("Torn", palette::torn);
+    if (content.torn) swatch("Cut or torn", palette::torn);
     if (content.bleeds) swatch("Blood", palette::bleeding);
     if (content.warned) add_warnings(rows);
     if (content.injected) add_drug(content, rows);

@@ -144,10 +144,6 @@
         <translation>S&amp;tabsonde</translation>
     </message>
     <message>
-        <source>Probe: the mouse leads a rod that pushes the vessels</source>
-        <translation>Sonde: Die Maus führt einen Stab, der die Gefäße wegdrückt</translation>
-    </message>
-    <message>
         <source>&amp;Forceps</source>
         <translation>&amp;Pinzette</translation>
     </message>
@@ -230,10 +226,6 @@
     <message>
         <source>Stop the simulation; the view stays alive</source>
         <translation>Die Simulation anhalten; die Ansicht bleibt bedienbar</translation>
-    </message>
-    <message>
-        <source>Back to the rest shape: no pull, no tool, no drug</source>
-        <translation>Zurück zur Ruheform: kein Zug, kein Werkzeug, kein Wirkstoff</translation>
     </message>
     <message>
         <source>Back to the last &amp;good state</source>
@@ -2868,10 +2860,6 @@
         <translation>heil</translation>
     </message>
     <message>
-        <source>nothing torn</source>
-        <translation>nichts gerissen</translation>
-    </message>
-    <message>
         <source>; stopped by the %1 budget</source>
         <translation>; angehalten vom Budget für %1</translation>
     </message>
@@ -3165,20 +3153,12 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Injizieren Sie so, dass 3 g das Gewebe des Ziels erreichen.</translation>
     </message>
     <message>
-        <source>Far beyond the mark: point at a vessel to see what lies downstream of it, then double-click.</source>
-        <translation>Weit jenseits der Marke: Zeigen Sie auf ein Gefäß, um zu sehen, was stromabwärts liegt, dann doppelklicken Sie.</translation>
-    </message>
-    <message>
         <source>Draw a cut line across a branch and pull it off along the line. Without the line the pull would stretch the branch long before it tears.</source>
         <translation>Ziehen Sie eine Schwächungslinie quer über einen Ast, und ziehen Sie ihn entlang der Linie ab. Ohne die Linie würde der Zug den Ast weit dehnen, ehe er reißt.</translation>
     </message>
     <message>
         <source>Draw a cut line across the branch at the first mark, take the branch at the second and pull until it comes off.</source>
         <translation>Ziehen Sie an der ersten Marke eine Schwächungslinie quer über den Ast, fassen Sie den Ast an der zweiten, und ziehen Sie, bis er abgeht.</translation>
-    </message>
-    <message>
-        <source>Key 9 draws cut lines; key 1 pulls again. Give the line a strength near 0.</source>
-        <translation>Taste 9 zieht Schwächungslinien; Taste 1 zieht wieder. Geben Sie der Linie eine Festigkeit nahe 0.</translation>
     </message>
     <message>
         <source>Inject the emulsion until nine tenths of the target are full.</source>
@@ -4223,14 +4203,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>joints broken</source>
         <translation>gerissene Verbindungen</translation>
-    </message>
-    <message>
-        <source>pieces torn off</source>
-        <translation>abgerissene Stücke</translation>
-    </message>
-    <message>
-        <source>torn area</source>
-        <translation>Rissfläche</translation>
     </message>
     <message>
         <source>blood lost</source>
@@ -6105,14 +6077,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>erzeugt</translation>
     </message>
     <message>
-        <source>torn</source>
-        <translation>gerissen</translation>
-    </message>
-    <message>
-        <source>torn off</source>
-        <translation>abgerissen</translation>
-    </message>
-    <message>
         <source>bleeding</source>
         <translation>Blutung</translation>
     </message>
@@ -6175,10 +6139,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>A gap, and how sure</source>
         <translation>Eine Lücke, und wie sicher</translation>
-    </message>
-    <message>
-        <source>Torn</source>
-        <translation>Gerissen</translation>
     </message>
     <message>
         <source>%1 mm at the depth of the view&apos;s centre</source>
@@ -7241,10 +7201,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>keine gerissenen Verbindungen</translation>
     </message>
     <message>
-        <source>no pieces torn off</source>
-        <translation>keine abgerissenen Stücke</translation>
-    </message>
-    <message>
         <source>no injections that are running</source>
         <translation>keine laufenden Injektionen</translation>
     </message>
@@ -8161,10 +8117,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Couinaud-Segmente I bis VIII, in den Farben der Äste, die sie versorgen (F6)</translation>
     </message>
     <message>
-        <source>torn at %1 places, %2 pieces</source>
-        <translation>an %1 Stellen gerissen, %2 Stücke</translation>
-    </message>
-    <message>
         <source>Damage, as entropy produced by tearing: %L1 nats</source>
         <translation>Schaden, als beim Reißen erzeugte Entropie: %L1 nat</translation>
     </message>
@@ -8272,24 +8224,12 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Ein Ast wurde durchtrennt und blutet. Drücken Sie mit der Sonde auf seinen Stumpf, dann fassen Sie ihn mit der Pinzette: Wo ein Werkzeug stärker drückt als das Blut, verengt sich das Gefäß und blutet weniger. Bewertet wird, wie bald und wie sanft Sie die Blutung stillen.</translation>
     </message>
     <message>
-        <source>Press on the stump with the probe until it bleeds less than 2 g/s, for half a second.</source>
-        <translation>Drücken Sie mit der Sonde auf den Stumpf, bis er eine halbe Sekunde lang weniger als 2 g/s blutet.</translation>
-    </message>
-    <message>
         <source>Key 4 takes the probe. Come from the side of the root, and press some millimetres in.</source>
         <translation>Taste 4 nimmt die Sonde. Kommen Sie von der Seite der Wurzel, und drücken Sie einige Millimeter hinein.</translation>
     </message>
     <message>
-        <source>Take the stump with the forceps until it bleeds less than 0.5 g/s, for half a second.</source>
-        <translation>Fassen Sie den Stumpf mit der Pinzette, bis er eine halbe Sekunde lang weniger als 0,5 g/s blutet.</translation>
-    </message>
-    <message>
         <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. In a play a pump drives the drug, so that the flow itself never stands still, and there are no beads: the end is the filled target.</source>
         <translation>Füllen Sie die Gefäße des Ziels mit einer Lipiodol-Emulsion, und hören Sie auf, bevor sie in die anderen zurückläuft. Im Spiel treibt eine Pumpe den Wirkstoff, sodass der Fluss selbst nie stillsteht, und es gibt keine Partikel: Das Ende ist das gefüllte Ziel.</translation>
-    </message>
-    <message>
-        <source>A little beyond the mark, slowly: Injection panel, mass flow 0.5 g/s.</source>
-        <translation>Etwas jenseits der Marke, langsam: Bereich Injektion, Massenstrom 0,5 g/s.</translation>
     </message>
     <message>
         <source>Stop the injection: take the catheter out (Del).</source>
@@ -8443,10 +8383,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Es wurde keine Leber gefunden: Das größte weiche Organ hat keinen Rand, an dem es zu erkennen ist</translation>
     </message>
     <message>
-        <source>The play stands as it was judged: the first thing you do lets it go on.</source>
-        <translation>Die Übung steht, wie sie beurteilt wurde: Sobald Sie etwas tun, geht sie weiter.</translation>
-    </message>
-    <message>
         <source>Back to the lesson editor</source>
         <translation>Zurück zum Lektionseditor</translation>
     </message>
@@ -8461,10 +8397,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Not drawn: leave the lesson first</source>
         <translation>Nicht gezeichnet: Verlassen Sie erst die Lektion</translation>
-    </message>
-    <message>
-        <source>not judged</source>
-        <translation>nicht gewertet</translation>
     </message>
     <message>
         <source>Drawing pictures and curves</source>
@@ -8866,6 +8798,94 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>is cut within its NIfTI-2 header</source>
         <translation>ist innerhalb seines NIfTI-2-Kopfes abgeschnitten</translation>
+    </message>
+    <message>
+        <source>The play stands as it was judged, and the hand is empty, so that the wheel zooms: the first thing you do lets the play go on.</source>
+        <translation>Die Übung steht, wie sie beurteilt wurde, und die Hand ist leer, sodass das Rad zoomt: Sobald Sie etwas tun, geht die Übung weiter.</translation>
+    </message>
+    <message>
+        <source>The lesson is judged: the tool is put away, and the wheel zooms</source>
+        <translation>Die Lektion ist beurteilt: Das Werkzeug ist weggelegt, und das Rad zoomt</translation>
+    </message>
+    <message>
+        <source>pieces off</source>
+        <translation>abgetrennte Stücke</translation>
+    </message>
+    <message>
+        <source>area cut or torn</source>
+        <translation>Schnitt- und Rissfläche</translation>
+    </message>
+    <message>
+        <source>no pieces off</source>
+        <translation>keine abgetrennten Stücke</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Geschnitten</translation>
+    </message>
+    <message>
+        <source>cut or torn</source>
+        <translation>geschnitten oder gerissen</translation>
+    </message>
+    <message>
+        <source>piece off</source>
+        <translation>Stück abgetrennt</translation>
+    </message>
+    <message>
+        <source>Cut or torn</source>
+        <translation>Geschnitten oder gerissen</translation>
+    </message>
+    <message>
+        <source>nothing cut or torn</source>
+        <translation>nichts geschnitten oder gerissen</translation>
+    </message>
+    <message>
+        <source>cut or torn at %1 places, %2 pieces</source>
+        <translation>an %1 Stellen geschnitten oder gerissen, %2 Stücke</translation>
+    </message>
+    <message>
+        <source>Back to the rest shape: no pull, no tool, no cut, no drug</source>
+        <translation>Zurück zur Ruheform: kein Zug, kein Werkzeug, kein Schnitt, kein Wirkstoff</translation>
+    </message>
+    <message>
+        <source>Undo is for corrections and takes no cut back: Begin again makes the vessels whole</source>
+        <translation>Rückgängig gilt Korrekturen und nimmt keinen Schnitt zurück: Von vorn beginnen macht die Gefäße wieder ganz</translation>
+    </message>
+    <message>
+        <source>Undo is for corrections of the vessels: what was cut or torn in the play stays so. Reset (Backspace) makes the vessels whole.</source>
+        <translation>Rückgängig gilt Korrekturen der Gefäße: Was im Spiel geschnitten wurde oder riss, bleibt so. Zurücksetzen (Rücktaste) macht die Gefäße wieder ganz.</translation>
+    </message>
+    <message>
+        <source>Far beyond the mark: point at a vessel to see what lies downstream of it. A double click injects there; after key 2, one click does.</source>
+        <translation>Weit jenseits der Marke: Zeigen Sie auf ein Gefäß, um zu sehen, was stromabwärts liegt. Ein Doppelklick injiziert dort; nach Taste 2 genügt ein Klick.</translation>
+    </message>
+    <message>
+        <source>Press on the stump with the probe until it bleeds less than the goal says, for half a second.</source>
+        <translation>Drücken Sie mit der Sonde auf den Stumpf, bis er eine halbe Sekunde lang weniger blutet, als das Ziel sagt.</translation>
+    </message>
+    <message>
+        <source>Take the stump with the forceps until it bleeds less than the goal says, for half a second.</source>
+        <translation>Fassen Sie den Stumpf mit der Pinzette, bis er eine halbe Sekunde lang weniger blutet, als das Ziel sagt.</translation>
+    </message>
+    <message>
+        <source>Key 9 draws cut lines; key 1 pulls again. Set &quot;Along a line&quot; in the panel Tool near 0: it is what the line leaves of the strength.</source>
+        <translation>Taste 9 zieht Schwächungslinien; Taste 1 zieht wieder. Stellen Sie „Entlang Linie“ im Bereich Werkzeug nahe 0: So viel lässt die Linie von der Festigkeit.</translation>
+    </message>
+    <message>
+        <source>A little beyond the mark, slowly: in the panel Injection, a flow of 0.5 g/s, which is about 30 mL/min.</source>
+        <translation>Etwas jenseits der Marke, langsam: im Bereich Injektion ein Fluss von 0,5 g/s, das sind etwa 30 mL/min.</translation>
+    </message>
+    <message>
+        <source>Rod probe: the mouse leads a rod that pushes the vessels</source>
+        <translation>Stabsonde: Die Maus führt einen Stab, der die Gefäße wegdrückt</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>not judged: the lesson did not reach its end</source>
+        <translation>nicht beurteilt: Die Lektion kam nicht ans Ende</translation>
     </message>
 </context>
 </TS>

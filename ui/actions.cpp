@@ -66,7 +66,7 @@ constexpr std::array table{
     ActionSpec{sphere_tool, Words::id("&Play"), Words::id("P&robe"), "4",
                Words::id("Probe: the mouse leads a ball that pushes the vessels"), true},
     ActionSpec{capsule_tool, Words::id("&Play"), Words::id("Rod pro&be"), "5",
-               Words::id("Probe: the mouse leads a rod that pushes the vessels"), true},
+               Words::id("Rod probe: the mouse leads a rod that pushes the vessels"), true},
     ActionSpec{forceps_tool, Words::id("&Play"), Words::id("&Forceps"), "6",
                Words::id("Forceps: the mouse leads two jaws that hold a vessel and pull it"), true},
     ActionSpec{hook_tool, Words::id("&Play"), Words::id("Hoo&k"), "7",
@@ -102,7 +102,7 @@ constexpr std::array table{
     ActionSpec{pause_simulation, Words::id("&Play"), Words::id("&Hold the clock"), "H",
                Words::id("Stop the simulation; the view stays alive"), true, true},
     ActionSpec{reset, Words::id("&Play"), Words::id("Re&set"), "Backspace",
-               Words::id("Back to the rest shape: no pull, no tool, no drug"), false, true},
+               Words::id("Back to the rest shape: no pull, no tool, no cut, no drug"), false, true},
     ActionSpec{restore, Words::id("&Play"), Words::id("Back to the last &good state"),
                "Ctrl+Backspace",
                Words::id("After the simulation diverged: take back the last moments and go on"),
@@ -350,8 +350,9 @@ QString Actions::cheat_sheet() {
         if (!*spec.keys) continue;
         if (std::string_view(menu) != spec.menu)
             heading(Words::tr("Menu %1").arg(plain(menu = spec.menu)));
+        const QString name = plain(spec.text) + ": ", tip = Words::tr(spec.tip);
         row(QKeySequence::fromString(spec.keys).toString(QKeySequence::NativeText),
-            plain(spec.text) + ": " + Words::tr(spec.tip));
+            tip.startsWith(name) ? tip : name + tip);
     }
     return html + "</table>";
 }

@@ -58,6 +58,19 @@ QString table_of(const QString& title, const std::vector<BoundStanding>& bounds,
     return html + "</table>";
 }
 
+// The lesson's own and those of the present step: a step that is over can break none any more.
+std::vector<BoundStanding> limits_in_force(const LessonStanding& standing, const Lesson& lesson) {
+    const std::vector<BoundStanding>& all = standing.limits;
+    const std::size_t own = std::min(lesson.limits.size(), all.size());
+    std::size_t present = own;
+    for (std::size_t i = 0; i < std::min(standing.step, lesson.steps.size()); ++i)
+        present += lesson.steps[i].limits.size();
+    std::vector<BoundStanding> shown(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(own));
+    if (present < all.size())
+        shown.insert(shown.end(), all.begin() + static_cast<std::ptrdiff_t>(present), all.end());
+    return shown;
+}
+
 }  // namespace
 
 LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
@@ -158,8 +171,8 @@ void LessonPanel::show_standing(const LessonStanding& standing, bool clock_stand
     const bool running = standing.outcome == LessonOutcome::running;
     clock_->setVisible(running || clock_stands);
     clock_->setText(
-        !running ? Words::tr("The play stands as it was judged: the first thing you do lets it go "
-                             "on.")
+        !running ? Words::tr("The play stands as it was judged, and the hand is empty, so that the "
+                             "wheel zooms: the first thing you do lets the play go on.")
         : clock_stands ? Words::tr("The clock stands: it runs from the first thing you do.")
                        : Words::tr("Time: %1")
                              .arg(with_units_beside(translated(
@@ -172,8 +185,8 @@ void LessonPanel::show_standing(const LessonStanding& standing, bool clock_stand
     attempts_->setVisible(!running);
     next_->setVisible(!running && !next_lesson_.empty());
     pass_->setVisible(running && !standing.pass.empty());
-    limits_->setText(
-        table_of(Words::tr("Limits"), standing.limits, lesson_.mark_names(), units_, "✓", "✗"));
+    limits_->setText(table_of(Words::tr("Limits"), limits_in_force(standing, lesson_),
+                              lesson_.mark_names(), units_, "✓", "✗"));
     if (running)
         show_step(standing);
     else

@@ -20,7 +20,7 @@ std::string to_words(Quantity quantity, double value, FlowUnits units);
 std::string to_words_beside(const Predicate& bound, double value, FlowUnits units);
 // Whether a count must stay at none.
 bool allows_none(const Predicate& predicate);
-// As to_words() of core/lesson/predicate.h, but "no pieces torn off" if none is allowed.
+// As to_words() of core/lesson/predicate.h, but "no pieces off" if none is allowed.
 std::string to_words(const Predicate& predicate, std::span<const std::string> mark_names,
                      FlowUnits units);
 

@@ -114,6 +114,8 @@ class MainWindow : public QMainWindow {
     void dropEvent(QDropEvent* event) override;
     // Ends all jobs, or stays open if unsaved work would be lost and the user wants to stay.
     void closeEvent(QCloseEvent* event) override;
+    // Says of Undo, where no correction can be undone, that it takes no cut of the play back.
+    void keyPressEvent(QKeyEvent* event) override;
 
   private:
     // main_window.cpp: places and connects the panels.
@@ -244,6 +246,7 @@ class MainWindow : public QMainWindow {
     void tell_simplified();  // that the solver degraded a step
     // Tells at the window's foot and beside the pointer why an action in the view did nothing.
     void hint(const QString& text);
+    void say_that_cuts_stay();
     void say_missed();
     void say_empty_grip(GripWatch::Seen seen);
     void colour_by_segments(const std::vector<std::uint8_t>& of_branches);

@@ -136,8 +136,10 @@ void MainWindow::stop_after_lesson() {
     if (frame().drug.injection) patient_->simulation->post(PlayDrug{false});
     patient_->simulation->post(SetPaused{true});
     // Nor is anything held or pressed any more.
+    const bool tool = view_->mouse().mode() == MouseMode::tool;
     view_->let_go();
     back_to_pulling();
+    if (tool) hint(Words::tr("The lesson is judged: the tool is put away, and the wheel zooms"));
 }
 
 void MainWindow::tell_not_played(const std::filesystem::path& file, const Lesson& lesson,

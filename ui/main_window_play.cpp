@@ -3,6 +3,7 @@
 #include <QCursor>
 #include <QDockWidget>
 #include <QGuiApplication>
+#include <QKeyEvent>
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolTip>
@@ -327,6 +328,27 @@ void MainWindow::hint(const QString& text) {
     statusBar()->showMessage(text, readable_ms);
     if (view_->underMouse())
         QToolTip::showText(QCursor::pos() + QPoint(12, 8), text, view_, {}, readable_ms);
+}
+
+// The action that has this key is disabled where there is nothing to undo; else the key does not
+// come here.
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    const bool undoes = event->key() == Qt::Key_Z && event->modifiers() == Qt::ControlModifier;
+    if (undoes && patient_ && !review_->reviewing() && frame().tear &&
+        frame().tear->joints_broken > 0)
+        return say_that_cuts_stay();
+    QMainWindow::keyPressEvent(event);
+}
+
+void MainWindow::say_that_cuts_stay() {
+    if (!plays_freely())
+        return hint(
+            Words::tr("Undo is for corrections and takes no cut back: Begin again makes "
+                      "the vessels whole"));
+    messages_->show_notice(
+        Words::tr("Undo is for corrections of the vessels: what was cut or torn in the play stays "
+                  "so. Reset (Backspace) makes the vessels whole."),
+        Words::tr("Reset"), [this] { (*actions_)[ActionId::reset].trigger(); });
 }
 
 void MainWindow::say_missed() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mouse_tool.h"
 
+#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -52,6 +53,7 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
         pulled_ = pick;
         held_mm_ = pick.position_mm;
         pace_ = HandPace(HandPace::Clock::now());
+        zoomed_.reset();
         callbacks_.post(GrabPoint{held_mm_});
     }
 }
@@ -69,8 +71,7 @@ bool MouseTool::move(const Pixel& at) {
             callbacks_.hover(view_.pick(at));
             return false;
         case Action::pull:
-            callbacks_.post(
-                MoveGrab{view_.point_at_depth(at, held_mm_), pace_.heard(HandPace::Clock::now())});
+            pull_to(at);
             return false;
         case Action::draw:
             view_.set_stroke(std::array{view_.point_at_depth(pressed_, view_.axes().focus_mm),
@@ -94,6 +95,14 @@ bool MouseTool::move(const Pixel& at) {
             return true;
     }
     return false;
+}
+
+void MouseTool::pull_to(const Pixel& at) {
+    const HandPace::Clock::time_point now = HandPace::Clock::now();
+    const double left_s =
+        zoomed_ ? wheel_over_s - std::chrono::duration<double>(now - *zoomed_).count() : 0.0;
+    callbacks_.post(
+        MoveGrab{view_.point_at_depth(at, held_mm_), at_least(left_s, pace_.heard(now))});
 }
 
 bool MouseTool::is_click(const Pixel& at) const {
@@ -124,6 +133,10 @@ void MouseTool::wheel(double steps, const MouseModifiers& modifiers) {
     if (mode_ == MouseMode::tool && !modifiers.control)
         return hand_.shift_depth(modifiers.shift ? with_shift * steps : steps);
     view_.zoom_by(std::pow(1.15, steps));
+    if (!pulling()) return;
+    // The place under the mouse is another one now.
+    callbacks_.post(MoveGrab{view_.point_at_depth(last_, held_mm_), wheel_over_s});
+    zoomed_ = HandPace::Clock::now();
 }
 
 void MouseTool::cancel() {

@@ -102,6 +102,7 @@ class MouseTool {
     // middle; nullopt if it meets none.
     std::optional<std::array<Vec3, 2>> stroke_to(const Pixel& at) const;
     void inject_at(const Pixel& at);
+    void pull_to(const Pixel& at);
 
     SceneView& view_;
     Callbacks callbacks_;
@@ -117,9 +118,10 @@ class MouseTool {
     SurfacePick pulled_;         // pulled now or last
     Pixel pressed_;
     Pixel last_;
-    HandPace pace_;                // of a pull
-    Vec3 held_mm_ = Vec3::Zero();  // where the vessel was grabbed
-    int pressed_bridge_ = -1;      // waits for the click
+    HandPace pace_;                                      // of a pull
+    std::optional<HandPace::Clock::time_point> zoomed_;  // by the wheel, during this pull
+    Vec3 held_mm_ = Vec3::Zero();                        // where the vessel was grabbed
+    int pressed_bridge_ = -1;                            // waits for the click
     double click_radius_px_ = 4.0;
 };
 

@@ -58,6 +58,7 @@ RecordingFacts facts_of(const fs::path& recording) {
         const Attempt attempt =
             attempt_from(read_text_file(result, ""), recording, result.string());
         facts.lesson = translated(attempt.lesson);
+        facts.trainee = QString::fromStdString(attempt.name);
         facts.result = attempt.passed ? Words::tr("✓ passed") : Words::tr("✗ not passed");
     } catch (const InputError&) {
         // The recording can be opened without its result.
@@ -70,11 +71,9 @@ QString title_of(const RecordingFacts& facts) {
 }
 
 std::array<QString, 2> headings_of(const RecordingFacts& one, const RecordingFacts& other) {
-    const bool same_name = one.file.filename() == other.file.filename();
-    const auto heading = [same_name](int number, const RecordingFacts& facts) {
-        const QString text =
-            QString("%1 (%2)").arg(to_text(facts.file.filename()), title_of(facts));
-        return same_name ? QString("%1: %2").arg(QString::number(number), text) : text;
+    const auto heading = [](int number, const RecordingFacts& facts) {
+        return QString("%1: %2 (%3)")
+            .arg(QString::number(number), to_text(facts.file.filename()), title_of(facts));
     };
     return {heading(1, one), heading(2, other)};
 }
@@ -106,17 +105,18 @@ RecordingDialog::RecordingDialog(const fs::path& folder, QWidget* parent)
 
 void RecordingDialog::fill() {
     for (const fs::path& recording : recordings_in(folder_)) listed_.push_back(facts_of(recording));
-    table_->setColumnCount(4);
-    table_->setHorizontalHeaderLabels(
-        {Words::tr("Lesson"), Words::tr("Played"), Words::tr("Result"), Words::tr("File")});
+    const QStringList headers{Words::tr("Lesson"), Words::tr("Played"), Words::tr("Result"),
+                              Words::tr("Name or number"), Words::tr("File")};
+    table_->setColumnCount(static_cast<int>(headers.size()));
+    table_->setHorizontalHeaderLabels(headers);
     table_->setRowCount(static_cast<int>(listed_.size()));
     for (int row = 0; row < table_->rowCount(); ++row) {
         const RecordingFacts& facts = listed_[static_cast<std::size_t>(row)];
         const QString name = to_text(facts.file.filename());
-        const QStringList texts{facts.lesson, facts.played, facts.result, name};
+        const QStringList texts{facts.lesson, facts.played, facts.result, facts.trainee, name};
         for (int column = 0; column < texts.size(); ++column)
             table_->setItem(row, column, new QTableWidgetItem(texts[column]));
-        table_->item(row, 3)->setToolTip(to_text(facts.file));
+        table_->item(row, 4)->setToolTip(to_text(facts.file));
     }
     table_->resizeColumnsToContents();
     table_->horizontalHeader()->setStretchLastSection(true);

@@ -18,16 +18,17 @@ namespace hepatica {
 // What is known of a recording without reading it.
 struct RecordingFacts {
     std::filesystem::path file;
-    QString lesson;  // or free play
-    QString played;  // date and time
-    QString result;  // may be empty
+    QString lesson;     // or free play
+    QString played;     // date and time
+    QString result;     // may be empty
+    QString trainee{};  // may be empty
 };
 RecordingFacts facts_of(const std::filesystem::path& recording);
 // "Gentle pull, 26 Nov 2026, 03:40"
 QString title_of(const RecordingFacts& facts);
-// Of two that are shown side by side: the file of each before its title, so that a short heading
-// tells them apart, too; numbered where both files have one name. Folders are not named, because
-// saved pictures and films hold the headings and folders are often named after the patient.
+// Of two that are shown side by side: the number, the file and the title of each, so that what is
+// left of a heading where there is little room tells them apart, too. Folders are not named,
+// because saved pictures and films hold the headings and folders are often named after the patient.
 std::array<QString, 2> headings_of(const RecordingFacts& one, const RecordingFacts& other);
 
 // UI thread only.

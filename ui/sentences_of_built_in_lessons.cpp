@@ -57,17 +57,17 @@ constexpr std::array sentences_built_in_lessons{
               "tip lies free in the vessel: what it injects also runs back, the more the nearer it "
               "is to the root."),
     Words::id("Inject so that 3 g reach the target's tissue."),
-    Words::id("Far beyond the mark: point at a vessel to see what lies downstream of it, then "
-              "double-click."),
+    Words::id("Far beyond the mark: point at a vessel to see what lies downstream of it. A double "
+              "click injects there; after key 2, one click does."),
     Words::id("A branch was cut and bleeds. Press on its stump with the probe, then take it with "
               "the forceps: where a tool presses harder than the blood does, the vessel narrows "
               "and bleeds less. Scored is how soon and how gently you stem it."),
-    Words::id(
-        "Press on the stump with the probe until it bleeds less than 2 g/s, for half a second."),
+    Words::id("Press on the stump with the probe until it bleeds less than the goal says, for half "
+              "a second."),
     Words::id(
         "Key 4 takes the probe. Come from the side of the root, and press some millimetres in."),
-    Words::id(
-        "Take the stump with the forceps until it bleeds less than 0.5 g/s, for half a second."),
+    Words::id("Take the stump with the forceps until it bleeds less than the goal says, for half a "
+              "second."),
     Words::id(
         "Key 6 takes the forceps. Bring the stump to the middle between the jaws, then C closes "
         "them."),
@@ -75,12 +75,14 @@ constexpr std::array sentences_built_in_lessons{
               "the pull would stretch the branch long before it tears."),
     Words::id("Draw a cut line across the branch at the first mark, take the branch at the second "
               "and pull until it comes off."),
-    Words::id("Key 9 draws cut lines; key 1 pulls again. Give the line a strength near 0."),
+    Words::id("Key 9 draws cut lines; key 1 pulls again. Set \"Along a line\" in the panel Tool "
+              "near 0: it is what the line leaves of the strength."),
     Words::id("Fill the target's vessels with an emulsion of lipiodol and stop before it runs back "
               "into the others. In a play a pump drives the drug, so that the flow itself never "
               "stands still, and there are no beads: the end is the filled target."),
     Words::id("Inject the emulsion until nine tenths of the target are full."),
-    Words::id("A little beyond the mark, slowly: Injection panel, mass flow 0.5 g/s."),
+    Words::id("A little beyond the mark, slowly: in the panel Injection, a flow of 0.5 g/s, which "
+              "is about 30 mL/min."),
     Words::id("Stop the injection: take the catheter out (Del)."),
     Words::id("Pausing only holds the clock. Del ends the injection and takes the drug out of the "
               "picture; the dose that was given stays counted."),

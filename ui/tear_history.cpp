@@ -29,8 +29,8 @@ void TearHistory::note_events(double time_s, const TearView& now) {
     if (time_s_.size() == 1) last_.pieces = now.pieces;
     const auto note = [&](const char* text) { events_.push_back({time_s, text}); };
     if (now.joints_broken < last_.joints_broken) note("whole");
-    if (now.joints_broken > 0 && last_.joints_broken == 0) note("torn");
-    if (now.pieces > last_.pieces) note("torn off");
+    if (now.joints_broken > 0 && last_.joints_broken == 0) note("cut or torn");
+    if (now.pieces > last_.pieces) note("piece off");
     if (now.leak_g_s > 0.0 && last_.leak_g_s == 0.0) note("bleeding");
     if (now.leak_g_s == 0.0 && last_.leak_g_s > 0.0) note("no more bleeding");
     if (!now.stopped_by.empty() && last_.stopped_by.empty()) note("tear stopped");

@@ -2,7 +2,10 @@
 #include "ui/tool_hand.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "core/base/frame_time.h"
 
 namespace hepatica {
 namespace {
@@ -31,6 +34,10 @@ Vec3 side_in_picture(const ViewAxes& axes, const Vec3& direction) {
 }
 
 }  // namespace
+
+std::optional<double> at_least(double left_s, std::optional<double> over_s) {
+    return left_s < frame_s ? over_s : std::max(over_s.value_or(0.0), left_s);
+}
 
 ToolHand::ToolHand(SceneView& view, std::function<void(Command)> post,
                    VesselDirection vessel_direction)
@@ -74,7 +81,10 @@ void ToolHand::set_size(const ToolSize& size) {
 
 void ToolHand::follow(const std::optional<ToolView>& tool) {
     if (kind_.empty()) return;
-    if (tool && !seen_) depth_mm_ = tool->tip_mm;
+    if (tool && !seen_) {
+        depth_mm_ = tool->tip_mm;
+        depth_asked_mm_ = 0.0;
+    }
     if (tool || seen_) asked_ = false;
     seen_ = tool;
     if (!tool || kind_ != "forceps") return;
@@ -95,9 +105,21 @@ void ToolHand::move(const Pixel& at) {
         if (!asked_) bring_to(at);
         return;
     }
+    lead_to(at, pace_.heard(HandPace::Clock::now()));
+}
+
+// Before the depth is reached a report of the mouse takes no less time than is left for that.
+void ToolHand::lead_to(const Pixel& at, std::optional<double> over_s) {
     const Vec3 tip = view_.point_at_depth(at, depth_mm_);
+    const double left_mm = depth_left_mm();
+    const double left_s =
+        depth_asked_mm_ > 0.0 ? wheel_over_s * std::min(1.0, left_mm / depth_asked_mm_) : 0.0;
     post_(MoveTool{.target_mm = seen_->centre_mm + tip - seen_->tip_mm,
-                   .over_s = pace_.heard(HandPace::Clock::now())});
+                   .over_s = at_least(left_s, over_s)});
+}
+
+double ToolHand::depth_left_mm() const {
+    return std::abs((depth_mm_ - seen_->tip_mm).dot(view_.axes().forward));
 }
 
 void ToolHand::press(const Pixel& at) {
@@ -107,7 +129,8 @@ void ToolHand::press(const Pixel& at) {
 void ToolHand::shift_depth(double steps) {
     if (!seen_) return;
     depth_mm_ += steps * std::max(least_notch_mm, 0.5 * size_.radius_mm) * view_.axes().forward;
-    if (mouse_at_) move(*mouse_at_);
+    depth_asked_mm_ = depth_left_mm();
+    if (mouse_at_) lead_to(*mouse_at_, std::nullopt);
 }
 
 void ToolHand::turn(double angle_rad) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Leads a tool by the mouse, without any toolkit. The tool appears at the mouse; then its tip
-// follows the mouse in a plane parallel to the picture, which the wheel moves in depth. Obstacles
-// stop it until there is room. The scene prepares for tools when the first is taken and releases
-// that when the last is put away.
+// follows the mouse in a plane parallel to the picture, which the wheel moves in depth; a new depth
+// is reached smoothly, by the play's time and without a timer. Obstacles stop it until there is
+// room. The scene prepares for tools when the first is taken and releases that when the last is put
+// away.
 #pragma once
 
 #include <functional>
@@ -21,6 +22,13 @@ struct ToolSize {
     double radius_mm = 2.0;
     double length_mm = 30.0;  // ignored by a sphere
 };
+
+// Over what time of the play the hand reaches the place that the wheel asks for, however many
+// notches: at once it would press or pull like a blow.
+inline constexpr double wheel_over_s = 0.12;
+// The time of a move where left_s of that is left and the mouse alone would take over_s (none: at
+// once).
+std::optional<double> at_least(double left_s, std::optional<double> over_s);
 
 // UI thread only; the view must outlive it.
 class ToolHand {
@@ -59,6 +67,9 @@ class ToolHand {
   private:
     void bring(const Vec3& tip_mm, const Vec3& direction);
     void bring_to(const Pixel& at);
+    void lead_to(const Pixel& at, std::optional<double> over_s);
+    // From the tip as it was seen last to the plane in which the mouse leads it. Requires seen_.
+    double depth_left_mm() const;
     Vec3 way_at(const Pixel& at) const;
 
     SceneView& view_;
@@ -72,6 +83,7 @@ class ToolHand {
     bool asked_ = false;  // a tool was requested and no frame has shown it yet
     HandPace pace_;
     Vec3 depth_mm_ = Vec3::Zero();  // a point of the plane in which the tip moves
+    double depth_asked_mm_ = 0.0;   // what was left when the wheel was turned last
     std::optional<Pixel> mouse_at_;
 };
 

@@ -210,10 +210,10 @@ void ToolPanel::show_tear(const std::optional<TearView>& tear) {
     tears_->setChecked(tear.has_value());
     torn_->setToolTip({});
     if (!tear) return torn_->setText(Words::tr("whole"));
-    QString text =
-        tear->joints_broken == 0
-            ? Words::tr("nothing torn")
-            : Words::tr("torn at %1 places, %2 pieces").arg(tear->joints_broken).arg(tear->pieces);
+    QString text = tear->joints_broken == 0 ? Words::tr("nothing cut or torn")
+                                            : Words::tr("cut or torn at %1 places, %2 pieces")
+                                                  .arg(tear->joints_broken)
+                                                  .arg(tear->pieces);
     torn_->setToolTip(Words::tr("Damage, as entropy produced by tearing: %L1 nats")
                           .arg(tear->entropy_produced_nats, 0, 'f', 2));
     if (tear->leak_g_s > 0.0 || tear->leaked_g > 0.0) text += bleeding_text(*tear, units_);

@@ -133,12 +133,15 @@ Json table_of_bounds(const std::vector<BoundStanding>& bounds,
                      const std::vector<std::string>& marks, FlowUnits units, bool judged) {
     Json rows = Json::array();
     for (const BoundStanding& bound : bounds) {
-        const QString kept = !judged      ? Words::tr("not judged")
+        const bool unknown = std::isnan(bound.value);
+        const QString was = unknown ? Words::tr("not measured")
+                                    : in_words(bound.predicate.quantity, bound.value, units);
+        const QString kept = !judged ? Words::tr("not judged: the lesson did not reach its end")
                              : bound.kept ? Words::tr("yes")
                                           : Words::tr("no");
         rows.push_back(
             {{key(Words::tr("Bound")), key(translated(to_words(bound.predicate, marks, units)))},
-             {key(Words::tr("Was")), key(in_words(bound.predicate.quantity, bound.value, units))},
+             {key(Words::tr("Was")), key(was)},
              {key(Words::tr("Kept")), key(kept)}});
     }
     return rows;

@@ -10,6 +10,7 @@
 #include "core/base/atomic_write.h"
 #include "core/base/csv_cell.h"
 #include "core/base/error.h"
+#include "core/base/number_text.h"
 #include "core/base/text_file.h"
 #include "core/lesson/lesson_fields.h"
 #include "core/lesson/predicate_json.h"
@@ -197,16 +198,18 @@ std::optional<Band> band_of(const std::vector<Attempt>& attempts, Quantity quant
 }
 
 std::string to_csv(const std::vector<Attempt>& attempts) {
-    std::string text = "attempt,ended_at,passed,reference";
+    std::string text = "lesson,attempt,ended_at,passed,reference";
     for (std::size_t i = 0; i < metric_count; ++i)
         text += std::string(",") + words_of(quantity(i)).name;
     const bool named = !names_in(attempts).empty();
     text += named ? ",name\n" : "\n";
     for (std::size_t row = 0; row < attempts.size(); ++row) {
         const Attempt& attempt = attempts[row];
-        text += std::to_string(row + 1) + "," + csv_cell(attempt.ended_at) + "," +
-                (attempt.passed ? "yes" : "no") + "," + (attempt.reference ? "yes" : "no");
-        for (const double value : attempt.metrics) text += "," + csv_cell(value);
+        text += csv_cell(attempt.lesson) + "," + std::to_string(row + 1) + "," +
+                csv_cell(attempt.ended_at) + "," + (attempt.passed ? "yes" : "no") + "," +
+                (attempt.reference ? "yes" : "no");
+        for (const double value : attempt.metrics)
+            text += std::isfinite(value) ? "," + number_text(value) : ",";
         if (named) text += "," + csv_cell(attempt.name);
         text += "\n";
     }

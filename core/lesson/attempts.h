@@ -78,8 +78,8 @@ struct Band {
 };
 std::optional<Band> band_of(const std::vector<Attempt>& attempts, Quantity quantity);
 
-// CSV: the header "attempt,ended_at,passed,reference,time_s,..." and one row per attempt, with all
-// digits. A last column "name" is added if any attempt has one.
+// CSV: the header "lesson,attempt,ended_at,passed,reference,time_s,..." and one row per attempt,
+// with six significant digits. A last column "name" is added if any attempt has one.
 std::string to_csv(const std::vector<Attempt>& attempts);
 
 }  // namespace hepatica

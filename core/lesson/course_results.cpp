@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/csv_cell.h"
+#include "core/base/number_text.h"
 #include "core/lesson/course_standing.h"
 
 namespace hepatica {
@@ -51,7 +52,7 @@ std::string to_csv(const CourseResults& results) {
             const LessonResult& result = trainee.lessons[i];
             text += csv_cell(trainee.name) + "," + csv_cell(results.lessons[i]) + "," +
                     (result.passed ? "yes" : "no") + "," + std::to_string(result.attempts) + "," +
-                    (result.best_s ? csv_cell(*result.best_s) : "") + "\n";
+                    (result.best_s ? number_text(*result.best_s) : "") + "\n";
         }
     return text;
 }

@@ -102,6 +102,7 @@ std::vector<PlayEvent> PlayEvents::see(double at_s, std::span<const Command> com
                                        const Frame& frame, const LessonStanding* standing) {
     at_s_ = at_s;
     found_.clear();
+    by_blade_ = false;
     if (!begun_ && frame.tear) tear_ = *frame.tear;  // tears before the first step are no events
     see_commands(commands, frame);
     see_contact(frame);
@@ -117,6 +118,7 @@ void PlayEvents::see_commands(std::span<const Command> commands, const Frame& fr
         const auto words = std::visit(WordsOfCommand{}, command);
         const bool empty_hand = std::holds_alternative<ReleaseGrab>(command) && !held_;
         if (words && !empty_hand) note(words->kind, words->text);
+        by_blade_ |= std::holds_alternative<Blade>(command);
     }
     // A click beside the vessel grabs nothing.
     if (frame.grab && !held_) note(PlayEventKind::hand, "Took hold");
@@ -134,8 +136,17 @@ void PlayEvents::see_tear(const TearView& now) {
     if (load >= near_load && !near_) note(PlayEventKind::near_tear, "About to tear");
     if (load >= near_load) near_ = true;
     if (load < eased_load) near_ = false;
-    if (now.joints_broken < tear_.joints_broken) note(PlayEventKind::tear, "Whole again");
-    if (now.joints_broken > 0 && tear_.joints_broken == 0) note(PlayEventKind::tear, "Torn");
+    if (now.joints_broken < tear_.joints_broken) {
+        note(PlayEventKind::tear, "Whole again");
+        torn_ = false;
+    }
+    // A blade parts joints in the step that it is drawn in; what parts otherwise is torn.
+    if (now.joints_broken > tear_.joints_broken) {
+        if (by_blade_)
+            note(PlayEventKind::cut, "Cut");
+        else if (!std::exchange(torn_, true))
+            note(PlayEventKind::tear, "Torn");
+    }
     if (now.pieces > tear_.pieces) note(PlayEventKind::tear, "A piece came off");
     if (now.leak_g_s > 0.0 && tear_.leak_g_s == 0.0) note(PlayEventKind::blood, "Bleeding began");
     if (now.leak_g_s == 0.0 && tear_.leak_g_s > 0.0) note(PlayEventKind::blood, "Bleeding ended");

@@ -66,7 +66,9 @@ class PlayEvents {
     double touched_s_ = -1e9;  // when a tool touched last
     bool near_ = false;        // to tearing
     bool diverged_ = false;
-    TearView tear_;  // of the frame before
+    bool by_blade_ = false;  // a blade is drawn in this step
+    bool torn_ = false;      // "Torn" was noted since the vessels were whole
+    TearView tear_;          // of the frame before
     std::string message_;
     std::size_t lesson_step_ = 0;
     bool lesson_ended_ = false;

@@ -157,6 +157,22 @@ TEST_F(LessonVerb, AReportJudgesByThePassMarksOfTheCourse) {
     EXPECT_NE(page.find("path of the tip at most 0.5"), std::string::npos) << page;
 }
 
+TEST_F(LessonVerb, AReportSaysWhyAPassMarkIsNotJudged) {
+    play(100.0);  // is not reached
+    Attempt attempt;
+    attempt.recording = path("play.hrec");
+    attempt.lesson = "Pull <gently>";
+    attempt.ended_at = "2026";
+    attempt.course_pass = {{Quantity::path_mm, -1, false, 50.0}};
+    write_attempt(attempt);
+    const Outcome run = report({"--report", path("play.hrec"), "--out", path("unreached"),
+                                "--lesson", path("lesson.json"), "--json"});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    const std::string page = contents_of(path("unreached/report.html"));
+    for (const char* text : {"not measured", "not judged: the lesson did not reach its end"})
+        EXPECT_NE(page.find(text), std::string::npos) << text;
+}
+
 // The lesson asks for the blood, so that none is a result; everything is said in German.
 TEST_F(LessonVerb, MakesAReportInTheLanguageThatIsAskedFor) {
     play(3.0);

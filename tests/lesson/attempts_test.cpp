@@ -94,11 +94,17 @@ TEST(Attempts, AsATableHaveARowEach) {
     std::vector<Attempt> attempts{attempt_at("a.hrec", "2026", 0.1)};
     attempts[0].passed = true;
     const std::string csv = to_csv(attempts);
-    EXPECT_TRUE(csv.starts_with("attempt,ended_at,passed,reference,time_s,path_mm"));
-    EXPECT_THAT(csv, HasSubstr("\n1,\"2026\",yes,no,0.1,0,"));
+    EXPECT_TRUE(csv.starts_with("lesson,attempt,ended_at,passed,reference,time_s,path_mm"));
+    EXPECT_THAT(csv, HasSubstr("\n\"Gentle pull\",1,\"2026\",yes,no,0.1,0,"));
     EXPECT_TRUE(csv.ends_with(",\n")) << "a share that is not known is empty";
     attempts[0].ended_at = "on Monday, \"late\"";  // files can be edited by hand
-    EXPECT_THAT(to_csv(attempts), HasSubstr("\n1,\"on Monday, \"\"late\"\"\",yes,no,"));
+    EXPECT_THAT(to_csv(attempts), HasSubstr(",1,\"on Monday, \"\"late\"\"\",yes,no,"));
+}
+
+// Seventeen digits are noise of the computation that no table is read for.
+TEST(Attempts, OfATableHaveSixDigits) {
+    const Attempt attempt = attempt_at("a.hrec", "2026", 100.0 / 3.0);
+    EXPECT_THAT(to_csv({attempt}), HasSubstr(",\"2026\",no,no,33.3333,0,"));
 }
 
 TEST(Attempts, OfADamagedFileAreRefusedByTheirPlace) {

@@ -122,6 +122,24 @@ TEST_F(PlayEventsTest, WhatTearsBleedsAndIsMadeWholeAgain) {
     EXPECT_THAT(see({UseTear{false}}), ElementsAre("Whole again", "Bleeding ended"));
 }
 
+TEST_F(PlayEventsTest, WhatABladePartsIsCutAndWhatPartsLaterIsTorn) {
+    frame_.tear = TearView{};
+    EXPECT_THAT(see(), IsEmpty());
+    frame_.tear->joints_broken = 4;
+    EXPECT_THAT(see({Blade{}}), ElementsAre("Blade drawn", "Cut"));
+    EXPECT_EQ(last_, PlayEventKind::cut);
+    frame_.tear->joints_broken = 6;
+    EXPECT_THAT(see(), ElementsAre("Torn"));
+    EXPECT_EQ(last_, PlayEventKind::tear);
+    frame_.tear->joints_broken = 7;
+    EXPECT_THAT(see(), IsEmpty()) << "it goes on";
+    EXPECT_THAT(see({Blade{}}), ElementsAre("Blade drawn")) << "beside the vessel";
+    frame_.tear->joints_broken = 0;
+    EXPECT_THAT(see({ResetWorld{}}), ElementsAre("Begun again from rest", "Whole again"));
+    frame_.tear->joints_broken = 1;
+    EXPECT_THAT(see(), ElementsAre("Torn"));
+}
+
 TEST_F(PlayEventsTest, WhatTheProgramSaidOrStoppedByItself) {
     frame_.statistics.message = "The drug cannot flow there";
     EXPECT_THAT(see(), ElementsAre("The drug cannot flow there"));

@@ -78,7 +78,7 @@ TEST(Review, ShowsThePlayFrameByFrame) {
     EXPECT_THAT(events, happened(11.0 / 60, "Injected"));
     EXPECT_THAT(events, happened(16.0 / 60, "Let go"));
     EXPECT_THAT(events, happened(31.0 / 60, "Blade drawn"));
-    EXPECT_THAT(events, happened(31.0 / 60, "Torn"));
+    EXPECT_THAT(events, happened(31.0 / 60, "Cut"));
 }
 
 TEST(Review, OfALessonHasItsEnd) {

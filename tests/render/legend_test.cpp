@@ -145,13 +145,13 @@ TEST(LegendRows, SayWhatGreenAndRedMeanWhereTheyAreShown) {
     LegendContent content = content_of(near_tearing, true);
     content.systems = {VascularSystem::portal};
     EXPECT_EQ(texts_of(content),
-              (std::vector<std::string>{"Torn", "Load (% of what tears)", "Portal vein"}));
+              (std::vector<std::string>{"Cut or torn", "Load (% of what tears)", "Portal vein"}));
     EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::torn});
     content.touched = content.gaps = content.places = true;
     EXPECT_EQ(
         texts_of(content),
         (std::vector<std::string>{"Touch and force", "A place of the lesson", "A gap, and how sure",
-                                  "Torn", "Load (% of what tears)", "Portal vein"}));
+                                  "Cut or torn", "Load (% of what tears)", "Portal vein"}));
     EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::touch});
     EXPECT_EQ(legend_rows(content)[1].colours, std::vector{palette::torn_circle});
     EXPECT_EQ(legend_rows(content)[2].colours, std::vector{palette::bridge});

@@ -66,6 +66,7 @@ TEST(FlowUnits, OfBleeding) {
         return false;
     };
     EXPECT_TRUE(says("bleeds 2.1 g/s, 530 g so far"));
+    EXPECT_TRUE(says("cut or torn at 3 places")) << "nobody keeps which of them";
     panel.set_units(FlowUnits::clinic);
     EXPECT_TRUE(says("bleeds 120 mL/min, 500 mL so far")) << "without another frame";
     panel.set_units(FlowUnits::computed);

@@ -140,6 +140,22 @@ TEST_F(LessonToolsTest, its_clock_stands_from_the_verdict_on_until_something_is_
     EXPECT_TRUE(wait_for([&] { return clock->isHidden(); }));
 }
 
+// The tool is gone and the wheel has another meaning, while the eyes are on the vessels.
+TEST_F(LessonToolsTest, that_the_tool_is_put_away_at_the_verdict_is_said) {
+    Lesson lesson = new_lesson();
+    lesson.tools = {LessonTool::sphere};
+    lesson.limits = {{Quantity::time_s, -1, false, 1.0}};
+    begin(lesson);
+    action(ActionId::sphere_tool).trigger();
+    ASSERT_EQ(window_.view().mouse().mode(), MouseMode::tool);
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
+    EXPECT_TRUE(wait_for([&] {
+        return window_.statusBar()->currentMessage() ==
+               "The lesson is judged: the tool is put away, and the wheel zooms";
+    }));
+    EXPECT_EQ(window_.view().mouse().mode(), MouseMode::pull);
+}
+
 TEST_F(LessonToolsTest, a_slip_is_told_of_and_does_not_end_it) {
     begin(new_lesson());
     const Vec3 mark = window_.lessons().marks_in(window_.frame()).at(0).place_mm;

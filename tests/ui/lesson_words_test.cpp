@@ -3,7 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <QFormLayout>
+#include <QLabel>
 #include <limits>
+
+#include "core/lesson/lesson_file.h"
+#include "ui/tool_panel.h"
 
 namespace hepatica {
 namespace {
@@ -55,11 +60,33 @@ TEST(LessonWords, SayThatNoneIsAllowedWhereNoneIs) {
     EXPECT_EQ(to_words(Predicate{Quantity::holding, -1, false, 0.0}, {}, computed),
               "no vessels held by the hand");
     EXPECT_EQ(to_words(Predicate{Quantity::pieces_off, -1, false, 1.0}, {}, computed),
-              "pieces torn off at most 1");
+              "pieces off at most 1");
     EXPECT_EQ(to_words(Predicate{Quantity::pieces_off, -1, true, 0.0}, {}, computed),
-              "pieces torn off at least 0");
+              "pieces off at least 0");
     EXPECT_EQ(to_words(Predicate{Quantity::force_mn, -1, false, 0.0}, {}, computed),
               "force at most 0 mN");
+}
+
+// The panel shows flows in the units that the trainee chose, which a text does not know.
+TEST(LessonWords, OfBuiltInLessonsNameNoFlowInOneUnitAlone) {
+    for (const BuiltInLesson& entry : built_in_lessons())
+        for (const LessonStep& step : find_lesson(entry.id).steps)
+            for (const std::string& text : {step.text, step.hint})
+                EXPECT_EQ(text.find("g/s") == std::string::npos,
+                          text.find("mL/min") == std::string::npos)
+                    << text;
+}
+
+TEST(LessonWords, OfTheCutLineNameTheFieldToSet) {
+    ToolPanel panel({});
+    const auto* form = qobject_cast<QFormLayout*>(
+        panel.findChild<QWidget*>("lineStrength")->parentWidget()->layout());
+    ASSERT_NE(form, nullptr);
+    const auto* label =
+        qobject_cast<QLabel*>(form->labelForField(panel.findChild<QWidget*>("lineStrength")));
+    ASSERT_NE(label, nullptr);
+    const std::string hint = find_lesson("cut_line").steps[0].hint;
+    EXPECT_NE(hint.find("\"" + label->text().toStdString() + "\""), std::string::npos) << hint;
 }
 
 TEST(LessonWords, NoLineBreaksBeforeAUnit) {

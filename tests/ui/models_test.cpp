@@ -192,6 +192,8 @@ TEST(ActionTable, has_no_key_twice_and_explains_everything) {
         keys.insert(spec.keys);
         EXPECT_TRUE(Actions::cheat_sheet().contains(QString(spec.tip).toHtmlEscaped()));
     }
+    EXPECT_FALSE(Actions::cheat_sheet().contains("robe: Probe")) << "its tip begins with its name";
+    EXPECT_TRUE(Actions::cheat_sheet().contains("Rod probe: the mouse leads"));
 }
 
 TEST(SurfaceAnatomy, knows_what_lies_downstream) {

@@ -151,12 +151,14 @@ TEST_F(RecordedWindow, the_list_says_what_each_recording_is) {
     attempt.lesson = "Gentle pull";
     attempt.ended_at = "2026-11-26T03:41:00Z";
     attempt.passed = true;
+    attempt.name = "Nr. 7";
     write_attempt(attempt);
     RecordingDialog dialog(folder, nullptr);
     const auto& table = *dialog.findChild<QTableWidget*>("recordings");
     ASSERT_EQ(table.rowCount(), 1);
     EXPECT_EQ(table.item(0, 0)->text(), "Gentle pull");
     EXPECT_EQ(table.item(0, 2)->text(), "✓ passed");
+    EXPECT_EQ(table.item(0, 3)->text(), "Nr. 7") << "who played it";
 }
 
 }  // namespace

@@ -51,6 +51,16 @@ TEST(ReviewTitle, OfTwoFilesOfOneNameTellsThemApartWithoutTheirFolders) {
     }
 }
 
+// Recordings of a lesson begin alike, and little of a long heading may be seen.
+TEST(ReviewTitle, OfTwoFilesOfOneLessonBeginsDifferently) {
+    RecordingFacts one, other;
+    one.file = "gentle_pull-20261126-034000-123.hrec";
+    other.file = "gentle_pull-20261126-034100-123.hrec";
+    const std::array<QString, 2> headings = headings_of(one, other);
+    EXPECT_TRUE(headings[0].startsWith("1: gentle_pull"));
+    EXPECT_TRUE(headings[1].startsWith("2: gentle_pull"));
+}
+
 TEST_F(ReviewWindowTest, goes_to_any_moment_of_the_play) {
     open_built_in();
     look_back();

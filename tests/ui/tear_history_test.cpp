@@ -55,7 +55,7 @@ TEST(TearHistory, SaysWhenSomethingHappens) {
     history.follow(frame_at(5.0, stopped));
     history.follow(frame_at(6.0, torn(0, 1, 0.0)));
     EXPECT_EQ(words(history),
-              (std::vector<std::string>{"torn", "torn off", "bleeding", "no more bleeding",
+              (std::vector<std::string>{"cut or torn", "piece off", "bleeding", "no more bleeding",
                                         "tear stopped", "whole"}));
     EXPECT_EQ(history.events()[1].time_s, 2.0);
 }
@@ -70,7 +70,7 @@ TEST(TearHistory, OfAPatientInSeveralPiecesNoneIsTornOff) {
 TEST(TearHistory, GoesBackWithTheTimeAndForgetsWithTheTear) {
     TearHistory history;
     for (int i = 0; i < 10; ++i) history.follow(frame_at(i, torn(i > 5 ? 1 : 0, 1, 0.0)));
-    EXPECT_EQ(words(history), std::vector<std::string>{"torn"});
+    EXPECT_EQ(words(history), std::vector<std::string>{"cut or torn"});
     history.follow(frame_at(3.0, torn(0, 1, 0.0)));
     EXPECT_EQ(history.chart().curves[0].x.back(), 3.0);
     EXPECT_EQ(history.chart().curves[0].x.size(), 4u);

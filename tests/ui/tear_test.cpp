@@ -3,8 +3,11 @@
 #include <QCheckBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QPushButton>
+#include <algorithm>
 
 #include "tests/ui/fake_window_test.h"
+#include "ui/message_bar.h"
 #include "ui/plot_panel.h"
 
 namespace hepatica {
@@ -110,6 +113,26 @@ TEST_F(TearTest, escape_first_lets_go_of_the_vessel_and_of_the_line) {
     EXPECT_EQ(commands_of_type<Blade>().size(), 0u);
 }
 
+TEST_F(TearTest, of_undo_it_is_said_that_it_takes_no_cut_back_and_what_does) {
+    const auto press_undo = [this] { QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier); };
+    press_undo();
+    EXPECT_EQ(window_.messages().text(), "") << "nothing is cut";
+    TearView cut;
+    cut.joints_broken = 4;
+    simulation_->show_tear(cut);
+    ASSERT_TRUE(testing::wait_for(
+        [this] { return window_.frame().tear && window_.frame().tear->joints_broken == 4; }));
+    press_undo();
+    EXPECT_TRUE(window_.messages().text().contains("Reset (Backspace) makes the vessels whole"));
+    const auto buttons = window_.messages().findChildren<QPushButton*>();
+    const auto reset = std::ranges::find_if(
+        buttons, [](const QPushButton* button) { return button->text() == "Reset"; });
+    ASSERT_NE(reset, buttons.end());
+    (*reset)->click();
+    EXPECT_EQ(commands_of_type<ResetWorld>().size(), 1u);
+    EXPECT_EQ(window_.messages().text(), "");
+}
+
 TEST_F(TearTest, the_panel_switches_tearing_with_its_factor) {
     auto* factor = window_.findChild<QDoubleSpinBox*>("tearFactor");
     factor->setValue(0.1);
@@ -134,7 +157,7 @@ TEST_F(TearTest, the_curves_of_a_tear_appear_with_what_happened) {
     simulation_->show_tear(torn);
     ASSERT_TRUE(testing::wait_for([&] { return !dock->isHidden(); }));
     ASSERT_EQ(panel->tear().events().size(), 3u);
-    EXPECT_EQ(panel->tear().events()[0].text, "torn");
+    EXPECT_EQ(panel->tear().events()[0].text, "cut or torn");
     EXPECT_EQ(panel->tear().events()[2].text, "bleeding");
     EXPECT_TRUE(panel->tear().isVisible());
     simulation_->show_tear(std::nullopt);

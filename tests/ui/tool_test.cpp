@@ -99,6 +99,51 @@ TEST_F(ToolInHand, the_wheel_moves_it_in_depth_and_control_zooms) {
     EXPECT_EQ(count<MoveTool>(), moves);
 }
 
+// At once it would strike the vessel and decide a lesson by its force.
+TEST_F(ToolInHand, the_depth_of_the_wheel_is_reached_over_a_moment_of_the_play) {
+    take(Qt::Key_4);
+    const auto over_s = [this] { return commands_of_type<MoveTool>().back().over_s.value_or(0.0); };
+    ToolView tool = *window_.frame().tool;
+    const Vec3 forward = axes().forward, before = tool.tip_mm;
+    turn_wheel(1);
+    EXPECT_DOUBLE_EQ(over_s(), wheel_over_s);
+    turn_wheel(2);
+    EXPECT_DOUBLE_EQ(over_s(), wheel_over_s);
+    EXPECT_NEAR((commands_of_type<MoveTool>().back().target_mm - before).dot(forward), 3.0, 1e-9);
+    point_at(on_trunk() + QPoint(1, 0));  // the mouse must not hasten it
+    EXPECT_NEAR(over_s(), wheel_over_s, 1e-9);
+    const auto led_by = [&](double mm) {
+        tool.tip_mm += mm * forward;
+        tool.centre_mm += mm * forward;
+        window_.view().mouse().hand().follow(tool);
+    };
+    led_by(1.5);
+    point_at(on_trunk() + QPoint(2, 0));
+    EXPECT_GE(over_s(), 0.5 * wheel_over_s - 1e-9);
+    EXPECT_LE(over_s(), HandPace::longest_s);
+    led_by(1.5);
+    const std::size_t moves = count<MoveTool>();
+    paint();
+    EXPECT_EQ(count<MoveTool>(), moves) << "nothing is sent again and again";
+}
+
+TEST_F(ToolInHand, a_zoom_pulls_no_vessel_at_once) {
+    const QPoint place = on_trunk(), mouse = place + QPoint(40, 30);
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, place);
+    ASSERT_EQ(count<GrabPoint>(), 1u);
+    QTest::mouseMove(&window_.view(), mouse);
+    const std::size_t moves = count<MoveGrab>();
+    turn_wheel(1);
+    ASSERT_EQ(count<MoveGrab>(), moves + 1);
+    const MoveGrab move = commands_of_type<MoveGrab>().back();
+    EXPECT_DOUBLE_EQ(move.over_s.value_or(0.0), wheel_over_s);
+    EXPECT_LE((on_widget(move.target_mm) - mouse).manhattanLength(), 2);
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, mouse);
+    const std::size_t after = count<MoveGrab>();
+    turn_wheel(1);
+    EXPECT_EQ(count<MoveGrab>(), after);
+}
+
 // Taken up over nothing it may be far from the vessel that it is for.
 TEST_F(ToolInHand, the_wheel_with_shift_moves_it_five_times_as_far) {
     take(Qt::Key_4);

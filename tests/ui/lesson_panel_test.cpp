@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the panel of a lesson says of a standing, without a window.
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <cmath>
+#include <tuple>
+
+#include "core/lesson/lesson_draft.h"
+#include "ui/lesson_panel.h"
+
+namespace hepatica {
+namespace {
+
+Lesson two_steps() {
+    Lesson lesson;
+    lesson.name = "A <name>";
+    lesson.steps = {{"Pull", "Gently", {{Quantity::force_mn, -1, true, 2.0}}, 4.0, {}},
+                    {"Let go", "", {{Quantity::force_mn, -1, false, 0.0}}, 0.0, {}}};
+    lesson.limits = {{Quantity::force_mn, -1, false, 10.0}};
+    return lesson;
+}
+
+class LessonPanelTest : public ::testing::Test {
+  protected:
+    LessonPanelTest()
+        : panel_({[this] { ++again_; }, [this] { ++left_; }, [this] { ++reports_; },
+                  [this] { ++looks_back_; }, [this] { ++asked_for_attempts_; }}) {
+        panel_.begin(two_steps());
+        standing_.steps.resize(2);
+        standing_.goal = {{two_steps().steps[0].goal[0], 1.0, false}};
+        standing_.limits = {{two_steps().limits[0], 3.0, true}};
+    }
+    QString text(const char* name) { return panel_.findChild<QLabel*>(name)->text(); }
+    QPushButton* button(const char* name) { return panel_.findChild<QPushButton*>(name); }
+
+    int again_ = 0, left_ = 0, reports_ = 0, looks_back_ = 0, asked_for_attempts_ = 0;
+    LessonPanel panel_;
+    LessonStanding standing_;
+};
+
+TEST_F(LessonPanelTest, says_the_step_its_goal_and_the_limits) {
+    standing_.steps[0].held_s = 1.0;
+    panel_.show_standing(standing_);
+    EXPECT_EQ(text("lessonStep"), "Step 1 of 2: Pull");
+    EXPECT_TRUE(text("lessonGoal").contains("force at least 2\u202fmN"));
+    EXPECT_TRUE(text("lessonGoal").contains("1\u202fmN"));
+    EXPECT_TRUE(text("lessonLimits").contains("force at most 10\u202fmN"));
+    EXPECT_TRUE(text("lessonTitle").contains("A &lt;name&gt;")) << "a name is no markup";
+    EXPECT_EQ(panel_.findChild<QProgressBar*>("lessonHold")->value(), 25);
+    EXPECT_TRUE(button("lessonReport")->isHidden());
+}
+
+// A row "time of this step" would seem to be of the step that is played now.
+TEST_F(LessonPanelTest, shows_no_limits_of_a_step_that_is_over) {
+    Lesson lesson = two_steps();
+    lesson.steps[0].limits = {{Quantity::step_time_s, -1, false, 20.0}};
+    lesson.steps[1].limits = {{Quantity::path_mm, -1, false, 30.0}};
+    panel_.begin(lesson);
+    standing_.limits.push_back({lesson.steps[0].limits[0], 4.0, true});
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonLimits").contains("20\u202fs"));
+    standing_.limits.push_back({lesson.steps[1].limits[0], 5.0, true});
+    standing_.step = 1;
+    panel_.show_standing(standing_);
+    EXPECT_FALSE(text("lessonLimits").contains("20\u202fs")) << text("lessonLimits").toStdString();
+    EXPECT_TRUE(text("lessonLimits").contains("10\u202fmN")) << "the lesson's own";
+    EXPECT_TRUE(text("lessonLimits").contains("30\u202fmm")) << "of this step";
+    standing_.step = 2;
+    standing_.outcome = LessonOutcome::passed;
+    panel_.show_standing(standing_);
+    EXPECT_FALSE(text("lessonLimits").contains("30\u202fmm"));
+    EXPECT_TRUE(text("lessonLimits").contains("10\u202fmN"));
+}
+
+TEST_F(LessonPanelTest, says_what_the_wheel_does_after_the_verdict) {
+    standing_.outcome = LessonOutcome::passed;
+    panel_.show_standing(standing_, true);
+    EXPECT_TRUE(text("lessonClock").contains("the wheel zooms"));
+    EXPECT_FALSE(panel_.findChild<QLabel*>("lessonClock")->isHidden());
+}
+
+TEST_F(LessonPanelTest, says_of_what_must_not_be_that_the_number_beside_it_was_counted) {
+    standing_.limits = {{{Quantity::holding, -1, false, 0.0}, 1.0, false}};
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonLimits").contains("no vessels held by the hand"));
+    EXPECT_TRUE(text("lessonLimits").contains("<b>counted: 1</b>"))
+        << text("lessonLimits").toStdString();
+}
+
+// Who knows them only in the end plays for something else.
+TEST_F(LessonPanelTest, says_the_pass_marks_from_the_start) {
+    standing_.pass = {{{Quantity::impulse_mn_s, -1, false, 6000.0}, std::nan(""), false}};
+    panel_.show_standing(standing_);
+    EXPECT_FALSE(panel_.findChild<QLabel*>("lessonPass")->isHidden());
+    EXPECT_TRUE(text("lessonPass").contains("force over time at most 6000\u202fmN\u202fs"));
+    EXPECT_FALSE(text("lessonPass").contains("none"));
+    standing_.pass[0].value = 1500.0;
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonPass").contains("1500\u202fmN\u202fs")) << "how it stands so far";
+    standing_.outcome = LessonOutcome::passed;
+    standing_.pass[0].value = 1.0;
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(panel_.findChild<QLabel*>("lessonPass")->isHidden()) << "they are told of below";
+    EXPECT_TRUE(text("lessonEnd").contains("force over time"));
+}
+
+TEST_F(LessonPanelTest, says_whether_it_fits_the_patient) {
+    EXPECT_TRUE(panel_.findChild<QLabel*>("lessonPlaceDoubts")->isHidden());
+    panel_.begin(new_lesson(), {"\"mark 1\" lies beside"});
+    EXPECT_FALSE(panel_.findChild<QLabel*>("lessonPlaceDoubts")->isHidden());
+    EXPECT_TRUE(text("lessonPlaceDoubts").contains("\"mark 1\" lies beside"));
+    panel_.begin(new_lesson());
+    EXPECT_TRUE(panel_.findChild<QLabel*>("lessonPlaceDoubts")->isHidden());
+}
+
+TEST_F(LessonPanelTest, says_blood_in_the_units_that_were_chosen) {
+    const BoundStanding bleeding{{Quantity::leak_g_s, -1, false, 0.53}, 1.06, false};
+    standing_.limits = {bleeding};
+    panel_.set_units(FlowUnits::clinic);
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonLimits").contains("bleeding at most 30\u202fmL/min"));
+    EXPECT_TRUE(text("lessonLimits").contains("60\u202fmL/min"));
+    standing_.outcome = LessonOutcome::failed;
+    standing_.reasons = {reason_of_limit(bleeding, {})};
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonEnd").contains("it was 60\u202fmL/min"));
+    panel_.set_units(FlowUnits::computed);
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonEnd").contains("it was 1.06\u202fg/s"));
+}
+
+TEST_F(LessonPanelTest, gives_a_hint_where_it_is_asked_for) {
+    panel_.show_standing(standing_);
+    auto* hint = panel_.findChild<QLabel*>("lessonHint");
+    EXPECT_TRUE(hint->isHidden());
+    button("lessonHintButton")->click();
+    EXPECT_FALSE(hint->isHidden());
+    EXPECT_EQ(hint->text(), "Gently");
+    standing_.step = 1;
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(hint->isHidden()) << "of the step before";
+    EXPECT_FALSE(button("lessonHintButton")->isEnabled()) << "this step has none";
+}
+
+TEST_F(LessonPanelTest, says_in_the_end_whether_it_is_passed_and_why_not) {
+    standing_.outcome = LessonOutcome::failed;
+    standing_.reasons = {"limit broken: force"};
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonEnd").contains("Not passed"));
+    EXPECT_TRUE(text("lessonEnd").contains("limit broken: force"));
+    EXPECT_FALSE(button("lessonReport")->isHidden());
+    button("lessonReport")->click();
+    button("lessonLookBack")->click();
+    button("lessonAttempts")->click();
+    button("lessonAgain")->click();
+    button("lessonLeave")->click();
+    EXPECT_EQ(std::tuple(again_, left_, reports_, looks_back_, asked_for_attempts_),
+              std::tuple(1, 1, 1, 1, 1));
+    standing_.outcome = LessonOutcome::passed;
+    standing_.reasons.clear();
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonEnd").contains("✓ Passed"));
+}
+
+}  // namespace
+}  // namespace hepatica
