@@ -12,6 +12,7 @@
 #include <QRegularExpression>
 #include <QVBoxLayout>
 #include <cmath>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/image/volume_reader.h"
@@ -145,9 +146,11 @@ void PatientWizard::set_ct(const QString& path) {
 }
 
 void PatientWizard::look_for_series() {
+    const std::filesystem::path folder = to_path(ct_->text().trimmed());
+    // The field tells so whenever it loses the focus: the series chosen then stays.
+    if (std::exchange(looked_in_, folder) == folder) return;
     listing_.reset();
     offer({});
-    const std::filesystem::path folder = to_path(ct_->text().trimmed());
     if (!std::filesystem::is_directory(folder) || is_case(folder)) return;
     BackgroundJob::Callbacks callbacks;
     callbacks.failed = [](const Failure&) {};  // reading the CT will report the same

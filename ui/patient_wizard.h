@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QDialog>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -46,6 +47,7 @@ class PatientWizard : public QDialog {
     QLineEdit* portal_seeds_;
     QLineEdit* hepatic_seeds_;
     QLabel* problem_;
+    std::filesystem::path looked_in_;  // whose series were listed last
     std::unique_ptr<BackgroundJob> listing_;
 };
 

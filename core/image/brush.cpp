@@ -67,13 +67,8 @@ void sweep(const BrushStroke& stroke, const Grid& grid,
 }
 
 void apply(const BrushStroke& stroke, std::uint8_t label, Mask& mask) {
-    sweep(stroke, mask.grid, [&](std::size_t offset) {
-        std::uint8_t& voxel = mask.voxels[offset];
-        if (stroke.erases)
-            voxel = 0;
-        else if (voxel == 0)
-            voxel = label;
-    });
+    const std::uint8_t left = stroke.erases ? std::uint8_t{0} : label;
+    sweep(stroke, mask.grid, [&](std::size_t offset) { mask.voxels[offset] = left; });
 }
 
 }  // namespace hepatica

@@ -28,8 +28,8 @@ struct BrushStroke {
 void sweep(const BrushStroke& stroke, const Grid& grid,
            const std::function<void(std::size_t offset)>& touch);
 
-// Applies a stroke to the voxels of sweep(): an erasing stroke sets them to 0; a painting one sets
-// those that are 0 to `label` and leaves the others as they are.
+// Applies a stroke to the voxels of sweep(): an erasing stroke sets them to 0, a painting one to
+// `label`, whatever they were.
 void apply(const BrushStroke& stroke, std::uint8_t label, Mask& mask);
 
 }  // namespace hepatica

@@ -157,8 +157,8 @@ void PlayEvents::see_tear(const TearView& now) {
 
 void PlayEvents::see_trouble(const Frame& frame) {
     const FrameStatistics& said = frame.statistics;
-    // Degraded steps are frequent, and no act of the trainee.
-    if (said.message != message_ && !said.message.empty() && !said.degraded)
+    // What the solver says of degraded steps is frequent, and no act of the trainee.
+    if (said.message != message_ && !said.message.empty() && !said.message_of_solver)
         note(PlayEventKind::trouble, said.message);
     else if (said.diverged && !diverged_)
         note(PlayEventKind::trouble, "The simulation stopped by itself");

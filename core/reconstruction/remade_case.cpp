@@ -75,15 +75,17 @@ std::vector<TreeEdit> possible_edits(const PatientCase& made, const std::vector<
 }
 
 // A voxel of each connected part of what was painted, the nearest to its middle. They are vessels
-// of an unknown system from then on.
-std::vector<Vec3> take_painted_places(Mask& vessels, const Job& job) {
+// of the system that they had in the case before, if any.
+std::vector<Vec3> take_painted_places(const Mask& before, Mask& vessels, const Job& job) {
+    constexpr auto unknown = static_cast<std::uint8_t>(number_of(VascularSystem::unknown));
+    const bool known = same_grid(before.grid, vessels.grid);
     Mask painted(vessels.grid);
     bool any = false;
     for (std::size_t i = 0; i < vessels.voxels.size(); ++i) {
         if (vessels.voxels[i] != painted_voxel) continue;
         painted.voxels[i] = 1;
         any = true;
-        vessels.voxels[i] = static_cast<std::uint8_t>(number_of(VascularSystem::unknown));
+        vessels.voxels[i] = known && before.voxels[i] != 0 ? before.voxels[i] : unknown;
     }
     if (!any) return {};
     const Components parts = connected_components(painted, Connectivity::all26, job);
@@ -141,7 +143,7 @@ RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Jo
     if (!options.portal_trunk_mm) options.portal_trunk_mm = portal_trunk_of(patient);
     options.systems_before = &patient.mask;
     if (patient.doubts) options.of_image = *patient.doubts;
-    options.kept_mm = take_painted_places(vessels, job);
+    options.kept_mm = take_painted_places(patient.mask, vessels, job);
     drop_lost_seeds(vessels, options.seeds, result.warnings);
     job.begin_stage("Filling the vessels");
     PatientCase& made = result.patient;

@@ -73,10 +73,7 @@ TEST(Brush, TouchesWhatLiesWithinTheRadiusOfThePathAndNothingElse) {
                                              .norm());
                     if (std::abs(nearest - stroke.radius_mm) < 0.02) continue;  // of the samples
                     const int was = before.at(x, y, z);
-                    const int expected = nearest > stroke.radius_mm ? was
-                                         : stroke.erases            ? 0
-                                         : was == 0                 ? 9
-                                                                    : was;
+                    const int expected = nearest > stroke.radius_mm ? was : stroke.erases ? 0 : 9;
                     ASSERT_EQ(mask.at(x, y, z), expected) << "trial " << trial;
                 }
     }

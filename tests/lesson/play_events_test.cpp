@@ -146,7 +146,11 @@ TEST_F(PlayEventsTest, WhatTheProgramSaidOrStoppedByItself) {
     EXPECT_THAT(see(), IsEmpty());
     frame_.statistics.message = "the step was shortened";
     frame_.statistics.degraded = true;
+    frame_.statistics.message_of_solver = true;
     EXPECT_THAT(see(), IsEmpty()) << "how the solver helped itself is nobody's doing";
+    frame_.statistics.message = "The blade misses the vessels";
+    frame_.statistics.message_of_solver = false;
+    EXPECT_THAT(see(), ElementsAre("The blade misses the vessels")) << "a degraded step, too";
     frame_.statistics.message.clear();
     frame_.statistics.diverged = true;
     EXPECT_THAT(see(), ElementsAre("The simulation stopped by itself"));

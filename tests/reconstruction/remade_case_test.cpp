@@ -136,6 +136,29 @@ TEST_F(RemadeCaseTest, WhatIsErasedGoesAndWhatIsPaintedComes) {
         EXPECT_LT(nearest_point(painted.tree, place).distance_mm, 1.0) << place.transpose();
 }
 
+// Systems that were given are not found anew, so painting over a vessel has to leave it its own.
+TEST_F(RemadeCaseTest, WhatIsPaintedOverAVesselStaysOfItsSystem) {
+    ReconstructOptions drawn;
+    drawn.vessel_mask = "vessels.nii.gz";
+    PatientCase given = *patient_;
+    given.source.parameters_json = parameters_json(drawn);
+    const Station at = twig();
+    const auto system_at = [&](const VesselTree& tree) {
+        return tree.segments[static_cast<std::size_t>(nearest_point(tree, at.position_mm).segment)]
+            .system;
+    };
+    ASSERT_NE(system_at(given.tree), VascularSystem::unknown);
+    BrushStroke stroke;  // over the whole twig
+    stroke.radius_mm = at.radius_mm;
+    stroke.path_mm =
+        given.tree
+            .segments[static_cast<std::size_t>(nearest_point(given.tree, at.position_mm).segment)]
+            .points_mm;
+    Mask painted = given.mask;
+    apply(stroke, painted_voxel, painted);
+    EXPECT_EQ(system_at(remade_of(painted, given).patient.tree), system_at(given.tree));
+}
+
 // A short piece far from all others, and a fat one: without a person's hand both are left out.
 TEST_F(RemadeCaseTest, WhatIsPaintedIsKeptAsIfASeedLayInIt) {
     // Within the grid, and away from the vessels.

@@ -103,6 +103,9 @@ TEST_F(Wizard, offers_the_series_of_a_folder_that_holds_several) {
     EXPECT_EQ(wizard_.options().series, 1) << "it was offered: nobody asks again";
     series->setCurrentIndex(1);
     EXPECT_EQ(wizard_.options().series, 2);
+    emit field("ct").editingFinished();  // it loses the focus
+    EXPECT_FALSE(series->isHidden());
+    EXPECT_EQ(wizard_.options().series, 2) << "the choice stays, and nobody asks again";
     Job job;
     EXPECT_EQ(read_volume(both, job, nullptr, 2).grid.dims[2], 4);
     // Another folder, of one series, typed by hand.

@@ -77,6 +77,15 @@ TEST_F(BrushOnSlices, ShowsAtOnceWhatItPaints) {
     EXPECT_EQ(brush().strokes()[0].path_mm.size(), 2u) << "lifted, it leaves nothing";
 }
 
+TEST_F(BrushOnSlices, ShowsWhatItPaintsOverVesselsAsPainted) {
+    begin();
+    for (std::uint8_t& voxel : before_.voxels) voxel = 2;
+    scene().set_systems(before_);
+    stroke();
+    EXPECT_EQ(scene().systems().at(12, 25, 30), painted_label);
+    EXPECT_EQ(scene().systems().at(1, 1, 1), 2) << "and nothing else";
+}
+
 TEST_F(BrushOnSlices, IsLiftedByNoOtherButton) {
     begin();
     press();
