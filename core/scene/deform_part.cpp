@@ -278,6 +278,9 @@ void DeformPart::use(const DeformSettings& settings, std::shared_ptr<const Obsta
                          "Give a checkpoint of the same patient");
     set_contact(settings.self_friction, settings.obstacles ? std::move(obstacles) : nullptr);
     set_touchable(settings.touchable);
+    // The present setting may be one that does not tear.
+    const bool begins_to_tear = settings.tear && !tear_;
+    if (begins_to_tear && !same_setting(settings.stepper, setting_)) use(settings.stepper);
     set_tear(settings.tear);
     if (settings.gravity_mm_per_s2 != gravity_mm_per_s2_) set_gravity(settings.gravity_mm_per_s2);
     if (settings.tether_pa_per_mm2 != body_.tether_pa_per_mm2)

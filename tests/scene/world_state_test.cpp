@@ -300,6 +300,28 @@ TEST(DeformPartState, SettingsAreTakenAllAtOnce) {
     EXPECT_EQ(other.world.state_hash(), one.world.state_hash());
 }
 
+// Neither quadratic elements nor the solver of the skeleton tear.
+TEST(DeformPartState, IsRestoredFromASettingThatTearsToOneThatDoesNotAndBack) {
+    for (const StepperOptions& other : {StepperOptions{.order = ElementOrder::quadratic},
+                                        StepperOptions{.solver = LinearSolverKind::skeleton}}) {
+        Played p(default_scene());
+        const StepperOptions able = p.body.setting();
+        p.body.use(other);
+        const DeformCheckpoint whole = p.body.checkpoint();
+        p.body.use(able);
+        p.body.set_tear(TearSpec{.tear_factor = 0.4});
+        const DeformCheckpoint tearing = p.body.checkpoint();
+        const std::uint64_t hash = p.body.state_hash();
+        p.body.restore(whole);
+        EXPECT_FALSE(p.body.tears());
+        EXPECT_TRUE(same_setting(p.body.setting(), other));
+        p.body.restore(tearing);
+        EXPECT_TRUE(p.body.tears());
+        EXPECT_TRUE(same_setting(p.body.setting(), able));
+        EXPECT_EQ(p.body.state_hash(), hash);
+    }
+}
+
 TEST(DeformPartState, IsPlausibleUpToTenTimesItsSize) {
     Played p(default_scene());
     EXPECT_TRUE(p.body.plausible());
