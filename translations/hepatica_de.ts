@@ -8883,5 +8883,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>not judged: the lesson did not reach its end</source>
         <translation>nicht beurteilt: Die Lektion kam nicht ans Ende</translation>
     </message>
+    <message>
+        <source>Open the unsaved work</source>
+        <translation>Ungespeicherte Arbeit öffnen</translation>
+    </message>
 </context>
 </TS>

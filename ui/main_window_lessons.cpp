@@ -24,6 +24,7 @@
 #include "ui/paths.h"
 #include "ui/quality_panel.h"
 #include "ui/questions.h"
+#include "ui/recovery.h"
 #include "ui/review_dock.h"
 #include "ui/save_file_dialog.h"
 #include "ui/second_view.h"
@@ -375,6 +376,9 @@ void MainWindow::build_review() {
     ways.choose_case = [this](const Failure& failure,
                               std::function<void(const std::filesystem::path&)> chosen) {
         fail(Words::tr("Look back on a recording"), failure);
+        if (!recovery_->left_behind().empty())
+            messages_->offer_first(Words::tr("Open the unsaved work"),
+                                   [this] { open_unsaved_work(); });
         messages_->offer_also(Words::tr("Choose the case…"), [this, chosen = std::move(chosen)] {
             if (const auto place = which_case()) chosen(*place);
         });
