@@ -285,7 +285,7 @@ void MainWindow::show_figures() {
     tool_panel_->show_force(frame.tool, frame.grab);
     tool_panel_->show_contact(frame);
     tool_panel_->show_tear(frame.tear);
-    curves_->follow_tear(frame, plays_freely());
+    curves_->follow_tear(frame);
     lessons_->show_figures();
     allow_tools();
     const bool injected = frame.drug.arrival_s != nullptr;
