@@ -128,7 +128,8 @@ void MainWindow::use_for_lesson(std::unique_ptr<Simulation> simulation) {
     if (!begins) return;
     inject_->choose_drug(lessons_->running()->drug);
     show_whole_from_the_front();
-    view_->setFocus();  // so that the keys of the tools reach the play
+    light_up(TreePoint{});  // the target, where the lesson has one
+    view_->setFocus();      // so that the keys of the tools reach the play
 }
 
 // What runs on, such as a bleeding, would contradict the judgement and use the processor for
