@@ -166,6 +166,10 @@ void SceneView::set_highlight(std::vector<std::uint8_t> vertices) {
     parts_->tree.set_highlight(std::move(vertices));
 }
 
+const std::vector<std::uint8_t>& SceneView::highlight() const {
+    return parts_->tree.highlight();
+}
+
 void SceneView::set_stroke(const std::optional<std::array<Vec3, 2>>& stroke) {
     std::vector<MeasureView> line;
     if (stroke) line.push_back({{(*stroke)[0], (*stroke)[1]}, ""});

@@ -59,6 +59,7 @@ class SceneView {
     void set_vertex_systems(std::vector<VascularSystem> systems);
     void set_vertex_segments(std::vector<std::uint8_t> segments);
     void set_highlight(std::vector<std::uint8_t> vertices);
+    const std::vector<std::uint8_t>& highlight() const;
     // The stroke being drawn on the vessels, from one point to another; none removes it.
     void set_stroke(const std::optional<std::array<Vec3, 2>>& stroke);
     // Where the slices of the CT cross; none removes it. Returns true if the picture changed.

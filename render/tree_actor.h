@@ -40,6 +40,7 @@ class TreeActor {
     void set_vertex_segments(std::vector<std::uint8_t> segments);
     // 1 for each vertex of the frame to brighten, 0 for others; empty brightens none.
     void set_highlight(std::vector<std::uint8_t> highlight);
+    const std::vector<std::uint8_t>& highlight() const { return highlight_; }
     // See SceneView::set_drug_scale().
     void set_drug_scale(double least_end_s) { least_drug_end_s_ = least_end_s; }
     // Whether vessels near their limit are coloured (palette::warning); off by default.

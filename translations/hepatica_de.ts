@@ -2312,10 +2312,6 @@
         <translation>Erwarteter Fehler: für diese Szene nicht gemessen</translation>
     </message>
     <message>
-        <source>, degraded</source>
-        <translation>, vereinfacht</translation>
-    </message>
-    <message>
         <source>%1 holds changes that are not saved.</source>
         <translation>%1 enthält ungespeicherte Änderungen.</translation>
     </message>
@@ -8886,6 +8882,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>not judged: the lesson did not reach its end</source>
         <translation>nicht beurteilt: Die Lektion kam nicht ans Ende</translation>
+    </message>
+    <message>
+        <source>Open the unsaved work</source>
+        <translation>Ungespeicherte Arbeit öffnen</translation>
+    </message>
+    <message>
+        <source>; the last step was simplified to stay stable</source>
+        <translation>; der letzte Schritt wurde vereinfacht, um stabil zu bleiben</translation>
     </message>
 </context>
 </TS>

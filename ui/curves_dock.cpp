@@ -41,16 +41,13 @@ void CurvesDock::follow(std::shared_ptr<const PatientCase> patient, const DrugVi
         std::move(callbacks));
 }
 
-void CurvesDock::follow_tear(const Frame& frame, bool may_come) {
-    const std::size_t before = tear_.events().size();
+void CurvesDock::follow_tear(const Frame& frame) {
     if (!tear_.follow(frame)) return;
     if (tear_.empty()) return plots_->set_tear({}, {});
     std::vector<PlotEvent> events;
     for (const TearHistory::Event& event : tear_.events())
         events.push_back({event.time_s, translated(event.text)});
     plots_->set_tear(tear_.chart(), std::move(events));
-    const bool first = before == 0 && !tear_.events().empty();
-    if (first && may_come) come();
 }
 
 void CurvesDock::come() {

@@ -27,8 +27,11 @@ class CurvesDock : public QDockWidget {
     // one, and shows them if they `may_come`.
     void follow(std::shared_ptr<const PatientCase> patient, const DrugView& drug,
                 bool may_come = true);
-    // Adds the newest frame's tear. If it `may_come`, the dock appears at the first tear.
-    void follow_tear(const Frame& frame, bool may_come = true);
+    // Adds the newest frame's tear. The dock does not come for it: a tear comes unasked, and would
+    // take room from the view while it is watched.
+    void follow_tear(const Frame& frame);
+    // Appears once no mouse button is down, unless the user closed it.
+    void come();
     // Time on the drug's clock; nullopt: nothing is injected.
     void set_time(std::optional<double> time_s);
     // Forgets everything and stops computing. A dock that appeared by itself is hidden.
@@ -45,7 +48,6 @@ class CurvesDock : public QDockWidget {
     void closeEvent(QCloseEvent* event) override;
 
   private:
-    void come();
     void come_when_nothing_is_held();
 
     std::function<void(const Failure&)> failed_;

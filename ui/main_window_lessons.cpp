@@ -24,6 +24,7 @@
 #include "ui/paths.h"
 #include "ui/quality_panel.h"
 #include "ui/questions.h"
+#include "ui/recovery.h"
 #include "ui/review_dock.h"
 #include "ui/save_file_dialog.h"
 #include "ui/second_view.h"
@@ -127,7 +128,8 @@ void MainWindow::use_for_lesson(std::unique_ptr<Simulation> simulation) {
     if (!begins) return;
     inject_->choose_drug(lessons_->running()->drug);
     show_whole_from_the_front();
-    view_->setFocus();  // so that the keys of the tools reach the play
+    light_up(TreePoint{});  // the target, where the lesson has one
+    view_->setFocus();      // so that the keys of the tools reach the play
 }
 
 // What runs on, such as a bleeding, would contradict the judgement and use the processor for
@@ -375,6 +377,9 @@ void MainWindow::build_review() {
     ways.choose_case = [this](const Failure& failure,
                               std::function<void(const std::filesystem::path&)> chosen) {
         fail(Words::tr("Look back on a recording"), failure);
+        if (!recovery_->left_behind().empty())
+            messages_->offer_first(Words::tr("Open the unsaved work"),
+                                   [this] { open_unsaved_work(); });
         messages_->offer_also(Words::tr("Choose the case…"), [this, chosen = std::move(chosen)] {
             if (const auto place = which_case()) chosen(*place);
         });

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/lesson/allowed_commands.h"
+#include "core/session/script.h"
 #include "core/tree/station.h"
 #include "ui/branch_dock.h"
 #include "ui/case_editing.h"
@@ -285,7 +286,7 @@ void MainWindow::show_figures() {
     tool_panel_->show_force(frame.tool, frame.grab);
     tool_panel_->show_contact(frame);
     tool_panel_->show_tear(frame.tear);
-    curves_->follow_tear(frame, plays_freely());
+    curves_->follow_tear(frame);
     lessons_->show_figures();
     allow_tools();
     const bool injected = frame.drug.arrival_s != nullptr;
@@ -376,13 +377,22 @@ void MainWindow::show_hover(const SurfacePick& pick) {
     light_up(point);
 }
 
-// If the pointer is on no vessel, the branch chosen in the table is highlighted.
 void MainWindow::light_up(const TreePoint& under_mouse) {
-    const bool chosen = under_mouse.segment < 0 && chosen_branch_ >= 0 && branches_->isVisible();
-    view_->scene().set_highlight(chosen ? patient_->anatomy.vertices_of(chosen_branch_)
-                                        : patient_->anatomy.downstream_of(under_mouse));
+    view_->scene().set_highlight(
+        under_mouse.segment < 0 ? lit_by_itself() : patient_->anatomy.downstream_of(under_mouse));
     show_marks();
     view_->draw_again();
+}
+
+// While the pointer is on no vessel: the branch chosen in the table, else the target that the
+// lesson wants a drug in.
+std::vector<std::uint8_t> MainWindow::lit_by_itself() const {
+    if (chosen_branch_ >= 0 && branches_->isVisible())
+        return patient_->anatomy.vertices_of(chosen_branch_);
+    const Lesson* lesson = lessons_->running();
+    if (lesson == nullptr || !lesson->target) return {};
+    const VesselTree& tree = patient_->patient->tree;
+    return patient_->anatomy.downstream_of(nearest_point(tree, position_of(*lesson->target, tree)));
 }
 
 // To the centreline, since the vertex itself lies on the wall.

@@ -89,6 +89,10 @@ void MessageBar::put_before(const QString& text) {
     write();
 }
 
+void MessageBar::offer_first(const QString& button, std::function<void()> act) {
+    offer(first_, button, std::move(act));
+}
+
 void MessageBar::offer_also(const QString& button, std::function<void()> act) {
     offer(second_, button, std::move(act));
 }

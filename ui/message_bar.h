@@ -31,6 +31,8 @@ class MessageBar : public OverlayBar {
     void show_notice(const QString& text, const QString& button, std::function<void()> act);
     // Puts these lines before those of the notice that is shown, which keeps its buttons.
     void put_before(const QString& text);
+    // Adds a button to what is shown, a notice without one or a failure.
+    void offer_first(const QString& button, std::function<void()> act);
     // Adds a second button to the notice that is shown.
     void offer_also(const QString& button, std::function<void()> act);
     // Called when the notice that is shown is closed by its ×.

@@ -178,7 +178,9 @@ void QualityPanel::show_statistics(const FrameStatistics& statistics) {
                                 ? Words::tr("Each step is solved directly")
                                 : Words::tr("%n pass(es) of the solver a step", nullptr,
                                             statistics.linear_iterations)) +
-                               (statistics.degraded ? Words::tr(", degraded") : QString()));
+                               (statistics.degraded
+                                    ? Words::tr("; the last step was simplified to stay stable")
+                                    : QString()));
     device_->setText(statistics.setting.empty()  ? QString()
                      : statistics.device.empty() ? Words::tr("the processor")
                                                  : translated(statistics.device));

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStatusBar>
+#include <algorithm>
 
 #include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_writer.h"
@@ -154,6 +155,28 @@ TEST_F(LessonToolsTest, that_the_tool_is_put_away_at_the_verdict_is_said) {
                "The lesson is judged: the tool is put away, and the wheel zooms";
     }));
     EXPECT_EQ(window_.view().mouse().mode(), MouseMode::pull);
+}
+
+// "Inject so that 3 g reach the target's tissue": which that is must be seen.
+TEST_F(LessonToolsTest, the_target_of_a_drug_is_lit_while_it_is_played) {
+    Lesson lesson = new_lesson();
+    lesson.scene.deform.reset();
+    lesson.scene.flow.emplace();
+    lesson.tools = {LessonTool::inject};
+    lesson.limits.clear();
+    lesson.steps[0].goal = {{Quantity::time_s, -1, true, 1000.0}};
+    const auto lit = [this] {
+        return std::ranges::count(window_.view().scene().highlight(), std::uint8_t{1});
+    };
+    begin(lesson);
+    EXPECT_EQ(lit(), 0) << "it wants no drug anywhere";
+    lesson.target.emplace();
+    lesson.target->share_of_longest_path = 0.5;
+    begin(lesson);
+    EXPECT_GT(lit(), 0);
+    EXPECT_LT(lit(), std::ssize(window_.view().scene().highlight())) << "the rest is no target";
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    EXPECT_EQ(lit(), 0);
 }
 
 TEST_F(LessonToolsTest, a_slip_is_told_of_and_does_not_end_it) {

@@ -97,11 +97,15 @@ TEST_F(PanelsTest, the_panel_in_front_stays_there_where_the_keyboard_goes_on_by_
     EXPECT_FALSE(injection.visibleRegion().isEmpty());
 }
 
-TEST_F(PanelsTest, curves_of_a_tear_stay_away_while_a_lesson_is_played) {
+// The first tear is watched in the view, whose room they would take.
+TEST_F(PanelsTest, curves_do_not_come_for_a_tear) {
     open_built_in();
-    curves().follow_tear(torn(0), false);
-    curves().follow_tear(torn(1), false);
+    curves().follow_tear(torn(0));
+    curves().follow_tear(torn(1));
+    curves().set_time(std::nullopt);
     EXPECT_FALSE(curves().isVisible());
+    window_.actions()[ActionId::toggle_plots].trigger();
+    EXPECT_EQ(curves().plots().tear().events().size(), 1u) << "they are kept for who asks";
 }
 
 // Their room is the view's: what is dragged would be thrown to another place.
@@ -109,8 +113,7 @@ TEST_F(PanelsTest, curves_come_when_the_hand_has_let_go) {
     open_built_in();
     bool drags = true;
     curves().hand_drags = [&drags] { return drags; };
-    curves().follow_tear(torn(0));
-    curves().follow_tear(torn(1));
+    curves().come();
     curves().set_time(std::nullopt);
     EXPECT_FALSE(curves().isVisible());
     drags = false;
@@ -118,8 +121,7 @@ TEST_F(PanelsTest, curves_come_when_the_hand_has_let_go) {
     EXPECT_TRUE(curves().isVisible());
     drags = true;
     curves().clear();
-    curves().follow_tear(torn(0));
-    curves().follow_tear(torn(1));
+    curves().come();
     curves().clear();
     drags = false;
     curves().set_time(std::nullopt);
@@ -128,8 +130,7 @@ TEST_F(PanelsTest, curves_come_when_the_hand_has_let_go) {
 
 TEST_F(PanelsTest, curves_that_came_by_themselves_go_when_nothing_is_left_to_show) {
     open_built_in();
-    curves().follow_tear(torn(0));
-    curves().follow_tear(torn(1));
+    curves().come();
     ASSERT_TRUE(curves().isVisible());
     curves().clear();
     EXPECT_FALSE(curves().isVisible());
@@ -140,13 +141,11 @@ TEST_F(PanelsTest, curves_that_came_by_themselves_go_when_nothing_is_left_to_sho
 
 TEST_F(PanelsTest, curves_that_were_closed_come_when_they_are_asked_for) {
     open_built_in();
-    curves().follow_tear(torn(0));
-    curves().follow_tear(torn(1));
+    curves().come();
     EXPECT_TRUE(curves().isVisible());
     curves().close();
     curves().clear();
-    curves().follow_tear(torn(0));
-    curves().follow_tear(torn(2));
+    curves().come();
     EXPECT_FALSE(curves().isVisible());
     EXPECT_FALSE(settings_.curves_come()) << "the next start keeps to it";
     window_.actions()[ActionId::toggle_plots].trigger();

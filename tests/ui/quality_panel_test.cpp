@@ -55,6 +55,17 @@ TEST(QualityPanel, FollowsTheSettingThatTheSessionPicked) {
     EXPECT_TRUE(p.explains("It is: the built-in patient"));
 }
 
+TEST(QualityPanel, SaysWhatWasSimplified) {
+    Panel p;
+    FrameStatistics statistics;
+    statistics.setting = "corotated";
+    p.panel.show_statistics(statistics);
+    EXPECT_FALSE(p.shows("simplified"));
+    statistics.degraded = true;
+    p.panel.show_statistics(statistics);
+    EXPECT_TRUE(p.shows("Each step is solved directly; the last step was simplified"));
+}
+
 // Errors of two bodies are no one scale: the figure of a synthetic patient says nothing of this
 // one.
 TEST(QualityPanel, ShowsNoErrorThatWasMeasuredOnAnotherBody) {

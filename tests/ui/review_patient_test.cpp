@@ -87,6 +87,29 @@ TEST_F(ReviewWindowTest, names_the_case_that_it_was_played_on_and_lets_one_choos
     EXPECT_EQ(opened_, 2);
 }
 
+// Who has to open the unsaved work first need not look for it in a menu.
+TEST_F(ReviewWindowTest, of_another_patient_offers_the_unsaved_work_by_a_button) {
+    opens_other_ = true;
+    open_built_in();
+    const auto copy = to_path(settings_.recovery_folder()) / "left" / "1" / "Anna.hep";
+    std::filesystem::create_directories(copy);
+    QFile header(to_text(copy / "case.json"));
+    ASSERT_TRUE(header.open(QIODevice::WriteOnly));
+    header.close();
+    settings_.remember_patient(played().recording.patient_hash, folder_.filePath("anna.hep"));
+    window_.open(to_text(file_));
+    EXPECT_TRUE(wait_for([&] {
+        return window_.messages().text().contains("Open the unsaved work first");
+    })) << window_.messages().text().toStdString();
+    auto* open = window_.messages().findChild<QPushButton*>("offer");
+    ASSERT_TRUE(open->isVisible());
+    EXPECT_EQ(open->text(), "Open the unsaved work");
+    EXPECT_TRUE(window_.messages().findChild<QPushButton*>("secondOffer")->isVisible());
+    const int before = opened_;
+    QTest::mouseClick(open, Qt::LeftButton);
+    EXPECT_TRUE(wait_for([&] { return opened_ > before && !window_.busy(); }));
+}
+
 // As long as it lies there, nobody is asked.
 TEST_F(ReviewWindowTest, opens_the_case_that_it_was_played_on_where_that_is_known) {
     opens_other_ = true;
