@@ -449,7 +449,11 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
     tool_panel_->show_kind(view_->mouse().hand().kind());
     const bool draws = mode == MouseMode::cut || mode == MouseMode::weaken;
     if (mode == MouseMode::tool || draws) findChild<QDockWidget*>("Tool")->raise();
-    if (mode == MouseMode::edit) findChild<QDockWidget*>("Corrections")->raise();
+    if (mode == MouseMode::edit) {
+        // What a click does is chosen there, so it is shown again where it was closed.
+        findChild<QDockWidget*>("Corrections")->show();
+        findChild<QDockWidget*>("Corrections")->raise();
+    }
     if (mode == MouseMode::inject) findChild<QDockWidget*>("Injection")->raise();
     statusBar()->showMessage(
         mode == MouseMode::pull && !view_->mouse().may_pull()

@@ -168,7 +168,11 @@ void MainWindow::build_editing() {
             [this](const Failure& failure) { fail(Words::tr("Drawing a vessel"), failure); },
             [this](const QString& text) {
                 log_->add_warning(Words::tr("Corrections"), text);
-                messages_->show_notice(text);
+                const bool warnings_stand =
+                    !warnings_text_.isEmpty() && messages_->text() == warnings_text_;
+                if (!warnings_stand) return messages_->show_notice(text);
+                messages_->put_before(text);
+                warnings_text_ = messages_->text();
             }});
 }
 

@@ -325,6 +325,23 @@ TEST_F(StandingWarnings, StayAboveTheViewThroughACorrection) {
     EXPECT_EQ(window_.log().as_text().count(of_image), 1) << "it is told once";
 }
 
+TEST_F(StandingWarnings, AreJoinedByWhatACorrectionMakesDoubtful) {
+    window_.actions()[ActionId::edit_mode].trigger();
+    auto* tools = window_.findChild<QComboBox*>("EditTool");
+    tools->setCurrentIndex(tools->findText("Link two vessels"));
+    for (const Vec3& place : {Vec3(0.05, 10, 1.5), Vec3(-8.6, 28, 4.4)}) {
+        QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(place));
+        wait();
+    }
+    ASSERT_EQ(window_.workspace().edits().size(), 1u);
+    const QString both = window_.messages().text();
+    EXPECT_TRUE(both.contains("1 loop is left")) << both.toStdString();
+    EXPECT_EQ(both.count("1 loop is left"), 1) << both.toStdString();
+    // Two stand above the view, the new ones first.
+    EXPECT_TRUE(both.contains("more under All messages")) << both.toStdString();
+    EXPECT_EQ(window_.log().as_text().count("1 loop is left"), 1) << "it is told once";
+}
+
 // Of what both say the window is told once, and can be read at once.
 TEST_F(StandingWarnings, StandBesideTheNoticeOfADiameterThatIsLost) {
     QTest::keyClick(&window_, Qt::Key_M, Qt::ControlModifier);

@@ -64,6 +64,16 @@ TEST_F(PanelsTest, the_wheel_changes_what_has_the_focus_and_nothing_else) {
     EXPECT_NE(preset.currentIndex(), choice);
 }
 
+TEST_F(PanelsTest, the_mode_that_edits_brings_its_panel_to_the_front_even_if_it_was_closed) {
+    open_built_in();
+    auto& corrections = *window_.findChild<QDockWidget*>("Corrections");
+    corrections.close();
+    ASSERT_FALSE(corrections.isVisible());
+    QTest::keyClick(&window_, Qt::Key_3);
+    EXPECT_TRUE(corrections.isVisible());
+    EXPECT_TRUE(testing::wait_for([&] { return !corrections.visibleRegion().isEmpty(); }));
+}
+
 // A button that had the keyboard and cannot be pressed any more gives it to whatever comes next,
 // which may lie in a panel behind another.
 TEST_F(PanelsTest, the_panel_in_front_stays_there_where_the_keyboard_goes_on_by_itself) {
