@@ -62,6 +62,15 @@ class MutationScore : public testing::Test {
         return output;
     }
 
+    // There must be one.
+    fs::path verdicts_file() const {
+        for (const auto& entry : fs::directory_iterator(project_ / "build" / "mutation"))
+            if (entry.path().extension() == ".jsonl") return entry.path();
+        ADD_FAILURE() << "no verdicts were kept";
+        return {};
+    }
+    void forget_verdicts() const { fs::remove(verdicts_file()); }
+
     fs::path project_ = fs::path(testing::TempDir()) /
                         (std::string("mutation_score_") +
                          testing::UnitTest::GetInstance()->current_test_info()->name());
@@ -131,10 +140,29 @@ TEST_F(MutationScore, CountsApartWhatTheCompilerFindsToBeTheSame) {
 
 TEST_F(MutationScore, SaysTheSameHoweverManyAreTriedAtOnce) {
     const std::string one = answer("toy 100 7 --at-once 1");
+    forget_verdicts();
     EXPECT_EQ(answer("toy 100 7 --at-once 3"), one);
+    forget_verdicts();
     // The first of them, in the order of the draw.
     const std::string two = answer("toy 2 7 --at-once 3");
     EXPECT_EQ(one.substr(0, two.find("\n\n")), two.substr(0, two.find("\n\n")));
+}
+
+// Each verdict of a run that was interrupted while it wrote the last one stands, but for that.
+TEST_F(MutationScore, GoesOnWhereItWasInterruptedUnlessAFileHasChanged) {
+    const std::string report = answer("toy 100 7");
+    const fs::path kept = verdicts_file();
+    std::string lines = text_of(kept);
+    const std::string survived = "* -> /\", \"survived\"]";
+    ASSERT_NE(lines.find(survived), std::string::npos) << lines;
+    lines.replace(lines.find(survived), survived.size(), "* -> /\", \"noticed: a trace\"]");
+    std::ofstream(kept) << lines << "\n[\"core/toy/toy.cpp:";
+    std::string expected = report.substr(0, report.find("\n\n"));
+    expected.replace(expected.find("| survived |"), 12, "| noticed: a trace |");
+    const std::string again = answer("toy 100 7");
+    EXPECT_EQ(again.substr(0, again.find("\n\n")), expected);
+    std::ofstream(project_ / "toy_tests.cpp", std::ios::app) << "// changed\n";
+    EXPECT_EQ(answer("toy 100 7"), report);
 }
 
 TEST_F(MutationScore, EndsWhereTheTestsFailWithoutAMutant) {
