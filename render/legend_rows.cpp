@@ -126,7 +126,7 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     if (content.injected) add_drug(content, rows);
     if (!content.segments.empty()) add_segments(content, rows);
     for (const VascularSystem system : content.systems)
-        swatch(with_capital(title_of(system)), palette::vessel_system(system));
+        swatch(with_capital(title_of(system)), palette::vessel_system(system, content.bright));
     return rows;
 }
 

@@ -30,6 +30,7 @@ struct LegendContent {
     bool gaps = false;    // gaps that might be bridged
     bool places = false;  // places of a lesson
     bool tumours = false;
+    bool bright = false;  // systems have their bright colours
     bool operator==(const LegendContent&) const = default;
 };
 

@@ -25,18 +25,18 @@ Colour mixed(const Colour& from, const Colour& to, double share) {
     return colour;
 }
 
-Colour vessel_system(VascularSystem system) {
+Colour vessel_system(VascularSystem system, bool bright) {
     switch (system) {
         case VascularSystem::portal:
-            return {0.47, 0.43, 0.80};
+            return bright ? Colour{0.72, 0.56, 1.00} : Colour{0.47, 0.43, 0.80};
         case VascularSystem::hepatic:
-            return {0.27, 0.55, 0.85};
+            return bright ? Colour{0.20, 0.82, 1.00} : Colour{0.27, 0.55, 0.85};
         case VascularSystem::artery:
-            return {0.83, 0.27, 0.25};
+            return bright ? Colour{1.00, 0.46, 0.38} : Colour{0.83, 0.27, 0.25};
         case VascularSystem::unknown:
             break;
     }
-    return {0.58, 0.60, 0.72};
+    return bright ? Colour{0.70, 0.72, 0.78} : Colour{0.58, 0.60, 0.72};
 }
 
 // Excludes blue, violet and red, which belong to the systems, and the light green of tumours. Found

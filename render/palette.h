@@ -40,8 +40,8 @@ inline constexpr Colour faint_text{0.58, 0.62, 0.67};
 Colour mixed(const Colour& from, const Colour& to, double share);
 
 // Colour of a vascular system: portal vein blue-violet, hepatic veins blue, arteries red, unknown
-// bluish grey.
-Colour vessel_system(VascularSystem system);
+// bluish grey. `bright`: the same hues with a contrast of at least 7 : 1 to black.
+Colour vessel_system(VascularSystem system, bool bright = false);
 
 // Colour of the branches to one of Couinaud's segments, 1 to 8; values outside are clamped.
 Colour liver_segment(int segment);

@@ -249,6 +249,8 @@ void SceneView::set_look(const ViewLook& look) {
     parts_->renderer->SetBackground(look.bottom[0], look.bottom[1], look.bottom[2]);
     parts_->renderer->SetBackground2(look.top[0], look.top[1], look.top[2]);
     parts_->tree.set_distance(look.distance);
+    parts_->tree.set_bright(look.bright_vessels);
+    parts_->legend.bright = look.bright_vessels;
     parts_->annotations.set_look(look);
     parts_->volume.set_room(look);
     parts_->measures.set_colours(look.measure, look.bottom);

@@ -107,6 +107,10 @@ void TreeActor::set_fade(double near_mm, double far_mm) {
     for (vtkActor* actor : actors()) drug_overlay::set_fade(*actor, near_mm, far_mm);
 }
 
+void TreeActor::set_bright(bool bright) {
+    if (std::exchange(bright_, bright) != bright) take_colours();
+}
+
 void TreeActor::set_distance(const Colour& colour) {
     for (vtkActor* actor : actors()) drug_overlay::set_distance(*actor, colour);
 }
@@ -148,7 +152,7 @@ Colour TreeActor::colour_of(int vertex) const {
     const VascularSystem system = v < systems_.size() ? systems_[v] : VascularSystem::unknown;
     const int segment = v < segments_.size() ? segments_[v] : 0;
     const Colour own =
-        segment > 0 ? palette::liver_segment(segment) : palette::vessel_system(system);
+        segment > 0 ? palette::liver_segment(segment) : palette::vessel_system(system, bright_);
     Colour colour = split && (*rims_)[shown] ? palette::torn : own;
     if (loads_ && shown < loads_->size()) colour = palette::warning(colour, (*loads_)[shown]);
     const bool lit = v < highlight_.size() && highlight_[v] != 0;

@@ -48,6 +48,8 @@ class TreeActor {
     // Distances from the camera in mm between which the tree fades into the background.
     void set_fade(double near_mm, double far_mm);
 
+    // Whether systems have their bright colours; off by default.
+    void set_bright(bool bright);
     // The colour into which it fades.
     void set_distance(const Colour& colour);
     // See DrawnSurface::set_clip().
@@ -83,6 +85,7 @@ class TreeActor {
     std::vector<VascularSystem> systems_;
     std::vector<std::uint8_t> segments_;
     std::vector<std::uint8_t> highlight_;
+    bool bright_ = false;
     std::vector<int> touched_;                               // vertices of the frame, ascending
     std::shared_ptr<const std::vector<int>> origins_;        // see TearView
     std::shared_ptr<const std::vector<std::uint8_t>> rims_;  // likewise

@@ -34,22 +34,6 @@ std::string case_name(std::string title) {
     return (title.empty() || title.front() == '.' ? "case" + title : title) + ".hep";
 }
 
-// Removes what another program left: a copy, and the whole folder if `place` is its journal or its
-// last copy.
-void remove_left(const fs::path& place) {
-    if (place.empty()) return;
-    const fs::path version = place.parent_path(), program = version.parent_path();
-    std::error_code ignored;
-    if (place.filename() == journal_name) {
-        fs::remove_all(version, ignored);
-        return;
-    }
-    fs::remove_all(version, ignored);
-    for (const auto& entry : fs::directory_iterator(program, ignored))
-        if (entry.is_directory()) return;
-    fs::remove_all(program, ignored);
-}
-
 // A complete copy and the number of the change that it includes.
 struct KeptCopy {
     fs::path place;
@@ -92,6 +76,55 @@ fs::path newest_of(const fs::path& program) {
     return copy.place.empty() || says_more ? journal : copy.place;
 }
 
+// What this journal holds; nullopt where it is none or is damaged.
+std::optional<Journalled> noted_in(const fs::path& place) {
+    return place.filename() == journal_name ? read_edit_journal(place) : std::nullopt;
+}
+
+template <class T>
+bool begins_with(const std::vector<T>& whole, const std::vector<T>& part) {
+    return part.size() <= whole.size() && std::equal(part.begin(), part.end(), whole.begin());
+}
+
+// Whether the newer journal holds all of the older one's work: a program was killed after it had
+// taken over what another one had left, before it had a copy of its own.
+bool holds_all(const Journalled& newer, const Journalled& older) {
+    return newer.base.place != copy_beside && newer.base.place == older.base.place &&
+           newer.base.extracted == older.base.extracted && begins_with(newer.edits, older.edits) &&
+           begins_with(newer.strokes, older.strokes) && newer.measured == older.measured;
+}
+
+// Removes what ended programs left of the same work.
+void remove_older(const Journalled& newer, const fs::path& folder, const fs::path& own) {
+    std::error_code ignored;
+    std::vector<fs::path> older;
+    for (const auto& program : fs::directory_iterator(folder, ignored)) {
+        if (program.path() == own || !program.is_directory()) continue;
+        if (!lock_of(program.path())->tryLock(0)) continue;  // still running
+        const auto noted = noted_in(newest_of(program.path()));
+        if (noted && holds_all(newer, *noted)) older.push_back(program.path());
+    }
+    for (const fs::path& program : older) fs::remove_all(program, ignored);
+}
+
+// Removes what another program left: a copy, and the whole folder if `place` is its journal or its
+// last copy. `own`: the folder of this program.
+void remove_left(const fs::path& place, const fs::path& own) {
+    if (place.empty()) return;
+    const fs::path version = place.parent_path(), program = version.parent_path();
+    std::error_code ignored;
+    if (place.filename() == journal_name) {
+        const std::optional<Journalled> noted = noted_in(place);
+        fs::remove_all(version, ignored);
+        if (noted) remove_older(*noted, program, own);
+        return;
+    }
+    fs::remove_all(version, ignored);
+    for (const auto& entry : fs::directory_iterator(program, ignored))
+        if (entry.is_directory()) return;
+    fs::remove_all(program, ignored);
+}
+
 }  // namespace
 
 Recovery::Recovery(fs::path folder, Write write, std::function<void(const Failure&)> failed)
@@ -108,13 +141,13 @@ void Recovery::follow(const Workspace& workspace) {
     if (!workspace.dirty()) forget_copies();
     if (!workspace.unsaved()) {
         forget_journal();
-        return remove_left(workspace.kept_copy());
+        return remove_left(workspace.kept_copy(), own_);
     }
     note(wanted_of(workspace));
     if (!workspace.dirty()) {  // strokes alone, on a saved case
         if (journal_ && !workspace.kept_copy().empty()) {
             journal_->wait_until_written();
-            if (!journal_->failed()) remove_left(workspace.kept_copy());
+            if (!journal_->failed()) remove_left(workspace.kept_copy(), own_);
         }
         return;
     }
@@ -224,7 +257,7 @@ void Recovery::written(const Copy& copy, const fs::path& place) {
     kept_version_ = copy.version;
     copy_origin_ = copy.origin;
     if (newest_ && newest_->origin == copy.origin) note(Wanted(*newest_));
-    remove_left(copy.opened_from);  // superseded by this copy
+    remove_left(copy.opened_from, own_);  // superseded by this copy
 }
 
 void Recovery::make_own_folder() {
@@ -273,7 +306,16 @@ std::vector<fs::path> Recovery::left_behind() const {
     }
     std::ranges::sort(left, std::greater(), &Left::time);
     std::vector<fs::path> places;
-    for (Left& one : left) places.push_back(std::move(one.place));
+    std::vector<Journalled> told;
+    for (Left& one : left) {
+        if (std::optional<Journalled> noted = noted_in(one.place)) {
+            if (std::ranges::any_of(
+                    told, [&](const Journalled& newer) { return holds_all(newer, *noted); }))
+                continue;
+            told.push_back(std::move(*noted));
+        }
+        places.push_back(std::move(one.place));
+    }
     return places;
 }
 

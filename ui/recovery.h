@@ -41,7 +41,8 @@ class Recovery {
     // Everything is saved or discarded: waits for a copy being written and removes all.
     void end();
 
-    // What ended programs left, the newest first: a case, or a journal if that is newer.
+    // What ended programs left, the newest first: a case, or a journal if that is newer. What a
+    // newer journal holds whole is left out, and goes with that.
     std::vector<std::filesystem::path> left_behind() const;
     // Describes one of these.
     static UnsavedWork unsaved_work(const std::filesystem::path& left);

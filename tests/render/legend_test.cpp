@@ -40,6 +40,10 @@ TEST(LegendRows, NameTheSystemsThatThePatientHas) {
     const std::vector<LegendRow> rows = legend_rows(content);
     EXPECT_EQ(rows[0].colours, std::vector{palette::vessel_system(VascularSystem::portal)});
     EXPECT_EQ(rows[1].colours, std::vector{palette::vessel_system(VascularSystem::hepatic)});
+    content.bright = true;
+    EXPECT_EQ(legend_rows(content)[0].colours,
+              std::vector{palette::vessel_system(VascularSystem::portal, true)});
+    content.bright = false;
     set_colours_shown(content, {VascularSystem::artery}, {});
     EXPECT_EQ(texts_of(content), std::vector<std::string>{"Artery"});
 }

@@ -61,6 +61,21 @@ double distance(const Colour& a, const Colour& b, const Sight& sight) {
     return (seen(a) - seen(b)).norm();
 }
 
+// For eyes that need more contrast; none is dim, and no two are alike.
+TEST(Palette, OfBrightSystemsHasContrastToBlackAndTellsThemApart) {
+    for (const VascularSystem system : vascular_systems) {
+        const Colour bright = palette::vessel_system(system, true);
+        const double luminance = Vec3(0.2126, 0.7152, 0.0722).dot(linear(bright));  // WCAG 2.1
+        EXPECT_GE((luminance + 0.05) / 0.05, 7.0) << title_of(system);
+        for (const VascularSystem other : vascular_systems) {
+            if (system == other) continue;
+            for (const Sight& sight : sights())
+                EXPECT_GE(distance(bright, palette::vessel_system(other, true), sight), 0.06)
+                    << title_of(system) << ", " << title_of(other) << ", " << sight.name;
+        }
+    }
+}
+
 TEST(Palette, TellsSegmentsFromEachOtherFromSystemsAndFromTumours) {
     std::vector<Colour> others{palette::tumour};
     for (const VascularSystem system : vascular_systems)

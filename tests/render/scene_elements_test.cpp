@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -244,6 +245,21 @@ TEST_F(SceneElements, a_highlight_the_liver_and_a_gap_are_seen) {
     EXPECT_EQ(picture().rgb, plain.rgb);
     view_.set_bridges({{{Vec3(-20, 0, -20), Vec3(-20, 0, -10)}, "22 %", false}});
     EXPECT_FALSE(look_alike(picture(), plain));
+}
+
+TEST_F(SceneElements, vessels_are_brighter_where_the_look_wants_that) {
+    ViewLook dim = high_contrast_look;
+    dim.bright_vessels = false;
+    view_.set_look(dim);
+    const Frame frame = fake_frame();
+    view_.set_vertex_systems(std::vector(frame.positions_mm.size() / 3, VascularSystem::portal));
+    const Picture before = picture_of(frame);
+    view_.set_look(high_contrast_look);
+    const Picture after = picture();
+    const auto light = [](const Picture& picture) {
+        return std::accumulate(picture.rgb.begin(), picture.rgb.end(), 0.0);
+    };
+    EXPECT_GT(light(after), 1.01 * light(before));
 }
 
 // Each is seen, once: the organs that a case shows give way to obstacles or take their place.

@@ -7,12 +7,15 @@
 #include <sys/resource.h>
 
 #include <QTemporaryDir>
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <fstream>
 
 #include "core/base/text_file.h"
+#include "tests/session/small_patient.h"
 #include "tests/ui/patients/fake_ward.h"
+#include "ui/recovery.h"
 
 namespace hepatica {
 namespace {
@@ -190,6 +193,38 @@ TEST_F(JournalFile, RefusesMeasurementsThatAreDamaged) {
          {R"("keep_measured": 1, "add_measured": )" + none, R"("add_measured": )" + none,
           std::string(R"("keep_measured": 0, "add_measured": [])")})
         EXPECT_EQ(read_with(damaged), whole) << damaged;
+}
+
+// A program was killed after it had taken over what another one had left.
+TEST_F(JournalFile, OfWorkThatANewerOneHoldsIsListedOnceAndGoesWithThat) {
+    testing::need_event_loop();
+    const fs::path folder = fs::path(temporary_.path().toStdString()) / "kept";
+    const auto leave = [&](const char* program, const Journalled& state, int minutes_ago) {
+        const fs::path file = folder / program / "edits.jsonl";
+        fs::create_directories(file.parent_path());
+        {
+            EditJournal journal(file);
+            note(state, journal);
+        }
+        fs::last_write_time(file,
+                            fs::file_time_type::clock::now() - std::chrono::minutes(minutes_ago));
+        return file;
+    };
+    leave("first", state(1, {1}), 3);
+    const fs::path second = leave("second", state(5, {1, 2}), 2);
+    const fs::path other = leave("other", state(2, {3}), 1);
+    Recovery recovery(
+        folder, [](const fs::path&, const PatientCase&) {}, [](const Failure&) {});
+    EXPECT_EQ(recovery.left_behind(), (std::vector<fs::path>{other, second}));
+    OpenedPatient opened;
+    opened.title = "anton.hep";
+    opened.patient = test::small_patient();
+    opened.kept_copy = second;
+    Workspace workspace;
+    workspace.open(opened);
+    workspace.saved("/data/anton.hep", workspace.edits(), {});
+    recovery.follow(workspace);
+    EXPECT_EQ(recovery.left_behind(), std::vector<fs::path>{other}) << "the first has gone, too";
 }
 
 }  // namespace
