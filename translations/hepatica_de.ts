@@ -8863,5 +8863,17 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Open the unsaved work first (File &gt; Open unsaved work)</source>
         <translation>Zuerst die ungespeicherte Arbeit öffnen (Datei &gt; Ungespeicherte Arbeit öffnen)</translation>
     </message>
+    <message>
+        <source>A tumour as the target</source>
+        <translation>Ein Tumor als Ziel</translation>
+    </message>
+    <message>
+        <source>The target begins where the portal or arterial vessels pass nearest to the tumour&apos;s middle</source>
+        <translation>Das Ziel beginnt dort, wo Pfortader- oder Arterienäste der Mitte des Tumors am nächsten kommen</translation>
+    </message>
+    <message>
+        <source>Tumour %1 (%L2 ml)</source>
+        <translation>Tumor %1 (%L2 ml)</translation>
+    </message>
 </context>
 </TS>

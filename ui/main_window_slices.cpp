@@ -8,6 +8,7 @@
 #include "ui/case_editing.h"
 #include "ui/edit_panel.h"
 #include "ui/lesson_dock.h"
+#include "ui/lesson_editor/lesson_editor.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
@@ -80,6 +81,7 @@ void MainWindow::build_slices(QWidget* parent) {
     callbacks.tumours = [this](const TriangleMesh& surface) {
         view_->scene().set_tumours(surface);
         view_->draw_again();
+        if (lesson_editor_) lesson_editor_->tumours_changed();
     };
     callbacks.correction = [this] { return editing_->tool_name(); };
     callbacks.view_covered = [this](int top, int bottom) {
