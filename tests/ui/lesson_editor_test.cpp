@@ -153,6 +153,7 @@ TEST_F(LessonEditorTest, a_tumour_is_chosen_as_the_target) {
 }
 
 TEST_F(LessonEditorTest, is_closed_by_escape_as_by_its_button) {
+    QApplication::setActiveWindow(&editor_);
     field<QLineEdit>("lessonName").setText("Half done");
     QTest::keyClick(&editor_, Qt::Key_Escape);
     EXPECT_TRUE(editor_.isHidden());
