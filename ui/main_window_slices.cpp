@@ -175,6 +175,9 @@ void MainWindow::build_editing() {
                 if (!warnings_stand) return messages_->show_notice(text);
                 messages_->put_before(text);
                 warnings_text_ = messages_->text();
+            },
+            [this] {
+                if (patient_ && show_marks()) view_->draw_again();
             }});
 }
 
