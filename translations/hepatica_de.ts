@@ -8875,5 +8875,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Tumour %1 (%L2 ml)</source>
         <translation>Tumor %1 (%L2 ml)</translation>
     </message>
+    <message>
+        <source>This tumour lies outside the liver (at %1). Undo takes it back.</source>
+        <translation>Dieser Tumor liegt außerhalb der Leber (bei %1). „Rückgängig“ nimmt ihn zurück.</translation>
+    </message>
 </context>
 </TS>

@@ -66,6 +66,7 @@ void MainWindow::build_slices(QWidget* parent) {
         if (!may_correct(not_in_review)) return false;
         dismiss_for_a_deed();
         keeper_->add(stroke);
+        warn_of_tumour_outside(stroke);
         return true;
     };
     callbacks.take_strokes_back = [this](std::size_t strokes) {
@@ -130,6 +131,17 @@ void MainWindow::warn_of_stroke_outside(const BrushStroke& stroke) {
                              .arg(patient_place(stroke.path_mm.front()));
     log_->add_warning(Words::tr("Corrections"), text);
     messages_->show_notice(text, Words::tr("Undo"), [this] { keeper_->take_strokes_back(1); });
+}
+
+void MainWindow::warn_of_tumour_outside(const TreeEdit& edit) {
+    if (edit.kind != TreeEditKind::paint_tumour ||
+        !tumour_lies_outside(stroke_of(edit), view_layout_->slices().tumours().organs()))
+        return;
+    const QString text =
+        Words::tr("This tumour lies outside the liver (at %1). Undo takes it back.")
+            .arg(patient_place(edit.path_mm.front()));
+    log_->add_warning(Words::tr("Corrections"), text);
+    messages_->show_notice(text, Words::tr("Undo"), [this] { keeper_->undo_tumour_stroke(); });
 }
 
 // Shows the panel of corrections when clicks in the slices begin to correct.
