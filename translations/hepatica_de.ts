@@ -8891,5 +8891,21 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>; the last step was simplified to stay stable</source>
         <translation>; der letzte Schritt wurde vereinfacht, um stabil zu bleiben</translation>
     </message>
+    <message>
+        <source>A tumour as the target</source>
+        <translation>Ein Tumor als Ziel</translation>
+    </message>
+    <message>
+        <source>The target begins where the portal or arterial vessels pass nearest to the tumour&apos;s middle</source>
+        <translation>Das Ziel beginnt dort, wo Pfortader- oder Arterienäste der Mitte des Tumors am nächsten kommen</translation>
+    </message>
+    <message>
+        <source>Tumour %1 (%L2 ml)</source>
+        <translation>Tumor %1 (%L2 ml)</translation>
+    </message>
+    <message>
+        <source>This tumour lies outside the liver (at %1). Undo takes it back.</source>
+        <translation>Dieser Tumor liegt außerhalb der Leber (bei %1). „Rückgängig“ nimmt ihn zurück.</translation>
+    </message>
 </context>
 </TS>

@@ -116,7 +116,7 @@ CaseEditing::CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks
                               least_confidence_ = confidence;
                               if (workspace_.has_patient()) show_bridges();
                           },
-                          callbacks_.undo, callbacks_.redo, [this] { link_from_mm_.reset(); }});
+                          callbacks_.undo, callbacks_.redo, [this] { begin_link({}); }});
 }
 
 void CaseEditing::show_body() {
@@ -187,6 +187,11 @@ void CaseEditing::choose_bridge(int bridge) {
     callbacks_.show_bridges(std::move(views));
 }
 
+void CaseEditing::begin_link(const std::optional<Vec3>& from_mm) {
+    link_from_mm_ = from_mm;
+    callbacks_.link_changed();
+}
+
 void CaseEditing::click(const TreePoint& point) {
     if (!workspace_.has_patient() || point.segment < 0) return;
     TreeEdit edit;
@@ -199,11 +204,11 @@ void CaseEditing::click(const TreePoint& point) {
         edit.system = panel_.system();
     if (edit.kind == TreeEditKind::add_link) {
         if (!link_from_mm_) {
-            link_from_mm_ = edit.at_mm;
+            begin_link(edit.at_mm);
             return callbacks_.say(Words::tr("Now click the vessel that it shall be linked with"));
         }
         edit.to_mm = std::exchange(edit.at_mm, *link_from_mm_);
-        link_from_mm_.reset();
+        begin_link({});
     }
     callbacks_.add(edit);
 }

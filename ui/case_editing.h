@@ -30,6 +30,7 @@ class CaseEditing {
         std::function<void(const QString&)> say;
         std::function<void(const Failure&)> not_drawn;
         std::function<void(const QString&)> warn;  // what a correction made doubtful
+        std::function<void()> link_changed;        // link_from_mm() has changed
     };
     CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks callbacks);
 
@@ -44,6 +45,8 @@ class CaseEditing {
     void click_at(const Vec3& place_mm);
     // What a click does, in words, for places where the panel is not visible.
     QString tool_name() const { return panel_.tool_name(); }
+    // The first vessel of a link whose second one is still to be clicked on, mm.
+    const std::optional<Vec3>& link_from_mm() const { return link_from_mm_; }
     void accept(int bridge);
     // Follows a vessel through these places of the patient's CT in the background. A drawing that
     // is still running ends without an answer.
@@ -52,6 +55,7 @@ class CaseEditing {
     void stop_drawing() { drawing_.reset(); }
 
   private:
+    void begin_link(const std::optional<Vec3>& from_mm);
     void add_drawn(const TreeEdit& edit, const VesselPen::Answered& answered);
     void choose_bridge(int bridge);
     void accept_all();

@@ -10,6 +10,7 @@
 #include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -151,7 +152,15 @@ void LibraryDialog::begin(const ShelvedLesson& lesson) {
 void LibraryDialog::open_library() {
     show();
     raise();
-    if (!busy_) read_folder();
+    refresh();
+}
+
+void LibraryDialog::refresh() {
+    if (!isVisible()) return;
+    if (busy_)
+        reread_ = true;
+    else
+        read_folder();
 }
 
 void LibraryDialog::choose_folder() {
@@ -184,6 +193,7 @@ void LibraryDialog::run(const QString& doing, BackgroundJob::Work work) {
 void LibraryDialog::read_folder() {
     const fs::path folder = to_path(settings_.library_folder());
     folder_->setText(to_text(folder));
+    if (const ShelvedCase* one = chosen()) chosen_ = one->place;
     cases_.clear();
     list_->clear();
     run(Words::tr("Read the library"),
@@ -198,11 +208,16 @@ void LibraryDialog::read_folder() {
 
 void LibraryDialog::fill() {
     list_->clear();
+    int row = cases_.empty() ? -1 : 0;
     for (const ShelvedCase& one : cases_) {
-        auto* item = new QListWidgetItem(one.name, list_);
+        // A folder NAME.hep and a file NAME.hepz beside it are told apart by their endings.
+        const bool twin = std::ranges::count(cases_, one.name, &ShelvedCase::name) > 1;
+        const QString name = twin ? to_text(one.place.filename()) : one.name;
+        if (one.place == chosen_) row = list_->count();
+        auto* item = new QListWidgetItem(name, list_);
         if (!one.drawing.isNull()) item->setIcon(untinted(QPixmap::fromImage(one.drawing)));
     }
-    list_->setCurrentRow(cases_.empty() ? -1 : 0);
+    list_->setCurrentRow(row);
 }
 
 const ShelvedCase* LibraryDialog::chosen() const {

@@ -37,6 +37,8 @@ class LibraryDialog : public QDialog {
 
     // Reads the folder again and shows the dialog.
     void open_library();
+    // A case was written: reads the folder again, if the dialog is shown.
+    void refresh();
     // The cases as last read.
     const std::vector<ShelvedCase>& cases() const { return cases_; }
     bool busy() const { return busy_; }
@@ -70,7 +72,8 @@ class LibraryDialog : public QDialog {
     std::vector<ShelvedCase> cases_;
     std::unique_ptr<BackgroundJob> job_;
     bool busy_ = false;
-    bool reread_ = false;  // read the folder when the job has ended
+    bool reread_ = false;           // read the folder when the job has ended
+    std::filesystem::path chosen_;  // chosen again after the folder was read
     QLabel* folder_ = nullptr;
     QListWidget* list_ = nullptr;
     MessageBar* messages_ = nullptr;

@@ -161,6 +161,7 @@ class MainWindow : public QMainWindow {
     bool may_correct(const char* why_not_in_review);
     void show_corrections_with_slices();
     void warn_of_stroke_outside(const BrushStroke& stroke);
+    void warn_of_tumour_outside(const TreeEdit& edit);
     void build_editing();
 
     // main_window_lessons.cpp: lessons and reviews.

@@ -25,6 +25,7 @@
 #include "ui/file_name.h"
 #include "ui/lesson_dock.h"
 #include "ui/lesson_editor/lesson_editor.h"
+#include "ui/library_dialog.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
@@ -96,7 +97,9 @@ void MainWindow::show_jobs() {
 void MainWindow::remember(const std::filesystem::path& path) {
     settings_.add_recent_file(to_text(path));
     settings_.set_last_folder(to_text(path.parent_path()));
-    if (is_case(path)) settings_.set_case_folder(to_text(path.parent_path()));
+    if (!is_case(path)) return;
+    settings_.set_case_folder(to_text(path.parent_path()));
+    library_->refresh();
 }
 
 void MainWindow::fail(const QString& doing, const Failure& failure) {

@@ -298,6 +298,7 @@ void MainWindow::build_lesson_editor() {
         log_->add_failure(doing, failure_of(error));
         tell_failure(*lesson_editor_, doing, failure_of(error));
     };
+    ways.tumours = [this] { return view_layout_->slices().tumours().tumours(); };
     if (!draft_slot_) draft_slot_ = std::make_unique<DraftSlot>(to_path(settings_.lesson_draft()));
     lesson_editor_ = new LessonEditor(std::move(ways), draft_slot_->file(), this);
 }

@@ -236,6 +236,8 @@ bool MainWindow::show_marks() {
         marks = lessons_->marks_in(frame());
     else if (lesson_editor_)
         for (const Vec3& place : lesson_editor_->places()) marks.push_back({place, "", false});
+    if (editing_ && editing_->link_from_mm())
+        marks.push_back({*editing_->link_from_mm(), "", false, false});
     if (marks.empty())
         if (const auto middle = middle_of_chosen_branch())
             marks.push_back({*middle, "", false, false});

@@ -8,6 +8,7 @@
 #include "ui/case_editing.h"
 #include "ui/edit_panel.h"
 #include "ui/lesson_dock.h"
+#include "ui/lesson_editor/lesson_editor.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
@@ -65,6 +66,7 @@ void MainWindow::build_slices(QWidget* parent) {
         if (!may_correct(not_in_review)) return false;
         dismiss_for_a_deed();
         keeper_->add(stroke);
+        warn_of_tumour_outside(stroke);
         return true;
     };
     callbacks.take_strokes_back = [this](std::size_t strokes) {
@@ -80,6 +82,7 @@ void MainWindow::build_slices(QWidget* parent) {
     callbacks.tumours = [this](const TriangleMesh& surface) {
         view_->scene().set_tumours(surface);
         view_->draw_again();
+        if (lesson_editor_) lesson_editor_->tumours_changed();
     };
     callbacks.correction = [this] { return editing_->tool_name(); };
     callbacks.view_covered = [this](int top, int bottom) {
@@ -130,6 +133,17 @@ void MainWindow::warn_of_stroke_outside(const BrushStroke& stroke) {
     messages_->show_notice(text, Words::tr("Undo"), [this] { keeper_->take_strokes_back(1); });
 }
 
+void MainWindow::warn_of_tumour_outside(const TreeEdit& edit) {
+    if (edit.kind != TreeEditKind::paint_tumour ||
+        !tumour_lies_outside(stroke_of(edit), view_layout_->slices().tumours().organs()))
+        return;
+    const QString text =
+        Words::tr("This tumour lies outside the liver (at %1). Undo takes it back.")
+            .arg(patient_place(edit.path_mm.front()));
+    log_->add_warning(Words::tr("Corrections"), text);
+    messages_->show_notice(text, Words::tr("Undo"), [this] { keeper_->undo_tumour_stroke(); });
+}
+
 // Shows the panel of corrections when clicks in the slices begin to correct.
 void MainWindow::show_corrections_with_slices() {
     SliceScene& slices = view_layout_->slices();
@@ -173,6 +187,9 @@ void MainWindow::build_editing() {
                 if (!warnings_stand) return messages_->show_notice(text);
                 messages_->put_before(text);
                 warnings_text_ = messages_->text();
+            },
+            [this] {
+                if (patient_ && show_marks()) view_->draw_again();
             }});
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/tree/station.h"
 
 namespace hepatica {
 
@@ -26,6 +27,18 @@ bool TargetRegion::contains(const TreePoint& point) const {
 
 bool TargetRegion::contains_end_of(int segment) const {
     return segment >= 0 && (segment == from_.segment || beyond_[segment] != 0);
+}
+
+Vec3 place_that_feeds(const VesselTree& tree, const Vec3& at_mm) {
+    VesselTree feeding;  // nearest_point() looks at segments alone
+    for (const VesselSegment& segment : tree.segments)
+        if (segment.system == VascularSystem::portal || segment.system == VascularSystem::artery)
+            feeding.segments.push_back(segment);
+    const VesselTree& searched = feeding.segments.empty() ? tree : feeding;
+    const TreePoint nearest = nearest_point(searched, at_mm);
+    return station_at(searched.segments[static_cast<std::size_t>(nearest.segment)],
+                      nearest.arclength_mm)
+        .position_mm;
 }
 
 }  // namespace hepatica

@@ -132,5 +132,26 @@ TEST(TargetRegion, OfASegmentThatTheTreeLacksIsRefused) {
         EXPECT_THROW(TargetRegion(tree(), {segment, 0.0}), InputError) << segment;
 }
 
+// Hepatic veins lead away from a tumour: the nearest vessel is not taken where it is one.
+TEST(PlaceThatFeeds, IsTheNearestOfThePortalAndArterialVessels) {
+    const auto line = [](VascularSystem system, double y) {
+        VesselSegment segment;
+        segment.points_mm = {Vec3(0, y, 0), Vec3(40, y, 0)};
+        segment.radii_mm = {2.0, 2.0};
+        segment.system = system;
+        return segment;
+    };
+    VesselTree tree;
+    tree.segments = {line(VascularSystem::portal, 30.0), line(VascularSystem::hepatic, 4.0),
+                     line(VascularSystem::portal, -9.0), line(VascularSystem::artery, 8.0)};
+    const Vec3 middle(25, 0, 0);
+    EXPECT_LT((place_that_feeds(tree, middle) - Vec3(25, 8, 0)).norm(), 1e-9);
+    tree.segments.pop_back();
+    EXPECT_LT((place_that_feeds(tree, middle) - Vec3(25, -9, 0)).norm(), 1e-9);
+    tree.segments = {line(VascularSystem::hepatic, 4.0), line(VascularSystem::unknown, 3.0)};
+    EXPECT_LT((place_that_feeds(tree, middle) - Vec3(25, 3, 0)).norm(), 1e-9);
+    EXPECT_THROW(place_that_feeds({}, middle), InputError);
+}
+
 }  // namespace
 }  // namespace hepatica

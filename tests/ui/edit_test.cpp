@@ -246,6 +246,24 @@ TEST_F(Editing, a_link_that_closes_a_loop_is_warned_of_and_one_loop_less_is_not)
     EXPECT_EQ(window_.messages().text(), "");
 }
 
+TEST_F(Editing, the_first_vessel_of_a_link_is_marked_until_the_second_is_chosen) {
+    const auto marks = [this] { return window_.view().scene().marks(); };
+    window_.actions()[ActionId::edit_mode].trigger();
+    choose_tool("Link two vessels");
+    ASSERT_TRUE(marks().empty());
+    click(Vec3(0.05, 10, 1.5));
+    ASSERT_EQ(marks().size(), 1u);
+    EXPECT_LT((marks()[0].place_mm - Vec3(0.05, 10, 1.5)).norm(), 6.0);
+    choose_tool("Delete a branch");
+    EXPECT_TRUE(marks().empty()) << "another tool gives the link up";
+    choose_tool("Link two vessels");
+    click(Vec3(0.05, 10, 1.5));
+    ASSERT_EQ(marks().size(), 1u);
+    click(Vec3(-8.6, 28, 4.4));
+    ASSERT_EQ(saved().corrections.edits.size(), 1u);
+    EXPECT_TRUE(marks().empty());
+}
+
 TEST_F(Editing, what_was_done_is_listed_with_its_place) {
     window_.actions()[ActionId::edit_mode].trigger();
     choose_tool("Delete a whole tree");

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
@@ -20,6 +21,7 @@
 #include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_writer.h"
+#include "core/lesson/target_region.h"
 #include "tests/session/small_patient.h"
 #include "tests/ui/lesson_editor_test.h"
 #include "ui/paths.h"
@@ -126,6 +128,36 @@ TEST_F(LessonEditorTest, a_place_that_is_clicked_on_is_a_mark_or_the_target) {
     EXPECT_FALSE(lesson().target);
     editor_.hide();
     EXPECT_TRUE(drawn_.empty());
+}
+
+TEST_F(LessonEditorTest, a_tumour_is_chosen_as_the_target) {
+    turn_to(1);
+    auto& button = field<QPushButton>("lessonTumour");
+    EXPECT_TRUE(button.isHidden()) << "this patient has none";
+    tumours_ = {{1, 0.5, on_vessel(0)}, {4, 2.25, on_vessel(1)}};
+    editor_.tumours_changed();
+    EXPECT_FALSE(button.isHidden());
+    const QList<QAction*> offered = button.menu()->actions();
+    ASSERT_EQ(offered.size(), 2);
+    EXPECT_TRUE(offered[1]->text().startsWith("Tumour 4 (2")) << offered[1]->text().toStdString();
+    offered[1]->trigger();
+    ASSERT_TRUE(lesson().target && lesson().target->point_mm);
+    const Vec3 feeds = place_that_feeds(patient_->tree, on_vessel(1));
+    EXPECT_LT((*lesson().target->point_mm - feeds).norm(), 0.1);
+    EXPECT_EQ(drawn_.size(), 2u) << "it is seen on the vessels";
+    field<QPushButton>("lessonTumour").menu()->actions()[0]->trigger();
+    EXPECT_LT((*lesson().target->point_mm - place_that_feeds(patient_->tree, on_vessel(0))).norm(),
+              0.1);
+    click("lessonUndo");
+    EXPECT_LT((*lesson().target->point_mm - feeds).norm(), 0.1);
+}
+
+TEST_F(LessonEditorTest, is_closed_by_escape_as_by_its_button) {
+    QApplication::setActiveWindow(&editor_);
+    field<QLineEdit>("lessonName").setText("Half done");
+    QTest::keyClick(&editor_, Qt::Key_Escape);
+    EXPECT_TRUE(editor_.isHidden());
+    EXPECT_EQ(kept().name, "Half done") << "nothing is lost";
 }
 
 TEST_F(LessonEditorTest, doubts_a_place_of_another_patient) {

@@ -45,6 +45,7 @@ class LessonEditorTest : public ::testing::Test {
             return answer_;
         };
         ways.failed = [this](const QString&, const std::exception_ptr&) { ++failures_; };
+        ways.tumours = [this] { return tumours_; };
         return ways;
     }
     const Lesson& lesson() { return editor_.document().lesson(); }
@@ -90,6 +91,7 @@ class LessonEditorTest : public ::testing::Test {
     QString shown_ = folder_of("shown.hep");
     int asked_for_place_ = 0, asked_no_more_ = 0, failures_ = 0;
     std::vector<Vec3> drawn_;
+    std::vector<Tumour> tumours_;  // of the patient who is shown
     LessonEditor editor_;
 };
 

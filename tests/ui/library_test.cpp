@@ -247,6 +247,26 @@ TEST_F(LibraryTest, opens_what_is_chosen) {
     EXPECT_TRUE(dialog().isHidden());
 }
 
+// What is saved while the library stands open comes into it, and the choice stays.
+TEST_F(LibraryTest, is_read_again_when_a_case_was_saved) {
+    open_built_in();
+    write_case(cases_ / "second.hep", *test::small_patient());
+    open_library();
+    auto& list = *dialog().findChild<QListWidget*>("library");
+    ASSERT_EQ(list.count(), 2);
+    EXPECT_EQ(list.item(0)->text(), "first");
+    list.setCurrentRow(1);
+    write_case(cases_ / "first.hepz", *test::small_patient());
+    write_case(cases_ / "other.hep", *test::small_patient());
+    window_.save_case(to_text(cases_ / "other.hep"));
+    wait();
+    ASSERT_TRUE(wait_for([&] { return !dialog().busy() && list.count() == 4; }));
+    EXPECT_EQ(list.item(0)->text(), "first.hep") << "there is a file of this name, too";
+    EXPECT_EQ(list.item(1)->text(), "first.hepz");
+    EXPECT_EQ(list.item(2)->text(), "other");
+    EXPECT_EQ(list.currentRow(), 3);
+}
+
 TEST_F(LibraryTest, lists_the_lessons_of_the_chosen_case) {
     write_case(cases_ / "second.hep", *test::small_patient());
     write_lesson_for(cases_ / "a.json", "Hold it", "second.hep");

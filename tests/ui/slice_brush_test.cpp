@@ -2,6 +2,7 @@
 // Vessels painted and erased in the slices by mouse and keys.
 #include "tests/ui/slices_test.h"
 #include "ui/message_bar.h"
+#include "ui/slices/stroke_place.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -222,6 +223,52 @@ TEST_F(BrushOnSlices, WarnsOfAStrokeFarOutsideTheLiverAndTakesItBack) {
     EXPECT_TRUE(warning.contains("R 30")) << "and where: " << warning.toStdString();
     QTest::mouseClick(window_.messages().findChild<QPushButton*>("offer"), Qt::LeftButton);
     EXPECT_EQ(brush().strokes().size(), 1u);
+}
+
+TEST_F(BrushOnSlices, SaysThatATumourLiesOutsideTheLiverAndTakesItBack) {
+    auto patient = std::make_shared<PatientCase>(*patient_);
+    patient->organs = Mask(ct_.grid);
+    for (int k = 0; k < 60; ++k)
+        for (int j = 0; j < 50; ++j)
+            for (int i = 30; i < 40; ++i) patient->organs.voxels[ct_.grid.offset(i, j, k)] = 1;
+    patient_ = patient;
+    begin();
+    ASSERT_TRUE(testing::wait_for([this] { return !scene().tumours().organs().voxels.empty(); }));
+    constexpr int painting_tumours = 8;
+    take(painting_tumours);
+    scene().set_crosshair(ct_.grid.to_mm(34, 25, 30));
+    QTest::keyClick(&axial(), Qt::Key_Return);
+    ASSERT_EQ(scene().tumours().tumours().size(), 1u);
+    EXPECT_EQ(window_.messages().text(), "") << "within the liver";
+    const double before_ml = scene().tumours().tumours()[0].volume_ml;
+    scene().set_crosshair(ct_.grid.to_mm(10, 25, 30));
+    QTest::keyClick(&axial(), Qt::Key_Return);
+    const QString notice = window_.messages().text();
+    EXPECT_TRUE(notice.contains("tumour lies outside the liver")) << notice.toStdString();
+    EXPECT_GT(scene().tumours().tumours()[0].volume_ml, before_ml) << "it is not forbidden";
+    QTest::mouseClick(window_.messages().findChild<QPushButton*>("offer"), Qt::LeftButton);
+    ASSERT_EQ(scene().tumours().tumours().size(), 1u);
+    EXPECT_EQ(scene().tumours().tumours()[0].volume_ml, before_ml);
+}
+
+TEST(TumourLiesOutside, OfTheLiverWhereNeitherLiverNorAnotherTumourIsNear) {
+    Grid grid{{60, 30, 30}};
+    Mask organs(grid);
+    const auto painted = [&](double x) {
+        const BrushStroke stroke{{Vec3(x, 15, 15)}, 4.0, false};
+        Mask with = organs;
+        apply(stroke, organ_label::first_tumour, with);
+        return tumour_lies_outside(stroke, with);
+    };
+    EXPECT_FALSE(painted(50.0)) << "no liver is known";
+    for (int z = 0; z < 30; ++z)
+        for (int y = 0; y < 30; ++y)
+            for (int x = 0; x < 20; ++x) organs.at(x, y, z) = organ_label::liver;
+    EXPECT_FALSE(painted(10.0));
+    EXPECT_FALSE(painted(26.0)) << "it may stick out of the liver";
+    EXPECT_TRUE(painted(40.0));
+    apply({{Vec3(44, 15, 15)}, 4.0, false}, organ_label::first_tumour, organs);
+    EXPECT_FALSE(painted(40.0)) << "it goes on with one that is there";
 }
 
 }  // namespace

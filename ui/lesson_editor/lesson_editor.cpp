@@ -18,6 +18,7 @@
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_gaps.h"
 #include "core/lesson/lesson_writer.h"
+#include "core/lesson/target_region.h"
 #include "ui/core_words.h"
 #include "ui/lesson_editor/about_page.h"
 #include "ui/lesson_editor/doubts_in_words.h"
@@ -69,7 +70,8 @@ void LessonEditor::build() {
             changed(true);
         }};
     about_ = new AboutPage(changes, ways_.shown_patient);
-    places_ = new PlacesPage(changes, ways_.ask_for_place, ways_.ask_no_more);
+    places_ = new PlacesPage(changes, ways_.ask_for_place, ways_.ask_no_more,
+                             [this] { return targets(); });
     auto* steps = new StepsPage(changes);
     auto* rules = new RulesPage(changes);
     shown_pages_ = {about_, places_, steps, rules};
@@ -140,6 +142,7 @@ void LessonEditor::build_keys() {
     };
     key(QKeySequence::Undo, &LessonEditor::undo);
     key(QKeySequence::Redo, &LessonEditor::redo);
+    connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, [this] { hide(); });
     connect(new QShortcut(QKeySequence::Save, this), &QShortcut::activated, this,
             [this] { save(false); });
 }
@@ -207,6 +210,10 @@ void LessonEditor::patient_shown() {
     if (!isVisible()) return;
     show_page();  // offers the new patient
     show_state();
+}
+
+void LessonEditor::tumours_changed() {
+    places_->offer_tumours();
 }
 
 void LessonEditor::keep_now() {
@@ -343,6 +350,16 @@ void LessonEditor::come_back() {
     show();
     raise();
     activateWindow();
+}
+
+std::vector<TumourPlace> LessonEditor::targets() const {
+    std::vector<TumourPlace> targets;
+    const std::shared_ptr<const PatientCase> patient = ways_.patient();
+    if (patient == nullptr || patient->tree.segments.empty()) return targets;
+    for (const Tumour& tumour : ways_.tumours())
+        targets.push_back(
+            {tumour.number, tumour.volume_ml, place_that_feeds(patient->tree, tumour.middle_mm)});
+    return targets;
 }
 
 std::vector<Vec3> LessonEditor::places() const {

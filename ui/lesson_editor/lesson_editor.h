@@ -7,7 +7,9 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "core/patient/painted_tumours.h"
 #include "core/patient/patient_case.h"
 #include "ui/lesson_editor/lesson_document.h"
 
@@ -21,6 +23,7 @@ namespace hepatica {
 class AboutPage;
 class LessonPage;
 class PlacesPage;
+struct TumourPlace;
 
 // What to do with unsaved changes: save them, leave them in their copy for the next start, discard
 // them, or cancel.
@@ -48,6 +51,8 @@ class LessonEditor : public QWidget {
         // Asks what to do with unsaved changes; `kept`: they have a copy on disk.
         std::function<UnsavedLesson(bool kept)> unsaved;
         std::function<void(const QString& doing, const std::exception_ptr& error)> failed;
+        // The shown patient's tumours, as far as they were read.
+        std::function<std::vector<Tumour>()> tumours = [] { return std::vector<Tumour>(); };
     };
     // `kept_copy`: see LessonDocument.
     LessonEditor(Ways ways, std::filesystem::path kept_copy, QWidget* parent);
@@ -69,6 +74,7 @@ class LessonEditor : public QWidget {
     void back_from_trying();
     // Another patient is shown, or his vessels have changed.
     void patient_shown();
+    void tumours_changed();
     // Asks about unsaved changes before the program ends; false: the user wants to stay.
     bool may_end();
     const LessonDocument& document() const { return document_; }
@@ -93,6 +99,7 @@ class LessonEditor : public QWidget {
     // The shown patient if the lesson is for him alone, else null.
     std::shared_ptr<const PatientCase> own_patient() const;
     void accept_places();
+    std::vector<TumourPlace> targets() const;
     void save(bool ask);
     void try_out();
     void take_what_is_typed();

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -19,6 +20,11 @@ namespace hepatica {
 namespace {
 
 const ScriptPlace half_way{std::nullopt, 0.5};
+
+// To a tenth of a millimetre.
+Vec3 rounded(const Vec3& place_mm) {
+    return (10.0 * place_mm).array().round() / 10.0;
+}
 
 QLabel* text_of_point(const Vec3& at) {
     return new QLabel(Words::tr("at %L1, %L2, %L3 mm")
@@ -37,13 +43,16 @@ QLabel* quiet(const QString& text) {
 }  // namespace
 
 PlacesPage::PlacesPage(Changes changes, std::function<void()> ask_for_place,
-                       std::function<void()> ask_no_more)
+                       std::function<void()> ask_no_more,
+                       std::function<std::vector<TumourPlace>()> tumours)
     : LessonPage(std::move(changes)),
       ask_for_place_(std::move(ask_for_place)),
       ask_no_more_(std::move(ask_no_more)),
+      tumours_(std::move(tumours)),
       marks_(new QVBoxLayout),
       target_(new QVBoxLayout),
-      add_target_(new QPushButton(Words::tr("&Give it a target"))) {
+      add_target_(new QPushButton(Words::tr("&Give it a target"))),
+      tumour_(new QPushButton(Words::tr("A tumour as the target"))) {
     auto* column = new QVBoxLayout(this);
     column->addWidget(new QLabel("<b>" + Words::tr("Marks") + "</b>"));
     column->addWidget(quiet(Words::tr(
@@ -69,6 +78,12 @@ PlacesPage::PlacesPage(Changes changes, std::function<void()> ask_for_place,
     connect(add_target_, &QPushButton::clicked, this,
             [this] { change_shape([](Lesson& lesson) { lesson.target = half_way; }); });
     column->addWidget(add_target_, 0, Qt::AlignLeft);
+    tumour_->setObjectName("lessonTumour");
+    tumour_->setToolTip(
+        Words::tr("The target begins where the portal or arterial vessels pass nearest to the "
+                  "tumour's middle"));
+    tumour_->setMenu(new QMenu(tumour_));
+    column->addWidget(tumour_, 0, Qt::AlignLeft);
     column->addStretch(1);
 }
 
@@ -82,6 +97,23 @@ void PlacesPage::fill(const Lesson& lesson) {
     clear_rows(*target_);
     if (lesson.target) target_->addWidget(make_row(target, "", *lesson.target));
     add_target_->setVisible(!lesson.target);
+    offer_tumours();
+}
+
+void PlacesPage::offer_tumours() {
+    for (QAction* gone : tumour_->menu()->actions()) {
+        tumour_->menu()->removeAction(gone);
+        gone->deleteLater();  // it may be the one that was chosen
+    }
+    for (const TumourPlace& tumour : tumours_()) {
+        QAction* action = tumour_->menu()->addAction(
+            Words::tr("Tumour %1 (%L2 ml)").arg(tumour.number).arg(tumour.volume_ml, 0, 'f', 1));
+        connect(action, &QAction::triggered, this, [this, from_mm = tumour.from_mm] {
+            wait_no_more();
+            set_place(target, {rounded(from_mm), std::nullopt}, false);
+        });
+    }
+    tumour_->setVisible(!tumour_->menu()->isEmpty());
 }
 
 QWidget* PlacesPage::make_row(int place, const std::string& name, const ScriptPlace& at) {
@@ -139,8 +171,7 @@ void PlacesPage::wait_no_more() {
 void PlacesPage::place_clicked(const Vec3& place_mm) {
     const int place = std::exchange(waits_for_, nobody);
     if (place == nobody) return;
-    const Vec3 rounded = (10.0 * place_mm).array().round() / 10.0;
-    set_place(place, {rounded, std::nullopt}, false);
+    set_place(place, {rounded(place_mm), std::nullopt}, false);
 }
 
 // Keeps the old name if the new one is empty or another mark has it.

@@ -11,12 +11,20 @@ class QVBoxLayout;
 
 namespace hepatica {
 
+// A tumour of the shown patient and where the vessels that lead to it begin, mm.
+struct TumourPlace {
+    int number = 0;
+    double volume_ml = 0.0;
+    Vec3 from_mm = Vec3::Zero();
+};
+
 class PlacesPage : public LessonPage {
   public:
     // `ask_for_place`: send the next click on a vessel to place_clicked(). `ask_no_more`: cancel
-    // that.
+    // that. `tumours`: those that can be the target.
     PlacesPage(Changes changes, std::function<void()> ask_for_place,
-               std::function<void()> ask_no_more);
+               std::function<void()> ask_no_more,
+               std::function<std::vector<TumourPlace>()> tumours);
 
     // On the centreline of the undeformed vessels, mm; rounded to 0.1 mm. No effect if no place is
     // waited for.
@@ -24,6 +32,8 @@ class PlacesPage : public LessonPage {
     bool waits() const { return waits_for_ != nobody; }
     // Cancels waiting for a click; calls ask_no_more if it was waiting.
     void wait_no_more();
+    // The tumours have changed.
+    void offer_tumours();
 
   protected:
     void fill(const Lesson& lesson) override;
@@ -38,11 +48,12 @@ class PlacesPage : public LessonPage {
     void remove(int place);
 
     std::function<void()> ask_for_place_, ask_no_more_;
+    std::function<std::vector<TumourPlace>()> tumours_;
     int waits_for_ = nobody;
     std::vector<std::string> names_;  // of the marks
     QVBoxLayout* marks_;
     QVBoxLayout* target_;
-    QPushButton* add_target_;
+    QPushButton *add_target_, *tumour_;
 };
 
 }  // namespace hepatica

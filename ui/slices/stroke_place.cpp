@@ -28,4 +28,18 @@ bool lies_far_outside(const BrushStroke& stroke, const Mask& organs) {
     return true;
 }
 
+bool tumour_lies_outside(const BrushStroke& stroke, const Mask& organs) {
+    constexpr double beside_mm = 5.0;
+    if (std::ranges::find(organs.voxels, organ_label::liver) == organs.voxels.end()) return false;
+    Mask near(organs.grid);
+    apply({stroke.path_mm, stroke.radius_mm + beside_mm, false}, 1, near);
+    apply({stroke.path_mm, stroke.radius_mm, false}, 2, near);
+    for (std::size_t v = 0; v < near.voxels.size(); ++v) {
+        const std::uint8_t organ = organs.voxels[v];
+        if (near.voxels[v] != 0 && organ == organ_label::liver) return false;
+        if (near.voxels[v] == 1 && is_liver(organ)) return false;
+    }
+    return true;
+}
+
 }  // namespace hepatica

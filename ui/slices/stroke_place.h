@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tells whether a stroke of the vessel brush lies where no vessel of the liver can be.
+// Tells whether a stroke of a brush lies where no vessel or no tumour of the liver can be.
 #pragma once
 
 #include "core/image/brush.h"
@@ -11,5 +11,9 @@ namespace hepatica {
 // trunk and hepatic veins leave the liver. `organs` has the organ labels of a case; false if it has
 // no liver voxels.
 bool lies_far_outside(const BrushStroke& stroke, const Mask& organs);
+
+// The same of a stroke that painted a tumour and is in `organs` already: true if within 5 mm of the
+// swept ball there is neither liver nor, outside of the ball, a tumour that it could belong to.
+bool tumour_lies_outside(const BrushStroke& stroke, const Mask& organs);
 
 }  // namespace hepatica
