@@ -8863,5 +8863,13 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Open the unsaved work first (File &gt; Open unsaved work)</source>
         <translation>Zuerst die ungespeicherte Arbeit öffnen (Datei &gt; Ungespeicherte Arbeit öffnen)</translation>
     </message>
+    <message>
+        <source>, of it up to %L1 g drug</source>
+        <translation>, davon bis zu %L1 g Wirkstoff</translation>
+    </message>
+    <message>
+        <source>, of it up to %L1 mL drug</source>
+        <translation>, davon bis zu %L1 mL Wirkstoff</translation>
+    </message>
 </context>
 </TS>
