@@ -139,6 +139,7 @@ Json tear_of(World& world, const MeasuredPlay& played) {
         {"stopped_by", tears ? Json(stopped_by(*spec, played.tear)) : Json(nullptr)},
         {"leak_g_s", bleeding != nullptr ? Json(bleeding->leak_g_s()) : Json(nullptr)},
         {"leaked_g", bleeding != nullptr ? Json(bleeding->leaked_g()) : Json(nullptr)},
+        {"leaked_drug_g", bleeding != nullptr ? Json(bleeding->leaked_drug_g()) : Json(nullptr)},
         {"open_share", bleeding != nullptr ? Json(bleeding->least_open_share()) : Json(nullptr)},
         {"body_mass_error_relative",
          tears ? Json(world.deform()->mass_error_relative()) : Json(nullptr)},

@@ -7,8 +7,11 @@
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "core/flow/fluid.h"
 #include "render/palette.h"
 
 namespace hepatica {
@@ -18,23 +21,38 @@ constexpr double pool_opacity = 0.55;  // low enough that the stump inside remai
 // Changes below this are invisible; where only blood runs, no new picture is drawn for them.
 constexpr double seen_mm = 0.1;
 
-vtkSmartPointer<vtkActor> new_pool() {
+constexpr double cloud_opacity = 0.3;
+
+vtkSmartPointer<vtkActor> new_leak_ball(const Colour& colour, double opacity) {
     vtkNew<vtkSphereSource> sphere;
     sphere->SetRadius(1.0);
     sphere->SetThetaResolution(24);
     sphere->SetPhiResolution(16);
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputConnection(sphere->GetOutputPort());
-    auto pool = vtkSmartPointer<vtkActor>::New();
-    pool->SetMapper(mapper);
-    const Colour& colour = palette::bleeding;
-    pool->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
-    pool->GetProperty()->SetOpacity(pool_opacity);
-    pool->ForceOpaqueOn();  // blended over the vessels, which are drawn before it, without a
+    auto ball = vtkSmartPointer<vtkActor>::New();
+    ball->SetMapper(mapper);
+    ball->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+    ball->GetProperty()->SetOpacity(opacity);
+    ball->ForceOpaqueOn();  // blended over the vessels, which are drawn before it, without a
                             // separate translucent pass
-    pool->GetProperty()->BackfaceCullingOn();
-    pool->SetPickable(false);
-    return pool;
+    ball->GetProperty()->BackfaceCullingOn();
+    ball->SetPickable(false);
+    return ball;
+}
+
+// Returns true where the picture changed.
+bool show_leak_ball(vtkActor& ball, const Vec3& at_mm, double radius_mm, bool visible) {
+    const bool was_visible = ball.GetVisibility() != 0;
+    if (!visible && !was_visible) return false;
+    const Vec3 drawn_at(ball.GetPosition());
+    const bool grown = std::abs(radius_mm - ball.GetScale()[0]) >= seen_mm;
+    const bool moved = (at_mm - drawn_at).norm() >= seen_mm;
+    if (!grown && !moved && visible == was_visible) return false;
+    ball.SetPosition(at_mm.x(), at_mm.y(), at_mm.z());
+    ball.SetScale(radius_mm);
+    ball.SetVisibility(visible);
+    return true;
 }
 
 }  // namespace
@@ -44,32 +62,42 @@ double radius_of_pool_mm(double lost_g) {
     return lost_g > 0.0 ? first_drop_mm + per_cube_root_g * std::cbrt(lost_g) : 0.0;
 }
 
+double radius_of_cloud_mm(double pool_mm, double drug_g) {
+    constexpr double thickest_mm = 8.0;
+    if (drug_g <= 0.0) return pool_mm;
+    const double volume_mm3 = drug_g / blood().density_g_mm3;
+    const double to_scale_mm =
+        std::cbrt(std::pow(pool_mm, 3) + 0.75 * volume_mm3 / std::numbers::pi);
+    return std::min(to_scale_mm, pool_mm + thickest_mm);
+}
+
 BleedingActor::~BleedingActor() {
     for (const auto& pool : pools_) renderer_.RemoveActor(pool);
+    for (const auto& cloud : clouds_) renderer_.RemoveActor(cloud);
 }
 
 bool BleedingActor::update(const std::optional<TearView>& tear) {
     const std::size_t count = tear ? tear->leaks.size() : 0;
     if (count == 0 && pools_.empty()) return false;
     bool changed = pools_.size() != count;
-    for (; pools_.size() > count; pools_.pop_back()) renderer_.RemoveActor(pools_.back());
+    for (; pools_.size() > count; pools_.pop_back(), clouds_.pop_back()) {
+        renderer_.RemoveActor(pools_.back());
+        renderer_.RemoveActor(clouds_.back());
+    }
     while (pools_.size() < count) {
-        pools_.push_back(new_pool());
+        pools_.push_back(new_leak_ball(palette::bleeding, pool_opacity));
+        clouds_.push_back(new_leak_ball(palette::drug(1.0), cloud_opacity));
+        clouds_.back()->SetVisibility(false);
         renderer_.AddActor(pools_.back());
+        renderer_.AddActor(clouds_.back());
     }
     for (std::size_t i = 0; i < count; ++i) {
         const LeakView& leak = tear->leaks[i];
-        const double radius_mm = radius_of_pool_mm(leak.share * tear->leaked_g);
-        vtkActor& pool = *pools_[i];
-        const Vec3 drawn_at(pool.GetPosition());
-        const bool grown = std::abs(radius_mm - pool.GetScale()[0]) >= seen_mm;
-        const bool moved = (leak.at_mm - drawn_at).norm() >= seen_mm;
-        const bool visible = radius_mm > 0.0;
-        if (!grown && !moved && visible == (pool.GetVisibility() != 0)) continue;
-        pool.SetPosition(leak.at_mm.x(), leak.at_mm.y(), leak.at_mm.z());
-        pool.SetScale(radius_mm);
-        pool.SetVisibility(visible);
-        changed = true;
+        const double pool_mm = radius_of_pool_mm(leak.share * tear->leaked_g);
+        const double cloud_mm = radius_of_cloud_mm(pool_mm, leak.drug_g);
+        const bool drug_is_seen = cloud_mm >= pool_mm + seen_mm;
+        if (show_leak_ball(*pools_[i], leak.at_mm, pool_mm, pool_mm > 0.0)) changed = true;
+        if (show_leak_ball(*clouds_[i], leak.at_mm, cloud_mm, drug_is_seen)) changed = true;
     }
     return changed;
 }

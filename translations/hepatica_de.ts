@@ -8907,5 +8907,13 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>This tumour lies outside the liver (at %1). Undo takes it back.</source>
         <translation>Dieser Tumor liegt außerhalb der Leber (bei %1). „Rückgängig“ nimmt ihn zurück.</translation>
     </message>
+    <message>
+        <source>, of it up to %L1 g drug</source>
+        <translation>, davon bis zu %L1 g Wirkstoff</translation>
+    </message>
+    <message>
+        <source>, of it up to %L1 mL drug</source>
+        <translation>, davon bis zu %L1 mL Wirkstoff</translation>
+    </message>
 </context>
 </TS>

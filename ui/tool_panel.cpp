@@ -24,6 +24,18 @@ namespace {
 constexpr double thinnest_mm = 0.5, thickest_mm = 20.0;
 constexpr double shortest_mm = 2.0, longest_mm = 200.0;
 
+// Empty where no drug has leaked, in tenths of a gram or millilitre.
+QString leaked_drug_text(const TearView& tear, FlowUnits units) {
+    constexpr double least = 0.05;
+    const double millilitres = tear.leaked_drug_g / blood().density_g_mm3 / units::millilitre;
+    const bool computed = units == FlowUnits::computed;
+    const double shown = computed ? tear.leaked_drug_g : millilitres;
+    if (shown < least) return {};
+    return (computed ? Words::tr(", of it up to %L1 g drug")
+                     : Words::tr(", of it up to %L1 mL drug"))
+        .arg(shown, 0, 'f', 1);
+}
+
 QString bleeding_text(const TearView& tear, FlowUnits units) {
     if (units == FlowUnits::computed)
         return Words::tr("; bleeds %L1 g/s, %L2 g so far")
@@ -216,7 +228,8 @@ void ToolPanel::show_tear(const std::optional<TearView>& tear) {
                                                   .arg(tear->pieces);
     torn_->setToolTip(Words::tr("Damage, as entropy produced by tearing: %L1 nats")
                           .arg(tear->entropy_produced_nats, 0, 'f', 2));
-    if (tear->leak_g_s > 0.0 || tear->leaked_g > 0.0) text += bleeding_text(*tear, units_);
+    if (tear->leak_g_s > 0.0 || tear->leaked_g > 0.0)
+        text += bleeding_text(*tear, units_) + leaked_drug_text(*tear, units_);
     if (tear->open_share < 1.0)
         text +=
             Words::tr("; pressed to %L1 % of its lumen").arg(100.0 * tear->open_share, 0, 'g', 2);

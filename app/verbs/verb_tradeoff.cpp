@@ -15,6 +15,7 @@
 #include "core/patient/patient_case.h"
 #include "core/scene/deform_part.h"
 #include "core/study/contact_tradeoff.h"
+#include "core/study/tear_tradeoff.h"
 #include "core/study/tradeoff.h"
 
 namespace hepatica {
@@ -25,6 +26,7 @@ struct TradeoffChoices {
     std::filesystem::path patient;
     std::filesystem::path out;
     bool contact = false;
+    bool tear = false;
     std::string backend = "cpu";
     TradeoffOptions measure;
 };
@@ -82,6 +84,12 @@ Tradeoff measure(const TradeoffChoices& options, Job& job) {
     return measure_body_tradeoff(bodies_of(patient, job), how, job);
 }
 
+// Cost beside that of a scene's setting, which is the first of the points.
+template <class Points>
+double cost_ratio(const Points& points, const TradeoffPoint& point) {
+    return point.frame_ms / points.front().point.frame_ms;
+}
+
 Json run_contact_tradeoff(const TradeoffChoices& options, Job& job) {
     if (!options.patient.empty() || options.measure.quick)
         throw InputError("measures two blocks", "--contact", "Leave CASE and --quick out");
@@ -93,9 +101,38 @@ Json run_contact_tradeoff(const TradeoffChoices& options, Job& job) {
         Json json{
             {"name", point.name}, {"pad_edges", point.pad_edges}, {"friction", point.friction}};
         json.update(json_row(point.point));
+        json["cost_ratio"] = number(cost_ratio(tradeoff.points, point.point));
         points.push_back(std::move(json));
     }
     return {{"reference", tradeoff.reference},
+            {"csv", (options.out / "tradeoff.csv").string()},
+            {"plot", (options.out / "tradeoff.svg").string()},
+            {"points", points}};
+}
+
+Json run_tear_tradeoff(const TradeoffChoices& options, Job& job) {
+    if (!options.patient.empty() || options.measure.quick)
+        throw InputError("measures a bar", "--tear", "Leave CASE and --quick out");
+    job.expect_stages(2);
+    const TearTradeoff tradeoff = measure_tear_tradeoff({}, job);
+    write_tradeoff(as_tradeoff(tradeoff), options.out, "error of the force over the pull");
+    Json points = Json::array();
+    for (const TearPoint& point : tradeoff.points) {
+        Json json{{"name", point.name},
+                  {"edge_mm", point.edge_mm},
+                  {"force_max_un", number(point.force_max_un)},
+                  {"force_error_relative", number(point.force_error)},
+                  {"work_nj", number(point.work_nj)},
+                  {"work_error_relative", number(point.work_error)},
+                  {"opened_mm2", point.opened_mm2},
+                  {"pieces", point.pieces}};
+        json.update(json_row(point.point));
+        json["cost_ratio"] = number(cost_ratio(tradeoff.points, point.point));
+        points.push_back(std::move(json));
+    }
+    return {{"reference", tradeoff.reference},
+            {"reference_force_max_un", tradeoff.reference_force_max_un},
+            {"reference_work_nj", tradeoff.reference_work_nj},
             {"csv", (options.out / "tradeoff.csv").string()},
             {"plot", (options.out / "tradeoff.svg").string()},
             {"points", points}};
@@ -107,6 +144,7 @@ Json run_tradeoff(const TradeoffChoices& options, Job& job) {
         throw InputError("measures on a patient's body alone", "--backend",
                          "Give a CASE, or leave --backend out");
     if (options.contact) return run_contact_tradeoff(options, job);
+    if (options.tear) return run_tear_tradeoff(options, job);
     const Tradeoff tradeoff = measure(options, job);
     write_tradeoff(tradeoff, options.out);
     Json points = Json::array(), front = Json::array(), left_out = Json::array();
@@ -145,8 +183,13 @@ void add_tradeoff(CommandLine& line) {
                     "Wall time in seconds; settings that do not fit are listed as not measured")
         ->check(CLI::Range(1.0, 1e6))
         ->capture_default_str();
-    verb.add_flag("--contact", options->contact,
-                  "Of what contact adds: pad, solve, step and friction of a block on a slab");
+    CLI::Option* contact =
+        verb.add_flag("--contact", options->contact,
+                      "Of what contact adds: pad, solve, step and friction of a block on a slab");
+    verb.add_flag("--tear", options->tear,
+                  "Of a scene that tears: force and work to tear a notched bar, over settings and "
+                  "meshes")
+        ->excludes(contact);
     verb.add_option("--backend", options->backend,
                     "On whose device a patient's settings are measured beside the processor")
         ->check(CLI::IsMember(back_end_names()))

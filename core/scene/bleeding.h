@@ -49,6 +49,10 @@ class Bleeding {
     const std::vector<double>& leaks_g_s() const { return leaks_g_s_; }
     double leaked_g() const { return leaked_g_; }
     void set_leaked_g(double leaked_g) { leaked_g_ = leaked_g; }
+    // Of leaked_g(), what is drug.
+    void leak_drug(double drug_g) { leaked_drug_g_ += drug_g; }
+    double leaked_drug_g() const { return leaked_drug_g_; }
+    void set_leaked_drug_g(double leaked_g) { leaked_drug_g_ = leaked_g; }
 
   private:
     struct Squeeze {
@@ -69,6 +73,7 @@ class Bleeding {
     std::vector<double> leaks_g_s_;
     double leak_g_s_ = 0.0;
     double leaked_g_ = 0.0;
+    double leaked_drug_g_ = 0.0;
 };
 
 }  // namespace hepatica

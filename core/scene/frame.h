@@ -71,6 +71,7 @@ struct DrugView {
 struct LeakView {
     Vec3 at_mm = Vec3::Zero();
     double share = 0.0;
+    double drug_g = 0.0;  // of the drug that has leaked, at most this much lies here
 };
 
 // How the vessels are torn.
@@ -81,7 +82,8 @@ struct TearView {
     double entropy_produced_nats = 0.0;
     double leak_g_s = 0.0;  // out of stumps
     double leaked_g = 0.0;
-    double open_share = 1.0;  // least open share of a lumen under a tool, while something bleeds
+    double open_share = 1.0;     // least open share of a lumen under a tool, while something bleeds
+    double leaked_drug_g = 0.0;  // of leaked_g; an upper bound, see drug_leak()
     std::vector<LeakView> leaks;
     std::string stopped_by;  // "entropy" or "vertices"; empty: not stopped
     // For each vertex, the vertex of the whole body that it comes from.

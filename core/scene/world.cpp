@@ -149,7 +149,10 @@ StepReport World::step(const std::stop_token& stop) {
             part.frame_ms = milliseconds_of([&] { flow_->step(spec_.dt_s); });
     }
     press();
-    if (bleeding_) bleeding_->step(spec_.dt_s);
+    if (bleeding_) {
+        bleeding_->step(spec_.dt_s);
+        bleeding_->leak_drug(drug_leak_now().total_g_s * spec_.dt_s);
+    }
     part_out("self-contact", {}, report.self_cost);
     part_out("obstacles", surfaces_of_obstacles_, report.obstacle_cost);
     time_s_ += spec_.dt_s;
@@ -214,7 +217,10 @@ void World::reset() {
         deform_->set_state({rest, std::vector<Vec3>(rest.size(), Vec3::Zero())});
     }
     follow_tear();
-    if (bleeding_) bleeding_->set_leaked_g(0.0);
+    if (bleeding_) {
+        bleeding_->set_leaked_g(0.0);
+        bleeding_->set_leaked_drug_g(0.0);
+    }
     if (flow_) flow_->remove_drug();
 }
 
@@ -234,12 +240,19 @@ TreePoint World::place_near(const Vec3& point_mm) const {
     return flow_->place_of(nearest);
 }
 
+DrugLeak World::drug_leak_now() const {
+    if (!bleeding_ || !flow_) return {};
+    return drug_leak(flow_->drug(), leaking_, bleeding_->leaks_g_s());
+}
+
 void World::show_leaks(TearView& tear, const std::vector<float>& positions_mm) const {
+    const DrugLeak drug = drug_leak_now();
     for (std::size_t i = 0; i < leaking_.size(); ++i) {
         if (leaking_[i] < 0 || bleeding_->leaks_g_s()[i] <= 0.0) continue;
         const float* at = &positions_mm[3 * static_cast<std::size_t>(leaking_[i])];
         tear.leaks.push_back(
-            {Vec3(at[0], at[1], at[2]), bleeding_->leaks_g_s()[i] / bleeding_->leak_g_s()});
+            {Vec3(at[0], at[1], at[2]), bleeding_->leaks_g_s()[i] / bleeding_->leak_g_s(),
+             drug.shares.empty() ? 0.0 : drug.shares[i] * bleeding_->leaked_drug_g()});
     }
 }
 
@@ -263,6 +276,7 @@ void World::fill(Frame& frame) const {
         if (bleeding_) {
             frame.tear->leak_g_s = bleeding_->leak_g_s();
             frame.tear->leaked_g = bleeding_->leaked_g();
+            frame.tear->leaked_drug_g = bleeding_->leaked_drug_g();
             frame.tear->open_share = bleeding_->least_open_share();
             show_leaks(*frame.tear, frame.positions_mm);
         }
@@ -275,7 +289,10 @@ WorldCheckpoint World::checkpoint() const {
     checkpoint.time_s = time_s_;
     if (deform_) checkpoint.deform = deform_->checkpoint();
     if (flow_) checkpoint.flow = flow_->checkpoint();
-    if (bleeding_) checkpoint.leaked_g = bleeding_->leaked_g();
+    if (bleeding_) {
+        checkpoint.leaked_g = bleeding_->leaked_g();
+        checkpoint.leaked_drug_g = bleeding_->leaked_drug_g();
+    }
     return checkpoint;
 }
 
@@ -291,7 +308,10 @@ void World::restore(const WorldCheckpoint& checkpoint) {
     }
     follow_tear();
     press();
-    if (bleeding_) bleeding_->set_leaked_g(checkpoint.leaked_g);
+    if (bleeding_) {
+        bleeding_->set_leaked_g(checkpoint.leaked_g);
+        bleeding_->set_leaked_drug_g(checkpoint.leaked_drug_g);
+    }
     if (flow_) flow_->restore(*checkpoint.flow);
     time_s_ = checkpoint.time_s;
 }

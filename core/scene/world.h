@@ -16,6 +16,7 @@
 #include "core/mesh/body_topology.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/deform_back_end.h"
+#include "core/scene/drug_leak.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
 
@@ -102,6 +103,7 @@ class World {
     void part_out(const std::string& name, const PartCost& before, const SelfCost& cost);
     bool bleed();  // whether pieces came apart or together
     void press();
+    DrugLeak drug_leak_now() const;
     void show_leaks(TearView& tear, const std::vector<float>& positions_mm) const;
 
     std::shared_ptr<const PatientCase> patient_;

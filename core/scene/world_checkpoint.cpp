@@ -131,6 +131,7 @@ FlowCheckpoint flow_from(const Json& json) {
 Json to_json(const WorldCheckpoint& checkpoint) {
     Json json{{"time_s", checkpoint.time_s}};
     if (checkpoint.leaked_g != 0.0) json["leaked_g"] = checkpoint.leaked_g;
+    if (checkpoint.leaked_drug_g != 0.0) json["leaked_drug_g"] = checkpoint.leaked_drug_g;
     if (checkpoint.deform) json["deform"] = to_json(*checkpoint.deform);
     if (checkpoint.flow) json["flow"] = to_json(*checkpoint.flow);
     return json;
@@ -141,6 +142,8 @@ WorldCheckpoint world_checkpoint_from_json(const Json& json) {
         WorldCheckpoint checkpoint;
         checkpoint.time_s = json.at("time_s").get<double>();
         if (json.contains("leaked_g")) checkpoint.leaked_g = json.at("leaked_g").get<double>();
+        if (json.contains("leaked_drug_g"))
+            checkpoint.leaked_drug_g = json.at("leaked_drug_g").get<double>();
         if (json.contains("deform")) checkpoint.deform = deform_from(json.at("deform"));
         if (json.contains("flow")) checkpoint.flow = flow_from(json.at("flow"));
         return checkpoint;

@@ -14,6 +14,7 @@ namespace hepatica {
 struct WorldCheckpoint {
     double time_s = 0.0;
     double leaked_g = 0.0;                   // out of torn vessels
+    double leaked_drug_g = 0.0;              // of that
     std::optional<DeformCheckpoint> deform;  // where the scene has the part
     std::optional<FlowCheckpoint> flow;
 };

@@ -57,27 +57,49 @@ double force_of(const std::vector<Grab>& grabs, const Stepper& stepper) {
     return sum.norm();
 }
 
-TearRow pull(double edge_mm, const TearLaw& law, double step_mm, const Job& job) {
+double opened_mm2(const Tearing& tearing, const TearLaw& law) {
+    double opened = 0.0;
+    const TearState state = tearing.state();
+    for (std::size_t i = 0; i < state.parted.size(); ++i) {
+        const Joint& joint = tearing.topology().joints()[state.parted[i]];
+        for (int k = 0; k < 3; ++k) {
+            const auto sides = tearing.topology().sides(joint, k);
+            if (sides[0] != sides[1] && state.most_mm[3 * i + k] >= law.softening().opening_mm)
+                opened += joint.area_mm2 / 3.0;
+        }
+    }
+    return opened;
+}
+
+}  // namespace
+
+TornBar tear_bar(double edge_mm, const TearLaw& law, double step_mm, const StepperOptions& options,
+                 const Job& job) {
     const BodyDescription body = bar(edge_mm, law);
-    const auto stepper = make_cpu_stepper(body, {});
+    const auto stepper = make_cpu_stepper(body, options);
     const double middle = 0.5 * size_mm.x() + 0.01;
     stepper->cut(Vec3(middle, -1.0, -1.0), Vec3(0, size_mm.y() + 2.0, 0),
                  Vec3(0, 0, 1.0 + 0.25 * size_mm.z() + 0.01));
     const int cut = stepper->tearing()->report().vertices_split;
-    TearRow row{.law = law.bare_limit ? "bare limit" : "fracture energy",
-                .stop = name_of(law.stop),
-                .tear_factor = law.tear_factor,
-                .edge_mm = edge_mm,
-                .tetrahedra = static_cast<int>(body.mesh.tetrahedra.size())};
-    std::vector<double> step_ms;
+    TornBar torn{.row = {.law = law.bare_limit ? "bare limit" : "fracture energy",
+                         .stop = name_of(law.stop),
+                         .tear_factor = law.tear_factor,
+                         .edge_mm = edge_mm,
+                         .tetrahedra = static_cast<int>(body.mesh.tetrahedra.size())}};
+    TearRow& row = torn.row;
+    std::vector<double> step_ms, cost_ms;
     TearReport last;
-    double let_go = 0.0;
     for (double pulled = step_mm; pulled < way_mm; pulled += step_mm) {
+        job.throw_if_cancelled();
         const std::vector<Grab> grabs = hand_at(body, pulled);
         stepper->set_grabs(grabs);
-        StepReport report;
-        step_ms.push_back(timed_ms([&] { report = stepper->step(frame_s, job.stop_token()); }));
-        let_go += report.energy.tear_loss;
+        const FrameTimer timer;
+        const StepReport report = stepper->step(frame_s, job.stop_token());
+        const FrameTime time = timer.passed();
+        step_ms.push_back(time.wall_ms);
+        cost_ms.push_back(time.cost_ms());
+        torn.iterations += report.linear_iterations;
+        row.work_nj += report.energy.tear_loss;
         last = report.tear;
         row.samples.push_back(
             {pulled, force_of(grabs, *stepper), last.entropy_nats, last.entropy_produced_nats});
@@ -85,23 +107,14 @@ TearRow pull(double edge_mm, const TearLaw& law, double step_mm, const Job& job)
         row.entropy_produced_max_nats =
             std::max(row.entropy_produced_max_nats, last.entropy_produced_nats);
     }
-    const TearState state = stepper->tearing()->state();
-    for (std::size_t i = 0; i < state.parted.size(); ++i) {
-        const Joint& joint = stepper->tearing()->topology().joints()[state.parted[i]];
-        for (int k = 0; k < 3; ++k) {
-            const auto sides = stepper->tearing()->topology().sides(joint, k);
-            if (sides[0] != sides[1] && state.most_mm[3 * i + k] >= law.softening().opening_mm)
-                row.opened_mm2 += joint.area_mm2 / 3.0;
-        }
-    }
-    row.work_nj = let_go;
+    row.opened_mm2 = opened_mm2(*stepper->tearing(), law);
     row.vertices_split = last.vertices_split - cut;
     row.pieces = last.pieces;
     row.median_step_ms = median(std::move(step_ms));
-    return row;
+    torn.frame_ms = quantile(std::move(cost_ms), 0.95);
+    torn.iterations /= static_cast<double>(row.samples.size()) * options.substeps;
+    return torn;
 }
-
-}  // namespace
 
 std::vector<TearRow> study_tear(const TearStudyOptions& options, Job& job) {
     std::vector<TearRow> rows;
@@ -126,7 +139,7 @@ std::vector<TearRow> study_tear(const TearStudyOptions& options, Job& job) {
             }
     job.begin_stage("Tearing bars");
     for (const auto& [edge, one] : runs) {
-        rows.push_back(pull(edge, one, options.step_mm, job));
+        rows.push_back(tear_bar(edge, one, options.step_mm, {}, job).row);
         job.advance(static_cast<double>(rows.size()) / static_cast<double>(runs.size()));
     }
     return rows;

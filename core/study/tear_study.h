@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/deform/stepper/stepper_options.h"
 #include "core/tear/tear_law.h"
 
 namespace hepatica {
@@ -46,6 +47,18 @@ struct TearRow {
 // Tears a bar of 20 x 4 x 4 mm with a notch of a quarter of its section in its middle, pulled by 10
 // mm. Begins one stage of the job. Throws InputError for values out of range, Cancelled.
 std::vector<TearRow> study_tear(const TearStudyOptions& options, Job& job);
+
+// The bar, torn with a setting of the solver.
+struct TornBar {
+    TearRow row;
+    double frame_ms = 0.0;    // 95th percentile, see FrameTime::cost_ms
+    double iterations = 0.0;  // linear, mean over the substeps
+};
+
+// Tears the bar of study_tear() with cells of one size; each frame of 1/60 s pulls by `step_mm`.
+// Throws InputError for values out of range and for a setting that cannot tear, Cancelled.
+TornBar tear_bar(double edge_mm, const TearLaw& law, double step_mm, const StepperOptions& options,
+                 const Job& job);
 
 // Medians over the frames; each time is wall time, or processor time where that is less.
 struct BreakingRow {

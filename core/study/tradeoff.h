@@ -72,7 +72,9 @@ Tradeoff measure_body_tradeoff(const std::vector<BodyDescription>& meshes,
 void mark_front(Tradeoff& tradeoff);
 
 // Writes FOLDER/tradeoff.csv, one line per point, and FOLDER/tradeoff.svg, error over cost with the
-// front. The folder is created if missing. Throws InputError where that fails.
-void write_tradeoff(const Tradeoff& tradeoff, const std::filesystem::path& folder);
+// front; `error_name` stands beside its axis. The folder is created if missing. Throws InputError
+// where that fails.
+void write_tradeoff(const Tradeoff& tradeoff, const std::filesystem::path& folder,
+                    const std::string& error_name = "error of the motion");
 
 }  // namespace hepatica

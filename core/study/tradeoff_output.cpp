@@ -52,7 +52,7 @@ Axis axis_over(const std::vector<double>& values, double from, double to) {
     return axis;
 }
 
-void draw_axes(std::ostream& out, const Axis& x, const Axis& y) {
+void draw_axes(std::ostream& out, const Axis& x, const Axis& y, const std::string& error_name) {
     const auto line = [&](double x1, double y1, double x2, double y2) {
         out << "<line x1='" << x1 << "' y1='" << y1 << "' x2='" << x2 << "' y2='" << y2
             << "' stroke='#ddd'/>\n";
@@ -77,7 +77,7 @@ void draw_axes(std::ostream& out, const Axis& x, const Axis& y) {
     }
     text((left + width - right) / 2, height - 20, "middle", "milliseconds a frame of 1/60 s");
     out << "<text transform='translate(22," << (top + height - bottom) / 2
-        << ") rotate(-90)' text-anchor='middle'>error of the motion</text>\n";
+        << ") rotate(-90)' text-anchor='middle'>" << error_name << "</text>\n";
 }
 
 constexpr std::array colours{"#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#8c564b"};
@@ -135,7 +135,7 @@ void draw_legend(std::ostream& out, const std::map<std::string, std::size_t>& co
     line("- - Pareto front");
 }
 
-std::string svg_of(const Tradeoff& tradeoff) {
+std::string svg_of(const Tradeoff& tradeoff, const std::string& error_name) {
     std::vector<TradeoffPoint> measured;
     std::vector<double> cost, error;
     std::map<std::string, std::size_t> colour_of;
@@ -157,7 +157,7 @@ std::string svg_of(const Tradeoff& tradeoff) {
     if (!measured.empty()) {
         const Axis x = axis_over(cost, left, width - right),
                    y = axis_over(error, height - bottom, top);
-        draw_axes(out, x, y);
+        draw_axes(out, x, y, error_name);
         std::vector<std::array<double, 2>> front;
         for (std::size_t i = 0; i < cost.size(); ++i) {
             const double px = x.place(cost[i]), py = y.place(error[i]);
@@ -177,13 +177,14 @@ std::string svg_of(const Tradeoff& tradeoff) {
 
 }  // namespace
 
-void write_tradeoff(const Tradeoff& tradeoff, const std::filesystem::path& folder) {
+void write_tradeoff(const Tradeoff& tradeoff, const std::filesystem::path& folder,
+                    const std::string& error_name) {
     std::error_code failure;
     std::filesystem::create_directories(folder, failure);
     if (failure)
         throw InputError(failure.message(), folder.string(), "Choose a folder that can be written");
     write_text_atomically(folder / "tradeoff.csv", csv_of(tradeoff));
-    write_text_atomically(folder / "tradeoff.svg", svg_of(tradeoff));
+    write_text_atomically(folder / "tradeoff.svg", svg_of(tradeoff, error_name));
 }
 
 }  // namespace hepatica

@@ -296,6 +296,16 @@ TEST_F(Tour, TradeoffListsADeviceBesideTheProcessor) {
     EXPECT_NE(beam.errors.find("Give a CASE"), std::string::npos) << beam.errors;
 }
 
+TEST_F(Tour, TradeoffOfATearTakesNoPatientAndNoContact) {
+    const Outcome patient = run_cli({"tradeoff", path("p.hep"), "--out", path("torn"), "--tear"});
+    EXPECT_EQ(patient.exit_code, 1);
+    EXPECT_NE(patient.errors.find("Leave CASE and --quick out"), std::string::npos)
+        << patient.errors;
+    const Outcome both = run_cli({"tradeoff", "--out", path("torn"), "--tear", "--contact"});
+    EXPECT_NE(both.exit_code, 0);
+    EXPECT_NE(both.errors.find("--contact"), std::string::npos) << both.errors;
+}
+
 TEST_F(Tour, BenchDragSaysWhatAHandsMotionCostsAndMisses) {
     const Json measured = answer({"bench", "drag", path("p.hep"), "--motion", "jerk", "--motion",
                                   "script", "--script", HEPATICA_ASSETS "/scripts/drag.json",

@@ -13,10 +13,12 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "core/deform/body/obstacles.h"
+#include "core/flow/fluid.h"
 #include "render/bleeding_actor.h"
 #include "render/osmesa_context.h"
 #include "render/scene_view.h"
@@ -148,6 +150,39 @@ TEST(PoolOfBlood, GrowsWithWhatIsLost) {
     EXPECT_EQ(radius_of_pool_mm(0.0), 0.0);
     EXPECT_DOUBLE_EQ(radius_of_pool_mm(1.0), 4.0);
     EXPECT_LT(radius_of_pool_mm(10.0), radius_of_pool_mm(100.0));
+}
+
+// A shell of 4.5 g of the drug around a pool of 4 mm, to scale, and one too thick to be shown so.
+TEST(PoolOfBlood, HasAShellOfDrugToScaleThatIsNeverThick) {
+    EXPECT_EQ(radius_of_cloud_mm(4.0, 0.0), 4.0);
+    const double radius_mm = radius_of_cloud_mm(4.0, 4.5);
+    EXPECT_NEAR(4.0 / 3.0 * std::numbers::pi * (std::pow(radius_mm, 3) - 64.0),
+                4.5 / blood().density_g_mm3, 1e-6);
+    EXPECT_DOUBLE_EQ(radius_of_cloud_mm(4.0, 1000.0), 12.0);
+}
+
+TEST(PoolOfBlood, HasACloudOnlyWhereDrugLeaked) {
+    vtkNew<vtkRenderer> renderer;
+    BleedingActor pools(*renderer);
+    std::optional<TearView> tear(std::in_place);
+    tear->leaks = {{Vec3(1, 2, 3), 1.0}};
+    tear->leaked_g = 1.0;
+    pools.update(tear);
+    const auto ball = [&](int i) {
+        return vtkActor::SafeDownCast(renderer->GetActors()->GetItemAsObject(i));
+    };
+    ASSERT_EQ(renderer->GetActors()->GetNumberOfItems(), 2);
+    EXPECT_TRUE(ball(0)->GetVisibility());
+    EXPECT_FALSE(ball(1)->GetVisibility());
+    tear->leaks[0].drug_g = 0.5;
+    EXPECT_TRUE(pools.update(tear));
+    EXPECT_TRUE(ball(1)->GetVisibility());
+    EXPECT_DOUBLE_EQ(ball(1)->GetScale()[0], radius_of_cloud_mm(4.0, 0.5));
+    EXPECT_EQ(ball(1)->GetPosition()[2], 3.0);
+    EXPECT_DOUBLE_EQ(ball(0)->GetScale()[0], 4.0);
+    tear.reset();
+    EXPECT_TRUE(pools.update(tear));
+    EXPECT_EQ(renderer->GetActors()->GetNumberOfItems(), 0);
 }
 
 // A window that is left alone with a vessel that bleeds draws what can be seen, not every step.

@@ -4,9 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "core/scene/bleeding.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/world.h"
+#include "core/scene/world_checkpoint.h"
 #include "core/session/script.h"
 #include "tests/session/new_session.h"
 #include "tests/session/recorded.h"
@@ -177,6 +180,39 @@ TEST(TearSession, WhereItBleedsIsToldFromTheFirstDrop) {
         EXPECT_NEAR(shares, 1.0, 1e-9);
     }
     EXPECT_GT(bled, 0);
+}
+
+// The drug leaks once it has reached the stump, no faster than it is injected or the stump bleeds,
+// goes into checkpoints, and lies where blood does; a reset takes it away.
+TEST(TearSession, ADrugLeaksFromTheStumpThatItReaches) {
+    const auto session = of_portal_veins();
+    session->post(blade());
+    InjectDrug drug;
+    drug.point_mm = small_patient()->tree.segments[0].points_mm.front();
+    drug.mass_flow_g_s = 2.0;
+    drug.void_fraction = 0.0;
+    session->post(drug);
+    session->step();
+    session->update_frame();
+    EXPECT_GT(session->frame().tear->leaked_g, 0.0);
+    EXPECT_EQ(session->frame().tear->leaked_drug_g, 0.0) << "it is not there yet";
+    for (int i = 0; i < 1200 && session->frame().tear->leaked_drug_g == 0.0; ++i) {
+        session->step();
+        session->update_frame();
+    }
+    const Frame& frame = session->frame();
+    ASSERT_GT(frame.tear->leaked_drug_g, 0.0);
+    EXPECT_LE(frame.tear->leaked_drug_g, frame.tear->leaked_g);
+    EXPECT_LE(frame.tear->leaked_drug_g, drug.mass_flow_g_s * frame.drug.time_s);
+    double lying = 0.0;
+    for (const LeakView& leak : frame.tear->leaks) lying += leak.drug_g;
+    EXPECT_NEAR(lying, frame.tear->leaked_drug_g, 1e-12);
+    const WorldCheckpoint kept = session->world().checkpoint();
+    EXPECT_EQ(kept.leaked_drug_g, frame.tear->leaked_drug_g);
+    EXPECT_EQ(world_checkpoint_from_json(to_json(kept)).leaked_drug_g, kept.leaked_drug_g);
+    session->post(ResetWorld{});
+    session->step();
+    EXPECT_EQ(session->world().bleeding()->leaked_drug_g(), 0.0);
 }
 
 // A body that sleeps goes on bleeding: what is lost is told as long as it is.

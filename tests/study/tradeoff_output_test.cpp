@@ -123,6 +123,13 @@ TEST_F(TradeoffFiles, ListEveryPointWithItsReason) {
     EXPECT_NE(rows[4].find("\"no time, none, was left\""), std::string::npos);
 }
 
+TEST_F(TradeoffFiles, SayWhatTheErrorIsOf) {
+    EXPECT_NE(text_of("tradeoff.svg").find(">error of the motion</text>"), std::string::npos);
+    write_tradeoff(four_points(), folder_, "error of the force");
+    EXPECT_NE(text_of("tradeoff.svg").find(">error of the force</text>"), std::string::npos);
+    EXPECT_EQ(text_of("tradeoff.svg").find("error of the motion"), std::string::npos);
+}
+
 // Costs of 1 to 100 ms and errors of 0.001 to 1: two and three whole decades, evenly wide.
 TEST_F(TradeoffFiles, PlacePointsOnLogarithmicAxes) {
     const auto circles = pairs("<circle cx='([-0-9.]+)' cy='([-0-9.]+)' r='[46]'");

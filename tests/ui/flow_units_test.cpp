@@ -71,6 +71,12 @@ TEST(FlowUnits, OfBleeding) {
     EXPECT_TRUE(says("bleeds 120 mL/min, 500 mL so far")) << "without another frame";
     panel.set_units(FlowUnits::computed);
     EXPECT_TRUE(says("bleeds 2.1 g/s, 530 g so far"));
+    EXPECT_FALSE(says("of it up to")) << "no drug has leaked";
+    tear.leaked_drug_g = 10e3 * blood().density_g_mm3;
+    panel.show_tear(tear);
+    EXPECT_TRUE(says("530 g so far, of it up to 10.6 g drug"));
+    panel.set_units(FlowUnits::clinic);
+    EXPECT_TRUE(says("500 mL so far, of it up to 10.0 mL drug"));
 }
 
 class FlowUnitsInWindow : public testing::FakeWindowTest {
