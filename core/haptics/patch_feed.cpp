@@ -12,15 +12,15 @@ constexpr double rounding = 1e-9;
 
 // End of the group of contacts, starting at `begin`, that are joined into one; groups have equal
 // sizes.
-std::size_t end_of_share(std::size_t begin, std::size_t contacts) {
-    const std::size_t shares = std::min<std::size_t>(contacts, most_local_contacts);
+std::size_t end_of_share(std::size_t begin, std::size_t contacts, int most) {
+    const std::size_t shares = std::min<std::size_t>(contacts, static_cast<std::size_t>(most));
     const std::size_t share = begin * shares / contacts;
     return ((share + 1) * contacts + shares - 1) / shares;
 }
 
-}  // namespace
-
-void join(std::span<const PadContact> points, const ToolContact& pads, JoinedContacts& joined) {
+// `pads` finds the body's vertices that bear a contact; null: nothing bears it, it is rigid.
+void join_at_most(int most, std::span<const PadContact> points, const ToolContact* pads,
+                  JoinedContacts& joined) {
     joined.contacts.clear();
     joined.loads.clear();
     joined.stiffness_un_per_mm.clear();
@@ -29,7 +29,7 @@ void join(std::span<const PadContact> points, const ToolContact& pads, JoinedCon
         SparseLoad load;
         double pressed_un = 0.0, stiffness_un_per_mm = 0.0;
         Vec3 force = Vec3::Zero();
-        const std::size_t last = end_of_share(begin, points.size());
+        const std::size_t last = end_of_share(begin, points.size(), most);
         for (; end < last && points[end].part == points[begin].part; ++end) {
             const PadContact& point = points[end];
             const Vec3 own = point.force_un * point.normal;
@@ -37,8 +37,8 @@ void join(std::span<const PadContact> points, const ToolContact& pads, JoinedCon
             force += own;
             contact.at_mm += point.force_un * point.at_mm;
             stiffness_un_per_mm += point.stiffness_un_per_mm;
-            for (int a = 0; a < 3; ++a) {
-                load.vertices.push_back(pads.nodes_of(point)[a]);
+            for (int a = 0; pads != nullptr && a < 3; ++a) {
+                load.vertices.push_back(pads->nodes_of(point)[a]);
                 load.forces.emplace_back(point.weights[a] * own);
             }
         }
@@ -53,10 +53,23 @@ void join(std::span<const PadContact> points, const ToolContact& pads, JoinedCon
     }
 }
 
+}  // namespace
+
+void join(std::span<const PadContact> points, const ToolContact& pads, JoinedContacts& joined) {
+    join_at_most(most_local_contacts, points, &pads, joined);
+}
+
+void join_rigid(const ToolContact::ObstaclePress& press, JoinedContacts& joined) {
+    join_at_most(most_rigid_contacts, press.contacts, nullptr, joined);
+    for (LocalContact& contact : joined.contacts) contact.force_un *= press.share;
+    for (double& stiffness : joined.stiffness_un_per_mm) stiffness *= press.share;
+}
+
 void PatchFeed::follow(const DeformPart& part) {
     const DeformSettings settings = part.settings();
     if (compliance_ && settings.wall_mm == wall_mm_ &&
-        settings.tether_pa_per_mm2 == tether_pa_per_mm2_ && settings.stepper.model == model_)
+        settings.tether_pa_per_mm2 == tether_pa_per_mm2_ && settings.stepper.model == model_ &&
+        part.body().obstacles == compliance_->body().obstacles)
         return;
     wall_mm_ = settings.wall_mm;
     tether_pa_per_mm2_ = settings.tether_pa_per_mm2;
@@ -86,11 +99,19 @@ void PatchFeed::fill(const DeformPart& part, double dt_s, LocalModel& model) {
     model.left_rad = tool.turn_rad;
     contact_->set(tool);
     join(contact_->contacts(part.positions_mm()), *contact_, joined_);
-    if (joined_.contacts.empty()) return;
+    join_rigid(contact_->pressed_by_obstacles(), rigid_);
+    const auto own = static_cast<Eigen::Index>(joined_.contacts.size());
+    const Eigen::Index all = own + static_cast<Eigen::Index>(rigid_.contacts.size());
+    if (all == 0) return;
     model.contacts.assign(joined_.contacts.begin(), joined_.contacts.end());
-    model.compliance = give(part.positions_mm(), dt_s);
-    for (Eigen::Index i = 0; i < model.compliance.rows(); ++i)
-        model.compliance(i, i) += 1.0 / joined_.stiffness_un_per_mm[static_cast<std::size_t>(i)];
+    model.contacts.insert(model.contacts.end(), rigid_.contacts.begin(), rigid_.contacts.end());
+    model.compliance.setZero(all, all);
+    if (own > 0) model.compliance.topLeftCorner(own, own) = give(part.positions_mm(), dt_s);
+    for (Eigen::Index i = 0; i < all; ++i) {
+        const JoinedContacts& pads = i < own ? joined_ : rigid_;
+        const auto k = static_cast<std::size_t>(i < own ? i : i - own);
+        model.compliance(i, i) += 1.0 / pads.stiffness_un_per_mm[k];
+    }
 }
 
 }  // namespace hepatica

@@ -25,12 +25,17 @@ struct JoinedContacts {
 // joined contact would have no normal.
 void join(std::span<const PadContact> points, const ToolContact& pads, JoinedContacts& joined);
 
+// Contacts of obstacles, which are rigid and compliant by their pads alone; the loads are of
+// nothing. Fewer than those of the body, because obstacles do not bend to the tool.
+inline constexpr int most_rigid_contacts = 16;  // and one for each further part
+void join_rigid(const ToolContact::ObstaclePress& press, JoinedContacts& joined);
+
 class PatchFeed {
   public:
     // Fills the model from the part after a step of dt_s. Costs nothing without a tool, a search
     // for contacts with one, and for contacts some solves with a factor, which is computed again
     // where the patch has rotated or stretched. A torn body counts as rigid: only its pads are
-    // compliant.
+    // compliant. Obstacles are felt as the play has them: where they stop the tool.
     void fill(const DeformPart& part, double dt_s, LocalModel& model);
 
   private:
@@ -43,7 +48,7 @@ class PatchFeed {
     double wall_mm_ = 0.0, tether_pa_per_mm2_ = 0.0;
     ElementModel model_ = ElementModel::corotated;
 
-    JoinedContacts joined_;
+    JoinedContacts joined_, rigid_;  // of the body, of obstacles
 };
 
 }  // namespace hepatica

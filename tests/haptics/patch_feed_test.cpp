@@ -153,6 +153,59 @@ TEST(PatchFeed, LeavesOutJoinedContactsWhoseForcesCancel) {
     EXPECT_EQ(load, Vec3(0, 0, 1));
 }
 
+// A ball of 5 mm above the vessel that ball() is put on.
+std::shared_ptr<const PatientCase> with_a_tumour() {
+    auto patient = std::make_shared<PatientCase>(*small_patient());
+    const Vec3 above = test::middle_of(patient->tree, 1) + Vec3(0, 0, 14);
+    Grid grid{{20, 20, 20}};
+    grid.origin_mm = above - Vec3::Constant(9.5);
+    patient->organs = Mask(grid);
+    for (std::size_t i = 0; i < patient->organs.voxels.size(); ++i) {
+        const auto [x, y, z] = grid.index_of(i);
+        if ((grid.to_mm(x, y, z) - above).norm() <= 5.0)
+            patient->organs.voxels[i] = organ_label::first_tumour;
+    }
+    return patient;
+}
+
+// Obstacles are rigid: what gives is their pad alone.
+TEST(PatchFeed, ATumourIsFelt) {
+    Job job;
+    SceneSpec spec = touchable();
+    spec.contact->obstacles = WantedObstacles::known;
+    Session session(with_a_tumour(), spec, job);
+    ASSERT_TRUE(session.world().deform()->body().obstacles);
+    session.post(ball());
+    Felt felt(session, {.path = down(6.0)}, {.damping_un_s_per_mm = 5e3});
+    // The feed knew the same vessels without obstacles.
+    const auto plain = new_session(touchable());
+    plain->post(ball());
+    plain->step();
+    LocalModel before;
+    felt.feed.fill(*plain->world().deform(), 1.0 / 60.0, before);
+    felt.play(120);
+    const DeformPart& part = *session.world().deform();
+    const Body body = build_body(part.body(), ElementModel::corotated, ElementOrder::linear);
+    ToolContact contact(body);
+    contact.set(part.tool());
+    const ToolContact::ObstaclePress press = contact.pressed_by_obstacles();
+    ASSERT_FALSE(press.contacts.empty());
+    ASSERT_TRUE(contact.contacts(part.positions_mm()).empty());
+    Vec3 of_tumour = Vec3::Zero();
+    for (const PadContact& point : press.contacts)
+        of_tumour -= press.share * point.force_un * point.normal;
+    LocalModel model;
+    felt.feed.fill(part, 1.0 / 60.0, model);
+    ASSERT_FALSE(model.contacts.empty());
+    EXPECT_LE(model.contacts.size(), std::size_t{most_rigid_contacts});
+    Vec3 sum = Vec3::Zero();
+    for (const LocalContact& joined : model.contacts) sum -= joined.force_un * joined.normal;
+    EXPECT_LT((sum - of_tumour).norm(), 1e-9 * of_tumour.norm());
+    EXPECT_GT(model.compliance.diagonal().minCoeff(), 0.0);
+    EXPECT_TRUE(model.compliance.isDiagonal());
+    EXPECT_GT(felt.tick.force.force_un.z(), 1e3) << "it holds the hand up";
+}
+
 TEST(PatchFeed, WithoutAToolThereIsNothing) {
     const auto session = new_session(touchable());
     Felt felt(*session, {.path = down(3.0)});
