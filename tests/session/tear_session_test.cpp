@@ -286,6 +286,31 @@ TEST(TearSession, TearingComesAndGoesWithItsPartOfTheScene) {
     EXPECT_EQ(session->world().vertex_count(), small_patient()->mesh.vertices_mm.size());
 }
 
+// Neither the dial nor the commands of that step are lost.
+TEST(TearSession, RefusesADialOfWhichNothingTearsAndKeepsItsOwn) {
+    const auto session = new_session(that_tears());
+    session->post(SetQuality{0.0});
+    session->step();
+    session->update_frame();
+    const std::string reference = session->frame().statistics.error_reference;
+    ASSERT_FALSE(reference.empty());
+    session->use_dial(
+        QualityDial({{{.order = ElementOrder::quadratic}, 1.0, 0.1, "another dial"}}));
+    session->post(SetGravity{Vec3(0, 0, -500)});
+    session->step();
+    session->update_frame();
+    EXPECT_THAT(session->frame().statistics.message, HasSubstr("none of its settings can tear"));
+    EXPECT_FALSE(session->frame().statistics.diverged);
+    EXPECT_FALSE(session->frame().statistics.paused);
+    EXPECT_EQ(session->world().deform()->settings().gravity_mm_per_s2, Vec3(0, 0, -500));
+    EXPECT_EQ(session->frame().statistics.error_reference, reference);
+    session->post(SetQuality{1.0});
+    session->step();
+    session->update_frame();
+    EXPECT_THAT(session->frame().statistics.message, testing::Not(HasSubstr("the dial")));
+    EXPECT_EQ(session->frame().statistics.error_reference, reference);
+}
+
 TEST(TearSession, SaysWhatIsWrongWithALine) {
     const auto session = new_session(that_tears());
     CutLine wrong = line();
