@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/scene/bleeding.h"
@@ -284,6 +286,48 @@ TEST(TearSession, TearingComesAndGoesWithItsPartOfTheScene) {
     session->update_frame();
     EXPECT_FALSE(session->frame().tear);
     EXPECT_EQ(session->world().vertex_count(), small_patient()->mesh.vertices_mm.size());
+}
+
+// Also factors that a keyframe of the recording could not be read with.
+TEST(TearSession, AFactorOutOfRangeChangesNothing) {
+    const auto session = new_session();
+    session->post(UseSetting{{.order = ElementOrder::quadratic}});
+    session->step();
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    for (const double factor : {0.0, -1.0, 0.9e-6, 1.1e9, infinite, std::nan("")}) {
+        session->post(UseTear{true, factor});
+        session->step();
+        session->update_frame();
+        EXPECT_THAT(session->frame().statistics.message, HasSubstr("tear factor")) << factor;
+        EXPECT_FALSE(session->world().deform()->tears()) << factor;
+        EXPECT_EQ(session->world().deform()->setting().order, ElementOrder::quadratic) << factor;
+    }
+    for (const double factor : {least_tear_factor, greatest_tear_factor}) {
+        EXPECT_NO_THROW(validate_tear_factor(factor));
+        EXPECT_EQ(tear_from_json(to_json(TearSpec{.tear_factor = factor})).tear_factor, factor);
+    }
+}
+
+// As before, with what cannot tear; the setting in use stays.
+TEST(TearSession, TheWholeDialIsBackOnceNothingTearsAnyMore) {
+    const auto session = new_session();
+    const StepperOptions exact{.order = ElementOrder::quadratic};
+    session->use_dial(QualityDial({{{}, 1.0, 0.2, "mixed"}, {exact, 9.0, 0.1, "mixed"}}));
+    const auto order_at = [&](double quality) {
+        session->post(SetQuality{quality});
+        session->step();
+        return session->world().deform()->setting().order;
+    };
+    EXPECT_EQ(order_at(1.0), ElementOrder::quadratic);
+    session->post(UseTear{true, 1.0});
+    session->step();
+    EXPECT_EQ(order_at(1.0), ElementOrder::linear);
+    session->post(UseTear{false, 1.0});
+    session->step();
+    session->update_frame();
+    EXPECT_EQ(session->world().deform()->setting().order, ElementOrder::linear);
+    EXPECT_EQ(session->frame().statistics.expected_error, 0.2);
+    EXPECT_EQ(order_at(1.0), ElementOrder::quadratic);
 }
 
 // Neither the dial nor the commands of that step are lost.
