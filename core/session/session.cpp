@@ -198,6 +198,7 @@ void Session::take_back(bool open_hand, bool without_tool) {
     if (open_hand) deform->release();
     if (without_tool) deform->remove_tool();
     deform->use(*chosen);
+    world_->follow_tear();  // the chosen settings may have made it whole
 }
 
 template <class Work>

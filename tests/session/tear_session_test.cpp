@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "core/scene/bleeding.h"
 #include "core/scene/deform_part.h"
@@ -286,6 +287,33 @@ TEST(TearSession, TearingComesAndGoesWithItsPartOfTheScene) {
     session->update_frame();
     EXPECT_FALSE(session->frame().tear);
     EXPECT_EQ(session->world().vertex_count(), small_patient()->mesh.vertices_mm.size());
+}
+
+// The last good state is torn, but tearing has ended since: the frame after an error is of the
+// whole body in all its parts.
+TEST(TearSession, AfterAnErrorTheFrameIsOfTheBodyThatNoLongerTears) {
+    const auto session = new_session(that_tears());
+    bool fails = false;
+    session->record([&fails](const RecordedStep&) {
+        if (fails) throw std::runtime_error("the disk is full");
+    });
+    session->post(blade());
+    play(*session, 60);  // up to the last good state
+    const std::size_t whole = small_patient()->mesh.vertices_mm.size();
+    ASSERT_GT(session->world().vertex_count(), whole);
+    session->post(UseTear{false, 1.0});
+    session->step();
+    ASSERT_EQ(session->world().vertex_count(), whole);
+    fails = true;
+    session->step();
+    session->step();  // goes back
+    session->update_frame();
+    const Frame& frame = session->frame();
+    ASSERT_TRUE(frame.statistics.diverged);
+    EXPECT_FALSE(frame.tear);
+    EXPECT_EQ(frame.positions_mm.size(), 3 * whole);
+    EXPECT_EQ(session->world().topology().vertex_count(), whole);
+    EXPECT_EQ(*frame.surface, boundary_triangles(small_patient()->mesh));
 }
 
 // Also factors that a keyframe of the recording could not be read with.
