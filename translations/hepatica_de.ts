@@ -8915,5 +8915,17 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>, of it up to %L1 mL drug</source>
         <translation>, davon bis zu %L1 mL Wirkstoff</translation>
     </message>
+    <message>
+        <source>the dial</source>
+        <translation>der Schieber</translation>
+    </message>
+    <message>
+        <source>none of its settings can tear</source>
+        <translation>keine seiner Einstellungen kann reißen</translation>
+    </message>
+    <message>
+        <source>Measure it again, or play without tearing</source>
+        <translation>Messen Sie ihn neu, oder spielen Sie ohne Reißen</translation>
+    </message>
 </context>
 </TS>

@@ -139,6 +139,9 @@ constexpr std::array sentences_play{
               "second and back"),
     Words::id("corotated"),
     Words::id("dial.json of the case"),
+    Words::id("the dial"),
+    Words::id("none of its settings can tear"),
+    Words::id("Measure it again, or play without tearing"),
     Words::id("has another format or version"),
     Words::id("Measure again: hepatica-cli dial CASE --anew; or remove the file"),
     Words::id("Branch %1 (%2), %3 of %4 mm along: %5 of %6 ends lie downstream; they get %7 % of "

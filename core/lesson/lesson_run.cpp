@@ -73,6 +73,16 @@ void LessonRun::check_tools(std::span<const Command> commands) {
             fail(objection);
 }
 
+// A tool or a grab may be replaced within a step, which the frames alone do not show.
+void LessonRun::see_taken(std::span<const Command> commands) {
+    for (const Command& command : commands) {
+        if (std::holds_alternative<AddTool>(command)) meter_.take_another_tool();
+        if (std::holds_alternative<GrabPoint>(command) ||
+            std::holds_alternative<GrabVertex>(command))
+            meter_.take_another_hold();
+    }
+}
+
 void LessonRun::check_limits() {
     const std::vector<std::string> marks = lesson_.mark_names();
     for (std::size_t i = 0; i < standing_.limits.size(); ++i) {
@@ -150,6 +160,7 @@ void LessonRun::see_step(std::span<const Command> commands, const Frame& frame) 
         return;
     }
     check_tools(commands);
+    see_taken(commands);
     if (frame.statistics.diverged) fail("the simulation stopped by itself: play it again");
     if (!frame.statistics.paused) {
         meter_.see(frame);

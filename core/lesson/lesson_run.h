@@ -79,6 +79,7 @@ class LessonRun {
   private:
     void check_setup(std::span<const Command> commands);
     void check_tools(std::span<const Command> commands);
+    void see_taken(std::span<const Command> commands);
     void check_limits();
     void check_goal();
     void see_step(std::span<const Command> commands, const Frame& frame);

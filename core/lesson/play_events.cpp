@@ -106,7 +106,7 @@ std::vector<PlayEvent> PlayEvents::see(double at_s, std::span<const Command> com
     if (!begun_ && frame.tear) tear_ = *frame.tear;  // tears before the first step are no events
     see_commands(commands, frame);
     see_contact(frame);
-    if (frame.tear) see_tear(*frame.tear);
+    see_whether_it_tears(frame);
     see_trouble(frame);
     if (standing != nullptr) see_lesson(*standing);
     begun_ = true;
@@ -129,6 +129,15 @@ void PlayEvents::see_contact(const Frame& frame) {
     if (!frame.tool || frame.tool->touched.empty()) return;
     if (at_s_ - touched_s_ >= PlayMeter::same_contact_s) note(PlayEventKind::tool, "Touched");
     touched_s_ = at_s_;
+}
+
+// Tearing may begin and end in mid-play. The whole body may be of several pieces; where it no
+// longer tears, it is whole.
+void PlayEvents::see_whether_it_tears(const Frame& frame) {
+    const bool tore = std::exchange(tears_, frame.tear.has_value());
+    if (!tore && !tears_) return;
+    if (!tore && frame.tear->joints_broken == 0) tear_.pieces = frame.tear->pieces;
+    see_tear(frame.tear.value_or(TearView{}));
 }
 
 void PlayEvents::see_tear(const TearView& now) {

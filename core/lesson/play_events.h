@@ -54,6 +54,7 @@ class PlayEvents {
   private:
     void see_commands(std::span<const Command> commands, const Frame& frame);
     void see_contact(const Frame& frame);
+    void see_whether_it_tears(const Frame& frame);
     void see_tear(const TearView& now);
     void see_trouble(const Frame& frame);
     void see_lesson(const LessonStanding& standing);
@@ -68,6 +69,7 @@ class PlayEvents {
     bool diverged_ = false;
     bool by_blade_ = false;  // a blade is drawn in this step
     bool torn_ = false;      // "Torn" was noted since the vessels were whole
+    bool tears_ = false;     // the frame before had a tear to show
     TearView tear_;          // of the frame before
     std::string message_;
     std::size_t lesson_step_ = 0;

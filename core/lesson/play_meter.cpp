@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/error.h"
 #include "core/scene/vertex_places.h"
 
@@ -51,6 +52,15 @@ bool is_touched(const Frame& frame, const std::vector<int>& vertices) {
     return std::ranges::any_of(frame.tool->touched, [&](int touched) {
         return std::ranges::binary_search(vertices, frame.origin_of(touched));
     });
+}
+
+// Each vascular system is one, for example.
+int pieces_of(const TetMesh& mesh) {
+    DisjointSets sets(mesh.vertices_mm.size());
+    for (const auto& corners : mesh.tetrahedra)
+        for (const int other : corners)
+            sets.unite(static_cast<std::uint32_t>(corners[0]), static_cast<std::uint32_t>(other));
+    return static_cast<int>(sets.count());
 }
 
 double share_reached(const std::vector<float>& arrivals, double time_s) {
@@ -119,7 +129,10 @@ std::vector<Vec3> PlayMeter::marks_in(const Frame& frame) const {
 }
 
 void PlayMeter::begin(const Frame& frame) {
-    if (frame.tear) before_ = *frame.tear;
+    if (frame.tear)
+        before_ = *frame.tear;
+    else  // tearing may begin later
+        before_.pieces = pieces_of(patient_->mesh);
     surface_.see(frame);
     see_marks(frame);
     moment_.leak_g_s = before_.leak_g_s;

@@ -29,6 +29,10 @@ class PlayMeter {
     // Call with every later frame in order, each one step of the scene's dt_s; paused frames are
     // ignored. Throws InputError where an injection cannot flow.
     void see(const Frame& frame);
+    // Call before the next frame where another tool, or a grab at another place, has replaced the
+    // last one: nothing has gone the way between them.
+    void take_another_tool() { tip_.reset(); }
+    void take_another_hold() { hand_.reset(); }
 
     const LessonMetrics& metrics() const { return metrics_; }
     const LessonMoment& moment() const { return moment_; }

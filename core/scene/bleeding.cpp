@@ -92,6 +92,7 @@ Bleeding::Bleeding(const VesselTree& tree, const RestingFlow& rest) : tree_(tree
 void Bleeding::set_tears(const std::vector<ThroughTear>& tears) {
     if (tears == tears_) return;
     tears_ = tears;
+    if (tears_.empty()) squeezes_.clear();  // nobody says what presses while nothing is torn
     solve();
 }
 

@@ -39,7 +39,7 @@ class Bleeding {
     // Costs a solution of the network where an open share changes by more than two fifths, or a
     // place by more than a millimetre. Costs nothing while nothing is torn.
     void set_pressed(const std::vector<PressedStretch>& stretches, const TubeWall& wall);
-    // The least open share of a lumen under pressure; 1 where nothing presses.
+    // The least open share of a lumen under pressure; 1 where nothing presses or is torn.
     double least_open_share() const;
     void step(double dt_s) { leaked_g_ += leak_g_s_ * dt_s; }
 

@@ -147,6 +147,9 @@ QualityDial dial_that_tears(const QualityDial& dial) {
         if (point.options.order == ElementOrder::linear &&
             point.options.solver != LinearSolverKind::skeleton)
             points.push_back(point);
+    if (points.empty())
+        throw InputError("none of its settings can tear", "the dial",
+                         "Measure it again, or play without tearing");
     return QualityDial(std::move(points));
 }
 

@@ -152,7 +152,7 @@ const char* name_of(TearStop stop) {
 TearSpec tear_from_json(const Json& json) {
     TearSpec spec;
     Fields fields(json, "tear");
-    fields.read_number("tear_factor", spec.tear_factor, 1e-6, 1e9);
+    fields.read_number("tear_factor", spec.tear_factor, least_tear_factor, greatest_tear_factor);
     std::string stop = name_of(spec.stop);
     fields.read("stop", stop);
     const auto found = std::ranges::find(
@@ -186,6 +186,11 @@ void validate_wall(double wall_mm) {
 void validate_friction(double friction) {
     if (friction >= 0.0 && friction <= greatest_friction) return;
     throw InputError("is " + number_text(friction), "friction", "Give a coefficient from 0 to 10");
+}
+
+void validate_tear_factor(double factor) {
+    if (factor >= least_tear_factor && factor <= greatest_tear_factor) return;
+    throw InputError("is " + number_text(factor), "tear factor", "Give a value from 1e-6 to 1e9");
 }
 
 SceneSpec default_scene() {

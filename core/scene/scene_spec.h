@@ -58,13 +58,19 @@ struct ContactSpec {
 
 // What tears, and when it stops. Needs "deform".
 struct TearSpec {
-    double tear_factor = 1.0;  // multiplies the tissue's strength, see MaterialPreset
+    // Multiplies the tissue's strength, see MaterialPreset and validate_tear_factor.
+    double tear_factor = 1.0;
     TearStop stop = TearStop::none;
     double entropy_budget = 0.5;  // nats; for TearStop::entropy
     int vertex_budget = 200;      // vertices split off; for TearStop::vertices
     bool bare_limit = false;      // a plain force limit, as published: see TearLaw
     bool operator==(const TearSpec&) const = default;
 };
+
+// Throws InputError unless the factor is from least_tear_factor to greatest_tear_factor.
+constexpr double least_tear_factor = 1e-6;
+constexpr double greatest_tear_factor = 1e9;
+void validate_tear_factor(double factor);
 
 // Throws InputError unless the coefficient is from 0 to greatest_friction.
 constexpr double greatest_friction = 10.0;

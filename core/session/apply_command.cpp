@@ -152,11 +152,16 @@ void Session::Apply::operator()(const UseContact& c) const {
     session.last_good_ = std::make_shared<const Keyframe>(session.keyframe());
 }
 
-// The dial keeps only the settings that can tear.
+// While vessels tear, the dial has only the settings that can. Everything that may be refused is
+// checked before the setting changes.
 void Session::Apply::operator()(const UseTear& c) const {
     DeformPart& part = deform();
-    if (!c.on) return part.set_tear(std::nullopt);
-    const QualityDial able = dial_that_tears(session.dial_.dial());
+    if (!c.on) {
+        part.set_tear(std::nullopt);
+        return session.take_dial(session.whole_dial_);
+    }
+    validate_tear_factor(c.tear_factor);
+    const QualityDial able = dial_that_tears(session.whole_dial_);
     if (part.setting().order != ElementOrder::linear ||
         part.setting().solver == LinearSolverKind::skeleton) {
         part.use(able.at(session.dial_.quality().value_or(0.5)).options);
@@ -164,7 +169,7 @@ void Session::Apply::operator()(const UseTear& c) const {
         session.recorded_.commands.emplace_back(UseSetting{part.setting()});
     }
     part.set_tear(TearSpec{.tear_factor = c.tear_factor});
-    session.take_dial(able);
+    session.take_dial(session.whole_dial_);
 }
 
 void Session::Apply::operator()(const SetQuality& c) const {

@@ -91,7 +91,7 @@ struct CutLine {
 // Lets the vessels tear in a scene that has not named it, or makes them whole and ends tearing.
 struct UseTear {
     bool on = true;
-    double tear_factor = 1.0;  // > 0, factor on the tissue's strength
+    double tear_factor = 1.0;  // factor on the tissue's strength, see validate_tear_factor
 };
 // Moves a blade from one point to another across the vessel nearest to its way; it cuts the vessel
 // as far as it goes. Refused in a scene that does not tear.

@@ -44,7 +44,8 @@ bool begins_way(const Command& command) {
 
 Session::Session(std::shared_ptr<const PatientCase> patient, const SceneSpec& spec, Job& job,
                  const DeformBackEnd& back_end)
-    : dial_(spec.tear ? dial_that_tears(dial_of(*patient, back_end)) : dial_of(*patient, back_end)),
+    : whole_dial_(dial_of(*patient, back_end)),
+      dial_(spec.tear ? dial_that_tears(whole_dial_) : whole_dial_),
       world_(std::make_unique<World>(patient, spec, job, back_end)),
       felt_force_(spec.dt_s) {
     message_.reserve(longest_message);
@@ -87,8 +88,9 @@ void Session::begin_waiting_recording() {
 
 void Session::apply_waiting_commands(const std::stop_token& stop) {
     const std::vector<Command> commands = inbox_.take_commands();
-    if (const std::optional<QualityDial> dial = inbox_.take_dial()) take_dial(*dial);
+    std::optional<QualityDial> dial = inbox_.take_dial();
     if (!commands.empty() && !diverged_) message_.clear();
+    if (dial) take_dial(std::move(*dial));
     if (std::exchange(setting_changed_, false))
         recorded_.commands.emplace_back(UseSetting{world_->deform()->setting()});
     for (const Command& command : commands) apply_and_record(command, stop);
@@ -126,11 +128,18 @@ Command Session::as_recorded(const Command& command) const {
     return dial ? Command(UseSetting{world_->deform()->setting()}) : command;
 }
 
-void Session::take_dial(const QualityDial& dial) {
+void Session::take_dial(QualityDial dial) {
     DeformPart* deform = world_->deform();
     const bool tears = deform != nullptr && deform->tears();
-    if (dial_.take(tears ? dial_that_tears(dial) : dial, deform, budget_ms()))
-        setting_changed_ = true;
+    const DialInUse before = dial_;
+    try {
+        if (dial_.take(tears ? dial_that_tears(dial) : dial, deform, budget_ms()))
+            setting_changed_ = true;
+        whole_dial_ = std::move(dial);
+    } catch (const InputError& error) {
+        dial_ = before;
+        message_ = error.what();
+    }
 }
 
 double Session::budget_ms() const {
@@ -189,6 +198,7 @@ void Session::take_back(bool open_hand, bool without_tool) {
     if (open_hand) deform->release();
     if (without_tool) deform->remove_tool();
     deform->use(*chosen);
+    world_->follow_tear();  // the chosen settings may have made it whole
 }
 
 template <class Work>

@@ -83,8 +83,9 @@ class Session {
     // recording is given. May be called at any time from any thread.
     bool waits_for_command() const { return inbox_.waited_for(); }
 
-    // Uses another dial of the same body from the next step on, see DialInUse::take. May be called
-    // at any time from any thread.
+    // Uses another dial of the same body from the next step on, see DialInUse::take. While the
+    // vessels tear, a dial without a setting that can is refused: the frame's message says so. May
+    // be called at any time from any thread.
     void use_dial(QualityDial dial) { inbox_.hand_over(std::move(dial)); }
 
     // Starts a recording before the next step, in place of the present one. `begin` gets the
@@ -164,7 +165,8 @@ class Session {
     void show_to_watch(const Frame& frame);
     // Shows an injection whose computation has ended.
     void finish_ready_injection();
-    void take_dial(const QualityDial& dial);
+    // Uses what the body can of this dial; where that is nothing, keeps the old dial and says why.
+    void take_dial(QualityDial dial);
     // Time that a step may take: the frame's period minus the time for drawing.
     double budget_ms() const;
     void guard_state();
@@ -175,7 +177,8 @@ class Session {
     void publish(SessionStep& step, std::chrono::steady_clock::time_point start);
 
     SessionInbox inbox_;
-    DialInUse dial_;
+    QualityDial whole_dial_;        // with the settings that cannot tear
+    DialInUse dial_;                // while vessels tear: without them
     bool setting_changed_ = false;  // the session changed the setting since the last step
     std::atomic<double> drawing_ms_{0.0};
     std::unique_ptr<World> world_;

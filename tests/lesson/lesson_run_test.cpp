@@ -184,6 +184,37 @@ TEST(LessonRun, BeginsWithWhatTheLessonSetsUp) {
     EXPECT_THAT(early.standing().reasons, ElementsAre(HasSubstr("before the lesson began")));
 }
 
+// Without a frame between, in which nothing is held.
+TEST(LessonRun, NothingGoesTheWayToWhereAnotherToolOrGrabIsTaken) {
+    Lesson lesson = plain_lesson();
+    lesson.tools = {LessonTool::pull, LessonTool::sphere};
+    LessonRun run(lesson, small_patient());
+    run.see({}, rest_frame());
+    const std::vector<Command> tool{AddTool{}}, point{GrabPoint{}}, vertex{GrabVertex{}};
+    run.see(tool, test::with_tip({0, 0, 0}));
+    run.see({}, test::with_tip({3, 4, 0}));
+    run.see(tool, test::with_tip({90, 0, 0}));
+    run.see({}, test::with_tip({90, 2, 0}));
+    EXPECT_DOUBLE_EQ(run.standing().metrics.path_mm, 5.0 + 2.0);
+    Frame held = test::with_tip({50, 0, 0});
+    held.statistics.paused = true;
+    run.see(tool, held);
+    run.see({}, test::with_tip({50, 1, 0}));
+    EXPECT_DOUBLE_EQ(run.standing().metrics.path_mm, 7.0) << "also while the clock is held";
+    const auto hand_at = [](const Vec3& target_mm) {
+        Frame frame = with_force(0.0);
+        frame.grab->target_mm = target_mm;
+        return frame;
+    };
+    run.see(point, hand_at({0, 0, 0}));
+    run.see({}, hand_at({0, 3, 0}));
+    run.see(point, hand_at({40, 0, 0}));
+    run.see(vertex, hand_at({80, 0, 0}));
+    run.see({}, hand_at({80, 0, 1}));
+    EXPECT_DOUBLE_EQ(run.standing().metrics.path_mm, 7.0 + 3.0 + 1.0);
+    EXPECT_EQ(run.standing().outcome, LessonOutcome::running);
+}
+
 TEST(LessonRun, TheClockStandsWhileItIsHeld) {
     Frame held = with_force(3e3);
     held.statistics.paused = true;

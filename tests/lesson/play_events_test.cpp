@@ -122,6 +122,23 @@ TEST_F(PlayEventsTest, WhatTearsBleedsAndIsMadeWholeAgain) {
     EXPECT_THAT(see({UseTear{false}}), ElementsAre("Whole again", "Bleeding ended"));
 }
 
+TEST_F(PlayEventsTest, TearingThatBeginsInMidPlayTakesNoPieceOffAndItsEndMakesWhole) {
+    EXPECT_THAT(see(), IsEmpty());
+    TearView whole;
+    whole.pieces = 3;
+    frame_.tear = whole;
+    EXPECT_THAT(see({UseTear{}}), IsEmpty());
+    frame_.tear->joints_broken = 2;
+    frame_.tear->pieces = 4;
+    frame_.tear->leak_g_s = 0.5;
+    EXPECT_THAT(see(), ElementsAre("Torn", "A piece came off", "Bleeding began"));
+    frame_.tear.reset();
+    EXPECT_THAT(see({UseTear{false}}), ElementsAre("Whole again", "Bleeding ended"));
+    EXPECT_THAT(see(), IsEmpty());
+    frame_.tear = whole;
+    EXPECT_THAT(see({UseTear{}}), IsEmpty());
+}
+
 TEST_F(PlayEventsTest, WhatABladePartsIsCutAndWhatPartsLaterIsTorn) {
     frame_.tear = TearView{};
     EXPECT_THAT(see(), IsEmpty());

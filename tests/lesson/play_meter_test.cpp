@@ -154,6 +154,32 @@ TEST(PlayMeter, TearsCountFromTheBeginningOn) {
     EXPECT_EQ(meter.metrics().joints_broken, 5) << "what was torn stays torn in the score";
 }
 
+// Vessels that lie apart from the start have not come off, though tearing begins in mid-play.
+TEST(PlayMeter, WhatWasApartBeforeTearingBeganIsNoPieceOff) {
+    auto patient = std::make_shared<PatientCase>(*small_patient());
+    Frame frame = rest_frame();
+    TetMesh& mesh = patient->mesh;
+    const int count = static_cast<int>(mesh.vertices_mm.size());
+    const auto vertices = mesh.vertices_mm;
+    const auto tetrahedra = mesh.tetrahedra;
+    const auto positions = frame.positions_mm;
+    for (const Vec3& vertex : vertices) mesh.vertices_mm.push_back(vertex + Vec3(500, 0, 0));
+    for (std::array<int, 4> corners : tetrahedra) {
+        for (int& corner : corners) corner += count;
+        mesh.tetrahedra.push_back(corners);
+    }
+    frame.positions_mm.insert(frame.positions_mm.end(), positions.begin(), positions.end());
+    PlayMeter meter(plain_lesson(), patient);
+    meter.begin(frame);
+    frame.tear.emplace();
+    frame.tear->pieces = 2;
+    meter.see(frame);
+    EXPECT_EQ(meter.metrics().pieces_off, 0);
+    frame.tear->pieces = 3;
+    meter.see(frame);
+    EXPECT_EQ(meter.metrics().pieces_off, 1);
+}
+
 // A wide vessel's middle is farther from its surface than what counts as near.
 TEST(PlayMeter, WhoTouchesTheVesselAtTheMarkIsNear) {
     Lesson lesson = plain_lesson();

@@ -132,6 +132,20 @@ TEST(Bleeding, FallsWhereTheVesselIsHeldBeforeItsStump) {
     EXPECT_EQ(bleeding.leak_g_s(), free);
 }
 
+// Made whole under a tool, which is gone by then.
+TEST(Bleeding, ForgetsWhatPressedOnceNothingIsTorn) {
+    const RestingFlow rest;
+    Bleeding bleeding(fork_of_two());
+    bleeding.set_tears({half_way(1, 30.0)});
+    const double free = bleeding.leak_g_s();
+    bleeding.set_pressed({{1, 3.0, 7.0, rest.portal_pa + 1e5}}, {});
+    ASSERT_LT(bleeding.least_open_share(), 0.02);
+    bleeding.set_tears({});
+    EXPECT_EQ(bleeding.least_open_share(), 1.0);
+    bleeding.set_tears({half_way(1, 30.0)});
+    EXPECT_EQ(bleeding.leak_g_s(), free);
+}
+
 // A clamp on the only way in: the arteries' pressure drives what is left through it, less the
 // resistance of what lies between.
 TEST(Bleeding, OfAHeldTrunkIsWhatTheArteriesPressThrough) {

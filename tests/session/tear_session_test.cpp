@@ -4,7 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "core/scene/bleeding.h"
 #include "core/scene/deform_part.h"
@@ -284,6 +287,100 @@ TEST(TearSession, TearingComesAndGoesWithItsPartOfTheScene) {
     session->update_frame();
     EXPECT_FALSE(session->frame().tear);
     EXPECT_EQ(session->world().vertex_count(), small_patient()->mesh.vertices_mm.size());
+}
+
+// The last good state is torn, but tearing has ended since: the frame after an error is of the
+// whole body in all its parts.
+TEST(TearSession, AfterAnErrorTheFrameIsOfTheBodyThatNoLongerTears) {
+    const auto session = new_session(that_tears());
+    bool fails = false;
+    session->record([&fails](const RecordedStep&) {
+        if (fails) throw std::runtime_error("the disk is full");
+    });
+    session->post(blade());
+    play(*session, 60);  // up to the last good state
+    const std::size_t whole = small_patient()->mesh.vertices_mm.size();
+    ASSERT_GT(session->world().vertex_count(), whole);
+    session->post(UseTear{false, 1.0});
+    session->step();
+    ASSERT_EQ(session->world().vertex_count(), whole);
+    fails = true;
+    session->step();
+    session->step();  // goes back
+    session->update_frame();
+    const Frame& frame = session->frame();
+    ASSERT_TRUE(frame.statistics.diverged);
+    EXPECT_FALSE(frame.tear);
+    EXPECT_EQ(frame.positions_mm.size(), 3 * whole);
+    EXPECT_EQ(session->world().topology().vertex_count(), whole);
+    EXPECT_EQ(*frame.surface, boundary_triangles(small_patient()->mesh));
+}
+
+// Also factors that a keyframe of the recording could not be read with.
+TEST(TearSession, AFactorOutOfRangeChangesNothing) {
+    const auto session = new_session();
+    session->post(UseSetting{{.order = ElementOrder::quadratic}});
+    session->step();
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    for (const double factor : {0.0, -1.0, 0.9e-6, 1.1e9, infinite, std::nan("")}) {
+        session->post(UseTear{true, factor});
+        session->step();
+        session->update_frame();
+        EXPECT_THAT(session->frame().statistics.message, HasSubstr("tear factor")) << factor;
+        EXPECT_FALSE(session->world().deform()->tears()) << factor;
+        EXPECT_EQ(session->world().deform()->setting().order, ElementOrder::quadratic) << factor;
+    }
+    for (const double factor : {least_tear_factor, greatest_tear_factor}) {
+        EXPECT_NO_THROW(validate_tear_factor(factor));
+        EXPECT_EQ(tear_from_json(to_json(TearSpec{.tear_factor = factor})).tear_factor, factor);
+    }
+}
+
+// As before, with what cannot tear; the setting in use stays.
+TEST(TearSession, TheWholeDialIsBackOnceNothingTearsAnyMore) {
+    const auto session = new_session();
+    const StepperOptions exact{.order = ElementOrder::quadratic};
+    session->use_dial(QualityDial({{{}, 1.0, 0.2, "mixed"}, {exact, 9.0, 0.1, "mixed"}}));
+    const auto order_at = [&](double quality) {
+        session->post(SetQuality{quality});
+        session->step();
+        return session->world().deform()->setting().order;
+    };
+    EXPECT_EQ(order_at(1.0), ElementOrder::quadratic);
+    session->post(UseTear{true, 1.0});
+    session->step();
+    EXPECT_EQ(order_at(1.0), ElementOrder::linear);
+    session->post(UseTear{false, 1.0});
+    session->step();
+    session->update_frame();
+    EXPECT_EQ(session->world().deform()->setting().order, ElementOrder::linear);
+    EXPECT_EQ(session->frame().statistics.expected_error, 0.2);
+    EXPECT_EQ(order_at(1.0), ElementOrder::quadratic);
+}
+
+// Neither the dial nor the commands of that step are lost.
+TEST(TearSession, RefusesADialOfWhichNothingTearsAndKeepsItsOwn) {
+    const auto session = new_session(that_tears());
+    session->post(SetQuality{0.0});
+    session->step();
+    session->update_frame();
+    const std::string reference = session->frame().statistics.error_reference;
+    ASSERT_FALSE(reference.empty());
+    session->use_dial(
+        QualityDial({{{.order = ElementOrder::quadratic}, 1.0, 0.1, "another dial"}}));
+    session->post(SetGravity{Vec3(0, 0, -500)});
+    session->step();
+    session->update_frame();
+    EXPECT_THAT(session->frame().statistics.message, HasSubstr("none of its settings can tear"));
+    EXPECT_FALSE(session->frame().statistics.diverged);
+    EXPECT_FALSE(session->frame().statistics.paused);
+    EXPECT_EQ(session->world().deform()->settings().gravity_mm_per_s2, Vec3(0, 0, -500));
+    EXPECT_EQ(session->frame().statistics.error_reference, reference);
+    session->post(SetQuality{1.0});
+    session->step();
+    session->update_frame();
+    EXPECT_THAT(session->frame().statistics.message, testing::Not(HasSubstr("the dial")));
+    EXPECT_EQ(session->frame().statistics.error_reference, reference);
 }
 
 TEST(TearSession, SaysWhatIsWrongWithALine) {
