@@ -8915,5 +8915,17 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>, of it up to %L1 mL drug</source>
         <translation>, davon bis zu %L1 mL Wirkstoff</translation>
     </message>
+    <message>
+        <source>Radius of the vessel that is drawn</source>
+        <translation>Radius des Gefäßes, das gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Radius of the vessel that is drawn; below the least it is measured in the CT</source>
+        <translation>Radius des Gefäßes, das gezeichnet wird; unter dem kleinsten wird er im CT gemessen</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
 </context>
 </TS>
