@@ -21,7 +21,7 @@ struct GhostLook {
     double rim = 0.0;     // added at the outline
 };
 
-inline constexpr GhostLook liver_ghost{palette::liver, 0.03, 0.30};
+inline constexpr GhostLook liver_ghost{palette::liver, 0.08, 0.45};
 inline constexpr GhostLook tumour_ghost{palette::tumour, 0.35, 0.45};
 
 class GhostActor {

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "render/text_style.h"
@@ -32,6 +33,18 @@ constexpr double least_shrunk = 0.6;
 
 double height_of(const LegendRow& row) {
     return line + (row.colours.size() > 1 ? bar + gap + line : 0.0);
+}
+
+// Leaves out minor rows, the last first, while the legend is higher than half of the picture.
+std::vector<LegendRow> with_room(std::vector<LegendRow> rows, double half_pt) {
+    double height = 0.0;
+    for (const LegendRow& row : rows) height += height_of(row);
+    for (std::size_t r = rows.size(); r-- > 0 && height > half_pt;) {
+        if (!rows[r].minor) continue;
+        height -= height_of(rows[r]);
+        rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(r));
+    }
+    return rows;
 }
 
 }  // namespace
@@ -170,7 +183,8 @@ void Legend::update(const std::vector<LegendRow>& wanted, const Room& room, cons
     texts_used_ = 0;
     ground_ = look.bottom;
     const double widest = room.width - 2.0 * margin * room.point;
-    const std::vector<LegendRow> rows = fitting(wanted, widest, room.point);
+    const std::vector<LegendRow> rows =
+        fitting(with_room(wanted, 0.5 * room.height / room.point), widest, room.point);
     // Letters shrink before anything is cut off.
     const double r = room.point;
     const double needed = width_of(rows, r);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Draws the legend (legend_rows.h) in the corner of the picture that covers the fewest vessels.
 // Letters have 16 points of the screen, which are 12 points of print; they shrink in thumbnails and
-// where a row would not fit.
+// where a row would not fit. Minor rows are left out where the legend would be higher than half of
+// the picture.
 #pragma once
 
 #include <vtkSmartPointer.h>

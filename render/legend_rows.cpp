@@ -39,9 +39,9 @@ void add_drug(const LegendContent& content, std::vector<LegendRow>& rows) {
     rows.push_back(std::move(ramp));
     LegendRow axis;
     axis.text = "axis: square root of time";
-    axis.faint = true;
+    axis.faint = axis.minor = true;
     rows.push_back(std::move(axis));
-    rows.push_back({"The drug's front", {}, {Colour{1.0, 1.0, 1.0}}, {}, {}, false});
+    rows.push_back({"The drug's front", {}, {Colour{1.0, 1.0, 1.0}}, {}, {}, false, true});
 }
 
 void add_segments(const LegendContent& content, std::vector<LegendRow>& rows) {
@@ -113,12 +113,12 @@ namespace {
 
 std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     std::vector<LegendRow> rows;
-    const auto swatch = [&](const std::string& text, const Colour& colour) {
-        rows.push_back({text, {}, {colour}, {}, {}, false});
+    const auto swatch = [&](const std::string& text, const Colour& colour, bool minor = false) {
+        rows.push_back({text, {}, {colour}, {}, {}, false, minor});
     };
     if (content.tumours) swatch("Tumour", palette::tumour);
-    if (content.touched) swatch("Touch and force", palette::touch);
-    if (content.places) swatch("A place of the lesson", palette::torn_circle);
+    if (content.touched) swatch("Touch and force", palette::touch, true);
+    if (content.places) swatch("A place of the lesson", palette::torn_circle, true);
     if (content.gaps) swatch("A gap, and how sure", palette::bridge);
     if (content.torn) swatch("Cut or torn", palette::torn);
     if (content.bleeds) swatch("Blood", palette::bleeding);

@@ -52,6 +52,7 @@ struct LegendRow {
         ticks;                     // labels below the bar: position in [0, 1] along it
     std::optional<double> marker;  // position of the marker across the bar, in [0, 1]
     bool faint = false;            // an explanation of the row above it
+    bool minor = false;            // left out first where the picture has no room
 };
 
 // The rows from top to bottom. The drug's colours come before the colours of systems and segments.

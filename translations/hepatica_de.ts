@@ -8927,5 +8927,17 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Measure it again, or play without tearing</source>
         <translation>Messen Sie ihn neu, oder spielen Sie ohne Reißen</translation>
     </message>
+    <message>
+        <source>Radius of the vessel that is drawn</source>
+        <translation>Radius des Gefäßes, das gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Radius of the vessel that is drawn; below the least it is measured in the CT</source>
+        <translation>Radius des Gefäßes, das gezeichnet wird; unter dem kleinsten wird er im CT gemessen</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
 </context>
 </TS>

@@ -231,6 +231,7 @@ void CaseEditing::accept(int bridge) {
 }
 
 void CaseEditing::draw(const Volume& ct, const std::vector<Vec3>& places_mm,
+                       const std::optional<double>& radius_mm,
                        const VesselPen::Answered& answered) {
     if (!workspace_.has_patient()) return answered({});
     const std::shared_ptr<const PatientCase> patient = workspace_.patient();
@@ -250,9 +251,10 @@ void CaseEditing::draw(const Volume& ct, const std::vector<Vec3>& places_mm,
     callbacks.failed = refuse;
     callbacks.ended = [] {};
     drawing_ = std::make_unique<BackgroundJob>(
-        [this, patient, part = std::move(part), places_mm, contrast_hu,
+        [this, patient, part = std::move(part), places_mm, radius_mm, contrast_hu,
          answered](Job& job) -> std::function<void()> {
-            const TreeEdit edit = drawing_of(traced_vessel(part, places_mm, contrast_hu, job));
+            TreeEdit edit = drawing_of(traced_vessel(part, places_mm, contrast_hu, job));
+            if (radius_mm) std::ranges::fill(edit.radii_mm, *radius_mm);
             edited(patient->tree, edit);  // throws now, while the places can still be changed
             return [this, edit, answered] { add_drawn(edit, answered); };
         },

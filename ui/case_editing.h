@@ -48,10 +48,10 @@ class CaseEditing {
     // The first vessel of a link whose second one is still to be clicked on, mm.
     const std::optional<Vec3>& link_from_mm() const { return link_from_mm_; }
     void accept(int bridge);
-    // Follows a vessel through these places of the patient's CT in the background. A drawing that
-    // is still running ends without an answer.
+    // Follows a vessel through these places of the patient's CT in the background. Without a radius
+    // that is measured, too. A drawing that is still running ends without an answer.
     void draw(const Volume& ct, const std::vector<Vec3>& places_mm,
-              const VesselPen::Answered& answered);
+              const std::optional<double>& radius_mm, const VesselPen::Answered& answered);
     void stop_drawing() { drawing_.reset(); }
 
   private:

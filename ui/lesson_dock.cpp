@@ -418,6 +418,7 @@ void LessonDock::keep_result() {
                                      now.toStdString(), watched_course_pass_);
         attempt.name = trainee_;
         write_attempt(attempt);
+        ways_.kept();
     } catch (...) {
         ways_.failed(Words::tr("Keep the result"), std::current_exception());
     }

@@ -63,6 +63,7 @@ class LessonDock : public QDockWidget {
         // The trainee has another name; may be empty.
         std::function<void(const QString& name)> named;
         std::function<void()> ended = [] {};  // the attempt was passed or failed
+        std::function<void()> kept = [] {};   // its result was written
         // This course is shown from now on; empty: the built-in one.
         std::function<void(const std::filesystem::path& file)> course_chosen =
             [](const std::filesystem::path&) {};

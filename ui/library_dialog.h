@@ -37,7 +37,8 @@ class LibraryDialog : public QDialog {
 
     // Reads the folder again and shows the dialog.
     void open_library();
-    // A case was written: reads the folder again, if the dialog is shown.
+    // A case or the result of an attempt was written: reads the folder again, if the dialog is
+    // shown.
     void refresh();
     // The cases as last read.
     const std::vector<ShelvedCase>& cases() const { return cases_; }

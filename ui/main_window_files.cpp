@@ -121,7 +121,7 @@ void MainWindow::ask_for_case() {
 
 void MainWindow::ask_for_reconstruction() {
     PatientWizard wizard(settings_.last_folder(), this);
-    wizard.set_ct(to_text(keeper_->workspace().image()));
+    wizard.set_ct(to_text(keeper_->workspace().image()), keeper_->workspace().series());
     if (wizard.exec() == QDialog::Accepted) open(OpenRequest{false, wizard.options()});
 }
 

@@ -18,6 +18,7 @@
 #include "ui/lesson_editor/draft_slot.h"
 #include "ui/lesson_editor/lesson_editor.h"
 #include "ui/lesson_tools.h"
+#include "ui/library_dialog.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
@@ -73,6 +74,7 @@ void MainWindow::build_lessons() {
         use_for_lesson(std::move(simulation));
     };
     ways.ended = [this] { stop_after_lesson(); };
+    ways.kept = [this] { library_->refresh(); };
     ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
         fail(doing, failure_of(error));
     };

@@ -51,7 +51,7 @@ void MainWindow::build_slices(QWidget* parent) {
             return answered({false, Words::tr("Not drawn: end the review first").toStdString()});
         if (lessons_->running() != nullptr)
             return answered({false, Words::tr("Not drawn: leave the lesson first").toStdString()});
-        editing_->draw(ct, places, std::move(answered));
+        editing_->draw(ct, places, view_layout_->slices().pen().radius_mm(), std::move(answered));
     };
     callbacks.stop_drawing = [this] { editing_->stop_drawing(); };
     callbacks.correct = [this](const Vec3& place) {

@@ -185,7 +185,7 @@ void PatientKeeper::arrived(const OpenRequest& request,
         if (written_.contains(loaded->folder)) return start_opening(request);
         jobs_.drop(JobKind::correct);
         jobs_.drop(JobKind::remake);
-        workspace_.open(*loaded);
+        workspace_.open(*loaded, request.reconstruct.series);
         // Before the edits there is nothing of him worth keeping, so they come first.
         if (request.left_edits) workspace_.take_up(*request.left_edits);
         screen_.show(std::move(*loaded), false);

@@ -140,8 +140,10 @@ QLineEdit* PatientWizard::add_path(QFormLayout& form, const QString& label, bool
 
 PatientWizard::~PatientWizard() = default;
 
-void PatientWizard::set_ct(const QString& path) {
+void PatientWizard::set_ct(const QString& path, int series) {
     ct_->setText(path);
+    chosen_in_ = to_path(ct_->text().trimmed());
+    chosen_ = series;
     look_for_series();
 }
 
@@ -157,7 +159,11 @@ void PatientWizard::look_for_series() {
     callbacks.ended = [this] { listing_.reset(); };
     listing_ = std::make_unique<BackgroundJob>(
         [this, folder](Job& job) -> std::function<void()> {
-            return [this, series = list_series(folder, job)] { offer(series); };
+            return [this, folder, series = list_series(folder, job)] {
+                offer(series);
+                const bool named = folder == chosen_in_ && chosen_ <= series_->count();
+                if (named && chosen_ > 0) series_->setCurrentIndex(chosen_ - 1);
+            };
         },
         std::move(callbacks));
 }

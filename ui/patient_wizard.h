@@ -27,7 +27,8 @@ class PatientWizard : public QDialog {
     explicit PatientWizard(const QString& folder, QWidget* parent = nullptr);
     ~PatientWizard() override;
 
-    void set_ct(const QString& path);
+    // `series` is chosen at first if the folder holds several, numbered from 1; 0: the best.
+    void set_ct(const QString& path, int series = 0);
     // The options in the fields. Throws InputError that names the first invalid field.
     ReconstructOptions options() const;
 
@@ -48,6 +49,8 @@ class PatientWizard : public QDialog {
     QLineEdit* hepatic_seeds_;
     QLabel* problem_;
     std::filesystem::path looked_in_;  // whose series were listed last
+    std::filesystem::path chosen_in_;  // whose series set_ct() named
+    int chosen_ = 0;                   // its number; 0: none was named
     std::unique_ptr<BackgroundJob> listing_;
 };
 

@@ -8,11 +8,12 @@
 
 namespace hepatica {
 
-void Workspace::open(const OpenedPatient& opened) {
+void Workspace::open(const OpenedPatient& opened, int series) {
     title_ = opened.title;
     patient_ = opened.patient;
     folder_ = opened.folder;
     image_ = opened.image;
+    series_ = series;
     kept_copy_ = opened.kept_copy;
     base_ = opened.read_from.empty() ? opened.folder : opened.read_from;
     opened_origin_ = ++origin_;

@@ -27,8 +27,8 @@ class Workspace {
         std::optional<TreeEdit> edit;
     };
 
-    // Replaces the former patient.
-    void open(const OpenedPatient& opened);
+    // Replaces the former patient. `series`: see series().
+    void open(const OpenedPatient& opened, int series = 0);
 
     bool has_patient() const { return patient_ != nullptr; }
     const std::string& title() const { return title_; }
@@ -38,6 +38,8 @@ class Workspace {
     const std::filesystem::path& folder() const { return folder_; }
     // The CT that it was reconstructed from in this run; else empty.
     const std::filesystem::path& image() const { return image_; }
+    // Its series that was asked for, numbered from 1 as by list_series(); 0: none was named.
+    int series() const { return series_; }
 
     // The copy of unsaved work that it was opened from; else empty.
     const std::filesystem::path& kept_copy() const { return kept_copy_; }
@@ -138,6 +140,7 @@ class Workspace {
     std::shared_ptr<const PatientCase> patient_;
     std::filesystem::path folder_;
     std::filesystem::path image_;
+    int series_ = 0;
     std::filesystem::path kept_copy_;
     std::filesystem::path base_;
     Edits edits_;

@@ -173,6 +173,7 @@ OpenedPatient open_patient(const OpenRequest& request, Job& job) {
         opened.patient = std::make_shared<const PatientCase>(read_case(path));
         opened.kept_copy = path;
         opened.worth_saving = true;
+        tell_warnings_of_case(opened);
     } else if (is_case(path)) {
         job.begin_stage("Reading the case");
         opened.patient = std::make_shared<const PatientCase>(read_case_without_voxels(path));

@@ -48,11 +48,17 @@ TEST_F(Opening, a_case_tells_what_its_reconstruction_warned_of) {
     patient.warnings = {"thick slices", "a piece is left out"};
     patient.warnings_of_image = 1;
     write_case(folder_ / "warned.hep", patient);
-    const OpenedPatient opened = open(folder_ / "warned.hep");
-    ASSERT_GE(opened.warnings.size(), 2u);
-    EXPECT_EQ(opened.warnings[0], "thick slices");
-    EXPECT_EQ(opened.warnings[1], "a piece is left out");
-    EXPECT_EQ(opened.warnings_of_image, std::vector<std::string>{"thick slices"});
+    OpenRequest request;
+    request.reconstruct.ct = folder_ / "warned.hep";
+    for (const bool unsaved : {false, true}) {
+        request.unsaved_copy = unsaved;
+        Job job;
+        const OpenedPatient opened = open_patient(request, job);
+        ASSERT_GE(opened.warnings.size(), 2u) << unsaved;
+        EXPECT_EQ(opened.warnings[0], "thick slices");
+        EXPECT_EQ(opened.warnings[1], "a piece is left out");
+        EXPECT_EQ(opened.warnings_of_image, std::vector<std::string>{"thick slices"});
+    }
 }
 
 TEST_F(Opening, a_tree_gets_a_body) {

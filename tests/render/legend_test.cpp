@@ -289,6 +289,39 @@ TEST(LegendRows, TwoPicturesHaveOneScale) {
     EXPECT_EQ(content.drug_end_s, 10.0);
 }
 
+// A quarter of a small window: what matters most is explained, and half of the picture stays free.
+TEST(LegendPicture, LeavesOutWhatMattersLeastWhereThereIsNoRoom) {
+    constexpr int width = 430, height = 330;
+    OsmesaContext context{width, height};
+    SceneView view(context.window());
+    Frame frame = fake_frame();
+    const std::size_t count = frame.positions_mm.size() / 3;
+    std::vector<VascularSystem> systems(count, VascularSystem::portal);
+    systems[0] = VascularSystem::hepatic;
+    systems[1] = VascularSystem::artery;
+    frame.drug.arrival_s = std::make_shared<const std::vector<float>>(count, 90.0f);
+    frame.drug.end_s = 100.0;
+    frame.drug.time_s = 1.0;
+    view.show(frame);
+    view.set_vertex_systems(systems);
+    view.render();
+    const double drawn = view.legend_box().top - view.legend_box().bottom;
+    EXPECT_LE(drawn, 0.5 * height);
+    EXPECT_GE(drawn, 59.0 + 3.0 * 22.0) << "the drug's scale and three systems";
+}
+
+TEST(LegendRows, OfLessRankAreThoseThatExplainThemselves) {
+    LegendContent content;
+    content.systems = {VascularSystem::portal};
+    content.touched = content.places = content.torn = content.injected = true;
+    content.drug_end_s = 1.0;
+    std::vector<std::string> minor;
+    for (const LegendRow& row : legend_rows(content))
+        if (row.minor) minor.push_back(row.text);
+    EXPECT_EQ(minor, (std::vector<std::string>{"Touch and force", "A place of the lesson",
+                                               "axis: square root of time", "The drug's front"}));
+}
+
 // As two recordings beside each other leave it.
 TEST(LegendPicture, InANarrowPictureNothingRunsTogetherAndNothingIsCut) {
     OsmesaContext context{300, 420};

@@ -103,6 +103,22 @@ TEST_F(SceneViewPicture, of_vessels_and_liver_cut_open) {
     EXPECT_EQ(picture().rgb, whole.rgb);
 }
 
+// Where its surface faces the eye, too, in front of the room and of the trunk.
+TEST_F(SceneViewPicture, the_liver_is_seen_and_hides_nothing) {
+    view_.set_annotations_visible(false);
+    view_.show(fake_frame());
+    const auto red_at = [](const Picture& shown, int x, int y) {
+        return static_cast<int>(shown.rgb[3 * static_cast<std::size_t>(y * 320 + x)]);
+    };
+    const Picture bare = picture();
+    view_.set_liver(testing::sphere(Vec3(0, 0, 0), 62.0));
+    const Picture within = picture();
+    ASSERT_LT(view_.pick({120.5, 170.5}).triangle, 0);
+    ASSERT_GE(view_.pick({160.5, 180.5}).triangle, 0);
+    EXPECT_GE(red_at(within, 120, 170), red_at(bare, 120, 170) + 9);
+    EXPECT_NEAR(red_at(within, 160, 180), red_at(bare, 160, 180), 20);
+}
+
 // A tumour as solid as it is, and the liver's wall, which hides nothing.
 TEST_F(SceneViewPicture, of_obstacles) {
     view_.show(testing::frame_beside_obstacles());

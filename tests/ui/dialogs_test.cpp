@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTimer>
 #include <QTreeWidget>
 #include <filesystem>
 #include <fstream>
@@ -108,6 +109,11 @@ TEST_F(Wizard, offers_the_series_of_a_folder_that_holds_several) {
     EXPECT_EQ(wizard_.options().series, 2) << "the choice stays, and nobody asks again";
     Job job;
     EXPECT_EQ(read_volume(both, job, nullptr, 2).grid.dims[2], 4);
+    wizard_.set_ct(to_text(both.parent_path() / "nothing"), 2);
+    EXPECT_EQ(wizard_.options().series, 0);
+    wizard_.set_ct(to_text(both), 2);
+    ASSERT_TRUE(testing::wait_for([&] { return series->count() == 2; }));
+    EXPECT_EQ(wizard_.options().series, 2) << "the one that was read";
     // Another folder, of one series, typed by hand.
     field("ct").setText(to_text(both / "one"));
     emit field("ct").editingFinished();
@@ -371,6 +377,45 @@ TEST_F(SavingCase, never_replaces_what_is_no_case_and_says_so) {
         EXPECT_TRUE(refused_.contains(QString("There is %1 already").arg(taken)))
             << name << ": " << refused_.toStdString();
         EXPECT_EQ(asked_, "");
+    }
+}
+
+// Whatever is opened is the fake patient, made of the CT that was asked for.
+class ReadSeries : public testing::WindowTest {
+  protected:
+    ReadSeries()
+        : WindowTest({[](const OpenRequest& request, Job&) {
+                          LoadedPatient loaded = testing::fake_patient();
+                          loaded.image = request.reconstruct.ct;
+                          return loaded;
+                      },
+                      [](const fs::path&, const PatientCase&) {}}) {}
+
+    // Which series of two the dialog of a reconstruction offers first; -1: it offered none.
+    int offered_first() {
+        int offered = -1;
+        QTimer looking;
+        QObject::connect(&looking, &QTimer::timeout, [&offered] {
+            auto* wizard = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+            auto* series = wizard ? wizard->findChild<QComboBox*>("series") : nullptr;
+            if (series == nullptr || series->count() < 2) return;
+            offered = series->currentIndex();
+            wizard->reject();
+        });
+        looking.start(20);
+        window_.actions()[ActionId::reconstruct].trigger();
+        return offered;
+    }
+};
+
+TEST_F(ReadSeries, is_the_one_that_a_reconstruction_offers_first) {
+    OpenRequest request;
+    request.reconstruct.ct = two_series(to_path(folder_.filePath("scan")));
+    for (const int series : {2, 1}) {
+        request.reconstruct.series = series;
+        window_.open(request);
+        wait();
+        EXPECT_EQ(offered_first(), series - 1);
     }
 }
 

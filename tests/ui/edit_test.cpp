@@ -84,6 +84,16 @@ class Editing : public testing::WindowTest {
         window_.actions()[ActionId::toggle_slices].trigger();
         ASSERT_TRUE(testing::wait_for([&] { return !views.slices().empty(); }));
     }
+    // Clicks along the vessel of tube_ct() in the axial slice, to be drawn.
+    void point_out_the_tube() {
+        const Vec3 begin = test::tube_begin_mm, end = test::tube_end_mm;
+        show_slices(test::tube_ct());
+        window_.view_layout().slices().set_crosshair(begin);
+        emit child<QComboBox>("measure").activated(4);
+        SliceView& axial = window_.view_layout().slice_view(SliceDirection::axial);
+        for (const Vec3& place : {begin, Vec3(0.5 * (begin + end)), end})
+            QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.place_of(place).toPoint());
+    }
     // What would be written now.
     const PatientCase& saved() {
         window_.save_case(folder_.filePath("p.hep"));
@@ -314,13 +324,9 @@ TEST_F(Editing, a_click_in_a_slice_corrects_what_lies_there) {
 // A vessel that the tree lacks, bright in the CT, from the trunk of the tree of test_trees.h.
 TEST_F(Editing, a_vessel_is_drawn_by_clicks_in_the_slices) {
     const Vec3 begin = test::tube_begin_mm, end = test::tube_end_mm;
-    show_slices(test::tube_ct());
+    point_out_the_tube();
     ViewLayout& views = window_.view_layout();
-    views.slices().set_crosshair(begin);
-    emit child<QComboBox>("measure").activated(4);
     SliceView& axial = views.slice_view(SliceDirection::axial);
-    for (const Vec3& place : {begin, Vec3(0.5 * (begin + end)), end})
-        QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.place_of(place).toPoint());
     const std::size_t before = saved().tree.segments.size();
     // It is followed beside the window; until then its places stay, and Escape stops it.
     const VesselPen& pen = views.slices().pen();
@@ -347,6 +353,24 @@ TEST_F(Editing, a_vessel_is_drawn_by_clicks_in_the_slices) {
     wait();
     EXPECT_TRUE(saved().corrections.edits.empty());
     EXPECT_EQ(saved_.tree.segments.size(), before);
+}
+
+TEST_F(Editing, a_vessel_is_drawn_as_wide_as_its_field_says) {
+    auto& radius = child<QDoubleSpinBox>("vesselRadius");
+    EXPECT_TRUE(radius.isHidden());
+    point_out_the_tube();  // 1.8 mm wide
+    EXPECT_FALSE(radius.isHidden());
+    EXPECT_EQ(radius.text(), "measured");
+    radius.setValue(1.2);
+    child<QPushButton>("drawVessel").click();
+    const VesselPen& pen = window_.view_layout().slices().pen();
+    ASSERT_TRUE(testing::wait_for([&] { return !pen.draws(); }));
+    ASSERT_EQ(saved().corrections.edits.size(), 1u);
+    const std::vector<double>& radii_mm = saved_.corrections.edits[0].radii_mm;
+    EXPECT_EQ(radii_mm, std::vector<double>(radii_mm.size(), 1.2));
+    EXPECT_EQ(pen.radius_mm(), 1.2) << "kept for the next one";
+    radius.setValue(radius.minimum());
+    EXPECT_EQ(pen.radius_mm(), std::nullopt);
 }
 
 TEST_F(Editing, an_edit_that_leaves_nothing_is_refused_and_the_patient_stays) {

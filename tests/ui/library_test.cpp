@@ -314,6 +314,23 @@ TEST_F(LibraryTest, begins_a_lesson_for_anybody_on_the_chosen_case) {
     EXPECT_EQ(opened_, cases_ / "second.hep");
 }
 
+TEST_F(LibraryTest, is_read_again_when_an_attempt_has_ended) {
+    Lesson lesson = new_lesson();
+    lesson.name = "Soon over";
+    lesson.limits = {{Quantity::time_s, -1, false, 0.2}};
+    write_lesson(cases_ / "soon.json", lesson);
+    open_built_in();
+    open_library();
+    const auto* facts = dialog().findChild<QLabel*>("libraryFacts");
+    EXPECT_FALSE(facts->text().contains("Soon over"));
+    window_.lessons().start((cases_ / "soon.json").string());
+    ASSERT_TRUE(wait_for(
+        [this] { return window_.lessons().playing() && window_.frame().statistics.paused; }));
+    window_.actions()[ActionId::pause_simulation].trigger();
+    EXPECT_TRUE(wait_for([&] { return facts->text().contains("the last: Soon over"); }))
+        << facts->text().toStdString();
+}
+
 TEST_F(LibraryTest, gives_a_case_away_and_takes_one_in) {
     open_library();
     const fs::path file = to_path(folder_.filePath("gift.hepz"));

@@ -4,10 +4,12 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 
 #include "tests/patient/parted_patient.h"
 #include "tests/ui/slices_test.h"
+#include "ui/lesson_editor/lesson_editor.h"
 
 namespace hepatica {
 namespace {
@@ -167,6 +169,24 @@ TEST_F(TumourBrushOnSlices, GoesOnWithATumourUntilANewOneIsChosen) {
     EXPECT_EQ(offered(), (QStringList{"New tumour", "Tumour 1", "Tumour 2"}));
     EXPECT_EQ(tumour_in_column(11), 1);
     EXPECT_EQ(tumour_in_column(26), 2);
+}
+
+// The lesson's editor, opened before and after: each is the beginning of a target near it.
+TEST_F(TumourBrushOnSlices, OffersWhatItPaintedAsTheTargetOfALesson) {
+    begin();
+    stroke(5, 7);
+    LessonEditor& editor = window_.lesson_editor();
+    editor.show_editor();
+    const QMenu& offered = *editor.findChild<QPushButton*>("lessonTumour")->menu();
+    ASSERT_EQ(offered.actions().size(), 1);
+    EXPECT_TRUE(offered.actions()[0]->text().startsWith("Tumour 1 ("));
+    choose(0);
+    stroke(25, 27);
+    ASSERT_TRUE(wait_for([&] { return offered.actions().size() == 2; }));
+    EXPECT_TRUE(offered.actions()[1]->text().startsWith("Tumour 2 ("));
+    ASSERT_FALSE(editor.document().lesson().target);
+    offered.actions()[1]->trigger();
+    EXPECT_TRUE(editor.document().lesson().target);
 }
 
 TEST_F(TumourBrushOnSlices, ErasesOneOrAnyAndTheOthersKeepTheirNumbers) {

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "ui/core_words.h"
@@ -93,6 +94,7 @@ SliceBar::SliceBar(SliceScene& scene, std::function<QString()> correction, QWidg
     row->addWidget(segment_choice());
     row->addStretch(1);
     lower->addWidget(click_choice());
+    lower->addWidget(vessel_radius());
     lower->addWidget(draw_button());
     add_brush(*lower);
     lower->addSpacing(8);
@@ -215,6 +217,24 @@ QString SliceBar::guidance() const {
                          : Words::tr("Click on along the vessel, or draw it (Enter)");
 }
 
+// The value below the least radius stands for the one that is measured in the CT.
+QWidget* SliceBar::vessel_radius() {
+    constexpr double step_mm = 0.1, measured_mm = VesselPen::least_mm - step_mm;
+    vessel_radius_ = new DecimalSpinBox(measured_mm, VesselPen::most_mm, measured_mm, 1, "mm");
+    vessel_radius_->setObjectName("vesselRadius");
+    vessel_radius_->setAccessibleName(Words::tr("Radius of the vessel that is drawn"));
+    vessel_radius_->setToolTip(
+        Words::tr("Radius of the vessel that is drawn; below the least it is measured in the CT"));
+    vessel_radius_->setSpecialValueText(Words::tr("measured"));
+    vessel_radius_->setSingleStep(step_mm);
+    vessel_radius_->setVisible(false);
+    connect(vessel_radius_, &QDoubleSpinBox::valueChanged, this, [this](double mm) {
+        const bool measured = mm < VesselPen::least_mm;
+        scene_.pen().set_radius(measured ? std::nullopt : std::optional(mm));
+    });
+    return vessel_radius_;
+}
+
 QWidget* SliceBar::draw_button() {
     draw_ = new QPushButton(Words::tr("Draw it"));
     draw_->setObjectName("drawVessel");
@@ -293,6 +313,7 @@ void SliceBar::follow_click() {
         say(next);
     else if (!std::exchange(said_, {}).isEmpty())
         show_place(scene_.crosshair_mm());  // removes the former guidance
+    vessel_radius_->setVisible(pen.taken());
     draw_->setVisible(pen.taken());
     draw_->setEnabled(pen.places_mm().size() >= 2 && !pen.draws());
 }

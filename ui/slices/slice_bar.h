@@ -33,6 +33,7 @@ class SliceBar : public QWidget {
     QWidget* segment_choice();
     QWidget* click_choice();
     QWidget* draw_button();
+    QWidget* vessel_radius();
     void add_brush(QHBoxLayout& row);
     QWidget* tumour_choice();
     void follow_tumours();
@@ -50,7 +51,8 @@ class SliceBar : public QWidget {
     QLabel* place_;
     QComboBox* click_ = nullptr;  // what a click does
     QPushButton* draw_ = nullptr;
-    QDoubleSpinBox* radius_ = nullptr;  // of the brush
+    QDoubleSpinBox* vessel_radius_ = nullptr;  // of the vessel that is drawn
+    QDoubleSpinBox* radius_ = nullptr;         // of the brush
     QPushButton* remake_ = nullptr;
     QComboBox* tumour_ = nullptr;  // the one that is painted or erased
 };

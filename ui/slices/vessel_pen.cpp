@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/slices/vessel_pen.h"
+
+#include <algorithm>
+
 #include "ui/words.h"
 
 namespace hepatica {
@@ -8,6 +11,12 @@ void VesselPen::set_taken(bool taken) {
     if (draws_) stop();
     taken_ = taken;
     places_mm_.clear();
+    watchers_.tell();
+}
+
+void VesselPen::set_radius(const std::optional<double>& radius_mm) {
+    radius_mm_ = radius_mm;
+    if (radius_mm_) radius_mm_ = std::clamp(*radius_mm_, least_mm, most_mm);
     watchers_.tell();
 }
 

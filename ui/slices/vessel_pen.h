@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ class VesselPen {
         std::function<void()> stop = [] {};
     };
 
+    static constexpr double least_mm = 0.5, most_mm = 15.0;
+
     // Called after every change.
     void on_change(std::function<void()> tell) { watchers_.add(std::move(tell)); }
     void on_draw(Drawing drawing) { drawing_ = std::move(drawing); }
@@ -38,6 +41,11 @@ class VesselPen {
     // Whether clicks set places of a vessel. Both drop an unfinished vessel.
     void set_taken(bool taken);
     bool taken() const { return taken_; }
+
+    // Radius of the vessels to be drawn, clamped to [least_mm, most_mm]; nullopt: as the CT shows
+    // it. Kept from vessel to vessel.
+    void set_radius(const std::optional<double>& radius_mm);
+    const std::optional<double>& radius_mm() const { return radius_mm_; }
 
     // No effect while a vessel is being drawn.
     void add(const Vec3& place_mm);
@@ -58,6 +66,7 @@ class VesselPen {
     std::function<void(const std::string&)> say_ = [](const std::string&) {};
     bool taken_ = false;
     bool draws_ = false;
+    std::optional<double> radius_mm_;
     std::vector<Vec3> places_mm_;
     Watchers watchers_;
 };

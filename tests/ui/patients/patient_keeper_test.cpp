@@ -343,6 +343,11 @@ TEST_F(Keeper, asks_once_which_of_several_series_is_meant_and_reads_that_one) {
     ASSERT_TRUE(ward.finish());
     EXPECT_EQ(ward.series_asked, 1);
     EXPECT_EQ(ward.shown.back(), "ct of two, series 2");
+    EXPECT_EQ(ward.workspace().series(), 2);
+    ward.answer = UnsavedAnswer::discard;
+    ward.open("ct");
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.workspace().series(), 0) << "nothing was asked of this one";
 }
 
 TEST_F(Keeper, stays_where_none_of_the_series_is_meant) {
