@@ -118,6 +118,8 @@ TEST_F(Slices, ARightDragSetsTheGreyWindowAndPresetsFollow) {
     EXPECT_EQ(scene().window().width_hu, before.width_hu + 20.0);
     EXPECT_EQ(scene().window().level_hu, before.level_hu - 10.0);
     EXPECT_EQ(presets->currentText(), "Own");
+    // Qt would hold it as pressed in all tests after this one.
+    QTest::mouseRelease(&axial, Qt::RightButton, {}, from + QPoint(10, -5));
     emit presets->activated(4);
     EXPECT_EQ(scene().window().width_hu, 1800.0);
 }
