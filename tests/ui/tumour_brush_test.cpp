@@ -6,6 +6,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
+#include <QTabWidget>
 
 #include "tests/patient/parted_patient.h"
 #include "tests/ui/slices_test.h"
@@ -177,6 +178,7 @@ TEST_F(TumourBrushOnSlices, OffersWhatItPaintedAsTheTargetOfALesson) {
     stroke(5, 7);
     LessonEditor& editor = window_.lesson_editor();
     editor.show_editor();
+    editor.findChild<QTabWidget*>("lessonPages")->setCurrentIndex(1);
     const QMenu& offered = *editor.findChild<QPushButton*>("lessonTumour")->menu();
     ASSERT_EQ(offered.actions().size(), 1);
     EXPECT_TRUE(offered.actions()[0]->text().startsWith("Tumour 1 ("));
