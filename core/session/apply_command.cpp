@@ -47,22 +47,22 @@ struct Session::Apply {
         return *world.flow();
     }
 
-    // The hand.
+    // The hand. What is refused does not end the way that it is on.
     void operator()(const GrabPoint& c) const {
-        session.hand_.stay();
         deform().grab(c.point_mm);
+        session.hand_.stay();
     }
     void operator()(const GrabVertex& c) const {
-        session.hand_.stay();
         deform().grab_vertex(c.vertex);
+        session.hand_.stay();
     }
     void operator()(const MoveGrab& c) const;
     void operator()(const ReleaseGrab&) const { deform().release(); }
 
     // The tool.
     void operator()(const AddTool& c) const {
-        session.led_tool_.stay();
         deform().add_tool({c.kind, c.radius_mm, c.length_mm, c.direction, c.side}, c.point_mm);
+        session.led_tool_.stay();
     }
     void operator()(const MoveTool& c) const;
     void operator()(const ShiftTool& c) const;
@@ -113,8 +113,8 @@ struct Session::Apply {
 
 void Session::Apply::operator()(const MoveGrab& c) const {
     if (!c.over_s) {
-        session.hand_.stay();
-        return deform().move_grab(c.target_mm);
+        deform().move_grab(c.target_mm);
+        return session.hand_.stay();
     }
     const double over_s = checked_time_of_move(*c.over_s);
     if (deform().holding()) session.hand_.lead_to(c.target_mm, over_s);
@@ -124,14 +124,14 @@ void Session::Apply::operator()(const MoveTool& c) const {
     checked_share(c.share);
     if (!deform().tool()) return;
     if (c.over_s) return session.led_tool_.lead_to(c.target_mm, checked_time_of_move(*c.over_s));
-    session.led_tool_.stay();
     const Vec3 led = deform().tool()->target_mm;
     deform().lead_tool(c.share == 1.0 ? c.target_mm : Vec3(led + c.share * (c.target_mm - led)));
+    session.led_tool_.stay();
 }
 
 void Session::Apply::operator()(const ShiftTool& c) const {
-    session.led_tool_.stay();
     if (deform().tool()) deform().lead_tool(deform().tool()->target_mm + c.by_mm);
+    session.led_tool_.stay();
 }
 
 // Whether an injection can flow is known only after it was computed. By then the world has changed,
@@ -181,7 +181,7 @@ void Session::Apply::operator()(const SetQuality& c) const {
 void Session::Apply::operator()(const SetAutomaticQuality& c) const {
     DeformPart& part = deform();
     session.dial_.set_automatic(false);
-    if (c.automatic) session.dial_.turn_automatically(1e3 * world.spec().dt_s, part);
+    if (c.automatic) session.dial_.turn_automatically(session.budget_ms(), part);
 }
 
 void Session::Apply::operator()(const UseSetting& c) const {

@@ -130,6 +130,22 @@ TEST(LedHand, TheRecordingHoldsEachPieceAndPlaysAgainToTheSameBits) {
     EXPECT_EQ(again.state_hash, recording->steps.back().state_hash);
 }
 
+TEST(LedHand, GoesOnWhereWhatCameNextWasRefused) {
+    Vec3 begin;
+    const auto session = holding(begin);
+    const Vec3 target = begin + Vec3(3, -6, 0);
+    const Vec3 nowhere = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+    session->post(MoveGrab{target, 3.0 * dt_s});
+    session->step();
+    session->post(GrabPoint{nowhere});
+    session->post(GrabVertex{-1});
+    session->post(MoveGrab{nowhere});
+    session->step();
+    session->step();
+    session->step();
+    EXPECT_EQ(hand_of(*session), target);
+}
+
 TEST(LedHand, RefusesATimeOrAPlaceThatIsNone) {
     Vec3 begin;
     const auto session = holding(begin);

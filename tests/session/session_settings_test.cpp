@@ -111,6 +111,25 @@ TEST(Session, TheSettingsUsedAreInTheRecordingWhateverTheDialOffers) {
     EXPECT_EQ(same.state_hash, end);
 }
 
+// Of a frame of 17 ms the picture takes 10: a setting of 10 ms is too slow to begin with.
+TEST(Session, AutomaticQualityBeginsWithWhatDrawingLeaves) {
+    auto patient = std::make_shared<PatientCase>(*small_patient());
+    StepperOptions two, five;
+    two.substeps = 2;
+    five.substeps = 5;
+    patient->dial_json =
+        dial_json({{two, 1.0, 0.2, "this body"}, {five, 10.0, 0.1, "this body"}}, *patient);
+    Job job;
+    for (const double drawing_ms : {0.0, 10.0}) {
+        Session session(patient, default_scene(), job);
+        session.set_drawing_ms(drawing_ms);
+        session.post(SetAutomaticQuality{true});
+        session.step();
+        session.update_frame();
+        EXPECT_EQ(session.frame().statistics.quality, drawing_ms == 0.0 ? 1.0 : 0.0);
+    }
+}
+
 // A machine for which every step is too slow: the session goes down the dial by itself.
 TEST(Session, StepsDownWhenTheMachineFallsBehind) {
     auto patient = std::make_shared<PatientCase>(*small_patient());
