@@ -90,7 +90,7 @@ std::vector<int> Tearing::crossing(const Vec3& corner_mm, const Vec3& first_edge
     };
     const auto joints = topology_.joints();
     for (std::size_t j = 0; j < joints.size(); ++j) {
-        if (topology_.parted(static_cast<int>(j))) continue;
+        if (!holds(static_cast<int>(j))) continue;
         const Vec3 from = centre(joints[j].tetrahedra[0]) - corner_mm;
         const Vec3 to = centre(joints[j].tetrahedra[1]) - corner_mm;
         const double before = from.dot(normal), after = to.dot(normal);
@@ -181,8 +181,16 @@ void Tearing::add_neighbours(std::vector<int>& parting) const {
 void Tearing::cut(std::span<const int> joints) {
     std::vector<int> whole;
     for (const int j : joints)
-        if (!topology_.parted(j)) whole.push_back(j);
+        if (topology_.parted(j))
+            most_mm_[j].fill(softening_.opening_mm);
+        else
+            whole.push_back(j);
     part(whole, softening_.opening_mm);
+}
+
+bool Tearing::holds(int joint) const {
+    return !topology_.parted(joint) ||
+           !std::ranges::all_of(most_mm_[joint], [this](double most) { return apart(most); });
 }
 
 void Tearing::part(std::span<const int> joints, double most_mm) {

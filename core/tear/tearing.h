@@ -40,11 +40,13 @@ class Tearing {
     // The joints that were weakened but have not parted, ascending.
     std::vector<int> weakened() const;
 
-    // The joints whose two tetrahedra lie on different sides of a parallelogram, given by a corner
-    // and two edges, that the line between their centres crosses.
+    // The joints that hold, be it by ties alone, and whose two tetrahedra lie on different sides of
+    // a parallelogram, given by a corner and two edges, that the line between their centres
+    // crosses.
     std::vector<int> crossing(const Vec3& corner_mm, const Vec3& first_edge_mm,
                               const Vec3& second_edge_mm, std::span<const Vec3> positions_mm) const;
-    // Parts these joints at once, without ties.
+    // Parts these joints at once, without ties; those that parted before lose theirs, and with them
+    // the energy that these hold.
     void cut(std::span<const int> joints);
 
     // Parts overloaded joints, the most loaded first, at most `most_joints` per step not counting
@@ -88,6 +90,7 @@ class Tearing {
     };
 
     double load_of(const Joint& joint, double limit_pa, const TearLoads& loads) const;
+    bool holds(int joint) const;  // whole, or bound by ties
     bool apart(double most_mm) const { return most_mm >= softening_.opening_mm; }
     void part(std::span<const int> joints, double most_mm);
     void add_neighbours(std::vector<int>& overloaded) const;

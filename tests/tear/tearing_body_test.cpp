@@ -218,6 +218,33 @@ TEST(TearingBody, ANotchedBarBreaksAtItsNotch) {
     for (const Vec3& place : torn_places(*stepper)) EXPECT_NEAR(place.x(), 12.0, 2.5);
 }
 
+// Joints that soften still bind the two sides, until a blade goes through them.
+TEST(TearingBody, ABladeCutsWhatHasBegunToTear) {
+    BodyDescription body =
+        bar(Vec3(20, 4, 4), {15, 3, 3}, {.strength_pa = 1e5, .fracture_energy_j_m2 = 300.0});
+    clamp_at_0(body);
+    const auto stepper = make_cpu_stepper(body, {});
+    stepper->cut(Vec3(12.0, -1, -1), Vec3(0, 6, 0), Vec3(0, 0, 2.5));
+    const Tearing& tearing = *stepper->tearing();
+    StepReport report;
+    for (int k = 1; k < 400 && tearing.ties().size() < 20; ++k) {
+        stepper->set_grabs(pull_of(body, 20.0, 0.2 * k));
+        report = stepper->step(frame_s);
+    }
+    const std::size_t bound = tearing.ties().size();
+    ASSERT_GE(bound, 20u);
+    ASSERT_EQ(tearing.report().pieces, 1);
+    double middle = 0.0;
+    for (const SofteningTie& tie : tearing.ties())
+        for (const int v : tie.vertices)
+            middle += stepper->positions_mm()[v].x() / (2.0 * static_cast<double>(bound));
+    stepper->cut(Vec3(middle, -5, -5), Vec3(0, 14, 0), Vec3(0, 0, 14));
+    EXPECT_EQ(tearing.report().pieces, 2);
+    EXPECT_LT(tearing.ties().size(), bound);
+    stepper->set_grabs({});
+    EXPECT_LE(stored_energy(stepper->step(frame_s).energy), stored_energy(report.energy));
+}
+
 TEST(TearingBody, AWholeBarBreaksAtItsClamp) {
     BodyDescription body = bar(Vec3(20, 4, 4), {15, 3, 3}, {.strength_pa = 1e5});
     clamp_at_0(body);
