@@ -3,8 +3,10 @@
 #include <gdcmImageChangeTransferSyntax.h>
 #include <gdcmImageReader.h>
 #include <gdcmImageWriter.h>
+#include <gdcmReader.h>
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <functional>
 
 #include "core/base/parallel.h"
@@ -28,6 +30,28 @@ TEST(Dicom, ComesBackAsItWasWritten) {
         EXPECT_EQ(read.voxels, folder.volume().voxels);
         EXPECT_TRUE(remarks.empty());
     }
+}
+
+// As PS3.3 C.8.2.1 wants the pixels of a CT: 16 bits, signed (1; there is no 2), one sample.
+TEST(Dicom, DescribesItsPixelsAsTheStandardAsks) {
+    const DicomFolder folder;
+    gdcm::Reader reader;
+    reader.SetFileName(folder.slice(1).c_str());
+    ASSERT_TRUE(reader.Read());
+    const gdcm::DataSet& data = reader.GetFile().GetDataSet();
+    const auto number = [&](std::uint16_t element) {
+        const gdcm::ByteValue* value =
+            data.GetDataElement(gdcm::Tag(0x0028, element)).GetByteValue();
+        std::uint16_t read = 0;
+        if (value != nullptr && value->GetLength() == sizeof(read))
+            std::memcpy(&read, value->GetPointer(), sizeof(read));
+        return read;
+    };
+    EXPECT_EQ(number(0x0002), 1) << "samples per pixel";
+    EXPECT_EQ(number(0x0100), 16) << "bits allocated";
+    EXPECT_EQ(number(0x0101), 16) << "bits stored";
+    EXPECT_EQ(number(0x0102), 15) << "high bit";
+    EXPECT_EQ(number(0x0103), 1) << "pixel representation";
 }
 
 TEST(Dicom, IsWrittenWithTheSameBytesEveryTime) {
