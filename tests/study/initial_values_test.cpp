@@ -64,7 +64,6 @@ TEST(StudyInitialFigures, AreThoseRecorded) {
     HEPATICA_ADD_INITIAL(figures, TearRow);
     HEPATICA_ADD_INITIAL(figures, TearRow::Sample);
     HEPATICA_ADD_INITIAL(figures, FrameTime);
-    HEPATICA_ADD_INITIAL(figures, FrameTimer);
     HEPATICA_ADD_INITIAL(figures, TradeoffPoint);
     HEPATICA_ADD_INITIAL(figures, Tradeoff);
     HEPATICA_ADD_INITIAL(figures, TradeoffOptions);
