@@ -114,23 +114,8 @@ ContactTradeoff measure_contact_tradeoff(const ContactTradeoffOptions& options, 
         tradeoff.points.push_back(std::move(measured));
         job.advance(static_cast<double>(tradeoff.points.size()) / static_cast<double>(all.size()));
     }
-    Tradeoff marked = as_tradeoff(tradeoff);
-    mark_front(marked);
-    for (std::size_t i = 0; i < marked.points.size(); ++i) {
-        tradeoff.points[i].point.on_front = marked.points[i].on_front;
-        tradeoff.points[i].point.quality = marked.points[i].quality;
-    }
+    mark_front_of(tradeoff);
     return tradeoff;
-}
-
-Tradeoff as_tradeoff(const ContactTradeoff& tradeoff) {
-    Tradeoff plain;
-    plain.reference = tradeoff.reference;
-    for (const ContactPoint& measured : tradeoff.points) {
-        plain.points.push_back(measured.point);
-        plain.points.back().element = measured.name;
-    }
-    return plain;
 }
 
 }  // namespace hepatica

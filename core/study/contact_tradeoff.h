@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/study/named_points.h"
 #include "core/study/tradeoff.h"
 
 namespace hepatica {
@@ -34,8 +35,5 @@ struct ContactTradeoffOptions {
 // Points are in the order of the settings, with the front marked. Begins two stages of the job.
 // Throws Cancelled, after a substep at most.
 ContactTradeoff measure_contact_tradeoff(const ContactTradeoffOptions& options, Job& job);
-
-// As a Tradeoff whose elements are named by the settings, for write_tradeoff().
-Tradeoff as_tradeoff(const ContactTradeoff& tradeoff);
 
 }  // namespace hepatica

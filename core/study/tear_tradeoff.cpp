@@ -114,23 +114,8 @@ TearTradeoff measure_tear_tradeoff(const TearTradeoffOptions& options, Job& job)
         tradeoff.points.back().point.own_mesh = setting.edge_mm == options.edge_mm;
         job.advance(static_cast<double>(tradeoff.points.size()) / static_cast<double>(all.size()));
     }
-    Tradeoff marked = as_tradeoff(tradeoff);
-    mark_front(marked);
-    for (std::size_t i = 0; i < marked.points.size(); ++i) {
-        tradeoff.points[i].point.on_front = marked.points[i].on_front;
-        tradeoff.points[i].point.quality = marked.points[i].quality;
-    }
+    mark_front_of(tradeoff);
     return tradeoff;
-}
-
-Tradeoff as_tradeoff(const TearTradeoff& tradeoff) {
-    Tradeoff plain;
-    plain.reference = tradeoff.reference;
-    for (const TearPoint& measured : tradeoff.points) {
-        plain.points.push_back(measured.point);
-        plain.points.back().element = measured.name;
-    }
-    return plain;
 }
 
 }  // namespace hepatica

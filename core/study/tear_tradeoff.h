@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/study/named_points.h"
 #include "core/study/tear_study.h"
 #include "core/study/tradeoff.h"
 
@@ -43,8 +44,5 @@ struct TearTradeoffOptions {
 // Points are in the order of the settings, with the front marked. Begins two stages of the job.
 // Throws InputError for values out of range, Cancelled.
 TearTradeoff measure_tear_tradeoff(const TearTradeoffOptions& options, Job& job);
-
-// As a Tradeoff whose elements are named by the settings, for write_tradeoff().
-Tradeoff as_tradeoff(const TearTradeoff& tradeoff);
 
 }  // namespace hepatica

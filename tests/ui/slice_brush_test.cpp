@@ -24,6 +24,18 @@ class BrushOnSlices : public testing::SlicesTest {
         window_.findChild<QDoubleSpinBox*>("brushRadius")->setValue(4.0);
         scene().set_crosshair(ct_.grid.to_mm(20, 25, 30));
     }
+    // Of a patient whose liver fills the lower right corner of the slice.
+    void begin_beside_a_liver() {
+        auto patient = std::make_shared<PatientCase>(*patient_);
+        patient->organs = Mask(ct_.grid);
+        for (int k = 0; k < 60; ++k)
+            for (int j = 0; j < 50; ++j)
+                for (int i = 30; i < 40; ++i) patient->organs.voxels[ct_.grid.offset(i, j, k)] = 1;
+        patient_ = patient;
+        begin();
+        ASSERT_TRUE(
+            testing::wait_for([this] { return !scene().tumours().organs().voxels.empty(); }));
+    }
     void take(int purpose) { emit choice().activated(purpose); }
     // From left to right, with the button held.
     void stroke() {
@@ -203,16 +215,9 @@ TEST_F(BrushOnSlices, IsAskedAboutBeforeTheWindowCloses) {
     EXPECT_FALSE(window_.isVisible());
 }
 
-// The liver fills the lower right corner of the slice; what is painted lies far to the left of it.
+// What is painted lies far to the left of the liver.
 TEST_F(BrushOnSlices, WarnsOfAStrokeFarOutsideTheLiverAndTakesItBack) {
-    auto patient = std::make_shared<PatientCase>(*patient_);
-    patient->organs = Mask(ct_.grid);
-    for (int k = 0; k < 60; ++k)
-        for (int j = 0; j < 50; ++j)
-            for (int i = 30; i < 40; ++i) patient->organs.voxels[ct_.grid.offset(i, j, k)] = 1;
-    patient_ = patient;
-    begin();
-    ASSERT_TRUE(testing::wait_for([this] { return !scene().tumours().organs().voxels.empty(); }));
+    begin_beside_a_liver();
     scene().set_crosshair(ct_.grid.to_mm(29, 25, 30));
     QTest::keyClick(&axial(), Qt::Key_Return);
     EXPECT_EQ(window_.messages().text(), "") << "beside the liver run its vessels, too";
@@ -226,14 +231,7 @@ TEST_F(BrushOnSlices, WarnsOfAStrokeFarOutsideTheLiverAndTakesItBack) {
 }
 
 TEST_F(BrushOnSlices, SaysThatATumourLiesOutsideTheLiverAndTakesItBack) {
-    auto patient = std::make_shared<PatientCase>(*patient_);
-    patient->organs = Mask(ct_.grid);
-    for (int k = 0; k < 60; ++k)
-        for (int j = 0; j < 50; ++j)
-            for (int i = 30; i < 40; ++i) patient->organs.voxels[ct_.grid.offset(i, j, k)] = 1;
-    patient_ = patient;
-    begin();
-    ASSERT_TRUE(testing::wait_for([this] { return !scene().tumours().organs().voxels.empty(); }));
+    begin_beside_a_liver();
     constexpr int painting_tumours = 8;
     take(painting_tumours);
     scene().set_crosshair(ct_.grid.to_mm(34, 25, 30));
