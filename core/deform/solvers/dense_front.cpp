@@ -67,7 +67,8 @@ void subtract_tile(const T* a, const T* b, std::ptrdiff_t stride, int depth, T* 
     }
 }
 
-// Rows [0, rows) of C columns; rows is a multiple of the packet because of padding.
+// Rows [0, rows) of C columns, rounded up to whole packets. What is computed beyond them is garbage
+// in rows above the next column's diagonal or in the slack.
 template <int C, class T>
 void subtract_rows(const T* a, const T* b, std::ptrdiff_t stride, int depth, T* target,
                    std::ptrdiff_t target_stride, int rows) {
@@ -159,7 +160,7 @@ int factor_front(T* panel, T* remainder, int pivots, int rest, PivotRule rule,
             throw_if_stopped(stop);
             const T* rows = panel + pivots + j;
             subtract_columns(std::min(strip, rest - j), rows, rows, stride, pivots,
-                             remainder + j * rest_stride + j, rest_stride, padded<T>(rest) - j);
+                             remainder + j * rest_stride + j, rest_stride, padded<T>(rest - j));
         }
     });
     return lost;
