@@ -228,7 +228,10 @@ TEST(RecordingFile, ATornLastLineIsLeftOutWithAWarning) {
             EXPECT_THAT(read.warnings[0], HasSubstr("line 5"));
         }
     }
-    // A keyframe, too.
+}
+
+TEST(RecordingFile, ATornKeyframeIsLeftOutWithAWarning) {
+    const fs::path file = fs::path(testing::TempDir()) / "torn_keyframe.hrec";
     const std::string eventful = written(*eventful_recording());
     const std::size_t keyframe = eventful.find("{\"keyframe\"");
     std::ofstream(file) << eventful.substr(0, keyframe + 1000);

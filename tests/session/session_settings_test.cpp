@@ -80,7 +80,7 @@ TEST(Session, TheSettingsUsedAreInTheRecordingWhateverTheDialOffers) {
     patient->dial_json =
         dial_json({{two, 1e-6, 0.2, "this body"}, {five, 2e-6, 0.1, "this body"}}, *patient);
     SceneSpec spec = default_scene();
-    spec.dt_s = 0.5;  // a budget that no machine misses
+    spec.dt_s = 1.0;  // a budget that no machine misses
     Job job;
     Session session(patient, spec, job);
     const auto kept = keep_recording(session);
