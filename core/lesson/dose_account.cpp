@@ -74,18 +74,22 @@ Dose DoseCurve::at(double time_s) const {
 }
 
 void DoseAccount::see(const DrugView& drug) {
-    if (drug.injection != followed_) {
-        past_ = total();
-        present_ = {};
-        followed_ = drug.injection;
-        curve_.reset();
-        if (followed_) curve_.emplace(tree_, *followed_, drug.end_s, target_);
-    }
-    if (curve_) present_ = curve_->at(drug.time_s);
+    const auto undone = [&drug](const Part& part) {
+        const bool replaced = drug.injection != nullptr && part.injection != drug.injection;
+        return part.number > drug.injections || (part.number == drug.injections && replaced);
+    };
+    while (!parts_.empty() && undone(parts_.back())) parts_.pop_back();
+    if (!drug.injection) return;
+    if (parts_.empty() || parts_.back().injection != drug.injection)
+        parts_.push_back(
+            {drug.injections, drug.injection, {tree_, *drug.injection, drug.end_s, target_}, {}});
+    parts_.back().dose = parts_.back().curve.at(drug.time_s);
 }
 
 Dose DoseAccount::total() const {
-    return sum(past_, present_);
+    Dose all;
+    for (const Part& part : parts_) all = sum(all, part.dose);
+    return all;
 }
 
 }  // namespace hepatica

@@ -41,7 +41,8 @@ class DoseCurve {
 };
 
 // Sum over all injections of a play; one that is replaced or removed counts up to that moment.
-// Keeps a reference to the tree. Not thread-safe.
+// Where the play goes back to an earlier state, what was injected since does not count. Keeps a
+// reference to the tree. Not thread-safe.
 class DoseAccount {
   public:
     DoseAccount(const VesselTree& tree, const std::optional<TargetRegion>& target)
@@ -52,11 +53,15 @@ class DoseAccount {
     Dose total() const;
 
   private:
+    struct Part {        // one injection
+        int number = 0;  // DrugView::injections
+        std::shared_ptr<const InjectionOptions> injection;
+        DoseCurve curve;
+        Dose dose;  // up to the last frame that showed it
+    };
     const VesselTree& tree_;
     std::optional<TargetRegion> target_;
-    std::shared_ptr<const InjectionOptions> followed_;
-    std::optional<DoseCurve> curve_;
-    Dose past_, present_;
+    std::vector<Part> parts_;
 };
 
 }  // namespace hepatica

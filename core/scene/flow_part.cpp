@@ -64,6 +64,7 @@ void FlowPart::start(const Injection& injection, DrugArrival arrival) {
     drug_.arrival_s = std::move(arrival.arrival_s);
     drug_.injection = std::make_shared<const InjectionOptions>(injection_options(injection, tree_));
     ++drug_.version;
+    ++drug_.injections;
     drug_.time_s = 0.0;
     drug_.end_s = arrival.end_s;
     drug_.playing = true;
@@ -142,6 +143,8 @@ FlowCheckpoint FlowPart::checkpoint() const {
     checkpoint.playing = drug_.playing;
     checkpoint.speed = drug_.speed;
     checkpoint.arrival = {drug_.arrival_s, drug_.end_s, mass_error_relative_};
+    checkpoint.options = drug_.injection;
+    checkpoint.injections = drug_.injections;
     return checkpoint;
 }
 
@@ -162,9 +165,11 @@ void FlowPart::restore(const FlowCheckpoint& checkpoint) {
     end_run();
     run_ = std::move(run);
     injected_ = checkpoint.injected;
-    drug_.injection = checkpoint.injected ? std::make_shared<const InjectionOptions>(
-                                                injection_options(*checkpoint.injected, tree_))
-                                          : nullptr;
+    drug_.injection = checkpoint.options;
+    if (checkpoint.injected && !drug_.injection)
+        drug_.injection = std::make_shared<const InjectionOptions>(
+            injection_options(*checkpoint.injected, tree_));
+    drug_.injections = checkpoint.injections;
     mass_error_relative_ = arrival.mass_error_relative;
     drug_.computing = run_ != nullptr;
     drug_.arrival_s = std::move(arrival.arrival_s);

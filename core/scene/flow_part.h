@@ -30,6 +30,8 @@ struct FlowCheckpoint {
     // The result of `injected`, so that going back costs nothing; computed again where it is empty,
     // as after reading from a file.
     DrugArrival arrival{};
+    std::shared_ptr<const InjectionOptions> options{};  // of `injected`; empty as `arrival` is
+    int injections = 0;                                 // so far, with `injected`
 };
 
 class FlowPart {
@@ -68,7 +70,8 @@ class FlowPart {
     // was being computed is started again. Throws InputError and changes nothing where the
     // checkpoint is not of this tree.
     void restore(const FlowCheckpoint& checkpoint);
-    // Hash of everything in a checkpoint except `arrival`, which follows from the rest.
+    // Hash of everything in a checkpoint except `arrival` and `options`, which follow from the
+    // rest, and `injections`, which changes no step.
     std::uint64_t state_hash() const;
 
     const DrugView& drug() const { return drug_; }

@@ -4,9 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "core/base/error.h"
 #include "core/scene/drug_arrival.h"
+#include "core/scene/world.h"
+#include "core/scene/world_checkpoint.h"
 #include "tests/mesh/random_tree.h"
+#include "tests/session/new_session.h"
 
 namespace hepatica {
 namespace {
@@ -98,17 +103,96 @@ TEST(DoseAccount, AddsUpInjectionsAsFarAsTheyWent) {
     const auto options = std::make_shared<const InjectionOptions>(into({0, 0.0}));
     DrugView drug;
     drug.injection = options;
+    drug.injections = 1;
     drug.end_s = end_s;
     drug.time_s = 5.0;
     DoseAccount account(tree(), from(0));
     account.see(drug);
     EXPECT_NEAR(account.total().injected_g, 15.0, 1e-9);
-    account.see(DrugView{});
+    DrugView none;
+    none.injections = 1;
+    account.see(none);
     EXPECT_NEAR(account.total().injected_g, 15.0, 1e-9) << "taken out";
     drug.injection = std::make_shared<const InjectionOptions>(*options);
+    drug.injections = 2;
     drug.time_s = 2.0;
     account.see(drug);
     EXPECT_NEAR(account.total().injected_g, 21.0, 1e-9);
+}
+
+// A play of the small patient whose drug is weighed in every frame.
+struct WeighedPlay {
+    WeighedPlay() {
+        SceneSpec scene;
+        scene.deform.reset();
+        session = test::new_session(scene);
+    }
+    void play(int steps) {
+        for (int i = 0; i < steps; ++i) {
+            session->step();
+            session->update_frame();
+            account.see(drug());
+        }
+    }
+    void inject(double mass_flow_g_s) {
+        session->post(InjectDrug{.point_mm = test::small_patient()->tree.nodes[0].position_mm,
+                                 .mass_flow_g_s = mass_flow_g_s});
+    }
+    const DrugView& drug() const { return session->frame().drug; }
+
+    std::unique_ptr<Session> session;
+    DoseAccount account{test::small_patient()->tree, {}};
+};
+
+TEST(DoseAccount, WhereThePlayGoesBackAnInjectionCountsOnce) {
+    WeighedPlay play;
+    play.inject(2.0);
+    play.play(70);
+    ASSERT_LT(play.drug().time_s, play.drug().end_s);
+    ASSERT_NEAR(play.account.total().injected_g, 2.0 * play.drug().time_s, 1e-9);
+    const auto injected = play.drug().injection;
+    play.session->post(RestoreSnapshot{});
+    play.play(1);
+    EXPECT_NEAR(play.drug().time_s, 61.0 / 60.0, 1e-9) << "the snapshot is of step 60";
+    EXPECT_EQ(play.drug().injection, injected) << "its curves need not be computed again";
+    EXPECT_NEAR(play.account.total().injected_g, 2.0 * play.drug().time_s, 1e-9);
+    play.play(5);
+    play.inject(1.0);  // replaces it, and is undone
+    play.play(5);
+    EXPECT_GT(play.account.total().injected_g, 2.0 * 66.0 / 60.0);
+    play.session->post(RestoreSnapshot{});
+    play.play(1);
+    EXPECT_NEAR(play.account.total().injected_g, 2.0 * play.drug().time_s, 1e-9);
+}
+
+TEST(DoseAccount, WhereThePlayGoesBackToBeforeAnInjectionNothingWasInjected) {
+    WeighedPlay play;
+    play.play(62);
+    play.inject(2.0);
+    play.play(20);
+    EXPECT_GT(play.account.total().injected_g, 0.5);
+    play.session->post(RestoreSnapshot{});
+    play.play(1);
+    EXPECT_EQ(play.account.total().injected_g, 0.0);
+    play.inject(3.0);
+    play.play(10);
+    EXPECT_NEAR(play.account.total().injected_g, 3.0 * play.drug().time_s, 1e-9);
+}
+
+// A keyframe that was read from a file knows the injection by its values alone.
+TEST(DoseAccount, AnInjectionOfAKeyframeThatWasReadCountsOnce) {
+    WeighedPlay play;
+    play.inject(2.0);
+    play.play(30);
+    const std::string text = to_json(play.session->world().checkpoint()).dump();
+    WeighedPlay later;
+    later.session->restore(
+        {.world = world_checkpoint_from_json(nlohmann::ordered_json::parse(text))});
+    later.play(20);
+    EXPECT_NEAR(later.account.total().injected_g, 2.0 * 50.0 / 60.0, 1e-9);
+    later.session->post(RestoreSnapshot{});
+    later.play(1);
+    EXPECT_NEAR(later.account.total().injected_g, 2.0 * 31.0 / 60.0, 1e-9);
 }
 
 TEST(TargetRegion, IsTheAnatomyBeyondThePlace) {
