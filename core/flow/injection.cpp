@@ -166,7 +166,8 @@ TreePoint main_root(const VesselTree& tree) {
     return {std::max(best, 0), 0.0, 0.0};
 }
 
-InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, Job& job) {
+InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, Job& job,
+                       const std::function<void(const InjectionResult&)>& sampled) {
     job.begin_stage("injection");
     validate_options(options);
     InjectionResult injection;
@@ -189,6 +190,7 @@ InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, 
     const auto record = [&] {
         injection.series.push_back(sample(injection, front, tree_mm3, tree.segments.size(),
                                           options.record_filled_lengths));
+        if (sampled) sampled(injection);
     };
     record();
     for (std::size_t k = 1; front.time_s() < until; ++k) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -90,9 +91,11 @@ struct InjectionResult {
 
 // With two different fluids the splits at branchings change while the vessels fill. The arrival
 // times are those of the stepped front, and equal the closed form where the drug has the blood's
-// properties. Begins one stage of the job. Throws InputError where an option is out of range or
-// nothing can flow, and Cancelled.
-InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, Job& job);
+// properties. `sampled` is called after each sample of the series with what there is by then: the
+// network, the start and the series. Begins one stage of the job. Throws InputError where an option
+// is out of range or nothing can flow, and Cancelled.
+InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, Job& job,
+                       const std::function<void(const InjectionResult&)>& sampled = {});
 
 // The injected fluid of these options.
 Fluid drug_of(const InjectionOptions& options);

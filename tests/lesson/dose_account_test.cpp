@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
@@ -118,6 +119,44 @@ TEST(DoseAccount, AddsUpInjectionsAsFarAsTheyWent) {
     drug.time_s = 2.0;
     account.see(drug);
     EXPECT_NEAR(account.total().injected_g, 21.0, 1e-9);
+}
+
+double thread_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// Of the processor's time, so that the machine's load does not matter.
+TEST(DoseAccount, OfADrugUnlikeBloodCostsTheThreadThatStepsNothing) {
+    DrugView drug;
+    drug.injection = std::make_shared<const InjectionOptions>(into({0, 0.0}, 0.5));
+    drug.injections = 1;
+    drug.end_s = end_s;
+    InjectionOptions run = *drug.injection;
+    run.until_s = end_s;
+    run.step_s = end_s / 500.0;
+    const double before = thread_seconds();
+    Job job;
+    const InjectionResult whole = inject(tree(), run, job);
+    const double alone = thread_seconds();
+    DoseAccount account(tree(), from(0));
+    for (const double time_s : {0.02, 5.0, end_s}) {
+        drug.time_s = time_s;
+        account.see(drug);
+    }
+    const double with_account = thread_seconds();
+    EXPECT_LT(with_account - alone, 0.25 * (alone - before));
+    EXPECT_EQ(account.total().delivered_g, whole.series.back().delivered_g);
+    EXPECT_EQ(account.total().injected_g, whole.series.back().injected_g);
+}
+
+TEST(DoseCurve, WhatCannotFlowIsSaidAlthoughAnotherThreadFindsIt) {
+    InjectionOptions options = into({0, 0.0});
+    options.tip->segment = 99;
+    const DoseCurve curve(tree(), options, end_s, {});
+    EXPECT_THROW(curve.at(1.0), InputError);
+    EXPECT_THROW(curve.at(end_s), InputError) << "again";
 }
 
 // A play of the small patient whose drug is weighed in every frame.
