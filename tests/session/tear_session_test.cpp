@@ -358,6 +358,30 @@ TEST(TearSession, TheWholeDialIsBackOnceNothingTearsAnyMore) {
     EXPECT_EQ(order_at(1.0), ElementOrder::quadratic);
 }
 
+// Tearing may have begun, or ended, between the start of the session and the keyframe.
+TEST(TearSession, TheDialIsThatOfTheKeyframeThatIsRestored) {
+    const StepperOptions exact{.order = ElementOrder::quadratic};
+    const auto session = new_session();
+    session->use_dial(QualityDial({{{}, 1.0, 0.2, "mixed"}, {exact, 9.0, 0.1, "mixed"}}));
+    session->step();
+    const Keyframe whole{.world = session->world().checkpoint()};
+    const auto other = new_session();
+    other->post(UseTear{true, 1.0});
+    other->step();
+    const Keyframe torn{.world = other->world().checkpoint()};
+    const auto finest = [&] {
+        session->post(SetQuality{1.0});
+        session->step();
+        session->update_frame();
+        return session->frame().statistics.expected_error;
+    };
+    session->restore(torn);
+    EXPECT_EQ(finest(), 0.2);
+    EXPECT_EQ(session->frame().statistics.message, "") << "it asked for one that cannot tear";
+    session->restore(whole);
+    EXPECT_EQ(finest(), 0.1);
+}
+
 // Neither the dial nor the commands of that step are lost.
 TEST(TearSession, RefusesADialOfWhichNothingTearsAndKeepsItsOwn) {
     const auto session = new_session(that_tears());
