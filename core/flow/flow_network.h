@@ -3,6 +3,7 @@
 // volumes, and the places where a catheter or a tear divides them.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/flow/pressure_drop.h"
@@ -80,8 +81,11 @@ int divide(FlowNetwork& network, const TreePoint& point);
 // passes it from upstream, and nothing that it injects flows back.
 int place_catheter(FlowNetwork& network, const TreePoint& tip, bool wedged);
 
-// Tears the vessel through at a point: both stumps bleed.
-void tear(FlowNetwork& network, const TreePoint& point);
+// Tears the vessel through at a point: both stumps bleed. At an end of the segment it alone is
+// severed from what it joins there, which stays joined and bleeds from the hole. Returns the nodes
+// of the two stumps, that on the proximal side first, each of which is in torn_nodes once; they are
+// the same where nothing else was there to be severed from.
+std::array<int, 2> tear(FlowNetwork& network, const TreePoint& point);
 
 // Closes (or opens) every part of a segment of the vessel tree: a clamp, a plug, a spasm.
 void set_open(FlowNetwork& network, int tree_segment, bool open);

@@ -85,6 +85,28 @@ FlowConditions conditions_of(const VesselTree& tree, const RestingFlow& rest,
     return conditions;
 }
 
+// Where a tear bleeds; several may share a node, as of branches that were torn off one fork.
+struct Opening {
+    std::size_t tear = 0;
+    std::size_t torn_node = 0;  // index into FlowNetwork::torn_nodes
+    double area_mm2 = 0.0;
+};
+
+std::vector<Opening> tear_all(FlowNetwork& network, const std::vector<ThroughTear>& tears) {
+    std::vector<Opening> openings;
+    const auto add = [&](std::size_t tear, int node) {
+        const auto found = std::ranges::find(network.torn_nodes, node);
+        openings.push_back({tear, static_cast<std::size_t>(found - network.torn_nodes.begin()),
+                            tears[tear].area_mm2});
+    };
+    for (std::size_t i = 0; i < tears.size(); ++i) {
+        const auto [proximal, distal] = tear(network, tears[i].at);
+        add(i, distal);
+        if (proximal != distal) add(i, proximal);
+    }
+    return openings;
+}
+
 }  // namespace
 
 Bleeding::Bleeding(const VesselTree& tree, const RestingFlow& rest) : tree_(tree), rest_(rest) {}
@@ -168,15 +190,9 @@ void Bleeding::solve() {
     const FlowConditions conditions = conditions_of(tree_, rest_, network);
     for (const Squeeze& s : squeezes_) squeeze(network, s.segment, s.from_mm, s.to_mm, s.share);
     FlowConditions torn = conditions;
-    std::vector<std::size_t> tear_of_stump;
-    for (const ThroughTear& one : tears_) {
-        const std::size_t before = network.torn_nodes.size();
-        tear(network, one.at);
-        torn.torn_areas_mm2.resize(torn.torn_areas_mm2.size() + network.torn_nodes.size() - before,
-                                   one.area_mm2);
-        tear_of_stump.resize(network.torn_nodes.size(),
-                             static_cast<std::size_t>(&one - tears_.data()));
-    }
+    const std::vector<Opening> openings = tear_all(network, tears_);
+    torn.torn_areas_mm2.assign(network.torn_nodes.size(), 0.0);
+    for (const Opening& one : openings) torn.torn_areas_mm2[one.torn_node] += one.area_mm2;
     NetworkFlow flow(network, torn);
     FlowSolution solution = flow.solve();
     if (!squeezes_.empty()) {
@@ -186,8 +202,9 @@ void Bleeding::solve() {
     }
     const double density = torn.resident.density_g_mm3;
     for (const double out : solution.torn_flow_mm3_s) leak_g_s_ += out * density;
-    for (std::size_t i = 0; i < tear_of_stump.size(); ++i)
-        leaks_g_s_[tear_of_stump[i]] += solution.torn_flow_mm3_s[i] * density;
+    for (const Opening& one : openings)
+        leaks_g_s_[one.tear] += solution.torn_flow_mm3_s[one.torn_node] * density *
+                                (one.area_mm2 / torn.torn_areas_mm2[one.torn_node]);
 }
 
 }  // namespace hepatica
