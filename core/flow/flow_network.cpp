@@ -310,6 +310,29 @@ std::array<int, 2> tear(FlowNetwork& network, const TreePoint& point) {
     return stumps;
 }
 
+std::vector<TearOpening> tear_all(FlowNetwork& network, std::span<const TreePoint> points,
+                                  std::span<const double> areas_mm2) {
+    std::vector<TearOpening> openings;
+    const auto add = [&](std::size_t tear, int node) {
+        const auto found = std::ranges::find(network.torn_nodes, node);
+        openings.push_back(
+            {tear, static_cast<std::size_t>(found - network.torn_nodes.begin()), areas_mm2[tear]});
+    };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto [proximal, distal] = tear(network, points[i]);
+        add(i, distal);
+        if (proximal != distal) add(i, proximal);
+    }
+    return openings;
+}
+
+std::vector<double> torn_areas_mm2(const FlowNetwork& network,
+                                   std::span<const TearOpening> openings) {
+    std::vector<double> areas(network.torn_nodes.size(), 0.0);
+    for (const TearOpening& one : openings) areas[one.torn_node] += one.area_mm2;
+    return areas;
+}
+
 void set_open(FlowNetwork& network, int tree_segment, bool open) {
     for (FlowSegment& s : network.segments)
         if (s.tree_segment == tree_segment && s.proximal_node != s.distal_node) s.open = open;

@@ -53,9 +53,9 @@ void prepare(const VesselTree& tree, const InjectionOptions& options, InjectionR
                              "Close a segment of the vessel tree");
         set_open(network, closed, false);
     }
-    for (const TreePoint& point : options.tears) tear(network, point);
-    injection.tip_node = place_catheter(network, tip, options.wedged);
     FlowConditions& conditions = injection.conditions;
+    tear_for(options, network, conditions);
+    injection.tip_node = place_catheter(network, tip, options.wedged);
     conditions.law = options.law;
     conditions.resident = pure(options.liquid);
     conditions.outlet_pressure_pa = options.outlet_pressure_pa;
@@ -115,6 +115,20 @@ InjectionSample sample(const InjectionResult& injection, const DrugFront& front,
 }
 
 }  // namespace
+
+void tear_for(const InjectionOptions& options, FlowNetwork& network, FlowConditions& conditions) {
+    if (options.tear_areas_mm2.empty()) {
+        for (const TreePoint& point : options.tears) tear(network, point);
+        return;
+    }
+    if (options.tear_areas_mm2.size() != options.tears.size())
+        throw InputError("there are " + std::to_string(options.tear_areas_mm2.size()) +
+                             " openings of " + std::to_string(options.tears.size()) + " tears",
+                         "injection", "Give one for each or none");
+    const std::vector<TearOpening> openings =
+        tear_all(network, options.tears, options.tear_areas_mm2);
+    conditions.torn_areas_mm2 = torn_areas_mm2(network, openings);
+}
 
 Fluid drug_of(const InjectionOptions& options) {
     Fluid drug = mixture(options.liquid, options.second_phase, options.void_fraction);

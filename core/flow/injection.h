@@ -59,6 +59,8 @@ struct InjectionOptions {
     FrontOptions front;                  // its injection_end_s is ignored
     std::vector<TreePoint> territories;  // whose drug is to be followed
     bool record_filled_lengths = false;  // per segment and sample
+    // Of each of `tears`, the opening at both stumps; empty: nothing holds the flow up there.
+    std::vector<double> tear_areas_mm2;
 };
 
 // The state at one moment.
@@ -96,6 +98,10 @@ struct InjectionResult {
 // is out of range or nothing can flow, and Cancelled.
 InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, Job& job,
                        const std::function<void(const InjectionResult&)>& sampled = {});
+
+// Tears the network at the options' tears and sets the openings in the conditions. Throws
+// InputError where the areas are not as many as the tears.
+void tear_for(const InjectionOptions& options, FlowNetwork& network, FlowConditions& conditions);
 
 // The injected fluid of these options.
 Fluid drug_of(const InjectionOptions& options);

@@ -85,28 +85,6 @@ FlowConditions conditions_of(const VesselTree& tree, const RestingFlow& rest,
     return conditions;
 }
 
-// Where a tear bleeds; several may share a node, as of branches that were torn off one fork.
-struct Opening {
-    std::size_t tear = 0;
-    std::size_t torn_node = 0;  // index into FlowNetwork::torn_nodes
-    double area_mm2 = 0.0;
-};
-
-std::vector<Opening> tear_all(FlowNetwork& network, const std::vector<ThroughTear>& tears) {
-    std::vector<Opening> openings;
-    const auto add = [&](std::size_t tear, int node) {
-        const auto found = std::ranges::find(network.torn_nodes, node);
-        openings.push_back({tear, static_cast<std::size_t>(found - network.torn_nodes.begin()),
-                            tears[tear].area_mm2});
-    };
-    for (std::size_t i = 0; i < tears.size(); ++i) {
-        const auto [proximal, distal] = tear(network, tears[i].at);
-        add(i, distal);
-        if (proximal != distal) add(i, proximal);
-    }
-    return openings;
-}
-
 }  // namespace
 
 Bleeding::Bleeding(const VesselTree& tree, const RestingFlow& rest) : tree_(tree), rest_(rest) {}
@@ -190,9 +168,14 @@ void Bleeding::solve() {
     const FlowConditions conditions = conditions_of(tree_, rest_, network);
     for (const Squeeze& s : squeezes_) squeeze(network, s.segment, s.from_mm, s.to_mm, s.share);
     FlowConditions torn = conditions;
-    const std::vector<Opening> openings = tear_all(network, tears_);
-    torn.torn_areas_mm2.assign(network.torn_nodes.size(), 0.0);
-    for (const Opening& one : openings) torn.torn_areas_mm2[one.torn_node] += one.area_mm2;
+    std::vector<TreePoint> points;
+    std::vector<double> areas_mm2;
+    for (const ThroughTear& one : tears_) {
+        points.push_back(one.at);
+        areas_mm2.push_back(one.area_mm2);
+    }
+    const std::vector<TearOpening> openings = tear_all(network, points, areas_mm2);
+    torn.torn_areas_mm2 = torn_areas_mm2(network, openings);
     NetworkFlow flow(network, torn);
     FlowSolution solution = flow.solve();
     if (!squeezes_.empty()) {
@@ -202,7 +185,7 @@ void Bleeding::solve() {
     }
     const double density = torn.resident.density_g_mm3;
     for (const double out : solution.torn_flow_mm3_s) leak_g_s_ += out * density;
-    for (const Opening& one : openings)
+    for (const TearOpening& one : openings)
         leaks_g_s_[one.tear] += solution.torn_flow_mm3_s[one.torn_node] * density *
                                 (one.area_mm2 / torn.torn_areas_mm2[one.torn_node]);
 }

@@ -100,6 +100,20 @@ TEST(DoseCurve, RefluxIsWhatLeavesUpstreamOfTheTip) {
         << "the branch that holds the tip is the target";
 }
 
+TEST(DoseCurve, WhatLeaksAtATearIsDeliveredNowhere) {
+    const int branch = children(tree())[0][0];
+    InjectionOptions options = into({0, 0.0});
+    const Dose whole = DoseCurve(tree(), options, end_s, from(branch)).at(end_s);
+    options.tears = {middle_of_segment(branch)};
+    options.tear_areas_mm2 = {3.0};
+    const Dose torn = DoseCurve(tree(), options, end_s, from(branch)).at(end_s);
+    EXPECT_NEAR(torn.injected_g, whole.injected_g, 1e-9);
+    EXPECT_GT(whole.target_g, 1.0);
+    EXPECT_NEAR(torn.target_g, 0.0, 1e-9);
+    EXPECT_GT(torn.elsewhere_g(), 0.0) << "into the other branch";
+    EXPECT_LT(torn.elsewhere_g(), whole.elsewhere_g() + whole.target_g);
+}
+
 TEST(DoseAccount, AddsUpInjectionsAsFarAsTheyWent) {
     const auto options = std::make_shared<const InjectionOptions>(into({0, 0.0}));
     DrugView drug;
