@@ -2,6 +2,7 @@
 #include "core/flow/injection.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <sstream>
@@ -121,10 +122,7 @@ void tear_for(const InjectionOptions& options, FlowNetwork& network, FlowConditi
         for (const TreePoint& point : options.tears) tear(network, point);
         return;
     }
-    if (options.tear_areas_mm2.size() != options.tears.size())
-        throw InputError("there are " + std::to_string(options.tear_areas_mm2.size()) +
-                             " openings of " + std::to_string(options.tears.size()) + " tears",
-                         "injection", "Give one for each or none");
+    assert(options.tear_areas_mm2.size() == options.tears.size());
     const std::vector<TearOpening> openings =
         tear_all(network, options.tears, options.tear_areas_mm2);
     conditions.torn_areas_mm2 = torn_areas_mm2(network, openings);

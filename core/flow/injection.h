@@ -59,7 +59,8 @@ struct InjectionOptions {
     FrontOptions front;                  // its injection_end_s is ignored
     std::vector<TreePoint> territories;  // whose drug is to be followed
     bool record_filled_lengths = false;  // per segment and sample
-    // Of each of `tears`, the opening at both stumps; empty: nothing holds the flow up there.
+    // Of each of `tears`, the opening at both stumps, above 0; empty: nothing holds the flow up
+    // there. As many as tears, or none.
     std::vector<double> tear_areas_mm2;
 };
 
@@ -100,7 +101,7 @@ InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, 
                        const std::function<void(const InjectionResult&)>& sampled = {});
 
 // Tears the network at the options' tears and sets the openings in the conditions. Throws
-// InputError where the areas are not as many as the tears.
+// InputError where there is no such segment.
 void tear_for(const InjectionOptions& options, FlowNetwork& network, FlowConditions& conditions);
 
 // The injected fluid of these options.

@@ -111,7 +111,6 @@ TEST(DoseCurve, WhatLeaksAtATearIsDeliveredNowhere) {
     EXPECT_GT(whole.target_g, 1.0);
     EXPECT_NEAR(torn.target_g, 0.0, 1e-9);
     EXPECT_GT(torn.elsewhere_g(), 0.0) << "into the other branch";
-    EXPECT_LT(torn.elsewhere_g(), whole.elsewhere_g() + whole.target_g);
 }
 
 TEST(DoseAccount, AddsUpInjectionsAsFarAsTheyWent) {
