@@ -8939,5 +8939,17 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>measured</source>
         <translation>gemessen</translation>
     </message>
+    <message>
+        <source>The last change was being written when the program ended, and is lost: all before it is here</source>
+        <translation>Die letzte Änderung wurde gerade geschrieben, als das Programm endete, und ist verloren: alles davor ist da</translation>
+    </message>
+    <message>
+        <source>The unsaved work is that of before line %1 of %2, which is damaged: what was done later is lost</source>
+        <translation>Die ungespeicherte Arbeit ist die von vor Zeile %1 von %2, die beschädigt ist: was danach kam, ist verloren</translation>
+    </message>
+    <message>
+        <source>The unsaved work may lack its end: %1 cannot be read from line %2 on. Check its disk and open it again</source>
+        <translation>Der ungespeicherten Arbeit fehlt vielleicht das Ende: %1 lässt sich ab Zeile %2 nicht lesen. Prüfen Sie den Datenträger und öffnen Sie sie noch einmal</translation>
+    </message>
 </context>
 </TS>

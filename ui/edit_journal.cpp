@@ -129,20 +129,35 @@ void read_line(const Json& json, std::optional<Journalled>& now) {
 
 }  // namespace
 
-std::optional<Journalled> read_edit_journal(const fs::path& file) {
+std::optional<Journalled> read_edit_journal(const fs::path& file, JournalLoss* loss) {
+    using Kind = JournalLoss::Kind;
     std::ifstream in(file, std::ios::binary);
     std::optional<Journalled> newest, now;
-    // A line without its end is incomplete.
-    for (std::string line; std::getline(in, line) && !in.eof();) {
+    JournalLoss lost;
+    int number = 0;
+    const auto damaged = [&](Kind kind) {
+        now.reset();
+        if (lost.kind == Kind::none) lost = {kind, number};
+    };
+    for (std::string line; std::getline(in, line);) {
+        ++number;
+        if (in.eof()) {  // a line without its end is incomplete
+            damaged(Kind::end);
+            break;
+        }
         try {
             read_line(Json::parse(line), now);
-            if (now && now->change != 0) newest = now;
+            if (!now || now->change == 0) continue;
+            newest = now;
+            lost = {};
         } catch (const Json::exception&) {
-            now.reset();
+            damaged(Kind::line);
         } catch (const InputError&) {
-            now.reset();
+            damaged(Kind::line);
         }
     }
+    if (in.bad()) lost = {Kind::read, number + 1};
+    if (loss != nullptr) *loss = lost;
     return newest;
 }
 

@@ -51,10 +51,25 @@ struct Journalled {
     bool operator==(const Journalled&) const = default;
 };
 
+// What of a journal is not in the newest state that was read.
+struct JournalLoss {
+    enum class Kind {
+        none,
+        end,   // the last line, which was being written
+        line,  // a damaged line and those behind it
+        read,  // the lines from where a read failed
+    };
+    Kind kind = Kind::none;
+    int line = 0;  // number of the damaged one, from 1
+    bool operator==(const JournalLoss&) const = default;
+};
+
 // Reads a journal without the lines from a damaged one to the next base line, and without those
-// from where a read fails: corrections before it are worth more than a refusal. nullopt if there is
+// from where a read fails: corrections before it are worth more than a refusal. `loss`, if not
+// null, is told which these are, unless a later base line says all of it again. nullopt if there is
 // no change with a base. Never throws because of the file's content.
-std::optional<Journalled> read_edit_journal(const std::filesystem::path& file);
+std::optional<Journalled> read_edit_journal(const std::filesystem::path& file,
+                                            JournalLoss* loss = nullptr);
 
 // One thread appends; another writes the file, and only the destructor waits for it.
 class EditJournal {

@@ -86,6 +86,33 @@ bool begins_with(const std::vector<T>& whole, const std::vector<T>& part) {
     return part.size() <= whole.size() && std::equal(part.begin(), part.end(), whole.begin());
 }
 
+// What a journal that is damaged has lost, as a warning; empty: nothing.
+std::string words_of_loss(const JournalLoss& loss, const fs::path& journal) {
+    const QString file = to_text(journal);
+    switch (loss.kind) {
+        case JournalLoss::Kind::none:
+            return {};
+        case JournalLoss::Kind::end:
+            return Words::tr(
+                       "The last change was being written when the program ended, and is lost: "
+                       "all before it is here")
+                .toStdString();
+        case JournalLoss::Kind::line:
+            return Words::tr(
+                       "The unsaved work is that of before line %1 of %2, which is damaged: "
+                       "what was done later is lost")
+                .arg(QString::number(loss.line), file)
+                .toStdString();
+        case JournalLoss::Kind::read:
+            return Words::tr(
+                       "The unsaved work may lack its end: %1 cannot be read from line %2 on. "
+                       "Check its disk and open it again")
+                .arg(file, QString::number(loss.line))
+                .toStdString();
+    }
+    return {};
+}
+
 // Whether the newer journal holds all of the older one's work: a program was killed after it had
 // taken over what another one had left, before it had a copy of its own.
 bool holds_all(const Journalled& newer, const Journalled& older) {
@@ -321,8 +348,13 @@ std::vector<fs::path> Recovery::left_behind() const {
 
 UnsavedWork Recovery::unsaved_work(const fs::path& left) {
     UnsavedWork work;
-    std::optional<Journalled> noted;
-    if (left.filename() == journal_name) noted = read_edit_journal(left);
+    const bool is_journal = left.filename() == journal_name;
+    // A copy may be offered because the journal beside it is damaged.
+    const fs::path journal = is_journal ? left : left.parent_path().parent_path() / journal_name;
+    JournalLoss loss;
+    std::optional<Journalled> noted = read_edit_journal(journal, &loss);
+    work.request.lost = words_of_loss(loss, journal);
+    if (!is_journal) noted.reset();
     if (!noted) {
         work.title = left.stem().string();
         work.request.reconstruct.ct = left;

@@ -34,14 +34,14 @@ struct Frame {
 
 class Order {
   public:
-    // Throws Refusal where the folder does not hold an order.
+    // Throws Refusal where the folder does not hold a whole order or a read fails.
     explicit Order(const std::filesystem::path& folder);
 
     const std::vector<std::string>& slices() const { return slices_; }  // files, in order
     const std::vector<Segment>& segments() const { return segments_; }
 
     // Reads the next frame of `pixels` pixels; false at the end. Throws Refusal where the file is
-    // truncated or inconsistent.
+    // truncated or inconsistent or a read fails.
     bool next(std::size_t pixels, Frame& frame);
 
   private:

@@ -82,8 +82,9 @@ class BeadTransport {
                              "Give every outlet a terminal resistance");
         at_ = segments_at_nodes(network);
         outlet_at_.assign(network.node_count, -1);
-        torn_at_.assign(network.node_count, 0);
-        for (const int node : network.torn_nodes) torn_at_[node] = 1;
+        torn_at_.assign(network.node_count, -1);
+        for (std::size_t t = 0; t < network.torn_nodes.size(); ++t)
+            torn_at_[network.torn_nodes[t]] = static_cast<int>(t);
         std::vector<double> radius(network.node_count, 0.0);
         for (std::size_t i = 0; i < network.segments.size(); ++i) {
             const int id = static_cast<int>(i);
@@ -144,7 +145,7 @@ class BeadTransport {
         int node = conditions_.inlets[inlet_].node;
         // Steady flow has no cycles, so a bead meets each node at most once.
         for (int steps = 0; steps <= result_.network.node_count; ++steps) {
-            if (torn_at_[node]) break;
+            if (bleeds_from(node)) break;
             const int choice = choose(node);
             if (choice == leaves) {
                 stop_in_bed(outlet_at_[node], radius, mass);
@@ -164,19 +165,34 @@ class BeadTransport {
         result_.passed_mass_g += mass;
     }
 
+    double outflow(int node, int segment) const {
+        const FlowSegment& s = result_.network.segments[segment];
+        const double q = result_.end.volume_flow_mm3_s[segment];
+        return s.open ? std::max(s.proximal_node == node ? q : -q, 0.0) : 0.0;
+    }
+
+    double onwards(int node) const {
+        double total = 0.0;
+        for (int i = at_.first[node]; i < at_.first[node + 1]; ++i)
+            total += outflow(node, at_.segments[i]);
+        return total;
+    }
+
+    // A fork that a branch was torn off goes on into its other branches.
+    bool bleeds_from(int node) {
+        if (torn_at_[node] < 0) return false;
+        const double further = onwards(node);
+        if (!(further > 0.0)) return true;
+        const double out = std::max(result_.end.torn_flow_mm3_s[torn_at_[node]], 0.0);
+        return dice_.uniform() * (out + further) < out;
+    }
+
     static constexpr int leaves = -2;
 
     // The way out of a node: a segment, `leaves` for the outlet, or -1 where nothing flows out. A
     // segment that this batch has plugged takes no more beads.
     int choose(int node) {
-        double total = 0.0;
-        const auto outflow = [&](int segment) {
-            const FlowSegment& s = result_.network.segments[segment];
-            const double q = result_.end.volume_flow_mm3_s[segment];
-            return s.open ? std::max(s.proximal_node == node ? q : -q, 0.0) : 0.0;
-        };
-        for (int i = at_.first[node]; i < at_.first[node + 1]; ++i)
-            total += outflow(at_.segments[i]);
+        double total = onwards(node);
         const int outlet = outlet_at_[node];
         const double through_bed =
             outlet >= 0 ? std::max(result_.end.outlet_flow_mm3_s[outlet], 0.0) : 0.0;
@@ -185,7 +201,7 @@ class BeadTransport {
         double pick = dice_.uniform() * total;
         int chosen = -1;
         for (int i = at_.first[node]; i < at_.first[node + 1]; ++i) {
-            const double q = outflow(at_.segments[i]);
+            const double q = outflow(node, at_.segments[i]);
             if (q <= 0.0) continue;
             chosen = at_.segments[i];
             pick -= q;
@@ -243,7 +259,7 @@ class BeadTransport {
     Dice dice_;
     NodeSegments at_;
     std::vector<int> outlet_at_;
-    std::vector<char> torn_at_;
+    std::vector<int> torn_at_;
     std::vector<Bed> beds_;
     double first_flow_ = 0.0;
     Embolization result_;

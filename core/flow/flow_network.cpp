@@ -285,18 +285,52 @@ int place_catheter(FlowNetwork& network, const TreePoint& tip, bool wedged) {
     return node;
 }
 
-void tear(FlowNetwork& network, const TreePoint& point) {
+std::array<int, 2> tear(FlowNetwork& network, const TreePoint& point) {
     const int node = divide(network, point);
-    const int stump = network.node_count++;
-    bool separated = false;
-    for (FlowSegment& s : network.segments)
-        if (s.distal_node == node) {
-            s.distal_node = stump;
-            separated = true;
-        }
-    network.torn_nodes.push_back(node);
-    if (separated) network.torn_nodes.push_back(stump);
+    FlowSegment *before = nullptr, *behind = nullptr;  // the pieces of this vessel at the node
+    int others = 0;
+    for (FlowSegment& s : network.segments) {
+        const bool of_vessel = s.tree_segment == point.segment;
+        if (of_vessel && s.distal_node == node)
+            before = &s;
+        else if (of_vessel && s.proximal_node == node)
+            behind = &s;
+        else if (s.proximal_node == node || s.distal_node == node)
+            ++others;
+    }
+    std::array<int, 2> stumps{node, node};
+    if (before != nullptr)
+        stumps[0] = before->distal_node = network.node_count++;
+    else if (others > 0)
+        stumps[1] = behind->proximal_node = network.node_count++;
+    if (std::ranges::find(network.torn_nodes, node) == network.torn_nodes.end())
+        network.torn_nodes.push_back(node);
+    if (stumps[0] != stumps[1]) network.torn_nodes.push_back(network.node_count - 1);
     std::erase(network.outlet_nodes, node);
+    return stumps;
+}
+
+std::vector<TearOpening> tear_all(FlowNetwork& network, std::span<const TreePoint> points,
+                                  std::span<const double> areas_mm2) {
+    std::vector<TearOpening> openings;
+    const auto add = [&](std::size_t tear, int node) {
+        const auto found = std::ranges::find(network.torn_nodes, node);
+        openings.push_back(
+            {tear, static_cast<std::size_t>(found - network.torn_nodes.begin()), areas_mm2[tear]});
+    };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto [proximal, distal] = tear(network, points[i]);
+        add(i, distal);
+        if (proximal != distal) add(i, proximal);
+    }
+    return openings;
+}
+
+std::vector<double> torn_areas_mm2(const FlowNetwork& network,
+                                   std::span<const TearOpening> openings) {
+    std::vector<double> areas(network.torn_nodes.size(), 0.0);
+    for (const TearOpening& one : openings) areas[one.torn_node] += one.area_mm2;
+    return areas;
 }
 
 void set_open(FlowNetwork& network, int tree_segment, bool open) {

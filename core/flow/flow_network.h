@@ -3,6 +3,9 @@
 // volumes, and the places where a catheter or a tear divides them.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/flow/pressure_drop.h"
@@ -80,8 +83,26 @@ int divide(FlowNetwork& network, const TreePoint& point);
 // passes it from upstream, and nothing that it injects flows back.
 int place_catheter(FlowNetwork& network, const TreePoint& tip, bool wedged);
 
-// Tears the vessel through at a point: both stumps bleed.
-void tear(FlowNetwork& network, const TreePoint& point);
+// Tears the vessel through at a point: both stumps bleed. At an end of the segment it alone is
+// severed from what it joins there, which stays joined and bleeds from the hole. Returns the nodes
+// of the two stumps, that on the proximal side first, each of which is in torn_nodes once; they are
+// the same where nothing else was there to be severed from.
+std::array<int, 2> tear(FlowNetwork& network, const TreePoint& point);
+
+// Where a tear bleeds; several tears may share a node, as of branches that were torn off one fork.
+struct TearOpening {
+    std::size_t tear = 0;
+    std::size_t torn_node = 0;  // index into FlowNetwork::torn_nodes
+    double area_mm2 = 0.0;
+};
+
+// Tears the vessels through at all of these points, each with an opening of this area at both
+// stumps. As many areas as points.
+std::vector<TearOpening> tear_all(FlowNetwork& network, std::span<const TreePoint> points,
+                                  std::span<const double> areas_mm2);
+// Of each torn node, the sum over its openings.
+std::vector<double> torn_areas_mm2(const FlowNetwork& network,
+                                   std::span<const TearOpening> openings);
 
 // Closes (or opens) every part of a segment of the vessel tree: a clamp, a plug, a spasm.
 void set_open(FlowNetwork& network, int tree_segment, bool open);

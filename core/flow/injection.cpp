@@ -2,6 +2,7 @@
 #include "core/flow/injection.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <sstream>
@@ -53,9 +54,9 @@ void prepare(const VesselTree& tree, const InjectionOptions& options, InjectionR
                              "Close a segment of the vessel tree");
         set_open(network, closed, false);
     }
-    for (const TreePoint& point : options.tears) tear(network, point);
-    injection.tip_node = place_catheter(network, tip, options.wedged);
     FlowConditions& conditions = injection.conditions;
+    tear_for(options, network, conditions);
+    injection.tip_node = place_catheter(network, tip, options.wedged);
     conditions.law = options.law;
     conditions.resident = pure(options.liquid);
     conditions.outlet_pressure_pa = options.outlet_pressure_pa;
@@ -116,6 +117,17 @@ InjectionSample sample(const InjectionResult& injection, const DrugFront& front,
 
 }  // namespace
 
+void tear_for(const InjectionOptions& options, FlowNetwork& network, FlowConditions& conditions) {
+    if (options.tear_areas_mm2.empty()) {
+        for (const TreePoint& point : options.tears) tear(network, point);
+        return;
+    }
+    assert(options.tear_areas_mm2.size() == options.tears.size());
+    const std::vector<TearOpening> openings =
+        tear_all(network, options.tears, options.tear_areas_mm2);
+    conditions.torn_areas_mm2 = torn_areas_mm2(network, openings);
+}
+
 Fluid drug_of(const InjectionOptions& options) {
     Fluid drug = mixture(options.liquid, options.second_phase, options.void_fraction);
     if (options.drug_viscosity_pa_s) drug.viscosity_pa_s = *options.drug_viscosity_pa_s;
@@ -166,7 +178,8 @@ TreePoint main_root(const VesselTree& tree) {
     return {std::max(best, 0), 0.0, 0.0};
 }
 
-InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, Job& job) {
+InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, Job& job,
+                       const std::function<void(const InjectionResult&)>& sampled) {
     job.begin_stage("injection");
     validate_options(options);
     InjectionResult injection;
@@ -189,6 +202,7 @@ InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, 
     const auto record = [&] {
         injection.series.push_back(sample(injection, front, tree_mm3, tree.segments.size(),
                                           options.record_filled_lengths));
+        if (sampled) sampled(injection);
     };
     record();
     for (std::size_t k = 1; front.time_s() < until; ++k) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -58,6 +59,9 @@ struct InjectionOptions {
     FrontOptions front;                  // its injection_end_s is ignored
     std::vector<TreePoint> territories;  // whose drug is to be followed
     bool record_filled_lengths = false;  // per segment and sample
+    // Of each of `tears`, the opening at both stumps, above 0; empty: nothing holds the flow up
+    // there. As many as tears, or none.
+    std::vector<double> tear_areas_mm2;
 };
 
 // The state at one moment.
@@ -90,9 +94,15 @@ struct InjectionResult {
 
 // With two different fluids the splits at branchings change while the vessels fill. The arrival
 // times are those of the stepped front, and equal the closed form where the drug has the blood's
-// properties. Begins one stage of the job. Throws InputError where an option is out of range or
-// nothing can flow, and Cancelled.
-InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, Job& job);
+// properties. `sampled` is called after each sample of the series with what there is by then: the
+// network, the start and the series. Begins one stage of the job. Throws InputError where an option
+// is out of range or nothing can flow, and Cancelled.
+InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, Job& job,
+                       const std::function<void(const InjectionResult&)>& sampled = {});
+
+// Tears the network at the options' tears and sets the openings in the conditions. Throws
+// InputError where there is no such segment.
+void tear_for(const InjectionOptions& options, FlowNetwork& network, FlowConditions& conditions);
 
 // The injected fluid of these options.
 Fluid drug_of(const InjectionOptions& options);

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
-
-#include "core/base/job.h"
+#include <utility>
 
 namespace hepatica {
 
@@ -47,21 +46,48 @@ DoseCurve::DoseCurve(const VesselTree& tree, const InjectionOptions& options, do
     InjectionOptions run = options;
     run.until_s = end_s;
     run.step_s = std::max(end_s / samples, least_step_s);
-    Job job;
-    const InjectionResult result = inject(tree, run, job);
-    const std::vector<char> beyond_tip =
-        outlets_in(tree, result.network, TargetRegion(tree, *run.tip));
-    const std::vector<char> none(result.network.outlet_nodes.size(), 0);
-    const std::vector<char> in_target = target ? outlets_in(tree, result.network, *target) : none;
-    for (const InjectionSample& sample : result.series) {
+    thread_ = std::jthread([this, &tree, run, target] {
+        std::exception_ptr error;
+        try {
+            compute(tree, run, target);
+        } catch (...) {
+            error = std::current_exception();
+        }
+        const std::scoped_lock lock(mutex_);
+        ended_ = true;
+        error_ = error;
+        more_.notify_all();
+    });
+}
+
+DoseCurve::~DoseCurve() {
+    job_.cancel();
+}
+
+void DoseCurve::compute(const VesselTree& tree, const InjectionOptions& run,
+                        const std::optional<TargetRegion>& target) {
+    std::vector<char> beyond_tip, in_target;
+    inject(tree, run, job_, [&](const InjectionResult& result) {
+        if (result.series.size() == 1) {
+            beyond_tip = outlets_in(tree, result.network, TargetRegion(tree, *run.tip));
+            in_target = target ? outlets_in(tree, result.network, *target)
+                               : std::vector<char>(result.network.outlet_nodes.size(), 0);
+        }
+        const InjectionSample& sample = result.series.back();
+        const Dose dose{
+            sample.injected_g, sample.delivered_g, mass_in(sample.outlet_mass_g, in_target),
+            std::max(0.0, sample.delivered_g - mass_in(sample.outlet_mass_g, beyond_tip))};
+        const std::scoped_lock lock(mutex_);
         time_s_.push_back(sample.time_s);
-        dose_.push_back(
-            {sample.injected_g, sample.delivered_g, mass_in(sample.outlet_mass_g, in_target),
-             std::max(0.0, sample.delivered_g - mass_in(sample.outlet_mass_g, beyond_tip))});
-    }
+        dose_.push_back(dose);
+        more_.notify_all();
+    });
 }
 
 Dose DoseCurve::at(double time_s) const {
+    std::unique_lock lock(mutex_);
+    more_.wait(lock, [&] { return ended_ || (!time_s_.empty() && time_s_.back() > time_s); });
+    if (error_ && (time_s_.empty() || time_s_.back() <= time_s)) std::rethrow_exception(error_);
     const auto after = std::ranges::upper_bound(time_s_, time_s);
     if (after == time_s_.begin()) return dose_.front();
     if (after == time_s_.end()) return dose_.back();
@@ -74,18 +100,25 @@ Dose DoseCurve::at(double time_s) const {
 }
 
 void DoseAccount::see(const DrugView& drug) {
-    if (drug.injection != followed_) {
-        past_ = total();
-        present_ = {};
-        followed_ = drug.injection;
-        curve_.reset();
-        if (followed_) curve_.emplace(tree_, *followed_, drug.end_s, target_);
-    }
-    if (curve_) present_ = curve_->at(drug.time_s);
+    const auto undone = [&drug](const Part& part) {
+        const bool replaced = drug.injection != nullptr && part.injection != drug.injection;
+        return part.number > drug.injections || (part.number == drug.injections && replaced);
+    };
+    while (!parts_.empty() && undone(parts_.back())) parts_.pop_back();
+    const bool shown = !parts_.empty() && parts_.back().injection == drug.injection;
+    if (!shown && !parts_.empty()) parts_.back().curve.reset();
+    if (!drug.injection) return;
+    if (!shown) parts_.push_back({drug.injections, drug.injection, {}, {}});
+    Part& part = parts_.back();
+    if (!part.curve)
+        part.curve = std::make_unique<const DoseCurve>(tree_, *drug.injection, drug.end_s, target_);
+    part.dose = part.curve->at(drug.time_s);
 }
 
 Dose DoseAccount::total() const {
-    return sum(past_, present_);
+    Dose all;
+    for (const Part& part : parts_) all = sum(all, part.dose);
+    return all;
 }
 
 }  // namespace hepatica

@@ -4,10 +4,15 @@
 // outlets that do not lie downstream of the catheter's tip.
 #pragma once
 
+#include <condition_variable>
+#include <exception>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <thread>
 #include <vector>
 
+#include "core/base/job.h"
 #include "core/flow/injection.h"
 #include "core/lesson/target_region.h"
 #include "core/scene/frame.h"
@@ -25,38 +30,59 @@ struct Dose {
 };
 
 // One injection over time, computed by core/flow on the tree at rest, as for the window's curves,
-// and interpolated linearly.
+// and interpolated linearly. Computed on a thread of its own, ahead of the times that are asked
+// for: 0.1 s of work for a drug with the viscosity of blood, seconds for others.
 class DoseCurve {
   public:
-    // Costs 0.1 s for a drug with the viscosity of blood, seconds for others. `end_s` >= 0: end of
-    // the run. Throws InputError where nothing can flow.
+    // Begins to compute and does not wait. `options.tip` is set; `end_s` >= 0: end of the run. The
+    // tree must outlive the curve. Throws std::system_error where no thread can be created.
     DoseCurve(const VesselTree& tree, const InjectionOptions& options, double end_s,
               const std::optional<TargetRegion>& target);
-    // `time_s` is clamped to the run.
+    ~DoseCurve();  // cancels and joins, which waits for at most one step of the front
+    DoseCurve(const DoseCurve&) = delete;
+    DoseCurve& operator=(const DoseCurve&) = delete;
+
+    // `time_s` is clamped to the run. Waits until the run has come to that time; the result does
+    // not depend on how far it has come. Throws InputError where nothing can flow.
     Dose at(double time_s) const;
 
   private:
+    void compute(const VesselTree& tree, const InjectionOptions& run,
+                 const std::optional<TargetRegion>& target);
+
+    Job job_;
+    mutable std::mutex mutex_;  // for what follows
+    mutable std::condition_variable more_;
     std::vector<double> time_s_;
     std::vector<Dose> dose_;
+    bool ended_ = false;
+    std::exception_ptr error_;  // where it ended by one
+    std::jthread thread_;
 };
 
 // Sum over all injections of a play; one that is replaced or removed counts up to that moment.
-// Keeps a reference to the tree. Not thread-safe.
+// Where the play goes back to an earlier state, what was injected since does not count. Keeps a
+// reference to the tree. Not thread-safe.
 class DoseAccount {
   public:
     DoseAccount(const VesselTree& tree, const std::optional<TargetRegion>& target)
         : tree_(tree), target_(target) {}
 
-    // Call with every frame. Throws InputError where a new injection cannot flow.
+    // Call with every frame. Takes no time, unless the drug's clock has leapt ahead: then it waits
+    // for the curve. Throws InputError where an injection cannot flow.
     void see(const DrugView& drug);
     Dose total() const;
 
   private:
+    struct Part {        // one injection
+        int number = 0;  // DrugView::injections
+        std::shared_ptr<const InjectionOptions> injection;
+        std::unique_ptr<const DoseCurve> curve;  // null while another is shown
+        Dose dose;                               // up to the last frame that showed it
+    };
     const VesselTree& tree_;
     std::optional<TargetRegion> target_;
-    std::shared_ptr<const InjectionOptions> followed_;
-    std::optional<DoseCurve> curve_;
-    Dose past_, present_;
+    std::vector<Part> parts_;
 };
 
 }  // namespace hepatica

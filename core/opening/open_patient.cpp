@@ -188,6 +188,7 @@ OpenedPatient open_patient(const OpenRequest& request, Job& job) {
     if (!request.built_in && is_case(path)) opened.read_from = path;
     if (request.left_edits) require_same(*opened.patient, *request.left_edits);
     if (request.left_edits) opened.kept_copy = request.left_edits->file;
+    if (!request.lost.empty()) opened.warnings.insert(opened.warnings.begin(), request.lost);
     opened.title = request.built_in ? built_in_title : name_of(path);
     return opened;
 }

@@ -39,6 +39,7 @@ struct OpenRequest {
     // To be applied by the caller. open_patient() only checks that they belong to this patient.
     std::optional<LeftEdits> left_edits{};
     ImageRead image_read{};  // called once a CT is read that is to be reconstructed; may be empty
+    std::string lost{};      // what of unsaved work is lost, as a warning; empty: nothing
 };
 
 // Title of the built-in patient.

@@ -168,15 +168,14 @@ void Bleeding::solve() {
     const FlowConditions conditions = conditions_of(tree_, rest_, network);
     for (const Squeeze& s : squeezes_) squeeze(network, s.segment, s.from_mm, s.to_mm, s.share);
     FlowConditions torn = conditions;
-    std::vector<std::size_t> tear_of_stump;
+    std::vector<TreePoint> points;
+    std::vector<double> areas_mm2;
     for (const ThroughTear& one : tears_) {
-        const std::size_t before = network.torn_nodes.size();
-        tear(network, one.at);
-        torn.torn_areas_mm2.resize(torn.torn_areas_mm2.size() + network.torn_nodes.size() - before,
-                                   one.area_mm2);
-        tear_of_stump.resize(network.torn_nodes.size(),
-                             static_cast<std::size_t>(&one - tears_.data()));
+        points.push_back(one.at);
+        areas_mm2.push_back(one.area_mm2);
     }
+    const std::vector<TearOpening> openings = tear_all(network, points, areas_mm2);
+    torn.torn_areas_mm2 = torn_areas_mm2(network, openings);
     NetworkFlow flow(network, torn);
     FlowSolution solution = flow.solve();
     if (!squeezes_.empty()) {
@@ -186,8 +185,9 @@ void Bleeding::solve() {
     }
     const double density = torn.resident.density_g_mm3;
     for (const double out : solution.torn_flow_mm3_s) leak_g_s_ += out * density;
-    for (std::size_t i = 0; i < tear_of_stump.size(); ++i)
-        leaks_g_s_[tear_of_stump[i]] += solution.torn_flow_mm3_s[i] * density;
+    for (const TearOpening& one : openings)
+        leaks_g_s_[one.tear] += solution.torn_flow_mm3_s[one.torn_node] * density *
+                                (one.area_mm2 / torn.torn_areas_mm2[one.torn_node]);
 }
 
 }  // namespace hepatica

@@ -24,8 +24,9 @@ struct Arrivals {
 // A drug like the blood that it displaces leaves the flow unchanged, and the times are exact.
 Arrivals steady_arrivals(const VesselTree& tree, const InjectionOptions& options) {
     FlowNetwork network = network_of(tree, options.shape);
-    const int tip = place_catheter(network, *options.tip, options.wedged);
     FlowConditions conditions;
+    tear_for(options, network, conditions);
+    const int tip = place_catheter(network, *options.tip, options.wedged);
     conditions.law = options.law;
     conditions.resident = pure(options.liquid);
     conditions.inlets = {{tip, InletKind::mass_flow, options.mass_flow_g_s, conditions.resident}};
@@ -67,6 +68,15 @@ TreePoint at_supply_where_near(TreePoint tip, const VesselTree& tree) {
     return tip;
 }
 
+// When the drug comes to a tear from either side.
+double at_stumps_s(const VesselTree& tree, const ArrivalTimes& times, const TreePoint& tear) {
+    constexpr double far_mm = 1e9;  // clamped to the segment
+    const int parent = tree.segments[tear.segment].parent;
+    TreePoint before{tear.segment, tear.arclength_mm * (1.0 - 1e-9), 0.0};
+    if (tear.arclength_mm <= 0.0 && parent >= 0) before = {parent, far_mm, 0.0};
+    return std::min(times.arrival_s(before), times.arrival_s(tear));
+}
+
 }  // namespace
 
 InjectionOptions injection_options(const Injection& injection, const VesselTree& tree) {
@@ -82,6 +92,10 @@ InjectionOptions injection_options(const Injection& injection, const VesselTree&
     options.void_fraction = injection.void_fraction;
     if (injection.drug_viscosity_pa_s != 0.0)
         options.drug_viscosity_pa_s = injection.drug_viscosity_pa_s;
+    for (const ThroughTear& tear : injection.tears) {
+        options.tears.push_back(tear.at);
+        options.tear_areas_mm2.push_back(tear.area_mm2);
+    }
     return options;
 }
 
@@ -98,8 +112,13 @@ DrugArrival drug_arrival(const VesselTree& tree, std::span<const TreePoint> plac
         arrival_s[v] = static_cast<float>(arrivals.times.arrival_s(places[v]));
     DrugArrival arrival;
     arrival.mass_error_relative = arrivals.mass_error_relative;
-    arrival.end_s = std::min({arrivals.times.end_s(), useful_end_s(arrival_s),
-                              longest_run_in_fillings * filling_s(tree, options)});
+    for (const TreePoint& tear : options.tears)
+        arrival.at_tears_s.push_back(static_cast<float>(at_stumps_s(tree, arrivals.times, tear)));
+    const bool leaks =
+        std::ranges::any_of(arrival.at_tears_s, [](float time_s) { return std::isfinite(time_s); });
+    arrival.end_s =
+        std::min(useful_end_s(arrival_s), longest_run_in_fillings * filling_s(tree, options));
+    if (!leaks) arrival.end_s = std::min(arrival.end_s, arrivals.times.end_s());
     if (!(arrival.end_s > 0.0))
         throw InputError("the drug would leave the vessels right where it is injected", "injection",
                          "Inject farther up the stream");

@@ -13,6 +13,7 @@
 #include "core/base/job.h"
 #include "core/flow/injection.h"
 #include "core/scene/default_injection.h"
+#include "core/scene/through_tears.h"
 #include "core/tree/vessel_tree.h"
 
 namespace hepatica {
@@ -25,10 +26,12 @@ struct Injection {
     std::string pressure_model = default_injection::pressure_model;  // published, consistent or
                                                                      // regime
     double drug_viscosity_pa_s = 0.0;                                // > 0; 0: that of the mixture
+    std::vector<ThroughTear> tears{};  // of the vessels as they are injected
 };
 
 // The options for core/flow/injection.h: a free tip, placed where the system is supplied if the
-// injection is within a radius of that. Throws InputError for a value out of range.
+// injection is within a radius of that; stumps bleed into the pressure of the outlets. Throws
+// InputError for a value out of range.
 InjectionOptions injection_options(const Injection& injection, const VesselTree& tree);
 
 // Whether the drug has the density and viscosity of blood, so that the closed form applies.
@@ -36,9 +39,12 @@ bool flows_like_blood(const InjectionOptions& options);
 
 struct DrugArrival {
     std::shared_ptr<const std::vector<float>> arrival_s;  // per vertex; infinity: never reached
-    double end_s = 0.0;  // > 0: when most vertices have been reached; some may be later
+    // > 0: when most vertices have been reached, some may be later; where a stump is reached,
+    // some time after that, because drug goes on leaking.
+    double end_s = 0.0;
     // Largest imbalance of a node of the flow, relative to the injected flow.
     double mass_error_relative = 0.0;
+    std::vector<float> at_tears_s{};  // per tear of the injection: at either stump
 };
 
 // `places` are the vertices' places on the tree. The same bits on any thread. Throws InputError

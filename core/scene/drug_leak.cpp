@@ -7,17 +7,14 @@
 
 namespace hepatica {
 
-DrugLeak drug_leak(const DrugView& drug, const std::vector<int>& leaking,
+DrugLeak drug_leak(const DrugView& drug, const std::vector<float>& arrival_s,
                    const std::vector<double>& leaks_g_s) {
     DrugLeak leak;
     if (!drug.arrival_s || !drug.injection) return leak;
-    leak.shares.assign(leaking.size(), 0.0);
+    leak.shares.assign(arrival_s.size(), 0.0);
     double reached_g_s = 0.0;
-    for (std::size_t i = 0; i < std::min(leaking.size(), leaks_g_s.size()); ++i) {
-        // Vertices that were split off in this step have no arrival time yet.
-        const auto vertex = static_cast<std::size_t>(leaking[i]);
-        if (leaking[i] < 0 || vertex >= drug.arrival_s->size()) continue;
-        if (static_cast<double>((*drug.arrival_s)[vertex]) > drug.time_s) continue;
+    for (std::size_t i = 0; i < std::min(arrival_s.size(), leaks_g_s.size()); ++i) {
+        if (static_cast<double>(arrival_s[i]) > drug.time_s) continue;
         leak.shares[i] = leaks_g_s[i];
         reached_g_s += leaks_g_s[i];
     }

@@ -14,10 +14,10 @@ struct DrugLeak {
     std::vector<double> shares;  // of it, per stump; empty where there is no drug
 };
 
-// `leaking` has a vertex per stump, -1 for none; `leaks_g_s` are the losses of blood there. An
-// upper bound: the drug's times are those of the whole tree, and no more leaks than is injected.
-// Nothing while the drug's clock stands.
-DrugLeak drug_leak(const DrugView& drug, const std::vector<int>& leaking,
+// `arrival_s` says per stump when the drug reaches it; `leaks_g_s` are the losses of blood there,
+// as many. An upper bound: the drug's times are those of the tree as it was torn when it was
+// injected, and no more leaks than is injected. Nothing while the drug's clock stands.
+DrugLeak drug_leak(const DrugView& drug, const std::vector<float>& arrival_s,
                    const std::vector<double>& leaks_g_s);
 
 }  // namespace hepatica

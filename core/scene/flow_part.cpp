@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -61,9 +62,11 @@ void FlowPart::finish_injection(const std::stop_token& stop) {
 void FlowPart::start(const Injection& injection, DrugArrival arrival) {
     injected_ = injection;
     mass_error_relative_ = arrival.mass_error_relative;
+    at_tears_s_ = std::move(arrival.at_tears_s);
     drug_.arrival_s = std::move(arrival.arrival_s);
     drug_.injection = std::make_shared<const InjectionOptions>(injection_options(injection, tree_));
     ++drug_.version;
+    ++drug_.injections;
     drug_.time_s = 0.0;
     drug_.end_s = arrival.end_s;
     drug_.playing = true;
@@ -141,7 +144,9 @@ FlowCheckpoint FlowPart::checkpoint() const {
     checkpoint.time_s = drug_.time_s;
     checkpoint.playing = drug_.playing;
     checkpoint.speed = drug_.speed;
-    checkpoint.arrival = {drug_.arrival_s, drug_.end_s, mass_error_relative_};
+    checkpoint.arrival = {drug_.arrival_s, drug_.end_s, mass_error_relative_, at_tears_s_};
+    checkpoint.options = drug_.injection;
+    checkpoint.injections = drug_.injections;
     return checkpoint;
 }
 
@@ -162,10 +167,13 @@ void FlowPart::restore(const FlowCheckpoint& checkpoint) {
     end_run();
     run_ = std::move(run);
     injected_ = checkpoint.injected;
-    drug_.injection = checkpoint.injected ? std::make_shared<const InjectionOptions>(
-                                                injection_options(*checkpoint.injected, tree_))
-                                          : nullptr;
+    drug_.injection = checkpoint.options;
+    if (checkpoint.injected && !drug_.injection)
+        drug_.injection = std::make_shared<const InjectionOptions>(
+            injection_options(*checkpoint.injected, tree_));
+    drug_.injections = checkpoint.injections;
     mass_error_relative_ = arrival.mass_error_relative;
+    at_tears_s_ = std::move(arrival.at_tears_s);
     drug_.computing = run_ != nullptr;
     drug_.arrival_s = std::move(arrival.arrival_s);
     drug_.end_s = arrival.end_s;
@@ -174,9 +182,23 @@ void FlowPart::restore(const FlowCheckpoint& checkpoint) {
     follow_topology();
 }
 
+float FlowPart::arrival_at_stump_s(const ThroughTear& tear, int vertex) const {
+    if (injected_)
+        for (std::size_t i = 0; i < at_tears_s_.size(); ++i)
+            if (injected_->tears[i] == tear) return at_tears_s_[i];
+    // Vertices that were split off in this step have no arrival time yet.
+    const bool known = vertex >= 0 && drug_.arrival_s &&
+                       static_cast<std::size_t>(vertex) < drug_.arrival_s->size();
+    return known ? (*drug_.arrival_s)[vertex] : std::numeric_limits<float>::infinity();
+}
+
 void FlowPart::require_place(const std::optional<Injection>& injection) const {
     if (!injection) return;
-    const int segment = injection->at.segment;
+    require_segment(injection->at.segment);
+    for (const ThroughTear& tear : injection->tears) require_segment(tear.at.segment);
+}
+
+void FlowPart::require_segment(int segment) const {
     if (segment < 0 || static_cast<std::size_t>(segment) >= tree_.segments.size())
         throw InputError("injects into segment " + std::to_string(segment) + ", which is not there",
                          "checkpoint", "Give a checkpoint of the same patient");
@@ -194,6 +216,11 @@ std::uint64_t FlowPart::state_hash() const {
         hasher.add(std::span<const double>(numbers));
         for (const std::string& name : {injection->second_phase, injection->pressure_model})
             hasher.add_bytes(name.c_str(), name.size() + 1);
+        for (const ThroughTear& tear : injection->tears) {
+            const std::array<double, 2> cut{tear.at.arclength_mm, tear.area_mm2};
+            hasher.add_bytes(&tear.at.segment, sizeof tear.at.segment);
+            hasher.add(std::span<const double>(cut));
+        }
     };
     add(injected_ ? &*injected_ : nullptr);
     add(run_ ? &run_->injection() : nullptr);

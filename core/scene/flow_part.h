@@ -30,6 +30,8 @@ struct FlowCheckpoint {
     // The result of `injected`, so that going back costs nothing; computed again where it is empty,
     // as after reading from a file.
     DrugArrival arrival{};
+    std::shared_ptr<const InjectionOptions> options{};  // of `injected`; empty as `arrival` is
+    int injections = 0;                                 // so far, with `injected`
 };
 
 class FlowPart {
@@ -41,8 +43,9 @@ class FlowPart {
     ~FlowPart();  // cancels what is being computed
 
     // The vessels are full of blood, which rests except for the injection; every outlet has the
-    // same pressure. A drug that flows like blood is there at once, in O(segments + vertices); any
-    // other is computed on a thread of its own, and the last injection stays until
+    // same pressure, and so has what is around the stumps of the injection's tears. What tears
+    // later changes nothing of it. A drug that flows like blood is there at once, in O(segments +
+    // vertices); any other is computed on a thread of its own, and the last injection stays until
     // finish_injection(). Cancels what is being computed. Throws InputError for values out of range
     // and then changes nothing.
     void inject(const Injection& injection);
@@ -68,10 +71,14 @@ class FlowPart {
     // was being computed is started again. Throws InputError and changes nothing where the
     // checkpoint is not of this tree.
     void restore(const FlowCheckpoint& checkpoint);
-    // Hash of everything in a checkpoint except `arrival`, which follows from the rest.
+    // Hash of everything in a checkpoint except `arrival` and `options`, which follow from the
+    // rest, and `injections`, which changes no step.
     std::uint64_t state_hash() const;
 
     const DrugView& drug() const { return drug_; }
+    // When the drug reaches a stump that a vertex lies at, -1 for none: as it was injected where
+    // the vessel was torn there by then, otherwise as the vertex. Infinity: never, or not known.
+    float arrival_at_stump_s(const ThroughTear& tear, int vertex) const;
     // The place on the tree that a vertex belongs to.
     const TreePoint& place_of(int vertex) const { return (*places_)[vertex]; }
     double speed() const { return drug_.speed; }
@@ -84,6 +91,7 @@ class FlowPart {
     void drop_ended_runs();
     void follow_topology();
     void require_place(const std::optional<Injection>& injection) const;
+    void require_segment(int segment) const;
 
     VesselTree tree_;
     const BodyTopology& topology_;
@@ -93,6 +101,7 @@ class FlowPart {
     double mass_error_relative_ = 0.0;
     DrugView drug_;
     std::optional<Injection> injected_;               // what drug_ shows
+    std::vector<float> at_tears_s_;                   // per tear of injected_
     std::unique_ptr<InjectionRun> run_;               // what will replace it
     std::list<std::unique_ptr<InjectionRun>> ended_;  // cancelled, not yet finished
 };

@@ -65,6 +65,9 @@ struct DrugView {
                              // injection, and from end_s on
     double speed = 1.0;      // drug seconds per second of the simulation
     bool computing = false;  // another injection is being computed and will replace this one
+    // How many injections have been shown so far, with this one; less again where the play goes
+    // back to before one.
+    int injections = 0;
 };
 
 // Where a torn vessel bleeds, and its share of the total loss.

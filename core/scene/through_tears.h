@@ -12,7 +12,7 @@
 namespace hepatica {
 
 struct ThroughTear {
-    TreePoint at;
+    TreePoint at;  // arclength 0: torn off its fork, which stays joined to the other branches
     double area_mm2 = 0.0;  // of the lumen there
     bool operator==(const ThroughTear& other) const {
         return at.segment == other.at.segment && at.arclength_mm == other.at.arclength_mm;

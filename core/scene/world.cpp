@@ -174,6 +174,11 @@ bool World::bleed() {
     return true;
 }
 
+std::vector<ThroughTear> World::torn_through() {
+    if (!deform_ || !deform_->tears()) return {};
+    return deform_->torn_through(patient_->tree);
+}
+
 // Pressed vessels bleed less.
 void World::press() {
     if (!bleeding_ || bleeding_->tears().empty()) return;
@@ -242,7 +247,11 @@ TreePoint World::place_near(const Vec3& point_mm) const {
 
 DrugLeak World::drug_leak_now() const {
     if (!bleeding_ || !flow_) return {};
-    return drug_leak(flow_->drug(), leaking_, bleeding_->leaks_g_s());
+    std::vector<float> arrival_s;
+    const std::vector<ThroughTear>& tears = bleeding_->tears();
+    for (std::size_t i = 0; i < std::min(leaking_.size(), tears.size()); ++i)
+        arrival_s.push_back(flow_->arrival_at_stump_s(tears[i], leaking_[i]));
+    return drug_leak(flow_->drug(), arrival_s, bleeding_->leaks_g_s());
 }
 
 void World::show_leaks(TearView& tear, const std::vector<float>& positions_mm) const {

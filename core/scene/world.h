@@ -19,6 +19,7 @@
 #include "core/scene/drug_leak.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
+#include "core/scene/through_tears.h"
 
 namespace hepatica {
 
@@ -80,6 +81,8 @@ class World {
     // Updates vertices and triangles after the body was torn or made whole; step() and restore() do
     // so themselves. Costs nothing where nothing has changed.
     void follow_tear();
+    // Where vessels are torn through now. O(tetrahedra) once something is split.
+    std::vector<ThroughTear> torn_through();
     // Null where nothing can tear.
     const Bleeding* bleeding() const { return bleeding_.get(); }
 

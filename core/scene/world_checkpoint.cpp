@@ -86,13 +86,18 @@ DeformCheckpoint deform_from(const Json& json) {
 }
 
 Json to_json(const Injection& injection) {
-    return {{"segment", injection.at.segment},
-            {"arclength_mm", injection.at.arclength_mm},
-            {"mass_flow_g_s", injection.mass_flow_g_s},
-            {"void_fraction", injection.void_fraction},
-            {"second_phase", injection.second_phase},
-            {"pressure_model", injection.pressure_model},
-            {"drug_viscosity_pa_s", injection.drug_viscosity_pa_s}};
+    Json json{{"segment", injection.at.segment},
+              {"arclength_mm", injection.at.arclength_mm},
+              {"mass_flow_g_s", injection.mass_flow_g_s},
+              {"void_fraction", injection.void_fraction},
+              {"second_phase", injection.second_phase},
+              {"pressure_model", injection.pressure_model},
+              {"drug_viscosity_pa_s", injection.drug_viscosity_pa_s}};
+    for (const ThroughTear& tear : injection.tears)
+        json["tears"].push_back({{"segment", tear.at.segment},
+                                 {"arclength_mm", tear.at.arclength_mm},
+                                 {"area_mm2", tear.area_mm2}});
+    return json;
 }
 
 Injection injection_from(const Json& json) {
@@ -104,6 +109,11 @@ Injection injection_from(const Json& json) {
     injection.second_phase = json.at("second_phase").get<std::string>();
     injection.pressure_model = json.at("pressure_model").get<std::string>();
     injection.drug_viscosity_pa_s = json.at("drug_viscosity_pa_s").get<double>();
+    if (!json.contains("tears")) return injection;
+    for (const Json& tear : json.at("tears"))
+        injection.tears.push_back(
+            {{whole_number<int>(tear.at("segment")), tear.at("arclength_mm").get<double>(), 0.0},
+             tear.at("area_mm2").get<double>()});
     return injection;
 }
 

@@ -157,7 +157,10 @@ Keyframe Session::keyframe() const {
 }
 
 void Session::restore(const Keyframe& keyframe) {
+    const bool tears = keyframe.world.deform && keyframe.world.deform->settings.tear;
+    DialInUse dial(tears ? dial_that_tears(whole_dial_) : whole_dial_);
     world_->restore(keyframe.world);
+    dial_ = std::move(dial);
     step_ = keyframe.step;
     played_steps_ = keyframe.played_steps;
     dial_.set_automatic(keyframe.automatic);

@@ -132,7 +132,8 @@ class Session {
     // The start of a recording of this session, without steps.
     const Recording& recording_start() const { return recording_start_; }
     // Continues from a keyframe of a session of the same patient and scene; all later steps have
-    // the same bits as there. Throws InputError where patient or scene is another one.
+    // the same bits as there. Throws InputError where patient or scene is another one, and where it
+    // tears and no setting of the dial can.
     void restore(const Keyframe& keyframe);
 
     // Hash of everything that determines later steps.

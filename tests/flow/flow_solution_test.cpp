@@ -191,6 +191,55 @@ TEST(FlowSolution, ATornSegmentBleedsFromBothStumps) {
     EXPECT_NEAR(leaving, torn.inlet_flow_mm3_s[0], 1e-9 * torn.inlet_flow_mm3_s[0]);
 }
 
+// As one that is torn just behind its beginning: what else the fork supplies is still supplied.
+TEST(FlowSolution, ABranchThatIsTornOffItsForkIsSeveredAlone) {
+    for (int seed = 0; seed < 20; ++seed) {
+        Random random(600 + seed);
+        const FlowNetwork whole = random_tree(random, 31);
+        FlowConditions conditions = conditions_of(PressureLaw::regime, {flow_into(0, 1.0)});
+        conditions.torn_areas_mm2.assign(2, random.uniform(0.1, 3.0));
+        const int branch = 1 + seed;
+        SCOPED_TRACE("branch " + std::to_string(branch));
+        const auto torn_at = [&](double arclength_mm) {
+            FlowNetwork network = whole;
+            tear(network, {branch, arclength_mm, 0.0});
+            const FlowSolution solution = solve_flow(network, conditions);
+            double leaving = 0.0;
+            for (const double q : solution.torn_flow_mm3_s) leaving += q;
+            for (const double q : solution.outlet_flow_mm3_s) leaving += q;
+            EXPECT_NEAR(leaving, solution.inlet_flow_mm3_s[0], 1e-9 * solution.inlet_flow_mm3_s[0]);
+            return solution;
+        };
+        const FlowSolution off = torn_at(0.0), near = torn_at(1e-5);
+        const double inflow = off.inlet_flow_mm3_s[0];
+        ASSERT_EQ(off.torn_flow_mm3_s.size(), 2u);
+        EXPECT_NEAR(off.torn_flow_mm3_s[0] + off.torn_flow_mm3_s[1],
+                    near.torn_flow_mm3_s[0] + near.torn_flow_mm3_s[1], 1e-3 * inflow);
+        for (int i = 0; i < 31; ++i) {
+            if (i == branch) continue;
+            EXPECT_NEAR(off.volume_flow_mm3_s[i], near.volume_flow_mm3_s[i], 1e-3 * inflow) << i;
+            if (whole.segments[i].proximal_node == whole.segments[branch].proximal_node) {
+                EXPECT_GT(off.volume_flow_mm3_s[i], 1e-6 * inflow) << "beside it";
+            }
+        }
+        EXPECT_NEAR(off.volume_flow_mm3_s[branch], 0.0, 1e-9 * inflow);
+    }
+}
+
+// Each node bleeds once, whatever is torn there how often.
+TEST(FlowNetwork, AForkThatAllBranchesAreTornOffBleedsOnce) {
+    Random random(31);
+    FlowNetwork network = random_tree(random, 3);  // a trunk and two branches
+    const std::array<int, 2> first = tear(network, {1, 0.0, 0.0});
+    const std::array<int, 2> second = tear(network, {2, 0.0, 0.0});
+    EXPECT_EQ(first[0], network.segments[0].distal_node);
+    EXPECT_EQ(second[0], first[0]);
+    EXPECT_EQ(network.segments[1].proximal_node, first[1]);
+    EXPECT_EQ(network.segments[2].proximal_node, second[1]);
+    EXPECT_EQ(tear(network, {1, 0.0, 0.0}), (std::array<int, 2>{first[1], first[1]})) << "again";
+    EXPECT_EQ(network.torn_nodes, (std::vector<int>{first[0], first[1], second[1]}));
+}
+
 TEST(FlowSolution, AWedgedCatheterPerfusesOnlyWhatIsDownstream) {
     Random random(17);
     const FlowNetwork whole = random_tree(random, 31);

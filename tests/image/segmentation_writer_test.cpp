@@ -214,27 +214,47 @@ void remove_element(const fs::path& file, const gdcm::Tag& tag) {
     ASSERT_TRUE(writer.Write());
 }
 
+// The helper's order by hand: a segment on one slice.
+struct HandMadeOrder {
+    void write(const fs::path& folder) const {
+        for (const auto& [name, bytes] :
+             {std::pair{"slices", &slices}, {"segments", &segments}, {"frames", &frames}})
+            std::ofstream(folder / name, std::ios::binary) << *bytes;
+    }
+    static std::string segment(const std::string& label) {
+        std::string values;
+        for (const std::string& value :
+             {label, std::string("91723000"), std::string("Anatomical Structure"),
+              std::string("10200004"), label, std::string("171 115 94")})
+            values += value + '\0';
+        return values;
+    }
+    static std::size_t pixels() {
+        const Index3 dims = turned_grid().dims;
+        return static_cast<std::size_t>(dims[0]) * static_cast<std::size_t>(dims[1]);
+    }
+
+    std::string slices;
+    std::string segments = segment("Liver");
+    std::string frames = std::string("\1\0\0\0\0\0", 6) + std::string(pixels(), '\1');
+    static std::string second_frame() {
+        return std::string("\2\0\0\0\0\0", 6) + std::string(pixels(), '\1');
+    }
+};
+
+ChildOutcome carried_out(const fs::path& order, const fs::path& file) {
+    return run_child(helper("hepatica-dicom-segmentation"), {order.string(), "1", file.string()},
+                     {std::uint64_t{2} << 30, 120}, Job());
+}
+
 // The program's own readers refuse a series of one slice, so the helper is given its order by hand.
 TEST(SegmentationWriter, ASingleSliceIsSpacedByItsThickness) {
     const Scan scan;
     const fs::path slice = scan.ct / "slice_0004.dcm";
     const auto cut = [&] {
         const TemporaryFolder order;
-        const auto write = [&](const char* name, const std::string& bytes) {
-            std::ofstream(order / name, std::ios::binary) << bytes;
-        };
-        write("slices", slice.string() + '\0');
-        std::string segment;
-        for (const char* value :
-             {"Liver", "91723000", "Anatomical Structure", "10200004", "Liver", "171 115 94"})
-            segment += std::string(value) + '\0';
-        write("segments", segment);
-        const Index3 dims = turned_grid().dims;
-        const auto pixels = static_cast<std::size_t>(dims[0]) * static_cast<std::size_t>(dims[1]);
-        write("frames", std::string("\1\0\0\0\0\0", 6) + std::string(pixels, '\1'));
-        return run_child(helper("hepatica-dicom-segmentation"),
-                         {order.path().string(), "1", scan.file.string()},
-                         {std::uint64_t{2} << 30, 120}, Job());
+        HandMadeOrder{.slices = slice.string() + '\0'}.write(order.path());
+        return carried_out(order.path(), scan.file);
     };
     const ChildOutcome written = cut();
     ASSERT_EQ(written.number, 0) << written.errors;
@@ -245,6 +265,36 @@ TEST(SegmentationWriter, ASingleSliceIsSpacedByItsThickness) {
     const ChildOutcome refused = cut();
     EXPECT_EQ(refused.number, 1);
     EXPECT_NE(refused.errors.find("slice thickness"), std::string::npos) << refused.errors;
+}
+
+// What is missing would be missing in the file, too, and nobody would know.
+TEST(SegmentationWriter, AnOrderThatIsCutOffOrCannotBeReadIsRefused) {
+    const Scan scan;
+    HandMadeOrder whole{.slices = (scan.ct / "slice_0004.dcm").string() + '\0'};
+    whole.segments += HandMadeOrder::segment("Tumour");
+    std::vector<HandMadeOrder> damaged(4, whole);
+    whole.frames += HandMadeOrder::second_frame();
+    damaged[0].slices.pop_back();
+    damaged[1].segments.pop_back();
+    damaged[2].segments.resize(whole.segments.size() - std::string("171 115 94").size() - 1);
+    damaged[3].segments.replace(whole.segments.size() - 4, 3, " up");  // a colour of two numbers
+    const auto expect_refused = [&](const TemporaryFolder& order, const std::string& what) {
+        const ChildOutcome outcome = carried_out(order.path(), scan.file);
+        EXPECT_EQ(outcome.number, 1) << what;
+        EXPECT_NE(outcome.errors.find("cut off"), std::string::npos) << what << outcome.errors;
+    };
+    for (std::size_t i = 0; i < damaged.size(); ++i) {
+        const TemporaryFolder order;
+        damaged[i].write(order.path());
+        expect_refused(order, std::to_string(i));
+    }
+    const TemporaryFolder order;
+    whole.write(order.path());
+    EXPECT_EQ(carried_out(order.path(), scan.file).number, 0);
+    fs::remove(order / "frames");
+    expect_refused(order, "no frames");
+    fs::create_directory(order / "frames");
+    expect_refused(order, "frames that cannot be read");
 }
 
 // By which viewers sort frames: the segment's number, then the slice's, in one order of heights.

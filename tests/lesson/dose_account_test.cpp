@@ -4,9 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
+#include <nlohmann/json.hpp>
+
 #include "core/base/error.h"
 #include "core/scene/drug_arrival.h"
+#include "core/scene/world.h"
+#include "core/scene/world_checkpoint.h"
 #include "tests/mesh/random_tree.h"
+#include "tests/session/new_session.h"
 
 namespace hepatica {
 namespace {
@@ -94,21 +100,151 @@ TEST(DoseCurve, RefluxIsWhatLeavesUpstreamOfTheTip) {
         << "the branch that holds the tip is the target";
 }
 
+TEST(DoseCurve, WhatLeaksAtATearIsDeliveredNowhere) {
+    const int branch = children(tree())[0][0];
+    InjectionOptions options = into({0, 0.0});
+    const Dose whole = DoseCurve(tree(), options, end_s, from(branch)).at(end_s);
+    options.tears = {middle_of_segment(branch)};
+    options.tear_areas_mm2 = {3.0};
+    const Dose torn = DoseCurve(tree(), options, end_s, from(branch)).at(end_s);
+    EXPECT_NEAR(torn.injected_g, whole.injected_g, 1e-9);
+    EXPECT_GT(whole.target_g, 1.0);
+    EXPECT_NEAR(torn.target_g, 0.0, 1e-9);
+    EXPECT_GT(torn.elsewhere_g(), 0.0) << "into the other branch";
+}
+
 TEST(DoseAccount, AddsUpInjectionsAsFarAsTheyWent) {
     const auto options = std::make_shared<const InjectionOptions>(into({0, 0.0}));
     DrugView drug;
     drug.injection = options;
+    drug.injections = 1;
     drug.end_s = end_s;
     drug.time_s = 5.0;
     DoseAccount account(tree(), from(0));
     account.see(drug);
     EXPECT_NEAR(account.total().injected_g, 15.0, 1e-9);
-    account.see(DrugView{});
+    DrugView none;
+    none.injections = 1;
+    account.see(none);
     EXPECT_NEAR(account.total().injected_g, 15.0, 1e-9) << "taken out";
     drug.injection = std::make_shared<const InjectionOptions>(*options);
+    drug.injections = 2;
     drug.time_s = 2.0;
     account.see(drug);
     EXPECT_NEAR(account.total().injected_g, 21.0, 1e-9);
+}
+
+double thread_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// Of the processor's time, so that the machine's load does not matter.
+TEST(DoseAccount, OfADrugUnlikeBloodCostsTheThreadThatStepsNothing) {
+    DrugView drug;
+    drug.injection = std::make_shared<const InjectionOptions>(into({0, 0.0}, 0.5));
+    drug.injections = 1;
+    drug.end_s = end_s;
+    InjectionOptions run = *drug.injection;
+    run.until_s = end_s;
+    run.step_s = end_s / 500.0;
+    const double before = thread_seconds();
+    Job job;
+    const InjectionResult whole = inject(tree(), run, job);
+    const double alone = thread_seconds();
+    DoseAccount account(tree(), from(0));
+    for (const double time_s : {0.02, 5.0, end_s}) {
+        drug.time_s = time_s;
+        account.see(drug);
+    }
+    const double with_account = thread_seconds();
+    EXPECT_LT(with_account - alone, 0.25 * (alone - before));
+    EXPECT_EQ(account.total().delivered_g, whole.series.back().delivered_g);
+    EXPECT_EQ(account.total().injected_g, whole.series.back().injected_g);
+}
+
+TEST(DoseCurve, WhatCannotFlowIsSaidAlthoughAnotherThreadFindsIt) {
+    InjectionOptions options = into({0, 0.0});
+    options.tip->segment = 99;
+    const DoseCurve curve(tree(), options, end_s, {});
+    EXPECT_THROW(curve.at(1.0), InputError);
+    EXPECT_THROW(curve.at(end_s), InputError) << "again";
+}
+
+// A play of the small patient whose drug is weighed in every frame.
+struct WeighedPlay {
+    WeighedPlay() {
+        SceneSpec scene;
+        scene.deform.reset();
+        session = test::new_session(scene);
+    }
+    void play(int steps) {
+        for (int i = 0; i < steps; ++i) {
+            session->step();
+            session->update_frame();
+            account.see(drug());
+        }
+    }
+    void inject(double mass_flow_g_s) {
+        session->post(InjectDrug{.point_mm = test::small_patient()->tree.nodes[0].position_mm,
+                                 .mass_flow_g_s = mass_flow_g_s});
+    }
+    const DrugView& drug() const { return session->frame().drug; }
+
+    std::unique_ptr<Session> session;
+    DoseAccount account{test::small_patient()->tree, {}};
+};
+
+TEST(DoseAccount, WhereThePlayGoesBackAnInjectionCountsOnce) {
+    WeighedPlay play;
+    play.inject(2.0);
+    play.play(70);
+    ASSERT_LT(play.drug().time_s, play.drug().end_s);
+    ASSERT_NEAR(play.account.total().injected_g, 2.0 * play.drug().time_s, 1e-9);
+    const auto injected = play.drug().injection;
+    play.session->post(RestoreSnapshot{});
+    play.play(1);
+    EXPECT_NEAR(play.drug().time_s, 61.0 / 60.0, 1e-9) << "the snapshot is of step 60";
+    EXPECT_EQ(play.drug().injection, injected) << "its curves need not be computed again";
+    EXPECT_NEAR(play.account.total().injected_g, 2.0 * play.drug().time_s, 1e-9);
+    play.play(5);
+    play.inject(1.0);  // replaces it, and is undone
+    play.play(5);
+    EXPECT_GT(play.account.total().injected_g, 2.0 * 66.0 / 60.0);
+    play.session->post(RestoreSnapshot{});
+    play.play(1);
+    EXPECT_NEAR(play.account.total().injected_g, 2.0 * play.drug().time_s, 1e-9);
+}
+
+TEST(DoseAccount, WhereThePlayGoesBackToBeforeAnInjectionNothingWasInjected) {
+    WeighedPlay play;
+    play.play(62);
+    play.inject(2.0);
+    play.play(20);
+    EXPECT_GT(play.account.total().injected_g, 0.5);
+    play.session->post(RestoreSnapshot{});
+    play.play(1);
+    EXPECT_EQ(play.account.total().injected_g, 0.0);
+    play.inject(3.0);
+    play.play(10);
+    EXPECT_NEAR(play.account.total().injected_g, 3.0 * play.drug().time_s, 1e-9);
+}
+
+// A keyframe that was read from a file knows the injection by its values alone.
+TEST(DoseAccount, AnInjectionOfAKeyframeThatWasReadCountsOnce) {
+    WeighedPlay play;
+    play.inject(2.0);
+    play.play(30);
+    const std::string text = to_json(play.session->world().checkpoint()).dump();
+    WeighedPlay later;
+    later.session->restore(
+        {.world = world_checkpoint_from_json(nlohmann::ordered_json::parse(text))});
+    later.play(20);
+    EXPECT_NEAR(later.account.total().injected_g, 2.0 * 50.0 / 60.0, 1e-9);
+    later.session->post(RestoreSnapshot{});
+    later.play(1);
+    EXPECT_NEAR(later.account.total().injected_g, 2.0 * 31.0 / 60.0, 1e-9);
 }
 
 TEST(TargetRegion, IsTheAnatomyBeyondThePlace) {

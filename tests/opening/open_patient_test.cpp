@@ -61,6 +61,18 @@ TEST_F(Opening, a_case_tells_what_its_reconstruction_warned_of) {
     }
 }
 
+TEST_F(Opening, what_is_lost_of_unsaved_work_is_the_first_warning) {
+    write_case(folder_ / "torn.hep", test::patient_with_bridges());
+    OpenRequest request;
+    request.reconstruct.ct = folder_ / "torn.hep";
+    Job job;
+    const std::size_t usual = open_patient(request, job).warnings.size();
+    request.lost = "the last change is lost";
+    const std::vector<std::string> warnings = open_patient(request, job).warnings;
+    ASSERT_EQ(warnings.size(), usual + 1);
+    EXPECT_EQ(warnings.front(), request.lost);
+}
+
 TEST_F(Opening, a_tree_gets_a_body) {
     write_tree_vtp(folder_ / "tree.vtp", test::forked_tree());
     const OpenedPatient opened = open(folder_ / "tree.vtp");

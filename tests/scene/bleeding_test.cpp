@@ -106,6 +106,24 @@ TEST(Bleeding, OfOneOfTwoBranchesIsSharedWithTheBedOfTheOther) {
     EXPECT_GT(leak_of(tree, {half_way(1, area_mm2), half_way(2, area_mm2)}), leak);
 }
 
+// The other one keeps its supply, and the fork bleeds by the hole.
+TEST(Bleeding, OfABranchThatIsTornOffIsThatOfItsStump) {
+    const VesselTree tree = fork_of_two();
+    const auto torn_off = [](int segment, double area_mm2) {
+        ThroughTear torn = half_way(segment, area_mm2);
+        torn.at.arclength_mm = 0.0;
+        return torn;
+    };
+    const double of_stump = leak_of(tree, {half_way(1, 3.0)});
+    EXPECT_LT(of_stump, 0.9 * RestingFlow{}.portal_g_s) << "the other branch gets some";
+    EXPECT_NEAR(leak_of(tree, {torn_off(1, 3.0)}), of_stump, 0.03 * of_stump);
+    Bleeding both(tree);
+    both.set_tears({torn_off(1, 3.0), torn_off(2, 1.0)});
+    EXPECT_NEAR(both.leak_g_s(), RestingFlow{}.portal_g_s, 1e-5) << "nothing else is left";
+    EXPECT_NEAR(both.leaks_g_s()[0], 3.0 * both.leaks_g_s()[1], 1e-6) << "as the openings";
+    EXPECT_NEAR(both.leaks_g_s()[0] + both.leaks_g_s()[1], both.leak_g_s(), 1e-9);
+}
+
 // Held between the fork and the stump: what presses less than the blood does changes nothing, and
 // the harder it is held, the less is lost.
 TEST(Bleeding, FallsWhereTheVesselIsHeldBeforeItsStump) {

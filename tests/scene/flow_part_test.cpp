@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 #include <numeric>
 #include <thread>
@@ -14,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/flow/arrival_times.h"
 #include "core/flow/injection.h"
+#include "core/scene/world_checkpoint.h"
 #include "tests/session/small_patient.h"
 #include "tests/support/asked_to_stop.h"
 
@@ -354,6 +356,69 @@ TEST(FlowPart, VerticesOfAnotherTearHaveTheirOwnParentsPlaceAndTime) {
         EXPECT_EQ(part.place_of(count).arclength_mm, part.place_of(parent).arclength_mm);
         EXPECT_EQ(part.drug().arrival_s->back(), before[parent]);
     }
+}
+
+// Behind the tear there is none of it; before it nothing has changed.
+TEST(FlowPart, ADrugEndsAtTheTearOfATube) {
+    const VesselTree tree = tube_of_40_mm();
+    const ThroughTear tear{{0, 20.0, 0.0}, 4.0 * std::numbers::pi};
+    Injection whole{.at = {0, 0.0, 0.0}};
+    for (const double share : {0.0, 0.4}) {
+        whole.void_fraction = share;
+        Injection torn = whole;
+        torn.tears = {tear};
+        const std::vector<float> usual = shown(tree, whole);
+        Shown made(tree);
+        made.part.inject(torn);
+        made.part.finish_injection();
+        const DrugView& drug = made.part.drug();
+        for (std::size_t k = 0; k < 11; ++k) {  // 4 mm apart
+            if (k < 5)
+                EXPECT_NEAR((*drug.arrival_s)[k], usual[k], 1e-3 * usual[10]) << k;
+            else
+                EXPECT_TRUE(std::isinf((*drug.arrival_s)[k])) << k;
+        }
+        const float at_stump_s = made.part.arrival_at_stump_s(tear, -1);
+        EXPECT_NEAR(at_stump_s, usual[5], 1e-3 * usual[10]);
+        EXPECT_GT(drug.end_s, at_stump_s) << "it goes on leaking";
+    }
+}
+
+TEST(FlowPart, ADrugGoesToTheBranchesThatAreNotTorn) {
+    const VesselTree& tree = test::small_patient()->tree;
+    const std::vector<std::vector<int>> kids = children(tree);
+    ASSERT_EQ(kids[0].size(), 2u);
+    const int off = kids[0][0], beside = kids[0][1];
+    const std::vector<float> arrival_s =
+        shown(tree, {.at = {0, 0.0, 0.0}, .tears = {{{off, 0.0, 0.0}, 3.0}}});
+    const auto at = [&](int segment, int tenth) {
+        return arrival_s[static_cast<std::size_t>(11 * segment + tenth)];
+    };
+    for (int tenth = 0; tenth <= 10; ++tenth) {
+        EXPECT_TRUE(std::isfinite(at(0, tenth)));
+        EXPECT_TRUE(std::isfinite(at(beside, tenth)));
+        EXPECT_TRUE(std::isinf(at(off, tenth)));
+        for (const int further : kids[off]) EXPECT_TRUE(std::isinf(at(further, tenth)));
+    }
+}
+
+// As from a keyframe in a file, which holds no times.
+TEST(FlowPart, TheTearsOfAnInjectionGoIntoCheckpoints) {
+    const VesselTree tree = tube_of_40_mm();
+    const ThroughTear tear{{0, 20.0, 0.0}, 5.0};
+    Shown made(tree), other(tree), whole(tree);
+    made.part.inject({.at = {0, 0.0, 0.0}, .tears = {tear}});
+    whole.part.inject({.at = {0, 0.0, 0.0}});
+    EXPECT_NE(made.part.state_hash(), whole.part.state_hash());
+    WorldCheckpoint kept;
+    kept.flow = made.part.checkpoint();
+    other.part.restore(*world_checkpoint_from_json(to_json(kept)).flow);
+    EXPECT_EQ(*other.part.drug().arrival_s, *made.part.drug().arrival_s);
+    EXPECT_EQ(other.part.drug().end_s, made.part.drug().end_s);
+    EXPECT_EQ(other.part.arrival_at_stump_s(tear, -1), made.part.arrival_at_stump_s(tear, -1));
+    EXPECT_EQ(other.part.state_hash(), made.part.state_hash());
+    kept.flow->injected->tears[0].at.segment = 1;
+    EXPECT_THROW(other.part.restore(*kept.flow), InputError) << "of another tree";
 }
 
 }  // namespace

@@ -218,6 +218,36 @@ TEST(TearSession, ADrugLeaksFromTheStumpThatItReaches) {
     EXPECT_EQ(session->world().bleeding()->leaked_drug_g(), 0.0);
 }
 
+// What was injected before the tear goes on as before; what is injected after it ends there.
+TEST(TearSession, AnInjectionKnowsWhatIsTornByThen) {
+    const auto session = of_portal_veins();
+    InjectDrug drug;
+    drug.point_mm = small_patient()->tree.segments[0].points_mm.front();
+    drug.void_fraction = 0.0;
+    const auto reached_behind = [&] {
+        const FlowPart& flow = *session->world().flow();
+        int behind = 0, reached = 0;
+        for (std::size_t v = 0; v < session->world().vertex_count(); ++v) {
+            if (flow.place_of(static_cast<int>(v)).segment == 0) continue;
+            ++behind;
+            reached += std::isfinite((*flow.drug().arrival_s)[v]) ? 1 : 0;
+        }
+        EXPECT_GT(behind, 100);
+        return reached;
+    };
+    session->post(drug);
+    session->step();
+    session->post(blade());  // through the only vessel that supplies the others
+    play(*session, 3);
+    ASSERT_GT(session->world().bleeding()->leak_g_s(), 0.0);
+    EXPECT_GT(reached_behind(), 100);
+    session->post(drug);
+    session->step();
+    EXPECT_EQ(reached_behind(), 0);
+    session->update_frame();
+    EXPECT_FALSE(session->frame().drug.injection->tears.empty());
+}
+
 // A body that sleeps goes on bleeding: what is lost is told as long as it is.
 TEST(TearSession, WhatBleedsDoesNotRest) {
     const auto session = of_portal_veins();
@@ -356,6 +386,30 @@ TEST(TearSession, TheWholeDialIsBackOnceNothingTearsAnyMore) {
     EXPECT_EQ(session->world().deform()->setting().order, ElementOrder::linear);
     EXPECT_EQ(session->frame().statistics.expected_error, 0.2);
     EXPECT_EQ(order_at(1.0), ElementOrder::quadratic);
+}
+
+// Tearing may have begun, or ended, between the start of the session and the keyframe.
+TEST(TearSession, TheDialIsThatOfTheKeyframeThatIsRestored) {
+    const StepperOptions exact{.order = ElementOrder::quadratic};
+    const auto session = new_session();
+    session->use_dial(QualityDial({{{}, 1.0, 0.2, "mixed"}, {exact, 9.0, 0.1, "mixed"}}));
+    session->step();
+    const Keyframe whole{.world = session->world().checkpoint()};
+    const auto other = new_session();
+    other->post(UseTear{true, 1.0});
+    other->step();
+    const Keyframe torn{.world = other->world().checkpoint()};
+    const auto finest = [&] {
+        session->post(SetQuality{1.0});
+        session->step();
+        session->update_frame();
+        return session->frame().statistics.expected_error;
+    };
+    session->restore(torn);
+    EXPECT_EQ(finest(), 0.2);
+    EXPECT_EQ(session->frame().statistics.message, "") << "it asked for one that cannot tear";
+    session->restore(whole);
+    EXPECT_EQ(finest(), 0.1);
 }
 
 // Neither the dial nor the commands of that step are lost.

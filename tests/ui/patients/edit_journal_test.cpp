@@ -54,6 +54,11 @@ class JournalFile : public ::testing::Test {
         journal.append(state);
         journal.wait_until_written();
     }
+    JournalLoss loss() const {
+        JournalLoss loss{JournalLoss::Kind::read, 99};
+        read_edit_journal(file_, &loss);
+        return loss;
+    }
     void add(const std::string& text) { std::ofstream(file_, std::ios::app) << text; }
 
     QTemporaryDir temporary_;
@@ -67,10 +72,13 @@ TEST_F(JournalFile, IsReadUpToATornLineAndFromTheNextBase) {
         note(state(1, {1}), journal);
         note(whole, journal);
     }
+    EXPECT_EQ(loss(), JournalLoss{});
     add(R"({"change": 9, "keep": 2, "add": [{"ed)");
     EXPECT_EQ(read_edit_journal(file_), whole);
+    EXPECT_EQ(loss(), (JournalLoss{JournalLoss::Kind::end, 4}));
     add("\n{\"change\": 10, \"keep\": 0, \"add\": []}\n");
     EXPECT_EQ(read_edit_journal(file_), whole) << "what stands behind damage is not believed";
+    EXPECT_EQ(loss(), (JournalLoss{JournalLoss::Kind::line, 4})) << "and named";
     add(R"({"format": "hepatica-edits", "version": 1, "title": "berta.hep", )"
         R"("case": "", "extracted": "0"})"
         "\n");
@@ -78,6 +86,33 @@ TEST_F(JournalFile, IsReadUpToATornLineAndFromTheNextBase) {
     add("{\"change\": 11, \"keep\": 0, \"add\": []}\n");
     EXPECT_EQ(read_edit_journal(file_), (Journalled{{"berta.hep", "", 0}, {}, {}, 11}))
         << "it begins anew";
+    EXPECT_EQ(loss(), JournalLoss{}) << "nothing of the newest state is missing";
+}
+
+// With the work that is offered, and where it is missing.
+TEST_F(JournalFile, ThatIsDamagedIsToldOf) {
+    {
+        EditJournal journal(file_);
+        note(state(1, {1}), journal);
+    }
+    const auto lost = [this] { return Recovery::unsaved_work(file_).request.lost; };
+    EXPECT_EQ(lost(), "");
+    add(R"({"change": 2, "keep": 1, "ad)");
+    EXPECT_NE(lost().find("The last change"), std::string::npos) << lost();
+    add("\n");
+    EXPECT_NE(lost().find("line 3"), std::string::npos) << lost();
+    EXPECT_NE(lost().find(file_.string()), std::string::npos) << lost();
+    // Where the journal is of no use the copy beside it is offered.
+    add("\n");
+    const fs::path copy = file_.parent_path() / "1" / "anton.hep";
+    EXPECT_NE(Recovery::unsaved_work(copy).request.lost.find("line 3"), std::string::npos);
+}
+
+TEST_F(JournalFile, ThatCannotBeReadIsNamed) {
+    EXPECT_EQ(loss(), JournalLoss{}) << "there is none";
+    fs::create_directory(file_);
+    EXPECT_FALSE(read_edit_journal(file_));
+    EXPECT_EQ(loss(), (JournalLoss{JournalLoss::Kind::read, 1}));
 }
 
 TEST_F(JournalFile, WithoutABaseHoldsNothing) {
@@ -99,11 +134,13 @@ TEST_F(JournalFile, GoesOnAfterALineThatWasCutOff) {
         note(later, journal);
     }
     EXPECT_TRUE(journal.failed());
+    EXPECT_EQ(loss().kind, JournalLoss::Kind::end);
     EXPECT_EQ(fs::file_size(file_), whole + 10) << "a part of the line is there";
     EXPECT_EQ(read_edit_journal(file_), first);
     note(later, journal);
     EXPECT_FALSE(journal.failed());
     EXPECT_EQ(read_edit_journal(file_), later) << "though nothing was changed since";
+    EXPECT_EQ(loss(), JournalLoss{});
     later.edits.push_back(testing::edit(3));
     later.change = 3;
     note(later, journal);
