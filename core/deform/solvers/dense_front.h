@@ -30,8 +30,9 @@ struct PivotRule {
 // entry and those of L on exit. The remainder is column-major, padded(rest) by rest, lower part; on
 // exit L21 L21^T is subtracted from it, and its padding rows hold garbage. Both need
 // front_alignment scalars of slack after their end: they are read and written, never used, and no
-// scalar beyond them is touched. Pivots not above `smallest` times their value on entry are treated by the rule; returns their number. Throws
-// Cancelled between two strips of columns after a stop is requested.
+// scalar beyond them is touched. Pivots not above `smallest` times their value on entry are treated
+// by the rule; returns their number. Throws Cancelled between two strips of columns after a stop is
+// requested.
 template <class T>
 int factor_front(T* panel, T* remainder, int pivots, int rest, PivotRule rule,
                  const std::stop_token& stop = {});
