@@ -110,6 +110,25 @@ TEST(TracedVessel, RefusesWhatItCannotFollow) {
     EXPECT_NE(problem_of({Vec3(2, 2, -0.5), Vec3(12, 3, -0.5)}).find("15 HU"), std::string::npos);
 }
 
+// A centreline of one voxel has one point; resampling reads the second.
+TEST(TracedVessel, RefusesPlacesThatLieInOneVoxel) {
+    const Volume ct = bent_tube();
+    const Index3 in_tube = nearest_voxel(ct.grid, on_arc(90));
+    const Vec3 centre = ct.grid.to_mm(in_tube[0], in_tube[1], in_tube[2]);
+    const Vec3 up(0, 0, 0.4);  // of half a voxel's 0.5 mm
+    for (const std::vector<Vec3>& clicks :
+         {std::vector<Vec3>{centre - up, centre + up}, {centre - up, centre + up, centre - up}}) {
+        try {
+            traced(ct, clicks);
+            ADD_FAILURE() << clicks.size();
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.problem(), "a vessel needs two places at least");
+        }
+    }
+    // Into the next voxel it is a vessel, however short.
+    EXPECT_GE(traced(ct, {centre, centre + Vec3(0, 0, 1)}).points_mm.size(), 2u);
+}
+
 TEST(TracedVessel, IsTheSameInThePartOfTheCtThatItNeeds) {
     const Volume ct = bent_tube();
     const std::vector<Vec3> clicks{on_arc(20), on_arc(50)};
