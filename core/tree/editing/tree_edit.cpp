@@ -83,7 +83,8 @@ class Edit {
         };
         const auto [from, system] = node_at(edit.at_mm);
         const auto [to, other_system] = node_at(edit.to_mm);
-        if (from == to)
+        // Each of two systems that touch has a node of its own there.
+        if (from == to || graph_.nodes[from].position_mm == graph_.nodes[to].position_mm)
             throw InputError("both ends of the link lie at one point", place_text(edit.at_mm),
                              "Name two places that are not joined yet");
         add_path(from, to, system, edit.path_mm);

@@ -132,6 +132,28 @@ TEST(TreeEdit, LinkJoinsWhatACutParted) {
     EXPECT_NEAR(length_mm(joined), length_mm(forked_tree()), 0.05);
 }
 
+// Two systems that touch have nodes of their own at one position. A link between these has no
+// length, and no case with it can be read again.
+TEST(TreeEdit, LinkWithinThePointWhereTwoSystemsTouchIsRefused) {
+    VesselGraph graph = forked_graph();
+    graph.links[0].system = VascularSystem::portal;
+    for (std::size_t i = 1; i < graph.links.size(); ++i)
+        graph.links[i].system = VascularSystem::hepatic;
+    const VesselTree touching = directed(graph);
+    ASSERT_EQ(roots(touching).size(), 2u);
+    const Vec3 touch = graph.nodes[1].position_mm;
+    const auto from_touch = [&](int node) {
+        return Vec3(touch + 0.5 * (graph.nodes[node].position_mm - touch).normalized());
+    };
+    TreeEdit link = edit_at(TreeEditKind::add_link, from_touch(0));
+    link.to_mm = from_touch(2);
+    EXPECT_THROW(edited(touching, link), InputError);
+    std::swap(link.at_mm, link.to_mm);
+    EXPECT_THROW(edited(touching, link), InputError);
+    link.at_mm = graph.nodes[2].position_mm;  // elsewhere it joins them
+    EXPECT_EQ(roots(edited(touching, link)).size(), 1u);
+}
+
 TEST(TreeEdit, LinkInsideOneTreeClosesALoop) {
     TreeEdit link = edit_at(TreeEditKind::add_link, on_left_branch);
     link.to_mm = on_last_branch;
