@@ -158,9 +158,11 @@ class Bridging {
     std::vector<Candidate> find_candidates() {
         const auto at_node = links_of_nodes(graph_);
         std::vector<int> ends;
-        for (std::size_t n = 0; n < at_node.size(); ++n)
-            if (at_node[n].size() == 1 && others_in_reach(static_cast<int>(n)))
-                ends.push_back(static_cast<int>(n));
+        for (std::size_t n = 0; n < at_node.size(); ++n) {
+            if (at_node[n].size() != 1) continue;
+            progress_(0.0);  // allows cancelling: each end looks at all points
+            if (others_in_reach(static_cast<int>(n))) ends.push_back(static_cast<int>(n));
+        }
         std::vector<std::vector<Candidate>> found(ends.size());
         const GapSearch search{&grid_, [&](std::size_t p) { return pieces_.of_voxel(p); },
                                [&](const Vec3& p) { return brightness_.at(p); },

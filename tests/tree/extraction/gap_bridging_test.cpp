@@ -9,6 +9,7 @@
 #include "core/skeleton/unit_width_skeleton.h"
 #include "core/tree/tree_extraction.h"
 #include "tests/support/test_masks.h"
+#include "tests/support/test_trees.h"
 
 namespace hepatica {
 
@@ -106,6 +107,25 @@ TEST(GapBridging, WithoutCtOnlyNarrowGapsAreBridged) {
     EXPECT_TRUE(extraction_of(broken_branch(26, 28, 110), false).bridges.at(0).built);
     const auto wide = extraction_of(broken_branch(24, 40, 110), false).bridges;
     EXPECT_TRUE(wide.empty() || !wide[0].built);
+}
+
+// Noise taken for vessels makes thousands of ends, each of which looks at all points of the others.
+TEST(GapBridging, AsksBeforeEachEndLooksForOthersInReach) {
+    Grid grid;
+    grid.dims = {40, 8, 8};
+    Mask mask(grid);
+    VesselGraph graph;
+    for (const int x : {2, 36}) {  // 34 mm apart: none is in reach
+        const int from = static_cast<int>(graph.nodes.size());
+        graph.nodes.push_back({Vec3(x, 2, 4), 1.0});
+        graph.nodes.push_back({Vec3(x, 6, 4), 1.0});
+        graph.links.push_back(straight_link(graph, from, from + 1, 1.0, 1.0));
+        for (int y = 2; y <= 6; ++y) mask.at(x, y, 4) = 1;
+    }
+    int asked = 0;
+    EXPECT_TRUE(
+        bridge_gaps(graph, mask, nullptr, BridgeOptions{}, [&](double) { ++asked; }).empty());
+    EXPECT_EQ(asked, 4);
 }
 
 // Two trees whose thin ends meet tip to tip are two systems, not one vessel with a gap.
