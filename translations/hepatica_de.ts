@@ -8939,5 +8939,13 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>measured</source>
         <translation>gemessen</translation>
     </message>
+    <message>
+        <source>a least radius of %1 mm</source>
+        <translation>ein kleinster Radius von %1 mm</translation>
+    </message>
+    <message>
+        <source>Choose a least radius from 0 to 50 mm</source>
+        <translation>Wählen Sie einen kleinsten Radius von 0 bis 50 mm</translation>
+    </message>
 </context>
 </TS>
