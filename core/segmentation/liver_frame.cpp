@@ -62,6 +62,27 @@ FloatVolume part_of(const Volume& ct, const IndexBox& box, const Job& job) {
     return part;
 }
 
+// Whether all of a grid's voxels have their centres in another one.
+bool covers(const Grid& whole, const Grid& part) {
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto along = [&](std::size_t a) { return (corner >> a & 1) ? part.dims[a] - 1 : 0; };
+        if (!holds(whole, part.to_mm(along(0), along(1), along(2)))) return false;
+    }
+    return true;
+}
+
+// The liver on the cubes, without what lies beyond its own grid: there resample() repeats the
+// border, and a mask cut to the liver has liver at its border.
+Mask liver_on(const Grid& cubes, const Mask& liver, Job& job) {
+    Mask found = resample(liver, cubes, Interpolation::linear, job);
+    if (covers(liver.grid, cubes)) return found;
+    for_each_voxel(found.voxels.size(), job, [&](std::size_t i) {
+        const auto [x, y, z] = cubes.index_of(i);
+        if (!holds(liver.grid, cubes.to_mm(x, y, z))) found.voxels[i] = 0;
+    });
+    return found;
+}
+
 }  // namespace
 
 LiverFrame make_liver_frame(const Volume& ct, const Mask& liver, double spacing_mm, Job& job) {
@@ -80,7 +101,7 @@ LiverFrame make_liver_frame(const Volume& ct, const Mask& liver, double spacing_
     const Grid cubes = respaced(part.grid, Vec3::Constant(spacing_mm));
     frame.intensity = resample(part, cubes, Interpolation::linear, job);
     part = FloatVolume();
-    frame.liver = close_liver(resample(liver, cubes, Interpolation::linear, job), closing_mm, job);
+    frame.liver = close_liver(liver_on(cubes, liver, job), closing_mm, job);
     return frame;
 }
 

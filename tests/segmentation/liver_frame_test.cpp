@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/image/filters.h"
 
 namespace hepatica {
 namespace {
@@ -112,6 +113,24 @@ TEST(LiverFrame, DoesNotGrowTheLiverTowardsItsBorder) {
         ASSERT_LE(outside, 2.0) << p.transpose();
     }
     EXPECT_NEAR(static_cast<double>(inside_voxels), 22.0 * 22.0 * 22.0, 0.1 * 22.0 * 22.0 * 22.0);
+}
+
+// As many programs save a mask: its grid is the liver's box, and liver lies at each border.
+TEST(LiverFrame, OfAMaskCutToTheLiverIsTheSameAsOfTheWholeMask) {
+    const Volume ct = linear_ct();
+    const Mask whole = box(low_mm, high_mm);
+    const Mask cut = crop(whole, bounding_box(whole));
+    ASSERT_EQ(std::count(cut.voxels.begin(), cut.voxels.end(), 0), 0);
+    Job job;
+    const LiverFrame of_whole = make_liver_frame(ct, whole, 0.8, job);
+    const LiverFrame of_cut = make_liver_frame(ct, cut, 0.8, job);
+    ASSERT_TRUE(same_grid(of_cut.liver.grid, of_whole.liver.grid));
+    EXPECT_EQ(of_cut.intensity.voxels, of_whole.intensity.voxels);
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < of_cut.liver.voxels.size(); ++i)
+        other += of_cut.liver.voxels[i] != of_whole.liver.voxels[i];
+    // At edges and corners the whole mask is interpolated with the background around it.
+    EXPECT_LT(other, of_cut.liver.voxels.size() / 50);
 }
 
 TEST(LiverFrame, EndsWhereTheCtEnds) {
