@@ -156,6 +156,14 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     return result;
 }
 
+// The file that an error of a later step means, which knows none.
+std::string file_of(const std::string& place, const ReconstructOptions& options) {
+    if (place == "CT") return options.ct.string();
+    if (place == "liver mask") return options.liver_mask.value_or(options.ct).string();
+    if (place == "vessels") return options.vessel_mask.value_or(options.ct).string();
+    return place;
+}
+
 }  // namespace
 
 int stage_count(const ReconstructOptions& options) {
@@ -179,7 +187,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, Job& job,
         // The warnings about the image may be the reason.
         std::string problem = error.problem();
         for (const std::string& warning : warnings) problem += "; " + warning;
-        throw InputError(problem, error.place(), error.remedy());
+        throw InputError(problem, file_of(error.place(), options), error.remedy());
     }
 }
 

@@ -169,6 +169,27 @@ TEST(Reconstruct, ASeedInNoVesselIsRefusedByItsPlace) {
     fs::remove_all(folder);
 }
 
+// The steps that look for liver and vessels know no file; of several patients one must be named.
+TEST(Reconstruct, NamesTheCtThatShowsNoVessels) {
+    const fs::path folder = fs::path(testing::TempDir()) / "hepatica plain";
+    fs::create_directories(folder);
+    Grid grid;
+    grid.dims = {64, 64, 24};
+    Volume ct(grid, 100);
+    ct.voxels[0] = 50;
+    ReconstructOptions options;
+    options.ct = folder / "plain.nii.gz";
+    write_nifti(options.ct, ct);
+    Job job;
+    try {
+        reconstruct(options, job);
+        FAIL() << "a plain block was taken for a liver with vessels";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.place(), options.ct.string()) << error.what();
+    }
+    fs::remove_all(folder);
+}
+
 TEST(Reconstruct, ACancelledJobThrowsBeforeAnythingIsRead) {
     Job job;
     job.cancel();
