@@ -42,11 +42,7 @@ std::size_t offset_of(const Grid& grid, const Index3& voxel) {
 std::vector<Vec3> checked(const Volume& ct, const std::vector<Vec3>& clicks_mm) {
     std::vector<Vec3> places;
     for (const Vec3& click : clicks_mm) {
-        const Vec3 index = ct.grid.to_index(click);
-        bool inside = true;
-        for (int a = 0; a < 3; ++a)  // also false for NaN
-            inside = inside && index[a] >= -0.5 && index[a] < ct.grid.dims[a] - 0.5;
-        if (!inside)
+        if (!holds(ct.grid, click))
             throw InputError("the place lies outside of the CT", place_text(click),
                              "Point at the vessel within the image");
         if (!places.empty() && (click - places.back()).norm() < same_place_mm) continue;

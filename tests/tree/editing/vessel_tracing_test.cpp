@@ -106,8 +106,10 @@ TEST(TracedVessel, RefusesWhatItCannotFollow) {
     EXPECT_NE(problem_of({on_arc(30), Vec3(nan, 0, 0)}).find("outside"), std::string::npos);
     EXPECT_NE(problem_of({Vec3(0, 0, 0), Vec3(40, 30, 20)}).find("50 mm"), std::string::npos);
     EXPECT_NE(problem_of({Vec3(2, 2, 2), Vec3(12, 3, 2)}).find("15 HU"), std::string::npos);
-    // On the very face of the image.
-    EXPECT_NE(problem_of({Vec3(2, 2, -0.5), Vec3(12, 3, -0.5)}).find("15 HU"), std::string::npos);
+    // On the very faces of the image.
+    for (const double z : {-0.5, 29.5})
+        EXPECT_NE(problem_of({Vec3(2, 2, z), Vec3(12, 3, z)}).find("15 HU"), std::string::npos)
+            << z;
 }
 
 // A centreline of one voxel has one point; resampling reads the second.
