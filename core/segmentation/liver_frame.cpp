@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 #include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/image/filters.h"
+#include "core/image/memory_limit.h"
 #include "core/image/voxel_loop.h"
 #include "core/segmentation/liver_region.h"
 
@@ -19,6 +21,9 @@ namespace {
 constexpr double margin_mm = 6.0;
 // Expert masks leave out the main branches of the portal vein and part of the vena cava.
 constexpr double closing_mm = 8.0;
+// At least: measure_tissue() has five images of floats and two masks at once, other steps have
+// more. A mask of the whole body in place of the liver makes 500 million cubes.
+constexpr std::int64_t bytes_per_cube = 22;
 
 // The box of CT voxels that contains the liver, with a margin.
 IndexBox box_in(const Grid& ct, const Mask& liver) {
@@ -99,6 +104,8 @@ LiverFrame make_liver_frame(const Volume& ct, const Mask& liver, double spacing_
     gaussian_smooth(part, blur, job);
     LiverFrame frame;
     const Grid cubes = respaced(part.grid, Vec3::Constant(spacing_mm));
+    require_memory(bytes_of(cubes.dims[0], cubes.dims[1], cubes.dims[2], bytes_per_cube),
+                   "liver mask");
     frame.intensity = resample(part, cubes, Interpolation::linear, job);
     part = FloatVolume();
     frame.liver = close_liver(liver_on(cubes, liver, job), closing_mm, job);

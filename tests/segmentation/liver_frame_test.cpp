@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <string>
 
 #include "core/base/error.h"
 #include "core/image/filters.h"
@@ -145,6 +147,35 @@ TEST(LiverFrame, EndsWhereTheCtEnds) {
                   .cwiseAbs()
                   .x(),
               1.5);
+}
+
+double available_bytes() {
+    std::ifstream info("/proc/meminfo");
+    std::string name, unit;
+    double kilobytes = 0.0;
+    while (info >> name >> kilobytes >> unit)
+        if (name == "MemAvailable:") return 1024.0 * kilobytes;
+    return 0.0;
+}
+
+// A mask of the whole body in place of the liver: one image on cubes takes less than half of the
+// memory, all of them together more than twice. Linux ends a program for that without a word.
+TEST(LiverFrame, IsRefusedWhereTheStepsAfterItWouldNotFitIntoMemory) {
+    const double available = available_bytes();
+    if (available == 0.0) GTEST_SKIP() << "the free memory is not known";
+    constexpr double cube_mm = 0.3, voxel_mm = 10.0;
+    const double edge_mm = cube_mm * std::cbrt(0.4 * available / sizeof(float));
+    Grid grid;
+    grid.dims.fill(static_cast<int>(edge_mm / voxel_mm));
+    grid.spacing_mm = Vec3::Constant(voxel_mm);
+    Job job;
+    try {
+        make_liver_frame(Volume(grid, 100), Mask(grid, 1), cube_mm, job);
+        FAIL() << "it was made";
+    } catch (const InputError& error) {
+        EXPECT_NE(error.problem().find("of memory"), std::string::npos) << error.what();
+        EXPECT_EQ(error.place(), "liver mask");
+    }
 }
 
 TEST(LiverFrame, RefusesSpacingsAndMasksThatCannotBe) {
