@@ -143,6 +143,7 @@ class Bridging {
             const std::uint32_t b = joined.root(static_cast<std::uint32_t>(candidate.to_piece));
             if (a == b) continue;
             if (candidate.bridge.confidence >= options_.confidence) {
+                progress_(1.0);  // allows cancelling
                 joined.unite(a, b);
                 build(candidate);
             } else if (!offered.insert(std::minmax(a, b)).second) {
@@ -270,7 +271,7 @@ class Bridging {
         int nearest = -1;
         std::size_t at = 0;
         double least = std::numeric_limits<double>::infinity();
-        for (std::size_t id = 0; id < graph.links.size(); ++id)
+        for (std::size_t id = 0; id < graph.links.size() && least > 0.0; ++id)
             for (std::size_t i = 0; i < graph.links[id].points_mm.size(); ++i) {
                 const double d =
                     (graph.links[id].points_mm[i] - bridge.path_mm.back()).squaredNorm();

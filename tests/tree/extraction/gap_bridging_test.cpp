@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "core/skeleton/thinning.h"
@@ -126,6 +128,27 @@ TEST(GapBridging, AsksBeforeEachEndLooksForOthersInReach) {
     EXPECT_TRUE(
         bridge_gaps(graph, mask, nullptr, BridgeOptions{}, [&](double) { ++asked; }).empty());
     EXPECT_EQ(asked, 4);
+}
+
+// For each bridge that is built the graph's points are searched; the search for paths ends before a
+// share of 1.
+TEST(GapBridging, AsksBeforeEachBridgeThatIsBuilt) {
+    Grid grid;
+    grid.dims = {52, 9, 9};
+    Mask mask(grid);
+    VesselGraph graph;
+    for (const int x : {2, 18, 34}) {  // three pieces of a line, 3 voxels apart
+        const int from = static_cast<int>(graph.nodes.size());
+        graph.nodes.push_back({Vec3(x, 4, 4), 1.0});
+        graph.nodes.push_back({Vec3(x + 12, 4, 4), 1.0});
+        graph.links.push_back(straight_link(graph, from, from + 1, 1.0, 1.0));
+        for (int along = 0; along <= 12; ++along) mask.at(x + along, 4, 4) = 1;
+    }
+    std::atomic<int> asked = 0;
+    const std::vector<Bridge> bridges = bridge_gaps(graph, mask, nullptr, BridgeOptions{},
+                                                    [&](double share) { asked += share == 1.0; });
+    ASSERT_EQ(std::ranges::count_if(bridges, &Bridge::built), 2);
+    EXPECT_EQ(asked, 2);
 }
 
 // Two trees whose thin ends meet tip to tip are two systems, not one vessel with a gap.
