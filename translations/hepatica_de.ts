@@ -8947,5 +8947,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Choose a least radius from 0 to 50 mm</source>
         <translation>Wählen Sie einen kleinsten Radius von 0 bis 50 mm</translation>
     </message>
+    <message>
+        <source>Choose a mask that holds whole vessels</source>
+        <translation>Wählen Sie eine Maske, die ganze Gefäße enthält</translation>
+    </message>
 </context>
 </TS>
