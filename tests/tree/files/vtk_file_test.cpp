@@ -95,6 +95,24 @@ TEST(VtkFile, IsNotTakenForItsOwnWhereTextsHideItsNumbers) {
     }
 }
 
+// Edits draw vessels by the radii of nodes.
+TEST(VtkFile, OfItsOwnIsRefusedWhereANodeHasNoRadius) {
+    for (const char* radius : {"nan", "-5", "inf"}) {
+        const std::filesystem::path file = own_file_with("");
+        std::ifstream in(file);
+        std::string text(std::istreambuf_iterator<char>(in), {});
+        text.replace(text.find(">5 6<"), 5, std::string(">") + radius + " 6<");
+        std::ofstream(file) << text;
+        try {
+            read_tree_vtp(file);
+            ADD_FAILURE() << radius;
+        } catch (const InputError& error) {
+            EXPECT_NE(error.problem().find("a node of radius"), std::string::npos)
+                << error.problem();
+        }
+    }
+}
+
 TEST(VtkFile, IsRefusedByWhatItSaysOfItself) {
     for (const auto& [from, to, problem] : std::initializer_list<std::array<const char*, 3>>{
              {R"(Array type="String")", R"(Array kind="String")", "no known type"},
