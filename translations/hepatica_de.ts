@@ -8951,5 +8951,17 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>The unsaved work may lack its end: %1 cannot be read from line %2 on. Check its disk and open it again</source>
         <translation>Der ungespeicherten Arbeit fehlt vielleicht das Ende: %1 lässt sich ab Zeile %2 nicht lesen. Prüfen Sie den Datenträger und öffnen Sie sie noch einmal</translation>
     </message>
+    <message>
+        <source>a least radius of %1 mm</source>
+        <translation>ein kleinster Radius von %1 mm</translation>
+    </message>
+    <message>
+        <source>Choose a least radius from 0 to 50 mm</source>
+        <translation>Wählen Sie einen kleinsten Radius von 0 bis 50 mm</translation>
+    </message>
+    <message>
+        <source>Choose a mask that holds whole vessels</source>
+        <translation>Wählen Sie eine Maske, die ganze Gefäße enthält</translation>
+    </message>
 </context>
 </TS>

@@ -161,6 +161,7 @@ constexpr std::array sentences_patient{
               "(--vessel-mask)"),
     Words::id("Give the liver, too (--liver-mask): blood reaches tumours through it"),
     Words::id("the vessels found are too small for a tree"),
+    Words::id("Choose a mask that holds whole vessels"),
     Words::id("tumours are given without a liver"),
     Words::id("The correction number %1 is left out, because it cannot be made on these vessels: "
               "%2 (%3)"),

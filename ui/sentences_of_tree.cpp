@@ -185,6 +185,8 @@ constexpr std::array sentences_tree{
     Words::id("is flat or inverted (volume %1)"),
     Words::id("the vessels are %1 radii long, too thin for tetrahedra"),
     Words::id("an element size of %1 radii"),
+    Words::id("a least radius of %1 mm"),
+    Words::id("Choose a least radius from 0 to 50 mm"),
     Words::id("Check the unit of the radii (millimetres), or set a least radius"),
     Words::id("Choose a size from 0.3 to 1 radius"),
     Words::id("Lower the window of intensities or give a vessel mask"),

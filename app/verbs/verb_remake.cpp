@@ -59,7 +59,7 @@ Mask wanted_vessels(const RemakeChoices& options, const PatientCase& patient, co
     if (!options.vessels.empty()) {
         const LabelMap labels = read_label_map(options.vessels, job);
         if (same_grid(labels.grid, patient.mask.grid)) {
-            vessels = systems_of_labels(labels, {}, options.vessels.string(), warnings);
+            vessels = systems_of_labels(labels, {}, options.vessels.string(), warnings, job);
             vessels.grid = patient.mask.grid;  // the file stores it in single precision
         } else {
             vessels = read_given_vessels(options.vessels, {}, ct_grid, warnings, job);

@@ -25,6 +25,7 @@ namespace {
 
 constexpr double calls_per_radius_of_length = 2000.0;
 constexpr double longest_in_radii = 1e6;  // about 1e7 tetrahedra; a liver's vessels have 1e4 radii
+constexpr double widest_minimum_mm = 50.0;  // of the least radius; wider than any vessel
 constexpr double finest_in_radii = 0.3;
 // Above it cross-sections become triangles and tubes break.
 constexpr double coarsest_in_radii = 1.0;
@@ -86,6 +87,9 @@ void check(const VesselTree& tree, const MeshOptions& options) {
         throw InputError("the vessel tree has no segments", "",
                          "Lower the window of intensities or give a vessel mask");
     validate(tree);
+    if (!(options.minimum_radius_mm >= 0.0 && options.minimum_radius_mm <= widest_minimum_mm))
+        throw InputError("a least radius of " + number_text(options.minimum_radius_mm) + " mm",
+                         "mesh options", "Choose a least radius from 0 to 50 mm");
     if (!(length_in_radii(tree, options) <= longest_in_radii))
         throw InputError("the vessels are " + number_text(length_in_radii(tree, options)) +
                              " radii long, too thin for tetrahedra",

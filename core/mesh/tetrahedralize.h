@@ -18,7 +18,7 @@ struct MeshOptions {
     double cell_size_in_radii = 1.0;
     // If above 0, the sizes are scaled, within the range above, to give about this number.
     int target_tetrahedra = 0;
-    // Vessels thinner than this are meshed with this radius; 0 keeps them as they are.
+    // Vessels thinner than this are meshed with this radius, 0 to 50; 0 keeps them as they are.
     double minimum_radius_mm = 0.0;
     // Remove slivers after refinement (perturb, then exude).
     bool optimise = true;
@@ -31,7 +31,7 @@ struct MeshOptions {
 // A body whose surface meets itself at every tried element size is reported in `warnings`, in words
 // for the user; if `warnings` is null, InputError is thrown instead.
 // The same tree and options give the same bytes. Throws InputError if the tree is empty, not valid,
-// or longer than a million of its radii, or a size is out of range; Cancelled. Thread-safe.
+// or longer than a million of its radii, or an option is out of range; Cancelled. Thread-safe.
 TetMesh tetrahedralize(const VesselTree& tree, const MeshOptions& options, Job& job,
                        std::vector<std::string>* warnings = nullptr);
 

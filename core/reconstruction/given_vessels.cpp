@@ -3,16 +3,21 @@
 #include "core/reconstruction/given_vessels.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <map>
 #include <set>
 
 #include "core/base/error.h"
 #include "core/image/filters.h"
 #include "core/image/volume_reader.h"
+#include "core/image/voxel_loop.h"
 
 namespace hepatica {
 
 namespace {
+
+constexpr int label_count = 1 << 16;  // of a label map's voxels
 
 constexpr const char* name_the_labels =
     "Name those that are vessels: --vessel-label LABEL=SYSTEM,LABEL=SYSTEM, where SYSTEM is "
@@ -28,6 +33,17 @@ std::string listed(const std::set<int>& labels) {
         text += (text.empty() ? "" : ", ") + std::to_string(label);
     }
     return text;
+}
+
+// The labels of all voxels, without 0.
+std::set<int> labels_in(const LabelMap& labels, const Job& job) {
+    std::array<bool, label_count> seen{};
+    for_each_voxel_in_order(labels.voxels.size(), job,
+                            [&](std::size_t i) { seen[labels.voxels[i]] = true; });
+    std::set<int> found;
+    for (int label = 1; label < label_count; ++label)
+        if (seen[static_cast<std::size_t>(label)]) found.insert(label);
+    return found;
 }
 
 std::map<int, VascularSystem> systems_of_numbers(const std::set<int>& labels,
@@ -57,23 +73,21 @@ std::map<int, VascularSystem> systems_of_numbers(const std::set<int>& labels,
 }  // namespace
 
 Mask systems_of_labels(const LabelMap& labels, const std::vector<VesselLabel>& names,
-                       const std::string& place, std::vector<std::string>& warnings) {
+                       const std::string& place, std::vector<std::string>& warnings,
+                       const Job& job) {
     std::map<int, VascularSystem> systems;
     for (const VesselLabel& name : names) systems[name.label] = name.system;
-    if (names.empty()) {
-        std::set<int> seen(labels.voxels.begin(), labels.voxels.end());
-        seen.erase(0);
-        systems = systems_of_numbers(seen, place, warnings);
-    }
+    if (names.empty()) systems = systems_of_numbers(labels_in(labels, job), place, warnings);
+    std::array<std::uint8_t, label_count> number_for{};
+    for (const auto& [label, system] : systems)
+        if (label > 0 && label < label_count)
+            number_for[static_cast<std::size_t>(label)] = static_cast<std::uint8_t>(system);
     Mask mask(labels.grid);
     bool any = false;
-    for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
-        if (labels.voxels[i] == 0) continue;
-        const auto found = systems.find(labels.voxels[i]);
-        if (found == systems.end()) continue;
-        mask.voxels[i] = static_cast<std::uint8_t>(found->second);
-        any = true;
-    }
+    for_each_voxel_in_order(mask.voxels.size(), job, [&](std::size_t i) {
+        mask.voxels[i] = number_for[labels.voxels[i]];
+        any = any || mask.voxels[i] != 0;
+    });
     if (!any)
         throw InputError("no vessels were found", place,
                          names.empty() ? "Give a mask whose vessels are not 0" : name_the_labels);
@@ -83,7 +97,7 @@ Mask systems_of_labels(const LabelMap& labels, const std::vector<VesselLabel>& n
 Mask read_given_vessels(const std::filesystem::path& file, const std::vector<VesselLabel>& names,
                         const Grid& ct_grid, std::vector<std::string>& warnings, Job& job) {
     const LabelMap labels = on_grid_of(ct_grid, read_label_map(file, job), file.string());
-    const Mask mask = systems_of_labels(labels, names, file.string(), warnings);
+    const Mask mask = systems_of_labels(labels, names, file.string(), warnings, job);
     constexpr double margin_mm = 5.0;
     return crop(mask, grow_box(bounding_box(mask), mask.grid, margin_mm));
 }

@@ -29,6 +29,16 @@ void require_vessels(const Mask& mask, const std::string& place) {
                          "vessel mask (--vessel-mask)");
 }
 
+void require_tree(const VesselTree& tree, const ReconstructOptions& options) {
+    if (!tree.segments.empty()) return;
+    const std::string problem = "the vessels found are too small for a tree";
+    if (options.vessel_mask)
+        throw InputError(problem, options.vessel_mask->string(),
+                         "Choose a mask that holds whole vessels");
+    throw InputError(problem, options.ct.string(),
+                     "Give a window (--window LO,HI) or a vessel mask (--vessel-mask)");
+}
+
 // The vessels and organs that the image shows or that were given, before the tree is made.
 struct Anatomy {
     Mask vessels;                 // numbers of systems
@@ -146,14 +156,20 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     from_voxels.of_image.coarsest_spacing_mm = ct.grid.spacing_mm.maxCoeff();
     result.warnings_of_image = warnings.size();
     result.checks = make_tree(from_voxels, ct, patient, warnings, job);
-    if (patient.tree.segments.empty())
-        throw InputError("the vessels found are too small for a tree", options.ct.string(),
-                         "Give a window (--window LO,HI) or a vessel mask (--vessel-mask)");
+    require_tree(patient.tree, options);
     make_body(options.mesh, patient, warnings, job);
     patient.warnings_of_image = result.warnings_of_image;
     result.stages = job.stage_times();
     result.warnings = warnings;
     return result;
+}
+
+// The file that an error of a later step means, which knows none.
+std::string file_of(const std::string& place, const ReconstructOptions& options) {
+    if (place == "CT") return options.ct.string();
+    if (place == "liver mask") return options.liver_mask.value_or(options.ct).string();
+    if (place == "vessels") return options.vessel_mask.value_or(options.ct).string();
+    return place;
 }
 
 }  // namespace
@@ -179,7 +195,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, Job& job,
         // The warnings about the image may be the reason.
         std::string problem = error.problem();
         for (const std::string& warning : warnings) problem += "; " + warning;
-        throw InputError(problem, error.place(), error.remedy());
+        throw InputError(problem, file_of(error.place(), options), error.remedy());
     }
 }
 

@@ -58,9 +58,10 @@ void drop_lost_seeds(const Mask& vessels, std::vector<VesselSeed>& seeds,
 
 // The edits that are possible on `made`, in order. Repeats all earlier edits for each: quadratic.
 std::vector<TreeEdit> possible_edits(const PatientCase& made, const std::vector<TreeEdit>& wanted,
-                                     std::vector<std::string>& warnings) {
+                                     std::vector<std::string>& warnings, const Job& job) {
     std::vector<TreeEdit> possible;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
+        job.throw_if_cancelled();
         possible.push_back(wanted[i]);
         try {
             with_edited_tree(made, possible);
@@ -157,7 +158,7 @@ RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Jo
                          "Take back what was erased, or paint more of the vessels");
     warn_of_painted_left_out(options.kept_mm, made.tree, result.warnings);
     const std::vector<TreeEdit> edits =
-        possible_edits(made, patient.corrections.edits, result.warnings);
+        possible_edits(made, patient.corrections.edits, result.warnings, job);
     if (!edits.empty()) made = with_edited_tree(made, edits);
     paint_tumours(made, edits);
     make_body(mesh_options_of(made), made, result.warnings, job);

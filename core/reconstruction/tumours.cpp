@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "core/base/number_text.h"
 #include "core/image/morphology.h"
 #include "core/image/volume_reader.h"
+#include "core/image/voxel_loop.h"
 #include "core/patient/patient_case.h"
 
 namespace hepatica {
@@ -31,18 +33,20 @@ void warn_of_too_many(const Components& pieces, std::vector<std::string>& warnin
 
 Mask read_tumours(const std::vector<std::filesystem::path>& files, const Grid& ct_grid,
                   std::vector<std::string>& warnings, Job& job) {
-    Mask any(ct_grid);
+    Mask any = filled_image(ct_grid, std::uint8_t{0}, job);
     for (const std::filesystem::path& file : files) {
         const Mask one = on_grid_of(ct_grid, read_mask(file, job), file.string());
-        for (std::size_t i = 0; i < any.voxels.size(); ++i)
+        for_each_voxel(any.voxels.size(), job, [&](std::size_t i) {
             if (one.voxels[i] != 0) any.voxels[i] = 1;
+        });
     }
-    const Components pieces = connected_components(any, Connectivity::all26);
+    const Components pieces = connected_components(any, Connectivity::all26, job);
     warn_of_too_many(pieces, warnings);
-    Mask tumours(ct_grid);
-    for (std::size_t i = 0; i < tumours.voxels.size(); ++i)
+    Mask tumours = filled_image(ct_grid, std::uint8_t{0}, job);
+    for_each_voxel(tumours.voxels.size(), job, [&](std::size_t i) {
         if (pieces.labels.voxels[i] <= most_tumours)
             tumours.voxels[i] = static_cast<std::uint8_t>(pieces.labels.voxels[i]);
+    });
     return tumours;
 }
 

@@ -93,7 +93,8 @@ Mask labelled(const Mask& surface, const Mask& labels) {
         }
         for (const auto& [voxel, label] : found) result.voxels[voxel] = label;
         if (found.empty()) {  // pieces that touch no labelled voxel
-            for (const std::size_t i : still) result.voxels[i] = label_of_islands(labels);
+            const std::uint8_t label = label_of_islands(labels);
+            for (const std::size_t i : still) result.voxels[i] = label;
             break;
         }
         pending.swap(still);

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 #include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/image/filters.h"
+#include "core/image/memory_limit.h"
 #include "core/image/voxel_loop.h"
 #include "core/segmentation/liver_region.h"
 
@@ -19,6 +21,9 @@ namespace {
 constexpr double margin_mm = 6.0;
 // Expert masks leave out the main branches of the portal vein and part of the vena cava.
 constexpr double closing_mm = 8.0;
+// At least: measure_tissue() has five images of floats and two masks at once, other steps have
+// more. A mask of the whole body in place of the liver makes 500 million cubes.
+constexpr std::int64_t bytes_per_cube = 22;
 
 // The box of CT voxels that contains the liver, with a margin.
 IndexBox box_in(const Grid& ct, const Mask& liver) {
@@ -62,6 +67,27 @@ FloatVolume part_of(const Volume& ct, const IndexBox& box, const Job& job) {
     return part;
 }
 
+// Whether all of a grid's voxels have their centres in another one.
+bool covers(const Grid& whole, const Grid& part) {
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto along = [&](std::size_t a) { return (corner >> a & 1) ? part.dims[a] - 1 : 0; };
+        if (!holds(whole, part.to_mm(along(0), along(1), along(2)))) return false;
+    }
+    return true;
+}
+
+// The liver on the cubes, without what lies beyond its own grid: there resample() repeats the
+// border, and a mask cut to the liver has liver at its border.
+Mask liver_on(const Grid& cubes, const Mask& liver, Job& job) {
+    Mask found = resample(liver, cubes, Interpolation::linear, job);
+    if (covers(liver.grid, cubes)) return found;
+    for_each_voxel(found.voxels.size(), job, [&](std::size_t i) {
+        const auto [x, y, z] = cubes.index_of(i);
+        if (!holds(liver.grid, cubes.to_mm(x, y, z))) found.voxels[i] = 0;
+    });
+    return found;
+}
+
 }  // namespace
 
 LiverFrame make_liver_frame(const Volume& ct, const Mask& liver, double spacing_mm, Job& job) {
@@ -78,9 +104,11 @@ LiverFrame make_liver_frame(const Volume& ct, const Mask& liver, double spacing_
     gaussian_smooth(part, blur, job);
     LiverFrame frame;
     const Grid cubes = respaced(part.grid, Vec3::Constant(spacing_mm));
+    require_memory(bytes_of(cubes.dims[0], cubes.dims[1], cubes.dims[2], bytes_per_cube),
+                   "liver mask");
     frame.intensity = resample(part, cubes, Interpolation::linear, job);
     part = FloatVolume();
-    frame.liver = close_liver(resample(liver, cubes, Interpolation::linear, job), closing_mm, job);
+    frame.liver = close_liver(liver_on(cubes, liver, job), closing_mm, job);
     return frame;
 }
 

@@ -13,8 +13,10 @@ struct LiverFrame {
     Mask liver;             // closed; same grid
 };
 
-// spacing_mm: edge of the cubes, 0.3 to 1.5. `liver` may lie on any grid. Throws InputError where
-// the mask is empty, liver and CT do not overlap or the spacing is out of range; Cancelled.
+// spacing_mm: edge of the cubes, 0.3 to 1.5. `liver` may lie on any grid, such as one cut to the
+// liver; beyond that grid there is none. Throws InputError where the mask is empty, liver and CT do
+// not overlap, the spacing is out of range or the memory is too small for the steps that follow;
+// Cancelled.
 LiverFrame make_liver_frame(const Volume& ct, const Mask& liver, double spacing_mm, Job& job);
 
 }  // namespace hepatica

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/image/morphology.h"
+#include "core/image/voxel_loop.h"
 #include "core/segmentation/fast_marching.h"
 
 namespace hepatica {
@@ -70,20 +71,20 @@ void assemble(const Mask& centreline, const FloatVolume& distance, int z, Mask& 
 }
 
 // Connected chains of cross-sections that are long and large enough to be a vessel.
-Mask long_chains(const Mask& volume) {
-    const Components chains = connected_components(volume, Connectivity::all26);
+Mask long_chains(const Mask& volume, const Job& job) {
+    const Components chains = connected_components(volume, Connectivity::all26, job);
     const Grid& grid = volume.grid;
     std::vector<Index3> low(chains.sizes.size() + 1, grid.dims);
     std::vector<Index3> high(chains.sizes.size() + 1, Index3{-1, -1, -1});
-    for (std::size_t i = 0; i < volume.voxels.size(); ++i) {
+    for_each_voxel_in_order(volume.voxels.size(), job, [&](std::size_t i) {
         const std::uint32_t chain = chains.labels.voxels[i];
-        if (chain == 0) continue;
+        if (chain == 0) return;
         const Index3 at = grid.index_of(i);
         for (std::size_t a = 0; a < 3; ++a) {
             low[chain][a] = std::min(low[chain][a], at[a]);
             high[chain][a] = std::max(high[chain][a], at[a]);
         }
-    }
+    });
     std::vector<std::uint8_t> kept(chains.sizes.size() + 1, 0);
     const double voxel_mm3 = grid.spacing_mm.prod();
     for (std::size_t c = 1; c < kept.size(); ++c) {
@@ -94,8 +95,8 @@ Mask long_chains(const Mask& volume) {
                   static_cast<double>(chains.sizes[c - 1]) * voxel_mm3 >= smallest_chain_mm3;
     }
     Mask mask(grid);
-    for (std::size_t i = 0; i < mask.voxels.size(); ++i)
-        mask.voxels[i] = kept[chains.labels.voxels[i]];
+    for_each_voxel(mask.voxels.size(), job,
+                   [&](std::size_t i) { mask.voxels[i] = kept[chains.labels.voxels[i]]; });
     return mask;
 }
 
@@ -103,7 +104,7 @@ Mask long_chains(const Mask& volume) {
 
 Detection detect_by_layers(const TissueContrast& tissue, const Mask& liver, Job& job) {
     FloatVolume smooth = smoothed_layers(tissue, job);
-    const RobustSpread spread = robust_spread(smooth, tissue.interior);
+    const RobustSpread spread = robust_spread(smooth, tissue.interior, job);
     const double threshold =
         tissue.threshold_hu.value_or(spread.median + section_deviations * spread.deviation);
     Detection detection{Mask(liver.grid), Mask(liver.grid)};
@@ -117,7 +118,7 @@ Detection detect_by_layers(const TissueContrast& tissue, const Mask& liver, Job&
         assemble(centreline, distance, z, detection.vessels);
         job.advance(0.4 + 0.6 * z / liver.grid.dims[2]);
     }
-    detection.vessels = long_chains(detection.vessels);
+    detection.vessels = long_chains(detection.vessels, job);
     for (std::size_t i = 0; i < liver.voxels.size(); ++i)
         if (!detection.vessels.voxels[i]) detection.centreline.voxels[i] = 0;
     return detection;

@@ -212,12 +212,17 @@ void apply_window(const LiverFrame& frame, const std::pair<double, double>& wind
         throw InputError(
             "the window runs from " + number_text(low) + " to " + number_text(high) + " HU",
             "window", "Give the lower value first.");
-    tissue.threshold_hu = low - tissue.parenchyma_hu;
+    const double threshold_hu = low - tissue.parenchyma_hu;
+    tissue.threshold_hu = threshold_hu;
+    // A window below the tissue must not take in what is too bright for it.
+    const auto too_bright = static_cast<float>(std::min(0.0, threshold_hu));
     for (std::size_t i = 0; i < tissue.excess.voxels.size(); ++i) {
         const float v = frame.intensity.voxels[i];
-        tissue.excess.voxels[i] = frame.liver.voxels[i] && v <= static_cast<float>(high)
-                                      ? v - static_cast<float>(tissue.parenchyma_hu)
-                                      : 0.0f;
+        float& excess = tissue.excess.voxels[i];
+        excess = 0.0f;
+        if (frame.liver.voxels[i] != 0)
+            excess = v <= static_cast<float>(high) ? v - static_cast<float>(tissue.parenchyma_hu)
+                                                   : too_bright;
     }
 }
 

@@ -64,8 +64,8 @@ MeasuredLines measure_lines(const TissueContrast& tissue, const Mask& liver,
 Mask believed_lines(const MeasuredLines& lines, double line_share, Job& job);
 
 // Applies the user's window to `tissue`: vessels have intensities between low and high (HU). The
-// excess is then measured from one level for the whole liver and is 0 above high. Throws InputError
-// unless low < high.
+// excess is then measured from one level for the whole liver; above high it is 0, or the threshold
+// where that is negative. Throws InputError unless low < high.
 void apply_window(const LiverFrame& frame, const std::pair<double, double>& window_hu,
                   TissueContrast& tissue);
 

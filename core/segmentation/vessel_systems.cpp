@@ -28,7 +28,16 @@ std::string in_words(const Vec3& position) {
            number_text(position[2]) + " mm";
 }
 
-// The object voxel nearest to a position, within seed_reach_mm; ties by index. Throws InputError
+// The object voxel that contains a position, if any.
+std::optional<std::size_t> object_voxel_around(const Mask& vessels, const Vec3& position_mm) {
+    const std::optional<Index3> voxel = voxel_at(vessels.grid, position_mm);
+    if (!voxel) return std::nullopt;
+    const std::size_t offset = vessels.grid.offset((*voxel)[0], (*voxel)[1], (*voxel)[2]);
+    return vessels.voxels[offset] != 0 ? std::optional(offset) : std::nullopt;
+}
+
+// The object voxel whose centre is nearest to a position, within seed_reach_mm; ties by index. In
+// slices thicker than twice that reach, also the one that contains the position. Throws InputError
 // where there is none.
 std::size_t voxel_near(const Mask& vessels, const VesselSeed& seed) {
     const Grid& grid = vessels.grid;
@@ -55,6 +64,7 @@ std::size_t voxel_near(const Mask& vessels, const VesselSeed& seed) {
                 nearest = grid.offset(x, y, z);
                 nearest_mm = distance;
             }
+    if (!nearest) nearest = object_voxel_around(vessels, seed.position_mm);
     if (!nearest)
         throw InputError("no vessel lies within 3 mm of the seed at " + in_words(seed.position_mm),
                          "seed", "Place the seed inside a vessel that the segmentation found.");

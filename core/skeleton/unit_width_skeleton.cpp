@@ -200,8 +200,10 @@ UnitWidthStages unit_width_stages(const Mask& skeleton, Job& job) {
         CrowdedRegion region;
         region.exits = valence.exits(crowded);
         region.centre = valence.centre(crowded);
-        for (const std::size_t exit : region.exits)
+        for (const std::size_t exit : region.exits) {
+            job.throw_if_cancelled();  // in a skeleton of noise one region may hold most of it
             region.paths.push_back(valence.shortest_path(region.centre, exit, crowded));
+        }
         region.voxels = std::move(crowded);
         regions.push_back(std::move(region));
     }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "core/base/error.h"
@@ -177,6 +178,22 @@ TEST(Tetrahedralize, RefusesAVesselAMillionTimesLongerThanWide) {
         for (double& radius_mm : segment.radii_mm) radius_mm = 1e-7;
     Job job;
     EXPECT_THROW(tetrahedralize(tree, {}, job), InputError);
+}
+
+// A case.json may state any number; boxes of 1e300 mm have no volume that is a number.
+TEST(Tetrahedralize, RefusesALeastRadiusThatNoVesselHas) {
+    Job job;
+    job.cancel();  // what is not refused is not meshed either
+    for (const double radius_mm : {1e300, std::numeric_limits<double>::infinity(), 51.0, -1.0,
+                                   std::numeric_limits<double>::quiet_NaN()}) {
+        MeshOptions options;
+        options.minimum_radius_mm = radius_mm;
+        EXPECT_THROW(tetrahedralize(test::random_tree(1, 1), options, job), InputError)
+            << radius_mm;
+    }
+    MeshOptions options;
+    options.minimum_radius_mm = 50.0;
+    EXPECT_THROW(tetrahedralize(test::random_tree(1, 1), options, job), Cancelled);
 }
 
 TEST(Tetrahedralize, RefusesAnEmptyTreeAndSizesThatTearTubes) {

@@ -61,5 +61,30 @@ TEST(GivenVessels, MoreLabelsThanSystemsAreRefusedInWords) {
     EXPECT_THROW(read({5, 6}, {{7, VascularSystem::portal}}), InputError);
 }
 
+// A map of a whole CT has a hundred million voxels.
+TEST(GivenVessels, CountingAndNamingLabelsHearACancellation) {
+    Grid grid;
+    grid.dims = {1024, 1024, 3};
+    LabelMap map(grid);
+    map.voxels.back() = 1;
+    std::vector<std::string> warnings;
+    const auto checks_until = [&](int last) {
+        Job job;
+        int checks = 0;
+        job.observe([&](JobEvent) {
+            if (++checks == last) job.cancel();
+        });
+        try {
+            EXPECT_EQ(systems_of_labels(map, {}, "map.nii.gz", warnings, job).voxels.back(), 255);
+        } catch (const Cancelled&) {
+            return -checks;
+        }
+        return checks;
+    };
+    const int whole = checks_until(-1);
+    EXPECT_GE(whole, 6);  // a million voxels between two, in two passes
+    for (int last = 1; last <= whole; ++last) EXPECT_EQ(checks_until(last), -last);
+}
+
 }  // namespace
 }  // namespace hepatica

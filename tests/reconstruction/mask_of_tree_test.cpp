@@ -54,6 +54,22 @@ TEST_F(MaskOfTree, AnewEveryVoxelFollowsItsCentreline) {
     EXPECT_EQ(mask_.at(9, 20, 1), 255);
 }
 
+// Points of a smooth centreline lie between slices, in the thick ones farther from the centre of
+// their voxel than a seed may miss a vessel.
+TEST(MaskOfTreeInThickSlices, FollowsPointsBetweenTwoSlices) {
+    Grid grid;
+    grid.dims = {5, 5, 6};
+    grid.spacing_mm = Vec3(1, 1, 8);
+    Mask mask(grid);
+    for (int z = 0; z < 6; ++z) mask.at(2, 2, z) = 255;
+    VesselGraph graph;
+    graph.nodes = {{grid.to_mm(2, 2, 0), 1.0}, {grid.to_mm(2, 2, 5), 1.0}};
+    graph.links = {test::straight_link(graph, 0, 1, 1, 1, VascularSystem::portal)};
+    Job job;
+    follow_tree(mask, directed(graph), true, job);
+    for (int z = 0; z < 6; ++z) EXPECT_EQ(mask.at(2, 2, z), 1) << z;
+}
+
 // Also where it is no longer in the tree; one that a bridge led over tissue says nothing.
 TEST_F(MaskOfTree, AnewWhatTheTreeLostIsWhatItWas) {
     Job job;

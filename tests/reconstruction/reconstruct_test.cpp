@@ -169,6 +169,53 @@ TEST(Reconstruct, ASeedInNoVesselIsRefusedByItsPlace) {
     fs::remove_all(folder);
 }
 
+// The steps that look for liver and vessels know no file; of several patients one must be named.
+TEST(Reconstruct, NamesTheCtThatShowsNoVessels) {
+    const fs::path folder = fs::path(testing::TempDir()) / "hepatica plain";
+    fs::create_directories(folder);
+    Grid grid;
+    grid.dims = {64, 64, 24};
+    Volume ct(grid, 100);
+    ct.voxels[0] = 50;
+    ReconstructOptions options;
+    options.ct = folder / "plain.nii.gz";
+    write_nifti(options.ct, ct);
+    Job job;
+    try {
+        reconstruct(options, job);
+        FAIL() << "a plain block was taken for a liver with vessels";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.place(), options.ct.string()) << error.what();
+    }
+    fs::remove_all(folder);
+}
+
+// Another mask helps here, not the mask that was given already.
+TEST(Reconstruct, NamesTheMaskWhoseVesselsMakeNoTree) {
+    const fs::path folder = fs::path(testing::TempDir()) / "hepatica speck";
+    fs::create_directories(folder);
+    Grid grid;
+    grid.dims = {24, 24, 24};
+    Volume ct(grid, 100);
+    ct.voxels[0] = 50;
+    Mask speck(grid);
+    speck.at(12, 12, 12) = 1;
+    ReconstructOptions options;
+    options.ct = folder / "ct.nii.gz";
+    options.vessel_mask = folder / "speck.nii.gz";
+    write_nifti(options.ct, ct);
+    write_nifti(*options.vessel_mask, speck);
+    Job job;
+    try {
+        reconstruct(options, job);
+        FAIL() << "a voxel made a tree";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.place(), options.vessel_mask->string()) << error.what();
+        EXPECT_EQ(error.remedy(), "Choose a mask that holds whole vessels");
+    }
+    fs::remove_all(folder);
+}
+
 TEST(Reconstruct, ACancelledJobThrowsBeforeAnythingIsRead) {
     Job job;
     job.cancel();

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "core/base/error.h"
 #include "core/image/brush.h"
@@ -292,7 +293,25 @@ TEST_F(RemadeCaseTest, EditsAreMadeAgainAndThoseThatCannotBeAreNamed) {
     }));
 }
 
-// Its neighbour must not be taken for the vessel that a person named.
+// Each edit repeats all before it: a long list takes longer than anybody waits for a cancellation.
+TEST_F(RemadeCaseTest, AsksBeforeEachEditThatIsMadeAgain) {
+    const auto checks_with = [](std::size_t edits) {
+        PatientCase edited = *patient_;
+        TreeEdit nowhere;  // made on no vessel, so that the rest is the same
+        nowhere.at_mm = Vec3(5000, 0, 0);
+        edited.corrections.extracted = edited.tree;
+        edited.corrections.edits.assign(edits, nowhere);
+        std::atomic<std::size_t> checks = 0;
+        Job job;
+        job.observe([&](JobEvent event) { checks += event == JobEvent::check; });
+        const RemadeCase made = remade(edited, patient_->mask, *ct_, job);
+        EXPECT_TRUE(made.patient.corrections.edits.empty());
+        return checks.load();
+    };
+    const std::size_t without = checks_with(0);
+    EXPECT_EQ(checks_with(9), without + 9);
+}
+
 // Also where it sticks out of the liver, whose box tells anatomy where to look.
 TEST_F(RemadeCaseTest, TumoursThatWerePaintedStayAndChangeNoVessel) {
     const Grid& grid = patient_->organs.grid;
@@ -322,6 +341,7 @@ TEST_F(RemadeCaseTest, KeepsWhatWasWarnedOfTheImageAndNoOldWarningOfVessels) {
     EXPECT_EQ(std::ranges::count(made.warnings, of_image), 1);
 }
 
+// Its neighbour must not be taken for the vessel that a person named.
 TEST_F(RemadeCaseTest, ASeedWhoseVesselIsErasedIsLeftOut) {
     const Station at = twig();
     PatientCase seeded = *patient_;

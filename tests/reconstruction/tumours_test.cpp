@@ -4,11 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
 
 namespace hepatica {
@@ -50,6 +52,30 @@ TEST(Tumours, AreNumberedByTheirSizeAndMarkedOnAnyGrid) {
     Grid other = grid;
     other.spacing_mm = Vec3::Constant(2.0);
     EXPECT_THROW(read_tumours({folder / "first.nii.gz"}, other, warnings, job), InputError);
+    fs::remove_all(folder);
+}
+
+// Only the reading of the file asked, once for a row; a CT has a hundred million voxels.
+TEST(Tumours, HearACancellationAfterTheirFileIsRead) {
+    const fs::path folder = fs::path(testing::TempDir()) / "hepatica wide tumour";
+    fs::create_directories(folder);
+    Grid grid;
+    grid.dims = {1024, 1024, 3};
+    Mask mask(grid);
+    mask.voxels.back() = 1;
+    write_nifti(folder / "tumour.nii.gz", mask);
+    std::vector<std::string> warnings;
+    const auto checks_of = [&](const auto& work) {
+        Job job;
+        std::atomic<int> checks = 0;
+        job.observe([&](JobEvent event) { checks += event == JobEvent::check; });
+        work(job);
+        return checks.load();
+    };
+    const int of_file = checks_of([&](Job& job) { read_mask(folder / "tumour.nii.gz", job); });
+    const int of_all =
+        checks_of([&](Job& job) { read_tumours({folder / "tumour.nii.gz"}, grid, warnings, job); });
+    EXPECT_GE(of_all, of_file + 12);  // a million voxels between two, in four passes
     fs::remove_all(folder);
 }
 

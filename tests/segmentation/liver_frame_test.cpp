@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <string>
 
 #include "core/base/error.h"
+#include "core/image/filters.h"
 
 namespace hepatica {
 namespace {
@@ -114,6 +117,24 @@ TEST(LiverFrame, DoesNotGrowTheLiverTowardsItsBorder) {
     EXPECT_NEAR(static_cast<double>(inside_voxels), 22.0 * 22.0 * 22.0, 0.1 * 22.0 * 22.0 * 22.0);
 }
 
+// As many programs save a mask: its grid is the liver's box, and liver lies at each border.
+TEST(LiverFrame, OfAMaskCutToTheLiverIsTheSameAsOfTheWholeMask) {
+    const Volume ct = linear_ct();
+    const Mask whole = box(low_mm, high_mm);
+    const Mask cut = crop(whole, bounding_box(whole));
+    ASSERT_EQ(std::count(cut.voxels.begin(), cut.voxels.end(), 0), 0);
+    Job job;
+    const LiverFrame of_whole = make_liver_frame(ct, whole, 0.8, job);
+    const LiverFrame of_cut = make_liver_frame(ct, cut, 0.8, job);
+    ASSERT_TRUE(same_grid(of_cut.liver.grid, of_whole.liver.grid));
+    EXPECT_EQ(of_cut.intensity.voxels, of_whole.intensity.voxels);
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < of_cut.liver.voxels.size(); ++i)
+        other += of_cut.liver.voxels[i] != of_whole.liver.voxels[i];
+    // At edges and corners the whole mask is interpolated with the background around it.
+    EXPECT_LT(other, of_cut.liver.voxels.size() / 50);
+}
+
 TEST(LiverFrame, EndsWhereTheCtEnds) {
     const Volume ct = linear_ct();
     Job job;
@@ -126,6 +147,35 @@ TEST(LiverFrame, EndsWhereTheCtEnds) {
                   .cwiseAbs()
                   .x(),
               1.5);
+}
+
+double available_bytes() {
+    std::ifstream info("/proc/meminfo");
+    std::string name, unit;
+    double kilobytes = 0.0;
+    while (info >> name >> kilobytes >> unit)
+        if (name == "MemAvailable:") return 1024.0 * kilobytes;
+    return 0.0;
+}
+
+// A mask of the whole body in place of the liver: one image on cubes takes less than half of the
+// memory, all of them together more than twice. Linux ends a program for that without a word.
+TEST(LiverFrame, IsRefusedWhereTheStepsAfterItWouldNotFitIntoMemory) {
+    const double available = available_bytes();
+    if (available == 0.0) GTEST_SKIP() << "the free memory is not known";
+    constexpr double cube_mm = 0.3, voxel_mm = 10.0;
+    const double edge_mm = cube_mm * std::cbrt(0.4 * available / sizeof(float));
+    Grid grid;
+    grid.dims.fill(static_cast<int>(edge_mm / voxel_mm));
+    grid.spacing_mm = Vec3::Constant(voxel_mm);
+    Job job;
+    try {
+        make_liver_frame(Volume(grid, 100), Mask(grid, 1), cube_mm, job);
+        FAIL() << "it was made";
+    } catch (const InputError& error) {
+        EXPECT_NE(error.problem().find("of memory"), std::string::npos) << error.what();
+        EXPECT_EQ(error.place(), "liver mask");
+    }
 }
 
 TEST(LiverFrame, RefusesSpacingsAndMasksThatCannotBe) {

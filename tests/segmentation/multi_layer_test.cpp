@@ -82,6 +82,15 @@ TEST(MultiLayer, ItsProgressRisesToItsEndAndNotBeyond) {
     EXPECT_LE(said.back(), 1.0);
 }
 
+// After the last layer the chains of all layers are looked for, in each of the liver's voxels.
+TEST(MultiLayer, AsksAfterItsLastLayer) {
+    Job job;
+    JobEvent last = JobEvent::progress;
+    job.observe([&](JobEvent event) { last = event; });  // a report ends with its progress
+    detect_by_layers(tissue_with([](const Vec3&) { return false; }), Mask(layer_grid(), 1), job);
+    EXPECT_EQ(last, JobEvent::check);
+}
+
 TEST(MultiLayer, TakesTheUsersThresholdAndStaysInTheLiver) {
     TissueContrast tissue = tissue_with([](const Vec3& p) { return from_tube(p) < 3.0; });
     Job job;

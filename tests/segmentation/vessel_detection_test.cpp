@@ -95,5 +95,24 @@ TEST(ApplyWindow, MeasuresFromOneLevelAndDropsWhatIsTooBright) {
         EXPECT_THROW(apply_window(frame, wrong, tissue), InputError);
 }
 
+// Without contrast medium vessels are darker than the tissue: most of the liver is brighter than
+// the window then, and none of that is a vessel.
+TEST(ApplyWindow, BelowTheTissueTakesInNothingBrighter) {
+    const LiverFrame frame = noisy_frame();
+    Job job;
+    TissueContrast tissue = measure_tissue(frame.intensity, frame.liver, job);
+    apply_window(frame, {90.0, 100.0}, tissue);
+    ASSERT_LT(*tissue.threshold_hu, -10.0);
+    std::size_t within = 0;
+    for (std::size_t i = 0; i < tissue.excess.voxels.size(); ++i) {
+        const float hu = frame.intensity.voxels[i];
+        if (std::abs(hu - 90.0f) < 1e-3f) continue;  // rounding decides
+        const bool taken = tissue.excess.voxels[i] > static_cast<float>(*tissue.threshold_hu);
+        ASSERT_EQ(taken, hu > 90.0f && hu <= 100.0f) << hu << " HU";
+        within += taken;
+    }
+    EXPECT_GT(within, 1000u);
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -87,6 +87,25 @@ TEST(VesselSystems, FrontsMeetHalfWayByTheLengthOfTheirSteps) {
     EXPECT_EQ(std::count(systems.voxels.begin(), systems.voxels.end(), 2), 61 - expected);
 }
 
+// A tube across slices 8 mm thick: between two slices a seed lies in the lumen, 3.9 mm from the
+// centre of its voxel. Beside the tube, as far from any centre, it is in none.
+TEST(VesselSystems, TakesASeedAnywhereInAVoxelOfAThickSlice) {
+    Grid grid;
+    grid.dims = {12, 12, 6};
+    grid.spacing_mm = Vec3(0.7, 0.7, 8.0);
+    Mask tube(grid);
+    for (int z = 0; z < 6; ++z)
+        for (int y = 4; y < 8; ++y)
+            for (int x = 4; x < 8; ++x) tube.at(x, y, z) = 1;
+    Job job;
+    const Vec3 between = grid.to_mm(5, 5, 2) + Vec3(0, 0, 3.9);
+    const Mask systems = label_systems(tube, {{between, VascularSystem::hepatic}}, job);
+    EXPECT_EQ(systems.at(5, 5, 2), 2);
+    EXPECT_EQ(systems.at(6, 6, 5), 2);
+    const Vec3 beside = grid.to_mm(2, 5, 2) + Vec3(0, 0, 3.9);
+    EXPECT_THROW(require_seeds_in_vessels(tube, {{beside}}), InputError);
+}
+
 TEST(VesselSystems, RefusesASeedInNoVessel) {
     Mask tubes = two_tubes();
     Job job;

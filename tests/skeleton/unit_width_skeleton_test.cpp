@@ -122,6 +122,24 @@ TEST(UnitWidthSkeleton, TunnelInsideACrowdedRegionStaysOpen) {
     EXPECT_EQ(betti_numbers(unit_width_of(mask)), (Betti{1, 1, 0}));
 }
 
+// A comb: one crowded region, and each tooth an exit to which a path is searched.
+TEST(UnitWidthSkeleton, AsksBeforeEachPathOfARegion) {
+    constexpr int teeth = 20;
+    Grid grid;
+    grid.dims = {4 * teeth, 8, 3};
+    Mask comb(grid);
+    for (int x = 0; x < grid.dims[0]; ++x) comb.at(x, 0, 1) = comb.at(x, 1, 1) = 1;
+    for (int tooth = 0; tooth < teeth; ++tooth)
+        for (int y = 2; y < 6; ++y) comb.at(4 * tooth + 1, y, 1) = 1;
+    Job job;
+    int asked = 0;
+    job.observe([&](JobEvent) { ++asked; });
+    const UnitWidthStages stages = unit_width_stages(comb, job);
+    ASSERT_EQ(stages.regions.size(), 1u);
+    EXPECT_EQ(stages.regions[0].exits.size(), static_cast<std::size_t>(teeth));
+    EXPECT_GE(asked, teeth);
+}
+
 TEST(UnitWidthSkeleton, LineIsLeftAlone) {
     Mask mask(cube_grid(9));
     for (int i = 0; i < 9; ++i) mask.at(i, i, i) = 1;

@@ -92,6 +92,11 @@ FreePart free_part(const VesselGraph& graph, const Centreline& drawn) {
     return part;
 }
 
+[[noreturn]] void refuse_one_point(const Centreline& drawn) {
+    throw InputError("both ends of the vessel lie at one point",
+                     place_text(drawn.points_mm.front()), "Draw it from one place to another");
+}
+
 }  // namespace
 
 DrawnVessel add_drawn_vessel(VesselGraph& graph, const Centreline& drawn, VascularSystem system) {
@@ -116,9 +121,7 @@ DrawnVessel add_drawn_vessel(VesselGraph& graph, const Centreline& drawn, Vascul
     VascularSystem at_from = system;
     result.from = node_at(drawn.points_mm.front(), radius_at_from, result.grows_out, at_from);
     result.to = node_at(drawn.points_mm.back(), radius_at_to, result.leads_in, result.system_at_to);
-    if (result.from == result.to)
-        throw InputError("both ends of the vessel lie at one point",
-                         place_text(drawn.points_mm.front()), "Draw it from one place to another");
+    if (result.from == result.to) refuse_one_point(drawn);
     if (result.grows_out)
         result.system = at_from;
     else if (result.leads_in)
@@ -136,6 +139,7 @@ DrawnVessel add_drawn_vessel(VesselGraph& graph, const Centreline& drawn, Vascul
     add(node_mm(result.from), radius_at_from);
     for (std::size_t i = part.first; i < part.last; ++i) add(drawn.points_mm[i], part.radii_mm[i]);
     add(node_mm(result.to), radius_at_to);
+    if (curve.points_mm.size() < 2) refuse_one_point(drawn);
     const double narrowest = *std::ranges::min_element(curve.radii_mm);
     curve = resampled(curve, std::max(0.5 * narrowest, 0.5));
     graph.links.push_back({result.from, result.to, result.system,

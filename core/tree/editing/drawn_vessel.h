@@ -23,7 +23,7 @@ struct DrawnVessel {
 // their centrelines, and beside their walls it is no wider than where it is first clear of them.
 // Its system is that of the vessel at its beginning, else of that at its end, else `system`.
 // `drawn` has two points or more. Throws InputError, with its first point as the place, where more
-// than half of it lies in existing vessels, or where both ends meet in one node.
+// than half of it lies in existing vessels, or where both ends meet in one node or one point.
 DrawnVessel add_drawn_vessel(VesselGraph& graph, const Centreline& drawn, VascularSystem system);
 
 }  // namespace hepatica

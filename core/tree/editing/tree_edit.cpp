@@ -83,19 +83,25 @@ class Edit {
         };
         const auto [from, system] = node_at(edit.at_mm);
         const auto [to, other_system] = node_at(edit.to_mm);
-        if (from == to)
+        // Each of two systems that touch has a node of its own there.
+        if (from == to || graph_.nodes[from].position_mm == graph_.nodes[to].position_mm)
             throw InputError("both ends of the link lie at one point", place_text(edit.at_mm),
                              "Name two places that are not joined yet");
         add_path(from, to, system, edit.path_mm);
         if (other_system != system) adopt(to, system, other_system);
     }
 
-    void remove_branch(const TreeEdit& edit) { remove_from(locate(tree_, edit.at_mm).segment); }
+    void remove_branch(const TreeEdit& edit) {
+        const auto hangs = downstream_of(tree_, locate(tree_, edit.at_mm).segment);
+        remove_links(graph_, hangs);
+    }
 
+    // All that hangs together: in a ring without ends the segment that closes it has no parent.
     void remove_tree(const TreeEdit& edit) {
-        int first = locate(tree_, edit.at_mm).segment;
-        while (tree_.segments[first].parent >= 0) first = tree_.segments[first].parent;
-        remove_from(first);
+        const std::vector<int> component = component_of_nodes(graph_);
+        const int gone = component[graph_.links[locate(tree_, edit.at_mm).segment].from];
+        std::erase_if(graph_.links,
+                      [&](const VesselLink& link) { return component[link.from] == gone; });
     }
 
     void set_root(const TreeEdit& edit) {
@@ -166,14 +172,6 @@ class Edit {
     }
 
   private:
-    void remove_from(int first) {
-        const auto hangs = downstream_of(tree_, first);
-        std::vector<VesselLink> kept;
-        for (std::size_t i = 0; i < graph_.links.size(); ++i)
-            if (hangs[i] == 0) kept.push_back(std::move(graph_.links[i]));
-        graph_.links = std::move(kept);
-    }
-
     // Keeps roots by position, because nodes may be renumbered.
     void keep_roots() {
         for (const RootWish& wish : wishes_)

@@ -34,14 +34,15 @@ std::size_t offset_of(const Grid& grid, const Index3& voxel) {
     return grid.offset(voxel[0], voxel[1], voxel[2]);
 }
 
+[[noreturn]] void refuse_one_place() {
+    throw InputError("a vessel needs two places at least", "the vessel that is drawn",
+                     "Point at its beginning and at its end");
+}
+
 std::vector<Vec3> checked(const Volume& ct, const std::vector<Vec3>& clicks_mm) {
     std::vector<Vec3> places;
     for (const Vec3& click : clicks_mm) {
-        const Vec3 index = ct.grid.to_index(click);
-        bool inside = true;
-        for (int a = 0; a < 3; ++a)  // also false for NaN
-            inside = inside && index[a] >= -0.5 && index[a] < ct.grid.dims[a] - 0.5;
-        if (!inside)
+        if (!holds(ct.grid, click))
             throw InputError("the place lies outside of the CT", place_text(click),
                              "Point at the vessel within the image");
         if (!places.empty() && (click - places.back()).norm() < same_place_mm) continue;
@@ -50,9 +51,7 @@ std::vector<Vec3> checked(const Volume& ct, const std::vector<Vec3>& clicks_mm) 
                              place_text(click), "Point at places between them");
         places.push_back(click);
     }
-    if (places.size() < 2)
-        throw InputError("a vessel needs two places at least", "the vessel that is drawn",
-                         "Point at its beginning and at its end");
+    if (places.size() < 2) refuse_one_place();
     return places;
 }
 
@@ -87,8 +86,11 @@ class Tracer {
     }
 
     Centreline centreline(double blood_contrast_hu) const {
-        Mask lumen =
-            lumen_around(path([this](const Vec3& place) { return brightness(place); }, 0.0));
+        const std::vector<Index3> through_bright =
+            path([this](const Vec3& place) { return brightness(place); }, 0.0);
+        // Places in one voxel are one place: a centreline needs two points.
+        if (through_bright.size() < 2) refuse_one_place();
+        Mask lumen = lumen_around(through_bright);
         // The first path cuts corners along the inner wall; the second is cheap deep in the lumen.
         const FloatVolume outside_mm = signed_distance(lumen, job_);
         const double voxel_mm = std::cbrt(ct_.grid.spacing_mm.prod());

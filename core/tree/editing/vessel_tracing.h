@@ -17,9 +17,9 @@ namespace hepatica {
 // 0.5 mm of the one before are ignored. The centreline begins and ends at the voxels of the first
 // and last click, with points about a voxel apart. `blood_contrast_hu` is the value of the function
 // below; where it is 0, thin vessels are measured too wide. Begins one stage. Throws InputError
-// where there are fewer than two places, one lies outside the CT, two are too far apart, or the
-// places are not at least 15 HU brighter than their surroundings; Cancelled, within about 0.1 s for
-// a real CT.
+// where there are fewer than two places or all lie in one voxel, one lies outside the CT, two are
+// too far apart, or the places are not at least 15 HU brighter than their surroundings; Cancelled,
+// within about 0.1 s for a real CT.
 Centreline traced_vessel(const Volume& ct, const std::vector<Vec3>& clicks_mm,
                          double blood_contrast_hu, Job& job);
 

@@ -143,6 +143,7 @@ class Bridging {
             const std::uint32_t b = joined.root(static_cast<std::uint32_t>(candidate.to_piece));
             if (a == b) continue;
             if (candidate.bridge.confidence >= options_.confidence) {
+                progress_(1.0);  // allows cancelling
                 joined.unite(a, b);
                 build(candidate);
             } else if (!offered.insert(std::minmax(a, b)).second) {
@@ -158,9 +159,11 @@ class Bridging {
     std::vector<Candidate> find_candidates() {
         const auto at_node = links_of_nodes(graph_);
         std::vector<int> ends;
-        for (std::size_t n = 0; n < at_node.size(); ++n)
-            if (at_node[n].size() == 1 && others_in_reach(static_cast<int>(n)))
-                ends.push_back(static_cast<int>(n));
+        for (std::size_t n = 0; n < at_node.size(); ++n) {
+            if (at_node[n].size() != 1) continue;
+            progress_(0.0);  // allows cancelling: each end looks at all points
+            if (others_in_reach(static_cast<int>(n))) ends.push_back(static_cast<int>(n));
+        }
         std::vector<std::vector<Candidate>> found(ends.size());
         const GapSearch search{&grid_, [&](std::size_t p) { return pieces_.of_voxel(p); },
                                [&](const Vec3& p) { return brightness_.at(p); },
@@ -268,7 +271,7 @@ class Bridging {
         int nearest = -1;
         std::size_t at = 0;
         double least = std::numeric_limits<double>::infinity();
-        for (std::size_t id = 0; id < graph.links.size(); ++id)
+        for (std::size_t id = 0; id < graph.links.size() && least > 0.0; ++id)
             for (std::size_t i = 0; i < graph.links[id].points_mm.size(); ++i) {
                 const double d =
                     (graph.links[id].points_mm[i] - bridge.path_mm.back()).squaredNorm();

@@ -26,8 +26,8 @@ void require_unambiguous_systems(const std::vector<int>& numbers,
 // Throws InputError where a radius is outside 0.001 to 1000 mm. `what` has it: "a vessel".
 void require_plausible_radius(double radius_mm, const std::string& what, const std::string& place);
 
-// validate() with the file as the place. Also throws InputError for positions outside the patient's
-// space and radii outside 0.001 to 1000 mm.
+// validate() with the file as the place. Also throws InputError for a tree without a segment, for
+// positions outside the patient's space and for radii outside 0.001 to 1000 mm.
 void validate_from_file(const VesselTree& tree, const std::filesystem::path& file);
 
 }  // namespace hepatica

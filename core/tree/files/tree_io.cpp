@@ -39,6 +39,9 @@ void require_unambiguous_systems(const std::vector<int>& numbers,
 }
 
 void validate_from_file(const VesselTree& tree, const std::filesystem::path& file) {
+    if (tree.segments.empty())
+        throw InputError("holds no vessel", file.string(),
+                         "The tree file is damaged or not a vessel tree");
     for (const VesselNode& node : tree.nodes)
         require_in_patient_space(node.position_mm, "a node", file.string());
     for (const VesselSegment& segment : tree.segments) {

@@ -239,7 +239,12 @@ VesselTree own_tree(const Lines& lines, const std::filesystem::path& path) {
     for (const char* name : own_arrays) values[name] = *lines.file.numbers("CellData", name);
     VesselTree tree;
     tree.nodes.resize(node_radii->size());
-    for (std::size_t n = 0; n < tree.nodes.size(); ++n) tree.nodes[n].radius_mm = (*node_radii)[n];
+    for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
+        const double radius_mm = (*node_radii)[n];
+        if (!(radius_mm >= 0.0 && std::isfinite(radius_mm)))
+            require_plausible_radius(radius_mm, "a node", path.string());
+        tree.nodes[n].radius_mm = radius_mm;
+    }
     for (std::size_t line = 0; line < lines.cells.size(); ++line) {
         const std::size_t cell = lines.first_cell + line;
         const auto value = [&](const char* name) { return whole(values.at(name)[cell]); };

@@ -125,8 +125,11 @@ std::vector<std::string> VtkFile::names_of_numbers(const char* data) const {
     vtkXMLDataElement* element = part(data);
     for (int i = 0; element != nullptr && i < element->GetNumberOfNestedElements(); ++i) {
         vtkXMLDataElement* array = element->GetNestedElement(i);
-        if (is_array(array) && !holds_texts(array) && document_.components(array) == 1)
-            names.emplace_back(text_of(array->GetAttribute("Name")));
+        const std::string_view name = text_of(array->GetAttribute("Name"));
+        // Of several arrays of one name numbers() finds the first, which may be of texts.
+        if (is_array(array) && !holds_texts(array) && document_.components(array) == 1 &&
+            array_of(element, name) == array)
+            names.emplace_back(name);
     }
     return names;
 }

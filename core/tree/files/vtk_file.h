@@ -47,10 +47,10 @@ class VtkFile {
 
     // `data` is "PointData", "CellData" or "FieldData". An array of points or cells has one value
     // for each; cells are numbered kind by kind in the order above.
-    // arrays of one number per tuple
+    // The arrays that numbers() returns.
     std::vector<std::string> names_of_numbers(const char* data) const;
     bool has(const char* data, std::string_view name) const;
-    // None where there is no such array with one number, or one text, per tuple.
+    // None where the first array of that name does not have one number, or one text, per tuple.
     std::optional<std::vector<double>> numbers(const char* data, std::string_view name) const;
     std::optional<std::vector<std::string>> texts(const char* data, std::string_view name) const;
 

@@ -6,7 +6,9 @@
 #include <iomanip>
 #include <locale>
 #include <sstream>
+#include <utility>
 
+#include "core/base/median.h"
 #include "core/base/patient_space.h"
 
 namespace hepatica {
@@ -29,9 +31,7 @@ SystemRoot end_of(const VesselSegment& segment, bool distal) {
         if (i + 1 < count)
             along_mm += (segment.points_mm[index(i + 1)] - segment.points_mm[index(i)]).norm();
     }
-    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
-    std::nth_element(radii.begin(), middle, radii.end());
-    return {segment.points_mm[index(0)], *middle};
+    return {segment.points_mm[index(0)], median(std::move(radii))};
 }
 
 }  // namespace

@@ -169,9 +169,10 @@ class Diagram {
     std::priority_queue<Front, std::vector<Front>, std::greater<>> fronts_;
 };
 
-// Assigns voxels that no path reaches by straight distance.
+// Assigns voxels that no path reaches by straight distance. Where a tree lies far from the organ,
+// that is each of its voxels, and each costs a search of the whole tree.
 void reach_islands(const Mask& organ, const VesselTree& tree, std::span<const std::int32_t> owners,
-                   Image<std::int32_t>& owner) {
+                   const Job& job, Image<std::int32_t>& owner) {
     VesselTree owning;
     std::vector<std::int32_t> of_owning;
     for (std::size_t s = 0; s < tree.segments.size(); ++s)
@@ -182,8 +183,11 @@ void reach_islands(const Mask& organ, const VesselTree& tree, std::span<const st
     if (owning.segments.empty()) return;
     const CentrelineLocator locator(owning);
     constexpr double near_mm = 50.0;
+    constexpr std::size_t look = 1 << 8;
+    std::size_t reached = 0;
     for (std::size_t i = 0; i < organ.voxels.size(); ++i) {
         if (organ.voxels[i] == 0 || owner.voxels[i] != no_owner) continue;
+        if (reached++ % look == 0) job.throw_if_cancelled();
         const auto [x, y, z] = organ.grid.index_of(i);
         const Vec3 at_mm = organ.grid.to_mm(x, y, z);
         const auto found = locator.nearest(at_mm, near_mm);
@@ -197,15 +201,17 @@ void reach_islands(const Mask& organ, const VesselTree& tree, std::span<const st
 Image<std::int32_t> nearest_branch(const Mask& organ, const VesselTree& tree,
                                    std::span<const std::int32_t> owners, Job& job) {
     Diagram diagram(organ, job);
-    for (std::size_t s = 0; s < tree.segments.size(); ++s)
+    for (std::size_t s = 0; s < tree.segments.size(); ++s) {
+        job.throw_if_cancelled();
         if (owners[s] != no_owner) diagram.open_lumen(tree.segments[s]);
+    }
     for (std::size_t s = 0; s < tree.segments.size(); ++s)
         if (owners[s] != no_owner) diagram.begin_at(tree.segments[s], owners[s]);
     diagram.spread();
     Image<std::int32_t> owner = std::move(diagram.owner());
     for (std::size_t i = 0; i < organ.voxels.size(); ++i)
         if (organ.voxels[i] == 0) owner.voxels[i] = no_owner;
-    reach_islands(organ, tree, owners, owner);
+    reach_islands(organ, tree, owners, job, owner);
     return owner;
 }
 

@@ -180,6 +180,15 @@ TEST(DrawnVessel, RefusesWhatIsThereAlready) {
     EXPECT_NE(problem_of(tree, hairpin).find("one point"), std::string::npos);
 }
 
+// Away from all vessels its ends get two nodes at one position, and a curve of one point between.
+TEST(DrawnVessel, IsRefusedWhereAllItsPointsAreOne) {
+    const Vec3 away(40, 0, 0);
+    for (const std::size_t points : {2u, 3u}) {
+        const Centreline dot{std::vector<Vec3>(points, away), std::vector<double>(points, 1.0)};
+        EXPECT_EQ(problem_of(forked_tree(), dot), "both ends of the vessel lie at one point");
+    }
+}
+
 TEST(DrawnVessel, IsTheSameAfterItsFile) {
     const TreeEdit drawn = drawing_of(straight(in_trunk, free_place, 1.2), VascularSystem::hepatic);
     const std::vector<TreeEdit> read = edits_from_json(edits_to_json({drawn}), "here");

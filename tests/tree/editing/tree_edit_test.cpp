@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -130,6 +131,52 @@ TEST(TreeEdit, LinkJoinsWhatACutParted) {
     EXPECT_EQ(roots(joined).size(), 1u);
     EXPECT_EQ(joined.segments.size(), forked_tree().segments.size());
     EXPECT_NEAR(length_mm(joined), length_mm(forked_tree()), 0.05);
+}
+
+// Two systems that touch have nodes of their own at one position. A link between these has no
+// length, and no case with it can be read again.
+TEST(TreeEdit, LinkWithinThePointWhereTwoSystemsTouchIsRefused) {
+    VesselGraph graph = forked_graph();
+    graph.links[0].system = VascularSystem::portal;
+    for (std::size_t i = 1; i < graph.links.size(); ++i)
+        graph.links[i].system = VascularSystem::hepatic;
+    const VesselTree touching = directed(graph);
+    ASSERT_EQ(roots(touching).size(), 2u);
+    const Vec3 touch = graph.nodes[1].position_mm;
+    const auto from_touch = [&](int node) {
+        return Vec3(touch + 0.5 * (graph.nodes[node].position_mm - touch).normalized());
+    };
+    TreeEdit link = edit_at(TreeEditKind::add_link, from_touch(0));
+    link.to_mm = from_touch(2);
+    EXPECT_THROW(edited(touching, link), InputError);
+    std::swap(link.at_mm, link.to_mm);
+    EXPECT_THROW(edited(touching, link), InputError);
+    link.at_mm = graph.nodes[2].position_mm;  // elsewhere it joins them
+    EXPECT_EQ(roots(edited(touching, link)).size(), 1u);
+}
+
+// A ring has no end to begin at: its root is a node where two segments begin, one of which closes
+// the loop.
+TEST(TreeEdit, DeletingATreeTakesAllOfARing) {
+    VesselGraph graph = forked_graph();
+    const std::size_t forked = graph.links.size();
+    const int first = static_cast<int>(graph.nodes.size());
+    for (const Vec3& corner : {Vec3(50, 0, 0), Vec3(70, 0, 0), Vec3(60, 15, 0)})
+        graph.nodes.push_back({corner, 2.0});
+    // The root is an end of the widest side; the narrowest, at that end too, closes the loop.
+    for (const auto& [side, radius_mm] : {std::pair{0, 2.0}, {1, 3.0}, {2, 2.5}})
+        graph.links.push_back(
+            straight_link(graph, first + side, first + (side + 1) % 3, radius_mm, radius_mm));
+    const VesselTree with_ring = directed(graph);
+    ASSERT_TRUE(std::ranges::any_of(with_ring.segments, [](const VesselSegment& segment) {
+        return segment.closes_loop && segment.parent < 0;
+    }));
+    ASSERT_EQ(with_ring.segments.size(), forked + 3);
+    for (const Vec3& on_ring : {Vec3(60, 0, 0), Vec3(65, 7.5, 0), Vec3(55, 7.5, 0)}) {
+        const VesselTree after = edited(with_ring, edit_at(TreeEditKind::delete_tree, on_ring));
+        EXPECT_EQ(after.segments.size(), forked) << on_ring.transpose();
+        EXPECT_GT(nearest_point(after, on_ring).distance_mm, 20.0);
+    }
 }
 
 TEST(TreeEdit, LinkInsideOneTreeClosesALoop) {

@@ -106,8 +106,29 @@ TEST(TracedVessel, RefusesWhatItCannotFollow) {
     EXPECT_NE(problem_of({on_arc(30), Vec3(nan, 0, 0)}).find("outside"), std::string::npos);
     EXPECT_NE(problem_of({Vec3(0, 0, 0), Vec3(40, 30, 20)}).find("50 mm"), std::string::npos);
     EXPECT_NE(problem_of({Vec3(2, 2, 2), Vec3(12, 3, 2)}).find("15 HU"), std::string::npos);
-    // On the very face of the image.
-    EXPECT_NE(problem_of({Vec3(2, 2, -0.5), Vec3(12, 3, -0.5)}).find("15 HU"), std::string::npos);
+    // On the very faces of the image.
+    for (const double z : {-0.5, 29.5})
+        EXPECT_NE(problem_of({Vec3(2, 2, z), Vec3(12, 3, z)}).find("15 HU"), std::string::npos)
+            << z;
+}
+
+// A centreline of one voxel has one point; resampling reads the second.
+TEST(TracedVessel, RefusesPlacesThatLieInOneVoxel) {
+    const Volume ct = bent_tube();
+    const Index3 in_tube = nearest_voxel(ct.grid, on_arc(90));
+    const Vec3 centre = ct.grid.to_mm(in_tube[0], in_tube[1], in_tube[2]);
+    const Vec3 up(0, 0, 0.4);  // of half a voxel's 0.5 mm
+    for (const std::vector<Vec3>& clicks :
+         {std::vector<Vec3>{centre - up, centre + up}, {centre - up, centre + up, centre - up}}) {
+        try {
+            traced(ct, clicks);
+            ADD_FAILURE() << clicks.size();
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.problem(), "a vessel needs two places at least");
+        }
+    }
+    // Into the next voxel it is a vessel, however short.
+    EXPECT_GE(traced(ct, {centre, centre + Vec3(0, 0, 1)}).points_mm.size(), 2u);
 }
 
 TEST(TracedVessel, IsTheSameInThePartOfTheCtThatItNeeds) {

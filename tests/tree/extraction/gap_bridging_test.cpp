@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "core/skeleton/thinning.h"
 #include "core/skeleton/unit_width_skeleton.h"
 #include "core/tree/tree_extraction.h"
 #include "tests/support/test_masks.h"
+#include "tests/support/test_trees.h"
 
 namespace hepatica {
 
@@ -106,6 +109,46 @@ TEST(GapBridging, WithoutCtOnlyNarrowGapsAreBridged) {
     EXPECT_TRUE(extraction_of(broken_branch(26, 28, 110), false).bridges.at(0).built);
     const auto wide = extraction_of(broken_branch(24, 40, 110), false).bridges;
     EXPECT_TRUE(wide.empty() || !wide[0].built);
+}
+
+// Noise taken for vessels makes thousands of ends, each of which looks at all points of the others.
+TEST(GapBridging, AsksBeforeEachEndLooksForOthersInReach) {
+    Grid grid;
+    grid.dims = {40, 8, 8};
+    Mask mask(grid);
+    VesselGraph graph;
+    for (const int x : {2, 36}) {  // 34 mm apart: none is in reach
+        const int from = static_cast<int>(graph.nodes.size());
+        graph.nodes.push_back({Vec3(x, 2, 4), 1.0});
+        graph.nodes.push_back({Vec3(x, 6, 4), 1.0});
+        graph.links.push_back(straight_link(graph, from, from + 1, 1.0, 1.0));
+        for (int y = 2; y <= 6; ++y) mask.at(x, y, 4) = 1;
+    }
+    int asked = 0;
+    EXPECT_TRUE(
+        bridge_gaps(graph, mask, nullptr, BridgeOptions{}, [&](double) { ++asked; }).empty());
+    EXPECT_EQ(asked, 4);
+}
+
+// For each bridge that is built the graph's points are searched; the search for paths ends before a
+// share of 1.
+TEST(GapBridging, AsksBeforeEachBridgeThatIsBuilt) {
+    Grid grid;
+    grid.dims = {52, 9, 9};
+    Mask mask(grid);
+    VesselGraph graph;
+    for (const int x : {2, 18, 34}) {  // three pieces of a line, 3 voxels apart
+        const int from = static_cast<int>(graph.nodes.size());
+        graph.nodes.push_back({Vec3(x, 4, 4), 1.0});
+        graph.nodes.push_back({Vec3(x + 12, 4, 4), 1.0});
+        graph.links.push_back(straight_link(graph, from, from + 1, 1.0, 1.0));
+        for (int along = 0; along <= 12; ++along) mask.at(x + along, 4, 4) = 1;
+    }
+    std::atomic<int> asked = 0;
+    const std::vector<Bridge> bridges = bridge_gaps(graph, mask, nullptr, BridgeOptions{},
+                                                    [&](double share) { asked += share == 1.0; });
+    ASSERT_EQ(std::ranges::count_if(bridges, &Bridge::built), 2);
+    EXPECT_EQ(asked, 2);
 }
 
 // Two trees whose thin ends meet tip to tip are two systems, not one vessel with a gap.

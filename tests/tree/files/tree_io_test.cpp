@@ -431,6 +431,16 @@ TEST(TreeFiles, OfNoPatientAreRefusedByValue) {
         }
 }
 
+// Samples at one position are one point, and a vessel has two.
+TEST(TreeFiles, WithoutAVesselAreRefused) {
+    write_text(scratch("dot.swc"), "1 1 0 0 0 1 -1\n2 1 0 0 0.0001 1 1\n");
+    write_text(scratch("dot.json"), R"({"version": 1, "nodes": [], "segments": []})");
+    for (const char* name : {"dot.swc", "dot.json"}) {
+        const std::string refusal = refusal_of(scratch(name), {});
+        EXPECT_NE(refusal.find("holds no vessel"), std::string::npos) << name << ": " << refusal;
+    }
+}
+
 TEST(TreeSwc, BadFilesAreRefused) {
     for (const char* text : {"", "1 1 0 0 0 1 -1\n", "1 1 0 0 zero 1 -1\n2 1 0 0 1 1 1\n",
                              "1 1 0 0 0 1 -1\n2 1 0 0 1 1 7\n", "1 1 0 0 0 1 -1\n1 1 0 0 1 1 1\n",

@@ -64,6 +64,55 @@ TEST(VtkFile, IsReadWhereAllItSaysIsSo) {
     EXPECT_EQ(read_tree_vtp(file_with("2 2 2", "2 2 3")).segments.size(), 1U);
 }
 
+// A tree of this program: with the numbers of its one segment, and other radii at its nodes.
+std::filesystem::path own_file_with(const std::string& cell_data) {
+    const std::string piece =
+        R"(</FieldData><Piece NumberOfPoints="3" NumberOfVerts="0" NumberOfLines="1" )"
+        R"(NumberOfStrips="0" NumberOfPolys="0">)";
+    std::string numbers;
+    for (const auto& [name, value] : {std::pair{"SegmentId", "0"},
+                                      {"ParentId", "-1"},
+                                      {"System", "1"},
+                                      {"StrahlerOrder", "1"},
+                                      {"ClosesLoop", "0"},
+                                      {"ProximalNode", "0"},
+                                      {"DistalNode", "1"}})
+        numbers += std::string(R"(<DataArray type="Int32" Name=")") + name +
+                   R"(" format="ascii">)" + value + "</DataArray>";
+    return file_with(piece, R"(<DataArray type="Float64" Name="NodeRadius" NumberOfTuples="2" )"
+                            R"(format="ascii">5 6</DataArray>)" +
+                                piece + "<CellData>" + cell_data + numbers + "</CellData>");
+}
+
+// Of two arrays of one name the first is found, and its texts are no numbers: the file is read like
+// one of another program, by the radii of its points.
+TEST(VtkFile, IsNotTakenForItsOwnWhereTextsHideItsNumbers) {
+    EXPECT_EQ(read_tree_vtp(own_file_with("")).nodes[0].radius_mm, 5.0);
+    for (const char* name : {"SegmentId", "System", "DistalNode"}) {
+        const std::string text = std::string(R"(<Array type="String" Name=")") + name +
+                                 R"(" format="ascii">48 0</Array>)";
+        EXPECT_EQ(read_tree_vtp(own_file_with(text)).nodes[0].radius_mm, 2.0) << name;
+    }
+}
+
+// Edits draw vessels by the radii of nodes.
+TEST(VtkFile, OfItsOwnIsRefusedWhereANodeHasNoRadius) {
+    for (const char* radius : {"nan", "-5", "inf"}) {
+        const std::filesystem::path file = own_file_with("");
+        std::ifstream in(file);
+        std::string text(std::istreambuf_iterator<char>(in), {});
+        text.replace(text.find(">5 6<"), 5, std::string(">") + radius + " 6<");
+        std::ofstream(file) << text;
+        try {
+            read_tree_vtp(file);
+            ADD_FAILURE() << radius;
+        } catch (const InputError& error) {
+            EXPECT_NE(error.problem().find("a node of radius"), std::string::npos)
+                << error.problem();
+        }
+    }
+}
+
 TEST(VtkFile, IsRefusedByWhatItSaysOfItself) {
     for (const auto& [from, to, problem] : std::initializer_list<std::array<const char*, 3>>{
              {R"(Array type="String")", R"(Array kind="String")", "no known type"},

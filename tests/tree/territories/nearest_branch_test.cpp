@@ -145,5 +145,28 @@ TEST(NearestBranch, StopsWhenItIsCancelled) {
     EXPECT_THROW(nearest_branch(organ, tree, std::vector<std::int32_t>{0}, job), Cancelled);
 }
 
+// As a tree in another program's space: no front starts, and every voxel looks for the nearest
+// branch in a straight line.
+TEST(NearestBranch, StopsWhereTheTreeLiesFarFromTheOrgan) {
+    const Mask organ(cube(20, 1.0), 1);
+    const VesselTree tree = vessels({{Vec3(-500, 0, 0), Vec3(-500, 0, 9)}});
+    const auto checks_until = [&](int last) {
+        Job job;
+        int checks = 0;
+        job.observe([&](JobEvent) {
+            if (++checks == last) job.cancel();
+        });
+        try {
+            nearest_branch(organ, tree, std::vector<std::int32_t>{0}, job);
+        } catch (const Cancelled&) {
+            return -checks;
+        }
+        return checks;
+    };
+    const int whole = checks_until(-1);
+    EXPECT_GE(whole, 8000 / 256);  // voxels between two looks
+    EXPECT_EQ(checks_until(whole), -whole);
+}
+
 }  // namespace
 }  // namespace hepatica
