@@ -153,7 +153,10 @@ class BeadTransport {
             if (choice < 0) break;
             const FlowSegment& s = result_.network.segments[choice];
             const bool forwards = s.proximal_node == node;
-            const double place = lodging_place_mm(result_.network, choice, radius, forwards);
+            // Nothing passes a plug, however narrow it is.
+            const double place = s.open
+                                     ? lodging_place_mm(result_.network, choice, radius, forwards)
+                                     : result_.lodged_at_mm[choice];
             if (place < infinite) {
                 lodge(choice, place, mass);
                 return;
