@@ -140,7 +140,7 @@ void add_embolize(CommandLine& line) {
         ->capture_default_str();
     verb.add_option("--csv", options->csv, "Series over the beads");
     verb.add_option("--plot", options->plot, "Curves: .png or .csv");
-    options->fluid.add_to(verb);
+    options->fluid.add_liquid_to(verb);
 }
 
 }  // namespace hepatica

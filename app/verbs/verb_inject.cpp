@@ -133,6 +133,7 @@ Json run_inject(InjectChoices options, Job& job) {
     for (const auto* file : {&options.csv, &options.lengths_csv, &options.svzerod, &options.plot})
         if (!file->empty()) require_writable(*file);
     InjectionOptions& injection = options.injection;
+    if (!options.as_published) options.fluid.require_use_of_phase();
     job.expect_stages(2);
     job.begin_stage("reading the tree");
     const VesselTree tree = read_any_tree(options.place, options.tree_file);
@@ -176,16 +177,20 @@ void add_inject(CommandLine& line) {
     verb.add_option("CASE", options->place, "A case's folder, or a tree (.vtp, .swc, .json)")
         ->required();
     options->tree_file.add_to(verb);
-    verb.add_option("--mass-flow-g-s", injection.mass_flow_g_s, "Of the injected fluid")
-        ->capture_default_str();
+    CLI::Option* mass_flow =
+        verb.add_option("--mass-flow-g-s", injection.mass_flow_g_s, "Of the injected fluid")
+            ->capture_default_str();
     verb.add_option("--pressure-pa", injection.inlet_pressure_pa,
-                    "Total pressure at the tip, instead of a mass flow; above the outlets'");
+                    "Total pressure at the tip, instead of a mass flow; above the outlets'")
+        ->excludes(mass_flow);
     verb.add_option("--at-mm", options->at_mm,
                     "X,Y,Z of the catheter's tip; default: the root of the largest system");
-    verb.add_flag("--free", options->free_tip,
-                  "The tip does not fill the lumen: blood passes it (see --blood-flow-g-s)");
+    CLI::Option* free_tip =
+        verb.add_flag("--free", options->free_tip,
+                      "The tip does not fill the lumen: blood passes it (see --blood-flow-g-s)");
     verb.add_option("--blood-flow-g-s", injection.blood_flow_g_s,
-                    "Blood that enters at the root, with --free");
+                    "Blood that enters at the root, with --free")
+        ->needs(free_tip);
     verb.add_option("--drug-viscosity-pa-s", injection.drug_viscosity_pa_s,
                     "Viscosity of the injected fluid, instead of the mixture's");
     verb.add_option("--close", injection.closed_segments,
@@ -198,6 +203,7 @@ void add_inject(CommandLine& line) {
     verb.add_option("--step-tolerance", injection.front.step_tolerance,
                     "Change of flow allowed within one step, where the fluids differ: smaller is "
                     "more accurate and slower")
+        ->check(CLI::Range(1e-9, 1.0))
         ->capture_default_str();
     verb.add_option("--outlet-pressure-pa", injection.outlet_pressure_pa, "Beyond every outlet");
     verb.add_option("--terminal-resistance", injection.terminal_resistance_pa_s_mm3,
