@@ -27,6 +27,8 @@ TEST(BadValue, OfAPhantomIsRefusedAndItsRangeStandsInTheHelp) {
                                 {"--contrast-hu", "-5", "1 to 1000"},
                                 {"--contrast-hu", "0", "1 to 1000"},
                                 {"--noise-hu", "-3", "0 to 500"},
+                                {"--dims", "64.9,64,64", "16 to 2048"},
+                                {"--dims", "1e300,64,64", "16 to 2048"},
                                 {"--generations", "0", "1 to 10"}}) {
         const Outcome run = run_cli({"phantom", out, bad.option + "=" + bad.value});
         EXPECT_EQ(run.exit_code, 1) << bad.option;
@@ -35,6 +37,16 @@ TEST(BadValue, OfAPhantomIsRefusedAndItsRangeStandsInTheHelp) {
             EXPECT_NE(run.errors.find(named), std::string::npos) << run.errors;
         EXPECT_NE(help.find(bad.remedy), std::string::npos) << help;
     }
+}
+
+TEST(BadValue, OfVeinsThatAPhantomLacksIsRefused) {
+    const std::string out = (fs::path(testing::TempDir()) / "no veins").string();
+    const Outcome run = run_cli({"phantom", out, "--dims", "32,32,32", "--spacing", "6,6,6",
+                                 "--generations", "1", "--hepatic-contrast-hu", "30"});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_FALSE(fs::exists(out));
+    for (const char* named : {"--hepatic-contrast-hu", "--systems 2"})
+        EXPECT_NE(run.errors.find(named), std::string::npos) << run.errors;
 }
 
 class BadValueOfInject : public test::Tour {};
