@@ -52,6 +52,15 @@ void require_writable(const fs::path& place) {
     if (missing == 1) spdlog::info("the folder {} is made", folder.string());
 }
 
+void require_writable_file(const fs::path& file, const std::string& ending) {
+    if (const std::string named = extension_of(file); !named.empty() && named != ending)
+        throw UsageError("a \"" + ending + "\" file is written, and not a \"" + named + "\" file",
+                         file.string(), "Name a file that ends in " + ending);
+    if (std::error_code ignored; fs::is_directory(file, ignored))
+        throw InputError("is a folder", file.string(), "Name a file");
+    require_writable(file);
+}
+
 void require_writable_folder(const fs::path& folder) {
     require_writable(fs::exists(folder) ? folder / "file" : folder);
 }

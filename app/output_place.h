@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace hepatica {
 
@@ -11,6 +12,11 @@ namespace hepatica {
 // it is accepted, and logged, because it is made with it (out/ in out/p1.hep); where more are
 // missing the path is probably mistyped, and is refused.
 void require_writable(const std::filesystem::path& place);
+
+// The same for a file in the format of this ending (".csv"), and throws UsageError where its name
+// has another ending, and InputError where a folder has that name. A name without an ending is
+// accepted.
+void require_writable_file(const std::filesystem::path& file, const std::string& ending);
 
 // The same for a folder that a verb writes files into, and that may exist.
 void require_writable_folder(const std::filesystem::path& folder);

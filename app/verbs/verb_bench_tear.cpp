@@ -93,7 +93,7 @@ void add_bench_tear(CommandLine& line) {
             for (const auto& file : {plots->entropy, plots->force})
                 if (!file.empty()) {
                     require_chart_file(file);
-                    require_writable(file);
+                    require_writable_file(file, file.extension().string());
                 }
             const std::vector<TearRow> found = study_tear(*options, job);
             write_plots(*plots, found);

@@ -68,9 +68,11 @@ Chart chart_of(const Embolization& result) {
 }
 
 Json run_embolize(EmbolizeChoices options, Job& job) {
-    if (!options.plot.empty()) require_chart_file(options.plot);
-    for (const auto* file : {&options.csv, &options.plot})
-        if (!file->empty()) require_writable(*file);
+    if (!options.csv.empty()) require_writable_file(options.csv, ".csv");
+    if (!options.plot.empty()) {
+        require_chart_file(options.plot);
+        require_writable_file(options.plot, options.plot.extension().string());
+    }
     job.expect_stages(2);
     job.begin_stage("reading the tree");
     const VesselTree tree = read_any_tree(options.place, options.tree_file);

@@ -129,9 +129,13 @@ Json answer_of(const VesselTree& tree, const InjectChoices& options, const TreeP
 }
 
 Json run_inject(InjectChoices options, Job& job) {
-    if (!options.plot.empty()) require_chart_file(options.plot);
-    for (const auto* file : {&options.csv, &options.lengths_csv, &options.svzerod, &options.plot})
-        if (!file->empty()) require_writable(*file);
+    for (const auto* file : {&options.csv, &options.lengths_csv})
+        if (!file->empty()) require_writable_file(*file, ".csv");
+    if (!options.svzerod.empty()) require_writable_file(options.svzerod, ".json");
+    if (!options.plot.empty()) {
+        require_chart_file(options.plot);
+        require_writable_file(options.plot, options.plot.extension().string());
+    }
     InjectionOptions& injection = options.injection;
     if (!options.as_published) options.fluid.require_use_of_phase();
     job.expect_stages(2);

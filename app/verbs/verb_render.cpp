@@ -170,7 +170,7 @@ std::shared_ptr<const Volume> ct_of_case(const RenderChoices& options, const Pat
 Json run_render(const RenderChoices& options, Job& job) {
     PictureOptions picture = picture_options(options);
     require_png_name(options.out);
-    require_writable(options.out);
+    require_writable_file(options.out, ".png");
     job.expect_stages(options.ct.empty() ? 3 : 4);
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(

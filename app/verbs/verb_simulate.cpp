@@ -93,9 +93,9 @@ void explain_quality(double wanted, const SceneSpec& spec, const PatientCase& pa
 
 Json run_simulate(const SimulateChoices& options, Job& job) {
     const BackEndChoice back_end = choose_back_end(options.backend);
-    if (!options.record.empty()) require_writable(options.record);
-    for (const auto& file : {options.final_mesh, options.steps_csv})
-        if (!file.empty()) require_writable(file);
+    if (!options.record.empty()) require_writable_file(options.record, ".hrec");
+    if (!options.final_mesh.empty()) require_writable_file(options.final_mesh, ".vtu");
+    if (!options.steps_csv.empty()) require_writable_file(options.steps_csv, ".csv");
     std::optional<ThreadLimit> limit;
     if (options.threads > 0) limit.emplace(options.threads);
     const Script script = read_script(options.script);
