@@ -123,18 +123,23 @@ void add_bench_tear(CommandLine& line) {
         ->check(CLI::Range(0.2, 4.0));
     verb.add_option("--tear-factors", options->tear_factors, "Each with both stops")
         ->check(CLI::Range(1e-3, 1e3));
-    verb.add_option("--breaking", breaking->tetrahedra,
-                    "Instead: what a step costs in which a hundred joints of a vessel tree break, "
-                    "of so many tetrahedra")
-        ->check(CLI::Range(2000, 1'000'000));
+    CLI::Option* breaks =
+        verb.add_option("--breaking", breaking->tetrahedra,
+                        "Instead: what a step costs in which a hundred joints of a vessel tree "
+                        "break, of so many tetrahedra")
+            ->check(CLI::Range(2000, 1'000'000));
     verb.add_option("--tries", breaking->tries, "How often, each elsewhere")
         ->check(CLI::Range(1, 1000))
+        ->needs(breaks)
         ->capture_default_str();
     verb.add_option("--plot-entropy", plots->entropy,
                     "Entropy over the pull, on each mesh: .png or .csv");
     verb.add_option("--plot-force", plots->force, "Force over the pull, by law: .png or .csv");
     verb.add_option("--step-mm", options->step_mm, "By which a step pulls")
         ->check(CLI::Range(1e-3, 1.0));
+    for (const char* of_bars : {"--plot-entropy", "--plot-force", "--edges-mm", "--tear-factors",
+                                "--step-mm", "--strength-pa", "--fracture-energy-j-m2"})
+        breaks->excludes(verb.get_option(of_bars));
 }
 
 }  // namespace hepatica

@@ -210,11 +210,17 @@ void add_render(CommandLine& line) {
                                    [options](Job& job) { return run_render(*options, job); });
     verb.add_option("case", options->patient, "Case folder (NAME.hep)")->required();
     verb.add_option("--out", options->out, "Picture to write, NAME.png")->required();
-    verb.add_option("--recording", options->recording, "Show this recorded play");
-    verb.add_option("--time-s", options->time_s,
-                    "Time: of the drug since its injection, or of the recorded play [s]");
-    verb.add_option("--at-mm", options->at_mm, "Inject here, X,Y,Z in LPS [mm]; else at the root");
-    verb.add_option("--mass-flow-g-s", options->mass_flow_g_s, "Of the injection [g/s]");
+    CLI::Option* recording =
+        verb.add_option("--recording", options->recording, "Show this recorded play");
+    CLI::Option* time =
+        verb.add_option("--time-s", options->time_s,
+                        "Time: of the drug since its injection, or of the recorded play [s]");
+    verb.add_option("--at-mm", options->at_mm, "Inject here, X,Y,Z in LPS [mm]; else at the root")
+        ->needs(time)
+        ->excludes(recording);
+    verb.add_option("--mass-flow-g-s", options->mass_flow_g_s, "Of the injection [g/s]")
+        ->needs(time)
+        ->excludes(recording);
     verb.add_option("--view", options->view,
                     "anterior, posterior, left, right, superior or inferior");
     verb.add_option("--turn-right-deg", options->turn_right_deg, "Turned away from the view");

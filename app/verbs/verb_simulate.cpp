@@ -178,6 +178,7 @@ void add_simulate(CommandLine& line) {
         "As the paper has it: springs, eq. (12) taken whole, the published pressure law");
     for (const char* other : {"--quality", "--automatic"})
         as_published->excludes(verb.get_option(other));
+    verb.get_option("--automatic")->excludes(verb.get_option("--quality"));
     for (const char* other : {"--dt-s", "--as-published"})
         verb.get_option("--lesson")->excludes(verb.get_option(other));
 }

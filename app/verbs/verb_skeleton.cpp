@@ -114,12 +114,13 @@ void add_skeleton(CommandLine& line) {
         line.add_verb("skeleton", "Thin a vessel mask and show how it gets one voxel wide",
                       [options](Job& job) { return run_skeleton(*options, job); });
     verb.add_option("mask", options->mask, "Vessel voxels (NIfTI ...)")->required();
-    verb.add_option("--out", options->out, "Folder for a picture of each stage");
+    CLI::Option* out = verb.add_option("--out", options->out, "Folder for a picture of each stage");
     verb.add_option("--method", options->method, "How the mask is thinned")
         ->check(CLI::IsMember({"queue", "parallel"}))
         ->capture_default_str();
     verb.add_option("--reach", options->reach, "Voxels shown around the largest region")
         ->check(CLI::Range(2, 100))
+        ->needs(out)
         ->capture_default_str();
 }
 

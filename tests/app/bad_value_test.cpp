@@ -49,6 +49,50 @@ TEST(BadValue, OfVeinsThatAPhantomLacksIsRefused) {
         EXPECT_NE(run.errors.find(named), std::string::npos) << run.errors;
 }
 
+// What an option asks for would not happen: it is refused, and named.
+TEST(BadUsage, OfOptionsThatOthersLeaveWithoutEffect) {
+    struct Call {
+        std::vector<std::string> words;
+        std::string named;
+    };
+    for (const auto& [words, named] :
+         {Call{{"reconstruct", "ct", "--out", "x.hep", "--liver-label", "5"}, "--liver-mask"},
+          {{"reconstruct", "ct", "--out", "x.hep", "--vessel-label", "1=portal"}, "--vessel-mask"},
+          {{"reconstruct", "ct", "--out", "x.hep", "--vessel-mask", "m", "--window", "1,2"},
+           "--window"},
+          {{"reconstruct", "ct", "--out", "x.hep", "--vessel-mask", "m", "--method", "vesselness"},
+           "--method"},
+          {{"simulate", "x.hep", "--script", "s", "--quality", "1", "--automatic"}, "--automatic"},
+          {{"tradeoff", "--out", "t", "--tear", "--budget", "5"}, "--budget"},
+          {{"tradeoff", "--out", "t", "--contact", "--budget", "5"}, "--budget"},
+          {{"tradeoff", "x.hep", "--out", "t", "--quick"}, "--quick"},
+          {{"compare", "x.hep", "--truth-mask", "portal=m", "--tree-space", "ras"}, "--truth-tree"},
+          {{"extremes", "--trials", "3"}, "--trials"},
+          {{"bench", "tear", "--breaking", "2000", "--plot-force", "f.csv"}, "--plot-force"},
+          {{"bench", "iterations", "--tetrahedra", "2000"}, "--case"},
+          {{"bench", "reconstruct", "ct", "--dims", "32,32,32"}, "--dims"}}) {
+        const Outcome run = run_cli(words);
+        EXPECT_EQ(run.exit_code, 2) << words[0] << " " << named << ": " << run.errors;
+        EXPECT_EQ(run.output, "");
+        EXPECT_NE(run.errors.find(named), std::string::npos) << run.errors;
+    }
+}
+
+#ifdef HEPATICA_WINDOW_PROGRAM
+TEST(BadUsage, OfADrugThatNobodyWouldSee) {
+    for (const auto& [words, named] :
+         {std::pair<std::vector<std::string>, std::string>{{"--at-mm", "1,2,3"}, "--time-s"},
+          {{"--mass-flow-g-s", "3"}, "--time-s"},
+          {{"--mass-flow-g-s", "3", "--time-s", "1", "--recording", "r"}, "--recording"}}) {
+        std::vector<std::string> call{"render", "x.hep", "--out", "x.png"};
+        call.insert(call.end(), words.begin(), words.end());
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 2) << words[0] << ": " << run.errors;
+        EXPECT_NE(run.errors.find(named), std::string::npos) << run.errors;
+    }
+}
+#endif
+
 class BadValueOfInject : public test::Tour {};
 
 // Nothing would be injected, and a list of zeros says so to nobody.
