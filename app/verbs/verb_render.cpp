@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // render: a picture of a case or of a recorded play, without a display
 // (render/offscreen_picture.h).
+#include <spdlog/spdlog.h>
+
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -23,6 +25,7 @@
 #include "core/scene/flow_part.h"
 #include "core/scene/world.h"
 #include "core/session/recording_file.h"
+#include "core/session/replay.h"
 #include "core/session/session.h"
 #include "render/offscreen_picture.h"
 #include "render/organ_surface.h"
@@ -135,15 +138,21 @@ std::unique_ptr<Session> played(const RenderChoices& options, const Recording& r
     if (hash_of(*patient) != recording.patient_hash)
         throw InputError("the recording was made on another patient", options.recording.string(),
                          "give the case that it was made on");
+    for (const std::string& warning : recording.warnings) spdlog::warn("{}", warning);
     auto session = std::make_unique<Session>(patient, recording.scene, job,
                                              choose_back_end(recording.back_end).back_end);
-    if (recording.begin) session->restore(*recording.begin);
+    if (recording.begin) restore_recorded(*session, *recording.begin);
+    session->record([](const RecordedStep&) {});  // hashes are computed only while recording
     const double end_s = options.time_s.value_or(std::numeric_limits<double>::infinity());
-    for (const RecordedStep& step : recording.steps) {
+    bool diverged = false;
+    for (std::size_t i = 0; i < recording.steps.size(); ++i) {
         if (session->world().time_s() >= end_s) break;
         job.throw_if_cancelled();
-        for (const Command& command : step.commands) session->post(command);
-        session->step(job);
+        for (const Command& command : recording.steps[i].commands) session->post(command);
+        if (session->step(job).state_hash == recording.steps[i].state_hash || diverged) continue;
+        diverged = true;
+        spdlog::warn("{} diverged from the recording at step {}: the picture may be another",
+                     options.recording.string(), i + 1);
     }
     return session;
 }

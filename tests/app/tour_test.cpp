@@ -6,12 +6,18 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
+#include "core/patient/patient_case.h"
+#include "core/session/recording_file.h"
+#include "core/session/script.h"
+#include "core/session/session.h"
 #include "core/tree/files/tree_io.h"
 #include "tests/app/tour.h"
 
@@ -215,6 +221,49 @@ TEST_F(Tour, AutomaticQualityReplaysToTheLastBit) {
     const Json replayed = answer({"replay", path("automatic.hrec"), "--verify"});
     EXPECT_EQ(replayed["state_hash"], played["state_hash"]);
 }
+
+#ifdef HEPATICA_WINDOW_PROGRAM
+// A recording of the window begins amid a play whose setting is chosen by the session. What it
+// chose is recorded, so that a picture of it must not choose again, however slow this computer is.
+TEST_F(Tour, RenderPlaysWithTheRecordedSettings) {
+    const auto patient = std::make_shared<const PatientCase>(read_case(path("p.hep")));
+    SceneSpec scene = default_scene();
+    scene.dt_s = 1e-3;  // no step keeps to such a budget
+    Job job;
+    Session session(patient, scene, job);
+    const Vec3 held = point_on_longest_path(patient->tree, 0.5);
+    session.post(SetQuality{1.0});
+    session.post(GrabPoint{held});
+    session.post(MoveGrab{held + Vec3(3, 0, 0)});
+    session.step(job);
+    Recording recording;
+    session.record_from_now([&](const Recording& start) {
+        recording = start;
+        return [&](RecordedStep step) { recording.steps.push_back(std::move(step)); };
+    });
+    for (int i = 0; i < 40; ++i) session.step(job);
+    session.record_from_now({});
+    session.step(job);
+    ASSERT_EQ(recording.steps.size(), 40u);
+    auto begin = std::make_shared<Keyframe>(*recording.begin);
+    begin->automatic = true;
+    recording.begin = begin;
+    write_recording(path("amid.hrec"), recording);
+    const std::vector<std::string> call{"render",          path("p.hep"), "--recording",
+                                        path("amid.hrec"), "--out",       path("amid.png"),
+                                        "--size",          "64,48"};
+    const Outcome drawn = run_cli(call);
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.errors;
+    EXPECT_EQ(drawn.errors.find("diverged"), std::string::npos) << drawn.errors;
+    // What is another play is said to be one.
+    recording.steps[20].state_hash ^= 1;
+    write_recording(path("amid.hrec"), recording);
+    const Outcome other = run_cli(call);
+    EXPECT_EQ(other.exit_code, 0) << other.errors;
+    EXPECT_NE(other.errors.find("diverged from the recording at step 21"), std::string::npos)
+        << other.errors;
+}
+#endif
 
 TEST_F(Tour, TradeoffOfAPatientEndsInItsBudget) {
     const Json measured =
