@@ -154,6 +154,9 @@ std::unique_ptr<Session> played(const RenderChoices& options, const Recording& r
         spdlog::warn("{} diverged from the recording at step {}: the picture may be another",
                      options.recording.string(), i + 1);
     }
+    if (options.time_s && session->world().time_s() < end_s)
+        spdlog::warn("{} ends at {:.3g} s: the picture shows its end", options.recording.string(),
+                     session->world().time_s());
     return session;
 }
 
@@ -223,7 +226,8 @@ void add_render(CommandLine& line) {
         verb.add_option("--recording", options->recording, "Show this recorded play");
     CLI::Option* time =
         verb.add_option("--time-s", options->time_s,
-                        "Time: of the drug since its injection, or of the recorded play [s]");
+                        "Time: of the drug since its injection, or of the recorded play [s]")
+            ->check(CLI::NonNegativeNumber);
     verb.add_option("--at-mm", options->at_mm, "Inject here, X,Y,Z in LPS [mm]; else at the root")
         ->needs(time)
         ->excludes(recording);

@@ -222,6 +222,26 @@ TEST_F(Tour, AutomaticQualityReplaysToTheLastBit) {
     EXPECT_EQ(replayed["state_hash"], played["state_hash"]);
 }
 
+// Before the play, which may be long.
+TEST_F(Tour, SimulateRefusesWhatASceneWithoutABodyCannotDo) {
+    std::ofstream(path("flows.json"))
+        << R"({"name": "f", "scene": {"name": "f", "flow": {}}, "actions": []})";
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"--final-mesh", path("none.vtu")},
+          {"--quality", "0.5"},
+          {"--automatic"},
+          {"--fit-velocity-error"}}) {
+        std::vector<std::string> call{"simulate",         path("p.hep"), "--script",
+                                      path("flows.json"), "--steps",     "3"};
+        call.insert(call.end(), words.begin(), words.end());
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 1) << words[0] << ": " << run.errors;
+        EXPECT_NE(run.errors.find(words[0] + ": the scene has no deform"), std::string::npos)
+            << run.errors;
+        EXPECT_EQ(run.errors.find("Simulating"), std::string::npos) << run.errors;
+    }
+}
+
 #ifdef HEPATICA_WINDOW_PROGRAM
 // A recording of the window begins amid a play whose setting is chosen by the session. What it
 // chose is recorded, so that a picture of it must not choose again, however slow this computer is.
@@ -255,6 +275,16 @@ TEST_F(Tour, RenderPlaysWithTheRecordedSettings) {
     const Outcome drawn = run_cli(call);
     EXPECT_EQ(drawn.exit_code, 0) << drawn.errors;
     EXPECT_EQ(drawn.errors.find("diverged"), std::string::npos) << drawn.errors;
+    // A time that is not in it is refused, or said to be behind its end.
+    const auto at = [&](const std::string& time_s) {
+        std::vector<std::string> timed = call;
+        timed.insert(timed.end(), {"--time-s", time_s});
+        return run_cli(timed);
+    };
+    EXPECT_EQ(at("-3").exit_code, 2);
+    const Outcome late = at("900");
+    EXPECT_EQ(late.exit_code, 0) << late.errors;
+    EXPECT_NE(late.errors.find("ends at 0.04"), std::string::npos) << late.errors;
     // What is another play is said to be one.
     recording.steps[20].state_hash ^= 1;
     write_recording(path("amid.hrec"), recording);
