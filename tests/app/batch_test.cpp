@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -196,6 +197,37 @@ TEST_F(Batch, SharesOfAnArrayOfJobsMakeTheWhole) {
     EXPECT_EQ(states(), (States{{"anton", "done"}, {"berta", "to do"}, {"carla", "done"}}));
     EXPECT_EQ(answer(call({"--task", "2", "--of", "2"})).at("made_now"), 1);
     EXPECT_EQ(states(), (States{{"anton", "done"}, {"berta", "failed"}, {"carla", "done"}}));
+}
+
+TEST_F(Batch, AFolderWithTheMaskOfNoScanIsRefused) {
+    fs::create_directories(root() / "others");
+    fs::copy_file(root() / "p/liver.nii.gz", root() / "others/emil.nii.gz");
+    const Outcome run = run_cli(with_small_cases({"reconstruct", "--batch", path("scans"), "--out",
+                                                  path("out"), "--liver-mask", path("others")}));
+    EXPECT_EQ(run.exit_code, 1) << run.errors;
+    EXPECT_NE(run.errors.find(path("others") + ": holds no liver mask"), std::string::npos)
+        << run.errors;
+    EXPECT_FALSE(fs::exists(root() / "out"));
+}
+
+// A row without a mask must not look like the rows with one; and a liver has its volume, although
+// nothing tells its segments.
+TEST_F(Batch, TheTableSaysWhoseLiverHadNoMask) {
+    fs::create_directories(root() / "one");
+    fs::copy_file(root() / "p/liver.nii.gz", root() / "one/anton.nii.gz");
+    answer(with_small_cases({"reconstruct", "--batch", path("scans"), "--out", path("out"),
+                             "--keep-names", "--liver-mask", path("one")}));
+    std::istringstream table(text_of(root() / "out/summary.csv"));
+    std::map<std::string, std::string> row;
+    for (std::string line; std::getline(table, line);) row[line.substr(0, line.find(','))] = line;
+    EXPECT_EQ(row.at("\"anton\"").find("No mask"), std::string::npos) << row.at("\"anton\"");
+    EXPECT_NE(row.at("\"carla\"").find("No mask"), std::string::npos) << row.at("\"carla\"");
+    for (const char* name : {"\"anton\"", "\"carla\""}) {
+        std::istringstream cells(row.at(name));
+        std::string cell;
+        for (int i = 0; i < 5; ++i) std::getline(cells, cell, ',');
+        EXPECT_GT(std::stod(cell), 100.0) << row.at(name);
+    }
 }
 
 TEST_F(Batch, RefusesWhatMakesNoSense) {
