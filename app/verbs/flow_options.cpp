@@ -90,8 +90,11 @@ VesselTree read_any_tree(const std::filesystem::path& place, const TreeFileOptio
     if (!std::filesystem::exists(place))
         throw InputError("does not exist", place.string(),
                          "Name a case's folder, or a tree in a .vtp, .swc or .json file");
-    if (std::filesystem::is_directory(place) || is_case(place))
-        return read_case_without_voxels(place).tree;
+    const bool in_case = std::filesystem::is_directory(place) || is_case(place);
+    if (in_case && (!options.space.empty() || options.radius_mm))
+        throw UsageError("is of no use for a case, which knows its axes and its radii",
+                         options.space.empty() ? "--radius-mm" : "--tree-space", "Leave it out");
+    if (in_case) return read_case_without_voxels(place).tree;
     return read_tree(place, options.facts());
 }
 

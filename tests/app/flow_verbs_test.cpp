@@ -212,6 +212,8 @@ TEST_F(FlowVerbs, RefuseOptionsThatWouldChangeNothing) {
           {{"inject", tree, "--phase-viscosity-pa-s", "1"}, "--phase-viscosity-pa-s"},
           {with({"pressure-drop", "--phase-density-kg-m3=900"}, cone), "--phase-density-kg-m3"},
           {with({"pressure-drop", "--loss-coefficient=-3"}, cone), "--loss-coefficient"},
+          {{"inject", path("p.hep"), "--tree-space", "ras"}, "--tree-space"},
+          {{"embolize", path("p.hep"), "--radius-mm", "2"}, "--radius-mm"},
           {{"embolize", tree, "--void-fraction", "0.4"}, "--void-fraction"},
           {{"embolize", tree, "--phase", "gas"}, "--phase"}}) {
         const Outcome run = run_cli(call);
