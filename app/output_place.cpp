@@ -33,6 +33,10 @@ std::string extension_of(const fs::path& path) {
 }  // namespace
 
 void require_writable(const fs::path& place) {
+    if (std::error_code ignored;
+        !place.has_filename() && fs::is_regular_file(without_trailing_slash(place), ignored))
+        throw InputError("is a file and no folder", place.string(),
+                         "Leave the slash at its end out, or name another folder");
     const fs::path folder = without_trailing_slash(fs::absolute(place)).parent_path();
     fs::path above = folder;
     int missing = 0;

@@ -139,6 +139,19 @@ TEST_F(OutputPlace, ACaseIsNotNamedLikeAFile) {
     }
 }
 
+// A slash too many makes no folder of a file.
+TEST_F(OutputPlace, AFileIsNotReplacedByAFolder) {
+    ASSERT_EQ(run_cli({"copy", path("p.hep"), "--out", path("one.hepz")}).exit_code, 0);
+    for (const std::vector<std::string>& call :
+         {std::vector<std::string>{"copy", path("p.hep"), "--out", path("one.hepz/")},
+          {"phantom", path("one.hepz/"), "--dims", "32,32,32", "--spacing", "5,5,5"}}) {
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 1) << call[0] << ": " << run.errors;
+        EXPECT_NE(run.errors.find("is a file and no folder"), std::string::npos) << run.errors;
+        EXPECT_TRUE(fs::is_regular_file(path("one.hepz"))) << call[0];
+    }
+}
+
 // A folder of one's own work is not replaced by a case.
 TEST_F(OutputPlace, AFolderThatIsNoCaseIsNotReplacedByAnEditedOne) {
     const Outcome run = run_cli({"edit", path("p.hep"), "--out", path("p")});
