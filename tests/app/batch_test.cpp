@@ -2,6 +2,7 @@
 // Many CTs in one call of the real program: what fails, what is gone on with, what is left behind.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -210,24 +211,30 @@ TEST_F(Batch, AFolderWithTheMaskOfNoScanIsRefused) {
     EXPECT_FALSE(fs::exists(root() / "out"));
 }
 
-// A row without a mask must not look like the rows with one; and a liver has its volume, although
-// nothing tells its segments.
+// A row without a mask must not look like the rows with one; a liver has its volume, although
+// nothing tells its segments; and the page finds the picture of a patient of any name.
 TEST_F(Batch, TheTableSaysWhoseLiverHadNoMask) {
-    fs::create_directories(root() / "one");
+    for (const char* folder : {"few", "one"}) fs::create_directories(root() / folder);
     fs::copy_file(root() / "p/liver.nii.gz", root() / "one/anton.nii.gz");
-    answer(with_small_cases({"reconstruct", "--batch", path("scans"), "--out", path("out"),
+    for (const char* scan : {"few/anton.nii.gz", "few/carla #2.nii.gz"})
+        fs::copy_file(root() / "p/ct.nii.gz", root() / scan);
+    answer(with_small_cases({"reconstruct", "--batch", path("few"), "--out", path("out"),
                              "--keep-names", "--liver-mask", path("one")}));
     std::istringstream table(text_of(root() / "out/summary.csv"));
     std::map<std::string, std::string> row;
     for (std::string line; std::getline(table, line);) row[line.substr(0, line.find(','))] = line;
-    EXPECT_EQ(row.at("\"anton\"").find("No mask"), std::string::npos) << row.at("\"anton\"");
-    EXPECT_NE(row.at("\"carla\"").find("No mask"), std::string::npos) << row.at("\"carla\"");
-    for (const char* name : {"\"anton\"", "\"carla\""}) {
-        std::istringstream cells(row.at(name));
+    const std::string anton = row["\"anton\""], carla = row["\"carla #2\""];
+    EXPECT_EQ(anton.find("No mask"), std::string::npos) << anton;
+    EXPECT_NE(carla.find("No mask"), std::string::npos) << carla;
+    for (const std::string& line : {anton, carla}) {
+        std::istringstream cells(line);
         std::string cell;
         for (int i = 0; i < 5; ++i) std::getline(cells, cell, ',');
-        EXPECT_GT(std::stod(cell), 100.0) << row.at(name);
+        EXPECT_GT(std::atof(cell.c_str()), 100.0) << line;
     }
+    const std::string page = text_of(root() / "out/index.html");
+    EXPECT_NE(page.find("src=\"pictures/carla%20%232.png\""), std::string::npos) << page;
+    EXPECT_TRUE(fs::exists(root() / "out/pictures/carla #2.png"));
 }
 
 TEST_F(Batch, RefusesWhatMakesNoSense) {
