@@ -148,6 +148,20 @@ TEST(Embolization, BeadsOfABatchStayBehindTheOnesThatPluggedTheWay) {
     }
 }
 
+// A batch may hold a hundred million beads.
+TEST(Embolization, ABatchHearsThatItIsCancelled) {
+    const FlowNetwork network = fork(0.8, 0.6);
+    EmbolizationOptions options;
+    options.beads = bead_preset("300-500");
+    options.bead_count = options.batch = 100'000;
+    Job job;
+    int heard = 0;
+    job.observe([&](JobEvent) {
+        if (++heard == 10) job.cancel();
+    });
+    EXPECT_THROW(embolize(network, under_pressure(network), 0, options, job), Cancelled);
+}
+
 // Half of these beads are narrower than the ends of both branches: once wider ones have plugged
 // these, the narrow ones of the batch stay behind them, too.
 TEST(Embolization, ANarrowBeadDoesNotPassAPlug) {
