@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/html_report.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "core/base/atomic_write.h"
@@ -63,6 +64,7 @@ std::string words(const std::string& key) {
 }
 
 std::string cell(const Json& value) {
+    if (value.is_number_float() && !std::isfinite(value.get<double>())) return "<td>none</td>";
     if (value.is_number_float()) {
         char text[32];
         std::snprintf(text, sizeof text, "%.4g", value.get<double>());

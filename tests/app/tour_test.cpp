@@ -295,6 +295,18 @@ TEST_F(Tour, RenderPlaysWithTheRecordedSettings) {
 }
 #endif
 
+// Nothing moves, so that the share that is missed of the motion is no number.
+TEST_F(Tour, WhatIsNoNumberIsPrintedAsNone) {
+    std::ofstream(path("still.json")) << R"({"name": "still", "actions": []})";
+    const std::vector<std::string> call{"bench",  "drag",     path("p.hep"),     "--motion",
+                                        "script", "--script", path("still.json")};
+    EXPECT_TRUE(answer(call)["motions"][0]["error"].is_null());
+    const Outcome run = run_cli(call);
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_EQ(run.output.find("nan"), std::string::npos) << run.output;
+    EXPECT_NE(run.output.find("none"), std::string::npos) << run.output;
+}
+
 TEST_F(Tour, TradeoffOfAPatientEndsInItsBudget) {
     const Json measured =
         answer({"tradeoff", path("p.hep"), "--out", path("tradeoff"), "--budget", "15"});
