@@ -295,6 +295,25 @@ TEST_F(Tour, RenderPlaysWithTheRecordedSettings) {
 }
 #endif
 
+TEST_F(Tour, SkeletonLeavesAllPicturesOrNone) {
+    const std::string mask = path("p/truth_mask.nii.gz");
+    ASSERT_EQ(run_cli({"skeleton", mask, "--out", path("stages")}).exit_code, 0);
+    const auto first = fs::file_size(path("stages/1_thinned.png"));
+    ASSERT_GT(fs::file_size(path("stages/2_crowded_regions.png")), first);
+    const Outcome full = run_cli({"skeleton", mask, "--out", path("half")},
+                                 {.file_bytes = static_cast<long>(first)});
+    EXPECT_EQ(full.exit_code, 1) << full.errors;
+    EXPECT_FALSE(fs::exists(path("half/1_thinned.png")));
+    // A straight vessel has nothing to show, which is said.
+    Mask line(Grid{.dims = {20, 20, 20}});
+    for (int z = 2; z < 18; ++z) line.at(10, 10, z) = 1;
+    write_nifti(path("line.nii.gz"), line);
+    const Outcome straight = run_cli({"skeleton", path("line.nii.gz"), "--out", path("none")});
+    EXPECT_EQ(straight.exit_code, 0) << straight.errors;
+    EXPECT_NE(straight.errors.find("no crowded region"), std::string::npos) << straight.errors;
+    EXPECT_FALSE(fs::exists(path("none")));
+}
+
 // Nothing moves, so that the share that is missed of the motion is no number.
 TEST_F(Tour, WhatIsNoNumberIsPrintedAsNone) {
     std::ofstream(path("still.json")) << R"({"name": "still", "actions": []})";
