@@ -65,6 +65,15 @@ void require_writable_file(const fs::path& file, const std::string& ending) {
     require_writable(file);
 }
 
+void require_different(const std::vector<fs::path>& files) {
+    for (std::size_t i = 0; i < files.size(); ++i)
+        for (std::size_t k = 0; k < i && !files[i].empty(); ++k)
+            if (!files[k].empty() && fs::weakly_canonical(fs::absolute(files[k])) ==
+                                         fs::weakly_canonical(fs::absolute(files[i])))
+                throw UsageError("is named twice", files[i].string(),
+                                 "Give each output a file of its own");
+}
+
 void require_writable_folder(const fs::path& folder) {
     require_writable(fs::exists(folder) ? folder / "file" : folder);
 }

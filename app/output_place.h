@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace hepatica {
 
@@ -18,7 +19,11 @@ void require_writable(const std::filesystem::path& place);
 // accepted.
 void require_writable_file(const std::filesystem::path& file, const std::string& ending);
 
-// The same for a folder that a verb writes files into, and that may exist.
+// Throws UsageError where two of these files, to write or to read, are one: the last would
+// overwrite the first. Empty paths are none.
+void require_different(const std::vector<std::filesystem::path>& files);
+
+// The same as require_writable() for a folder that a verb writes files into, and that may exist.
 void require_writable_folder(const std::filesystem::path& folder);
 
 // Throws InputError where `folder` exists and is not an empty folder.

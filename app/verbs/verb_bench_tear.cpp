@@ -90,6 +90,7 @@ void add_bench_tear(CommandLine& line) {
         "What tearing a notched bar takes: bare limit and fracture energy, entropy and vertex stop",
         [options, plots, breaking](Job& job) {
             if (!breaking->tetrahedra.empty()) return breaking_rows(*breaking, job);
+            require_different({plots->entropy, plots->force});
             for (const auto& file : {plots->entropy, plots->force})
                 if (!file.empty()) {
                     require_chart_file(file);

@@ -68,6 +68,7 @@ Chart chart_of(const Embolization& result) {
 }
 
 Json run_embolize(EmbolizeChoices options, Job& job) {
+    require_different({options.csv, options.plot});
     if (!options.csv.empty()) require_writable_file(options.csv, ".csv");
     if (!options.plot.empty()) {
         require_chart_file(options.plot);

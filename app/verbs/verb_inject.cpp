@@ -129,6 +129,8 @@ Json answer_of(const VesselTree& tree, const InjectChoices& options, const TreeP
 }
 
 Json run_inject(InjectChoices options, Job& job) {
+    require_different(
+        {options.place, options.csv, options.lengths_csv, options.svzerod, options.plot});
     for (const auto* file : {&options.csv, &options.lengths_csv})
         if (!file->empty()) require_writable_file(*file, ".csv");
     if (!options.svzerod.empty()) require_writable_file(options.svzerod, ".json");

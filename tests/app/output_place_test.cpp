@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/tree/files/tree_io.h"
 #include "tests/app/tour.h"
 
 namespace hepatica {
@@ -136,6 +137,23 @@ TEST_F(OutputPlace, ACaseIsNotNamedLikeAFile) {
         const Outcome run = run_cli({"edit", path("p.hep"), "--out", path(name)});
         EXPECT_EQ(run.exit_code, 0) << run.errors;
         EXPECT_TRUE(fs::exists(folder() / name / "case.json"));
+    }
+}
+
+TEST_F(OutputPlace, TwoOutputsAreNotOneFile) {
+    const std::string tree = path("p/truth_tree.vtp"), twice = path("twice.csv");
+    write_tree(path("own.json"), read_tree(tree));
+    const Outcome itself = run_cli({"inject", path("own.json"), "--svzerod", path("own.json")});
+    EXPECT_EQ(itself.exit_code, 2) << itself.errors;
+    EXPECT_EQ(read_tree(path("own.json")).segments.size(), read_tree(tree).segments.size());
+    for (const std::vector<std::string>& call :
+         {std::vector<std::string>{"inject", tree, "--csv", twice, "--lengths-csv", twice},
+          {"inject", tree, "--csv", twice, "--plot", path("p/../twice.csv")},
+          {"embolize", tree, "--csv", twice, "--plot", twice}}) {
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 2) << call[0] << ": " << run.errors;
+        EXPECT_NE(run.errors.find("is named twice"), std::string::npos) << run.errors;
+        EXPECT_FALSE(fs::exists(twice)) << call[0];
     }
 }
 
