@@ -171,6 +171,15 @@ Json run_inject(InjectChoices options, Job& job) {
     return answer;
 }
 
+void add_fluid(CLI::App& verb, InjectChoices& options) {
+    options.fluid.add_to(verb);
+    CLI::Option* as_published =
+        verb.add_flag("--as-published", options.as_published,
+                      "As the paper has it: --model published, gas at a void fraction of 0.40");
+    for (const char* other : {"--model", "--void-fraction", "--phase"})
+        as_published->excludes(verb.get_option(other));
+}
+
 }  // namespace
 
 void add_inject(CommandLine& line) {
@@ -199,8 +208,10 @@ void add_inject(CommandLine& line) {
         ->needs(free_tip);
     verb.add_option("--drug-viscosity-pa-s", injection.drug_viscosity_pa_s,
                     "Viscosity of the injected fluid, instead of the mixture's");
-    verb.add_option("--close", injection.closed_segments,
-                    "Number of a segment that is clamped or plugged; may be repeated");
+    verb.add_option(
+        "--close", injection.closed_segments,
+        "Number of a segment that is clamped or plugged, from 0 as in the answer (branch 1 of "
+        "a warning is segment 0); may be repeated");
     verb.add_option("--tear-mm", options->tears_mm,
                     "X,Y,Z where a vessel is torn through; may be repeated");
     verb.add_option("--injection-s", injection.injection_s, "Then nothing more is injected");
@@ -225,12 +236,7 @@ void add_inject(CommandLine& line) {
                     "Filled length of each segment over time");
     verb.add_option("--svzerod", options->svzerod, "The network for svZeroDSolver");
     verb.add_option("--plot", options->plot, "Curves over time: .png or .csv");
-    options->fluid.add_to(verb);
-    CLI::Option* as_published =
-        verb.add_flag("--as-published", options->as_published,
-                      "As the paper has it: --model published, gas at a void fraction of 0.40");
-    for (const char* other : {"--model", "--void-fraction", "--phase"})
-        as_published->excludes(verb.get_option(other));
+    add_fluid(verb, *options);
 }
 
 }  // namespace hepatica

@@ -221,6 +221,8 @@ TEST_F(FlowVerbs, RefuseOptionsThatWouldChangeNothing) {
         EXPECT_EQ(run.output, "");
         EXPECT_NE(run.errors.find(named), std::string::npos) << run.errors;
     }
+    EXPECT_NE(run_cli({"inject", "--help"}).output.find("from 0 as in the answer"),
+              std::string::npos);
     // A series of void fractions may begin with none.
     EXPECT_EQ(run_cli(with({"pressure-drop", "--phase=gas", "--void-fraction=0"}, cone)).exit_code,
               0);
