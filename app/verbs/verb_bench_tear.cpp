@@ -79,6 +79,15 @@ Json breaking_rows(const Breaking& wanted, Job& job) {
     return {{"rows", rows}};
 }
 
+void require_writable_plots(const TearPlots& plots) {
+    require_different({plots.entropy, plots.force});
+    for (const auto& file : {plots.entropy, plots.force})
+        if (!file.empty()) {
+            require_chart_file(file);
+            require_writable_file(file, file.extension().string());
+        }
+}
+
 }  // namespace
 
 void add_bench_tear(CommandLine& line) {
@@ -90,12 +99,7 @@ void add_bench_tear(CommandLine& line) {
         "What tearing a notched bar takes: bare limit and fracture energy, entropy and vertex stop",
         [options, plots, breaking](Job& job) {
             if (!breaking->tetrahedra.empty()) return breaking_rows(*breaking, job);
-            require_different({plots->entropy, plots->force});
-            for (const auto& file : {plots->entropy, plots->force})
-                if (!file.empty()) {
-                    require_chart_file(file);
-                    require_writable_file(file, file.extension().string());
-                }
+            require_writable_plots(*plots);
             const std::vector<TearRow> found = study_tear(*options, job);
             write_plots(*plots, found);
             Json rows = Json::array();
