@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/html_report.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "core/base/atomic_write.h"
@@ -42,6 +43,19 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
+// A path below the page as an address: what would end the path, or is no ASCII, as %XX.
+std::string address_of(const std::filesystem::path& file) {
+    std::string out;
+    for (const char c : file.generic_string()) {
+        const auto byte = static_cast<unsigned char>(c);
+        char code[4];
+        std::snprintf(code, sizeof code, "%%%02X", byte);
+        const bool plain = byte > ' ' && byte < 0x7f && c != '%' && c != '#' && c != '?';
+        out += plain ? std::string(1, c) : code;
+    }
+    return escaped(out);
+}
+
 std::string words(const std::string& key) {
     std::string text = key;
     for (char& c : text)
@@ -50,6 +64,7 @@ std::string words(const std::string& key) {
 }
 
 std::string cell(const Json& value) {
+    if (value.is_number_float() && !std::isfinite(value.get<double>())) return "<td>none</td>";
     if (value.is_number_float()) {
         char text[32];
         std::snprintf(text, sizeof text, "%.4g", value.get<double>());
@@ -74,8 +89,8 @@ void HtmlReport::add_paragraph(const std::string& text) {
 }
 
 void HtmlReport::add_picture(const std::filesystem::path& file, const std::string& caption) {
-    body_ += "<figure><img src=\"" + escaped(file.generic_string()) + "\" alt=\"" +
-             escaped(caption) + "\"><figcaption>" + escaped(caption) + "</figcaption></figure>\n";
+    body_ += "<figure><img src=\"" + address_of(file) + "\" alt=\"" + escaped(caption) +
+             "\"><figcaption>" + escaped(caption) + "</figcaption></figure>\n";
 }
 
 void HtmlReport::add_pictures(

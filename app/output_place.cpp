@@ -33,6 +33,10 @@ std::string extension_of(const fs::path& path) {
 }  // namespace
 
 void require_writable(const fs::path& place) {
+    if (std::error_code ignored;
+        !place.has_filename() && fs::is_regular_file(without_trailing_slash(place), ignored))
+        throw InputError("is a file and no folder", place.string(),
+                         "Leave the slash at its end out, or name another folder");
     const fs::path folder = without_trailing_slash(fs::absolute(place)).parent_path();
     fs::path above = folder;
     int missing = 0;
@@ -50,6 +54,24 @@ void require_writable(const fs::path& place) {
         throw InputError("cannot be created: there is no folder " + folder.parent_path().string(),
                          place.string(), "Check the path, or make that folder first");
     if (missing == 1) spdlog::info("the folder {} is made", folder.string());
+}
+
+void require_writable_file(const fs::path& file, const std::string& ending) {
+    if (const std::string named = extension_of(file); !named.empty() && named != ending)
+        throw UsageError("a \"" + ending + "\" file is written, and not a \"" + named + "\" file",
+                         file.string(), "Name a file that ends in " + ending);
+    if (std::error_code ignored; fs::is_directory(file, ignored))
+        throw InputError("is a folder", file.string(), "Name a file");
+    require_writable(file);
+}
+
+void require_different(const std::vector<fs::path>& files) {
+    for (std::size_t i = 0; i < files.size(); ++i)
+        for (std::size_t k = 0; k < i && !files[i].empty(); ++k)
+            if (!files[k].empty() && fs::weakly_canonical(fs::absolute(files[k])) ==
+                                         fs::weakly_canonical(fs::absolute(files[i])))
+                throw UsageError("is named twice", files[i].string(),
+                                 "Give each output a file of its own");
 }
 
 void require_writable_folder(const fs::path& folder) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace hepatica {
 
@@ -12,7 +14,16 @@ namespace hepatica {
 // missing the path is probably mistyped, and is refused.
 void require_writable(const std::filesystem::path& place);
 
-// The same for a folder that a verb writes files into, and that may exist.
+// The same for a file in the format of this ending (".csv"), and throws UsageError where its name
+// has another ending, and InputError where a folder has that name. A name without an ending is
+// accepted.
+void require_writable_file(const std::filesystem::path& file, const std::string& ending);
+
+// Throws UsageError where two of these files, to write or to read, are one: the last would
+// overwrite the first. Empty paths are none.
+void require_different(const std::vector<std::filesystem::path>& files);
+
+// The same as require_writable() for a folder that a verb writes files into, and that may exist.
 void require_writable_folder(const std::filesystem::path& folder);
 
 // Throws InputError where `folder` exists and is not an empty folder.

@@ -2,6 +2,7 @@
 #include "app/readable.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <vector>
 
@@ -13,7 +14,9 @@ using Json = nlohmann::ordered_json;
 
 std::string plain(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
-    if (value.is_null()) return "none";
+    // JSON has no other number either: it says null.
+    if (value.is_null() || (value.is_number_float() && !std::isfinite(value.get<double>())))
+        return "none";
     if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
     if (value.is_number_float()) {
         char text[32];

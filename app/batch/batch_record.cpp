@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/batch/batch_record.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <system_error>
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "core/base/quoted_name.h"
 #include "core/base/text_file.h"
-#include "core/tree/territories/couinaud_segments.h"
+#include "core/patient/liver_segments.h"
 
 namespace hepatica {
 
@@ -25,6 +27,14 @@ Json read_json(const fs::path& file) {
     std::error_code ignored;
     if (!fs::exists(file, ignored)) return {};
     return Json::parse(read_text_file(file, "Move it away, or give another --out"), nullptr, false);
+}
+
+// Of the liver with its tumours; 0 where it is not known.
+double liver_ml(const PatientCase& patient) {
+    const Mask liver = liver_of(patient.organs);
+    const auto voxels = static_cast<double>(
+        std::ranges::count_if(liver.voxels, [](std::uint8_t voxel) { return voxel != 0; }));
+    return voxels * liver.grid.spacing_mm.prod() / 1000.0;
 }
 
 }  // namespace
@@ -80,7 +90,7 @@ BatchRecord record_of(const std::string& name, const PatientCase& patient,
     record.done = true;
     record.seconds = seconds;
     record.vessels_mm = length_mm(patient.tree);
-    for (const double volume : segment_volumes_ml(patient.couinaud)) record.liver_ml += volume;
+    record.liver_ml = liver_ml(patient);
     for (const std::string& warning : warnings) record.doubts.push_back(without_names(warning));
     return record;
 }

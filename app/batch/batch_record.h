@@ -20,7 +20,7 @@ struct BatchRecord {
     double seconds = 0.0;  // wall time
     std::string reason;    // of a failure: problem, place and remedy
     double vessels_mm = 0.0;
-    double liver_ml = 0.0;            // 0: no segments
+    double liver_ml = 0.0;            // 0: not known
     std::vector<std::string> doubts;  // in words
     bool has_picture = false;
 };

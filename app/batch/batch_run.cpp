@@ -3,6 +3,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <memory>
@@ -40,6 +41,8 @@ BatchRecord made(const BatchOptions& batch, const BatchInput& input, Job& job) {
     write_case(batch.out / "cases" / (input.patient + ".hep"), found.patient);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
     BatchRecord record = record_of(input.patient, found.patient, found.warnings, time.count());
+    if (!batch.liver_masks.empty() && !input.liver_mask)
+        record.doubts.emplace_back("No mask belonged to this scan: its liver was searched.");
     record.has_picture =
         write_case_picture(std::make_shared<const PatientCase>(std::move(found.patient)),
                            batch.out / "pictures" / (input.patient + ".png"), job);
@@ -90,10 +93,20 @@ void say(const BatchRecord& record) {
     for (const std::string& doubt : record.doubts) spdlog::info("{}: {}", record.patient, doubt);
 }
 
+// A folder of masks of which none is called like a scan is another folder than was meant.
+void require_masks(const std::vector<BatchInput>& inputs, const fs::path& liver_masks) {
+    const bool any = std::ranges::any_of(
+        inputs, [](const BatchInput& input) { return input.liver_mask.has_value(); });
+    if (!liver_masks.empty() && !any)
+        throw InputError("holds no liver mask of any of the scans", liver_masks.string(),
+                         "Call each mask like its scan: NAME.nii.gz belongs to the scan NAME");
+}
+
 }  // namespace
 
 Json run_batch(const BatchOptions& options, Job& job) {
     std::vector<BatchInput> all = batch_inputs(options.folder, options.liver_masks);
+    require_masks(all, options.liver_masks);
     if (!options.keep_names) use_pseudonyms(all);
     require_writable_folder(options.out);
     require_own_or_new(options.out, batch_mark);

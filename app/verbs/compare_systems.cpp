@@ -30,6 +30,9 @@ std::vector<NamedMask> parse(const std::vector<std::string>& texts) {
                              "Give NAME=FILE with portal, hepatic or artery as the name, or add "
                              "--truth-tree");
         const std::size_t sign = text.find('=');
+        if (sign + 1 == text.size())
+            throw UsageError("\"" + text + "\" names no file", "--truth-mask",
+                             "Give NAME=FILE: the mask of these vessels");
         masks.push_back({*system_named(text.substr(0, sign)), text.substr(sign + 1)});
     }
     return masks;

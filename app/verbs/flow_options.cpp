@@ -7,22 +7,36 @@
 
 namespace hepatica {
 
-void FluidOptions::add_to(CLI::App& verb) {
+void FluidOptions::add_liquid_to(CLI::App& verb) {
     verb.add_option("--model", model,
                     "Pressure law: published, consistent or regime (default regime)");
+    verb.add_option("--liquid-density-kg-m3", liquid_density_kg_m3, "Density of the liquid")
+        ->capture_default_str();
+    verb.add_option("--liquid-viscosity-pa-s", liquid_viscosity_pa_s, "Viscosity of the liquid")
+        ->capture_default_str();
+}
+
+void FluidOptions::add_to(CLI::App& verb) {
+    add_liquid_to(verb);
     verb.add_option("--void-fraction", void_fraction,
                     "Share of the second phase by volume, 0 to below 1 (default 0; 0.40 with "
                     "--model published)");
     verb.add_option("--phase", phase,
                     "Second phase: gas, lipiodol or carrier (default lipiodol; gas with --model "
                     "published)");
-    verb.add_option("--liquid-density-kg-m3", liquid_density_kg_m3, "Density of the liquid")
-        ->capture_default_str();
-    verb.add_option("--liquid-viscosity-pa-s", liquid_viscosity_pa_s, "Viscosity of the liquid")
-        ->capture_default_str();
     verb.add_option("--phase-density-kg-m3", phase_density_kg_m3, "Density of the second phase");
     verb.add_option("--phase-viscosity-pa-s", phase_viscosity_pa_s,
                     "Viscosity of the second phase");
+}
+
+void FluidOptions::require_use_of_phase() const {
+    const bool described = !phase.empty() || phase_density_kg_m3 || phase_viscosity_pa_s;
+    if (!described || void_fraction || share() > 0.0) return;
+    throw UsageError("nothing of the second phase is in the fluid",
+                     !phase.empty()        ? "--phase"
+                     : phase_density_kg_m3 ? "--phase-density-kg-m3"
+                                           : "--phase-viscosity-pa-s",
+                     "Say how much of it: --void-fraction, above 0");
 }
 
 double FluidOptions::share() const {
@@ -76,8 +90,11 @@ VesselTree read_any_tree(const std::filesystem::path& place, const TreeFileOptio
     if (!std::filesystem::exists(place))
         throw InputError("does not exist", place.string(),
                          "Name a case's folder, or a tree in a .vtp, .swc or .json file");
-    if (std::filesystem::is_directory(place) || is_case(place))
-        return read_case_without_voxels(place).tree;
+    const bool in_case = std::filesystem::is_directory(place) || is_case(place);
+    if (in_case && (!options.space.empty() || options.radius_mm))
+        throw UsageError("is of no use for a case, which knows its axes and its radii",
+                         options.space.empty() ? "--radius-mm" : "--tree-space", "Leave it out");
+    if (in_case) return read_case_without_voxels(place).tree;
     return read_tree(place, options.facts());
 }
 

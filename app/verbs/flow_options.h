@@ -24,7 +24,13 @@ struct FluidOptions {
     std::optional<double> phase_density_kg_m3;
     std::optional<double> phase_viscosity_pa_s;
 
+    // The pressure law and the liquid.
+    void add_liquid_to(CLI::App& verb);
+    // These, and the second phase that is mixed into the liquid.
     void add_to(CLI::App& verb);
+    // Throws UsageError where a second phase is described, but nothing of it is in the fluid and
+    // --void-fraction does not say so.
+    void require_use_of_phase() const;
     PressureLaw law() const { return pressure_law(model); }
     // The value given, or 0.40 with `published` (the paper's value), or the default injection's.
     double share() const;

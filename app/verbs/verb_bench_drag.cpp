@@ -171,7 +171,7 @@ void measure(const BenchDragChoices& options, const std::string& name,
 }
 
 Json run_bench_drag(const BenchDragChoices& options, Job& job) {
-    if (!options.steps_csv.empty()) require_writable(options.steps_csv);
+    if (!options.steps_csv.empty()) require_writable_file(options.steps_csv, ".csv");
     if (!options.references.empty()) {
         require_writable_folder(options.references);
         std::filesystem::create_directories(options.references);

@@ -44,7 +44,9 @@ void add_bench_iterations(CommandLine& line) {
                           return Json{{"rows", rows}};
                       });
     patient->add_options(verb, options->tetrahedra, "bars and symmetric trees");
-    verb.add_flag("--quick", options->quick, "Two small bars only");
+    verb.get_option("--tetrahedra")->needs(verb.get_option("--case"));
+    verb.add_flag("--quick", options->quick, "Two small bars only")
+        ->excludes(verb.get_option("--case"));
     verb.add_flag("--no-block-jacobi", *skip, "Leave out the slow yardstick");
 }
 

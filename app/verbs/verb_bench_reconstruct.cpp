@@ -128,7 +128,8 @@ void add_bench_reconstruct(CommandLine& line) {
                       "From CT to case: seconds, the longest wait for a cancel and for "
                       "progress in each stage, and the peak of memory",
                       [options](Job& job) { return run_bench_reconstruct(*options, job); });
-    verb.add_option("ct", options->ct, "CT to reconstruct; without it a synthetic patient");
+    CLI::Option* ct =
+        verb.add_option("ct", options->ct, "CT to reconstruct; without it a synthetic patient");
     verb.add_option("--liver-mask", options->liver_mask, "As of reconstruct");
     verb.add_option("--vessel-mask", options->vessel_mask, "As of reconstruct");
     verb.add_option("--dims", options->dims, "Voxels of the synthetic patient, x,y,z")
@@ -136,6 +137,8 @@ void add_bench_reconstruct(CommandLine& line) {
     verb.add_option("--spacing", options->spacing, "Size of its voxels, x,y,z [mm]")
         ->capture_default_str();
     verb.add_option("--seed", options->seed, "Which synthetic patient")->capture_default_str();
+    for (const char* of_synthetic : {"--dims", "--spacing", "--seed"})
+        ct->excludes(verb.get_option(of_synthetic));
     verb.add_option("--out", options->out, "Folder for the patient and the case")
         ->capture_default_str();
 }

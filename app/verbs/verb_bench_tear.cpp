@@ -79,6 +79,15 @@ Json breaking_rows(const Breaking& wanted, Job& job) {
     return {{"rows", rows}};
 }
 
+void require_writable_plots(const TearPlots& plots) {
+    require_different({plots.entropy, plots.force});
+    for (const auto& file : {plots.entropy, plots.force})
+        if (!file.empty()) {
+            require_chart_file(file);
+            require_writable_file(file, file.extension().string());
+        }
+}
+
 }  // namespace
 
 void add_bench_tear(CommandLine& line) {
@@ -90,11 +99,7 @@ void add_bench_tear(CommandLine& line) {
         "What tearing a notched bar takes: bare limit and fracture energy, entropy and vertex stop",
         [options, plots, breaking](Job& job) {
             if (!breaking->tetrahedra.empty()) return breaking_rows(*breaking, job);
-            for (const auto& file : {plots->entropy, plots->force})
-                if (!file.empty()) {
-                    require_chart_file(file);
-                    require_writable(file);
-                }
+            require_writable_plots(*plots);
             const std::vector<TearRow> found = study_tear(*options, job);
             write_plots(*plots, found);
             Json rows = Json::array();
@@ -123,18 +128,23 @@ void add_bench_tear(CommandLine& line) {
         ->check(CLI::Range(0.2, 4.0));
     verb.add_option("--tear-factors", options->tear_factors, "Each with both stops")
         ->check(CLI::Range(1e-3, 1e3));
-    verb.add_option("--breaking", breaking->tetrahedra,
-                    "Instead: what a step costs in which a hundred joints of a vessel tree break, "
-                    "of so many tetrahedra")
-        ->check(CLI::Range(2000, 1'000'000));
+    CLI::Option* breaks =
+        verb.add_option("--breaking", breaking->tetrahedra,
+                        "Instead: what a step costs in which a hundred joints of a vessel tree "
+                        "break, of so many tetrahedra")
+            ->check(CLI::Range(2000, 1'000'000));
     verb.add_option("--tries", breaking->tries, "How often, each elsewhere")
         ->check(CLI::Range(1, 1000))
+        ->needs(breaks)
         ->capture_default_str();
     verb.add_option("--plot-entropy", plots->entropy,
                     "Entropy over the pull, on each mesh: .png or .csv");
     verb.add_option("--plot-force", plots->force, "Force over the pull, by law: .png or .csv");
     verb.add_option("--step-mm", options->step_mm, "By which a step pulls")
         ->check(CLI::Range(1e-3, 1.0));
+    for (const char* of_bars : {"--plot-entropy", "--plot-force", "--edges-mm", "--tear-factors",
+                                "--step-mm", "--strength-pa", "--fracture-energy-j-m2"})
+        breaks->excludes(verb.get_option(of_bars));
 }
 
 }  // namespace hepatica

@@ -104,10 +104,13 @@ void add_compare(CommandLine& line) {
             return options->truth_tree.empty() ? tables_of_systems(answer) : answer;
         });
     verb.add_option("case", options->patient, "Case to judge")->required();
-    verb.add_option("--truth-tree", options->truth_tree,
-                    "Centrelines with radii (.vtp, .swc or .json); refused where they lie "
-                    "elsewhere, with a warning where half of both trees is 5 mm apart");
+    CLI::Option* truth_tree =
+        verb.add_option("--truth-tree", options->truth_tree,
+                        "Centrelines with radii (.vtp, .swc or .json); refused where they lie "
+                        "elsewhere, with a warning where half of both trees is 5 mm apart");
     options->tree_file.add_to(verb);
+    for (const char* of_tree : {"--tree-space", "--radius-mm"})
+        verb.get_option(of_tree)->needs(truth_tree);
     verb.add_option("--truth-mask", options->truth_masks,
                     "Vessel voxels (NIfTI ...): one FILE beside --truth-tree, else NAME=FILE for "
                     "each system: portal, hepatic, artery")

@@ -42,7 +42,7 @@ Json run_dial(const DialChoices& options, Job& job) {
     DeformBackEnd back_end = choose_back_end(options.backend).back_end;
     const std::filesystem::path file =
         is_case_archive(options.patient) ? options.patient : options.patient / "dial.json";
-    require_writable(file);
+    if (is_case(options.patient)) require_writable(file);  // else reading says what is wrong
     job.expect_stages(2);
     job.begin_stage("Reading the case");
     PatientCase read = read_case_without_voxels(options.patient);

@@ -204,6 +204,9 @@ Json tumours_of(const PatientCase& patient) {
 }
 
 Json run_edit(const EditChoices& options, Job& job) {
+    if (options.list && !(options.does_nothing() && options.out.empty()))
+        throw UsageError("changes nothing and writes nothing", "--list",
+                         "Leave it out, or the corrections and --out");
     if (!options.out.empty()) require_case_place(options.out);
     if (options.does_nothing() && !options.list && options.out.empty())
         throw UsageError("is given nothing to do", "edit",

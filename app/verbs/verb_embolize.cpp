@@ -68,9 +68,12 @@ Chart chart_of(const Embolization& result) {
 }
 
 Json run_embolize(EmbolizeChoices options, Job& job) {
-    if (!options.plot.empty()) require_chart_file(options.plot);
-    for (const auto* file : {&options.csv, &options.plot})
-        if (!file->empty()) require_writable(*file);
+    require_different({options.csv, options.plot});
+    if (!options.csv.empty()) require_writable_file(options.csv, ".csv");
+    if (!options.plot.empty()) {
+        require_chart_file(options.plot);
+        require_writable_file(options.plot, options.plot.extension().string());
+    }
     job.expect_stages(2);
     job.begin_stage("reading the tree");
     const VesselTree tree = read_any_tree(options.place, options.tree_file);
@@ -140,7 +143,7 @@ void add_embolize(CommandLine& line) {
         ->capture_default_str();
     verb.add_option("--csv", options->csv, "Series over the beads");
     verb.add_option("--plot", options->plot, "Curves: .png or .csv");
-    options->fluid.add_to(verb);
+    options->fluid.add_liquid_to(verb);
 }
 
 }  // namespace hepatica

@@ -36,6 +36,7 @@ Json json_row(const ExtremeRow& row) {
 }
 
 struct ExtremesChoices {
+    std::vector<const CLI::Option*> of_campaigns;  // that no suite but a campaign has
     std::string filter;
     std::string suite = "stability";
     Campaign campaign;
@@ -52,7 +53,13 @@ std::shared_ptr<const BodyDescription> body_of_case(const std::string& place) {
 std::vector<ExtremeCase> cases_of(const ExtremesChoices& choices) {
     if (!choices.patients.empty() && choices.suite != "touch")
         throw InputError("is for the suite of touch alone", "--case", "Give --suite touch, too");
-    if (choices.suite == "stability") return extreme_cases();
+    if (choices.suite == "stability") {
+        for (const CLI::Option* option : choices.of_campaigns)
+            if (option->count() > 0)
+                throw UsageError("is for a campaign alone", option->get_name(),
+                                 "Give --suite touch or tear, too, or leave it out");
+        return extreme_cases();
+    }
     Campaign campaign = choices.campaign;
     for (const std::string& place : choices.patients)
         campaign.patients.push_back(body_of_case(place));
@@ -96,13 +103,14 @@ void add_extremes(CommandLine& line) {
                     "stability, or a campaign on random trees: touch (in contact) or tear")
         ->check(CLI::IsMember({"stability", "touch", "tear"}))
         ->capture_default_str();
-    verb.add_option("--seed", choices->campaign.seed, "Of the campaign")->capture_default_str();
-    verb.add_option("--trials", choices->campaign.trials, "Of the campaign")
-        ->check(CLI::Range(1, 1000000))
-        ->capture_default_str();
-    verb.add_option("--steps", choices->campaign.steps, "Of each trial of the campaign")
-        ->check(CLI::Range(1, 1000000))
-        ->capture_default_str();
+    choices->of_campaigns = {
+        verb.add_option("--seed", choices->campaign.seed, "Of the campaign")->capture_default_str(),
+        verb.add_option("--trials", choices->campaign.trials, "Of the campaign")
+            ->check(CLI::Range(1, 1000000))
+            ->capture_default_str(),
+        verb.add_option("--steps", choices->campaign.steps, "Of each trial of the campaign")
+            ->check(CLI::Range(1, 1000000))
+            ->capture_default_str()};
     verb.add_option("--case", choices->patients,
                     "A case that the campaign of touch is played on in the place of random trees; "
                     "several take turns");

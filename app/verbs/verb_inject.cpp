@@ -129,10 +129,17 @@ Json answer_of(const VesselTree& tree, const InjectChoices& options, const TreeP
 }
 
 Json run_inject(InjectChoices options, Job& job) {
-    if (!options.plot.empty()) require_chart_file(options.plot);
-    for (const auto* file : {&options.csv, &options.lengths_csv, &options.svzerod, &options.plot})
-        if (!file->empty()) require_writable(*file);
+    require_different(
+        {options.place, options.csv, options.lengths_csv, options.svzerod, options.plot});
+    for (const auto* file : {&options.csv, &options.lengths_csv})
+        if (!file->empty()) require_writable_file(*file, ".csv");
+    if (!options.svzerod.empty()) require_writable_file(options.svzerod, ".json");
+    if (!options.plot.empty()) {
+        require_chart_file(options.plot);
+        require_writable_file(options.plot, options.plot.extension().string());
+    }
     InjectionOptions& injection = options.injection;
+    if (!options.as_published) options.fluid.require_use_of_phase();
     job.expect_stages(2);
     job.begin_stage("reading the tree");
     const VesselTree tree = read_any_tree(options.place, options.tree_file);
@@ -164,6 +171,15 @@ Json run_inject(InjectChoices options, Job& job) {
     return answer;
 }
 
+void add_fluid(CLI::App& verb, InjectChoices& options) {
+    options.fluid.add_to(verb);
+    CLI::Option* as_published =
+        verb.add_flag("--as-published", options.as_published,
+                      "As the paper has it: --model published, gas at a void fraction of 0.40");
+    for (const char* other : {"--model", "--void-fraction", "--phase"})
+        as_published->excludes(verb.get_option(other));
+}
+
 }  // namespace
 
 void add_inject(CommandLine& line) {
@@ -176,20 +192,26 @@ void add_inject(CommandLine& line) {
     verb.add_option("CASE", options->place, "A case's folder, or a tree (.vtp, .swc, .json)")
         ->required();
     options->tree_file.add_to(verb);
-    verb.add_option("--mass-flow-g-s", injection.mass_flow_g_s, "Of the injected fluid")
-        ->capture_default_str();
+    CLI::Option* mass_flow =
+        verb.add_option("--mass-flow-g-s", injection.mass_flow_g_s, "Of the injected fluid")
+            ->capture_default_str();
     verb.add_option("--pressure-pa", injection.inlet_pressure_pa,
-                    "Total pressure at the tip, instead of a mass flow; above the outlets'");
+                    "Total pressure at the tip, instead of a mass flow; above the outlets'")
+        ->excludes(mass_flow);
     verb.add_option("--at-mm", options->at_mm,
                     "X,Y,Z of the catheter's tip; default: the root of the largest system");
-    verb.add_flag("--free", options->free_tip,
-                  "The tip does not fill the lumen: blood passes it (see --blood-flow-g-s)");
+    CLI::Option* free_tip =
+        verb.add_flag("--free", options->free_tip,
+                      "The tip does not fill the lumen: blood passes it (see --blood-flow-g-s)");
     verb.add_option("--blood-flow-g-s", injection.blood_flow_g_s,
-                    "Blood that enters at the root, with --free");
+                    "Blood that enters at the root, with --free")
+        ->needs(free_tip);
     verb.add_option("--drug-viscosity-pa-s", injection.drug_viscosity_pa_s,
                     "Viscosity of the injected fluid, instead of the mixture's");
-    verb.add_option("--close", injection.closed_segments,
-                    "Number of a segment that is clamped or plugged; may be repeated");
+    verb.add_option(
+        "--close", injection.closed_segments,
+        "Number of a segment that is clamped or plugged, from 0 as in the answer (branch 1 of "
+        "a warning is segment 0); may be repeated");
     verb.add_option("--tear-mm", options->tears_mm,
                     "X,Y,Z where a vessel is torn through; may be repeated");
     verb.add_option("--injection-s", injection.injection_s, "Then nothing more is injected");
@@ -198,6 +220,7 @@ void add_inject(CommandLine& line) {
     verb.add_option("--step-tolerance", injection.front.step_tolerance,
                     "Change of flow allowed within one step, where the fluids differ: smaller is "
                     "more accurate and slower")
+        ->check(CLI::Range(1e-9, 1.0))
         ->capture_default_str();
     verb.add_option("--outlet-pressure-pa", injection.outlet_pressure_pa, "Beyond every outlet");
     verb.add_option("--terminal-resistance", injection.terminal_resistance_pa_s_mm3,
@@ -213,12 +236,7 @@ void add_inject(CommandLine& line) {
                     "Filled length of each segment over time");
     verb.add_option("--svzerod", options->svzerod, "The network for svZeroDSolver");
     verb.add_option("--plot", options->plot, "Curves over time: .png or .csv");
-    options->fluid.add_to(verb);
-    CLI::Option* as_published =
-        verb.add_flag("--as-published", options->as_published,
-                      "As the paper has it: --model published, gas at a void fraction of 0.40");
-    for (const char* other : {"--model", "--void-fraction", "--phase"})
-        as_published->excludes(verb.get_option(other));
+    add_fluid(verb, *options);
 }
 
 }  // namespace hepatica

@@ -30,7 +30,7 @@ struct LessonChoices {
 };
 
 Json run_lesson(const LessonChoices& options, Job& job) {
-    if (!options.csv.empty()) require_writable(options.csv);
+    if (!options.csv.empty()) require_writable_file(options.csv, ".csv");
     const Lesson lesson = find_lesson(options.lesson);
     const Recording recording = read_recording(options.recording);
     for (const std::string& warning : recording.warnings) spdlog::warn("{}", warning);

@@ -3,6 +3,7 @@
 // (core/phantom/phantom.h).
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 
@@ -44,13 +45,21 @@ void parse(PhantomChoices& options) {
                          "Choose a value from 1 to 1000: below, no vessel is seen");
     if (!options.dims.empty()) {
         const auto dims = parse_triple("--dims", options.dims);
-        for (int axis = 0; axis < 3; ++axis)
+        for (int axis = 0; axis < 3; ++axis) {
+            constexpr double most_checked = 1e9;  // make_phantom() checks the range
+            if (dims[axis] != std::trunc(dims[axis]) || std::abs(dims[axis]) > most_checked)
+                throw InputError("\"" + options.dims + "\" is no number of voxels", "--dims",
+                                 "Choose three whole numbers, from 16 to 2048 each");
             options.phantom.dims[axis] = static_cast<int>(dims[axis]);
+        }
     }
     if (!options.spacing.empty()) {
         const auto spacing = parse_triple("--spacing", options.spacing);
         options.phantom.spacing_mm = Vec3(spacing[0], spacing[1], spacing[2]);
     }
+    if (options.phantom.hepatic_contrast_hu && options.phantom.systems < 2)
+        throw InputError("one system has no hepatic veins", "--hepatic-contrast-hu",
+                         "Ask for --systems 2, or leave it out");
     for (const std::string& format : options.formats)
         if (format != "dicom" && format != "nifti")
             throw UsageError("\"" + format + "\" is no format", "--format",

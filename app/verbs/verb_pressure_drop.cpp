@@ -17,6 +17,7 @@ struct PressureDropChoices {
 };
 
 Json run_pressure_drop(const PressureDropChoices& options) {
+    options.fluid.require_use_of_phase();
     const Cone& cone = options.cone;
     const double m = options.mass_flow_g_s;
     validate(cone);
@@ -64,7 +65,8 @@ void add_pressure_drop(CommandLine& line) {
     verb.add_option("--mass-flow-g-s", options->mass_flow_g_s, "Mass flow, negative backwards")
         ->required();
     verb.add_option("--loss-coefficient", options->loss_coefficient,
-                    "Head lost on leaving a bifurcation, as a share of the dynamic pressure");
+                    "Head lost on leaving a bifurcation, as a share of the dynamic pressure")
+        ->check(CLI::Range(0.0, 1e3));
     options->fluid.add_to(verb);
 }
 

@@ -207,20 +207,24 @@ CLI::Option* add_images(CLI::App& verb, ReconstructChoices& options) {
     verb.add_option("--series", reconstruct.series,
                     "Which series of a DICOM folder, as the warnings number them; 1 is the best")
         ->check(CLI::Range(1, 10000));
-    verb.add_option("--liver-mask", options.liver_mask, "Image whose nonzero voxels are liver");
-    verb.add_option("--vessel-mask", options.vessel_mask,
-                    "Image of the vessels, its labels their systems: nothing is segmented");
+    CLI::Option* liver_mask =
+        verb.add_option("--liver-mask", options.liver_mask, "Image whose nonzero voxels are liver");
+    CLI::Option* vessel_mask =
+        verb.add_option("--vessel-mask", options.vessel_mask,
+                        "Image of the vessels, its labels their systems: nothing is segmented");
     verb.add_option("--tumour-mask", reconstruct.tumour_masks,
                     "Image whose nonzero pieces are tumours, for `feeders`; may be repeated");
     verb.add_option("--liver-label", reconstruct.liver_labels,
                     "Labels of the liver mask that are liver; without it all that are not 0")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->needs(liver_mask);
     verb.add_option(
             "--vessel-label", options.vessel_labels,
             "LABEL=SYSTEM,LABEL=SYSTEM: labels of the vessel mask that are vessels; without "
             "it a single label is an unknown system, several are 1 portal, 2 hepatic, "
             "3 artery, 255 unknown")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->needs(vessel_mask);
     return ct;
 }
 
@@ -277,6 +281,8 @@ void add_reconstruct(CommandLine& line) {
     verb.add_option("--name", options->reconstruct.name,
                     "What pictures and reports call the patient; nothing else names them");
     add_methods(verb, *options);
+    for (const char* of_segmenting : {"--method", "--window"})
+        verb.get_option("--vessel-mask")->excludes(verb.get_option(of_segmenting));
     CLI::Option* batch = add_batch_options(verb, options->batch)->excludes(ct);
     for (const char* of_one : {"--series", "--name", "--vessel-mask", "--tumour-mask", "--seed-mm"})
         batch->excludes(verb.get_option(of_one));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // render: a picture of a case or of a recorded play, without a display
 // (render/offscreen_picture.h).
+#include <spdlog/spdlog.h>
+
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -23,6 +25,7 @@
 #include "core/scene/flow_part.h"
 #include "core/scene/world.h"
 #include "core/session/recording_file.h"
+#include "core/session/replay.h"
 #include "core/session/session.h"
 #include "render/offscreen_picture.h"
 #include "render/organ_surface.h"
@@ -135,16 +138,25 @@ std::unique_ptr<Session> played(const RenderChoices& options, const Recording& r
     if (hash_of(*patient) != recording.patient_hash)
         throw InputError("the recording was made on another patient", options.recording.string(),
                          "give the case that it was made on");
+    for (const std::string& warning : recording.warnings) spdlog::warn("{}", warning);
     auto session = std::make_unique<Session>(patient, recording.scene, job,
                                              choose_back_end(recording.back_end).back_end);
-    if (recording.begin) session->restore(*recording.begin);
+    if (recording.begin) restore_recorded(*session, *recording.begin);
+    session->record([](const RecordedStep&) {});  // hashes are computed only while recording
     const double end_s = options.time_s.value_or(std::numeric_limits<double>::infinity());
-    for (const RecordedStep& step : recording.steps) {
+    bool diverged = false;
+    for (std::size_t i = 0; i < recording.steps.size(); ++i) {
         if (session->world().time_s() >= end_s) break;
         job.throw_if_cancelled();
-        for (const Command& command : step.commands) session->post(command);
-        session->step(job);
+        for (const Command& command : recording.steps[i].commands) session->post(command);
+        if (session->step(job).state_hash == recording.steps[i].state_hash || diverged) continue;
+        diverged = true;
+        spdlog::warn("{} diverged from the recording at step {}: the picture may be another",
+                     options.recording.string(), i + 1);
     }
+    if (options.time_s && session->world().time_s() < end_s)
+        spdlog::warn("{} ends at {:.3g} s: the picture shows its end", options.recording.string(),
+                     session->world().time_s());
     return session;
 }
 
@@ -170,7 +182,7 @@ std::shared_ptr<const Volume> ct_of_case(const RenderChoices& options, const Pat
 Json run_render(const RenderChoices& options, Job& job) {
     PictureOptions picture = picture_options(options);
     require_png_name(options.out);
-    require_writable(options.out);
+    require_writable_file(options.out, ".png");
     job.expect_stages(options.ct.empty() ? 3 : 4);
     job.begin_stage("Reading the case");
     auto patient = std::make_shared<const PatientCase>(
@@ -210,11 +222,18 @@ void add_render(CommandLine& line) {
                                    [options](Job& job) { return run_render(*options, job); });
     verb.add_option("case", options->patient, "Case folder (NAME.hep)")->required();
     verb.add_option("--out", options->out, "Picture to write, NAME.png")->required();
-    verb.add_option("--recording", options->recording, "Show this recorded play");
-    verb.add_option("--time-s", options->time_s,
-                    "Time: of the drug since its injection, or of the recorded play [s]");
-    verb.add_option("--at-mm", options->at_mm, "Inject here, X,Y,Z in LPS [mm]; else at the root");
-    verb.add_option("--mass-flow-g-s", options->mass_flow_g_s, "Of the injection [g/s]");
+    CLI::Option* recording =
+        verb.add_option("--recording", options->recording, "Show this recorded play");
+    CLI::Option* time =
+        verb.add_option("--time-s", options->time_s,
+                        "Time: of the drug since its injection, or of the recorded play [s]")
+            ->check(CLI::NonNegativeNumber);
+    verb.add_option("--at-mm", options->at_mm, "Inject here, X,Y,Z in LPS [mm]; else at the root")
+        ->needs(time)
+        ->excludes(recording);
+    verb.add_option("--mass-flow-g-s", options->mass_flow_g_s, "Of the injection [g/s]")
+        ->needs(time)
+        ->excludes(recording);
     verb.add_option("--view", options->view,
                     "anterior, posterior, left, right, superior or inferior");
     verb.add_option("--turn-right-deg", options->turn_right_deg, "Turned away from the view");

@@ -46,11 +46,16 @@ struct SimulateChoices {
     std::string backend = "cpu";
 };
 
-void write_final_mesh(const World& world, const std::filesystem::path& file) {
-    if (world.deform() == nullptr)
-        throw InputError("has no deform, so its vessels keep their shape", "the scene",
-                         "Leave out --final-mesh");
-    write_vtu(file, world.deform()->shape());
+// Throws InputError where an option is about a body that deforms, and the scene has none.
+void require_use_of_body(const SimulateChoices& options, const SceneSpec& scene) {
+    const char* const about_body = !options.final_mesh.empty()  ? "--final-mesh"
+                                   : options.quality >= 0.0     ? "--quality"
+                                   : options.automatic          ? "--automatic"
+                                   : options.fit_velocity_error ? "--fit-velocity-error"
+                                                                : nullptr;
+    if (scene.deform || about_body == nullptr) return;
+    throw InputError("the scene has no deform, so its vessels keep their shape", about_body,
+                     "Leave it out, or name a deform part in the scene");
 }
 
 SceneSpec scene_of(const SimulateChoices& options, const Script& script,
@@ -93,9 +98,9 @@ void explain_quality(double wanted, const SceneSpec& spec, const PatientCase& pa
 
 Json run_simulate(const SimulateChoices& options, Job& job) {
     const BackEndChoice back_end = choose_back_end(options.backend);
-    if (!options.record.empty()) require_writable(options.record);
-    for (const auto& file : {options.final_mesh, options.steps_csv})
-        if (!file.empty()) require_writable(file);
+    if (!options.record.empty()) require_writable_file(options.record, ".hrec");
+    if (!options.final_mesh.empty()) require_writable_file(options.final_mesh, ".vtu");
+    if (!options.steps_csv.empty()) require_writable_file(options.steps_csv, ".csv");
     std::optional<ThreadLimit> limit;
     if (options.threads > 0) limit.emplace(options.threads);
     const Script script = read_script(options.script);
@@ -108,8 +113,8 @@ Json run_simulate(const SimulateChoices& options, Job& job) {
         for (const std::string& misfit : misfits(*lesson, patient->tree))
             spdlog::warn("{}", misfit);
     const SceneSpec spec = scene_of(options, script, lesson);
-    if (options.quality >= 0.0 && spec.deform && !options.automatic)
-        explain_quality(options.quality, spec, *patient, back_end.back_end);
+    require_use_of_body(options, spec);
+    if (options.quality >= 0.0) explain_quality(options.quality, spec, *patient, back_end.back_end);
     if (spec.deform && !spec.deform->setting)
         if (const auto words = words_on_left_out(back_end.back_end, measured_points(*patient));
             !words.empty())
@@ -129,7 +134,8 @@ Json run_simulate(const SimulateChoices& options, Job& job) {
                      {.fit = options.fit_velocity_error, .table = !options.steps_csv.empty()}, job);
     if (recording) recording->close();
     if (played.table) write_text_atomically(options.steps_csv, played.table->text());
-    if (!options.final_mesh.empty()) write_final_mesh(session.world(), options.final_mesh);
+    if (!options.final_mesh.empty())
+        write_vtu(options.final_mesh, session.world().deform()->shape());
     Json answer{{"script", script.name},
                 {"tetrahedra", spec.deform ? patient->mesh.tetrahedra.size() : 0}};
     answer.update(answer_of(session, played));
@@ -178,6 +184,7 @@ void add_simulate(CommandLine& line) {
         "As the paper has it: springs, eq. (12) taken whole, the published pressure law");
     for (const char* other : {"--quality", "--automatic"})
         as_published->excludes(verb.get_option(other));
+    verb.get_option("--automatic")->excludes(verb.get_option("--quality"));
     for (const char* other : {"--dt-s", "--as-published"})
         verb.get_option("--lesson")->excludes(verb.get_option(other));
 }

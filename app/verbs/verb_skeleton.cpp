@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // skeleton: thins a vessel mask and shows how it becomes one voxel wide
 // (core/skeleton/unit_width_skeleton.h).
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <limits>
@@ -8,6 +10,7 @@
 #include "app/command_line.h"
 #include "app/output_place.h"
 #include "app/verbs/verbs.h"
+#include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "core/image/volume_reader.h"
 #include "core/skeleton/thinning.h"
@@ -43,8 +46,8 @@ std::vector<Index3> places(const Grid& grid, const std::vector<std::size_t>& off
 
 // Draws the stages around the largest crowded region: crowded regions, exits, centres, paths,
 // result.
-void draw_stages(const SkeletonChoices& options, const Mask& thinned,
-                 const UnitWidthStages& stages) {
+void draw_stages(const SkeletonChoices& options, const std::filesystem::path& folder,
+                 const Mask& thinned, const UnitWidthStages& stages) {
     const auto largest = std::ranges::max_element(
         stages.regions, {}, [](const CrowdedRegion& r) { return r.voxels.size(); });
     if (largest == stages.regions.end()) return;
@@ -72,7 +75,7 @@ void draw_stages(const SkeletonChoices& options, const Mask& thinned,
     const VoxelGroup lines{voxels_of(open), grey};
     const VoxelGroup result{voxels_of(stages.skeleton), grey};
     const auto draw = [&](const char* name, const std::vector<VoxelGroup>& groups) {
-        write_png(options.out / name, draw_voxels(groups, low, high));
+        write_png(folder / name, draw_voxels(groups, low, high));
     };
     draw("1_thinned.png", {skeleton});
     draw("2_crowded_regions.png", {skeleton, crowded});
@@ -94,10 +97,12 @@ Json run_skeleton(const SkeletonChoices& options, Job& job) {
     const UnitWidthStages stages = unit_width_stages(thinned, job);
     std::size_t exits = 0;
     for (const CrowdedRegion& region : stages.regions) exits += region.exits.size();
-    if (!options.out.empty()) {
-        std::filesystem::create_directories(options.out);
-        draw_stages(options, thinned, stages);
-    }
+    if (!options.out.empty() && stages.regions.empty())
+        spdlog::warn("the skeleton has no crowded region: there are no stages to draw");
+    else if (!options.out.empty())
+        write_files_atomically(options.out, [&](const std::filesystem::path& folder) {
+            draw_stages(options, folder, thinned, stages);
+        });
     return {{"thinned_voxels", voxels_of(thinned).size()},
             {"crowded_points", crowded_point_count(thinned)},
             {"crowded_regions", stages.regions.size()},
@@ -114,12 +119,13 @@ void add_skeleton(CommandLine& line) {
         line.add_verb("skeleton", "Thin a vessel mask and show how it gets one voxel wide",
                       [options](Job& job) { return run_skeleton(*options, job); });
     verb.add_option("mask", options->mask, "Vessel voxels (NIfTI ...)")->required();
-    verb.add_option("--out", options->out, "Folder for a picture of each stage");
+    CLI::Option* out = verb.add_option("--out", options->out, "Folder for a picture of each stage");
     verb.add_option("--method", options->method, "How the mask is thinned")
         ->check(CLI::IsMember({"queue", "parallel"}))
         ->capture_default_str();
     verb.add_option("--reach", options->reach, "Voxels shown around the largest region")
         ->check(CLI::Range(2, 100))
+        ->needs(out)
         ->capture_default_str();
 }
 

@@ -177,24 +177,29 @@ void add_tradeoff(CommandLine& line) {
         "tradeoff",
         "Error against cost over the dial, on a beam whose answer is known or on a patient",
         [options](Job& job) { return run_tradeoff(*options, job); });
-    verb.add_option("CASE", options->patient, "A patient's case; without it the clamped beam");
+    CLI::Option* patient =
+        verb.add_option("CASE", options->patient, "A patient's case; without it the clamped beam");
     verb.add_option("--out", options->out, "Folder for tradeoff.csv and tradeoff.svg")->required();
-    verb.add_option("--budget", options->measure.budget_s,
-                    "Wall time in seconds; settings that do not fit are listed as not measured")
-        ->check(CLI::Range(1.0, 1e6))
-        ->capture_default_str();
+    CLI::Option* budget =
+        verb.add_option("--budget", options->measure.budget_s,
+                        "Wall time in seconds; settings that do not fit are listed as not measured")
+            ->check(CLI::Range(1.0, 1e6))
+            ->capture_default_str();
     CLI::Option* contact =
         verb.add_flag("--contact", options->contact,
-                      "Of what contact adds: pad, solve, step and friction of a block on a slab");
+                      "Of what contact adds: pad, solve, step and friction of a block on a slab")
+            ->excludes(budget);
     verb.add_flag("--tear", options->tear,
                   "Of a scene that tears: force and work to tear a notched bar, over settings and "
                   "meshes")
-        ->excludes(contact);
+        ->excludes(contact)
+        ->excludes(budget);
     verb.add_option("--backend", options->backend,
                     "On whose device a patient's settings are measured beside the processor")
         ->check(CLI::IsMember(back_end_names()))
         ->capture_default_str();
-    verb.add_flag("--quick", options->measure.quick, "Of the beam: leave out the large meshes");
+    verb.add_flag("--quick", options->measure.quick, "Of the beam: leave out the large meshes")
+        ->excludes(patient);
 }
 
 }  // namespace hepatica

@@ -26,7 +26,7 @@ Json run_train(TrainChoices options, Job& job) {
         throw InputError(std::to_string(options.seed) + " is no seed", "--seed",
                          "Give a whole number from 1 on");
     options.training.seed = static_cast<std::uint64_t>(options.seed);
-    require_writable(options.out);
+    require_writable_file(options.out, ".json");
     int left_out = 0;
     const LinkModel model =
         trained_links(options.training, job, [&](std::uint64_t number, const InputError& reason) {

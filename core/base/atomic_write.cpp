@@ -135,9 +135,12 @@ std::optional<fs::path> move_foreign(const fs::path& was, const fs::path& is,
 void replace_folder(const fs::path& target, const std::function<void(const fs::path&)>& write,
                     const std::function<bool(const fs::path&)>& is_own) {
     const fs::path folder = behind_links(without_trailing_slash(target));
+    std::error_code error;
+    if (fs::exists(folder, error) && !fs::is_directory(folder, error))  // it would be moved aside
+        throw_unwritable(target, std::make_error_code(std::errc::not_a_directory));
     make_parent(folder);
     Temporary temporary(folder);
-    std::error_code error;
+    error.clear();
     fs::create_directory(temporary.path(), error);
     if (error) throw_unwritable(target, error);
     write(temporary.path());

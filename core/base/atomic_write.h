@@ -23,7 +23,7 @@ void write_text_atomically(const std::filesystem::path& file, std::string_view t
 
 // Calls write(temporary_folder) with an empty folder, then renames it to `folder`, replacing an
 // existing folder with all its content: only for the program's own folders. Throws InputError as
-// above.
+// above, and where a file has that name.
 void write_folder_atomically(const std::filesystem::path& folder,
                              const std::function<void(const std::filesystem::path&)>& write);
 

@@ -111,10 +111,14 @@ class BeadTransport {
     }
 
     // Injects one batch into the present flow; false once no more beads enter.
-    bool inject_batch() {
+    bool inject_batch(const Job& job) {
         const int count = std::min(options_.batch, options_.bead_count - result_.injected);
         if (count <= 0 || result_.stasis) return false;
-        for (int i = 0; i < count; ++i) inject_bead();
+        constexpr int beads_between_checks = 4096;
+        for (int i = 0; i < count; ++i) {
+            if (i % beads_between_checks == 0) job.throw_if_cancelled();
+            inject_bead();
+        }
         for (std::size_t o = 0; o < beds_.size(); ++o)
             conditions_.terminal_resistances[o] = beds_[o].present_resistance();
         solve();
@@ -154,7 +158,10 @@ class BeadTransport {
             if (choice < 0) break;
             const FlowSegment& s = result_.network.segments[choice];
             const bool forwards = s.proximal_node == node;
-            const double place = lodging_place_mm(result_.network, choice, radius, forwards);
+            // Nothing passes a plug, however narrow it is.
+            const double place = s.open
+                                     ? lodging_place_mm(result_.network, choice, radius, forwards)
+                                     : result_.lodged_at_mm[choice];
             if (place < infinite) {
                 lodge(choice, place, mass);
                 return;
@@ -317,7 +324,7 @@ Embolization embolize(const FlowNetwork& network, const FlowConditions& conditio
     validate_options(options);
     BeadTransport transport(network, conditions, bead_inlet, options);
     int sent = 0;
-    while (transport.inject_batch()) {
+    while (transport.inject_batch(job)) {
         sent += options.batch;
         job.advance(std::min(1.0, sent / std::max(1.0, static_cast<double>(options.bead_count))));
     }

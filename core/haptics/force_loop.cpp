@@ -16,8 +16,11 @@ Vec3 at_most(const Vec3& value, double limit) {
     return size > limit ? Vec3(limit / size * value) : value;
 }
 
-bool finite(const HapticPose& pose) {
-    return pose.at_mm.allFinite() && pose.turned.coeffs().allFinite();
+// Work that is no number would end the control of passivity for good.
+bool finite(const HapticSample& sample) {
+    const HapticPose& pose = sample.pose;
+    return pose.at_mm.allFinite() && pose.turned.coeffs().allFinite() &&
+           std::isfinite(sample.work_nj);
 }
 
 }  // namespace
@@ -99,7 +102,7 @@ Tick ForceLoop::tick() {
     if (lost_) return {.lost = true};
     const std::optional<HapticSample> sample = device_.read();
     silent_ = sample && sample->number != number_ ? 0 : silent_ + 1;
-    if (!sample || silent_ > most_silent || !finite(sample->pose)) {
+    if (!sample || silent_ > most_silent || !finite(*sample)) {
         device_.write({});
         lost_ = true;
         return {.lost = true};

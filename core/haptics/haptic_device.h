@@ -78,9 +78,9 @@ class HapticDevice {
 
     virtual const HapticTraits& traits() const = 0;
     // The newest sample, which may be that of the last call. None where the device is lost:
-    // unplugged, switched off, or stopped by its own safety. A pose that is not finite counts as
-    // lost, and so does a sample that stays the same for 100 periods. The loop then ends for good;
-    // the play goes on, and the device can be attached again.
+    // unplugged, switched off, or stopped by its own safety. A pose or work that is not finite
+    // counts as lost, and so does a sample that stays the same for 100 periods. The loop then ends
+    // for good; the play goes on, and the device can be attached again.
     virtual std::optional<HapticSample> read() noexcept = 0;
     // Sets the force from now on, within the limits of the traits.
     virtual void write(const HapticForce& force) noexcept = 0;

@@ -21,6 +21,8 @@ void require_traits(const HapticTraits& traits) {
     };
     require(traits.period_s, traits.period_s >= 1e-4 && traits.period_s <= 1e-2, "period [s]");
     require(traits.latency_s, traits.latency_s >= 0.0 && traits.latency_s <= 0.1, "latency [s]");
+    require(traits.resolution_mm, traits.resolution_mm >= 0.0 && traits.resolution_mm <= 10.0,
+            "resolution [mm]");
     for (const auto& [value, what] : {std::pair(traits.damping_un_s_per_mm, "damping"),
                                       std::pair(traits.turn_damping_un_mm_s, "damping of turns"),
                                       std::pair(traits.force_limit_un, "limit of force"),

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/image/memory_limit.h"
 #include "core/phantom/phantom_body.h"
 #include "core/phantom/phantom_centrelines.h"
 #include "core/phantom/phantom_contacts.h"
@@ -119,6 +120,9 @@ void scale_tree(VesselTree& tree, double scale) {
 
 Phantom make_phantom(const PhantomOptions& options, Job& job) {
     validate(options);
+    constexpr int bytes_per_voxel = 8;  // measured; disturbances take more
+    require_memory(bytes_of(options.dims[0], options.dims[1], options.dims[2], bytes_per_voxel),
+                   "--dims");
     const FieldOfView view = frame_liver(options);
     const PhantomBody body(options.seed, options.parenchyma_hu);
     Phantom phantom;

@@ -30,6 +30,11 @@ void require_back_end(const Recording& recording, const DeformBackEnd& back_end)
                          "recording", "Replay it with the back end that recorded it");
 }
 
+void restore_recorded(Session& session, Keyframe keyframe) {
+    keyframe.automatic = false;
+    session.restore(keyframe);
+}
+
 ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCase> patient,
                     Job& job, std::uint64_t from_step, const DeformBackEnd& back_end,
                     const Session::Watch& watch) {
@@ -41,13 +46,9 @@ ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCas
     const RecordedStep* start = keyframe_before(recording, from_step);
     Session session(std::move(patient), recording.scene, job, back_end);
     ReplayResult result;
-    const auto restore = [&session](Keyframe keyframe) {
-        keyframe.automatic = false;  // settings come from the recorded commands
-        session.restore(keyframe);
-    };
-    if (start == nullptr && recording.begin) restore(*recording.begin);
+    if (start == nullptr && recording.begin) restore_recorded(session, *recording.begin);
     if (start != nullptr) {
-        restore(*start->keyframe);
+        restore_recorded(session, *start->keyframe);
         result.began_at = result.steps = start->keyframe->step;
         result.state_hash = session.state_hash();
         if (result.state_hash != start->state_hash)

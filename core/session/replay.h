@@ -24,6 +24,10 @@ struct ReplayResult {
 // Throws InputError where the recording is of another back end, whose steps have other bits.
 void require_back_end(const Recording& recording, const DeformBackEnd& back_end);
 
+// Restores a state of a recording. The session then chooses no settings by itself, because they
+// come from the recorded commands.
+void restore_recorded(Session& session, Keyframe keyframe);
+
 // Starts at the last keyframe that is not after `from_step`, or at the recording's start. Throws
 // InputError if the patient or the back end is another one, if there is no such step, or if the
 // keyframe is damaged; throws Cancelled. Reports progress to the job. `watch` sees every replayed

@@ -313,6 +313,13 @@ TEST_F(BadInput, ANameMayReadAsANumber) {
     }
 }
 
+TEST_F(BadInput, ACaseThatIsNotThereIsNotMade) {
+    const Outcome run = run_cli({"dial", path("none.hep"), "--budget", "1"});
+    EXPECT_EQ(run.exit_code, 1) << run.errors;
+    EXPECT_NE(run.errors.find("does not exist"), std::string::npos) << run.errors;
+    EXPECT_EQ(run.errors.find("is made"), std::string::npos) << run.errors;
+}
+
 TEST_F(BadInput, AFolderInPlaceOfAFile) {
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{"scene", path(".")},

@@ -27,6 +27,8 @@ TEST(BadValue, OfAPhantomIsRefusedAndItsRangeStandsInTheHelp) {
                                 {"--contrast-hu", "-5", "1 to 1000"},
                                 {"--contrast-hu", "0", "1 to 1000"},
                                 {"--noise-hu", "-3", "0 to 500"},
+                                {"--dims", "64.9,64,64", "16 to 2048"},
+                                {"--dims", "1e300,64,64", "16 to 2048"},
                                 {"--generations", "0", "1 to 10"}}) {
         const Outcome run = run_cli({"phantom", out, bad.option + "=" + bad.value});
         EXPECT_EQ(run.exit_code, 1) << bad.option;
@@ -36,6 +38,60 @@ TEST(BadValue, OfAPhantomIsRefusedAndItsRangeStandsInTheHelp) {
         EXPECT_NE(help.find(bad.remedy), std::string::npos) << help;
     }
 }
+
+TEST(BadValue, OfVeinsThatAPhantomLacksIsRefused) {
+    const std::string out = (fs::path(testing::TempDir()) / "no veins").string();
+    const Outcome run = run_cli({"phantom", out, "--dims", "32,32,32", "--spacing", "6,6,6",
+                                 "--generations", "1", "--hepatic-contrast-hu", "30"});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_FALSE(fs::exists(out));
+    for (const char* named : {"--hepatic-contrast-hu", "--systems 2"})
+        EXPECT_NE(run.errors.find(named), std::string::npos) << run.errors;
+}
+
+// What an option asks for would not happen: it is refused, and named.
+TEST(BadUsage, OfOptionsThatOthersLeaveWithoutEffect) {
+    struct Call {
+        std::vector<std::string> words;
+        std::string named;
+    };
+    for (const auto& [words, named] :
+         {Call{{"reconstruct", "ct", "--out", "x.hep", "--liver-label", "5"}, "--liver-mask"},
+          {{"reconstruct", "ct", "--out", "x.hep", "--vessel-label", "1=portal"}, "--vessel-mask"},
+          {{"reconstruct", "ct", "--out", "x.hep", "--vessel-mask", "m", "--window", "1,2"},
+           "--window"},
+          {{"reconstruct", "ct", "--out", "x.hep", "--vessel-mask", "m", "--method", "vesselness"},
+           "--method"},
+          {{"simulate", "x.hep", "--script", "s", "--quality", "1", "--automatic"}, "--automatic"},
+          {{"tradeoff", "--out", "t", "--tear", "--budget", "5"}, "--budget"},
+          {{"tradeoff", "--out", "t", "--contact", "--budget", "5"}, "--budget"},
+          {{"tradeoff", "x.hep", "--out", "t", "--quick"}, "--quick"},
+          {{"compare", "x.hep", "--truth-mask", "portal=m", "--tree-space", "ras"}, "--truth-tree"},
+          {{"extremes", "--trials", "3"}, "--trials"},
+          {{"bench", "tear", "--breaking", "2000", "--plot-force", "f.csv"}, "--plot-force"},
+          {{"bench", "iterations", "--tetrahedra", "2000"}, "--case"},
+          {{"bench", "reconstruct", "ct", "--dims", "32,32,32"}, "--dims"}}) {
+        const Outcome run = run_cli(words);
+        EXPECT_EQ(run.exit_code, 2) << words[0] << " " << named << ": " << run.errors;
+        EXPECT_EQ(run.output, "");
+        EXPECT_NE(run.errors.find(named), std::string::npos) << run.errors;
+    }
+}
+
+#ifdef HEPATICA_WINDOW_PROGRAM
+TEST(BadUsage, OfADrugThatNobodyWouldSee) {
+    for (const auto& [words, named] :
+         {std::pair<std::vector<std::string>, std::string>{{"--at-mm", "1,2,3"}, "--time-s"},
+          {{"--mass-flow-g-s", "3"}, "--time-s"},
+          {{"--mass-flow-g-s", "3", "--time-s", "1", "--recording", "r"}, "--recording"}}) {
+        std::vector<std::string> call{"render", "x.hep", "--out", "x.png"};
+        call.insert(call.end(), words.begin(), words.end());
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 2) << words[0] << ": " << run.errors;
+        EXPECT_NE(run.errors.find(named), std::string::npos) << run.errors;
+    }
+}
+#endif
 
 class BadValueOfInject : public test::Tour {};
 

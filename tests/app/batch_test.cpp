@@ -2,10 +2,12 @@
 // Many CTs in one call of the real program: what fails, what is gone on with, what is left behind.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -196,6 +198,43 @@ TEST_F(Batch, SharesOfAnArrayOfJobsMakeTheWhole) {
     EXPECT_EQ(states(), (States{{"anton", "done"}, {"berta", "to do"}, {"carla", "done"}}));
     EXPECT_EQ(answer(call({"--task", "2", "--of", "2"})).at("made_now"), 1);
     EXPECT_EQ(states(), (States{{"anton", "done"}, {"berta", "failed"}, {"carla", "done"}}));
+}
+
+TEST_F(Batch, AFolderWithTheMaskOfNoScanIsRefused) {
+    fs::create_directories(root() / "others");
+    fs::copy_file(root() / "p/liver.nii.gz", root() / "others/emil.nii.gz");
+    const Outcome run = run_cli(with_small_cases({"reconstruct", "--batch", path("scans"), "--out",
+                                                  path("out"), "--liver-mask", path("others")}));
+    EXPECT_EQ(run.exit_code, 1) << run.errors;
+    EXPECT_NE(run.errors.find(path("others") + ": holds no liver mask"), std::string::npos)
+        << run.errors;
+    EXPECT_FALSE(fs::exists(root() / "out"));
+}
+
+// A row without a mask must not look like the rows with one; a liver has its volume, although
+// nothing tells its segments; and the page finds the picture of a patient of any name.
+TEST_F(Batch, TheTableSaysWhoseLiverHadNoMask) {
+    for (const char* folder : {"few", "one"}) fs::create_directories(root() / folder);
+    fs::copy_file(root() / "p/liver.nii.gz", root() / "one/anton.nii.gz");
+    for (const char* scan : {"few/anton.nii.gz", "few/carla #2.nii.gz"})
+        fs::copy_file(root() / "p/ct.nii.gz", root() / scan);
+    answer(with_small_cases({"reconstruct", "--batch", path("few"), "--out", path("out"),
+                             "--keep-names", "--liver-mask", path("one")}));
+    std::istringstream table(text_of(root() / "out/summary.csv"));
+    std::map<std::string, std::string> row;
+    for (std::string line; std::getline(table, line);) row[line.substr(0, line.find(','))] = line;
+    const std::string anton = row["\"anton\""], carla = row["\"carla #2\""];
+    EXPECT_EQ(anton.find("No mask"), std::string::npos) << anton;
+    EXPECT_NE(carla.find("No mask"), std::string::npos) << carla;
+    for (const std::string& line : {anton, carla}) {
+        std::istringstream cells(line);
+        std::string cell;
+        for (int i = 0; i < 5; ++i) std::getline(cells, cell, ',');
+        EXPECT_GT(std::atof(cell.c_str()), 100.0) << line;
+    }
+    const std::string page = text_of(root() / "out/index.html");
+    EXPECT_NE(page.find("src=\"pictures/carla%20%232.png\""), std::string::npos) << page;
+    EXPECT_TRUE(fs::exists(root() / "out/pictures/carla #2.png"));
 }
 
 TEST_F(Batch, RefusesWhatMakesNoSense) {

@@ -141,6 +141,7 @@ TEST_F(CompareSystems, WhatCannotBeMeantIsRefused) {
          {std::vector<std::string>{"--truth-mask", mask},
           {"--truth-mask", "vein=" + mask},
           {"--truth-mask", "unknown=" + mask},
+          {"--truth-mask", "portal="},
           {"--truth-tree", tree, "--truth-mask", "portal=" + mask},
           {"--truth-tree", tree, "--truth-mask", mask, "--truth-mask", mask},
           {"--truth-tree", tree, "--truth-mask", mask, "--liver-mask", mask}}) {

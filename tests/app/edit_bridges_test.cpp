@@ -49,6 +49,22 @@ TEST_F(EditBridges, AreAcceptedOneByOne) {
     EXPECT_EQ(states({"--undo", "1"}), (States{"open", "open"}));
 }
 
+// A list beside a correction would leave the correction out, and name a case that was not written.
+TEST_F(EditBridges, AreNotDecidedByAList) {
+    const fs::path other = case_.string() + ".other.hep";
+    for (const std::vector<std::string>& also :
+         {std::vector<std::string>{"--accept", "2"}, {"--out", other.string()}}) {
+        std::vector<std::string> call{"edit", case_.string(), "--list"};
+        call.insert(call.end(), also.begin(), also.end());
+        const test::Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 2) << also[0];
+        EXPECT_EQ(run.output, "");
+        EXPECT_NE(run.errors.find("--list"), std::string::npos) << run.errors;
+        EXPECT_FALSE(fs::exists(other));
+    }
+    EXPECT_EQ(states({"--list"}), (States{"open", "open"}));
+}
+
 TEST_F(EditBridges, AreRefusedOneByOneAndOfferedAgain) {
     EXPECT_EQ(states({"--refuse", "1"}), (States{"refused", "open"}));
     EXPECT_EQ(states({"--list"}), (States{"refused", "open"}));  // the case remembers

@@ -194,6 +194,43 @@ TEST_F(FlowVerbs, RefuseWhatIsNotThere) {
     }
 }
 
+// An option that would change nothing is refused, and named: who gave it believes that it counts.
+TEST_F(FlowVerbs, RefuseOptionsThatWouldChangeNothing) {
+    const std::vector<std::string> cone{"--r1-mm=1", "--r2-mm=1", "--length-mm=10",
+                                        "--mass-flow-g-s=1"};
+    const auto with = [](std::vector<std::string> call, const std::vector<std::string>& more) {
+        call.insert(call.end(), more.begin(), more.end());
+        return call;
+    };
+    const std::string tree = path("p/truth_tree.vtp");
+    for (const auto& [call, named] :
+         {std::pair<std::vector<std::string>, std::string>{
+              {"inject", tree, "--blood-flow-g-s", "5"}, "--free"},
+          {{"inject", tree, "--pressure-pa", "100", "--mass-flow-g-s", "3"}, "--mass-flow-g-s"},
+          {{"inject", tree, "--phase", "gas"}, "--phase"},
+          {{"inject", tree, "--step-tolerance", "0"}, "--step-tolerance"},
+          {{"inject", tree, "--phase-viscosity-pa-s", "1"}, "--phase-viscosity-pa-s"},
+          {with({"pressure-drop", "--phase-density-kg-m3=900"}, cone), "--phase-density-kg-m3"},
+          {with({"pressure-drop", "--loss-coefficient=-3"}, cone), "--loss-coefficient"},
+          {{"inject", path("p.hep"), "--tree-space", "ras"}, "--tree-space"},
+          {{"embolize", path("p.hep"), "--radius-mm", "2"}, "--radius-mm"},
+          {{"embolize", tree, "--void-fraction", "0.4"}, "--void-fraction"},
+          {{"embolize", tree, "--phase", "gas"}, "--phase"}}) {
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 2) << call[0] << " " << named << ": " << run.errors;
+        EXPECT_EQ(run.output, "");
+        EXPECT_NE(run.errors.find(named), std::string::npos) << run.errors;
+    }
+    EXPECT_NE(run_cli({"inject", "--help"}).output.find("from 0 as in the answer"),
+              std::string::npos);
+    // A series of void fractions may begin with none.
+    EXPECT_EQ(run_cli(with({"pressure-drop", "--phase=gas", "--void-fraction=0"}, cone)).exit_code,
+              0);
+    EXPECT_EQ(
+        run_cli(with({"pressure-drop", "--phase=lipiodol", "--model=published"}, cone)).exit_code,
+        0);
+}
+
 // Laminar flow through a cylinder: Hagen and Poiseuille's 8 mu L Q / (pi r^4).
 TEST_F(FlowVerbs, PressureDropOfASlowCylinderIsPoiseuilles) {
     constexpr double viscosity_pa_s = 3.5e-3, length_mm = 40.0, radius_mm = 2.0, flow_g_s = 0.1;

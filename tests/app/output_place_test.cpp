@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/tree/files/tree_io.h"
 #include "tests/app/tour.h"
 
 namespace hepatica {
@@ -75,6 +76,52 @@ TEST_F(OutputPlace, APictureIsNamedPng) {
         run_cli({"render", path("p.hep"), "--size", "64,48", "--out", path("A.PNG")}).exit_code, 0);
 }
 
+TEST_F(OutputPlace, AFileIsNotNamedLikeAnother) {
+    const std::string tree = path("p/truth_tree.vtp"), drag = HEPATICA_ASSETS "/scripts/drag.json";
+    const std::vector<std::string> simulate{"simulate", path("p.hep"), "--script",
+                                            drag,       "--steps",     "1"};
+    const auto playing = [&](const std::string& option) {
+        std::vector<std::string> call = simulate;
+        call.push_back(option);
+        return call;
+    };
+    for (std::vector<std::string> call :
+         {std::vector<std::string>{"inject", tree, "--csv"},
+          {"inject", tree, "--lengths-csv"},
+          {"inject", tree, "--svzerod"},
+          {"embolize", tree, "--csv"},
+          playing("--record"),
+          playing("--final-mesh"),
+          playing("--steps-csv"),
+          {"bench", "drag", path("p.hep"), "--no-error", "--motion", "pull", "--steps-csv"},
+          {"train", "--volumes", "1", "--out"}}) {
+        call.push_back(path("a.jpg"));
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 2) << call[0] << ": " << run.errors;
+        EXPECT_NE(run.errors.find(path("a.jpg")), std::string::npos) << run.errors;
+        EXPECT_NE(run.errors.find("Name a file that ends in"), std::string::npos) << run.errors;
+        EXPECT_FALSE(fs::exists(path("a.jpg"))) << call[0];
+    }
+}
+
+// Before the work, which may take hours.
+TEST_F(OutputPlace, AFolderIsNoFileToWrite) {
+    for (const auto& [call, ending] : {std::pair<std::vector<std::string>, std::string>{
+                                           {"inject", path("p/truth_tree.vtp"), "--csv"}, ".csv"},
+                                       {{"inject", path("p/truth_tree.vtp"), "--plot"}, ".csv"},
+                                       {{"render", path("p.hep"), "--out"}, ".png"},
+                                       {{"train", "--volumes", "1", "--out"}, ".json"}}) {
+        const std::string taken = path("folder" + ending);
+        fs::create_directories(taken);
+        std::vector<std::string> whole = call;
+        whole.push_back(taken);
+        const Outcome run = run_cli(whole);
+        EXPECT_EQ(run.exit_code, 1) << call[0] << ": " << run.errors;
+        EXPECT_NE(run.errors.find(taken + ": is a folder"), std::string::npos) << run.errors;
+        EXPECT_EQ(run.errors.find("[1/"), std::string::npos) << run.errors;
+    }
+}
+
 TEST_F(OutputPlace, ACaseIsNotNamedLikeAFile) {
     for (const char* name : {"x.txt", "x.nii.gz"})
         for (std::vector<std::string> call :
@@ -90,6 +137,36 @@ TEST_F(OutputPlace, ACaseIsNotNamedLikeAFile) {
         const Outcome run = run_cli({"edit", path("p.hep"), "--out", path(name)});
         EXPECT_EQ(run.exit_code, 0) << run.errors;
         EXPECT_TRUE(fs::exists(folder() / name / "case.json"));
+    }
+}
+
+TEST_F(OutputPlace, TwoOutputsAreNotOneFile) {
+    const std::string tree = path("p/truth_tree.vtp"), twice = path("twice.csv");
+    write_tree(path("own.json"), read_tree(tree));
+    const Outcome itself = run_cli({"inject", path("own.json"), "--svzerod", path("own.json")});
+    EXPECT_EQ(itself.exit_code, 2) << itself.errors;
+    EXPECT_EQ(read_tree(path("own.json")).segments.size(), read_tree(tree).segments.size());
+    for (const std::vector<std::string>& call :
+         {std::vector<std::string>{"inject", tree, "--csv", twice, "--lengths-csv", twice},
+          {"inject", tree, "--csv", twice, "--plot", path("p/../twice.csv")},
+          {"embolize", tree, "--csv", twice, "--plot", twice}}) {
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 2) << call[0] << ": " << run.errors;
+        EXPECT_NE(run.errors.find("is named twice"), std::string::npos) << run.errors;
+        EXPECT_FALSE(fs::exists(twice)) << call[0];
+    }
+}
+
+// A slash too many makes no folder of a file.
+TEST_F(OutputPlace, AFileIsNotReplacedByAFolder) {
+    ASSERT_EQ(run_cli({"copy", path("p.hep"), "--out", path("one.hepz")}).exit_code, 0);
+    for (const std::vector<std::string>& call :
+         {std::vector<std::string>{"copy", path("p.hep"), "--out", path("one.hepz/")},
+          {"phantom", path("one.hepz/"), "--dims", "32,32,32", "--spacing", "5,5,5"}}) {
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 1) << call[0] << ": " << run.errors;
+        EXPECT_NE(run.errors.find("is a file and no folder"), std::string::npos) << run.errors;
+        EXPECT_TRUE(fs::is_regular_file(path("one.hepz"))) << call[0];
     }
 }
 

@@ -6,12 +6,18 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
+#include "core/patient/patient_case.h"
+#include "core/session/recording_file.h"
+#include "core/session/script.h"
+#include "core/session/session.h"
 #include "core/tree/files/tree_io.h"
 #include "tests/app/tour.h"
 
@@ -214,6 +220,110 @@ TEST_F(Tour, AutomaticQualityReplaysToTheLastBit) {
                 "--steps", "120", "--automatic", "--record", path("automatic.hrec")});
     const Json replayed = answer({"replay", path("automatic.hrec"), "--verify"});
     EXPECT_EQ(replayed["state_hash"], played["state_hash"]);
+}
+
+// Before the play, which may be long.
+TEST_F(Tour, SimulateRefusesWhatASceneWithoutABodyCannotDo) {
+    std::ofstream(path("flows.json"))
+        << R"({"name": "f", "scene": {"name": "f", "flow": {}}, "actions": []})";
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"--final-mesh", path("none.vtu")},
+          {"--quality", "0.5"},
+          {"--automatic"},
+          {"--fit-velocity-error"}}) {
+        std::vector<std::string> call{"simulate",         path("p.hep"), "--script",
+                                      path("flows.json"), "--steps",     "3"};
+        call.insert(call.end(), words.begin(), words.end());
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 1) << words[0] << ": " << run.errors;
+        EXPECT_NE(run.errors.find(words[0] + ": the scene has no deform"), std::string::npos)
+            << run.errors;
+        EXPECT_EQ(run.errors.find("Simulating"), std::string::npos) << run.errors;
+    }
+}
+
+#ifdef HEPATICA_WINDOW_PROGRAM
+// A recording of the window begins amid a play whose setting is chosen by the session. What it
+// chose is recorded, so that a picture of it must not choose again, however slow this computer is.
+TEST_F(Tour, RenderPlaysWithTheRecordedSettings) {
+    const auto patient = std::make_shared<const PatientCase>(read_case(path("p.hep")));
+    SceneSpec scene = default_scene();
+    scene.dt_s = 1e-3;  // no step keeps to such a budget
+    Job job;
+    Session session(patient, scene, job);
+    const Vec3 held = point_on_longest_path(patient->tree, 0.5);
+    session.post(SetQuality{1.0});
+    session.post(GrabPoint{held});
+    session.post(MoveGrab{held + Vec3(3, 0, 0)});
+    session.step(job);
+    Recording recording;
+    session.record_from_now([&](const Recording& start) {
+        recording = start;
+        return [&](RecordedStep step) { recording.steps.push_back(std::move(step)); };
+    });
+    for (int i = 0; i < 40; ++i) session.step(job);
+    session.record_from_now({});
+    session.step(job);
+    ASSERT_EQ(recording.steps.size(), 40u);
+    auto begin = std::make_shared<Keyframe>(*recording.begin);
+    begin->automatic = true;
+    recording.begin = begin;
+    write_recording(path("amid.hrec"), recording);
+    const std::vector<std::string> call{"render",          path("p.hep"), "--recording",
+                                        path("amid.hrec"), "--out",       path("amid.png"),
+                                        "--size",          "64,48"};
+    const Outcome drawn = run_cli(call);
+    EXPECT_EQ(drawn.exit_code, 0) << drawn.errors;
+    EXPECT_EQ(drawn.errors.find("diverged"), std::string::npos) << drawn.errors;
+    // A time that is not in it is refused, or said to be behind its end.
+    const auto at = [&](const std::string& time_s) {
+        std::vector<std::string> timed = call;
+        timed.insert(timed.end(), {"--time-s", time_s});
+        return run_cli(timed);
+    };
+    EXPECT_EQ(at("-3").exit_code, 2);
+    const Outcome late = at("900");
+    EXPECT_EQ(late.exit_code, 0) << late.errors;
+    EXPECT_NE(late.errors.find("ends at 0.04"), std::string::npos) << late.errors;
+    // What is another play is said to be one.
+    recording.steps[20].state_hash ^= 1;
+    write_recording(path("amid.hrec"), recording);
+    const Outcome other = run_cli(call);
+    EXPECT_EQ(other.exit_code, 0) << other.errors;
+    EXPECT_NE(other.errors.find("diverged from the recording at step 21"), std::string::npos)
+        << other.errors;
+}
+#endif
+
+TEST_F(Tour, SkeletonLeavesAllPicturesOrNone) {
+    const std::string mask = path("p/truth_mask.nii.gz");
+    ASSERT_EQ(run_cli({"skeleton", mask, "--out", path("stages")}).exit_code, 0);
+    const auto first = fs::file_size(path("stages/1_thinned.png"));
+    ASSERT_GT(fs::file_size(path("stages/2_crowded_regions.png")), first);
+    const Outcome full = run_cli({"skeleton", mask, "--out", path("half")},
+                                 {.file_bytes = static_cast<long>(first)});
+    EXPECT_EQ(full.exit_code, 1) << full.errors;
+    EXPECT_FALSE(fs::exists(path("half/1_thinned.png")));
+    // A straight vessel has nothing to show, which is said.
+    Mask line(Grid{.dims = {20, 20, 20}});
+    for (int z = 2; z < 18; ++z) line.at(10, 10, z) = 1;
+    write_nifti(path("line.nii.gz"), line);
+    const Outcome straight = run_cli({"skeleton", path("line.nii.gz"), "--out", path("none")});
+    EXPECT_EQ(straight.exit_code, 0) << straight.errors;
+    EXPECT_NE(straight.errors.find("no crowded region"), std::string::npos) << straight.errors;
+    EXPECT_FALSE(fs::exists(path("none")));
+}
+
+// Nothing moves, so that the share that is missed of the motion is no number.
+TEST_F(Tour, WhatIsNoNumberIsPrintedAsNone) {
+    std::ofstream(path("still.json")) << R"({"name": "still", "actions": []})";
+    const std::vector<std::string> call{"bench",  "drag",     path("p.hep"),     "--motion",
+                                        "script", "--script", path("still.json")};
+    EXPECT_TRUE(answer(call)["motions"][0]["error"].is_null());
+    const Outcome run = run_cli(call);
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_EQ(run.output.find("nan"), std::string::npos) << run.output;
+    EXPECT_NE(run.output.find("none"), std::string::npos) << run.output;
 }
 
 TEST_F(Tour, TradeoffOfAPatientEndsInItsBudget) {

@@ -225,6 +225,23 @@ TEST_F(AtomicWrite, KeepsTheOldFolderWhenWritingFails) {
     EXPECT_EQ(entries(), 1);
 }
 
+// A file was exchanged for the folder and left beside it under a hidden name.
+TEST_F(AtomicWrite, AFolderTakesThePlaceOfNoFile) {
+    const fs::path file = folder_ / "case.hepz";
+    std::ofstream(file) << "a patient";
+    bool written = false;
+    const auto write = [&](const fs::path&) { written = true; };
+    for (const fs::path& place : {file, file / ""}) {
+        EXPECT_THROW(write_folder_atomically(place, write), InputError) << place;
+        EXPECT_THROW(renew_folder_atomically(place, write, [](const fs::path&) { return false; }),
+                     InputError)
+            << place;
+        EXPECT_EQ(read(file), "a patient");
+        EXPECT_EQ(entries(), 1);
+    }
+    EXPECT_FALSE(written);
+}
+
 TEST_F(AtomicWrite, NamesTheFileWhenTheDiskIsFull) {
     // A limit on the size of files makes writes fail half-way, as a full disk does.
     rlimit unlimited{};

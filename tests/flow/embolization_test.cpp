@@ -148,6 +148,36 @@ TEST(Embolization, BeadsOfABatchStayBehindTheOnesThatPluggedTheWay) {
     }
 }
 
+// A batch may hold a hundred million beads.
+TEST(Embolization, ABatchHearsThatItIsCancelled) {
+    const FlowNetwork network = fork(0.8, 0.6);
+    EmbolizationOptions options;
+    options.beads = bead_preset("300-500");
+    options.bead_count = options.batch = 100'000;
+    Job job;
+    int heard = 0;
+    job.observe([&](JobEvent) {
+        if (++heard == 10) job.cancel();
+    });
+    EXPECT_THROW(embolize(network, under_pressure(network), 0, options, job), Cancelled);
+}
+
+// Half of these beads are narrower than the ends of both branches: once wider ones have plugged
+// these, the narrow ones of the batch stay behind them, too.
+TEST(Embolization, ANarrowBeadDoesNotPassAPlug) {
+    FlowNetwork network = fork(0.8, 0.8);
+    network.cones[1].distal_radius_mm = network.cones[2].distal_radius_mm = 0.2;
+    EmbolizationOptions options;
+    options.beads = {"mixed", 400.0, 50.0, 1.2e-3, ""};
+    options.bead_count = options.batch = 400;
+    Job job;
+    const Embolization result = embolize(network, under_pressure(network), 0, options, job);
+    const int beyond = result.lodged_beyond_outlet[0] + result.lodged_beyond_outlet[1];
+    EXPECT_LT(beyond, 40);
+    EXPECT_EQ(result.lodged_in_segment[1] + result.lodged_in_segment[2], 400 - beyond);
+    EXPECT_LE(result.mass_error_relative(), 1e-12);
+}
+
 TEST(Embolization, BeadsNarrowerThanTheCapillariesPass) {
     Random random(72);
     const FlowNetwork network = random_tree(random, 15);

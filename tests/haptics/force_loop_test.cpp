@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "tests/haptics/wall.h"
@@ -192,6 +193,29 @@ TEST(ForceLoop, WhatIsNoNumberReachesNoMotorAndAPoseThatIsNoneIsALoss) {
     Bench nowhere(gone);
     for (int i = 0; i < 30; ++i) nowhere.loop.tick();
     EXPECT_TRUE(nowhere.loop.tick().lost);
+}
+
+// Answers with work that is no number from its tenth sample on.
+class WorklessDevice final : public HapticDevice {
+  public:
+    const HapticTraits& traits() const override { return traits_; }
+    std::optional<HapticSample> read() noexcept override {
+        ++number_;
+        return HapticSample{{}, number_, number_ < 10 ? 0.0 : std::nan("")};
+    }
+    void write(const HapticForce&) noexcept override {}
+
+  private:
+    HapticTraits traits_;
+    std::uint64_t number_ = 0;
+};
+
+TEST(ForceLoop, WorkThatIsNoNumberIsALoss) {
+    WorklessDevice device;
+    TripleBuffer<LocalModel> models;
+    ForceLoop loop(device, models, [](const Command&) {});
+    for (int i = 1; i < 10; ++i) EXPECT_FALSE(loop.tick().lost) << i;
+    EXPECT_TRUE(loop.tick().lost);
 }
 
 // Answers for ever with the sample of one moment.

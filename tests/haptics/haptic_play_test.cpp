@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "core/haptics/simulated_device.h"
@@ -145,6 +146,21 @@ TEST_F(HapticPlayTest, RefusesTraitsThatCannotBe) {
         EXPECT_THAT(error.what(), HasSubstr("Quill"));
         EXPECT_THAT(error.what(), HasSubstr("damping is 0"));
         EXPECT_THAT(error.what(), HasSubstr("docs/haptics.md"));
+    }
+}
+
+// Without it nothing bounds the work that its steps may hide.
+TEST_F(HapticPlayTest, RefusesAResolutionThatIsNoNumber) {
+    for (const double resolution_mm : {std::nan(""), -0.1}) {
+        try {
+            haptics.attach(std::make_shared<SimulatedDevice>(
+                SimulatedHand{.encoder_mm = resolution_mm}, HapticTraits{.name = "Quill"}));
+            ADD_FAILURE() << resolution_mm << " was taken";
+            haptics.detach();
+        } catch (const InputError& error) {
+            EXPECT_THAT(error.what(), HasSubstr("Quill"));
+            EXPECT_THAT(error.what(), HasSubstr("resolution [mm] is "));
+        }
     }
 }
 

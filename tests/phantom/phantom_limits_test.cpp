@@ -2,6 +2,7 @@
 // Options of phantoms at the ends of their ranges: the end is taken, what lies beyond is refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <functional>
@@ -109,6 +110,25 @@ TEST(PhantomLimits, ThreeStagesAreBegun) {
     make_phantom(options, job);
     EXPECT_EQ(job.stage_times().size(), 3u);
     EXPECT_EQ(job.stage_times().front().name, "Growing the vessels");
+}
+
+// 8.6 thousand million voxels, within the range of each axis: refused before any is allocated.
+TEST(PhantomLimits, AGridBeyondTheMemoryIsRefused) {
+    PhantomOptions options;
+    options.generations = 1;
+    options.dims = {2048, 2048, 2048};
+    const double memory =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    if (memory > 8e10) GTEST_SKIP() << "it would fit";
+    Job job;
+    job.cancel();
+    try {
+        make_phantom(options, job);
+        FAIL() << "it was made";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.place(), "--dims");
+        EXPECT_THAT(error.problem(), testing::HasSubstr("of memory"));
+    }
 }
 
 }  // namespace

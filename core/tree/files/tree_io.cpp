@@ -59,6 +59,16 @@ void validate_from_file(const VesselTree& tree, const std::filesystem::path& fil
 
 namespace {
 
+// A format that has radii at every point, and perhaps axes of its own, contradicts what is stated.
+void require_no_contradiction(const std::filesystem::path& file, const TreeFileFacts& facts,
+                              bool in_lps) {
+    if (facts.radius_mm)
+        throw InputError("holds radii of its own", file.string(), "Leave --radius-mm out");
+    if (in_lps && facts.space == PatientSpace::ras)
+        throw InputError(std::string("says itself that its axes are ") + "LPS", file.string(),
+                         "Leave --tree-space out");
+}
+
 [[noreturn]] void refuse_extension(const std::filesystem::path& file) {
     throw InputError("is no format of vessel trees", file.string(),
                      "Choose a name that ends in .vtp, .swc or .json");
@@ -81,9 +91,9 @@ VesselTree read_tree(const std::filesystem::path& file, const TreeFileFacts& fac
                          "Give a tree in a .vtp, .swc or .json file");
     const std::string extension = file.extension().string();
     if (extension == ".vtp") return read_tree_vtp(file, facts);
-    if (extension == ".swc") return read_tree_swc(file, facts);
-    if (extension == ".json") return read_tree_json(file);
-    refuse_extension(file);
+    if (extension != ".swc" && extension != ".json") refuse_extension(file);
+    require_no_contradiction(file, facts, extension == ".json");
+    return extension == ".swc" ? read_tree_swc(file, facts) : read_tree_json(file);
 }
 
 }  // namespace hepatica

@@ -353,6 +353,19 @@ TEST(TreeSwc, MayBeStatedToBeInRas) {
               Vec3(-1, -2, 3));
 }
 
+// What contradicts the format was passed over: a tree said to be in RAS was read as it is in LPS.
+TEST(TreeFiles, WhatContradictsTheirFormatIsRefused) {
+    for (const char* name : {"fact.swc", "fact.json"}) {
+        write_tree(scratch(name), forked_tree());
+        EXPECT_EQ(refusal_of(scratch(name), {}), "") << name;
+        const std::string radius = refusal_of(scratch(name), {.radius_mm = 2.5});
+        EXPECT_NE(radius.find("radii of its own"), std::string::npos) << name << radius;
+    }
+    EXPECT_EQ(refusal_of(scratch("fact.json"), {.space = PatientSpace::lps}), "");
+    const std::string space = refusal_of(scratch("fact.json"), {.space = PatientSpace::ras});
+    EXPECT_NE(space.find("its axes are LPS"), std::string::npos) << space;
+}
+
 TEST(TreeSwc, LoopsAndSystemsComeBack) {
     VesselGraph graph = forked_graph();
     graph.links.push_back(straight_link(graph, 2, 4, 1.0, 1.0));
