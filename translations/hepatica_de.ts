@@ -8256,10 +8256,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>„%1“ ist kein Wirkstoff</translation>
     </message>
     <message>
-        <source>Blood</source>
-        <translation>Blut</translation>
-    </message>
-    <message>
         <source>; pressed to %L1 % of its lumen</source>
         <translation>; auf %L1 % seines Lumens gedrückt</translation>
     </message>
@@ -8938,6 +8934,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>measured</source>
         <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>Blood (1/10 of the volume)</source>
+        <translation>Blut (1/10 des Volumens)</translation>
+    </message>
+    <message>
+        <source>Red balls: blood, a tenth of the volume lost.</source>
+        <translation>Rote Kugeln: Blut, ein Zehntel des verlorenen Volumens.</translation>
     </message>
 </context>
 </TS>

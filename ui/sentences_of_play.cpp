@@ -238,7 +238,7 @@ constexpr std::array sentences_play{
     Words::id("A place of the lesson"),
     Words::id("A gap, and how sure"),
     Words::id("Cut or torn"),
-    Words::id("Blood"),
+    Words::id("Blood (1/10 of the volume)"),
     Words::id("%1 mm at the depth of the view's centre"),
     Words::id("This case knows neither liver nor tumours: nothing stands in the way"),
     Words::id("the share of a lumen that is left open"),
