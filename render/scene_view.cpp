@@ -134,7 +134,8 @@ void SceneView::render(double pixel_ratio) {
         return std::array{pixel.x, height - pixel.y};
     };
     for (MeasureMarks* marks : {&parts_->stroke_rim, &parts_->stroke, &parts_->measures})
-        marks->update(place, pixel_ratio);
+        marks->update(place, pixel_ratio, parts_->picture_size().covered_top,
+                      parts_->picture_size().covered_bottom);
     parts_->bridges.set_pixel_ratio(pixel_ratio);
     parts_->prepare_volume();
     renderer.ResetCameraClippingRange();

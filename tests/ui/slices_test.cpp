@@ -302,6 +302,27 @@ TEST_F(Slices, TakePlacesOfAVesselThatIsDrawn) {
     EXPECT_FALSE(pen.taken());
 }
 
+// At the edge of a view, and several that end at one place.
+TEST_F(Slices, ShowValuesOfMeasurementsWithinTheViewAndOnNoOther) {
+    show_slices();
+    SliceView& axial = view(SliceDirection::axial);
+    scene().measurements().choose(MeasurementKind::distance);
+    constexpr std::size_t count = 5;
+    for (std::size_t m = 0; m < count; ++m)
+        for (const double x : {10.0 + static_cast<double>(m), axial.width() - 2.0})
+            scene().measurements().add_point(axial.to_mm({x, 0.5 * axial.height()}), {},
+                                             scene().tree());
+    ASSERT_EQ(scene().measurements().made().size(), count);
+    axial.grab();
+    const std::vector<QRectF>& labels = axial.measure_labels();
+    ASSERT_EQ(labels.size(), count);
+    for (std::size_t a = 0; a < labels.size(); ++a) {
+        EXPECT_TRUE(QRectF(axial.rect()).contains(labels[a]));
+        for (std::size_t b = a + 1; b < labels.size(); ++b)
+            EXPECT_FALSE(labels[a].intersects(labels[b])) << a << " on " << b;
+    }
+}
+
 TEST_F(Slices, MeasureTheDiameterAtTheCentreline) {
     show_slices();
     SliceView& coronal = view(SliceDirection::coronal);
