@@ -8947,5 +8947,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>, of it up to %L1 mL (%L2 g) drug</source>
         <translation>, davon bis zu %L1 mL (%L2 g) Wirkstoff</translation>
     </message>
+    <message>
+        <source>Time since the last injection began (s)</source>
+        <translation>Zeit seit Beginn der letzten Injektion (s)</translation>
+    </message>
 </context>
 </TS>

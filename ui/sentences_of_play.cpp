@@ -214,6 +214,7 @@ constexpr std::array sentences_play{
     Words::id("an error without a name"),
     Words::id("Tearing"),
     Words::id("Time since the vessels may tear (s)"),
+    Words::id("Time since the last injection began (s)"),
     Words::id("Damage by tearing (entropy)"),
     Words::id("entropy"),
     Words::id("produced"),
