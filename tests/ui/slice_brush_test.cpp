@@ -43,6 +43,8 @@ class BrushOnSlices : public testing::SlicesTest {
         move();
         release();
     }
+    // What Qt makes of a second press right after the first.
+    void press_again() { QTest::mouseDClick(&axial(), Qt::LeftButton, {}, place_of_column(10)); }
     void press() { QTest::mousePress(&axial(), Qt::LeftButton, {}, place_of_column(10)); }
     void release() { QTest::mouseRelease(&axial(), Qt::LeftButton, {}, place_of_column(15)); }
     void click_other(Qt::MouseButton button) {
@@ -88,6 +90,17 @@ TEST_F(BrushOnSlices, ShowsAtOnceWhatItPaints) {
     EXPECT_EQ(scene().crosshair_mm(), ct_.grid.to_mm(20, 25, 30)) << "and nothing else";
     move();
     EXPECT_EQ(brush().strokes()[0].path_mm.size(), 2u) << "lifted, it leaves nothing";
+}
+
+TEST_F(BrushOnSlices, BeginsAStrokeHoweverSoonAfterTheLast) {
+    begin();
+    press();
+    release();
+    press_again();
+    move();
+    release();
+    ASSERT_EQ(brush().strokes().size(), 2u);
+    EXPECT_EQ(brush().strokes()[1].path_mm.size(), 2u);
 }
 
 TEST_F(BrushOnSlices, ShowsWhatItPaintsOverVesselsAsPainted) {

@@ -150,6 +150,20 @@ TEST_F(Slices, ZoomAndPanKeepThePlaceUnderTheMouse) {
     EXPECT_LT((axial.to_mm(middle + QPointF(10, 0)) - there).norm(), (near - there).norm());
 }
 
+TEST_F(Slices, ShowTheWholeOfAnotherCt) {
+    show_slices();
+    SliceView& axial = view(SliceDirection::axial);
+    const Vec3 corner = axial.to_mm(QPointF(0, 0));
+    turn_wheel(axial, 8, Qt::ControlModifier);
+    const QPointF zoomed = axial.place_of(corner);
+    EXPECT_LT(zoomed.x(), -10.0);
+    scene().show_tree(patient_->tree);
+    EXPECT_EQ(axial.place_of(corner), zoomed) << "a correction leaves it so";
+    scene().show(std::make_shared<const Volume>(ct_), {}, patient_->tree);
+    EXPECT_NEAR(axial.place_of(corner).x(), 0.0, 1e-9);
+    EXPECT_NEAR(axial.place_of(corner).y(), 0.0, 1e-9);
+}
+
 TEST_F(Slices, LeaveRoomForALessonOnASmallScreen) {
     show_slices();
     window_.lessons().show();

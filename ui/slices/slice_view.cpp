@@ -40,9 +40,21 @@ SliceView::SliceView(SliceScene& scene, SliceDirection direction, QWidget* paren
     setProperty(paints_own_focus, true);
     setMinimumSize(120, 90);
     setCursor(Qt::CrossCursor);
-    scene_.on_change([this] { update(); });
+    scene_.on_change([this] {
+        show_whole_of_another_ct();
+        update();
+    });
     scene_.measurements().on_change([this] { update(); });
     scene_.pen().on_change([this] { update(); });
+}
+
+// Where one looked into a CT means nothing in another.
+void SliceView::show_whole_of_another_ct() {
+    const std::shared_ptr<const Volume> seen = seen_ct_.lock();
+    if (scene_.empty() || seen == scene_.shared_ct()) return;
+    seen_ct_ = scene_.shared_ct();
+    zoom_ = 1.0;
+    shift_ = {};
 }
 
 int SliceView::slice() const {
@@ -251,6 +263,7 @@ void SliceView::leaveEvent(QEvent* event) {
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (brushing()) return mousePressEvent(event);  // the next stroke begins
     if (works()) return;  // the second click must not set a point on top of the first
     if (event->button() == Qt::LeftButton && double_click_) double_click_();
 }

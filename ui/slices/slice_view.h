@@ -17,6 +17,7 @@
 #include <QImage>
 #include <QWidget>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -67,6 +68,7 @@ class SliceView : public QWidget {
 
   private:
     SliceStack stack() const { return {scene_.ct().grid, direction_}; }
+    void show_whole_of_another_ct();
     // Moves the crosshair by whole slices.
     void step(int slices);
     // Moves the crosshair within its slice, by voxels.
@@ -115,8 +117,9 @@ class SliceView : public QWidget {
     // Key of picture_: scrolling in one direction does not repaint the other two.
     std::uint64_t picture_version_ = 0;
     int picture_slice_ = -1;
-    double zoom_ = 1.0;  // 1: the slice fits the widget
-    QPointF shift_;      // of the slice's centre from the widget's
+    std::weak_ptr<const Volume> seen_ct_;  // that zoom and shift belong to
+    double zoom_ = 1.0;                    // 1: the slice fits the widget
+    QPointF shift_;                        // of the slice's centre from the widget's
     std::vector<QRectF> measure_labels_;
     QPointF last_;           // last mouse position while a button is down
     double wheel_rest_ = 0;  // unused part of a wheel notch
