@@ -21,6 +21,7 @@
 #include "ui/date_words.h"
 #include "ui/on_screen.h"
 #include "ui/paths.h"
+#include "ui/plain_text.h"
 #include "ui/plot_panel.h"
 #include "ui/words.h"
 
@@ -239,7 +240,7 @@ void AttemptsDialog::fill_row(int row, const Attempt& attempt) {
     auto* outcome = text_item(attempt.passed ? Words::tr("✓ passed") : Words::tr("✗ not passed"));
     QStringList why;
     for (const std::string& reason : attempt.reasons) why << translated(reason);
-    outcome->setToolTip(why.join("\n"));
+    outcome->setToolTip(as_plain(why.join("\n")));
     table_->setItem(row, Column::result, outcome);
     auto* box = new QTableWidgetItem;
     box->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
