@@ -8951,5 +8951,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Time since the last injection began (s)</source>
         <translation>Zeit seit Beginn der letzten Injektion (s)</translation>
     </message>
+    <message>
+        <source>%1 (mL)</source>
+        <translation>%1 (mL)</translation>
+    </message>
 </context>
 </TS>

@@ -262,6 +262,7 @@ constexpr std::array sentences_play{
     Words::id("%1 (mN s)"),
     Words::id("%1 (mm²)"),
     Words::id("%1 (g)"),
+    Words::id("%1 (mL)"),
 };
 
 }  // namespace

@@ -261,7 +261,7 @@ QWidget* SliceBar::draw_button() {
 
 void SliceBar::add_brush(QHBoxLayout& row) {
     radius_ = new DecimalSpinBox(MaskBrush::least_mm, MaskBrush::most_mm,
-                                 scene_.brush().radius_mm(), 1, " mm");
+                                 scene_.brush().radius_mm(), 1, "mm");
     radius_->setObjectName("brushRadius");
     radius_->setAccessibleName(Words::tr("Radius of the brush"));
     radius_->setToolTip(Words::tr("Radius of the ball that is led through the voxels"));
