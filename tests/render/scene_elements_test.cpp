@@ -6,6 +6,7 @@
 #include <vtkActorCollection.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
+#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
@@ -20,6 +21,9 @@
 #include "core/deform/body/obstacles.h"
 #include "core/flow/fluid.h"
 #include "render/bleeding_actor.h"
+#include "render/crosshair_actor.h"
+#include "render/depth_stem.h"
+#include "render/grab_actor.h"
 #include "render/osmesa_context.h"
 #include "render/scene_view.h"
 #include "render/tool_actor.h"
@@ -205,6 +209,24 @@ TEST(PoolOfBlood, IsDrawnAnewWhereItsGrowthIsSeen) {
     tear->leaks.clear();
     EXPECT_TRUE(pools.update(tear));
     EXPECT_FALSE(pools.update(tear));
+}
+
+TEST(LinesInThePicture, AreAsWideInPointsOnADenseScreen) {
+    GrabActor pull;
+    CrosshairActor crosshair;
+    vtkNew<vtkRenderer> renderer;
+    DepthStem stem(*renderer);
+    auto* line = vtkActor::SafeDownCast(renderer->GetActors()->GetItemAsObject(0));
+    ASSERT_NE(line, nullptr);
+    for (const double ratio : {1.0, 2.0}) {
+        const auto wide = [&](double points) { return static_cast<float>(points * ratio); };
+        pull.set_scale(0.1, ratio);
+        crosshair.set_pixel_ratio(ratio);
+        stem.place(ratio);
+        EXPECT_FLOAT_EQ(pull.line()->GetProperty()->GetLineWidth(), wide(2.0));
+        EXPECT_FLOAT_EQ(crosshair.actor()->GetProperty()->GetLineWidth(), wide(1.5));
+        EXPECT_FLOAT_EQ(line->GetProperty()->GetLineWidth(), wide(1.5));
+    }
 }
 
 TEST(ForceText, IsInMillinewtonsAndEmptyWhereThereIsNone) {
