@@ -288,6 +288,14 @@ TEST(MessageBar, WhatWasSaidBeforeItIsSeenCanBeRead) {
     EXPECT_TRUE(testing::wait_for([&] { return label->text().contains("The program ended"); }));
 }
 
+TEST(MessageBar, OffersANameAsItIs) {
+    QWidget pictures;
+    MessageBar bar(&pictures);
+    bar.show_notice("Before it, it was A & B.hep.", "Open A & B.hep", [] {});
+    EXPECT_EQ(bar.findChild<QPushButton*>("offer")->text(), "Open A && B.hep")
+        << "else the letter behind it would be a key";
+}
+
 // As an action with a modal dialog does, during which anything may be said.
 TEST(MessageBar, AnActionStaysWholeWhileTheNextNoticeIsShown) {
     QWidget pictures;
