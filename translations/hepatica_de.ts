@@ -8955,5 +8955,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>%1 (mL)</source>
         <translation>%1 (mL)</translation>
     </message>
+    <message>
+        <source>Nothing erased: there is no vessel</source>
+        <translation>Nichts radiert: Dort ist kein Gefäß</translation>
+    </message>
 </context>
 </TS>

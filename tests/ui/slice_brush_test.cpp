@@ -142,6 +142,22 @@ TEST_F(BrushOnSlices, SaysWhereItCannotPaint) {
     EXPECT_EQ(scene().systems().voxels, painted().voxels);
 }
 
+TEST_F(BrushOnSlices, LeavesNoStrokeWhereNothingWasErased) {
+    begin();
+    take(erasing);
+    stroke();
+    EXPECT_TRUE(brush().strokes().empty());
+    EXPECT_EQ(scene().systems().voxels, before_.voxels);
+    EXPECT_TRUE(said("Nothing erased"));
+    EXPECT_FALSE(rebuild().isEnabled());
+    take(painting);
+    stroke();
+    take(erasing);
+    stroke();
+    EXPECT_EQ(brush().strokes().size(), 2u) << "what was painted is erased";
+    EXPECT_EQ(scene().systems().voxels, before_.voxels);
+}
+
 // Smaller, a dab that erases, and back.
 TEST_F(BrushOnSlices, IsLedByKeys) {
     begin();
