@@ -7,7 +7,6 @@
 #include <vtkRenderer.h>
 #include <vtkSphereSource.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -58,17 +57,9 @@ bool show_leak_ball(vtkActor& ball, const Vec3& at_mm, double radius_mm, bool vi
 }  // namespace
 
 double radius_of_pool_mm(double lost_g) {
-    constexpr double first_drop_mm = 2.0, per_cube_root_g = 2.0;
-    return lost_g > 0.0 ? first_drop_mm + per_cube_root_g * std::cbrt(lost_g) : 0.0;
-}
-
-double radius_of_cloud_mm(double pool_mm, double drug_g) {
-    constexpr double thickest_mm = 8.0;
-    if (drug_g <= 0.0) return pool_mm;
-    const double volume_mm3 = drug_g / blood().density_g_mm3;
-    const double to_scale_mm =
-        std::cbrt(std::pow(pool_mm, 3) + 0.75 * volume_mm3 / std::numbers::pi);
-    return std::min(to_scale_mm, pool_mm + thickest_mm);
+    if (lost_g <= 0.0) return 0.0;
+    const double drawn_mm3 = drawn_share_of_blood * lost_g / blood().density_g_mm3;
+    return std::cbrt(0.75 * drawn_mm3 / std::numbers::pi);
 }
 
 BleedingActor::~BleedingActor() {
@@ -93,8 +84,10 @@ bool BleedingActor::update(const std::optional<TearView>& tear) {
     }
     for (std::size_t i = 0; i < count; ++i) {
         const LeakView& leak = tear->leaks[i];
-        const double pool_mm = radius_of_pool_mm(leak.share * tear->leaked_g);
-        const double cloud_mm = radius_of_cloud_mm(pool_mm, leak.drug_g);
+        // The drug is part of what was lost.
+        const double lost_g = leak.share * tear->leaked_g;
+        const double cloud_mm = radius_of_pool_mm(lost_g);
+        const double pool_mm = radius_of_pool_mm(lost_g - leak.drug_g);
         const bool drug_is_seen = cloud_mm >= pool_mm + seen_mm;
         if (show_leak_ball(*pools_[i], leak.at_mm, pool_mm, pool_mm > 0.0)) changed = true;
         if (show_leak_ball(*clouds_[i], leak.at_mm, cloud_mm, drug_is_seen)) changed = true;

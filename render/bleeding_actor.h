@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blood at the open ends of torn vessels: one translucent sphere at each, whose radius grows with
-// the cube root of the blood lost there. Not to scale: a hundred grams would hide all vessels.
-// Around it a fainter one, in the drug's colour, where drug has leaked.
+// Blood at the open ends of torn vessels: one translucent sphere at each, of a tenth of the volume
+// lost there, as the legend says; all of it would hide the vessels. What of it is drug is a fainter
+// shell in the drug's colour, at the same scale.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -16,12 +16,11 @@ class vtkRenderer;
 
 namespace hepatica {
 
+// Share of the lost volume that is drawn; the legend's words state it (legend_rows.cpp).
+inline constexpr double drawn_share_of_blood = 0.1;
+
 // Radius of the sphere for a blood loss in grams; 0 where nothing was lost.
 double radius_of_pool_mm(double lost_g);
-
-// Radius of the cloud of drug around a pool: a shell whose volume is that of the drug, to scale up
-// to 8 mm thick, so that it never hides the vessels; the pool's own radius where there is none.
-double radius_of_cloud_mm(double pool_mm, double drug_g);
 
 // Draws into one renderer, which must outlive it; not thread-safe.
 class BleedingActor {

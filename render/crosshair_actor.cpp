@@ -27,9 +27,13 @@ CrosshairActor::CrosshairActor() : actor_(vtkSmartPointer<vtkActor>::New()) {
     const Colour& colour = palette::bridge;
     actor_->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
     actor_->GetProperty()->SetLighting(false);
-    actor_->GetProperty()->SetLineWidth(1.5f);
+    set_pixel_ratio(1.0);
     actor_->SetVisibility(false);
     actor_->SetPickable(false);
+}
+
+void CrosshairActor::set_pixel_ratio(double pixel_ratio) {
+    actor_->GetProperty()->SetLineWidth(static_cast<float>(1.5 * pixel_ratio));
 }
 
 bool CrosshairActor::show(const std::optional<Vec3>& position_mm) {

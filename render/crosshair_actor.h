@@ -19,6 +19,9 @@ class CrosshairActor {
     // None hides it. Returns true if the picture changed.
     bool show(const std::optional<Vec3>& position_mm);
 
+    // Size of one screen point in device pixels.
+    void set_pixel_ratio(double pixel_ratio);
+
     vtkActor* actor() const { return actor_; }
 
   private:

@@ -61,7 +61,6 @@ DepthStem::DepthStem(vtkRenderer& renderer)
     line_->SetMapper(mapper);
     line_->GetProperty()->SetColor(palette::tool[0], palette::tool[1], palette::tool[2]);
     line_->GetProperty()->SetLighting(false);
-    line_->GetProperty()->SetLineWidth(1.5F);
     line_->SetPickable(false);
     line_->SetVisibility(false);
     renderer_.AddActor(line_);
@@ -69,6 +68,12 @@ DepthStem::DepthStem(vtkRenderer& renderer)
 
 DepthStem::~DepthStem() {
     renderer_.RemoveActor(line_);
+}
+
+void DepthStem::place(double pixel_ratio) {
+    constexpr double beside_mark_points = 18.0;
+    line_->GetProperty()->SetLineWidth(static_cast<float>(1.5 * pixel_ratio));
+    label_.place(pixel_ratio, beside_mark_points);
 }
 
 bool DepthStem::update(const std::optional<ToolView>& tool, const std::vector<float>& positions_mm,

@@ -39,11 +39,8 @@ class DepthStem {
     bool update(const std::optional<ToolView>& tool, const std::vector<float>& positions_mm,
                 const std::vector<MarkView>& marks, const Vec3& forward);
     // Places the number; call before each picture. It keeps clear of a mark straight behind the
-    // tool.
-    void place(double pixel_ratio) {
-        constexpr double beside_mark_points = 18.0;
-        label_.place(pixel_ratio, beside_mark_points);
-    }
+    // tool. `pixel_ratio`: size of one screen point in device pixels.
+    void place(double pixel_ratio);
 
   private:
     vtkRenderer& renderer_;

@@ -31,7 +31,7 @@ GrabActor::GrabActor()
         actor->GetProperty()->SetLighting(false);
         actor->SetVisibility(false);
     }
-    line_->GetProperty()->SetLineWidth(2.0f);
+    set_scale(1.0, 1.0);
 }
 
 bool GrabActor::update(const std::optional<GrabView>& grab) {
@@ -49,8 +49,9 @@ bool GrabActor::update(const std::optional<GrabView>& grab) {
     return true;
 }
 
-void GrabActor::set_scale(double mm_per_point) {
+void GrabActor::set_scale(double mm_per_point, double pixel_ratio) {
     point_->SetScale(4.0 * mm_per_point);
+    line_->GetProperty()->SetLineWidth(static_cast<float>(2.0 * pixel_ratio));
 }
 
 }  // namespace hepatica

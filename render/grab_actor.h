@@ -21,8 +21,8 @@ class GrabActor {
     // None hides it. Returns true if the picture changed.
     bool update(const std::optional<GrabView>& grab);
     // Size of one screen point at the focal plane, so that the sphere has one size on the screen at
-    // any zoom.
-    void set_scale(double mm_per_point);
+    // any zoom, and in device pixels.
+    void set_scale(double mm_per_point, double pixel_ratio);
 
     vtkActor* line() const { return line_; }
     vtkActor* point() const { return point_; }

@@ -3,45 +3,65 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hepatica {
 namespace {
 
 constexpr double label_gap = 2.0;
+constexpr double rounding = 1e-9;  // labels that are exactly a gap apart do not meet
 
 bool meet(const LabelBox& a, const LabelBox& b) {
-    return a.left < b.left + b.width && b.left < a.left + a.width &&
-           a.top < b.top + b.height + label_gap && b.top < a.top + a.height + label_gap;
+    const double gap = label_gap - rounding;
+    return a.left < b.left + b.width + gap && b.left < a.left + a.width + gap &&
+           a.top < b.top + b.height + gap && b.top < a.top + a.height + gap;
 }
 
 }  // namespace
 
 bool LabelPlaces::is_free(const LabelBox& box) const {
-    return box.top >= least_ && box.top + box.height <= most_ &&
+    return box.left >= room_.left && box.left + box.width <= room_.left + room_.width &&
+           box.top >= room_.top && box.top + box.height <= room_.top + room_.height &&
            std::ranges::none_of(placed_, [&](const LabelBox& other) { return meet(box, other); });
 }
 
-// Just above or just below one that is there, as every nearest free place is.
-double LabelPlaces::place(const LabelBox& box) {
-    const auto shifted = [&](double by) {
-        return LabelBox{box.left, box.top + by, box.width, box.height};
-    };
-    std::vector<double> shifts;
+// It is in line with the wanted place or beside a label, in each of x and y, as every nearest free
+// place is.
+std::optional<LabelBox> LabelPlaces::beside_others(const LabelBox& wanted) const {
+    std::vector<double> lefts{wanted.left}, tops{wanted.top};
     for (const LabelBox& other : placed_) {
-        shifts.push_back(other.top - box.height - label_gap - box.top);
-        shifts.push_back(other.top + other.height + label_gap - box.top);
+        lefts.push_back(other.left - wanted.width - label_gap);
+        lefts.push_back(other.left + other.width + label_gap);
+        tops.push_back(other.top - wanted.height - label_gap);
+        tops.push_back(other.top + other.height + label_gap);
     }
-    std::ranges::stable_sort(shifts, {}, [](double by) { return std::abs(by); });
-    const bool stands =
-        std::ranges::none_of(placed_, [&](const LabelBox& other) { return meet(box, other); });
-    double by = 0.0;
-    if (!stands)
-        if (const auto free =
-                std::ranges::find_if(shifts, [&](double shift) { return is_free(shifted(shift)); });
-            free != shifts.end())
-            by = *free;
-    placed_.push_back(shifted(by));
-    return by;
+    std::optional<LabelBox> nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (const double left : lefts)
+        for (const double top : tops) {
+            const LabelBox box{left, top, wanted.width, wanted.height};
+            const double distance = std::hypot(left - wanted.left, top - wanted.top);
+            if (distance >= least || !is_free(box)) continue;
+            least = distance;
+            nearest = box;
+        }
+    return nearest;
+}
+
+std::optional<PlacedLabel> LabelPlaces::place(const LabelBox& wanted) {
+    if (wanted.width > room_.width || wanted.height > room_.height) return std::nullopt;
+    LabelBox box = wanted;
+    box.left = std::clamp(box.left, room_.left, room_.left + room_.width - box.width);
+    box.top = std::clamp(box.top, room_.top, room_.top + room_.height - box.height);
+    const bool evades =
+        std::ranges::any_of(placed_, [&](const LabelBox& other) { return meet(box, other); });
+    if (evades) {
+        const std::optional<LabelBox> free = beside_others(box);
+        if (!free) return std::nullopt;
+        box = *free;
+    }
+    placed_.push_back(box);
+    return PlacedLabel{box, evades};
 }
 
 }  // namespace hepatica

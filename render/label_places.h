@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Labels that would lie on each other stand one above or below another.
+// Places the labels of one picture side by side: within the picture, and none on another.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 namespace hepatica {
@@ -11,20 +12,28 @@ struct LabelBox {
     double width = 0.0, height = 0.0;
 };
 
+struct PlacedLabel {
+    LabelBox box;
+    bool evades = false;  // it was shifted because of another label
+};
+
 // Of one picture, whichever way its y runs.
 class LabelPlaces {
   public:
-    // Labels stay between these, the whole height of the picture, where they can.
-    LabelPlaces(double least, double most) : least_(least), most_(most) {}
+    // Labels stay within this part of the picture.
+    explicit LabelPlaces(const LabelBox& room) : room_(room) {}
 
-    // By how much a label is shifted in y so that it lies on none placed before: by the least there
-    // is, up or down; 0 where there is no such place. It counts as placed.
-    double place(const LabelBox& box);
+    // The free place nearest to the wanted one; nothing where there is none, as for a label that is
+    // larger than the room. Costs the cube of the number of labels placed before, where the wanted
+    // place is taken.
+    std::optional<PlacedLabel> place(const LabelBox& wanted);
 
   private:
     bool is_free(const LabelBox& box) const;
+    // The nearest free place.
+    std::optional<LabelBox> beside_others(const LabelBox& wanted) const;
 
-    double least_, most_;
+    LabelBox room_;
     std::vector<LabelBox> placed_;
 };
 

@@ -121,7 +121,7 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     if (content.places) swatch("A place of the lesson", palette::torn_circle, true);
     if (content.gaps) swatch("A gap, and how sure", palette::bridge);
     if (content.torn) swatch("Cut or torn", palette::torn);
-    if (content.bleeds) swatch("Blood", palette::bleeding);
+    if (content.bleeds) swatch("Blood (1/10 of the volume)", palette::bleeding);
     if (content.warned) add_warnings(rows);
     if (content.injected) add_drug(content, rows);
     if (!content.segments.empty()) add_segments(content, rows);

@@ -15,13 +15,17 @@
 #include <cmath>
 #include <utility>
 
-#include "render/label_places.h"
 #include "render/text_style.h"
 
 namespace hepatica {
 namespace {
 
 using Place2 = std::array<double, 2>;
+
+constexpr double letters_pt = 16.0;
+constexpr double least_shrunk_letters = 0.6;
+// To the picture's edge, where a window may draw its frame: 4 pixels, 8 on a dense screen.
+constexpr double edge_pt = 0.3 * letters_pt;
 
 }  // namespace
 
@@ -87,22 +91,41 @@ vtkTextActor& MeasureMarks::next_text(std::size_t used) {
     return *texts_[used];
 }
 
-void MeasureMarks::part_labels(const std::vector<Place2>& belongs, double point) {
-    LabelPlaces places(0.0, renderer_.GetSize()[1]);
-    for (std::size_t i = 0; i < belongs.size(); ++i) {
-        vtkTextActor& text = *texts_[i];
+std::array<double, 2> MeasureMarks::fit(vtkTextActor& text, double widest, double point) {
+    int letters = static_cast<int>(std::lround(letters_pt * point));
+    const int least = static_cast<int>(std::lround(least_shrunk_letters * letters));
+    for (;;) {
+        style_text(*text.GetTextProperty(), letters, lines_colour_);
         std::array<double, 2> size{};
         text.GetSize(&renderer_, size.data());
-        const double x = text.GetPosition()[0], wanted = text.GetPosition()[1];
-        const double by = std::round(places.place({x, wanted, size[0], size[1]}));
-        const double y = wanted + by;
-        text.SetPosition(x, y);
-        labels_.push_back({x, y, x + size[0], y + size[1]});
-        if (by != 0.0) add_line({belongs[i], {x, y + 0.5 * size[1]}}, point, false);
+        if (size[0] <= widest || letters <= least) return size;
+        const int fitting = static_cast<int>(letters * widest / size[0]);
+        letters = std::clamp(fitting, least, letters - 1);
     }
 }
 
-void MeasureMarks::update(const Place& place, double point) {
+void MeasureMarks::place_labels(const std::vector<Place2>& belongs, const LabelBox& room,
+                                double point) {
+    LabelPlaces places(room);
+    for (std::size_t i = 0; i < belongs.size(); ++i) {
+        vtkTextActor& text = *texts_[i];
+        const auto& [x, y] = belongs[i];
+        const auto [width, height] = fit(text, room.width, point);
+        const auto label = places.place({x + 8.0 * point, y + 6.0 * point, width, height});
+        text.SetVisibility(label.has_value());
+        if (!label) continue;
+        const double left = std::round(label->box.left), bottom = std::round(label->box.top);
+        text.SetPosition(left, bottom);
+        labels_.push_back({left, bottom, left + width, bottom + height});
+        if (label->evades)
+            add_line({belongs[i],
+                      {std::clamp(x, left, left + width), std::clamp(y, bottom, bottom + height)}},
+                     point, false);
+    }
+}
+
+void MeasureMarks::update(const Place& place, double point, double covered_top,
+                          double covered_bottom) {
     labels_.clear();
     const bool shown = !measures_.empty();
     actor_->SetVisibility(shown);
@@ -120,18 +143,18 @@ void MeasureMarks::update(const Place& place, double point) {
         if (measure.text.empty()) continue;
         vtkTextActor& text = next_text(belongs.size());
         belongs.push_back(line.back());
-        style_text(*text.GetTextProperty(), static_cast<int>(std::lround(16.0 * point)),
-                   lines_colour_);
         // A background keeps the text readable in front of vessels.
         text.GetTextProperty()->SetBackgroundColor(ground_colour_[0], ground_colour_[1],
                                                    ground_colour_[2]);
         text.GetTextProperty()->SetBackgroundOpacity(0.7);
         text.SetInput(measure.text.c_str());
-        stand_inside(text, renderer_, std::round(line.back()[0] + 8.0 * point),
-                     std::round(line.back()[1] + 6.0 * point));
-        text.SetVisibility(true);
     }
-    part_labels(belongs, point);
+    const double edge = edge_pt * point;
+    const int* picture = renderer_.GetSize();
+    place_labels(belongs,
+                 {edge, covered_bottom + edge, picture[0] - 2.0 * edge,
+                  picture[1] - covered_top - covered_bottom - 2.0 * edge},
+                 point);
     points_->Modified();
     quads_->Modified();
     polydata_->Modified();

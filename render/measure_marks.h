@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measurements drawn over the picture: a line through the measured points, visible through vessels,
-// and the value beside the last point.
+// and the value beside the last point, where there is room for it.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/vector.h"
+#include "render/label_places.h"
 #include "render/legend_rows.h"
 #include "render/palette.h"
 
@@ -45,16 +46,24 @@ class MeasureMarks {
     // eye.
     using Place = std::function<std::optional<std::array<double, 2>>(const Vec3& position_mm)>;
     // Places the lines for the next picture; call before each. Measurements with a point behind the
-    // eye are left out. `point`: size of one screen point in device pixels.
-    void update(const Place& place, double point);
-    // Of the labels as they were placed last: left, bottom, right and top in pixels.
+    // eye are left out. `point`: size of one screen point in device pixels. Labels keep clear of
+    // what covers the picture at its top and bottom, in pixels.
+    void update(const Place& place, double point, double covered_top = 0.0,
+                double covered_bottom = 0.0);
+    // Of the labels as they were placed last: left, bottom, right and top in pixels. Without those
+    // that have no room.
     const std::vector<PictureBox>& labels() const { return labels_; }
 
   private:
     void add_line(const std::vector<std::array<double, 2>>& line, double width, bool ends = true);
     vtkTextActor& next_text(std::size_t used);
-    // Shifts labels that lie on each other, each with a thin line to where it belongs.
-    void part_labels(const std::vector<std::array<double, 2>>& belongs, double point);
+    // Places the labels within `room`, none on another; one that evades another has a thin line to
+    // where it belongs. Letters shrink where the room is narrow, and a label without room is
+    // hidden.
+    void place_labels(const std::vector<std::array<double, 2>>& belongs, const LabelBox& room,
+                      double point);
+    // Returns width and height of the text in pixels.
+    std::array<double, 2> fit(vtkTextActor& text, double widest, double point);
 
     vtkRenderer& renderer_;
     double width_points_;

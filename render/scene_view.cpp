@@ -113,7 +113,7 @@ void SceneView::render(double pixel_ratio) {
         const double per_pixel =
             height > 0 ? 2.0 * distance * std::tan(0.5 * eye.GetViewAngle() * pi / 180.0) / height
                        : 1.0 / pixel_ratio;
-        parts_->grab.set_scale(per_pixel * pixel_ratio);
+        parts_->grab.set_scale(per_pixel * pixel_ratio, pixel_ratio);
         // The body lies around the focal point, or panning has moved it by no more than its size.
         parts_->marks.set_scale(per_pixel * pixel_ratio, pixel_ratio, 2.0 * reach);
         parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
@@ -134,8 +134,10 @@ void SceneView::render(double pixel_ratio) {
         return std::array{pixel.x, height - pixel.y};
     };
     for (MeasureMarks* marks : {&parts_->stroke_rim, &parts_->stroke, &parts_->measures})
-        marks->update(place, pixel_ratio);
+        marks->update(place, pixel_ratio, parts_->picture_size().covered_top,
+                      parts_->picture_size().covered_bottom);
     parts_->bridges.set_pixel_ratio(pixel_ratio);
+    parts_->crosshair.set_pixel_ratio(pixel_ratio);
     parts_->prepare_volume();
     renderer.ResetCameraClippingRange();
     parts_->annotations.set_visible(parts_->annotated && !surface.triangles().empty());

@@ -4205,24 +4205,12 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Blutverlust</translation>
     </message>
     <message>
-        <source>injected</source>
-        <translation>injiziert</translation>
-    </message>
-    <message>
-        <source>delivered</source>
-        <translation>angekommen</translation>
-    </message>
-    <message>
         <source>dose in the target</source>
         <translation>Dosis im Ziel</translation>
     </message>
     <message>
         <source>dose elsewhere</source>
         <translation>Dosis anderswo</translation>
-    </message>
-    <message>
-        <source>reflux</source>
-        <translation>Rückfluss</translation>
     </message>
     <message>
         <source>share of the dose in the target</source>
@@ -8256,10 +8244,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>„%1“ ist kein Wirkstoff</translation>
     </message>
     <message>
-        <source>Blood</source>
-        <translation>Blut</translation>
-    </message>
-    <message>
         <source>; pressed to %L1 % of its lumen</source>
         <translation>; auf %L1 % seines Lumens gedrückt</translation>
     </message>
@@ -8912,10 +8896,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>, davon bis zu %L1 g Wirkstoff</translation>
     </message>
     <message>
-        <source>, of it up to %L1 mL drug</source>
-        <translation>, davon bis zu %L1 mL Wirkstoff</translation>
-    </message>
-    <message>
         <source>the dial</source>
         <translation>der Schieber</translation>
     </message>
@@ -8962,6 +8942,46 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Choose a mask that holds whole vessels</source>
         <translation>Wählen Sie eine Maske, die ganze Gefäße enthält</translation>
+    </message>
+    <message>
+        <source>Blood (1/10 of the volume)</source>
+        <translation>Blut (1/10 des Volumens)</translation>
+    </message>
+    <message>
+        <source>Red balls: blood, a tenth of the volume lost.</source>
+        <translation>Rote Kugeln: Blut, ein Zehntel des verlorenen Volumens.</translation>
+    </message>
+    <message>
+        <source>That is %L1 g/s of the drug; doses are counted in g.</source>
+        <translation>Das sind %L1 g/s des Wirkstoffs; Dosen zählen in g.</translation>
+    </message>
+    <message>
+        <source>drug injected</source>
+        <translation>injizierter Wirkstoff</translation>
+    </message>
+    <message>
+        <source>drug delivered</source>
+        <translation>angekommener Wirkstoff</translation>
+    </message>
+    <message>
+        <source>reflux of the drug</source>
+        <translation>Rückfluss des Wirkstoffs</translation>
+    </message>
+    <message>
+        <source>, of it up to %L1 mL (%L2 g) drug</source>
+        <translation>, davon bis zu %L1 mL (%L2 g) Wirkstoff</translation>
+    </message>
+    <message>
+        <source>Time since the last injection began (s)</source>
+        <translation>Zeit seit Beginn der letzten Injektion (s)</translation>
+    </message>
+    <message>
+        <source>%1 (mL)</source>
+        <translation>%1 (mL)</translation>
+    </message>
+    <message>
+        <source>Nothing erased: there is no vessel</source>
+        <translation>Nichts radiert: Dort ist kein Gefäß</translation>
     </message>
 </context>
 </TS>

@@ -15,12 +15,15 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "ui/core_words.h"
 #include "ui/date_words.h"
+#include "ui/lesson_words.h"
 #include "ui/on_screen.h"
 #include "ui/paths.h"
+#include "ui/plain_text.h"
 #include "ui/plot_panel.h"
 #include "ui/words.h"
 
@@ -54,16 +57,18 @@ QString in_three_figures(double value) {
 
 }  // namespace
 
-Chart learning_curve(const std::vector<Attempt>& attempts, Quantity quantity) {
+Chart learning_curve(const std::vector<Attempt>& attempts, Quantity quantity, FlowUnits units) {
     const QuantityWords& words = words_of(quantity);
-    const std::string unit = *words.unit ? std::string(" (") + words.unit + ")" : "";
+    const std::string in = shown_value(quantity, 0.0, units).unit;
+    const std::string unit = in.empty() ? "" : " (" + in + ")";
+    const auto shown = [&](double value) { return shown_value(quantity, value, units).value; };
     Chart chart{Words::id("Learning curve"),
                 Words::id("Attempt"),
                 words.words + unit,
                 {Curve{words.words, {}, {}}}};
     for (std::size_t i = 0; i < attempts.size(); ++i) {
         chart.curves[0].x.push_back(static_cast<double>(i + 1));
-        chart.curves[0].y.push_back(attempts[i].value(quantity));
+        chart.curves[0].y.push_back(shown(attempts[i].value(quantity)));
     }
     // At least least_axis wide, so that the axis is labelled in whole attempts.
     if (attempts.size() < static_cast<std::size_t>(least_axis)) {
@@ -72,15 +77,15 @@ Chart learning_curve(const std::vector<Attempt>& attempts, Quantity quantity) {
     }
     if (const auto band = band_of(attempts, quantity)) {
         const std::vector<double> ends{0.0, static_cast<double>(attempts.size())};
-        chart.curves.push_back({Words::id("reference"), ends, {band->most, band->most}});
-        if (band->least != band->most)
-            chart.curves.push_back({Words::id("its least"), ends, {band->least, band->least}});
+        const double most = shown(band->most), least = shown(band->least);
+        chart.curves.push_back({Words::id("reference"), ends, {most, most}});
+        if (least != most) chart.curves.push_back({Words::id("its least"), ends, {least, least}});
     }
     Curve failed{Words::id("✗ not passed"), {}, {}, true};
     for (std::size_t i = 0; i < attempts.size(); ++i) {
         if (attempts[i].passed) continue;
         failed.x.push_back(static_cast<double>(i + 1));
-        failed.y.push_back(attempts[i].value(quantity));
+        failed.y.push_back(shown(attempts[i].value(quantity)));
     }
     if (!failed.x.empty()) chart.curves.push_back(std::move(failed));
     return chart;
@@ -158,6 +163,12 @@ void AttemptsDialog::show_lesson(const std::string& lesson, const std::filesyste
     raise();
 }
 
+void AttemptsDialog::set_units(FlowUnits units) {
+    if (std::exchange(units_, units) == units || isHidden()) return;
+    fill_table();
+    draw_curve();
+}
+
 void AttemptsDialog::offer_names(const std::string& name) {
     const std::vector<std::string> names = names_in(attempts_at(lesson_, folder_).list);
     named_ = !names.empty();
@@ -192,7 +203,11 @@ void AttemptsDialog::show_attempts() {
     title_->setText(text);
 }
 
+// The one that was chosen stays, as where the attempts of another trainee are shown.
 void AttemptsDialog::choose_quantities() {
+    const auto index = static_cast<std::size_t>(std::max(0, quantity_->currentIndex()));
+    const std::optional<Quantity> chosen =
+        index < quantities_.size() ? std::optional(quantities_[index]) : std::nullopt;
     quantities_.clear();
     for (const QuantityWords& words : quantities()) {
         if (words.quantity >= Quantity::step_time_s) break;
@@ -207,6 +222,9 @@ void AttemptsDialog::choose_quantities() {
     quantity_->clear();
     for (const Quantity quantity : quantities_)
         quantity_->addItem(Words::tr(words_of(quantity).words));
+    const auto again = std::ranges::find(quantities_, chosen);
+    if (again != quantities_.end())
+        quantity_->setCurrentIndex(static_cast<int>(again - quantities_.begin()));
 }
 
 void AttemptsDialog::fill_table() {
@@ -216,7 +234,8 @@ void AttemptsDialog::fill_table() {
     for (const Quantity quantity : quantities_) {
         const QuantityWords& words = words_of(quantity);
         const QString name = Words::tr(words.words);
-        heads << (*words.unit ? QString("%1 (%2)").arg(name, words.unit) : name);
+        const QString unit = QString::fromStdString(shown_value(quantity, 0.0, units_).unit);
+        heads << (unit.isEmpty() ? name : QString("%1 (%2)").arg(name, unit));
     }
     table_->clear();
     table_->setColumnCount(static_cast<int>(heads.size()));
@@ -239,7 +258,7 @@ void AttemptsDialog::fill_row(int row, const Attempt& attempt) {
     auto* outcome = text_item(attempt.passed ? Words::tr("✓ passed") : Words::tr("✗ not passed"));
     QStringList why;
     for (const std::string& reason : attempt.reasons) why << translated(reason);
-    outcome->setToolTip(why.join("\n"));
+    outcome->setToolTip(as_plain(why.join("\n")));
     table_->setItem(row, Column::result, outcome);
     auto* box = new QTableWidgetItem;
     box->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
@@ -247,7 +266,8 @@ void AttemptsDialog::fill_row(int row, const Attempt& attempt) {
     table_->setItem(row, Column::reference, box);
     table_->setItem(row, Column::name, text_item(QString::fromStdString(attempt.name)));
     for (std::size_t k = 0; k < quantities_.size(); ++k) {
-        const double value = attempt.value(quantities_[k]);
+        const double value =
+            shown_value(quantities_[k], attempt.value(quantities_[k]), units_).value;
         auto* item = text_item(std::isfinite(value) ? in_three_figures(value) : "");
         item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
         table_->setItem(row, Column::first_quantity + static_cast<int>(k), item);
@@ -268,9 +288,10 @@ void AttemptsDialog::fill_interrupted(int row, const std::filesystem::path& reco
 
 void AttemptsDialog::draw_curve() {
     const int chosen = quantity_->currentIndex();
-    plot_->set_chart(
-        chosen < 0 ? Chart{}
-                   : learning_curve(attempts_.list, quantities_[static_cast<std::size_t>(chosen)]));
+    plot_->set_chart(chosen < 0
+                         ? Chart{}
+                         : learning_curve(attempts_.list,
+                                          quantities_[static_cast<std::size_t>(chosen)], units_));
 }
 
 void AttemptsDialog::mark(int row, bool is_reference) {

@@ -10,6 +10,7 @@
 
 #include "core/lesson/attempts.h"
 #include "render/chart.h"
+#include "ui/flow_units.h"
 
 class QComboBox;
 class QLabel;
@@ -22,7 +23,8 @@ class PlotView;
 
 // The quantity over the attempts, counted from 1, with the bounds of the reference band if there is
 // one; failed attempts are marked.
-Chart learning_curve(const std::vector<Attempt>& attempts, Quantity quantity);
+Chart learning_curve(const std::vector<Attempt>& attempts, Quantity quantity,
+                     FlowUnits units = FlowUnits::computed);
 
 // UI thread only.
 class AttemptsDialog : public QDialog {
@@ -40,6 +42,8 @@ class AttemptsDialog : public QDialog {
     void show_lesson(const std::string& lesson, const std::filesystem::path& folder,
                      const std::string& name = {},
                      std::vector<std::filesystem::path> interrupted = {});
+    // Of table and curve; a saved table has those of the computation.
+    void set_units(FlowUnits units);
     const std::vector<Attempt>& attempts() const { return attempts_.list; }
     const Chart& chart() const;
 
@@ -58,6 +62,7 @@ class AttemptsDialog : public QDialog {
     std::vector<std::filesystem::path> interrupted_;
     std::string lesson_;
     std::filesystem::path folder_;
+    FlowUnits units_ = FlowUnits::computed;
     bool named_ = false;                // any attempt has a name
     std::vector<Quantity> quantities_;  // that differ from 0 in any attempt
     QLabel* title_;

@@ -25,15 +25,19 @@ CurvesDock::CurvesDock(std::function<void(const Failure&)> failed, QWidget* pare
 void CurvesDock::follow(std::shared_ptr<const PatientCase> patient, const DrugView& drug,
                         bool may_come) {
     if (!drug.injection || drug.injection == followed_) return;
-    followed_ = drug.injection;
+    const bool another = std::exchange(followed_, drug.injection) != nullptr;
     BackgroundJob::Callbacks callbacks;
     callbacks.failed = failed_;
     callbacks.ended = [this] { job_.reset(); };
     job_ = std::make_unique<BackgroundJob>(
-        [this, injection = drug.injection, end_s = drug.end_s, may_come,
+        [this, injection = drug.injection, end_s = drug.end_s, may_come, another,
          patient = std::move(patient)](Job& job) -> std::function<void()> {
-            const auto curves = injection_curves(patient->tree, *injection, end_s, job);
-            return [this, curves, may_come] {
+            InjectionCurves curves = injection_curves(patient->tree, *injection, end_s, job);
+            // It has replaced those before it.
+            if (another)
+                curves.pressure.x_label = curves.delivery.x_label =
+                    Words::id("Time since the last injection began (s)");
+            return [this, curves = std::move(curves), may_come] {
                 plots_->set_charts(curves.pressure, curves.delivery);
                 if (may_come) come();
             };

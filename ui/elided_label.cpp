@@ -6,6 +6,8 @@
 #include <QStyle>
 #include <QToolTip>
 
+#include "ui/plain_text.h"
+
 namespace hepatica {
 
 QString ElidedLabel::shown() const {
@@ -25,8 +27,8 @@ void ElidedLabel::paintEvent(QPaintEvent*) {
 bool ElidedLabel::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip) return QLabel::event(event);
     const bool cut = shown() != text();
-    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), cut ? text() : QString(),
-                       this);
+    QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                       cut ? as_plain(text()) : QString(), this);
     return true;
 }
 

@@ -118,6 +118,12 @@ QWidget* InjectPanel::make_settings() {
     flow_label_ = new QLabel(Words::tr("Mass flow"), box);
     flow_label_->setBuddy(flow_);
     form->addRow(flow_label_, flow_);
+    mass_flow_ = new QLabel(box);
+    mass_flow_->setObjectName("quiet");
+    mass_flow_->setWordWrap(true);
+    mass_flow_->hide();
+    form->addRow(mass_flow_);
+    connect(flow_, &QDoubleSpinBox::valueChanged, this, [this] { show_mass_flow(); });
     void_fraction_ = new DecimalSpinBox(0.0, 0.999, default_injection::void_fraction, 3, "", box);
     void_fraction_->setSingleStep(0.05);
     void_fraction_->setToolTip(Words::tr(
@@ -216,6 +222,14 @@ void InjectPanel::show_flow_range() {
     if (units_ == FlowUnits::computed) return flow_->setRange(least_g_s, most_g_s);
     const double density = density_g_mm3();
     flow_->setRange(ml_min_of(least_g_s, density), ml_min_of(most_g_s, density));
+    show_mass_flow();
+}
+
+// Lessons count doses in grams, whose millilitres depend on the drug.
+void InjectPanel::show_mass_flow() {
+    mass_flow_->setVisible(units_ == FlowUnits::clinic);
+    mass_flow_->setText(Words::tr("That is %L1 g/s of the drug; doses are counted in g.")
+                            .arg(mass_flow_g_s(), 0, 'g', 3));
 }
 
 void InjectPanel::set_units(FlowUnits units) {
@@ -229,6 +243,7 @@ void InjectPanel::set_units(FlowUnits units) {
     show_flow_range();
     flow_->setValue(clinic ? ml_min_of(chosen_g_s, density_g_mm3()) : chosen_g_s);
     flow_label_->setText(clinic ? Words::tr("Volume flow") : Words::tr("Mass flow"));
+    show_mass_flow();
     flow_->setToolTip(clinic ? Words::tr("Volume flow at the catheter's tip")
                              : Words::tr("Mass flow at the catheter's tip"));
 }

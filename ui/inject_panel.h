@@ -50,6 +50,7 @@ class InjectPanel : public QWidget {
     double density_g_mm3() const;  // of the injected mixture
     double mass_flow_g_s() const;
     void show_flow_range();
+    void show_mass_flow();
     QWidget* make_settings();
     QWidget* make_clock();
     QLayout* make_units();
@@ -63,6 +64,7 @@ class InjectPanel : public QWidget {
     QLabel* source_ = nullptr;
     DecimalSpinBox* flow_ = nullptr;  // in units_
     QLabel* flow_label_ = nullptr;
+    QLabel* mass_flow_ = nullptr;  // beside the volume flow
     QComboBox* units_choice_ = nullptr;
     FlowUnits units_ = FlowUnits::computed;
     DecimalSpinBox* void_fraction_ = nullptr;

@@ -378,6 +378,7 @@ const Lesson* LessonDock::running() const {
 
 void LessonDock::set_units(FlowUnits units) {
     panel_->set_units(units);
+    attempts_->set_units(units);
     show_figures();
 }
 

@@ -12,6 +12,7 @@
 
 #include "ui/core_words.h"
 #include "ui/lesson_words.h"
+#include "ui/plain_text.h"
 #include "ui/push_button.h"
 #include "ui/words.h"
 
@@ -83,9 +84,11 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     add_button(*play_row, Words::tr("Leav&e"), "lessonLeave", ways.leave);
     column->addLayout(play_row);
     about_ = add_label(*column, "quiet");
+    about_->setTextFormat(Qt::PlainText);
     doubts_ = add_label(*column, "lessonPlaceDoubts");
     clock_ = add_label(*column, "lessonClock");
     step_ = add_label(*column, "lessonStep");
+    step_->setTextFormat(Qt::PlainText);
     goal_ = add_label(*column, "lessonGoal");
     hold_ = new QProgressBar;
     hold_->setObjectName("lessonHold");
@@ -94,6 +97,7 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     hold_->setAccessibleName(Words::tr("How long the goal has been held"));
     column->addWidget(hold_);
     hint_ = add_label(*column, "lessonHint");
+    hint_->setTextFormat(Qt::PlainText);
     auto* first_row = new QHBoxLayout;
     hint_button_ = add_button(*first_row, Words::tr("H&int"), "lessonHintButton", [this] {
         hinted_step_ = shown_step_;
@@ -147,7 +151,7 @@ void LessonPanel::set_next(const std::string& lesson) {
     next_lesson_ = lesson;
     // The lesson's name would widen the panel.
     next_->setText(Words::tr("&Next lesson"));
-    next_->setToolTip(translated(lesson));
+    next_->setToolTip(as_plain(translated(lesson)));
 }
 
 void LessonPanel::set_name(const QString& name) {

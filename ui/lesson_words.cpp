@@ -24,18 +24,9 @@ double in_clinic_units(Quantity quantity, double value) {
                                           : value / density_g_mm3 / units::millilitre;
 }
 
-// A value of a quantity as it is shown.
-struct Shown {
-    double value;
-    std::string unit;  // with a leading space; may be empty
-};
-
-Shown shown(Quantity quantity, double value, FlowUnits units) {
-    if (units == FlowUnits::clinic && is_of_blood(quantity))
-        return {in_clinic_units(quantity, value),
-                quantity == Quantity::leak_g_s ? " mL/min" : " mL"};
-    const char* unit = words_of(quantity).unit;
-    return {value, *unit ? std::string(" ") + unit : ""};
+// The unit with the space before it.
+std::string beside_value(const ShownValue& shown) {
+    return shown.unit.empty() ? "" : " " + shown.unit;
 }
 
 // Decimals of a measured value, limited to the meaningful ones and constant, so that a running
@@ -106,16 +97,22 @@ std::string number_words(double value, int decimals) {
 
 // A bound keeps the digits of its author, up to four.
 std::string bound_words(const Predicate& predicate, FlowUnits units) {
-    const Shown bound = shown(predicate.quantity, predicate.bound, units);
-    return printed("%.*g", 4, bound.value) + bound.unit;
+    const ShownValue bound = shown_value(predicate.quantity, predicate.bound, units);
+    return printed("%.*g", 4, bound.value) + beside_value(bound);
 }
 
 }  // namespace
 
+ShownValue shown_value(Quantity quantity, double value, FlowUnits units) {
+    if (units == FlowUnits::clinic && is_of_blood(quantity))
+        return {in_clinic_units(quantity, value), quantity == Quantity::leak_g_s ? "mL/min" : "mL"};
+    return {value, words_of(quantity).unit};
+}
+
 std::string to_words(Quantity quantity, double value, FlowUnits units) {
     if (!std::isfinite(value)) return "none";
-    const Shown number = shown(quantity, value, units);
-    return number_words(number.value, decimals_of(quantity, units)) + number.unit;
+    const ShownValue number = shown_value(quantity, value, units);
+    return number_words(number.value, decimals_of(quantity, units)) + beside_value(number);
 }
 
 bool allows_none(const Predicate& predicate) {
@@ -123,8 +120,8 @@ bool allows_none(const Predicate& predicate) {
 }
 
 std::string to_words_beside(const Predicate& predicate, double value, FlowUnits units) {
-    const Shown broke = shown(predicate.quantity, value, units);
-    const double bound = shown(predicate.quantity, predicate.bound, units).value;
+    const ShownValue broke = shown_value(predicate.quantity, value, units);
+    const double bound = shown_value(predicate.quantity, predicate.bound, units).value;
     const int decimals = decimals_of(predicate.quantity, units);
     if (!std::isfinite(value) ||
         number_words(broke.value, decimals) != number_words(bound, decimals))
@@ -132,7 +129,7 @@ std::string to_words_beside(const Predicate& predicate, double value, FlowUnits 
     int digits = most_digits;
     while (digits < 12 && printed("%.*g", digits, broke.value) == printed("%.*g", digits, bound))
         ++digits;
-    return printed("%.*g", digits, broke.value) + broke.unit;
+    return printed("%.*g", digits, broke.value) + beside_value(broke);
 }
 
 std::string to_words(const Predicate& predicate, std::span<const std::string> mark_names,

@@ -14,6 +14,13 @@
 
 namespace hepatica {
 
+// A value in these units, and its unit, which may be empty.
+struct ShownValue {
+    double value = 0.0;
+    std::string unit;
+};
+ShownValue shown_value(Quantity quantity, double value, FlowUnits units);
+
 // A measured value with at most three significant digits: "24.1 s", "467 mN".
 std::string to_words(Quantity quantity, double value, FlowUnits units);
 // The same with as many digits as needed to differ from the bound.

@@ -59,6 +59,7 @@ void LibraryDialog::build() {
     folder_ = new QLabel;
     folder_->setObjectName("libraryFolder");
     folder_->setMinimumWidth(1);
+    folder_->setTextFormat(Qt::PlainText);
     row->addWidget(folder_, 1);
     choose_ = new QPushButton(Words::tr("&Another folder…"));
     choose_->setAutoDefault(false);

@@ -201,7 +201,8 @@ void MainWindow::build_view() {
     progress_ = new ProgressStrip([this] { cancel_job(); }, &view_layout_->pictures());
     auto* row = new QHBoxLayout;
     row->setSpacing(0);
-    second_view_ = new SecondView(*view_, centre);
+    second_view_ = new SecondView(
+        *view_, [this](VtkWidget& view) { show_as_first(view); }, centre);
     row->addWidget(view_layout_, 1);
     row->addWidget(second_view_, 1);
     column->addLayout(row, 1);
@@ -231,6 +232,7 @@ void MainWindow::build_panels() {
                        [this](bool shown) {
                            view_->scene().set_warnings_visible(shown);
                            view_->draw_again();
+                           second_view_->take_after_first();
                        },
                        [this](const UseContact& contact) { settings_.set_contact(contact); }});
     if (const auto contact = settings_.contact()) tool_panel_->set_wanted_contact(*contact);
@@ -444,12 +446,14 @@ void MainWindow::connect_views() {
     actions_->on(ActionId::toggle_annotations, [this, &annotations] {
         view_->scene().set_annotations_visible(annotations.isChecked());
         view_->draw_again();
+        second_view_->take_after_first();
     });
     QAction& halos = (*actions_)[ActionId::toggle_halos];
     halos.setChecked(true);
     actions_->on(ActionId::toggle_halos, [this, &halos] {
         view_->scene().set_halos_visible(halos.isChecked());
         view_->draw_again();
+        second_view_->take_after_first();
     });
     QAction& slices = (*actions_)[ActionId::toggle_slices];
     actions_->on(ActionId::choose_threshold, [this, &slices] {

@@ -141,6 +141,7 @@ class MainWindow : public QMainWindow {
     void tell_lost_diameters(std::size_t lost, const QString& said_before);
     void connect_themes();
     void connect_mouse_schemes();
+    void show_as_first(VtkWidget& view);  // the look and the mouse that were chosen
     void connect_languages();
     void speak(const QString& code);
 

@@ -32,6 +32,7 @@
 #include "ui/open_case_dialog.h"
 #include "ui/paths.h"
 #include "ui/patient_wizard.h"
+#include "ui/plain_text.h"
 #include "ui/plot_panel.h"
 #include "ui/progress_strip.h"
 #include "ui/questions.h"
@@ -110,7 +111,8 @@ void MainWindow::fail(const QString& doing, const Failure& failure) {
 std::optional<std::filesystem::path> MainWindow::which_case() {
     OpenCaseDialog dialog(
         settings_.last_folder(),
-        [&dialog](const QString& why) { QMessageBox::warning(&dialog, "Hepatica", why); }, this);
+        [&dialog](const QString& why) { QMessageBox::warning(&dialog, "Hepatica", as_plain(why)); },
+        this);
     if (dialog.exec() != QDialog::Accepted) return std::nullopt;
     return dialog.chosen();
 }

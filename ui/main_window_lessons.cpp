@@ -30,7 +30,6 @@
 #include "ui/save_file_dialog.h"
 #include "ui/second_view.h"
 #include "ui/slices/view_layout.h"
-#include "ui/theme.h"
 #include "ui/tool_panel.h"
 #include "ui/vtk_widget.h"
 #include "ui/words.h"
@@ -365,7 +364,7 @@ void MainWindow::build_review() {
         show_caption(first);
         view_->show_frame(this->frame());  // also if no new frame comes, for the new scale
         second_view_->show_frame(frame, std::move(marks), patient_->anatomy.vertex_systems(),
-                                 theme_named(settings_.theme()).view, other);
+                                 other);
     };
     ways.save_film = [this](double end_s, const std::function<void(double)>& go_to) {
         ask_and_save_film(end_s, go_to);

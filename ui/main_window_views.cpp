@@ -19,14 +19,19 @@
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
 #include "ui/review_dock.h"
+#include "ui/second_view.h"
 #include "ui/slices/view_layout.h"
 #include "ui/theme.h"
+#include "ui/tool_panel.h"
 #include "ui/view_ruler.h"
 #include "ui/vtk_widget.h"
 #include "ui/words.h"
 
 namespace hepatica {
 namespace {
+
+constexpr std::array theme_actions{ActionId::theme_dark, ActionId::theme_light,
+                                   ActionId::theme_high_contrast};
 
 // Shows a dock in front of those that share its place, or hides it.
 void show_dock(QDockWidget& dock, bool visible) {
@@ -103,23 +108,32 @@ void MainWindow::connect_context() {
 }
 
 void MainWindow::connect_themes() {
-    constexpr std::array ids{ActionId::theme_dark, ActionId::theme_light,
-                             ActionId::theme_high_contrast};
     auto* group = new QActionGroup(this);
     const Theme& now = theme_named(settings_.theme());
-    for (std::size_t t = 0; t < ids.size(); ++t) {
+    for (std::size_t t = 0; t < theme_actions.size(); ++t) {
         const Theme& theme = themes()[t];
-        QAction& action = (*actions_)[ids[t]];
+        QAction& action = (*actions_)[theme_actions[t]];
         group->addAction(&action);
         action.setChecked(&theme == &now);
-        actions_->on(ids[t], [this, &theme] {
+        actions_->on(theme_actions[t], [this, &theme] {
             settings_.set_theme(theme.name);
             apply_theme(*qApp, theme);
             view_->scene().set_look(theme.view);
             view_->draw_again();
+            second_view_->take_after_first();
         });
     }
     view_->scene().set_look(now.view);
+}
+
+void MainWindow::show_as_first(VtkWidget& view) {
+    SceneView& scene = view.scene();
+    for (std::size_t t = 0; t < theme_actions.size(); ++t)
+        if ((*actions_)[theme_actions[t]].isChecked()) scene.set_look(themes()[t].view);
+    scene.set_annotations_visible((*actions_)[ActionId::toggle_annotations].isChecked());
+    scene.set_halos_visible((*actions_)[ActionId::toggle_halos].isChecked());
+    scene.set_warnings_visible(tool_panel_->shows_warnings());
+    view.mouse().set_scheme(view_->mouse().scheme());
 }
 
 void MainWindow::connect_mouse_schemes() {
@@ -137,6 +151,7 @@ void MainWindow::connect_mouse_schemes() {
         connect(action, &QAction::triggered, this, [this, &scheme] {
             settings_.set_mouse_scheme(scheme.name);
             view_->mouse().set_scheme(scheme);
+            second_view_->take_after_first();
         });
     }
     view_->mouse().set_scheme(now);

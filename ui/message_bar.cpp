@@ -99,7 +99,7 @@ void MessageBar::offer_also(const QString& button, std::function<void()> act) {
 
 void MessageBar::offer(Offer& offer, const QString& button, std::function<void()> act) {
     offer.act = std::move(act);
-    offer.button->setText(button);
+    offer.button->setText(QString(button).replace("&", "&&"));  // names may hold one
     offer.button->show();
     write();  // the label has less room now
 }

@@ -14,6 +14,7 @@
 #include "ui/branch_links.h"
 #include "ui/core_words.h"
 #include "ui/on_screen.h"
+#include "ui/plain_text.h"
 #include "ui/window_words.h"
 #include "ui/words.h"
 
@@ -82,9 +83,9 @@ void MessageLog::add(const QString& kind, const QString& source, const QString& 
     auto* item =
         new QTreeWidgetItem(list_, {QTime::currentTime().toString("HH:mm:ss"), kind, source, text});
     for (int column = 0; column < 4; ++column) item->setTextAlignment(column, Qt::AlignTop);
-    item->setToolTip(3, branch_named_in(text)
-                            ? text + "\n" + Words::tr("A double click shows the branch")
-                            : text);
+    item->setToolTip(3, as_plain(branch_named_in(text)
+                                     ? text + "\n" + Words::tr("A double click shows the branch")
+                                     : text));
     list_->scrollToItem(item);
 }
 

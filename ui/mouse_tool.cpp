@@ -121,6 +121,12 @@ void MouseTool::release(const Pixel& at) {
     if (tried_to_pull && is_near_miss(at)) callbacks_.missed();
 }
 
+bool MouseTool::takes_double_click(const Pixel& at, MouseButton button,
+                                   const MouseModifiers& modifiers) const {
+    if (button != MouseButton::left || scheme_->camera(button, modifiers) || draws()) return false;
+    return mode_ != MouseMode::pull || clicked_ || view_.pick(at).triangle >= 0;
+}
+
 void MouseTool::double_click(const Pixel& at) {
     cancel();
     const bool injects = mode_ == MouseMode::pull || mode_ == MouseMode::inject;

@@ -55,6 +55,7 @@ class MouseTool {
     void set_mode(MouseMode mode);
     MouseMode mode() const { return mode_; }
     void set_scheme(const MouseScheme& scheme) { scheme_ = &scheme; }
+    const MouseScheme& scheme() const { return *scheme_; }
     // If false, a drag on a vessel turns the view.
     void set_may_pull(bool may_pull) { may_pull_ = may_pull; }
     bool may_pull() const { return may_pull_; }
@@ -71,6 +72,10 @@ class MouseTool {
     // The effect of a pull comes with a later frame.
     bool move(const Pixel& at);
     void release(const Pixel& at);
+    // Whether the second press of a double click is for double_click(), not press() as any other:
+    // not where it moves the camera or begins a line.
+    bool takes_double_click(const Pixel& at, MouseButton button,
+                            const MouseModifiers& modifiers) const;
     // The second press of a double click, instead of press(). Injects, unless the first click did
     // something already: bridged a gap or injected.
     void double_click(const Pixel& at);

@@ -97,6 +97,7 @@ PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
     column->addLayout(form_);
     problem_->setObjectName("problem");
     problem_->setWordWrap(true);
+    problem_->setTextFormat(Qt::PlainText);
     column->addWidget(problem_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     QPushButton* go = buttons->addButton(Words::tr("Reconstruct"), QDialogButtonBox::AcceptRole);

@@ -8,6 +8,7 @@
 #include "ui/core_words.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
+#include "ui/plain_text.h"
 #include "ui/save_case_dialog.h"
 #include "ui/series_dialog.h"
 #include "ui/words.h"
@@ -16,9 +17,10 @@ namespace hepatica {
 namespace {
 
 UnsavedAnswer ask_unsaved(QWidget& parent, const std::string& title) {
-    QMessageBox box(QMessageBox::Question, "Hepatica",
-                    Words::tr("%1 holds changes that are not saved.").arg(translated(title)),
-                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &parent);
+    QMessageBox box(
+        QMessageBox::Question, "Hepatica",
+        as_plain(Words::tr("%1 holds changes that are not saved.").arg(translated(title))),
+        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &parent);
     box.setInformativeText(
         Words::tr("Save them as a case? Corrections that are still being made are waited for."));
     box.setDefaultButton(QMessageBox::Save);
@@ -35,9 +37,10 @@ UnsavedAnswer ask_unsaved(QWidget& parent, const std::string& title) {
 
 StrokesAnswer ask_strokes(QWidget& parent, const std::string& title, std::size_t strokes) {
     QMessageBox box(QMessageBox::Question, "Hepatica",
-                    Words::tr("%n stroke(s) at the vessels of %1 are not made into vessels yet.",
-                              nullptr, static_cast<int>(strokes))
-                        .arg(translated(title)),
+                    as_plain(Words::tr("%n stroke(s) at the vessels of %1 are not made into "
+                                       "vessels yet.",
+                                       nullptr, static_cast<int>(strokes))
+                                 .arg(translated(title))),
                     QMessageBox::Cancel, &parent);
     box.setInformativeText(
         Words::tr("No case can hold strokes: rebuild the vessels with them first, or drop them."));
@@ -53,7 +56,7 @@ StrokesAnswer ask_strokes(QWidget& parent, const std::string& title, std::size_t
 
 bool ask_end_lesson(QWidget& parent, const std::string& lesson) {
     QMessageBox box(QMessageBox::Question, "Hepatica",
-                    Words::tr("The lesson %1 is being played.").arg(translated(lesson)),
+                    as_plain(Words::tr("The lesson %1 is being played.").arg(translated(lesson))),
                     QMessageBox::NoButton, &parent);
     box.setInformativeText(
         Words::tr("Who quits now ends it without a result; its recording is kept."));
@@ -67,7 +70,8 @@ bool ask_end_lesson(QWidget& parent, const std::string& lesson) {
 
 bool ask_replace(QWidget& parent, const QString& name) {
     return QMessageBox::question(
-               &parent, "Hepatica", Words::tr("There is a case %1 already. Replace it?").arg(name),
+               &parent, "Hepatica",
+               as_plain(Words::tr("There is a case %1 already. Replace it?").arg(name)),
                QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
 }
 
@@ -92,7 +96,9 @@ PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& s
             proposed.has_parent_path() ? to_text(proposed.parent_path()) : settings.case_folder(),
             to_text(proposed.filename()),
             [&parent](const QString& name) { return ask_replace(parent, name); },
-            [&dialog](const QString& why) { QMessageBox::warning(&dialog, "Hepatica", why); },
+            [&dialog](const QString& why) {
+                QMessageBox::warning(&dialog, "Hepatica", as_plain(why));
+            },
             &parent);
         if (dialog.exec() != QDialog::Accepted) return std::nullopt;
         return dialog.chosen();
@@ -141,9 +147,9 @@ bool ask_export_with_name(QWidget& parent) {
 
 void tell_failure(QWidget& window, const QString& doing, const Failure& failure) {
     const QStringList lines = lines_of(failure);
-    auto* box =
-        new QMessageBox(QMessageBox::Warning, doing, lines.front(), QMessageBox::Ok, &window);
-    box->setInformativeText(lines.mid(1).join("\n"));
+    auto* box = new QMessageBox(QMessageBox::Warning, doing, as_plain(lines.front()),
+                                QMessageBox::Ok, &window);
+    box->setInformativeText(as_plain(lines.mid(1).join("\n")));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();
 }
@@ -151,7 +157,8 @@ void tell_failure(QWidget& window, const QString& doing, const Failure& failure)
 UnsavedLesson ask_unsaved_lesson(QWidget& parent, const std::string& name, bool kept) {
     QMessageBox box(
         QMessageBox::Question, "Hepatica",
-        Words::tr("The lesson %1 holds changes that are not saved.").arg(translated(name)),
+        as_plain(
+            Words::tr("The lesson %1 holds changes that are not saved.").arg(translated(name))),
         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &parent);
     QPushButton* later =
         kept ? box.addButton(Words::tr("Keep for later"), QMessageBox::AcceptRole) : nullptr;

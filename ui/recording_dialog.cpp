@@ -21,6 +21,7 @@
 #include "ui/date_words.h"
 #include "ui/on_screen.h"
 #include "ui/paths.h"
+#include "ui/plain_text.h"
 #include "ui/recording_guard.h"
 #include "ui/words.h"
 
@@ -116,7 +117,7 @@ void RecordingDialog::fill() {
         const QStringList texts{facts.lesson, facts.played, facts.result, facts.trainee, name};
         for (int column = 0; column < texts.size(); ++column)
             table_->setItem(row, column, new QTableWidgetItem(texts[column]));
-        table_->item(row, 4)->setToolTip(to_text(facts.file));
+        table_->item(row, 4)->setToolTip(as_plain(to_text(facts.file)));
     }
     table_->resizeColumnsToContents();
     table_->horizontalHeader()->setStretchLastSection(true);

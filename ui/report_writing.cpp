@@ -100,7 +100,7 @@ fs::path report_folder(const fs::path& chosen, const QString& lesson, const QDat
     fs::path folder = chosen / to_path(name);
     std::error_code ignored;
     for (int number = 2; fs::exists(folder, ignored); ++number)
-        folder = chosen / to_path(QString("%1 (%2)").arg(name).arg(number));
+        folder = chosen / to_path(QString("%1 (%2)").arg(name, QString::number(number)));
     return folder;
 }
 

@@ -36,7 +36,6 @@ namespace hepatica {
 namespace fs = std::filesystem;
 
 namespace {
-
 constexpr int tick_ms = 16;
 constexpr int height_at_first = 200;
 constexpr std::array<double, 6> speeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
@@ -494,6 +493,7 @@ void ReviewDock::forget() {
     waits_ = asks_ = false;
     events_->fill({}, {}, {});
     line_->set_ticks({});
+    note_->clear();  // half typed about a moment of this recording
     hide();
 }
 

@@ -22,17 +22,17 @@ MouseTool::Callbacks nothing() {
 
 }  // namespace
 
-SecondView::SecondView(VtkWidget& first, QWidget* parent) : QWidget(parent), first_(first) {
+SecondView::SecondView(VtkWidget& first, std::function<void(VtkWidget&)> as_first, QWidget* parent)
+    : QWidget(parent), first_(first), as_first_(std::move(as_first)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(2, 0, 0, 0);
     hide();
 }
 
-void SecondView::make_view(const std::vector<VascularSystem>& of_vertices, const ViewLook& look,
-                           const QString& caption) {
+void SecondView::make_view(const std::vector<VascularSystem>& of_vertices, const QString& caption) {
     view_ = new VtkWidget(nothing(), this);
     view_->scene().set_vertex_systems(of_vertices);
-    view_->scene().set_look(look);
+    as_first_(*view_);
     view_->scene().set_caption(caption.toStdString());
     view_->on_picture([this](const PictureTime&) {
         if (first_.scene().look_as(view_->scene())) first_.draw_again();
@@ -42,15 +42,21 @@ void SecondView::make_view(const std::vector<VascularSystem>& of_vertices, const
 }
 
 void SecondView::show_frame(const std::shared_ptr<const Frame>& frame, std::vector<MarkView> marks,
-                            const std::vector<VascularSystem>& of_vertices, const ViewLook& look,
+                            const std::vector<VascularSystem>& of_vertices,
                             const QString& caption) {
     const bool is_new = view_ == nullptr;
-    if (is_new) make_view(of_vertices, look, caption);
+    if (is_new) make_view(of_vertices, caption);
     view_->scene().set_drug_scale(drug_scale_s_);
     const bool marks_moved = view_->scene().set_marks(std::move(marks));
     view_->show_frame(*frame);
     if (marks_moved) view_->draw_again();
     if (is_new) follow_first();
+}
+
+void SecondView::take_after_first() {
+    if (view_ == nullptr) return;
+    as_first_(*view_);
+    view_->draw_again();
 }
 
 void SecondView::set_drug_scale(double least_end_s) {

@@ -4,13 +4,13 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "core/base/vascular_system.h"
 #include "core/scene/frame.h"
 #include "render/mark_actors.h"
-#include "render/view_look.h"
 
 namespace hepatica {
 
@@ -19,13 +19,14 @@ class VtkWidget;
 // UI thread only.
 class SecondView : public QWidget {
   public:
-    // The first view must outlive it.
-    SecondView(VtkWidget& first, QWidget* parent);
+    // The first view must outlive it. `as_first` gives a view the look and the mouse of the first.
+    SecondView(VtkWidget& first, std::function<void(VtkWidget&)> as_first, QWidget* parent);
 
     // The view appears with the first frame. `frame` must not be null.
     void show_frame(const std::shared_ptr<const Frame>& frame, std::vector<MarkView> marks,
-                    const std::vector<VascularSystem>& of_vertices, const ViewLook& look,
-                    const QString& caption);
+                    const std::vector<VascularSystem>& of_vertices, const QString& caption);
+    // To be called when the look or the mouse of the first view is another.
+    void take_after_first();
     // See SceneView::set_drug_scale(); effective from the next frame.
     void set_drug_scale(double least_end_s);
     // Destroys the view and hides the widget.
@@ -36,10 +37,10 @@ class SecondView : public QWidget {
     VtkWidget& view() { return *view_; }
 
   private:
-    void make_view(const std::vector<VascularSystem>& of_vertices, const ViewLook& look,
-                   const QString& caption);
+    void make_view(const std::vector<VascularSystem>& of_vertices, const QString& caption);
 
     VtkWidget& first_;
+    std::function<void(VtkWidget&)> as_first_;
     VtkWidget* view_ = nullptr;
     double drug_scale_s_ = 0.0;
 };

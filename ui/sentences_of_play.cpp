@@ -214,6 +214,7 @@ constexpr std::array sentences_play{
     Words::id("an error without a name"),
     Words::id("Tearing"),
     Words::id("Time since the vessels may tear (s)"),
+    Words::id("Time since the last injection began (s)"),
     Words::id("Damage by tearing (entropy)"),
     Words::id("entropy"),
     Words::id("produced"),
@@ -238,7 +239,7 @@ constexpr std::array sentences_play{
     Words::id("A place of the lesson"),
     Words::id("A gap, and how sure"),
     Words::id("Cut or torn"),
-    Words::id("Blood"),
+    Words::id("Blood (1/10 of the volume)"),
     Words::id("%1 mm at the depth of the view's centre"),
     Words::id("This case knows neither liver nor tumours: nothing stands in the way"),
     Words::id("the share of a lumen that is left open"),
@@ -261,6 +262,7 @@ constexpr std::array sentences_play{
     Words::id("%1 (mN s)"),
     Words::id("%1 (mm²)"),
     Words::id("%1 (g)"),
+    Words::id("%1 (mL)"),
 };
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "ui/core_words.h"
 #include "ui/on_screen.h"
 #include "ui/paths.h"
+#include "ui/plain_text.h"
 #include "ui/series_thumbnails.h"
 #include "ui/untinted_icon.h"
 #include "ui/words.h"
@@ -127,7 +128,7 @@ void SeriesDialog::name_folders(const std::vector<SeriesDescription>& series) {
         const QString name = name_in_list(series[static_cast<std::size_t>(row)]);
         const auto called_so = std::ranges::count(series, name, name_in_list);
         if (folder.empty()) continue;
-        item->setToolTip(1, to_text(folder));
+        item->setToolTip(1, as_plain(to_text(folder)));
         if (called_so > 1) item->setText(1, name + "\n" + to_text(folder.filename()));
     }
 }

@@ -24,16 +24,17 @@ namespace {
 constexpr double thinnest_mm = 0.5, thickest_mm = 20.0;
 constexpr double shortest_mm = 2.0, longest_mm = 200.0;
 
-// Empty where no drug has leaked, in tenths of a gram or millilitre.
+// Empty where no drug has leaked, in tenths of a gram or millilitre. Doses are counted in grams, so
+// that these stand beside the millilitres.
 QString leaked_drug_text(const TearView& tear, FlowUnits units) {
     constexpr double least = 0.05;
     const double millilitres = tear.leaked_drug_g / blood().density_g_mm3 / units::millilitre;
     const bool computed = units == FlowUnits::computed;
-    const double shown = computed ? tear.leaked_drug_g : millilitres;
-    if (shown < least) return {};
-    return (computed ? Words::tr(", of it up to %L1 g drug")
-                     : Words::tr(", of it up to %L1 mL drug"))
-        .arg(shown, 0, 'f', 1);
+    if ((computed ? tear.leaked_drug_g : millilitres) < least) return {};
+    if (computed) return Words::tr(", of it up to %L1 g drug").arg(tear.leaked_drug_g, 0, 'f', 1);
+    return Words::tr(", of it up to %L1 mL (%L2 g) drug")
+        .arg(millilitres, 0, 'f', 1)
+        .arg(tear.leaked_drug_g, 0, 'f', 1);
 }
 
 QString bleeding_text(const TearView& tear, FlowUnits units) {

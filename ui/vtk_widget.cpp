@@ -237,7 +237,10 @@ void VtkWidget::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void VtkWidget::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) mouse_->double_click(pixel_of(event->position()));
+    const Pixel at = pixel_of(event->position());
+    if (!mouse_->takes_double_click(at, button_of(*event), modifiers_of(*event)))
+        return mousePressEvent(event);
+    mouse_->double_click(at);
 }
 
 void VtkWidget::wheelEvent(QWheelEvent* event) {

@@ -94,7 +94,7 @@ void paint_surface(QPainter& painter, const Frame& frame, const FramePainting& h
     }
 }
 
-// As in the window: not to scale, and translucent.
+// As in the window: a tenth of the volume, and translucent.
 void paint_blood(QPainter& painter, const TearView& tear, const FrontView& view) {
     constexpr float opacity = 0.55F;
     QColor colour = to_qt(palette::bleeding);

@@ -282,6 +282,8 @@ HtmlReport page_of(const Parts& parts) {
     page.add_heading(key(Words::tr("Pictures")));
     page.add_paragraph(
         key(Words::tr("From the front, without perspective. Circles: the lesson's marks.")));
+    if (parts.scored.standing.metrics.blood_lost_g > 0.0)
+        page.add_paragraph(key(Words::tr("Red balls: blood, a tenth of the volume lost.")));
     for (const auto& [file, caption] : parts.pictures) page.add_picture(file, caption);
     page.add_paragraph(key(
         Words::tr("For training and research alone: no diagnosis, no treatment, no certificate.")));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace hepatica {
@@ -91,9 +92,37 @@ Bleeding::Bleeding(const VesselTree& tree, const RestingFlow& rest) : tree_(tree
 
 void Bleeding::set_tears(const std::vector<ThroughTear>& tears) {
     if (tears == tears_) return;
+    std::vector<double> lost_g;
+    for (const ThroughTear& tear : tears) {
+        const auto before = std::ranges::find(tears_, tear);
+        lost_g.push_back(before == tears_.end()
+                             ? 0.0
+                             : lost_g_[static_cast<std::size_t>(before - tears_.begin())]);
+    }
+    lost_g_ = std::move(lost_g);
     tears_ = tears;
     if (tears_.empty()) squeezes_.clear();  // nobody says what presses while nothing is torn
     solve();
+}
+
+void Bleeding::step(double dt_s) {
+    leaked_g_ += leak_g_s_ * dt_s;
+    for (std::size_t i = 0; i < lost_g_.size(); ++i) lost_g_[i] += leaks_g_s_[i] * dt_s;
+}
+
+void Bleeding::set_leaked_g(double leaked_g) {
+    leaked_g_ = leaked_g;
+    lost_g_.assign(tears_.size(), 0.0);
+}
+
+std::vector<double> Bleeding::shares_of_loss() const {
+    const auto sum_of = [](const std::vector<double>& values) {
+        return std::accumulate(values.begin(), values.end(), 0.0);
+    };
+    std::vector<double> shares = sum_of(lost_g_) > 0.0 ? lost_g_ : leaks_g_s_;
+    const double sum = sum_of(shares);
+    for (double& share : shares) share = sum > 0.0 ? share / sum : 0.0;
+    return shares;
 }
 
 double Bleeding::pressure_in(int segment) const {

@@ -41,14 +41,17 @@ class Bleeding {
     void set_pressed(const std::vector<PressedStretch>& stretches, const TubeWall& wall);
     // The least open share of a lumen under pressure; 1 where nothing presses or is torn.
     double least_open_share() const;
-    void step(double dt_s) { leaked_g_ += leak_g_s_ * dt_s; }
+    void step(double dt_s);
 
     double leak_g_s() const { return leak_g_s_; }
     // Blood loss at each of the tears that were set; the sum is leak_g_s().
     const std::vector<ThroughTear>& tears() const { return tears_; }
     const std::vector<double>& leaks_g_s() const { return leaks_g_s_; }
     double leaked_g() const { return leaked_g_; }
-    void set_leaked_g(double leaked_g) { leaked_g_ = leaked_g; }
+    // The share of leaked_g() that was lost at each of the tears; the sum is 1 where there are any
+    // and blood was lost. As the present losses, until the next step, where leaked_g() was set.
+    std::vector<double> shares_of_loss() const;
+    void set_leaked_g(double leaked_g);
     // Of leaked_g(), what is drug.
     void leak_drug(double drug_g) { leaked_drug_g_ += drug_g; }
     double leaked_drug_g() const { return leaked_drug_g_; }
@@ -71,6 +74,7 @@ class Bleeding {
     std::vector<ThroughTear> tears_;
     std::vector<Squeeze> squeezes_;
     std::vector<double> leaks_g_s_;
+    std::vector<double> lost_g_;  // at each of tears_, since leaked_g_ was set
     double leak_g_s_ = 0.0;
     double leaked_g_ = 0.0;
     double leaked_drug_g_ = 0.0;

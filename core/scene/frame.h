@@ -70,10 +70,10 @@ struct DrugView {
     int injections = 0;
 };
 
-// Where a torn vessel bleeds, and its share of the total loss.
+// Where a torn vessel bleeds or bled.
 struct LeakView {
     Vec3 at_mm = Vec3::Zero();
-    double share = 0.0;
+    double share = 0.0;   // of the blood lost so far
     double drug_g = 0.0;  // of the drug that has leaked, at most this much lies here
 };
 

@@ -256,11 +256,12 @@ DrugLeak World::drug_leak_now() const {
 
 void World::show_leaks(TearView& tear, const std::vector<float>& positions_mm) const {
     const DrugLeak drug = drug_leak_now();
-    for (std::size_t i = 0; i < leaking_.size(); ++i) {
-        if (leaking_[i] < 0 || bleeding_->leaks_g_s()[i] <= 0.0) continue;
+    const std::vector<double> shares = bleeding_->shares_of_loss();
+    for (std::size_t i = 0; i < std::min(leaking_.size(), shares.size()); ++i) {
+        if (leaking_[i] < 0 || shares[i] <= 0.0) continue;
         const float* at = &positions_mm[3 * static_cast<std::size_t>(leaking_[i])];
         tear.leaks.push_back(
-            {Vec3(at[0], at[1], at[2]), bleeding_->leaks_g_s()[i] / bleeding_->leak_g_s(),
+            {Vec3(at[0], at[1], at[2]), shares[i],
              drug.shares.empty() ? 0.0 : drug.shares[i] * bleeding_->leaked_drug_g()});
     }
 }

@@ -66,7 +66,7 @@ TEST(LegendRows, NameTheBloodWhileItRuns) {
     frame.tear->leaks = {{Vec3::Zero(), 1.0}};
     EXPECT_EQ(texts_of(content_of(frame)), std::vector<std::string>{}) << "nothing was lost yet";
     frame.tear->leaked_g = 0.5;
-    EXPECT_EQ(texts_of(content_of(frame)), std::vector<std::string>{"Blood"});
+    EXPECT_EQ(texts_of(content_of(frame)), std::vector<std::string>{"Blood (1/10 of the volume)"});
 }
 
 // A vessel in the colour of its segment is not in that of its system.

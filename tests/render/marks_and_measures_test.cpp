@@ -209,6 +209,38 @@ TEST_F(MarksAndMeasures, the_value_of_a_measure_stays_within_the_picture) {
     context.window().RemoveRenderer(renderer);
 }
 
+// Letters shrink, and what has no room is left out.
+TEST_F(MarksAndMeasures, values_of_measures_lie_on_no_other_and_within_a_small_picture) {
+    vtkNew<vtkRenderer> renderer;
+    OsmesaContext context(150, 100);
+    context.window().AddRenderer(renderer);
+    MeasureMarks marks(*renderer);
+    const auto labels_at = [&](const std::array<double, 2>& end, const std::string& text,
+                               std::size_t count) {
+        std::vector<MeasureView> measures;
+        for (std::size_t m = 0; m < count; ++m)
+            measures.push_back({{Vec3(0, 0, 0), Vec3(1, 0, 0)}, text});
+        marks.show(measures);
+        marks.update([&](const Vec3&) { return std::optional(end); }, 1.0, 10.0, 20.0);
+        for (const PictureBox& label : marks.labels()) {
+            EXPECT_GE(label.left, 4.0);
+            EXPECT_LE(label.right, 146.0);
+            EXPECT_GE(label.bottom, 24.0) << "something covers the picture's foot";
+            EXPECT_LE(label.top, 86.0) << "and its head";
+            for (const PictureBox& other : marks.labels())
+                EXPECT_TRUE(&other == &label || !overlap(label, other));
+        }
+        return marks.labels().size();
+    };
+    EXPECT_EQ(labels_at({140.0, 60.0}, "4.0 mm", 2), 2u);
+    EXPECT_EQ(labels_at({140.0, 60.0}, "4.0 mm", 4), 4u) << "in two columns";
+    EXPECT_EQ(labels_at({140.0, 60.0}, "\u2300 8.0 mm, stenosis", 1), 1u) << "in small letters";
+    const std::size_t shown = labels_at({140.0, 60.0}, "4.0 mm", 40);
+    EXPECT_GE(shown, 4u);
+    EXPECT_LT(shown, 40u);
+    context.window().RemoveRenderer(renderer);
+}
+
 TEST_F(MarksAndMeasures, every_measure_is_seen_but_what_lies_behind_the_eye) {
     const Picture plain = picture_of(fake_frame());
     const MeasureView low{{Vec3(-20, -30, -50), Vec3(20, -30, -50)}, ""};

@@ -6,6 +6,7 @@
 #include <vtkActorCollection.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
+#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
@@ -20,6 +21,9 @@
 #include "core/deform/body/obstacles.h"
 #include "core/flow/fluid.h"
 #include "render/bleeding_actor.h"
+#include "render/crosshair_actor.h"
+#include "render/depth_stem.h"
+#include "render/grab_actor.h"
 #include "render/osmesa_context.h"
 #include "render/scene_view.h"
 #include "render/tool_actor.h"
@@ -146,19 +150,12 @@ TEST_F(SceneElements, a_pulls_force_and_the_blood_of_a_torn_vessel_are_seen) {
     EXPECT_TRUE(look_alike(picture_of(frame), whole));
 }
 
-TEST(PoolOfBlood, GrowsWithWhatIsLost) {
+// The legend says so.
+TEST(PoolOfBlood, HasATenthOfTheVolumeThatIsLost) {
     EXPECT_EQ(radius_of_pool_mm(0.0), 0.0);
-    EXPECT_DOUBLE_EQ(radius_of_pool_mm(1.0), 4.0);
-    EXPECT_LT(radius_of_pool_mm(10.0), radius_of_pool_mm(100.0));
-}
-
-// A shell of 4.5 g of the drug around a pool of 4 mm, to scale, and one too thick to be shown so.
-TEST(PoolOfBlood, HasAShellOfDrugToScaleThatIsNeverThick) {
-    EXPECT_EQ(radius_of_cloud_mm(4.0, 0.0), 4.0);
-    const double radius_mm = radius_of_cloud_mm(4.0, 4.5);
-    EXPECT_NEAR(4.0 / 3.0 * std::numbers::pi * (std::pow(radius_mm, 3) - 64.0),
-                4.5 / blood().density_g_mm3, 1e-6);
-    EXPECT_DOUBLE_EQ(radius_of_cloud_mm(4.0, 1000.0), 12.0);
+    constexpr double fifty_millilitres_g = 53.0;
+    EXPECT_NEAR(4.0 / 3.0 * std::numbers::pi * std::pow(radius_of_pool_mm(fifty_millilitres_g), 3),
+                5000.0, 1e-6);
 }
 
 TEST(PoolOfBlood, HasACloudOnlyWhereDrugLeaked) {
@@ -174,12 +171,14 @@ TEST(PoolOfBlood, HasACloudOnlyWhereDrugLeaked) {
     ASSERT_EQ(renderer->GetActors()->GetNumberOfItems(), 2);
     EXPECT_TRUE(ball(0)->GetVisibility());
     EXPECT_FALSE(ball(1)->GetVisibility());
+    EXPECT_DOUBLE_EQ(ball(0)->GetScale()[0], radius_of_pool_mm(1.0));
     tear->leaks[0].drug_g = 0.5;
     EXPECT_TRUE(pools.update(tear));
     EXPECT_TRUE(ball(1)->GetVisibility());
-    EXPECT_DOUBLE_EQ(ball(1)->GetScale()[0], radius_of_cloud_mm(4.0, 0.5));
+    // The drug is part of what is lost.
+    EXPECT_DOUBLE_EQ(ball(1)->GetScale()[0], radius_of_pool_mm(1.0));
     EXPECT_EQ(ball(1)->GetPosition()[2], 3.0);
-    EXPECT_DOUBLE_EQ(ball(0)->GetScale()[0], 4.0);
+    EXPECT_DOUBLE_EQ(ball(0)->GetScale()[0], radius_of_pool_mm(0.5));
     tear.reset();
     EXPECT_TRUE(pools.update(tear));
     EXPECT_EQ(renderer->GetActors()->GetNumberOfItems(), 0);
@@ -210,6 +209,24 @@ TEST(PoolOfBlood, IsDrawnAnewWhereItsGrowthIsSeen) {
     tear->leaks.clear();
     EXPECT_TRUE(pools.update(tear));
     EXPECT_FALSE(pools.update(tear));
+}
+
+TEST(LinesInThePicture, AreAsWideInPointsOnADenseScreen) {
+    GrabActor pull;
+    CrosshairActor crosshair;
+    vtkNew<vtkRenderer> renderer;
+    DepthStem stem(*renderer);
+    auto* line = vtkActor::SafeDownCast(renderer->GetActors()->GetItemAsObject(0));
+    ASSERT_NE(line, nullptr);
+    for (const double ratio : {1.0, 2.0}) {
+        const auto wide = [&](double points) { return static_cast<float>(points * ratio); };
+        pull.set_scale(0.1, ratio);
+        crosshair.set_pixel_ratio(ratio);
+        stem.place(ratio);
+        EXPECT_FLOAT_EQ(pull.line()->GetProperty()->GetLineWidth(), wide(2.0));
+        EXPECT_FLOAT_EQ(crosshair.actor()->GetProperty()->GetLineWidth(), wide(1.5));
+        EXPECT_FLOAT_EQ(line->GetProperty()->GetLineWidth(), wide(1.5));
+    }
 }
 
 TEST(ForceText, IsInMillinewtonsAndEmptyWhereThereIsNone) {

@@ -191,6 +191,29 @@ TEST(Bleeding, OfAHeldTrunkIsWhatTheArteriesPressThrough) {
     EXPECT_NEAR(bleeding.leak_g_s(), low * rest.portal_g_s, 0.05 * low * rest.portal_g_s);
 }
 
+// As pools of it are drawn.
+TEST(Bleeding, KeepsWhatWasLostAtEachTearAlsoWhereItIsStemmed) {
+    Bleeding bleeding(fork_of_two());
+    const std::vector<ThroughTear> both{half_way(1, 30.0), half_way(2, 30.0)};
+    bleeding.set_tears({both[0]});
+    EXPECT_EQ(bleeding.shares_of_loss(), std::vector<double>{1.0}) << "as it bleeds";
+    bleeding.step(1.0);
+    const double first_g = bleeding.leaked_g();
+    bleeding.set_tears(both);
+    EXPECT_EQ(bleeding.shares_of_loss(), (std::vector{1.0, 0.0}));
+    bleeding.set_pressed({{1, 3.0, 7.0, RestingFlow{}.portal_pa + 1e5}}, {});
+    ASSERT_LT(bleeding.leaks_g_s()[0], 0.5 * bleeding.leaks_g_s()[1]);
+    bleeding.step(1.0);
+    const std::vector<double> shares = bleeding.shares_of_loss();
+    EXPECT_NEAR(shares[0] * bleeding.leaked_g(), first_g + bleeding.leaks_g_s()[0], 1e-9);
+    EXPECT_NEAR(shares[1] * bleeding.leaked_g(), bleeding.leaks_g_s()[1], 1e-9);
+    bleeding.set_leaked_g(5.0);
+    EXPECT_NEAR(bleeding.shares_of_loss()[1], bleeding.leaks_g_s()[1] / bleeding.leak_g_s(), 1e-9)
+        << "a checkpoint knows the sum alone";
+    bleeding.set_tears({});
+    EXPECT_TRUE(bleeding.shares_of_loss().empty());
+}
+
 TEST(Bleeding, AddsUpOverTimeAndStopsWhereNothingIsTorn) {
     Bleeding bleeding(one_tube(VascularSystem::portal));
     bleeding.step(1.0);

@@ -76,7 +76,7 @@ TEST(FlowUnits, OfBleeding) {
     panel.show_tear(tear);
     EXPECT_TRUE(says("530 g so far, of it up to 10.6 g drug"));
     panel.set_units(FlowUnits::clinic);
-    EXPECT_TRUE(says("500 mL so far, of it up to 10.0 mL drug"));
+    EXPECT_TRUE(says("500 mL so far, of it up to 10.0 mL (10.6 g) drug"));
 }
 
 class FlowUnitsInWindow : public testing::FakeWindowTest {
@@ -88,6 +88,11 @@ class FlowUnitsInWindow : public testing::FakeWindowTest {
     }
     static QDoubleSpinBox& flow(MainWindow& window) {
         return *window.findChild<QDoubleSpinBox*>("flow");
+    }
+    static bool says(MainWindow& window, const QString& text) {
+        for (const QLabel* label : window.findChildren<QLabel*>())
+            if (!label->isHidden() && label->text().contains(text)) return true;
+        return false;
     }
     static InjectDrug injection(MainWindow& window) {
         auto* choice = window.findChild<QComboBox*>("flowUnits");
@@ -114,7 +119,9 @@ TEST_F(FlowUnitsInWindow, ShowTheSameInjectionInOtherNumbers) {
     flow(window_).setValue(60.0);
     EXPECT_NEAR(injection(window_).mass_flow_g_s, 1000.0 * density, 1e-9)
         << "a millilitre a second";
+    EXPECT_TRUE(says(window_, "That is 1.06 g/s of the drug")) << "doses are counted in grams";
     choose(window_, 0);
+    EXPECT_FALSE(says(window_, "That is")) << "the field says it";
     EXPECT_EQ(flow(window_).suffix(), " g/s");
     EXPECT_NEAR(flow(window_).value(), 1000.0 * density, 1e-3);
 }
@@ -133,6 +140,7 @@ TEST_F(FlowUnitsInWindow, KeepTheVolumeWhateverIsInjected) {
     EXPECT_NEAR(gas_now.mass_flow_g_s,
                 1000.0 * mixture(blood(), gas(), gas_now.void_fraction).density_g_mm3, 1e-9);
     EXPECT_LT(gas_now.mass_flow_g_s, 0.7 * of_carrier);
+    EXPECT_TRUE(says(window_, QString("That is %1 g/s").arg(gas_now.mass_flow_g_s, 0, 'g', 3)));
 }
 
 TEST_F(FlowUnitsInWindow, AreKeptForTheNextStart) {

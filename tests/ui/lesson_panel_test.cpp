@@ -53,6 +53,23 @@ TEST_F(LessonPanelTest, says_the_step_its_goal_and_the_limits) {
     EXPECT_TRUE(button("lessonReport")->isHidden());
 }
 
+// Lessons come from anybody.
+TEST_F(LessonPanelTest, shows_texts_that_look_like_html_as_they_are) {
+    Lesson lesson = two_steps();
+    lesson.about = "<b>about</b>";
+    lesson.steps[0].text = "<b>pull</b>";
+    lesson.steps[0].hint = "<b>hint</b>";
+    panel_.begin(lesson);
+    panel_.set_next("<b>next</b>");
+    panel_.show_standing(standing_);
+    int shown = 0;
+    for (const QLabel* label : panel_.findChildren<QLabel*>())
+        for (const char* part : {"<b>about</b>", "<b>pull</b>", "<b>hint</b>"})
+            if (label->text().contains(part) && label->textFormat() == Qt::PlainText) ++shown;
+    EXPECT_EQ(shown, 3);
+    EXPECT_EQ(button("lessonNext")->toolTip(), "<span>&lt;b&gt;next&lt;/b&gt;</span>");
+}
+
 // A row "time of this step" would seem to be of the step that is played now.
 TEST_F(LessonPanelTest, shows_no_limits_of_a_step_that_is_over) {
     Lesson lesson = two_steps();

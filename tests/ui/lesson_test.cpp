@@ -124,6 +124,24 @@ TEST(LearningCurve, HasAPointForEachAttemptAndTheBandOfTheReferences) {
     EXPECT_EQ(chart.curves[2].y, (std::vector<double>{8, 8}));
 }
 
+TEST(LearningCurve, OfBloodIsInTheUnitsOfTheClinicWhereTheyAreChosen) {
+    std::vector<Attempt> attempts(2);
+    for (Attempt& attempt : attempts) {
+        attempt.metrics[static_cast<std::size_t>(Quantity::blood_lost_g)] = 10.6;
+        attempt.passed = true;
+    }
+    attempts[0].reference = true;
+    Chart chart = learning_curve(attempts, Quantity::blood_lost_g);
+    EXPECT_EQ(chart.y_label, "blood lost (g)");
+    EXPECT_EQ(chart.curves[0].y[0], 10.6);
+    chart = learning_curve(attempts, Quantity::blood_lost_g, FlowUnits::clinic);
+    EXPECT_EQ(chart.y_label, "blood lost (mL)");
+    EXPECT_NEAR(chart.curves[0].y[0], 10.0, 1e-9);
+    EXPECT_NEAR(chart.curves[1].y[0], 10.0, 1e-9) << "the band, too";
+    chart = learning_curve(attempts, Quantity::path_mm, FlowUnits::clinic);
+    EXPECT_EQ(chart.y_label, "path of the tip (mm)");
+}
+
 TEST(LearningCurve, MarksWhatWasNotPassed) {
     std::vector<Attempt> attempts(3);
     for (std::size_t i = 0; i < 3; ++i) attempts[i].metrics[0] = 10.0 - static_cast<double>(i);

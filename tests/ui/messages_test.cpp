@@ -2,6 +2,7 @@
 // What the window tells its user, and what it remembers of files.
 #include <QClipboard>
 #include <QComboBox>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QStatusBar>
 #include <QTableWidget>
@@ -16,6 +17,8 @@
 #include "ui/elided_label.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
+#include "ui/plain_text.h"
+#include "ui/questions.h"
 #include "ui/recent_menu.h"
 #include "ui/slices/view_layout.h"
 
@@ -180,6 +183,23 @@ TEST_F(Messages, have_links_in_the_colour_of_the_theme) {
     }
 }
 
+// Of a file or a lesson, say.
+TEST_F(Messages, show_names_that_look_like_html_as_they_are) {
+    EXPECT_EQ(as_plain("a & b < c"), "a & b < c");
+    EXPECT_EQ(as_plain("<b>a</b>\nc"), "<span>&lt;b&gt;a&lt;/b&gt;<br>c</span>");
+    MessageLog log;
+    log.add_warning("Open", "<img src=x>.hep cannot be read");
+    const QTreeWidgetItem& row = *log.findChild<QTreeWidget*>()->topLevelItem(0);
+    EXPECT_EQ(row.text(3), "<img src=x>.hep cannot be read");
+    EXPECT_EQ(row.toolTip(3), "<span>&lt;img src=x&gt;.hep cannot be read</span>");
+    tell_failure(window_, "Open", {"<b>x</b> is no case", "", "Choose <i>y</i>"});
+    auto* box = window_.findChild<QMessageBox*>();
+    ASSERT_NE(box, nullptr);
+    EXPECT_EQ(box->text(), "<span>&lt;b&gt;x&lt;/b&gt; is no case</span>");
+    EXPECT_EQ(box->informativeText(), "<span>Choose &lt;i&gt;y&lt;/i&gt;</span>");
+    box->close();
+}
+
 TEST(BranchLinks, LeaveACutNumberAlone) {
     EXPECT_EQ(with_branch_links("Branch 16… of", Qt::red), "Branch 16… of");
     EXPECT_EQ(with_branch_links("Ast 3, Wurzel: Ast 1", Qt::red),
@@ -266,6 +286,14 @@ TEST(MessageBar, WhatWasSaidBeforeItIsSeenCanBeRead) {
     pictures.show();
     const auto* label = bar.findChild<QLabel*>();
     EXPECT_TRUE(testing::wait_for([&] { return label->text().contains("The program ended"); }));
+}
+
+TEST(MessageBar, OffersANameAsItIs) {
+    QWidget pictures;
+    MessageBar bar(&pictures);
+    bar.show_notice("Before it, it was A & B.hep.", "Open A & B.hep", [] {});
+    EXPECT_EQ(bar.findChild<QPushButton*>("offer")->text(), "Open A && B.hep")
+        << "else the letter behind it would be a key";
 }
 
 // As an action with a modal dialog does, during which anything may be said.

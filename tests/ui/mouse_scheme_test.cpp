@@ -22,10 +22,15 @@ class MouseSchemes : public testing::FakeWindowTest {
         return {axes.focus_mm, axes.forward, right.norm()};
     }
     // By a few pixels down and to the right from a corner, where no vessel is.
-    std::optional<CameraGesture> drag(Qt::MouseButton button, Qt::KeyboardModifiers keys = {}) {
+    // `soon`: so soon after the last that Qt takes it for the second press of a double click.
+    std::optional<CameraGesture> drag(Qt::MouseButton button, Qt::KeyboardModifiers keys = {},
+                                      bool soon = false) {
         const Camera before = camera();
         const QPoint from(15, 15), to(55, 75);
-        QTest::mousePress(&window_.view(), button, keys, from);
+        if (soon)
+            QTest::mouseDClick(&window_.view(), button, keys, from);
+        else
+            QTest::mousePress(&window_.view(), button, keys, from);
         QMouseEvent move(QEvent::MouseMove, to, window_.view().mapToGlobal(to), Qt::NoButton,
                          button, keys);
         QApplication::sendEvent(&window_.view(), &move);
@@ -62,6 +67,20 @@ TEST_F(MouseSchemes, each_button_turns_moves_or_zooms_the_view) {
     EXPECT_EQ(drag(Qt::MiddleButton), orbit);
     EXPECT_EQ(drag(Qt::MiddleButton, Qt::ControlModifier), pan);
     EXPECT_EQ(drag(Qt::MiddleButton, Qt::ShiftModifier), zoom);
+}
+
+TEST_F(MouseSchemes, a_drag_right_after_another_does_the_same) {
+    using enum CameraGesture;
+    EXPECT_EQ(drag(Qt::LeftButton, {}, true), orbit);
+    EXPECT_EQ(drag(Qt::RightButton, {}, true), orbit);
+    EXPECT_EQ(drag(Qt::MiddleButton, {}, true), pan);
+    EXPECT_EQ(drag(Qt::LeftButton, Qt::ShiftModifier, true), pan);
+    QTest::mouseDClick(&window_.view(), Qt::LeftButton, Qt::ShiftModifier, on_trunk());
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, Qt::ShiftModifier, on_trunk());
+    EXPECT_TRUE(commands_of_type<InjectDrug>().empty()) << "it moves the view";
+    window_.view().mouse().set_mode(MouseMode::cut);
+    QTest::mouseDClick(&window_.view(), Qt::LeftButton, {}, QPoint(15, 15));
+    EXPECT_TRUE(window_.view().mouse().holds()) << "the next line";
 }
 
 TEST_F(MouseSchemes, in_every_one_the_left_button_pulls) {

@@ -2,6 +2,7 @@
 // A free play that is recorded, and recordings that a crash cut off.
 #include <gtest/gtest.h>
 
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
@@ -140,6 +141,43 @@ TEST_F(RecordedWindow, a_lesson_that_was_left_is_no_crash) {
     start_lesson();
     EXPECT_TRUE(window_.close());
     EXPECT_TRUE(interrupted_recordings(recordings()).empty());
+}
+
+// The table as the panel of the lesson, and the quantity stays whoever's attempts are shown.
+TEST_F(RecordedWindow, attempts_are_in_the_units_that_were_chosen) {
+    const fs::path folder = to_path(folder_.filePath("attempts"));
+    fs::create_directories(folder);
+    for (const char* name : {"A", "B"}) {
+        Attempt attempt;
+        attempt.recording = folder / (std::string("cut-") + name + ".hrec");
+        std::ofstream(attempt.recording) << "{}";
+        attempt.lesson = "Cut";
+        attempt.ended_at = "2026-11-26T03:41:00Z";
+        attempt.name = name;
+        attempt.metrics[static_cast<std::size_t>(Quantity::time_s)] = 12.0;
+        attempt.metrics[static_cast<std::size_t>(Quantity::blood_lost_g)] = 21.2;
+        write_attempt(attempt);
+    }
+    AttemptsDialog dialog(
+        {[](const fs::path&) {}, [](const std::string&) {}, [](const std::exception_ptr&) {}},
+        nullptr);
+    dialog.show_lesson("Cut", folder);
+    const auto& table = *dialog.findChild<QTableWidget*>("attempts");
+    const auto cell_of = [&](const QString& head) {
+        for (int column = 0; column < table.columnCount(); ++column)
+            if (table.horizontalHeaderItem(column)->text() == head)
+                return table.item(0, column)->text();
+        return QString("none");
+    };
+    EXPECT_EQ(cell_of("blood lost (g)"), "21.2");
+    dialog.set_units(FlowUnits::clinic);
+    EXPECT_EQ(cell_of("blood lost (mL)"), "20.0");
+    EXPECT_EQ(cell_of("time (s)"), "12.0");
+    auto& quantity = *dialog.findChild<QComboBox*>("attemptsQuantity");
+    quantity.setCurrentIndex(quantity.findText("blood lost"));
+    dialog.findChild<QComboBox*>("attemptsWhose")->setCurrentIndex(1);
+    EXPECT_EQ(quantity.currentText(), "blood lost");
+    EXPECT_EQ(dialog.chart().y_label, "blood lost (mL)");
 }
 
 TEST_F(RecordedWindow, the_list_says_what_each_recording_is) {

@@ -47,6 +47,8 @@ TEST_F(ReportWriting, EachGetsAFolderOfItsOwn) {
     fs::create_directories(first);
     const fs::path second = report_folder(folder(), "Sanfter Zug", played);
     EXPECT_EQ(second.filename(), "Sanfter Zug 2026-11-26 03-40 (2)");
+    fs::create_directories(folder() / "50%2 2026-11-26 03-40");
+    EXPECT_EQ(report_folder(folder(), "50%2", played).filename(), "50%2 2026-11-26 03-40 (2)");
     EXPECT_EQ(report_folder(folder(), "../a/b: c?", played), folder() / "a b c 2026-11-26 03-40");
     EXPECT_EQ(report_folder(folder(), "", played).filename(), "2026-11-26 03-40");
 }

@@ -237,6 +237,36 @@ TEST_F(ReviewWindowTest, another_recording_is_shown_beside_it_and_looks_the_same
     EXPECT_TRUE(dock().reviewing());
 }
 
+// The look and the mouse that were chosen before and are chosen meanwhile.
+TEST_F(ReviewWindowTest, what_is_beside_it_has_the_look_and_the_mouse_of_the_first_view) {
+    open_built_in();
+    look_back();
+    window_.findChild<QAction*>("mouse_slicer")->trigger();
+    dock().compare(file_);
+    ASSERT_TRUE(wait_for([this] { return dock().complete() && window_.second_view().shown(); }));
+    VtkWidget& beside = window_.second_view().view();
+    EXPECT_STREQ(beside.mouse().scheme().name, "slicer");
+    const QImage dark = beside.drawn();
+    window_.actions()[ActionId::theme_light].trigger();
+    window_.findChild<QAction*>("mouse_construction")->trigger();
+    EXPECT_STREQ(beside.mouse().scheme().name, "construction");
+    const QColor was = dark.pixelColor(3, dark.height() / 2);
+    const QImage light = beside.drawn();
+    EXPECT_GT(light.pixelColor(3, light.height() / 2).lightness(), was.lightness() + 50);
+    window_.actions()[ActionId::theme_dark].trigger();
+}
+
+// What is half typed is about a moment of that recording.
+TEST_F(ReviewWindowTest, a_note_that_was_not_kept_does_not_stand_in_the_next_review) {
+    open_built_in();
+    look_back();
+    auto* note = dock().findChild<QLineEdit*>("reviewNote");
+    note->setText("too deep");
+    click("reviewLeave");
+    ASSERT_FALSE(dock().reviewing());
+    EXPECT_EQ(note->text(), "");
+}
+
 // Two attempts at one lesson within a minute.
 TEST_F(ReviewWindowTest, each_of_two_recordings_stands_under_its_own_name) {
     open_built_in();

@@ -43,6 +43,8 @@ class BrushOnSlices : public testing::SlicesTest {
         move();
         release();
     }
+    // What Qt makes of a second press right after the first.
+    void press_again() { QTest::mouseDClick(&axial(), Qt::LeftButton, {}, place_of_column(10)); }
     void press() { QTest::mousePress(&axial(), Qt::LeftButton, {}, place_of_column(10)); }
     void release() { QTest::mouseRelease(&axial(), Qt::LeftButton, {}, place_of_column(15)); }
     void click_other(Qt::MouseButton button) {
@@ -90,6 +92,17 @@ TEST_F(BrushOnSlices, ShowsAtOnceWhatItPaints) {
     EXPECT_EQ(brush().strokes()[0].path_mm.size(), 2u) << "lifted, it leaves nothing";
 }
 
+TEST_F(BrushOnSlices, BeginsAStrokeHoweverSoonAfterTheLast) {
+    begin();
+    press();
+    release();
+    press_again();
+    move();
+    release();
+    ASSERT_EQ(brush().strokes().size(), 2u);
+    EXPECT_EQ(brush().strokes()[1].path_mm.size(), 2u);
+}
+
 TEST_F(BrushOnSlices, ShowsWhatItPaintsOverVesselsAsPainted) {
     begin();
     for (std::uint8_t& voxel : before_.voxels) voxel = 2;
@@ -127,6 +140,22 @@ TEST_F(BrushOnSlices, SaysWhereItCannotPaint) {
     scene().set_systems(before_);
     stroke();
     EXPECT_EQ(scene().systems().voxels, painted().voxels);
+}
+
+TEST_F(BrushOnSlices, LeavesNoStrokeWhereNothingWasErased) {
+    begin();
+    take(erasing);
+    stroke();
+    EXPECT_TRUE(brush().strokes().empty());
+    EXPECT_EQ(scene().systems().voxels, before_.voxels);
+    EXPECT_TRUE(said("Nothing erased"));
+    EXPECT_FALSE(rebuild().isEnabled());
+    take(painting);
+    stroke();
+    take(erasing);
+    stroke();
+    EXPECT_EQ(brush().strokes().size(), 2u) << "what was painted is erased";
+    EXPECT_EQ(scene().systems().voxels, before_.voxels);
 }
 
 // Smaller, a dab that erases, and back.

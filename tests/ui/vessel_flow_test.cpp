@@ -13,6 +13,8 @@
 #include "core/session/session.h"
 #include "tests/session/small_patient.h"
 #include "tests/ui/fake_simulation.h"
+#include "tests/ui/window_test.h"
+#include "ui/curves_dock.h"
 #include "ui/paths.h"
 #include "ui/plot_panel.h"
 
@@ -126,6 +128,30 @@ TEST(InjectionCurves, are_those_of_the_injection_that_the_session_shows) {
     session.step();
     ASSERT_TRUE(session.update_frame());
     EXPECT_FALSE(session.frame().drug.injection);
+}
+
+// The dock's are of one injection; where it replaced others they say which.
+TEST(InjectionCurves, of_several_injections_are_said_to_be_of_the_last) {
+    auto patient = std::make_shared<PatientCase>();
+    patient->tree = tube();
+    CurvesDock dock([](const Failure& failure) { ADD_FAILURE() << failure.problem; }, nullptr);
+    const PlotPanel& plots = dock.plots();
+    DrugView drug;
+    drug.end_s = 2.0;
+    const auto pressure_of = [&](double mass_flow_g_s) {
+        drug.injection = std::make_shared<const InjectionOptions>(into_the_tube(mass_flow_g_s));
+        const double before = plots.left().curves.empty() ? 0.0 : plots.left().curves[0].y.front();
+        dock.follow(patient, drug, false);
+        EXPECT_TRUE(testing::wait_for([&] {
+            return !plots.left().curves.empty() && plots.left().curves[0].y.front() != before;
+        }));
+        EXPECT_EQ(plots.left().x_label, plots.right().x_label);
+        return plots.left().x_label;
+    };
+    EXPECT_EQ(pressure_of(0.5), "Time (s)");
+    EXPECT_EQ(pressure_of(0.7), "Time since the last injection began (s)");
+    dock.clear();
+    EXPECT_EQ(pressure_of(0.5), "Time (s)") << "another patient's first";
 }
 
 TEST(AxisTicks, are_round_few_and_reach_the_end) {

@@ -186,15 +186,34 @@ TEST_F(Measuring, LabelsOfMeasuresThatEndSideBySideLieOnNoOther) {
             EXPECT_FALSE(overlap(labels[a], labels[b])) << a << " on " << b;
 }
 
+using Corner = std::optional<std::array<double, 2>>;
+
+Corner corner_of(const std::optional<PlacedLabel>& label) {
+    return label ? Corner({label->box.left, label->box.top}) : std::nullopt;
+}
+
 TEST(LabelPlaces, ShiftByTheLeastThatIsFreeAndStayInThePicture) {
-    LabelPlaces places(0.0, 100.0);
-    EXPECT_EQ(places.place({10, 40, 50, 20}), 0.0);
-    EXPECT_EQ(places.place({80, 40, 50, 20}), 0.0) << "beside it";
-    EXPECT_EQ(places.place({20, 45, 50, 20}), 17.0) << "below it";
-    EXPECT_EQ(places.place({20, 35, 50, 20}), -17.0) << "above it";
-    EXPECT_EQ(places.place({10, 85, 10, 15}), 0.0);
-    EXPECT_EQ(places.place({10, 80, 10, 15}), -12.0);
-    EXPECT_EQ(places.place({10, 2, 10, 95}), 0.0) << "there is no room for it";
+    LabelPlaces places({0, 0, 140, 100});
+    EXPECT_EQ(corner_of(places.place({10, 40, 50, 20})), Corner({10, 40}));
+    EXPECT_EQ(corner_of(places.place({80, 40, 50, 20})), Corner({80, 40})) << "beside it";
+    EXPECT_EQ(corner_of(places.place({20, 45, 50, 20})), Corner({20, 62})) << "below it";
+    EXPECT_EQ(corner_of(places.place({20, 35, 50, 20})), Corner({20, 18})) << "above it";
+    EXPECT_EQ(corner_of(places.place({10, 95, 10, 12})), Corner({10, 88})) << "not below the room";
+    EXPECT_EQ(corner_of(places.place({135, 88, 10, 12})), Corner({130, 88})) << "not right of it";
+    EXPECT_FALSE(places.place({10, 2, 10, 101})) << "higher than the room";
+    EXPECT_FALSE(places.place({10, 2, 141, 10})) << "wider than the room";
+}
+
+// In a small view a column is full before the view is.
+TEST(LabelPlaces, StandBesideEachOtherWhereAColumnIsFull) {
+    LabelPlaces places({0, 0, 102, 42});
+    EXPECT_EQ(corner_of(places.place({52, 0, 50, 20})), Corner({52, 0}));
+    EXPECT_EQ(corner_of(places.place({52, 0, 50, 20})), Corner({52, 22}));
+    const auto beside = places.place({52, 0, 50, 20});
+    EXPECT_EQ(corner_of(beside), Corner({0, 0}));
+    EXPECT_TRUE(beside && beside->evades);
+    EXPECT_EQ(corner_of(places.place({0, 20, 50, 20})), Corner({0, 22}));
+    EXPECT_FALSE(places.place({0, 20, 50, 20})) << "the room is full";
 }
 
 // Without a window: three vertices, of which two are moved, each its own way.

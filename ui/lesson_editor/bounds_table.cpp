@@ -118,6 +118,16 @@ void BoundsTable::set(std::size_t index, const Predicate& bound, bool other_quan
     changed_(std::to_string(index), bounds_);
 }
 
+void BoundsTable::choose_quantity(std::size_t index, int chosen) {
+    Predicate now = bounds_[index];
+    const std::string unit = words_of(now.quantity).unit;
+    now.quantity = quantities()[static_cast<std::size_t>(chosen)].quantity;
+    // The old number had another unit.
+    if (words_of(now.quantity).unit != unit) now.bound = 1.0;
+    now.mark = words_of(now.quantity).of_mark ? std::max(now.mark, 0) : -1;
+    set(index, now, true);
+}
+
 QWidget* BoundsTable::make_row(std::size_t index) {
     const Predicate bound = bounds_[index];
     const QuantityWords& words = words_of(bound.quantity);
@@ -133,15 +143,8 @@ QWidget* BoundsTable::make_row(std::size_t index) {
     QComboBox* quantity = add(quantity_choice(bound.quantity, !marks_.empty()), "quantity",
                               Words::tr("What is measured"));
     line->setStretchFactor(quantity, 1);
-    connect(quantity, &QComboBox::activated, this, [this, index](int chosen) {
-        Predicate now = bounds_[index];
-        const std::string unit = words_of(now.quantity).unit;
-        now.quantity = quantities()[static_cast<std::size_t>(chosen)].quantity;
-        // The old number had another unit.
-        if (words_of(now.quantity).unit != unit) now.bound = 1.0;
-        now.mark = words_of(now.quantity).of_mark ? std::max(now.mark, 0) : -1;
-        set(index, now, true);
-    });
+    connect(quantity, &QComboBox::activated, this,
+            [this, index](int chosen) { choose_quantity(index, chosen); });
     if (words.of_mark) {
         QComboBox* mark = add(mark_choice(marks_, bound.mark), "mark", Words::tr("Of which mark"));
         connect(mark, &QComboBox::activated, this, [this, index](int chosen) {

@@ -30,6 +30,7 @@ class BoundsTable : public QWidget {
 
   private:
     QWidget* make_row(std::size_t index);
+    void choose_quantity(std::size_t index, int chosen);
     void fill();
     void set(std::size_t index, const Predicate& bound, bool other_quantity);
 

@@ -78,6 +78,7 @@ void CourseEditor::build() {
     scroll->setWidget(page);
     state_->setObjectName("courseState");
     state_->setWordWrap(true);
+    state_->setTextFormat(Qt::PlainText);
     auto* column = new QVBoxLayout(this);
     column->addLayout(form);
     column->addWidget(build_lessons(), 3);

@@ -61,6 +61,34 @@ SliceBar::SliceBar(SliceScene& scene, std::function<QString()> correction, QWidg
     auto* lower = new QHBoxLayout;
     rows->addLayout(row);
     rows->addLayout(lower);
+    fill_presets();
+    place_->setObjectName("slicePlace");
+    // Always two lines, so that no text widens the window or moves the slices.
+    place_->setWordWrap(true);
+    place_->setMinimumWidth(place_->fontMetrics().averageCharWidth() * 16);
+    place_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    place_->setFixedHeight(2 * place_->fontMetrics().lineSpacing() + 2);
+    row->addWidget(presets_);
+    row->addWidget(new QLabel(Words::tr("Vessels")));
+    row->addWidget(opacity_slider());
+    row->addWidget(centreline_choice());
+    row->addWidget(segment_choice());
+    row->addStretch(1);
+    lower->addWidget(click_choice());
+    lower->addWidget(vessel_radius());
+    lower->addWidget(draw_button());
+    add_brush(*lower);
+    lower->addSpacing(8);
+    lower->addWidget(place_, 1);
+    scene_.on_change([this] {
+        if (click_->currentIndex() != chosen_click()) follow_click();
+        follow_window();
+        show_place(scene_.crosshair_mm());
+    });
+    follow_window();
+}
+
+void SliceBar::fill_presets() {
     presets_->setObjectName("greyWindow");
     presets_->setAccessibleName(Words::tr("Grey window"));
     for (const Preset& preset : presets)
@@ -71,6 +99,13 @@ SliceBar::SliceBar(SliceScene& scene, std::function<QString()> correction, QWidg
     presets_->addItem(Words::tr("Own"));
     presets_->setToolTip(
         Words::tr("Which Hounsfield units are grey; right drag on a slice sets your own"));
+    connect(presets_, &QComboBox::activated, this, [this](int index) {
+        if (index < static_cast<int>(presets.size()))
+            scene_.set_window(presets[static_cast<std::size_t>(index)].window);
+    });
+}
+
+QWidget* SliceBar::opacity_slider() {
     auto* opacity = new QSlider(Qt::Horizontal);
     opacity->setObjectName("vesselOpacity");
     opacity->setAccessibleName(Words::tr("Opacity of the vessels over the CT"));
@@ -78,41 +113,18 @@ SliceBar::SliceBar(SliceScene& scene, std::function<QString()> correction, QWidg
     opacity->setRange(0, 100);
     opacity->setValue(static_cast<int>(100.0 * scene_.opacity()));
     opacity->setFixedWidth(80);  // the widgets beside it must not move when the text changes
+    connect(opacity, &QSlider::valueChanged, this,
+            [this](int value) { scene_.set_opacity(0.01 * value); });
+    return opacity;
+}
+
+QWidget* SliceBar::centreline_choice() {
     auto* centrelines = new QCheckBox(Words::tr("Centrelines"));
     centrelines->setObjectName("centrelines");
     centrelines->setChecked(scene_.shows_centrelines());
-    place_->setObjectName("slicePlace");
-    // Always two lines, so that no text widens the window or moves the slices.
-    place_->setWordWrap(true);
-    place_->setMinimumWidth(place_->fontMetrics().averageCharWidth() * 16);
-    place_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    place_->setFixedHeight(2 * place_->fontMetrics().lineSpacing() + 2);
-    row->addWidget(presets_);
-    row->addWidget(new QLabel(Words::tr("Vessels")));
-    row->addWidget(opacity);
-    row->addWidget(centrelines);
-    row->addWidget(segment_choice());
-    row->addStretch(1);
-    lower->addWidget(click_choice());
-    lower->addWidget(vessel_radius());
-    lower->addWidget(draw_button());
-    add_brush(*lower);
-    lower->addSpacing(8);
-    lower->addWidget(place_, 1);
-    connect(presets_, &QComboBox::activated, this, [this](int index) {
-        if (index < static_cast<int>(presets.size()))
-            scene_.set_window(presets[static_cast<std::size_t>(index)].window);
-    });
-    connect(opacity, &QSlider::valueChanged, this,
-            [this](int value) { scene_.set_opacity(0.01 * value); });
     connect(centrelines, &QCheckBox::toggled, this,
             [this](bool visible) { scene_.set_centrelines_visible(visible); });
-    scene_.on_change([this] {
-        if (click_->currentIndex() != chosen_click()) follow_click();
-        follow_window();
-        show_place(scene_.crosshair_mm());
-    });
-    follow_window();
+    return centrelines;
 }
 
 // Check box for the Couinaud segments; usable once they are known.
@@ -249,7 +261,7 @@ QWidget* SliceBar::draw_button() {
 
 void SliceBar::add_brush(QHBoxLayout& row) {
     radius_ = new DecimalSpinBox(MaskBrush::least_mm, MaskBrush::most_mm,
-                                 scene_.brush().radius_mm(), 1, " mm");
+                                 scene_.brush().radius_mm(), 1, "mm");
     radius_->setObjectName("brushRadius");
     radius_->setAccessibleName(Words::tr("Radius of the brush"));
     radius_->setToolTip(Words::tr("Radius of the ball that is led through the voxels"));

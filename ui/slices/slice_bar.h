@@ -30,6 +30,9 @@ class SliceBar : public QWidget {
     void say(const QString& text);
 
   private:
+    void fill_presets();
+    QWidget* opacity_slider();
+    QWidget* centreline_choice();
     QWidget* segment_choice();
     QWidget* click_choice();
     QWidget* draw_button();

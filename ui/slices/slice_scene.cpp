@@ -85,12 +85,14 @@ void SliceScene::follow_brush() {
     const bool led_on = strokes.size() == shown_strokes_ && points == shown_points_ + 1;
     if (led_on) {
         const BrushStroke& last = strokes.back();
-        apply({{last.path_mm.end()[-2], last.path_mm.back()}, last.radius_mm, last.erases},
-              painted_label, systems_);
+        leave({{last.path_mm.end()[-2], last.path_mm.back()}, last.radius_mm, last.erases});
     } else {
         if (unpainted_.voxels.empty()) unpainted_ = systems_;
         systems_ = unpainted_;
-        for (const BrushStroke& stroke : strokes) apply(stroke, painted_label, systems_);
+        for (const BrushStroke& stroke : strokes) {
+            led_erased_ = 0;
+            leave(stroke);
+        }
         if (strokes.empty()) unpainted_ = {};
     }
     shown_strokes_ = strokes.size();
@@ -98,6 +100,13 @@ void SliceScene::follow_brush() {
     ++systems_version_;
     preview_ = {};  // it was made from the voxels before this stroke
     tell_of_voxels();
+}
+
+void SliceScene::leave(const BrushStroke& stroke) {
+    if (stroke.erases)
+        sweep(stroke, systems_.grid,
+              [this](std::size_t voxel) { led_erased_ += systems_.voxels[voxel] != 0 ? 1 : 0; });
+    apply(stroke, painted_label, systems_);
 }
 
 std::string SliceScene::why_not_painted(const Vec3& position_mm) const {
@@ -140,7 +149,12 @@ void SliceScene::lead_brush_to(const Vec3& position_mm) {
         brush_.lead_to(position_mm);
 }
 
+// A stroke that erased nothing would be a step of undo that does nothing.
 std::string SliceScene::lift_brush() {
+    if (brush_.leads() && brush_.strokes().back().erases && led_erased_ == 0) {
+        brush_.remove_last();
+        return Words::tr("Nothing erased: there is no vessel").toStdString();
+    }
     brush_.lift();
     return tumours_.lift();
 }

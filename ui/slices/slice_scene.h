@@ -113,6 +113,8 @@ class SliceScene {
 
   private:
     void tell_of_voxels();
+    // Applies a stroke, or the new piece of one, to the voxels.
+    void leave(const BrushStroke& stroke);
     // Brings the voxels up to date with the strokes.
     void follow_brush();
     // For another patient.
@@ -130,6 +132,7 @@ class SliceScene {
     Mask unpainted_;  // systems_ before the first stroke; empty if there is none
     // Number of strokes in systems_, and of points of the last one.
     std::size_t shown_strokes_ = 0, shown_points_ = 0;
+    std::size_t led_erased_ = 0;  // voxels of vessels that the last stroke erased
     Mask segments_;
     std::string why_no_segments_;
     std::vector<CentrelinePoint> centrelines_;

@@ -29,17 +29,6 @@ QString title_of(SliceDirection direction) {
     return Words::tr(names[static_cast<std::size_t>(direction)]);
 }
 
-// Text with a dark outline, readable on every grey, even on white bone.
-void write_outlined(QPainter& painter, const QRectF& box, Qt::Alignment where, const QString& text,
-                    const QColor& colour) {
-    painter.setPen(Qt::black);
-    for (const int right : {-1, 0, 1})
-        for (const int down : {-1, 0, 1})
-            painter.drawText(box.translated(right, down), static_cast<int>(where), text);
-    painter.setPen(colour);
-    painter.drawText(box, static_cast<int>(where), text);
-}
-
 }  // namespace
 
 SliceView::SliceView(SliceScene& scene, SliceDirection direction, QWidget* parent)
@@ -51,9 +40,21 @@ SliceView::SliceView(SliceScene& scene, SliceDirection direction, QWidget* paren
     setProperty(paints_own_focus, true);
     setMinimumSize(120, 90);
     setCursor(Qt::CrossCursor);
-    scene_.on_change([this] { update(); });
+    scene_.on_change([this] {
+        show_whole_of_another_ct();
+        update();
+    });
     scene_.measurements().on_change([this] { update(); });
     scene_.pen().on_change([this] { update(); });
+}
+
+// Where one looked into a CT means nothing in another.
+void SliceView::show_whole_of_another_ct() {
+    const std::shared_ptr<const Volume> seen = seen_ct_.lock();
+    if (scene_.empty() || seen == scene_.shared_ct()) return;
+    seen_ct_ = scene_.shared_ct();
+    zoom_ = 1.0;
+    shift_ = {};
 }
 
 int SliceView::slice() const {
@@ -163,89 +164,6 @@ void SliceView::paint_crosshair(QPainter& painter) const {
     painter.drawLine(QPointF(at.x(), at.y() + gap), QPointF(at.x(), height()));
 }
 
-// Whether a point lies within half of `reach_mm` from this slice.
-bool SliceView::is_here(const Vec3& point_mm, double reach_mm) const {
-    const SliceStack slices = stack();
-    const double off = slices.place_of(point_mm).z() - slices.place_of(scene_.crosshair_mm()).z();
-    return std::abs(off) * slices.slice_mm() <= 0.5 * reach_mm;
-}
-
-void SliceView::paint_line(QPainter& painter, const QPolygonF& line) const {
-    for (const auto& [colour, width] :
-         {std::pair{QColor(Qt::black), 3.5}, std::pair{colour_of_marks, 1.6}}) {
-        painter.setPen(QPen(colour, width));
-        painter.drawPolyline(line);
-        for (const QPointF& end : line) painter.drawEllipse(end, 2.0, 2.0);
-    }
-}
-
-// All places of the drawn vessel, which passes through many slices; circled if near this slice.
-void SliceView::paint_pen(QPainter& painter) const {
-    const std::vector<Vec3>& places = scene_.pen().places_mm();
-    if (places.empty()) return;
-    QPolygonF line;
-    for (const Vec3& place : places) line << place_of(place);
-    painter.setBrush(Qt::NoBrush);
-    paint_line(painter, line);
-    for (const Vec3& place : places)
-        if (is_here(place, std::max(1.0, stack().slice_mm())))
-            painter.drawEllipse(place_of(place), 5.0, 5.0);
-}
-
-// A circle with the radius of the brush.
-void SliceView::paint_brush(QPainter& painter) const {
-    if (!brushing() || !mouse_) return;
-    const double radius = scene_.brush().radius_mm() * points_per_mm();
-    painter.setBrush(Qt::NoBrush);
-    for (const auto& [colour, width] :
-         {std::pair{QColor(Qt::black), 3.0}, std::pair{colour_of_marks, 1.4}}) {
-        painter.setPen(QPen(colour, width, scene_.brush_erases() ? Qt::DashLine : Qt::SolidLine));
-        painter.drawEllipse(*mouse_, radius, radius);
-    }
-}
-
-// Shown in the slices near any of its points; a diameter only where the slice cuts the lumen along
-// it.
-void SliceView::paint_measurement(QPainter& painter, const Measurement& measurement,
-                                  LabelPlaces& labels) const {
-    const auto& points = measurement.points_mm;
-    double reach_mm = std::max(1.0, stack().slice_mm());
-    if (measurement.kind == MeasurementKind::diameter) reach_mm += (points[1] - points[0]).norm();
-    QPolygonF line;
-    bool here_at_all = false;
-    for (const Vec3& point : points) {
-        here_at_all |= is_here(point, reach_mm);
-        line << place_of(point);
-    }
-    if (!here_at_all) return;
-    const double seen_mm = QLineF(line.front(), line.back()).length() / points_per_mm();
-    if (measurement.kind == MeasurementKind::diameter &&
-        seen_mm < 0.5 * (points[1] - points[0]).norm())
-        return;
-    paint_line(painter, line);
-    if (measurement.text.empty()) return;
-    const QString text = QString::fromStdString(measurement.text);
-    const QSizeF size(painter.fontMetrics().horizontalAdvance(text), 20);
-    QPointF corner = line.back() + QPointF(7, -25);
-    const double shifted = labels.place({corner.x(), corner.y(), size.width(), size.height()});
-    corner.ry() += shifted;
-    if (shifted != 0.0) {
-        painter.setPen(QPen(colour_of_marks, 1.0));
-        painter.drawLine(line.back(), corner + QPointF(0, 0.5 * size.height()));
-    }
-    write_outlined(painter, QRectF(corner, QSizeF(260, size.height())),
-                   Qt::AlignLeft | Qt::AlignBottom, text, colour_of_marks);
-}
-
-void SliceView::paint_measurements(QPainter& painter) const {
-    painter.setBrush(Qt::NoBrush);
-    LabelPlaces labels(0.0, height());
-    for (const Measurement& made : scene_.measurements().made())
-        paint_measurement(painter, made, labels);
-    if (const Measurement* half = scene_.measurements().half_made())
-        paint_measurement(painter, *half, labels);
-}
-
 void SliceView::keep_clear(int top, int bottom) {
     covered_top_ = top;
     covered_bottom_ = bottom;
@@ -345,6 +263,7 @@ void SliceView::leaveEvent(QEvent* event) {
 }
 
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (brushing()) return mousePressEvent(event);  // the next stroke begins
     if (works()) return;  // the second click must not set a point on top of the first
     if (event->button() == Qt::LeftButton && double_click_) double_click_();
 }

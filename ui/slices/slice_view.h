@@ -17,6 +17,7 @@
 #include <QImage>
 #include <QWidget>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -44,6 +45,8 @@ class SliceView : public QWidget {
     void keep_clear(int top, int bottom);
     // The area for text.
     QRectF room_for_words() const;
+    // Where the values of measurements were painted last.
+    const std::vector<QRectF>& measure_labels() const { return measure_labels_; }
 
     void on_hover(std::function<void(const Vec3&)> tell) { hover_ = std::move(tell); }
     // Receives the result of a measurement, or why a click had none.
@@ -65,6 +68,7 @@ class SliceView : public QWidget {
 
   private:
     SliceStack stack() const { return {scene_.ct().grid, direction_}; }
+    void show_whole_of_another_ct();
     // Moves the crosshair by whole slices.
     void step(int slices);
     // Moves the crosshair within its slice, by voxels.
@@ -87,9 +91,13 @@ class SliceView : public QWidget {
     void paint_line(QPainter& painter, const QPolygonF& line) const;
     void paint_pen(QPainter& painter) const;
     void paint_brush(QPainter& painter) const;
-    void paint_measurement(QPainter& painter, const Measurement& measurement,
-                           LabelPlaces& labels) const;
-    void paint_measurements(QPainter& painter) const;
+    void paint_measurement(QPainter& painter, const Measurement& measurement, LabelPlaces& labels);
+    void paint_label(QPainter& painter, const QPointF& at, const QString& text,
+                     LabelPlaces& labels);
+    void paint_measurements(QPainter& painter);
+    QRectF room_for_labels() const;
+    static void write_outlined(QPainter& painter, const QRectF& box, Qt::Alignment where,
+                               const QString& text, const QColor& colour);
     void paint_segment_numbers(QPainter& painter) const;
     void paint_centrelines(QPainter& painter) const;
     void paint_crosshair(QPainter& painter) const;
@@ -109,8 +117,10 @@ class SliceView : public QWidget {
     // Key of picture_: scrolling in one direction does not repaint the other two.
     std::uint64_t picture_version_ = 0;
     int picture_slice_ = -1;
-    double zoom_ = 1.0;      // 1: the slice fits the widget
-    QPointF shift_;          // of the slice's centre from the widget's
+    std::weak_ptr<const Volume> seen_ct_;  // that zoom and shift belong to
+    double zoom_ = 1.0;                    // 1: the slice fits the widget
+    QPointF shift_;                        // of the slice's centre from the widget's
+    std::vector<QRectF> measure_labels_;
     QPointF last_;           // last mouse position while a button is down
     double wheel_rest_ = 0;  // unused part of a wheel notch
 };

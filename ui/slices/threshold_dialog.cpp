@@ -69,6 +69,7 @@ void ThresholdDialog::build() {
     state_ = new QLabel;
     state_->setObjectName("thresholdState");
     state_->setWordWrap(true);
+    state_->setTextFormat(Qt::PlainText);
     column->addWidget(state_);
     progress_ = new QProgressBar;
     progress_->setRange(0, progress_steps);

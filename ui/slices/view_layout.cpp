@@ -133,6 +133,7 @@ void ViewLayout::build(QWidget* view) {
     auto* words = new QVBoxLayout(notice_);
     notice_text_ = new QLabel(notice_);
     notice_text_->setWordWrap(true);
+    notice_text_->setTextFormat(Qt::PlainText);
     notice_text_->setAlignment(Qt::AlignCenter);
     notice_text_->setObjectName("quiet");
     choose_ = new QPushButton(Words::tr("Choose the CT…"), notice_);
