@@ -8939,5 +8939,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>measured</source>
         <translation>gemessen</translation>
     </message>
+    <message>
+        <source>This injection takes the place of the last one in the picture; what that one reached and gave stays counted in a lesson</source>
+        <translation>Diese Injektion tritt im Bild an die Stelle der letzten; was jene erreicht und abgegeben hat, zählt in einer Lektion weiter</translation>
+    </message>
 </context>
 </TS>

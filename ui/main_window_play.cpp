@@ -407,6 +407,10 @@ void MainWindow::lead_crosshair_to(int vertex) {
 }
 
 void MainWindow::inject(const SurfacePick& pick) {
+    if (frame().drug.arrival_s)
+        hint(Words::tr(
+            "This injection takes the place of the last one in the picture; what that one "
+            "reached and gave stays counted in a lesson"));
     post(inject_->injection_at(pick.position_mm));
 }
 
