@@ -8943,5 +8943,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>This injection takes the place of the last one in the picture; what that one reached and gave stays counted in a lesson</source>
         <translation>Diese Injektion tritt im Bild an die Stelle der letzten; was jene erreicht und abgegeben hat, zählt in einer Lektion weiter</translation>
     </message>
+    <message>
+        <source>The vessel given to the system &quot;%1&quot; touches no other vessel of it and is a tree of its own: neither blood nor a drug comes to it from the others. If it belongs to one of them, choose Link two vessels and click both.</source>
+        <translation>Das Gefäß, das dem System „%1“ gegeben wurde, berührt kein anderes Gefäß davon und ist ein eigener Baum: Weder Blut noch ein Wirkstoff kommt aus den anderen zu ihm. Gehört es zu einem von ihnen, „Zwei Gefäße verbinden“ wählen und beide anklicken.</translation>
+    </message>
 </context>
 </TS>
