@@ -8947,5 +8947,17 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>The vessel given to the system &quot;%1&quot; touches no other vessel of it and is a tree of its own: neither blood nor a drug comes to it from the others. If it belongs to one of them, choose Link two vessels and click both.</source>
         <translation>Das Gefäß, das dem System „%1“ gegeben wurde, berührt kein anderes Gefäß davon und ist ein eigener Baum: Weder Blut noch ein Wirkstoff kommt aus den anderen zu ihm. Gehört es zu einem von ihnen, „Zwei Gefäße verbinden“ wählen und beide anklicken.</translation>
     </message>
+    <message>
+        <source>Choose a row in the table of branches (F6) first</source>
+        <translation>Erst eine Zeile in der Tabelle der Äste (F6) wählen</translation>
+    </message>
+    <message>
+        <source>Do it to the branch chosen in the table</source>
+        <translation>Am Ast tun, der in der Tabelle gewählt ist</translation>
+    </message>
+    <message>
+        <source>As a click on the middle of the branch whose row is chosen in the table of branches (F6) would: for one that is too short to click on</source>
+        <translation>Wie ein Klick auf die Mitte des Astes, dessen Zeile in der Tabelle der Äste (F6) gewählt ist: für einen, der zum Anklicken zu kurz ist</translation>
+    </message>
 </context>
 </TS>

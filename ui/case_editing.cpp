@@ -123,7 +123,8 @@ CaseEditing::CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks
                               least_confidence_ = confidence;
                               if (workspace_.has_patient()) show_bridges();
                           },
-                          callbacks_.undo, callbacks_.redo, [this] { begin_link({}); }});
+                          callbacks_.undo, callbacks_.redo, [this] { begin_link({}); },
+                          [this] { click_chosen(); }});
 }
 
 void CaseEditing::show_body() {
@@ -261,6 +262,15 @@ void CaseEditing::click_at(const Vec3& place_mm) {
     if (point.distance_mm > radius_mm + beside_wall_mm)
         return callbacks_.say(Words::tr("No vessel there: click on one"));
     click(point);
+}
+
+void CaseEditing::click_chosen() {
+    if (!workspace_.has_patient()) return;
+    const int branch = callbacks_.chosen_branch();
+    const std::vector<VesselSegment>& branches = workspace_.patient()->tree.segments;
+    if (branch < 0 || branch >= std::ssize(branches))
+        return callbacks_.say(Words::tr("Choose a row in the table of branches (F6) first"));
+    click({branch, 0.5 * length_mm(branches[static_cast<std::size_t>(branch)])});
 }
 
 void CaseEditing::accept(int bridge) {

@@ -33,6 +33,7 @@ class CaseEditing {
         std::function<void(const Failure&)> not_drawn;
         std::function<void(const QString&)> warn;  // what a correction made doubtful
         std::function<void()> link_changed;        // link_from_mm() has changed
+        std::function<int()> chosen_branch;        // in the table of branches; -1: none
     };
     CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks callbacks);
 
@@ -57,6 +58,7 @@ class CaseEditing {
     void stop_drawing() { drawing_.reset(); }
 
   private:
+    void click_chosen();
     void begin_link(const std::optional<Vec3>& from_mm);
     void add_drawn(const TreeEdit& edit, const VesselPen::Answered& answered);
     void choose_bridge(int bridge);

@@ -2,8 +2,12 @@
 // Giving a branch to another system in the window: what is said of it then.
 #include <QComboBox>
 #include <QListWidget>
+#include <QPushButton>
+#include <QStatusBar>
+#include <QTableWidget>
 #include <algorithm>
 
+#include "core/tree/station.h"
 #include "tests/patient/parted_patient.h"
 #include "tests/ui/window_test.h"
 #include "ui/message_bar.h"
@@ -57,6 +61,30 @@ TEST_F(GivenBranch, that_became_a_tree_of_its_own_is_warned_of) {
     window_.actions()[ActionId::undo_edit].trigger();
     wait();
     EXPECT_FALSE(says_so());
+}
+
+// One that is shorter than it is wide cannot be clicked on.
+TEST_F(GivenBranch, may_be_the_one_that_is_chosen_in_the_table) {
+    auto* button = window_.findChild<QPushButton*>("editChosenBranch");
+    ASSERT_NE(button, nullptr);
+    button->click();
+    EXPECT_TRUE(window_.statusBar()->currentMessage().contains("Choose a row"));
+    EXPECT_TRUE(window_.workspace().edits().empty());
+    window_.actions()[ActionId::toggle_branches].trigger();
+    auto* table = window_.findChild<QTableWidget*>("branches");
+    ASSERT_TRUE(testing::wait_for([&] { return table->rowCount() > 0; }));
+    const int branch = table->rowCount() - 1;
+    const VesselSegment& chosen =
+        window_.workspace().patient()->tree.segments[static_cast<std::size_t>(branch)];
+    const Vec3 middle_mm = station_at(chosen, 0.5 * length_mm(chosen)).position_mm;
+    table->selectRow(branch);
+    button->click();
+    wait();
+    ASSERT_EQ(window_.workspace().edits().size(), 1u);
+    const TreeEdit& edit = window_.workspace().edits().front();
+    EXPECT_EQ(edit.kind, TreeEditKind::reassign_system);
+    EXPECT_EQ(edit.system, VascularSystem::hepatic);
+    EXPECT_LT((edit.at_mm - middle_mm).norm(), 1e-9);
 }
 
 // What system the place has now would read as what it had before.
