@@ -8959,5 +8959,13 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>As a click on the middle of the branch whose row is chosen in the table of branches (F6) would: for one that is too short to click on</source>
         <translation>Wie ein Klick auf die Mitte des Astes, dessen Zeile in der Tabelle der Äste (F6) gewählt ist: für einen, der zum Anklicken zu kurz ist</translation>
     </message>
+    <message>
+        <source>Goal of step %1, as far as it came</source>
+        <translation>Ziel von Schritt %1, so weit es kam</translation>
+    </message>
+    <message>
+        <source>From the front, without perspective.</source>
+        <translation>Von vorn, ohne Perspektive.</translation>
+    </message>
 </context>
 </TS>
