@@ -8967,5 +8967,13 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>From the front, without perspective.</source>
         <translation>Von vorn, ohne Perspektive.</translation>
     </message>
+    <message>
+        <source>Saved: %1. The CT is not in it.</source>
+        <translation>Gespeichert: %1. Das CT ist nicht darin.</translation>
+    </message>
+    <message>
+        <source>Saved: %1. Neither the CT nor the lessons for this patient are in it: pass these files on, too, to be put beside the case: %2</source>
+        <translation>Gespeichert: %1. Weder das CT noch die Lektionen für diesen Patienten sind darin: Auch diese Dateien weitergeben; sie gehören neben den Fall: %2</translation>
+    </message>
 </context>
 </TS>
