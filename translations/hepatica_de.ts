@@ -8975,5 +8975,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Saved: %1. Neither the CT nor the lessons for this patient are in it: pass these files on, too, to be put beside the case: %2</source>
         <translation>Gespeichert: %1. Weder das CT noch die Lektionen für diesen Patienten sind darin: Auch diese Dateien weitergeben; sie gehören neben den Fall: %2</translation>
     </message>
+    <message>
+        <source>Warning, no longer so</source>
+        <translation>Warnung, gilt nicht mehr</translation>
+    </message>
 </context>
 </TS>

@@ -148,6 +148,9 @@ void MainWindow::show_warnings(bool corrected) {
     const std::vector<std::string> before = std::exchange(warnings_, patient_->warnings);
     const std::uint64_t origin = keeper_->workspace().origin();
     const bool other_vessels = std::exchange(warnings_origin_, origin) != origin;
+    for (const std::string& warning : before)
+        if (!corrected || std::ranges::find(warnings_, warning) == warnings_.end())
+            log_->settle_warning(translated(warning));
     status_->show_warnings(warnings_.size());
     const QString said = messages_->text();
     bool fresh = false;
