@@ -8979,5 +8979,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Warning, no longer so</source>
         <translation>Warnung, gilt nicht mehr</translation>
     </message>
+    <message>
+        <source>Tried from the lesson editor: it is not kept among the attempts.</source>
+        <translation>Aus dem Lektionseditor ausprobiert: Der Versuch wird nicht aufbewahrt.</translation>
+    </message>
 </context>
 </TS>
