@@ -1107,10 +1107,6 @@
         <translation>Lipiodol-Emulsion, 2 zu 1</translation>
     </message>
     <message>
-        <source>Iodised oil, 25 mPa s and 1280 kg/m³ at 37 °C: the usual choice in chemoembolization.</source>
-        <translation>Iodiertes Öl, 25 mPa s und 1280 kg/m³ bei 37 °C: das Übliche bei der Chemoembolisation.</translation>
-    </message>
-    <message>
         <source>Gas, as in the paper</source>
         <translation>Gas, wie in der Veröffentlichung</translation>
     </message>
@@ -3155,10 +3151,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Draw a cut line across the branch at the first mark, take the branch at the second and pull until it comes off.</source>
         <translation>Ziehen Sie an der ersten Marke eine Schwächungslinie quer über den Ast, fassen Sie den Ast an der zweiten, und ziehen Sie, bis er abgeht.</translation>
-    </message>
-    <message>
-        <source>Inject the emulsion until nine tenths of the target are full.</source>
-        <translation>Injizieren Sie die Emulsion, bis neun Zehntel des Ziels gefüllt sind.</translation>
     </message>
     <message>
         <source>Portal vein</source>
@@ -8224,16 +8216,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Taste 4 nimmt die Sonde. Kommen Sie von der Seite der Wurzel, und drücken Sie einige Millimeter hinein.</translation>
     </message>
     <message>
-        <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. In a play a pump drives the drug, so that the flow itself never stands still, and there are no beads: the end is the filled target.</source>
-        <translation>Füllen Sie die Gefäße des Ziels mit einer Lipiodol-Emulsion, und hören Sie auf, bevor sie in die anderen zurückläuft. Im Spiel treibt eine Pumpe den Wirkstoff, sodass der Fluss selbst nie stillsteht, und es gibt keine Partikel: Das Ende ist das gefüllte Ziel.</translation>
-    </message>
-    <message>
         <source>Stop the injection: take the catheter out (Del).</source>
         <translation>Beenden Sie die Injektion: Nehmen Sie den Katheter heraus (Entf).</translation>
-    </message>
-    <message>
-        <source>Pausing only holds the clock. Del ends the injection and takes the drug out of the picture; the dose that was given stays counted.</source>
-        <translation>Anhalten hält nur die Uhr an. Entf beendet die Injektion und nimmt den Wirkstoff aus dem Bild; die gegebene Dosis bleibt gezählt.</translation>
     </message>
     <message>
         <source>the lesson asks for another drug: %1</source>
@@ -8982,6 +8966,22 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Tried from the lesson editor: it is not kept among the attempts.</source>
         <translation>Aus dem Lektionseditor ausprobiert: Der Versuch wird nicht aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Iodised oil, 25 mPa s and 1280 kg/m³ at 37 °C: the usual choice in chemoembolization, which goes through the artery in a patient.</source>
+        <translation>Iodiertes Öl, 25 mPa s und 1280 kg/m³ bei 37 °C: das Übliche bei der Chemoembolisation, die beim Patienten durch die Arterie geht.</translation>
+    </message>
+    <message>
+        <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. No beads block the vessels here: a pump drives the emulsion on until you take the catheter out, and what counts is the filled target.</source>
+        <translation>Füllen Sie die Gefäße des Ziels mit einer Lipiodol-Emulsion, und hören Sie auf, bevor sie in die anderen zurückläuft. Hier verschließen keine Partikel die Gefäße: Eine Pumpe treibt die Emulsion weiter, bis Sie den Katheter herausnehmen, und es zählt das gefüllte Ziel.</translation>
+    </message>
+    <message>
+        <source>Choose a slow flow, then inject the emulsion until nine tenths of the target are full.</source>
+        <translation>Wählen Sie einen langsamen Fluss, und injizieren Sie dann die Emulsion, bis neun Zehntel des Ziels gefüllt sind.</translation>
+    </message>
+    <message>
+        <source>Pausing only holds the clock. Del ends the injection and takes the drug out of the picture; what it has reached and the dose stay counted.</source>
+        <translation>Anhalten hält nur die Uhr an. Entf beendet die Injektion und nimmt den Wirkstoff aus dem Bild; was er erreicht hat und die Dosis bleiben gezählt.</translation>
     </message>
 </context>
 </TS>
