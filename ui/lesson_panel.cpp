@@ -120,6 +120,8 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     connect(attempts_, &QPushButton::clicked, this, [run = ways.attempts] { run(); });
     column->addWidget(attempts_);
     column->addLayout(make_name());
+    // The next key is one of the play again.
+    connect(name_, &QLineEdit::returnPressed, name_, &QWidget::clearFocus);
     connect(name_, &QLineEdit::editingFinished, this, [this, run = ways.name] {
         if (run) run(name_->text().simplified());
     });
