@@ -1107,10 +1107,6 @@
         <translation>Lipiodol-Emulsion, 2 zu 1</translation>
     </message>
     <message>
-        <source>Iodised oil, 25 mPa s and 1280 kg/m³ at 37 °C: the usual choice in chemoembolization.</source>
-        <translation>Iodiertes Öl, 25 mPa s und 1280 kg/m³ bei 37 °C: das Übliche bei der Chemoembolisation.</translation>
-    </message>
-    <message>
         <source>Gas, as in the paper</source>
         <translation>Gas, wie in der Veröffentlichung</translation>
     </message>
@@ -3155,10 +3151,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Draw a cut line across the branch at the first mark, take the branch at the second and pull until it comes off.</source>
         <translation>Ziehen Sie an der ersten Marke eine Schwächungslinie quer über den Ast, fassen Sie den Ast an der zweiten, und ziehen Sie, bis er abgeht.</translation>
-    </message>
-    <message>
-        <source>Inject the emulsion until nine tenths of the target are full.</source>
-        <translation>Injizieren Sie die Emulsion, bis neun Zehntel des Ziels gefüllt sind.</translation>
     </message>
     <message>
         <source>Portal vein</source>
@@ -8212,16 +8204,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Taste 4 nimmt die Sonde. Kommen Sie von der Seite der Wurzel, und drücken Sie einige Millimeter hinein.</translation>
     </message>
     <message>
-        <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. In a play a pump drives the drug, so that the flow itself never stands still, and there are no beads: the end is the filled target.</source>
-        <translation>Füllen Sie die Gefäße des Ziels mit einer Lipiodol-Emulsion, und hören Sie auf, bevor sie in die anderen zurückläuft. Im Spiel treibt eine Pumpe den Wirkstoff, sodass der Fluss selbst nie stillsteht, und es gibt keine Partikel: Das Ende ist das gefüllte Ziel.</translation>
-    </message>
-    <message>
         <source>Stop the injection: take the catheter out (Del).</source>
         <translation>Beenden Sie die Injektion: Nehmen Sie den Katheter heraus (Entf).</translation>
-    </message>
-    <message>
-        <source>Pausing only holds the clock. Del ends the injection and takes the drug out of the picture; the dose that was given stays counted.</source>
-        <translation>Anhalten hält nur die Uhr an. Entf beendet die Injektion und nimmt den Wirkstoff aus dem Bild; die gegebene Dosis bleibt gezählt.</translation>
     </message>
     <message>
         <source>the lesson asks for another drug: %1</source>
@@ -8982,6 +8966,66 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Nothing erased: there is no vessel</source>
         <translation>Nichts radiert: Dort ist kein Gefäß</translation>
+    </message>
+    <message>
+        <source>This injection takes the place of the last one in the picture; what that one reached and gave stays counted in a lesson</source>
+        <translation>Diese Injektion tritt im Bild an die Stelle der letzten; was jene erreicht und abgegeben hat, zählt in einer Lektion weiter</translation>
+    </message>
+    <message>
+        <source>The vessel given to the system &quot;%1&quot; touches no other vessel of it and is a tree of its own: neither blood nor a drug comes to it from the others. If it belongs to one of them, choose Link two vessels and click both.</source>
+        <translation>Das Gefäß, das dem System „%1“ gegeben wurde, berührt kein anderes Gefäß davon und ist ein eigener Baum: Weder Blut noch ein Wirkstoff kommt aus den anderen zu ihm. Gehört es zu einem von ihnen, „Zwei Gefäße verbinden“ wählen und beide anklicken.</translation>
+    </message>
+    <message>
+        <source>Choose a row in the table of branches (F6) first</source>
+        <translation>Erst eine Zeile in der Tabelle der Äste (F6) wählen</translation>
+    </message>
+    <message>
+        <source>Do it to the branch chosen in the table</source>
+        <translation>Am Ast tun, der in der Tabelle gewählt ist</translation>
+    </message>
+    <message>
+        <source>As a click on the middle of the branch whose row is chosen in the table of branches (F6) would: for one that is too short to click on</source>
+        <translation>Wie ein Klick auf die Mitte des Astes, dessen Zeile in der Tabelle der Äste (F6) gewählt ist: für einen, der zum Anklicken zu kurz ist</translation>
+    </message>
+    <message>
+        <source>Goal of step %1, as far as it came</source>
+        <translation>Ziel von Schritt %1, so weit es kam</translation>
+    </message>
+    <message>
+        <source>From the front, without perspective.</source>
+        <translation>Von vorn, ohne Perspektive.</translation>
+    </message>
+    <message>
+        <source>Saved: %1. The CT is not in it.</source>
+        <translation>Gespeichert: %1. Das CT ist nicht darin.</translation>
+    </message>
+    <message>
+        <source>Saved: %1. Neither the CT nor the lessons for this patient are in it: pass these files on, too, to be put beside the case: %2</source>
+        <translation>Gespeichert: %1. Weder das CT noch die Lektionen für diesen Patienten sind darin: Auch diese Dateien weitergeben; sie gehören neben den Fall: %2</translation>
+    </message>
+    <message>
+        <source>Warning, no longer so</source>
+        <translation>Warnung, gilt nicht mehr</translation>
+    </message>
+    <message>
+        <source>Tried from the lesson editor: it is not kept among the attempts.</source>
+        <translation>Aus dem Lektionseditor ausprobiert: Der Versuch wird nicht aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Iodised oil, 25 mPa s and 1280 kg/m³ at 37 °C: the usual choice in chemoembolization, which goes through the artery in a patient.</source>
+        <translation>Iodiertes Öl, 25 mPa s und 1280 kg/m³ bei 37 °C: das Übliche bei der Chemoembolisation, die beim Patienten durch die Arterie geht.</translation>
+    </message>
+    <message>
+        <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. No beads block the vessels here: a pump drives the emulsion on until you take the catheter out, and what counts is the filled target.</source>
+        <translation>Füllen Sie die Gefäße des Ziels mit einer Lipiodol-Emulsion, und hören Sie auf, bevor sie in die anderen zurückläuft. Hier verschließen keine Partikel die Gefäße: Eine Pumpe treibt die Emulsion weiter, bis Sie den Katheter herausnehmen, und es zählt das gefüllte Ziel.</translation>
+    </message>
+    <message>
+        <source>Choose a slow flow, then inject the emulsion until nine tenths of the target are full.</source>
+        <translation>Wählen Sie einen langsamen Fluss, und injizieren Sie dann die Emulsion, bis neun Zehntel des Ziels gefüllt sind.</translation>
+    </message>
+    <message>
+        <source>Pausing only holds the clock. Del ends the injection and takes the drug out of the picture; what it has reached and the dose stay counted.</source>
+        <translation>Anhalten hält nur die Uhr an. Entf beendet die Injektion und nimmt den Wirkstoff aus dem Bild; was er erreicht hat und die Dosis bleiben gezählt.</translation>
     </message>
 </context>
 </TS>

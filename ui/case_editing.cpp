@@ -54,7 +54,14 @@ QString there(const Vec3& place_mm, const VesselTree& tree) {
     return Words::tr("%1 (%2)").arg(patient_place(place_mm), translated(title_of(branch.system)));
 }
 
+bool gives_system(const TreeEdit& edit) {
+    return edit.kind == TreeEditKind::reassign_system || edit.kind == TreeEditKind::seed_system;
+}
+
+// The system that a vessel has now says nothing about one that was given: its new system is named.
 QString text_of(const TreeEdit& edit, const VesselTree& tree) {
+    if (gives_system(edit))
+        return Words::tr("%1 at %2").arg(name_of(edit), patient_place(edit.at_mm));
     return Words::tr("%1 at %2").arg(name_of(edit), there(edit.at_mm, tree));
 }
 
@@ -116,7 +123,8 @@ CaseEditing::CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks
                               least_confidence_ = confidence;
                               if (workspace_.has_patient()) show_bridges();
                           },
-                          callbacks_.undo, callbacks_.redo, [this] { begin_link({}); }});
+                          callbacks_.undo, callbacks_.redo, [this] { begin_link({}); },
+                          [this] { click_chosen(); }});
 }
 
 void CaseEditing::show_body() {
@@ -131,8 +139,8 @@ void CaseEditing::warn_of_new_doubts() {
     const VesselTree& tree = workspace_.patient()->tree;
     const std::vector<std::string> before = std::exchange(doubts_, sentences(std::nullopt, tree));
     const int loops_before = std::exchange(loops_, doubts_of(tree).loops);
+    QStringList fresh = given_apart();
     if (workspace_.patient()->corrections.edits.empty()) return;
-    QStringList fresh;
     for (const std::string& doubt : doubts_) {
         const bool of_loops = &doubt == &doubts_.back() && loops_ > 0;
         const bool is_new =
@@ -140,6 +148,38 @@ void CaseEditing::warn_of_new_doubts() {
         if (is_new) fresh << translated(doubt);
     }
     if (!fresh.isEmpty()) callbacks_.warn(fresh.join("\n"));
+}
+
+QStringList CaseEditing::given_apart() {
+    const VesselTree& tree = workspace_.patient()->tree;
+    const std::vector<TreeEdit>& edits = workspace_.patient()->corrections.edits;
+    std::map<VascularSystem, int> count;
+    for (const int root : roots(tree))
+        ++count[tree.segments[static_cast<std::size_t>(root)].system];
+    const std::map<VascularSystem, int> before = std::exchange(roots_, count);
+    const std::vector<TreeEdit> old = std::exchange(edits_, edits);
+    QStringList list;
+    const std::vector<VesselNode>& nodes = as_reconstructed(*workspace_.patient()).nodes;
+    const Vec3 begin = nodes.empty() ? Vec3(Vec3::Zero()) : nodes.front().position_mm;
+    const bool same_patient = std::exchange(begin_mm_, begin) == begin;
+    // After undoing, or with another patient, there is nothing to compare with.
+    if (!same_patient || edits.size() < old.size() ||
+        !std::equal(old.begin(), old.end(), edits.begin()))
+        return list;
+    for (std::size_t i = old.size(); i < edits.size(); ++i) {
+        const VascularSystem system = edits[i].system;
+        if (!gives_system(edits[i]) || system == VascularSystem::unknown) continue;
+        const auto had = before.find(system);
+        if (had == before.end() || count[system] <= had->second) continue;
+        const QString doubt =
+            Words::tr(
+                "The vessel given to the system \"%1\" touches no other vessel of it and is "
+                "a tree of its own: neither blood nor a drug comes to it from the others. If "
+                "it belongs to one of them, choose Link two vessels and click both.")
+                .arg(translated(title_of(system)));
+        if (!list.contains(doubt)) list << doubt;
+    }
+    return list;
 }
 
 void CaseEditing::show_bridges() {
@@ -200,8 +240,7 @@ void CaseEditing::click(const TreePoint& point) {
         station_at(workspace_.patient()->tree.segments[static_cast<std::size_t>(point.segment)],
                    point.arclength_mm)
             .position_mm;
-    if (edit.kind == TreeEditKind::reassign_system || edit.kind == TreeEditKind::seed_system)
-        edit.system = panel_.system();
+    if (gives_system(edit)) edit.system = panel_.system();
     if (edit.kind == TreeEditKind::add_link) {
         if (!link_from_mm_) {
             begin_link(edit.at_mm);
@@ -223,6 +262,15 @@ void CaseEditing::click_at(const Vec3& place_mm) {
     if (point.distance_mm > radius_mm + beside_wall_mm)
         return callbacks_.say(Words::tr("No vessel there: click on one"));
     click(point);
+}
+
+void CaseEditing::click_chosen() {
+    if (!workspace_.has_patient()) return;
+    const int branch = callbacks_.chosen_branch();
+    const std::vector<VesselSegment>& branches = workspace_.patient()->tree.segments;
+    if (branch < 0 || branch >= std::ssize(branches))
+        return callbacks_.say(Words::tr("Choose a row in the table of branches (F6) first"));
+    click({branch, 0.5 * length_mm(branches[static_cast<std::size_t>(branch)])});
 }
 
 void CaseEditing::accept(int bridge) {

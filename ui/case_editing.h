@@ -3,7 +3,9 @@
 // panel. The corrections are kept by the Workspace.
 #pragma once
 
+#include <QStringList>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -31,6 +33,7 @@ class CaseEditing {
         std::function<void(const Failure&)> not_drawn;
         std::function<void(const QString&)> warn;  // what a correction made doubtful
         std::function<void()> link_changed;        // link_from_mm() has changed
+        std::function<int()> chosen_branch;        // in the table of branches; -1: none
     };
     CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks callbacks);
 
@@ -55,6 +58,7 @@ class CaseEditing {
     void stop_drawing() { drawing_.reset(); }
 
   private:
+    void click_chosen();
     void begin_link(const std::optional<Vec3>& from_mm);
     void add_drawn(const TreeEdit& edit, const VesselPen::Answered& answered);
     void choose_bridge(int bridge);
@@ -62,6 +66,8 @@ class CaseEditing {
     // Lists and draws the gaps that are undecided and have enough confidence.
     void show_bridges();
     void warn_of_new_doubts();
+    // A sentence for each system that was given a vessel which became a tree of its own there.
+    QStringList given_apart();
 
     EditPanel& panel_;
     const Workspace& workspace_;
@@ -69,8 +75,11 @@ class CaseEditing {
     std::vector<Bridge> bridges_;  // shown in the panel, best first
     double least_confidence_ = 0.0;
     std::optional<Vec3> link_from_mm_;
-    std::vector<std::string> doubts_;  // of the shown body
-    int loops_ = 0;                    // number of loops among doubts_
+    std::vector<std::string> doubts_;      // of the shown body
+    int loops_ = 0;                        // number of loops among doubts_
+    std::vector<TreeEdit> edits_;          // of the shown body, like the two below
+    std::map<VascularSystem, int> roots_;  // number of trees
+    Vec3 begin_mm_ = Vec3::Zero();         // of the tree before the first correction
     std::unique_ptr<BackgroundJob> drawing_;
 };
 

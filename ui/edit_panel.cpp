@@ -94,6 +94,13 @@ QWidget* EditPanel::make_tools() {
         system_->addItem(translated(title_of(system)), number_of(system));
     system_->setEnabled(false);
     form->addRow(Words::tr("System"), system_);
+    auto* chosen = new QPushButton(Words::tr("Do it to the branch chosen in the table"), box);
+    chosen->setObjectName("editChosenBranch");
+    chosen->setToolTip(
+        Words::tr("As a click on the middle of the branch whose row is chosen in the table of "
+                  "branches (F6) would: for one that is too short to click on"));
+    form->addRow(chosen);
+    connect(chosen, &QPushButton::clicked, this, [this] { callbacks_.take_chosen(); });
     connect(tool_, &QComboBox::currentIndexChanged, this, [this, tip](int index) {
         tip->setText(Words::tr(tools.at(static_cast<std::size_t>(index)).tip));
         system_->setEnabled(tool() == TreeEditKind::reassign_system ||

@@ -28,6 +28,7 @@ class EditPanel : public QWidget {
         std::function<void()> undo;
         std::function<void()> redo;
         std::function<void()> tool_changed;
+        std::function<void()> take_chosen;  // the tool on the branch chosen in the table
     };
 
     explicit EditPanel(QWidget* parent = nullptr);

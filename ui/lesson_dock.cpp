@@ -346,6 +346,7 @@ void LessonDock::begin() {
         return ways_.failed(Words::tr("Begin the lesson"), std::current_exception());
     }
     find_next();
+    panel_->set_trial(tries);
     panel_->begin(*lesson_, doubts_about_places(*lesson_, patient->tree));
     show_figures();
     show();

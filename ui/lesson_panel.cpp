@@ -124,6 +124,8 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
     connect(attempts_, &QPushButton::clicked, this, [run = ways.attempts] { run(); });
     column->addWidget(attempts_);
     column->addLayout(make_name());
+    // The next key is one of the play again.
+    connect(name_, &QLineEdit::returnPressed, name_, &QWidget::clearFocus);
     connect(name_, &QLineEdit::editingFinished, this, [this, run = ways.name] {
         if (run) run(name_->text().simplified());
     });
@@ -186,7 +188,7 @@ void LessonPanel::show_standing(const LessonStanding& standing, bool clock_stand
     end_->setVisible(!running);
     report_->setVisible(!running);
     look_back_->setVisible(!running);
-    attempts_->setVisible(!running);
+    attempts_->setVisible(!running && !trial_);
     next_->setVisible(!running && !next_lesson_.empty());
     pass_->setVisible(running && !standing.pass.empty());
     limits_->setText(table_of(Words::tr("Limits"), limits_in_force(standing, lesson_),
@@ -242,6 +244,10 @@ void LessonPanel::show_end(const LessonStanding& standing) {
             .arg(said(Quantity::time_s, metrics.time_s), said(Quantity::path_mm, metrics.path_mm),
                  said(Quantity::peak_force_mn, metrics.peak_force_mn)) +
         "</p>";
+    if (trial_)
+        html += "<p>" +
+                Words::tr("Tried from the lesson editor: it is not kept among the attempts.") +
+                "</p>";
     end_->setText(html);
 }
 

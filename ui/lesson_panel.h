@@ -33,6 +33,8 @@ class LessonPanel : public QWidget {
 
     // Shows this lesson. `doubts`: sentences on whether it fits the patient.
     void begin(const Lesson& lesson, const std::vector<std::string>& doubts = {});
+    // Whether the lesson is tried from its editor: such an attempt is not kept.
+    void set_trial(bool trial) { trial_ = trial; }
     // The next lesson of the course; empty: there is none.
     void set_next(const std::string& lesson);
     void set_name(const QString& name);
@@ -68,6 +70,7 @@ class LessonPanel : public QWidget {
     QPushButton* attempts_;
     QLineEdit* name_;
     std::string next_lesson_;
+    bool trial_ = false;
 };
 
 }  // namespace hepatica

@@ -42,6 +42,19 @@ fs::path free_name(const fs::path& folder, const fs::path& name) {
     }
 }
 
+// Lessons are files of their own, and the CT is no part of a case.
+QString what_was_given(const ShelvedCase& one, const fs::path& to) {
+    QStringList files;
+    for (const ShelvedLesson& lesson : one.lessons)
+        if (lesson.patient == ShelvedLesson::Patient::this_case)
+            files << to_text(lesson.file.filename());
+    if (files.isEmpty()) return Words::tr("Saved: %1. The CT is not in it.").arg(to_text(to));
+    return Words::tr(
+               "Saved: %1. Neither the CT nor the lessons for this patient are in it: pass these "
+               "files on, too, to be put beside the case: %2")
+        .arg(to_text(to), files.join(", "));
+}
+
 }  // namespace
 
 LibraryDialog::LibraryDialog(Settings& settings, Ways ways, QWidget* parent)
@@ -185,6 +198,7 @@ void LibraryDialog::run(const QString& doing, BackgroundJob::Work work) {
             return QTimer::singleShot(0, this, [this] { read_folder(); });
         busy_ = false;
         show_chosen();
+        if (!said_.isEmpty()) messages_->show_notice(std::exchange(said_, {}));
     };
     busy_ = true;
     show_chosen();
@@ -244,16 +258,20 @@ void LibraryDialog::show_chosen() {
                                    "patient here: File > Save case as."));
 }
 
-void LibraryDialog::copy(const fs::path& from, const fs::path& to) {
-    run(Words::tr("Copy the case"), [this, from, to](Job& job) -> std::function<void()> {
+void LibraryDialog::copy(const fs::path& from, const fs::path& to, const QString& said) {
+    run(Words::tr("Copy the case"), [this, from, to, said](Job& job) -> std::function<void()> {
         job.begin_stage(Words::id("Copying the case"));
         write_case(to, read_case(from));
-        return [this] { reread_ = true; };
+        return [this, said] {
+            reread_ = true;
+            said_ = said;
+        };
     });
 }
 
 void LibraryDialog::give_away(const fs::path& to) {
-    if (const ShelvedCase* one = chosen(); one != nullptr && one->readable) copy(one->place, to);
+    if (const ShelvedCase* one = chosen(); one != nullptr && one->readable)
+        copy(one->place, to, what_was_given(*one, to));
 }
 
 void LibraryDialog::take_in(const fs::path& from) {

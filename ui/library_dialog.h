@@ -65,7 +65,9 @@ class LibraryDialog : public QDialog {
     void fill();
     void show_chosen();
     const ShelvedCase* chosen() const;
-    void copy(const std::filesystem::path& from, const std::filesystem::path& to);
+    // `said`: told once it is copied; may be empty.
+    void copy(const std::filesystem::path& from, const std::filesystem::path& to,
+              const QString& said = {});
     void run(const QString& doing, BackgroundJob::Work work);
 
     Settings& settings_;
@@ -74,6 +76,7 @@ class LibraryDialog : public QDialog {
     std::unique_ptr<BackgroundJob> job_;
     bool busy_ = false;
     bool reread_ = false;           // read the folder when the job has ended
+    QString said_;                  // to be told when the folder was read again
     std::filesystem::path chosen_;  // chosen again after the folder was read
     QLabel* folder_ = nullptr;
     QListWidget* list_ = nullptr;

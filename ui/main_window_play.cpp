@@ -148,6 +148,9 @@ void MainWindow::show_warnings(bool corrected) {
     const std::vector<std::string> before = std::exchange(warnings_, patient_->warnings);
     const std::uint64_t origin = keeper_->workspace().origin();
     const bool other_vessels = std::exchange(warnings_origin_, origin) != origin;
+    for (const std::string& warning : before)
+        if (!corrected || std::ranges::find(warnings_, warning) == warnings_.end())
+            log_->settle_warning(translated(warning));
     status_->show_warnings(warnings_.size());
     const QString said = messages_->text();
     bool fresh = false;
@@ -407,6 +410,10 @@ void MainWindow::lead_crosshair_to(int vertex) {
 }
 
 void MainWindow::inject(const SurfacePick& pick) {
+    if (frame().drug.arrival_s)
+        hint(Words::tr(
+            "This injection takes the place of the last one in the picture; what that one "
+            "reached and gave stays counted in a lesson"));
     post(inject_->injection_at(pick.position_mm));
 }
 

@@ -190,7 +190,8 @@ void MainWindow::build_editing() {
             },
             [this] {
                 if (patient_ && show_marks()) view_->draw_again();
-            }});
+            },
+            [this] { return branches_->isVisible() ? chosen_branch_ : -1; }});
 }
 
 }  // namespace hepatica

@@ -71,6 +71,15 @@ void MessageLog::add_warning(const QString& source, const QString& text) {
     add(Words::tr("Warning"), source, text);
 }
 
+void MessageLog::settle_warning(const QString& text) {
+    for (int row = 0; row < list_->topLevelItemCount(); ++row) {
+        QTreeWidgetItem& item = *list_->topLevelItem(row);
+        if (item.text(1) != Words::tr("Warning") || item.text(3) != text) continue;
+        item.setText(1, Words::tr("Warning, no longer so"));
+        item.setDisabled(true);
+    }
+}
+
 void MessageLog::add_failure(const QString& source, const Failure& failure) {
     QString text = translated(failure.problem);
     if (!failure.place.empty() && !names_its_place(failure))

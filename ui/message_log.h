@@ -20,6 +20,8 @@ class MessageLog : public QDialog {
 
     // `source`: the job or file that the message is about.
     void add_warning(const QString& source, const QString& text);
+    // Marks the warnings of these words as past: a branch that they name may be another one now.
+    void settle_warning(const QString& text);
     void add_failure(const QString& source, const Failure& failure);
 
     // Called with the index of a branch when a message that names it is double-clicked or Enter is

@@ -134,8 +134,11 @@ Json table_of_bounds(const std::vector<BoundStanding>& bounds,
     Json rows = Json::array();
     for (const BoundStanding& bound : bounds) {
         const bool unknown = std::isnan(bound.value);
-        const QString was = unknown ? Words::tr("not measured")
-                                    : in_words(bound.predicate.quantity, bound.value, units);
+        // A value that broke its bound has the digits that tell the two apart.
+        const std::string value = judged && !bound.kept
+                                      ? to_words_beside(bound.predicate, bound.value, units)
+                                      : to_words(bound.predicate.quantity, bound.value, units);
+        const QString was = unknown ? Words::tr("not measured") : translated(value);
         const QString kept = !judged ? Words::tr("not judged: the lesson did not reach its end")
                              : bound.kept ? Words::tr("yes")
                                           : Words::tr("no");
@@ -260,6 +263,11 @@ void add_verdict(HtmlReport& page, const Parts& parts) {
     if (!parts.lesson.about.empty()) page.add_paragraph(key(translated(parts.lesson.about)));
     page.add_heading(key(Words::tr("Steps")));
     page.add_table(table_of_steps(standing, parts.lesson));
+    if (!standing.goal.empty()) {
+        page.add_heading(
+            key(Words::tr("Goal of step %1, as far as it came").arg(standing.step + 1)));
+        page.add_table(table_of_bounds(standing.goal, marks, units, true));
+    }
     if (!standing.limits.empty()) page.add_heading(key(Words::tr("Limits")));
     if (!standing.limits.empty())
         page.add_table(table_of_bounds(standing.limits, marks, units, true));
@@ -281,7 +289,9 @@ HtmlReport page_of(const Parts& parts) {
     for (const auto& [file, caption] : parts.plots) page.add_picture(file, caption);
     page.add_heading(key(Words::tr("Pictures")));
     page.add_paragraph(
-        key(Words::tr("From the front, without perspective. Circles: the lesson's marks.")));
+        key(parts.lesson.marks.empty()
+                ? Words::tr("From the front, without perspective.")
+                : Words::tr("From the front, without perspective. Circles: the lesson's marks.")));
     if (parts.scored.standing.metrics.blood_lost_g > 0.0)
         page.add_paragraph(key(Words::tr("Red balls: blood, a tenth of the volume lost.")));
     for (const auto& [file, caption] : parts.pictures) page.add_picture(file, caption);

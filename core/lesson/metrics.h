@@ -52,7 +52,9 @@ struct LessonMoment {
     double grip_mn = 0.0;  // of the jaws
     double stretch = 1.0;  // largest principal stretch of the surface
     double leak_g_s = 0.0;
-    double target_filled = 0.0;     // share of the target's surface vertices reached by the drug
+    // Share of the target's surface vertices that the drug has reached since the lesson began; one
+    // that another injection took the place of, or that was removed, stays counted.
+    double target_filled = 0.0;
     double elsewhere_filled = 0.0;  // the same of all others
     bool drug_present = false;
     bool holding = false;  // the hand holds a vessel, or the tool touches one

@@ -87,6 +87,7 @@ PlayMeter::PlayMeter(const Lesson& lesson, std::shared_ptr<const PatientCase> pa
     if (!lesson.scene.flow) return;
     std::optional<TargetRegion> target;
     in_target_.assign(on_surface_.size(), 0);
+    reached_.assign(on_surface_.size(), 0);
     if (lesson.target) {
         target.emplace(patient_->tree,
                        nearest_point(patient_->tree, position_of(*lesson.target, patient_->tree)));
@@ -210,26 +211,31 @@ void PlayMeter::see_tear(const Frame& frame) {
     raise(metrics_.blood_lost_g, frame.tear->leaked_g - before_.leaked_g);
 }
 
-// Sorted once per injection, so that each step costs two binary searches.
-void PlayMeter::take_arrivals(const Frame& frame) {
-    drug_version_ = frame.drug.version;
+// Sorted once per injection, so that each step costs two binary searches. What the injections
+// before have reached counts as reached from the beginning.
+void PlayMeter::take_arrivals(const DrugView& drug) {
+    constexpr float at_once = -1.0f, never = std::numeric_limits<float>::infinity();
     target_arrivals_.clear();
     other_arrivals_.clear();
-    for (std::size_t i = 0; i < on_surface_.size(); ++i)
+    for (std::size_t i = 0; i < on_surface_.size(); ++i) {
+        const auto v = static_cast<std::size_t>(on_surface_[i]);
+        if (drug_.arrival_s && (*drug_.arrival_s)[v] <= static_cast<float>(drug_.time_s))
+            reached_[i] = 1;
+        const float arrival_s = drug.arrival_s ? (*drug.arrival_s)[v] : never;
         (in_target_[i] != 0 ? target_arrivals_ : other_arrivals_)
-            .push_back((*frame.drug.arrival_s)[on_surface_[i]]);
+            .push_back(reached_[i] != 0 ? at_once : arrival_s);
+    }
     std::ranges::sort(target_arrivals_);
     std::ranges::sort(other_arrivals_);
 }
 
 void PlayMeter::see_drug(const Frame& frame) {
     if (!dose_) return;
-    moment_.drug_present = frame.drug.arrival_s != nullptr;
-    if (moment_.drug_present && frame.drug.version != drug_version_) take_arrivals(frame);
-    moment_.target_filled =
-        moment_.drug_present ? share_reached(target_arrivals_, frame.drug.time_s) : 0.0;
-    moment_.elsewhere_filled =
-        moment_.drug_present ? share_reached(other_arrivals_, frame.drug.time_s) : 0.0;
+    if (frame.drug.version != drug_.version) take_arrivals(frame.drug);
+    drug_ = frame.drug;
+    moment_.drug_present = drug_.arrival_s != nullptr;
+    moment_.target_filled = share_reached(target_arrivals_, drug_.time_s);
+    moment_.elsewhere_filled = share_reached(other_arrivals_, drug_.time_s);
     dose_->see(frame.drug);
     const Dose dose = dose_->total();
     metrics_.injected_g = dose.injected_g;

@@ -54,7 +54,7 @@ class PlayMeter {
     void see_marks(const Frame& frame);
     void see_tear(const Frame& frame);
     void see_drug(const Frame& frame);
-    void take_arrivals(const Frame& frame);
+    void take_arrivals(const DrugView& drug);
 
     std::shared_ptr<const PatientCase> patient_;
     double dt_s_;
@@ -70,8 +70,9 @@ class PlayMeter {
     FeltForce felt_force_;
     std::optional<Vec3> tip_, hand_;  // of the frame before
     double since_touch_s_ = 1e9;
-    TearView before_;  // of the first frame
-    std::uint64_t drug_version_ = 0;
+    TearView before_;            // of the first frame
+    DrugView drug_;              // of the last frame
+    std::vector<char> reached_;  // per vertex of on_surface_, by the injections before
     std::vector<float> target_arrivals_, other_arrivals_;  // ascending
 };
 

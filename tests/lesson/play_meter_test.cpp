@@ -180,6 +180,45 @@ TEST(PlayMeter, WhatWasApartBeforeTearingBeganIsNoPieceOff) {
     EXPECT_EQ(meter.metrics().pieces_off, 1);
 }
 
+// What an injection has reached stays reached when another takes its place, and when it is removed.
+TEST(PlayMeter, WhatTheDrugHasReachedStaysReachedThroughAllInjections) {
+    Lesson lesson = plain_lesson();
+    lesson.scene.flow.emplace();
+    lesson.target = {{std::nullopt, 0.5}};
+    PlayMeter meter(lesson, small_patient());
+    meter.begin(rest_frame());
+    // About a third of the vertices at 1 s, a third at 5 s, the others practically never.
+    const std::size_t count = small_patient()->mesh.vertices_mm.size();
+    const auto arrivals = [count](std::size_t early, std::size_t late) {
+        auto times = std::make_shared<std::vector<float>>();
+        for (std::size_t v = 0; v < count; ++v) {
+            const std::size_t kind = ((v * 37) % 101) % 3;
+            times->push_back(kind == early ? 1.0f : kind == late ? 5.0f : 1e9f);
+        }
+        return times;
+    };
+    Frame frame = rest_frame();
+    const auto see = [&](double time_s) {
+        frame.drug.time_s = time_s;
+        meter.see(frame);
+        return std::array{meter.moment().target_filled, meter.moment().elsewhere_filled};
+    };
+    frame.drug.version = 1;
+    frame.drug.arrival_s = arrivals(0, 1);
+    const auto first = see(2.0);
+    for (const double share : first) EXPECT_GT(share, 0.1);
+    frame.drug.version = 2;
+    frame.drug.arrival_s = arrivals(2, 1);
+    EXPECT_EQ(see(0.5), first) << "the second has reached nothing yet";
+    const auto both = see(2.0);
+    for (std::size_t i = 0; i < both.size(); ++i) EXPECT_GT(both[i], first[i] + 0.1);
+    frame.drug = {};
+    frame.drug.version = 3;
+    EXPECT_EQ(see(0.0), both) << "removed";
+    EXPECT_FALSE(meter.moment().drug_present);
+    EXPECT_EQ(see(9.0), both) << "what had not arrived arrives no more";
+}
+
 // A wide vessel's middle is farther from its surface than what counts as near.
 TEST(PlayMeter, WhoTouchesTheVesselAtTheMarkIsNear) {
     Lesson lesson = plain_lesson();

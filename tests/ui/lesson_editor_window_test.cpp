@@ -126,6 +126,8 @@ TEST_F(LessonEditorWindowTest, a_lesson_is_tried_and_leaves_no_attempt) {
     window_.actions()[ActionId::pause_simulation].trigger();
     ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
     wait_for_figures();
+    EXPECT_TRUE(window_.lessons().findChild<QLabel*>("lessonEnd")->text().contains("not kept"));
+    EXPECT_TRUE(window_.lessons().findChild<QPushButton*>("lessonAttempts")->isHidden());
     window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
     EXPECT_TRUE(editor().isVisible());
     const Attempts attempts = all_attempts(to_path(settings_.recordings_folder()));

@@ -176,6 +176,7 @@ TEST_F(LessonPanelTest, says_in_the_end_whether_it_is_passed_and_why_not) {
     button("lessonLeave")->click();
     EXPECT_EQ(std::tuple(again_, left_, reports_, looks_back_, asked_for_attempts_),
               std::tuple(1, 1, 1, 1, 1));
+    EXPECT_FALSE(text("lessonEnd").contains("not kept")) << "it is no try";
     standing_.outcome = LessonOutcome::passed;
     standing_.reasons.clear();
     panel_.show_standing(standing_);

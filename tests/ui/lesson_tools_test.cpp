@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QStatusBar>
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include "ui/message_bar.h"
 #include "ui/mouse_tool.h"
 #include "ui/review_dock.h"
+#include "ui/slices/view_layout.h"
 
 namespace hepatica {
 namespace {
@@ -79,6 +81,42 @@ TEST_F(LessonToolsTest, a_scene_in_which_nothing_moves_is_told_of_no_tool) {
     ASSERT_TRUE(runs_for(0.3));
     EXPECT_EQ(window_.frame().statistics.message, "");
     EXPECT_FALSE(window_.view().mouse().hand().holds());
+}
+
+// Else the key of the next tool would stand in the name.
+TEST_F(LessonToolsTest, after_the_name_was_entered_keys_are_those_of_the_play) {
+    begin(new_lesson());
+    auto* name = window_.lessons().findChild<QLineEdit*>("lessonName");
+    ASSERT_NE(name, nullptr);
+    name->setFocus();
+    ASSERT_EQ(window_.focusWidget(), name);
+    QTest::keyClicks(name, "dr1");
+    QTest::keyClick(name, Qt::Key_Return);
+    EXPECT_NE(window_.focusWidget(), name);
+    EXPECT_EQ(name->text(), "dr1");
+}
+
+// They would lie over the vessels that it is about.
+TEST_F(LessonToolsTest, what_was_measured_before_is_not_drawn_while_it_is_played) {
+    open_built_in();
+    Measurements& measurements = window_.view_layout().slices().measurements();
+    const auto drawn = [this] { return window_.view().scene().measures().size(); };
+    const VesselTree& tree = test::small_patient()->tree;
+    measurements.choose(MeasurementKind::distance);
+    for (const int end : {0, 1})
+        measurements.add_point(tree.nodes[static_cast<std::size_t>(end)].position_mm,
+                               SlicePlane{Vec3(0, 1, 0), Vec3(1, 0, 0)}, tree);
+    measurements.choose(std::nullopt);
+    ASSERT_EQ(drawn(), 1u);
+    begin(new_lesson());
+    EXPECT_TRUE(testing::wait_for([&] { return drawn() == 0; }));
+    EXPECT_EQ(measurements.made().size(), 1u) << "they are kept";
+    measurements.choose(MeasurementKind::distance);
+    EXPECT_EQ(drawn(), 1u) << "whoever measures sees them";
+    measurements.choose(std::nullopt);
+    EXPECT_EQ(drawn(), 0u);
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    EXPECT_TRUE(testing::wait_for([&] { return drawn() == 1; }));
 }
 
 TEST_F(LessonToolsTest, what_it_does_not_allow_cannot_be_chosen) {

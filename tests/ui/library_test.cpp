@@ -355,6 +355,27 @@ TEST_F(LibraryTest, gives_a_case_away_and_takes_one_in) {
     EXPECT_EQ(fs::last_write_time(cases_ / "gift.hep"), before);
 }
 
+// The file holds neither the CT nor lessons, which whoever passes the case on must know.
+TEST_F(LibraryTest, says_what_a_case_in_one_file_does_not_hold) {
+    open_library();
+    const auto give = [this](const char* name) {
+        const fs::path file = to_path(folder_.filePath(name));
+        dialog().give_away(file);
+        EXPECT_TRUE(wait_for([&] { return fs::exists(file) && !dialog().busy(); }));
+        return dialog().messages().text();
+    };
+    const QString alone = give("alone.hepz");
+    EXPECT_TRUE(alone.contains("alone.hepz. The CT is not in it")) << alone.toStdString();
+    write_lesson_for(cases_ / "mine.json", "Of first", "first.hep");
+    write_lesson_for(cases_ / "other.json", "Of anybody", "any");
+    dialog().open_library();
+    ASSERT_TRUE(wait_for([this] { return !dialog().busy() && !dialog().cases().empty(); }));
+    const QString with_lesson = give("with lesson.hepz");
+    EXPECT_TRUE(with_lesson.contains("Neither the CT nor the lessons"))
+        << with_lesson.toStdString();
+    EXPECT_TRUE(with_lesson.endsWith(": mine.json")) << with_lesson.toStdString();
+}
+
 // The bar of the main window lies behind the library.
 TEST_F(LibraryTest, says_itself_why_a_case_cannot_be_taken_in) {
     open_library();

@@ -353,6 +353,16 @@ TEST_F(StandingWarnings, StayAboveTheViewThroughACorrection) {
     EXPECT_EQ(window_.log().as_text().count(of_image), 1) << "it is told once";
 }
 
+// Else what holds cannot be told from what was mended, or was said of another patient.
+TEST_F(StandingWarnings, ThatHoldNoLongerAreMarkedInTheLog) {
+    const auto marked = [this] { return window_.log().as_text().count("no longer so"); };
+    bridge_the_gap();
+    EXPECT_EQ(marked(), 0) << "both stand";
+    open_built_in();
+    EXPECT_EQ(window_.log().as_text().count(of_image), 2);
+    EXPECT_EQ(marked(), 2) << window_.log().as_text().toStdString();
+}
+
 TEST_F(StandingWarnings, AreJoinedByWhatACorrectionMakesDoubtful) {
     window_.actions()[ActionId::edit_mode].trigger();
     auto* tools = window_.findChild<QComboBox*>("EditTool");

@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QPushButton>
 #include <QSlider>
+#include <QStatusBar>
 #include <QStyle>
 #include <QStyleOptionSlider>
 
@@ -118,6 +119,13 @@ TEST_F(PlayControls, removing_the_drug_takes_its_clock_away) {
     EXPECT_FALSE(time().isEnabled());
     QTest::keyClick(&window_, Qt::Key_Space);
     EXPECT_TRUE(commands_of_type<PlayDrug>().empty());
+}
+
+TEST_F(PlayControls, of_a_second_injection_it_is_said_that_it_replaces_the_first) {
+    inject();
+    EXPECT_FALSE(window_.statusBar()->currentMessage().contains("takes the place"));
+    inject();
+    EXPECT_TRUE(window_.statusBar()->currentMessage().contains("takes the place of the last one"));
 }
 
 TEST_F(PlayControls, space_runs_the_drug_unless_a_button_has_the_focus) {
