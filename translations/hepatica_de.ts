@@ -8939,5 +8939,21 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>measured</source>
         <translation>gemessen</translation>
     </message>
+    <message>
+        <source>A place that is reached</source>
+        <translation>Ein erreichter Ort</translation>
+    </message>
+    <message>
+        <source>%1 mm to mark %2</source>
+        <translation>%1 mm bis zur Marke %2</translation>
+    </message>
+    <message>
+        <source>%1 mm to mark %2, move deeper</source>
+        <translation>%1 mm bis zur Marke %2, tiefer führen</translation>
+    </message>
+    <message>
+        <source>%1 mm to mark %2, move nearer</source>
+        <translation>%1 mm bis zur Marke %2, näher führen</translation>
+    </message>
 </context>
 </TS>
