@@ -8836,10 +8836,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>nichts geschnitten oder gerissen</translation>
     </message>
     <message>
-        <source>cut or torn at %1 places, %2 pieces</source>
-        <translation>an %1 Stellen geschnitten oder gerissen, %2 Stücke</translation>
-    </message>
-    <message>
         <source>Back to the rest shape: no pull, no tool, no cut, no drug</source>
         <translation>Zurück zur Ruheform: kein Zug, kein Werkzeug, kein Schnitt, kein Wirkstoff</translation>
     </message>
@@ -8954,6 +8950,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>%1 mm to mark %2, move nearer</source>
         <translation>%1 mm bis zur Marke %2, näher führen</translation>
+    </message>
+    <message>
+        <source>cut or torn: joints of the mesh broken: %1, pieces: %2</source>
+        <translation>geschnitten oder gerissen: gerissene Verbindungen des Netzes: %1, Stücke: %2</translation>
+    </message>
+    <message>
+        <source>begun to tear, nothing is apart yet</source>
+        <translation>angerissen, noch ist nichts getrennt</translation>
     </message>
 </context>
 </TS>

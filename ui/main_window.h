@@ -261,6 +261,7 @@ class MainWindow : public QMainWindow {
     void picture_shown(const PictureTime& time);
     void post(Command command);
     void set_mouse_mode(MouseMode mode);
+    QString guidance_of(MouseMode mode) const;  // what the mouse does, in the status bar
     void back_to_pulling();
     void take_tool(const std::string& kind);
     // Replaces the running simulation; null: by free play.
