@@ -8959,5 +8959,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>begun to tear, nothing is apart yet</source>
         <translation>angerissen, noch ist nichts getrennt</translation>
     </message>
+    <message>
+        <source>The play that was judged is left: &quot;Look back on it&quot; shows its recording.</source>
+        <translation>Die beurteilte Übung ist verlassen: „Darauf zurückblicken“ zeigt ihre Aufzeichnung.</translation>
+    </message>
 </context>
 </TS>

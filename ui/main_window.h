@@ -321,6 +321,7 @@ class MainWindow : public QMainWindow {
     QString warnings_text_;              // as they were told last
     std::uint64_t warnings_origin_ = 0;  // of the workspace, whose warnings they are
     QString report_program_;
+    QString cuts_message_;    // tells that cuts stay
     QString report_message_;  // tells where the last report is
     QString unfit_message_;   // names lessons that no longer fit
     QString place_message_;   // asks for a place of a lesson

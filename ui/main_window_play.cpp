@@ -288,6 +288,8 @@ void MainWindow::show_figures() {
     tool_panel_->show_force(frame.tool, frame.grab);
     tool_panel_->show_contact(frame);
     tool_panel_->show_tear(frame.tear);
+    if (!cuts_message_.isEmpty() && (!frame.tear || frame.tear->joints_broken == 0))
+        if (std::exchange(cuts_message_, {}) == messages_->text()) messages_->dismiss();
     curves_->follow_tear(frame);
     lessons_->show_figures();
     allow_tools();
@@ -352,6 +354,7 @@ void MainWindow::say_that_cuts_stay() {
         Words::tr("Undo is for corrections of the vessels: what was cut or torn in the play stays "
                   "so. Reset (Backspace) makes the vessels whole."),
         Words::tr("Reset"), [this] { (*actions_)[ActionId::reset].trigger(); });
+    cuts_message_ = messages_->text();
 }
 
 void MainWindow::say_missed() {

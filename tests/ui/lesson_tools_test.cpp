@@ -245,6 +245,8 @@ TEST_F(LessonToolsTest, its_mark_is_on_no_other_bodys_vessels) {
     EXPECT_TRUE(window_.lessons().marks_in(window_.frame()).empty());
     EXPECT_TRUE(window_.view().scene().marks().empty());
     EXPECT_FALSE(window_.lessons().isHidden()) << "how it went can still be read";
+    EXPECT_TRUE(shown("lessonClock").startsWith("The play that was judged is left"))
+        << shown("lessonClock").toStdString();
 }
 
 TEST_F(LessonToolsTest, its_marks_are_numbered_and_one_that_is_done_with_is_ticked) {

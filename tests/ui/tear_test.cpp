@@ -137,6 +137,20 @@ TEST_F(TearTest, of_undo_it_is_said_that_it_takes_no_cut_back_and_what_does) {
     EXPECT_EQ(window_.messages().text(), "");
 }
 
+TEST_F(TearTest, that_cuts_stay_is_said_no_more_once_all_is_whole_again) {
+    TearView cut;
+    cut.joints_broken = 4;
+    simulation_->show_tear(cut);
+    ASSERT_TRUE(testing::wait_for(
+        [this] { return window_.frame().tear && window_.frame().tear->joints_broken == 4; }));
+    QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier);
+    ASSERT_TRUE(window_.messages().text().contains("Reset (Backspace) makes the vessels whole"));
+    wait_for_figures();
+    EXPECT_NE(window_.messages().text(), "") << "they are cut still";
+    simulation_->show_tear(TearView{});
+    EXPECT_TRUE(testing::wait_for([this] { return window_.messages().text().isEmpty(); }));
+}
+
 TEST_F(TearTest, the_panel_switches_tearing_with_its_factor) {
     auto* factor = window_.findChild<QDoubleSpinBox*>("tearFactor");
     factor->setValue(0.1);
