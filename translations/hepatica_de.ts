@@ -3101,10 +3101,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Ziehen Sie es 10 mm beiseite, und halten Sie es dort eine Sekunde lang.</translation>
     </message>
     <message>
-        <source>Move slowly: what is stretched pulls back. Colours and the arrow&apos;s number show the force.</source>
-        <translation>Bewegen Sie sich langsam: Was gedehnt ist, zieht zurück. Farben und die Zahl am Pfeil zeigen die Kraft.</translation>
-    </message>
-    <message>
         <source>Let go and wait until it has swung back.</source>
         <translation>Lassen Sie los, und warten Sie, bis es zurückgeschwungen ist.</translation>
     </message>
@@ -8962,6 +8958,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>The play that was judged is left: &quot;Look back on it&quot; shows its recording.</source>
         <translation>Die beurteilte Übung ist verlassen: „Darauf zurückblicken“ zeigt ihre Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Removed; its text stands in the line for notes: Enter keeps it again</source>
+        <translation>Entfernt; der Text steht in der Zeile für Notizen: Enter behält ihn wieder</translation>
+    </message>
+    <message>
+        <source>Move slowly: what is stretched pulls back. The number at the held point shows the force.</source>
+        <translation>Bewegen Sie sich langsam: Was gedehnt ist, zieht zurück. Die Zahl am gehaltenen Punkt zeigt die Kraft.</translation>
     </message>
 </context>
 </TS>

@@ -149,6 +149,10 @@ TEST_F(ReviewWindowTest, notes_lie_beside_the_recording) {
     remove->click();
     EXPECT_TRUE(read_notes(file_).empty());
     EXPECT_EQ(events().count(), 2);
+    // It may have been the wrong one.
+    EXPECT_EQ(note->text(), "Slower <here>");
+    QTest::keyClick(note, Qt::Key_Return);
+    EXPECT_EQ(read_notes(file_), kept) << "at its moment, to which the click on it led";
 }
 
 TEST_F(ReviewWindowTest, nothing_can_be_done_to_it_and_leaving_gives_back_the_free_play) {
