@@ -10,7 +10,9 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
+#include "core/base/number_text.h"
 #include "render/palette.h"
 
 namespace hepatica {
@@ -33,18 +35,23 @@ Vec3 nearest_to(const Vec3& point, const std::vector<float>& positions_mm) {
 }
 
 // Relative to the viewing direction.
-const char* way_to_mark(double deeper_mm, double away_mm) {
+std::string way_to_mark(const MarkView& mark, double deeper_mm, double away_mm) {
     constexpr double hardly = 0.5;  // share of the whole distance
-    if (std::abs(deeper_mm) < hardly * away_mm) return " to the mark";
-    return deeper_mm > 0.0 ? " to the mark, move deeper" : " to the mark, move nearer";
+    const std::string to = mark.number.empty() ? " to the mark" : " to mark " + mark.number;
+    if (std::abs(deeper_mm) < hardly * away_mm) return to;
+    return to + (deeper_mm > 0.0 ? ", move deeper" : ", move nearer");
 }
 
+// The nearest mark that the present step asks for, or of all that are not reached where it asks for
+// none.
 const MarkView* nearest_waiting(const Vec3& point, const std::vector<MarkView>& marks) {
+    const auto farness = [&](const MarkView& mark) {
+        return std::pair(!mark.wanted, (mark.place_mm - point).squaredNorm());
+    };
     const MarkView* nearest = nullptr;
     for (const MarkView& mark : marks)
         if (mark.of_lesson && !mark.reached &&
-            (nearest == nullptr ||
-             (mark.place_mm - point).squaredNorm() < (nearest->place_mm - point).squaredNorm()))
+            (nearest == nullptr || farness(mark) < farness(*nearest)))
             nearest = &mark;
     return nearest;
 }
@@ -93,8 +100,9 @@ bool DepthStem::update(const std::optional<ToolView>& tool, const std::vector<fl
     const bool shows = away_mm >= touching_mm && (mark != nullptr || away_mm <= farthest_mm);
     line_->SetVisibility(shows);
     if (!shows) return label_.show({}, {}) || shown;
-    std::string text = std::to_string(std::lround(away_mm)) + " mm";
-    if (mark != nullptr) text += way_to_mark((end - tool->tip_mm).dot(forward), away_mm);
+    // With the decimals of the lesson's panel, so that no bound looks reached before it is.
+    std::string text = fixed_text(away_mm, mark != nullptr ? 1 : 0) + " mm";
+    if (mark != nullptr) text += way_to_mark(*mark, (end - tool->tip_mm).dot(forward), away_mm);
     if (shown && tool->tip_mm == tip_mm_ && end == end_mm_ && text == text_) return false;
     text_ = text;
     tip_mm_ = tool->tip_mm;

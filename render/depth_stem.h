@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shows how far a tool has to go: a line from its tip to the nearest mark that is not reached yet,
-// or, where there is none, to the nearest vertex of the vessels' surface, labelled with the
-// distance in millimetres. It conveys the depth that a perspective picture does not show.
+// Shows how far a tool has to go: a line from its tip to the nearest mark that the lesson's
+// present step asks for, else to the nearest that is not reached yet, else to the nearest vertex of
+// the vessels' surface, labelled with the distance in millimetres. It conveys the depth that a
+// perspective picture does not show.
 #pragma once
 
 #include <vtkSmartPointer.h>

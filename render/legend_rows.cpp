@@ -119,6 +119,7 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     if (content.tumours) swatch("Tumour", palette::tumour);
     if (content.touched) swatch("Touch and force", palette::touch, true);
     if (content.places) swatch("A place of the lesson", palette::torn_circle, true);
+    if (content.places_reached) swatch("A place that is reached", palette::reached, true);
     if (content.gaps) swatch("A gap, and how sure", palette::bridge);
     if (content.torn) swatch("Cut or torn", palette::torn);
     if (content.bleeds) swatch("Blood (1/10 of the volume)", palette::bleeding);

@@ -28,7 +28,8 @@ struct LegendContent {
     bool torn = false;
     bool bleeds = false;
     bool gaps = false;    // gaps that might be bridged
-    bool places = false;  // places of a lesson
+    bool places = false;  // places of a lesson that are not reached yet
+    bool places_reached = false;
     bool tumours = false;
     bool bright = false;  // systems have their bright colours
     bool operator==(const LegendContent&) const = default;

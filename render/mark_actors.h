@@ -25,6 +25,7 @@ struct MarkView {
     std::string number;  // shown beside it; may be empty
     bool reached = false;
     bool of_lesson = true;
+    bool wanted = false;  // the present step of the lesson asks for it
     bool operator==(const MarkView&) const = default;
 };
 

@@ -184,7 +184,13 @@ bool SceneView::set_crosshair(const std::optional<Vec3>& position_mm) {
 }
 
 bool SceneView::set_marks(std::vector<MarkView> marks) {
-    parts_->legend.places = std::ranges::any_of(marks, &MarkView::of_lesson);
+    const auto any_place = [&](bool reached) {
+        return std::ranges::any_of(marks, [reached](const MarkView& mark) {
+            return mark.of_lesson && mark.reached == reached;
+        });
+    };
+    parts_->legend.places = any_place(false);
+    parts_->legend.places_reached = any_place(true);
     return parts_->marks.update(std::move(marks));
 }
 

@@ -3097,10 +3097,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Ziehen Sie es 10 mm beiseite, und halten Sie es dort eine Sekunde lang.</translation>
     </message>
     <message>
-        <source>Move slowly: what is stretched pulls back. Colours and the arrow&apos;s number show the force.</source>
-        <translation>Bewegen Sie sich langsam: Was gedehnt ist, zieht zurück. Farben und die Zahl am Pfeil zeigen die Kraft.</translation>
-    </message>
-    <message>
         <source>Let go and wait until it has swung back.</source>
         <translation>Lassen Sie los, und warten Sie, bis es zurückgeschwungen ist.</translation>
     </message>
@@ -8804,10 +8800,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>nichts geschnitten oder gerissen</translation>
     </message>
     <message>
-        <source>cut or torn at %1 places, %2 pieces</source>
-        <translation>an %1 Stellen geschnitten oder gerissen, %2 Stücke</translation>
-    </message>
-    <message>
         <source>Back to the rest shape: no pull, no tool, no cut, no drug</source>
         <translation>Zurück zur Ruheform: kein Zug, kein Werkzeug, kein Schnitt, kein Wirkstoff</translation>
     </message>
@@ -9026,6 +9018,42 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Pausing only holds the clock. Del ends the injection and takes the drug out of the picture; what it has reached and the dose stay counted.</source>
         <translation>Anhalten hält nur die Uhr an. Entf beendet die Injektion und nimmt den Wirkstoff aus dem Bild; was er erreicht hat und die Dosis bleiben gezählt.</translation>
+    </message>
+    <message>
+        <source>A place that is reached</source>
+        <translation>Ein erreichter Ort</translation>
+    </message>
+    <message>
+        <source>%1 mm to mark %2</source>
+        <translation>%1 mm bis zur Marke %2</translation>
+    </message>
+    <message>
+        <source>%1 mm to mark %2, move deeper</source>
+        <translation>%1 mm bis zur Marke %2, tiefer führen</translation>
+    </message>
+    <message>
+        <source>%1 mm to mark %2, move nearer</source>
+        <translation>%1 mm bis zur Marke %2, näher führen</translation>
+    </message>
+    <message>
+        <source>cut or torn: joints of the mesh broken: %1, pieces: %2</source>
+        <translation>geschnitten oder gerissen: gerissene Verbindungen des Netzes: %1, Stücke: %2</translation>
+    </message>
+    <message>
+        <source>begun to tear, nothing is apart yet</source>
+        <translation>angerissen, noch ist nichts getrennt</translation>
+    </message>
+    <message>
+        <source>The play that was judged is left: &quot;Look back on it&quot; shows its recording.</source>
+        <translation>Die beurteilte Übung ist verlassen: „Darauf zurückblicken“ zeigt ihre Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Removed; its text stands in the line for notes: Enter keeps it again</source>
+        <translation>Entfernt; der Text steht in der Zeile für Notizen: Enter behält ihn wieder</translation>
+    </message>
+    <message>
+        <source>Move slowly: what is stretched pulls back. The number at the held point shows the force.</source>
+        <translation>Bewegen Sie sich langsam: Was gedehnt ist, zieht zurück. Die Zahl am gehaltenen Punkt zeigt die Kraft.</translation>
     </message>
 </context>
 </TS>

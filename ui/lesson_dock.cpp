@@ -394,7 +394,7 @@ void LessonDock::show_figures() {
         stands_at_end_ = true;
         ways_.ended();
     }
-    panel_->show_standing(watch_->standing(), clock_stands());
+    panel_->show_standing(watch_->standing(), clock_stands(), on_screen_);
     keep_result();
 }
 
@@ -437,6 +437,7 @@ void LessonDock::show_attempts() {
 void LessonDock::play_hidden(const fs::path& shown) {
     on_screen_ = false;
     if (watch_ && watch_->recording() != shown) hide();
+    show_figures();
 }
 
 std::vector<MarkView> LessonDock::marks_in(const Frame& frame) const {

@@ -173,12 +173,16 @@ void LessonPanel::begin(const Lesson& lesson, const std::vector<std::string>& do
     about_->setVisible(!lesson.about.empty());
 }
 
-void LessonPanel::show_standing(const LessonStanding& standing, bool clock_stands) {
+void LessonPanel::show_standing(const LessonStanding& standing, bool clock_stands, bool on_screen) {
     const bool running = standing.outcome == LessonOutcome::running;
-    clock_->setVisible(running || clock_stands);
+    clock_->setVisible(running || clock_stands || !on_screen);
     clock_->setText(
-        !running ? Words::tr("The play stands as it was judged, and the hand is empty, so that the "
-                             "wheel zooms: the first thing you do lets the play go on.")
+        !running && !on_screen
+            ? Words::tr(
+                  "The play that was judged is left: \"Look back on it\" shows its recording.")
+        : !running
+            ? Words::tr("The play stands as it was judged, and the hand is empty, so that the "
+                        "wheel zooms: the first thing you do lets the play go on.")
         : clock_stands ? Words::tr("The clock stands: it runs from the first thing you do.")
                        : Words::tr("Time: %1")
                              .arg(with_units_beside(translated(

@@ -40,8 +40,10 @@ class LessonPanel : public QWidget {
     void set_name(const QString& name);
     // Takes effect with the next standing.
     void set_units(FlowUnits units) { units_ = units; }
-    // `clock_stands`: nothing was done yet, or nothing since the end.
-    void show_standing(const LessonStanding& standing, bool clock_stands = false);
+    // `clock_stands`: nothing was done yet, or nothing since the end. `on_screen`: the view shows
+    // the lesson's play, and no review or free play after it.
+    void show_standing(const LessonStanding& standing, bool clock_stands = false,
+                       bool on_screen = true);
 
   private:
     QLayout* make_name();

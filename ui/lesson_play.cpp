@@ -46,8 +46,13 @@ LessonPlay LessonPlay::begin(const Lesson& lesson, std::shared_ptr<const Patient
     auto session = std::make_unique<Session>(std::move(patient), lesson.scene, job, back_end);
     play.watch->writer_ = std::make_unique<RecordingWriter>(recording, session->recording_start());
     session->record([watch = play.watch](RecordedStep step) { watch->keep(std::move(step)); });
-    session->watch([watch = play.watch](const std::vector<Command>& commands, const Frame& frame) {
-        return watch->see(commands, frame);
+    session->watch([watch = play.watch, played = session.get()](
+                       const std::vector<Command>& commands, const Frame& frame) {
+        const bool running = watch->see(commands, frame);
+        // At once, so that the play shown beside the verdict is the one that was judged: the window
+        // learns of the verdict some steps later.
+        if (!running) played->post(SetPaused{true});
+        return running;
     });
     for (const Command& command : play.watch->run_.setup()) session->post(command);
     if (lesson.scene.deform) session->post(SetAutomaticQuality{true});

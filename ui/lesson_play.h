@@ -50,8 +50,9 @@ struct LessonPlay {
     std::shared_ptr<LessonWatch> watch;
     std::unique_ptr<Simulation> simulation;  // running
 
-    // Builds the scene, performs the setup and pauses. The recording is written while playing and
-    // is complete once the simulation is destroyed. Throws InputError and Cancelled.
+    // Builds the scene, performs the setup and pauses; it pauses again at the verdict. The
+    // recording is written while playing and is complete once the simulation is destroyed. Throws
+    // InputError and Cancelled.
     static LessonPlay begin(const Lesson& lesson, std::shared_ptr<const PatientCase> patient,
                             const std::filesystem::path& recording, Job& job,
                             const DeformBackEnd& back_end = cpu_back_end());

@@ -262,6 +262,7 @@ class MainWindow : public QMainWindow {
     void picture_shown(const PictureTime& time);
     void post(Command command);
     void set_mouse_mode(MouseMode mode);
+    QString guidance_of(MouseMode mode) const;  // what the mouse does, in the status bar
     void back_to_pulling();
     void take_tool(const std::string& kind);
     // Replaces the running simulation; null: by free play.
@@ -321,6 +322,7 @@ class MainWindow : public QMainWindow {
     QString warnings_text_;              // as they were told last
     std::uint64_t warnings_origin_ = 0;  // of the workspace, whose warnings they are
     QString report_program_;
+    QString cuts_message_;    // tells that cuts stay
     QString report_message_;  // tells where the last report is
     QString unfit_message_;   // names lessons that no longer fit
     QString place_message_;   // asks for a place of a lesson

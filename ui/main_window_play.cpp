@@ -291,6 +291,8 @@ void MainWindow::show_figures() {
     tool_panel_->show_force(frame.tool, frame.grab);
     tool_panel_->show_contact(frame);
     tool_panel_->show_tear(frame.tear);
+    if (!cuts_message_.isEmpty() && (!frame.tear || frame.tear->joints_broken == 0))
+        if (std::exchange(cuts_message_, {}) == messages_->text()) messages_->dismiss();
     curves_->follow_tear(frame);
     lessons_->show_figures();
     allow_tools();
@@ -355,6 +357,7 @@ void MainWindow::say_that_cuts_stay() {
         Words::tr("Undo is for corrections of the vessels: what was cut or torn in the play stays "
                   "so. Reset (Backspace) makes the vessels whole."),
         Words::tr("Reset"), [this] { (*actions_)[ActionId::reset].trigger(); });
+    cuts_message_ = messages_->text();
 }
 
 void MainWindow::say_missed() {
@@ -455,8 +458,8 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
     Measurements& measurements = view_layout_->slices().measurements();
     if (mode != MouseMode::measure && measurements.chosen()) measurements.choose(std::nullopt);
     view_->setCursor(mode == MouseMode::pull ? Qt::ArrowCursor : Qt::CrossCursor);
-    tool_panel_->show_kind(view_->mouse().hand().kind());
     const bool draws = mode == MouseMode::cut || mode == MouseMode::weaken;
+    tool_panel_->show_kind(view_->mouse().hand().kind(), draws ? guidance_of(mode) : QString());
     if (mode == MouseMode::tool || draws) findChild<QDockWidget*>("Tool")->raise();
     if (mode == MouseMode::edit) {
         // What a click does is chosen there, so it is shown again where it was closed.
@@ -464,19 +467,22 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
         findChild<QDockWidget*>("Corrections")->raise();
     }
     if (mode == MouseMode::inject) findChild<QDockWidget*>("Injection")->raise();
-    statusBar()->showMessage(
-        mode == MouseMode::pull && !view_->mouse().may_pull()
-            ? Words::tr("Choose a tool; a drag turns the view")
-        : mode == MouseMode::pull    ? Words::tr("Drag a vessel to pull it")
-        : mode == MouseMode::inject  ? Words::tr("Click on a vessel to inject there")
-        : mode == MouseMode::edit    ? Words::tr("Click on a vessel to correct the tree")
-        : mode == MouseMode::place   ? Words::tr("Click on a vessel: the place is there")
-        : mode == MouseMode::measure ? translated(ruler_->guidance())
-        : mode == MouseMode::cut     ? Words::tr("Draw a line across a vessel to cut it")
-        : mode == MouseMode::weaken
-            ? Words::tr("Draw a line across a vessel: it tears there when pulled")
-            : Words::tr("The mouse leads the tool, the wheel moves it in depth"),
-        6000);
+    constexpr int readable_ms = 6000;
+    statusBar()->showMessage(guidance_of(mode), readable_ms);
+}
+
+QString MainWindow::guidance_of(MouseMode mode) const {
+    return mode == MouseMode::pull && !view_->mouse().may_pull()
+               ? Words::tr("Choose a tool; a drag turns the view")
+           : mode == MouseMode::pull    ? Words::tr("Drag a vessel to pull it")
+           : mode == MouseMode::inject  ? Words::tr("Click on a vessel to inject there")
+           : mode == MouseMode::edit    ? Words::tr("Click on a vessel to correct the tree")
+           : mode == MouseMode::place   ? Words::tr("Click on a vessel: the place is there")
+           : mode == MouseMode::measure ? translated(ruler_->guidance())
+           : mode == MouseMode::cut     ? Words::tr("Draw a line across a vessel to cut it")
+           : mode == MouseMode::weaken
+               ? Words::tr("Draw a line across a vessel: it tears there when pulled")
+               : Words::tr("The mouse leads the tool, the wheel moves it in depth");
 }
 
 // Also if a lesson forbids pulling; then a drag does nothing to the vessels.

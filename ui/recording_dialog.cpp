@@ -72,9 +72,11 @@ QString title_of(const RecordingFacts& facts) {
 }
 
 std::array<QString, 2> headings_of(const RecordingFacts& one, const RecordingFacts& other) {
+    // What tells them apart comes first: the end of a long heading may not be seen.
     const auto heading = [](int number, const RecordingFacts& facts) {
-        return QString("%1: %2 (%3)")
-            .arg(QString::number(number), to_text(facts.file.filename()), title_of(facts));
+        const QString result = facts.result.isEmpty() ? QString() : ", " + facts.result;
+        return QString("%1: %2%3 (%4)")
+            .arg(QString::number(number), title_of(facts), result, to_text(facts.file.filename()));
     };
     return {heading(1, one), heading(2, other)};
 }

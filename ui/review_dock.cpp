@@ -260,10 +260,6 @@ void ReviewDock::ask_for_case() {
     });
 }
 
-void ReviewDock::patient_not_shown() {
-    if (waits_) forget();
-}
-
 void ReviewDock::patient_shown() {
     const bool comes_by_hand =
         asks_ && ways_.patient() && hash_of(*ways_.patient()) == recording_->patient_hash;
@@ -453,7 +449,10 @@ void ReviewDock::remove_note() {
     if (!reviewing() || !index) return;
     std::vector<PlayNote> notes = notes_;
     notes.erase(notes.begin() + static_cast<std::ptrdiff_t>(*index));
-    keep(std::move(notes));
+    const QString text = QString::fromStdString(notes_[*index].text);
+    if (!keep(std::move(notes))) return;
+    note_->setText(note_->text().isEmpty() ? text : note_->text() + " " + text);
+    ways_.say(Words::tr("Removed; its text stands in the line for notes: Enter keeps it again"));
 }
 
 // Written at once; on failure the former notes stay.

@@ -85,7 +85,9 @@ class ReviewDock : public QDockWidget {
     // Stops the review and all reading; the simulation stays.
     void end() { forget(); }
     // The patient being opened will not come: a recording that waits for him is dropped.
-    void patient_not_shown();
+    void patient_not_shown() {
+        if (waits_) forget();
+    }
     // Another patient is shown: a recording that waited for him, or asked for his case, begins; one
     // of another patient ends.
     void patient_shown();

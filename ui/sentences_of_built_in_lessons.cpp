@@ -40,7 +40,7 @@ constexpr std::array sentences_built_in_lessons{
     Words::id("Take hold of the vessel at the mark."),
     Words::id("Press the left mouse button on the vessel and keep it down."),
     Words::id("Pull it 10 mm aside and hold it there for a second."),
-    Words::id("Move slowly: what is stretched pulls back. Colours and the arrow's number show the "
+    Words::id("Move slowly: what is stretched pulls back. The number at the held point shows the "
               "force."),
     Words::id("Let go and wait until it has swung back."),
     Words::id("Release the button."),

@@ -37,11 +37,20 @@ QString leaked_drug_text(const TearView& tear, FlowUnits units) {
         .arg(tear.leaked_drug_g, 0, 'f', 1);
 }
 
+// Faces part before they come apart, and a lesson counts their area.
+bool is_split(const TearView& tear) {
+    if (tear.origins == nullptr) return false;
+    for (std::size_t v = 0; v < tear.origins->size(); ++v)
+        if ((*tear.origins)[v] != static_cast<int>(v)) return true;
+    return false;
+}
+
 QString bleeding_text(const TearView& tear, FlowUnits units) {
+    constexpr double with_tenths_g = 9.95;  // below this, as in a lesson's panel
     if (units == FlowUnits::computed)
         return Words::tr("; bleeds %L1 g/s, %L2 g so far")
             .arg(tear.leak_g_s, 0, 'f', 1)
-            .arg(tear.leaked_g, 0, 'f', 0);
+            .arg(tear.leaked_g, 0, 'f', tear.leaked_g < with_tenths_g ? 1 : 0);
     const double density_g_mm3 = blood().density_g_mm3;
     return Words::tr("; bleeds %L1 mL/min, %L2 mL so far")
         .arg(ml_min_of(tear.leak_g_s, density_g_mm3), 0, 'f', 0)
@@ -223,10 +232,12 @@ void ToolPanel::show_tear(const std::optional<TearView>& tear) {
     tears_->setChecked(tear.has_value());
     torn_->setToolTip({});
     if (!tear) return torn_->setText(Words::tr("whole"));
-    QString text = tear->joints_broken == 0 ? Words::tr("nothing cut or torn")
-                                            : Words::tr("cut or torn at %1 places, %2 pieces")
-                                                  .arg(tear->joints_broken)
-                                                  .arg(tear->pieces);
+    QString text = tear->joints_broken > 0
+                       ? Words::tr("cut or torn: joints of the mesh broken: %1, pieces: %2")
+                             .arg(tear->joints_broken)
+                             .arg(tear->pieces)
+                   : is_split(*tear) ? Words::tr("begun to tear, nothing is apart yet")
+                                     : Words::tr("nothing cut or torn");
     torn_->setToolTip(Words::tr("Damage, as entropy produced by tearing: %L1 nats")
                           .arg(tear->entropy_produced_nats, 0, 'f', 2));
     if (tear->leak_g_s > 0.0 || tear->leaked_g > 0.0)
@@ -260,10 +271,11 @@ ToolSize ToolPanel::size() const {
     return {radius_->value(), length_->value()};
 }
 
-void ToolPanel::show_kind(const std::string& kind) {
+void ToolPanel::show_kind(const std::string& kind, const QString& line_help) {
     length_->setEnabled(kind != "sphere");
     help_->setText(
-        kind.empty()
+        !line_help.isEmpty() ? line_help
+        : kind.empty()
             ? Words::tr("Take a tool from the bar above the view.")
             : Words::tr("The mouse leads its tip, the wheel moves it in depth (Ctrl + wheel "
                         "zooms), T and Shift + T turn it, C closes and opens forceps. Esc puts it "

@@ -46,8 +46,9 @@ class ToolPanel : public QWidget {
     void begin_play(bool free);
     // Whether contact and tearing may be changed.
     void allow_settings(bool allowed);
-    // Empty if there is no tool.
-    void show_kind(const std::string& kind);
+    // The kind is empty if there is no tool. `line_help`: how lines are drawn, while the mouse
+    // draws them.
+    void show_kind(const std::string& kind, const QString& line_help = {});
     // The force on the tool; without a tool, that of the pulling hand.
     void show_force(const std::optional<ToolView>& tool, const std::optional<GrabView>& hand);
 

@@ -159,6 +159,10 @@ TEST(LegendRows, SayWhatGreenAndRedMeanWhereTheyAreShown) {
     EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::touch});
     EXPECT_EQ(legend_rows(content)[1].colours, std::vector{palette::torn_circle});
     EXPECT_EQ(legend_rows(content)[2].colours, std::vector{palette::bridge});
+    content.places = false;
+    content.places_reached = true;
+    EXPECT_EQ(texts_of(content)[1], "A place that is reached");
+    EXPECT_EQ(legend_rows(content)[1].colours, std::vector{palette::reached});
 }
 
 // Each label of the bar of loads stands below the colour that a vessel of that load has.
@@ -190,7 +194,12 @@ TEST(LegendPlace, HasARowMoreForGapsAndForPlaces) {
     const double with_gaps = height();
     EXPECT_GT(with_gaps, alone);
     view.set_marks({{Vec3(0, 0, 0), "1", false}});
-    EXPECT_GT(height(), with_gaps);
+    const double with_place = height();
+    EXPECT_GT(with_place, with_gaps);
+    view.set_marks({{Vec3(0, 0, 0), "1", true}});
+    EXPECT_EQ(height(), with_place) << "the row of reached ones stands for it";
+    view.set_marks({{Vec3(0, 0, 0), "1", true}, {Vec3(0, 0, 9), "2", false}});
+    EXPECT_GT(height(), with_place);
     view.set_marks({});
     view.set_bridges({});
     EXPECT_EQ(height(), alone);

@@ -141,11 +141,16 @@ TEST_F(MarksAndMeasures, a_line_says_how_far_the_tool_is_from_the_mark_and_wheth
         return last;
     };
     const ViewAxes axes = view_.axes();
-    EXPECT_EQ(said({{tip + 12.0 * axes.right, "", false}}), "12 mm to the mark");
-    EXPECT_EQ(said({{tip + 12.0 * axes.forward, "", false}}), "12 mm to the mark, move deeper");
-    EXPECT_EQ(said({{tip - 12.0 * axes.forward, "", false}}), "12 mm to the mark, move nearer");
+    EXPECT_EQ(said({{tip + 12.0 * axes.right, "", false}}), "12.0 mm to the mark");
+    EXPECT_EQ(said({{tip + 12.0 * axes.forward, "", false}}), "12.0 mm to the mark, move deeper");
+    EXPECT_EQ(said({{tip - 12.0 * axes.forward, "", false}}), "12.0 mm to the mark, move nearer");
     EXPECT_EQ(said({{tip + 90.0 * axes.right, "", false}, {tip + 7.0 * axes.up, "", false}}),
-              "7 mm to the mark");
+              "7.0 mm to the mark");
+    EXPECT_EQ(said({{tip + 12.4 * axes.right, "", false}}), "12.4 mm to the mark")
+        << "12 mm would look like a bound that is reached";
+    // The step asks for the first, though the second is nearer.
+    const MarkView asked{tip + 33.5 * axes.right, "1", false, true, true};
+    EXPECT_EQ(said({asked, {tip + 16.0 * axes.right, "2", false}}), "33.5 mm to mark 1");
     const std::string vessel = said({{tip + 12.0 * axes.right, "", true}});
     EXPECT_TRUE(vessel.ends_with(" mm")) << "it is done with: " << vessel;
     const Picture near_vessel = picture();

@@ -97,6 +97,11 @@ TEST_F(LessonPanelTest, says_what_the_wheel_does_after_the_verdict) {
     panel_.show_standing(standing_, true);
     EXPECT_TRUE(text("lessonClock").contains("the wheel zooms"));
     EXPECT_FALSE(panel_.findChild<QLabel*>("lessonClock")->isHidden());
+    // A review or free play is shown instead.
+    panel_.show_standing(standing_, true, false);
+    EXPECT_FALSE(text("lessonClock").contains("stands as it was judged"));
+    EXPECT_TRUE(text("lessonClock").contains("The play that was judged is left"));
+    EXPECT_FALSE(panel_.findChild<QLabel*>("lessonClock")->isHidden());
 }
 
 TEST_F(LessonPanelTest, says_of_what_must_not_be_that_the_number_beside_it_was_counted) {

@@ -17,12 +17,14 @@
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_writer.h"
 #include "core/lesson/score.h"
+#include "core/session/recording_file.h"
 #include "tests/session/small_patient.h"
 #include "tests/ui/lesson_window_test.h"
 #include "ui/attempts_dialog.h"
 #include "ui/course_dialog.h"
 #include "ui/lesson_dock.h"
 #include "ui/lesson_editor/lesson_editor.h"
+#include "ui/lesson_play.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
 #include "ui/review_dock.h"
@@ -104,6 +106,25 @@ TEST_F(LessonWindowTest, the_hand_is_empty_after_the_verdict) {
     EXPECT_FALSE(window_.frame().grab);
     EXPECT_TRUE(window_.frame().statistics.paused) << "the end of that drag begins nothing";
     EXPECT_EQ(window_.findChild<QLabel*>("toolForce")->text(), "no tool");
+}
+
+// Blood and drug of some more steps would stand beside the judged ones.
+TEST(LessonPlay, NotAStepIsPlayedAfterTheVerdict) {
+    const QTemporaryDir folder;
+    const std::filesystem::path file = to_path(folder.filePath("play.hrec"));
+    Lesson lesson = new_lesson();
+    lesson.limits = {{Quantity::time_s, -1, false, 0.2}};
+    Job job;
+    const LessonPlay play = LessonPlay::begin(lesson, test::small_patient(), file, job);
+    play.simulation->post(SetPaused{false});
+    ASSERT_TRUE(wait_for([&] {
+        const bool judged = play.watch->recorded();
+        play.simulation->update_frame();
+        return judged && play.simulation->frame().statistics.resting;
+    })) << "it goes on";
+    EXPECT_TRUE(play.simulation->frame().statistics.paused);
+    EXPECT_EQ(play.simulation->frame().step, read_recording(file).steps.size() + 1)
+        << "the step that was judged, and the one that pauses";
 }
 
 TEST(LearningCurve, HasAPointForEachAttemptAndTheBandOfTheReferences) {

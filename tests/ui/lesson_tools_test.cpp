@@ -13,6 +13,7 @@
 #include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_writer.h"
 #include "tests/ui/lesson_window_test.h"
+#include "ui/lesson_marks.h"
 #include "ui/message_bar.h"
 #include "ui/mouse_tool.h"
 #include "ui/review_dock.h"
@@ -46,6 +47,26 @@ class LessonToolsTest : public testing::LessonWindowTest {
     LessonStanding standing() { return window_.lessons().standing(); }
     QAction& action(ActionId id) { return window_.actions()[id]; }
 };
+
+TEST(LessonMarks, the_one_that_the_step_names_is_wanted_and_all_are_reached_at_the_end) {
+    Lesson lesson;
+    lesson.marks = {{"first", {}}, {"second", {}}, {"of no goal", {}}};
+    lesson.steps.resize(2);
+    lesson.steps[0].goal = {{Quantity::distance_mm, 0, false, 12.0}};
+    lesson.steps[1].goal = {{Quantity::distance_mm, 1, false, 12.0}};
+    const std::vector<Vec3> places_mm(3, Vec3::Zero());
+    const auto seen = [&](std::size_t step, bool MarkView::*what) {
+        std::vector<bool> list;
+        for (const MarkView& mark : views_of_marks(lesson, places_mm, step))
+            list.push_back(mark.*what);
+        return list;
+    };
+    EXPECT_EQ(seen(0, &MarkView::wanted), (std::vector{true, false, false}));
+    EXPECT_EQ(seen(1, &MarkView::wanted), (std::vector{false, true, false}));
+    EXPECT_EQ(seen(1, &MarkView::reached), (std::vector{true, false, false}));
+    EXPECT_EQ(seen(2, &MarkView::wanted), (std::vector{false, false, false}));
+    EXPECT_EQ(seen(2, &MarkView::reached), (std::vector{true, true, true}));
+}
 
 TEST_F(LessonToolsTest, it_begins_with_nothing_of_the_play_before) {
     open_built_in();
@@ -262,6 +283,8 @@ TEST_F(LessonToolsTest, its_mark_is_on_no_other_bodys_vessels) {
     EXPECT_TRUE(window_.lessons().marks_in(window_.frame()).empty());
     EXPECT_TRUE(window_.view().scene().marks().empty());
     EXPECT_FALSE(window_.lessons().isHidden()) << "how it went can still be read";
+    EXPECT_TRUE(shown("lessonClock").startsWith("The play that was judged is left"))
+        << shown("lessonClock").toStdString();
 }
 
 TEST_F(LessonToolsTest, its_marks_are_numbered_and_one_that_is_done_with_is_ticked) {

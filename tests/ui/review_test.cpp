@@ -46,19 +46,23 @@ TEST(ReviewTitle, OfTwoFilesOfOneNameTellsThemApartWithoutTheirFolders) {
     const std::array<QString, 2> headings = headings_of(one, other);
     EXPECT_NE(headings[0], headings[1]);
     for (const QString& heading : headings) {
-        EXPECT_TRUE(heading.contains("play.hrec (Gentle pull")) << heading.toStdString();
+        EXPECT_TRUE(heading.contains("(play.hrec)")) << heading.toStdString();
         EXPECT_FALSE(heading.contains("Beispiel")) << heading.toStdString();
     }
 }
 
-// Recordings of a lesson begin alike, and little of a long heading may be seen.
-TEST(ReviewTitle, OfTwoFilesOfOneLessonBeginsDifferently) {
+// The files' names begin alike, and little of a long heading may be seen.
+TEST(ReviewTitle, OfTwoFilesOfOneLessonBeginsWithWhatTellsThemApart) {
     RecordingFacts one, other;
+    one.lesson = other.lesson = "Gentle pull";
+    one.played = "28 Nov 2026, 09:39";
+    other.played = "28 Nov 2026, 09:38";
+    one.result = "not passed";
     one.file = "gentle_pull-20261126-034000-123.hrec";
     other.file = "gentle_pull-20261126-034100-123.hrec";
     const std::array<QString, 2> headings = headings_of(one, other);
-    EXPECT_TRUE(headings[0].startsWith("1: gentle_pull"));
-    EXPECT_TRUE(headings[1].startsWith("2: gentle_pull"));
+    EXPECT_TRUE(headings[0].startsWith("1: Gentle pull, 28 Nov 2026, 09:39, not passed (gentle_"));
+    EXPECT_TRUE(headings[1].startsWith("2: Gentle pull, 28 Nov 2026, 09:38 (gentle_"));
 }
 
 TEST_F(ReviewWindowTest, goes_to_any_moment_of_the_play) {
@@ -145,6 +149,10 @@ TEST_F(ReviewWindowTest, notes_lie_beside_the_recording) {
     remove->click();
     EXPECT_TRUE(read_notes(file_).empty());
     EXPECT_EQ(events().count(), 2);
+    // It may have been the wrong one.
+    EXPECT_EQ(note->text(), "Slower <here>");
+    QTest::keyClick(note, Qt::Key_Return);
+    EXPECT_EQ(read_notes(file_), kept) << "at its moment, to which the click on it led";
 }
 
 TEST_F(ReviewWindowTest, nothing_can_be_done_to_it_and_leaving_gives_back_the_free_play) {

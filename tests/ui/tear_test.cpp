@@ -45,6 +45,10 @@ TEST_F(TearTest, a_blade_goes_along_the_line_at_the_vessels_depth) {
 TEST_F(TearTest, a_cut_line_is_the_section_under_it) {
     window_.findChild<QDoubleSpinBox*>("lineStrength")->setValue(0.25);
     QTest::keyClick(&window_, Qt::Key_9);
+    const auto shown = window_.findChild<QDockWidget*>("Tool")->findChildren<QLabel*>("quiet");
+    EXPECT_TRUE(std::ranges::any_of(shown, [](const QLabel* label) {
+        return label->text() == "Draw a line across a vessel: it tears there when pulled";
+    })) << "and not to take a tool";
     draw(on_trunk() - QPoint(60, 0), on_trunk() + QPoint(60, 0));
     ASSERT_EQ(commands_of_type<CutLine>().size(), 1u);
     const CutLine line = commands_of_type<CutLine>()[0];
@@ -131,6 +135,20 @@ TEST_F(TearTest, of_undo_it_is_said_that_it_takes_no_cut_back_and_what_does) {
     (*reset)->click();
     EXPECT_EQ(commands_of_type<ResetWorld>().size(), 1u);
     EXPECT_EQ(window_.messages().text(), "");
+}
+
+TEST_F(TearTest, that_cuts_stay_is_said_no_more_once_all_is_whole_again) {
+    TearView cut;
+    cut.joints_broken = 4;
+    simulation_->show_tear(cut);
+    ASSERT_TRUE(testing::wait_for(
+        [this] { return window_.frame().tear && window_.frame().tear->joints_broken == 4; }));
+    QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier);
+    ASSERT_TRUE(window_.messages().text().contains("Reset (Backspace) makes the vessels whole"));
+    wait_for_figures();
+    EXPECT_NE(window_.messages().text(), "") << "they are cut still";
+    simulation_->show_tear(TearView{});
+    EXPECT_TRUE(testing::wait_for([this] { return window_.messages().text().isEmpty(); }));
 }
 
 TEST_F(TearTest, the_panel_switches_tearing_with_its_factor) {
