@@ -43,7 +43,9 @@ void add_bench_contacts(CommandLine& line) {
     verb.add_option("--threads", options->threads, "Of ours")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
-    verb.add_option("--budget-ms", options->budget_ms, "Of a step in time")->capture_default_str();
+    verb.add_option("--budget-ms", options->budget_ms, "Of a step in time")
+        ->check(CLI::Range(0.01, 1e4))
+        ->capture_default_str();
 }
 
 }  // namespace hepatica

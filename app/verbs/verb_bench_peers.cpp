@@ -142,7 +142,8 @@ void add_bench_peers(CommandLine& line) {
     verb.add_option("--steps", options->steps, "Steps of 0.01 s, from straight to rest")
         ->check(CLI::Range(1, 100000));
     verb.add_option("--largest", options->largest,
-                    "Leave out beams of more tetrahedra (1080, 10290, 51840)");
+                    "Leave out beams of more tetrahedra (1080, 10290, 51840)")
+        ->check(CLI::Range(1080, 1'000'000));
     verb.add_option("--threads", options->threads, "Of ours; Bullet's deformable world has one")
         ->check(CLI::Range(1, 256));
     verb.add_option("--energy-tolerance", options->energy_tolerance,

@@ -136,7 +136,9 @@ void add_bench_reconstruct(CommandLine& line) {
         ->capture_default_str();
     verb.add_option("--spacing", options->spacing, "Size of its voxels, x,y,z [mm]")
         ->capture_default_str();
-    verb.add_option("--seed", options->seed, "Which synthetic patient")->capture_default_str();
+    verb.add_option("--seed", options->seed, "Which synthetic patient")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     for (const char* of_synthetic : {"--dims", "--spacing", "--seed"})
         ct->excludes(verb.get_option(of_synthetic));
     verb.add_option("--out", options->out, "Folder for the patient and the case")

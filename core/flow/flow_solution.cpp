@@ -267,7 +267,7 @@ void NetworkFlow::read_back(const HydraulicState& state) {
             q = inlet.value / inlet.fluid.density_g_mm3;
             surplus[inlet.node] += q;
         } else {
-            q = -surplus[inlet.node];
+            q = 0.0 - surplus[inlet.node];  // without the sign of -0
             surplus[inlet.node] = 0.0;
         }
         total_inflow += std::abs(q);

@@ -49,6 +49,19 @@ TEST(BadValue, OfVeinsThatAPhantomLacksIsRefused) {
         EXPECT_NE(run.errors.find(named), std::string::npos) << run.errors;
 }
 
+TEST(BadValue, OfABenchmarkIsRefused) {
+    for (const std::vector<std::string>& call :
+         {std::vector<std::string>{"bench", "contacts", "--steps", "5", "--budget-ms", "-1"},
+          {"bench", "refinement", "--generations", "1", "--recursions", "0", "--seed", "-1"},
+          {"bench", "reconstruct", "--dims", "32,32,32", "--seed", "-1"},
+          {"bench", "peers", "--steps", "1", "--largest", "5"}}) {
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 2) << call[1] << ": " << run.errors;
+        EXPECT_NE(run.errors.find(call[call.size() - 2]), std::string::npos) << run.errors;
+        EXPECT_EQ(run.output, "");
+    }
+}
+
 // What an option asks for would not happen: it is refused, and named.
 TEST(BadUsage, OfOptionsThatOthersLeaveWithoutEffect) {
     struct Call {

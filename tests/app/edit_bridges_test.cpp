@@ -73,6 +73,19 @@ TEST_F(EditBridges, AreRefusedOneByOneAndOfferedAgain) {
     EXPECT_EQ(states({"--offer", "1"}), (States{"open", "open"}));
 }
 
+// Nobody loses them without a word.
+TEST_F(EditBridges, ThatAReconstructionWouldLoseAreSaidBeforeIt) {
+    const std::vector<std::string> call{"reconstruct", (case_ / "none.nii.gz").string(), "--out",
+                                        case_.string()};
+    EXPECT_EQ(run_cli(call).errors.find("holds corrections"), std::string::npos);
+    EXPECT_EQ(states({"--accept", "2"}), (States{"needless", "accepted"}));
+    const test::Outcome run = run_cli(call);
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.errors.find(case_.string() + " holds corrections (1)"), std::string::npos)
+        << run.errors;
+    EXPECT_EQ(read_case(case_).corrections.edits.size(), 1u);
+}
+
 TEST_F(EditBridges, AreRefusedBelowAConfidence) {
     EXPECT_EQ(states({"--refuse-bridges", "0.2"}), (States{"open", "refused"}));
     EXPECT_EQ(answer({"edit", case_.string(), "--list"}).at("open_bridges").size(), 1u);

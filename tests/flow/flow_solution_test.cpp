@@ -304,6 +304,22 @@ TEST(FlowSolution, AnInfiniteResistanceClosesAnOutlet) {
     EXPECT_NEAR(out / solution.inlet_flow_mm3_s[0], 1.0, 1e-11);
 }
 
+// It was printed as -0.
+TEST(FlowSolution, WhereNothingEntersTheInflowHasNoSign) {
+    FlowNetwork network;
+    network.node_count = 2;
+    network.root_nodes = {0};
+    network.outlet_nodes = {1};
+    network.cones = {{1.0, 1.0, 10.0}};
+    network.segments = {{0, 1, 0, 1, 0}};
+    network.segments[0].open = false;
+    const FlowSolution solution = solve_flow(
+        network,
+        conditions_of(PressureLaw::regime, {{0, InletKind::pressure, 5000.0, pure(blood())}}));
+    EXPECT_EQ(solution.inlet_flow_mm3_s[0], 0.0);
+    EXPECT_FALSE(std::signbit(solution.inlet_flow_mm3_s[0]));
+}
+
 TEST(FlowSolution, TheLossCoefficientCostsDynamicPressureInTheBranches) {
     FlowNetwork network;
     network.node_count = 4;
