@@ -8983,5 +8983,17 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Pausing only holds the clock. Del ends the injection and takes the drug out of the picture; what it has reached and the dose stay counted.</source>
         <translation>Anhalten hält nur die Uhr an. Entf beendet die Injektion und nimmt den Wirkstoff aus dem Bild; was er erreicht hat und die Dosis bleiben gezählt.</translation>
     </message>
+    <message>
+        <source>Reached by the drug</source>
+        <translation>Vom Wirkstoff erreicht</translation>
+    </message>
+    <message>
+        <source>Share of the vessels (%)</source>
+        <translation>Anteil der Gefäße (%)</translation>
+    </message>
+    <message>
+        <source>all other vessels</source>
+        <translation>alle anderen Gefäße</translation>
+    </message>
 </context>
 </TS>

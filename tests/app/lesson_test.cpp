@@ -194,6 +194,35 @@ TEST_F(LessonVerb, AReportTellsABrokenLimitFromItsValueAndHowFarTheGoalCame) {
     EXPECT_EQ(page.find("Circles"), std::string::npos) << "there are no marks";
 }
 
+// Nothing moves, so that curves of force and stretch would be flat.
+TEST_F(LessonVerb, AReportOfAnInjectionShowsHowFarTheDrugCame) {
+    const Json scene = Json{{"name", "inject"}, {"flow", Json::object()}};
+    const Json place = Json::object({{"share_of_longest_path", 0.3}});
+    const Json inject = Json{{"at_s", 0.1}, {"do", "inject"}, {"where", place}};
+    std::ofstream(path("inject.json"))
+        << Json{{"scene", scene}, {"actions", Json::array({inject})}};
+    const Json goal = Json{{"what", "target_filled"}, {"at_least", 2}};
+    const Json step = Json{{"text", "Fill it"}, {"goal", Json::array({goal})}};
+    std::ofstream(path("fill.json")) << Json{{"format", "hepatica-lesson"},
+                                             {"version", 1},
+                                             {"name", "Fill"},
+                                             {"scene", scene},
+                                             {"tools", Json::array({"inject"})},
+                                             {"target", place},
+                                             {"steps", Json::array({step})}};
+    answer({"simulate", path("p.hep"), "--script", path("inject.json"), "--steps", "60", "--record",
+            path("inject.hrec")});
+    const Outcome run = report({"--report", path("inject.hrec"), "--out", path("filled"),
+                                "--lesson", path("fill.json"), "--json"});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    const std::string page = contents_of(path("filled/report.html"));
+    EXPECT_NE(page.find("Reached by the drug"), std::string::npos) << page;
+    EXPECT_EQ(page.find("stretch beyond rest"), std::string::npos);
+    const std::string table = contents_of(path("filled/plots.csv"));
+    EXPECT_NE(table.find("the target,"), std::string::npos) << table.substr(0, 200);
+    EXPECT_NE(table.find("all other vessels,"), std::string::npos);
+}
+
 // The lesson asks for the blood, so that none is a result; everything is said in German.
 TEST_F(LessonVerb, MakesAReportInTheLanguageThatIsAskedFor) {
     play(3.0);
