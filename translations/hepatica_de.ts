@@ -1506,10 +1506,6 @@
         <translation>Diese Lektion kann noch nicht ausprobiert werden</translation>
     </message>
     <message>
-        <source>at %L1, %L2, %L3 mm</source>
-        <translation>bei %L1, %L2, %L3 mm</translation>
-    </message>
-    <message>
         <source>&amp;Give it a target</source>
         <translation>Mit &amp;Ziel</translation>
     </message>
@@ -8994,6 +8990,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>all other vessels</source>
         <translation>alle anderen Gefäße</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>liver segment %1</source>
+        <translation>Lebersegment %1</translation>
     </message>
 </context>
 </TS>
