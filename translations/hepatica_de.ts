@@ -1507,7 +1507,7 @@
     </message>
     <message>
         <source>&amp;Give it a target</source>
-        <translation>Mit &amp;Ziel</translation>
+        <translation>&amp;Zielgebiet angeben</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -1523,11 +1523,11 @@
     </message>
     <message>
         <source>Target of the drug</source>
-        <translation>Ziel des Wirkstoffs</translation>
+        <translation>Zielgebiet des Wirkstoffs</translation>
     </message>
     <message>
         <source>The vessels beyond this place. What is delivered there is the dose in the target, all other is elsewhere.</source>
-        <translation>Die Gefäße jenseits dieses Orts. Was dort ankommt, ist die Dosis im Ziel, alles andere geht daneben.</translation>
+        <translation>Die Gefäße jenseits dieses Orts. Was dort ankommt, ist die Dosis im Zielgebiet, alles andere geht daneben.</translation>
     </message>
     <message>
         <source>Name of the mark</source>
@@ -3066,7 +3066,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>the target&apos;s vessel</source>
-        <translation>Gefäß des Ziels</translation>
+        <translation>Gefäß des Zielgebiets</translation>
     </message>
     <message>
         <source>the stump</source>
@@ -3138,7 +3138,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Inject so that 3 g reach the target&apos;s tissue.</source>
-        <translation>Injizieren Sie so, dass 3 g das Gewebe des Ziels erreichen.</translation>
+        <translation>Injizieren Sie so, dass 3 g das Gewebe des Zielgebiets erreichen.</translation>
     </message>
     <message>
         <source>Draw a cut line across a branch and pull it off along the line. Without the line the pull would stretch the branch long before it tears.</source>
@@ -4202,7 +4202,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>dose in the target</source>
-        <translation>Dosis im Ziel</translation>
+        <translation>Dosis im Zielgebiet</translation>
     </message>
     <message>
         <source>dose elsewhere</source>
@@ -4214,7 +4214,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>share of the dose in the target</source>
-        <translation>Anteil der Dosis im Ziel</translation>
+        <translation>Anteil der Dosis im Zielgebiet</translation>
     </message>
     <message>
         <source>time of this step</source>
@@ -4234,7 +4234,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>share of the target that the drug has reached</source>
-        <translation>vom Wirkstoff erreichter Anteil des Ziels</translation>
+        <translation>vom Wirkstoff erreichter Anteil des Zielgebiets</translation>
     </message>
     <message>
         <source>share of the rest that the drug has reached</source>
@@ -4366,7 +4366,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>The target</source>
-        <translation>Das Ziel</translation>
+        <translation>Das Zielgebiet</translation>
     </message>
     <message>
         <source>Step %1 &quot;%2&quot;</source>
@@ -4422,7 +4422,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>needs a target: say where it begins.</source>
-        <translation>braucht ein Ziel: Sagen Sie, wo es beginnt.</translation>
+        <translation>braucht ein Zielgebiet: Sagen Sie, wo es beginnt.</translation>
     </message>
     <message>
         <source>Pull the vessel at the mark 10 mm aside and hold it for a second.</source>
@@ -4758,7 +4758,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>the target</source>
-        <translation>das Ziel</translation>
+        <translation>das Zielgebiet</translation>
     </message>
     <message>
         <source>%1, %2 Newton iterates</source>
@@ -8873,11 +8873,11 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>A tumour as the target</source>
-        <translation>Ein Tumor als Ziel</translation>
+        <translation>Ein Tumor als Zielgebiet</translation>
     </message>
     <message>
         <source>The target begins where the portal or arterial vessels pass nearest to the tumour&apos;s middle</source>
-        <translation>Das Ziel beginnt dort, wo Pfortader- oder Arterienäste der Mitte des Tumors am nächsten kommen</translation>
+        <translation>Das Zielgebiet beginnt dort, wo Pfortader- oder Arterienäste der Mitte des Tumors am nächsten kommen</translation>
     </message>
     <message>
         <source>Tumour %1 (%L2 ml)</source>
@@ -8969,11 +8969,11 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. No beads block the vessels here: a pump drives the emulsion on until you take the catheter out, and what counts is the filled target.</source>
-        <translation>Füllen Sie die Gefäße des Ziels mit einer Lipiodol-Emulsion, und hören Sie auf, bevor sie in die anderen zurückläuft. Hier verschließen keine Partikel die Gefäße: Eine Pumpe treibt die Emulsion weiter, bis Sie den Katheter herausnehmen, und es zählt das gefüllte Ziel.</translation>
+        <translation>Füllen Sie die Gefäße des Zielgebiets mit einer Lipiodol-Emulsion, und hören Sie auf, bevor sie in die anderen zurückläuft. Hier verschließen keine Partikel die Gefäße: Eine Pumpe treibt die Emulsion weiter, bis Sie den Katheter herausnehmen, und es zählt das gefüllte Zielgebiet.</translation>
     </message>
     <message>
         <source>Choose a slow flow, then inject the emulsion until nine tenths of the target are full.</source>
-        <translation>Wählen Sie einen langsamen Fluss, und injizieren Sie dann die Emulsion, bis neun Zehntel des Ziels gefüllt sind.</translation>
+        <translation>Wählen Sie einen langsamen Fluss, und injizieren Sie dann die Emulsion, bis neun Zehntel des Zielgebiets gefüllt sind.</translation>
     </message>
     <message>
         <source>Pausing only holds the clock. Del ends the injection and takes the drug out of the picture; what it has reached and the dose stay counted.</source>
