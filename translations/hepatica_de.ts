@@ -1945,11 +1945,11 @@
         <translation>Die Oberfläche der Leber</translation>
     </message>
     <message>
-        <source>The window speaks the other language from its next start on.</source>
-        <translation>Von seinem nächsten Start an spricht das Fenster die andere Sprache.</translation>
+        <source>The language changes at the next start.</source>
+        <translation>Die Sprache wechselt beim nächsten Start.</translation>
     </message>
     <message>
-        <source>Start it anew now</source>
+        <source>Restart now</source>
         <translation>Jetzt neu starten</translation>
     </message>
     <message>
@@ -8280,8 +8280,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Neuer Kurs</translation>
     </message>
     <message>
-        <source>Where shall the new course lie?</source>
-        <translation>Wo soll der neue Kurs liegen?</translation>
+        <source>Where should the new course be saved?</source>
+        <translation>Wo soll der neue Kurs gespeichert werden?</translation>
     </message>
     <message>
         <source>Where its places lie on the vessels is not noted yet: open its patient, and save it then.</source>
@@ -8998,6 +8998,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>liver segment %1</source>
         <translation>Lebersegment %1</translation>
+    </message>
+    <message>
+        <source>What a drug has reached is a share of the vessels&apos; surface: of the target&apos;s, or of all others, whatever their system.</source>
+        <translation>Was ein Wirkstoff erreicht hat, ist ein Anteil der Gefäßoberfläche: der des Zielgebiets oder der aller anderen Gefäße, gleich welchen Systems.</translation>
     </message>
 </context>
 </TS>
