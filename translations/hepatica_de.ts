@@ -2492,10 +2492,6 @@
         <translation>Dort ist kein Gefäß. Klicken Sie auf eines, oder messen Sie einen Abstand</translation>
     </message>
     <message>
-        <source>%1, too near its end to judge a stenosis</source>
-        <translation>%1, zu nah am Ende, um eine Stenose zu beurteilen</translation>
-    </message>
-    <message>
         <source>Vessels</source>
         <translation>Gefäße</translation>
     </message>
@@ -9002,6 +8998,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>What a drug has reached is a share of the vessels&apos; surface: of the target&apos;s, or of all others, whatever their system.</source>
         <translation>Was ein Wirkstoff erreicht hat, ist ein Anteil der Gefäßoberfläche: der des Zielgebiets oder der aller anderen Gefäße, gleich welchen Systems.</translation>
+    </message>
+    <message>
+        <source>%1; a stenosis is judged where the branch goes on for 10 mm to both sides without a fork</source>
+        <translation>%1; eine Stenose wird beurteilt, wo der Ast nach beiden Seiten 10 mm ohne Abzweig weiterläuft</translation>
     </message>
 </context>
 </TS>
