@@ -1506,12 +1506,8 @@
         <translation>Diese Lektion kann noch nicht ausprobiert werden</translation>
     </message>
     <message>
-        <source>at %L1, %L2, %L3 mm</source>
-        <translation>bei %L1, %L2, %L3 mm</translation>
-    </message>
-    <message>
         <source>&amp;Give it a target</source>
-        <translation>Mit &amp;Ziel</translation>
+        <translation>&amp;Zielgebiet angeben</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -1527,11 +1523,11 @@
     </message>
     <message>
         <source>Target of the drug</source>
-        <translation>Ziel des Wirkstoffs</translation>
+        <translation>Zielgebiet des Wirkstoffs</translation>
     </message>
     <message>
         <source>The vessels beyond this place. What is delivered there is the dose in the target, all other is elsewhere.</source>
-        <translation>Die Gefäße jenseits dieses Orts. Was dort ankommt, ist die Dosis im Ziel, alles andere geht daneben.</translation>
+        <translation>Die Gefäße jenseits dieses Orts. Was dort ankommt, ist die Dosis im Zielgebiet, alles andere geht daneben.</translation>
     </message>
     <message>
         <source>Name of the mark</source>
@@ -1949,11 +1945,11 @@
         <translation>Die Oberfläche der Leber</translation>
     </message>
     <message>
-        <source>The window speaks the other language from its next start on.</source>
-        <translation>Von seinem nächsten Start an spricht das Fenster die andere Sprache.</translation>
+        <source>The language changes at the next start.</source>
+        <translation>Die Sprache wechselt beim nächsten Start.</translation>
     </message>
     <message>
-        <source>Start it anew now</source>
+        <source>Restart now</source>
         <translation>Jetzt neu starten</translation>
     </message>
     <message>
@@ -2494,10 +2490,6 @@
     <message>
         <source>There is no vessel. Click on one, or measure a distance</source>
         <translation>Dort ist kein Gefäß. Klicken Sie auf eines, oder messen Sie einen Abstand</translation>
-    </message>
-    <message>
-        <source>%1, too near its end to judge a stenosis</source>
-        <translation>%1, zu nah am Ende, um eine Stenose zu beurteilen</translation>
     </message>
     <message>
         <source>Vessels</source>
@@ -3070,7 +3062,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>the target&apos;s vessel</source>
-        <translation>Gefäß des Ziels</translation>
+        <translation>Gefäß des Zielgebiets</translation>
     </message>
     <message>
         <source>the stump</source>
@@ -3138,7 +3130,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Inject so that 3 g reach the target&apos;s tissue.</source>
-        <translation>Injizieren Sie so, dass 3 g das Gewebe des Ziels erreichen.</translation>
+        <translation>Injizieren Sie so, dass 3 g das Gewebe des Zielgebiets erreichen.</translation>
     </message>
     <message>
         <source>Draw a cut line across a branch and pull it off along the line. Without the line the pull would stretch the branch long before it tears.</source>
@@ -4194,7 +4186,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>dose in the target</source>
-        <translation>Dosis im Ziel</translation>
+        <translation>Dosis im Zielgebiet</translation>
     </message>
     <message>
         <source>dose elsewhere</source>
@@ -4202,7 +4194,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>share of the dose in the target</source>
-        <translation>Anteil der Dosis im Ziel</translation>
+        <translation>Anteil der Dosis im Zielgebiet</translation>
     </message>
     <message>
         <source>time of this step</source>
@@ -4222,7 +4214,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>share of the target that the drug has reached</source>
-        <translation>vom Wirkstoff erreichter Anteil des Ziels</translation>
+        <translation>vom Wirkstoff erreichter Anteil des Zielgebiets</translation>
     </message>
     <message>
         <source>share of the rest that the drug has reached</source>
@@ -4354,7 +4346,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>The target</source>
-        <translation>Das Ziel</translation>
+        <translation>Das Zielgebiet</translation>
     </message>
     <message>
         <source>Step %1 &quot;%2&quot;</source>
@@ -4410,7 +4402,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>needs a target: say where it begins.</source>
-        <translation>braucht ein Ziel: Sagen Sie, wo es beginnt.</translation>
+        <translation>braucht ein Zielgebiet: Sagen Sie, wo es beginnt.</translation>
     </message>
     <message>
         <source>Pull the vessel at the mark 10 mm aside and hold it for a second.</source>
@@ -4746,7 +4738,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>the target</source>
-        <translation>das Ziel</translation>
+        <translation>das Zielgebiet</translation>
     </message>
     <message>
         <source>%1, %2 Newton iterates</source>
@@ -8264,8 +8256,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Neuer Kurs</translation>
     </message>
     <message>
-        <source>Where shall the new course lie?</source>
-        <translation>Wo soll der neue Kurs liegen?</translation>
+        <source>Where should the new course be saved?</source>
+        <translation>Wo soll der neue Kurs gespeichert werden?</translation>
     </message>
     <message>
         <source>Where its places lie on the vessels is not noted yet: open its patient, and save it then.</source>
@@ -8853,11 +8845,11 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>A tumour as the target</source>
-        <translation>Ein Tumor als Ziel</translation>
+        <translation>Ein Tumor als Zielgebiet</translation>
     </message>
     <message>
         <source>The target begins where the portal or arterial vessels pass nearest to the tumour&apos;s middle</source>
-        <translation>Das Ziel beginnt dort, wo Pfortader- oder Arterienäste der Mitte des Tumors am nächsten kommen</translation>
+        <translation>Das Zielgebiet beginnt dort, wo Pfortader- oder Arterienäste der Mitte des Tumors am nächsten kommen</translation>
     </message>
     <message>
         <source>Tumour %1 (%L2 ml)</source>
@@ -9009,11 +9001,11 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. No beads block the vessels here: a pump drives the emulsion on until you take the catheter out, and what counts is the filled target.</source>
-        <translation>Füllen Sie die Gefäße des Ziels mit einer Lipiodol-Emulsion, und hören Sie auf, bevor sie in die anderen zurückläuft. Hier verschließen keine Partikel die Gefäße: Eine Pumpe treibt die Emulsion weiter, bis Sie den Katheter herausnehmen, und es zählt das gefüllte Ziel.</translation>
+        <translation>Füllen Sie die Gefäße des Zielgebiets mit einer Lipiodol-Emulsion, und hören Sie auf, bevor sie in die anderen zurückläuft. Hier verschließen keine Partikel die Gefäße: Eine Pumpe treibt die Emulsion weiter, bis Sie den Katheter herausnehmen, und es zählt das gefüllte Zielgebiet.</translation>
     </message>
     <message>
         <source>Choose a slow flow, then inject the emulsion until nine tenths of the target are full.</source>
-        <translation>Wählen Sie einen langsamen Fluss, und injizieren Sie dann die Emulsion, bis neun Zehntel des Ziels gefüllt sind.</translation>
+        <translation>Wählen Sie einen langsamen Fluss, und injizieren Sie dann die Emulsion, bis neun Zehntel des Zielgebiets gefüllt sind.</translation>
     </message>
     <message>
         <source>Pausing only holds the clock. Del ends the injection and takes the drug out of the picture; what it has reached and the dose stay counted.</source>
@@ -9054,6 +9046,34 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Move slowly: what is stretched pulls back. The number at the held point shows the force.</source>
         <translation>Bewegen Sie sich langsam: Was gedehnt ist, zieht zurück. Die Zahl am gehaltenen Punkt zeigt die Kraft.</translation>
+    </message>
+    <message>
+        <source>Reached by the drug</source>
+        <translation>Vom Wirkstoff erreicht</translation>
+    </message>
+    <message>
+        <source>Share of the vessels (%)</source>
+        <translation>Anteil der Gefäße (%)</translation>
+    </message>
+    <message>
+        <source>all other vessels</source>
+        <translation>alle anderen Gefäße</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>liver segment %1</source>
+        <translation>Lebersegment %1</translation>
+    </message>
+    <message>
+        <source>What a drug has reached is a share of the vessels&apos; surface: of the target&apos;s, or of all others, whatever their system.</source>
+        <translation>Was ein Wirkstoff erreicht hat, ist ein Anteil der Gefäßoberfläche: der des Zielgebiets oder der aller anderen Gefäße, gleich welchen Systems.</translation>
+    </message>
+    <message>
+        <source>%1; a stenosis is judged where the branch goes on for 10 mm to both sides without a fork</source>
+        <translation>%1; eine Stenose wird beurteilt, wo der Ast nach beiden Seiten 10 mm ohne Abzweig weiterläuft</translation>
     </message>
 </context>
 </TS>

@@ -171,6 +171,13 @@ void LessonPanel::begin(const Lesson& lesson, const std::vector<std::string>& do
     title_->setText("<b>" + translated(lesson.name).toHtmlEscaped() + "</b>");
     about_->setText(with_units_beside(translated(lesson.about)));
     about_->setVisible(!lesson.about.empty());
+    const QString counted =
+        lesson.scene.flow
+            ? Words::tr(
+                  "What a drug has reached is a share of the vessels' surface: of the "
+                  "target's, or of all others, whatever their system.")
+            : QString();
+    for (QLabel* label : {goal_, limits_, pass_}) label->setToolTip(counted);
 }
 
 void LessonPanel::show_standing(const LessonStanding& standing, bool clock_stands, bool on_screen) {

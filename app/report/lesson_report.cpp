@@ -49,6 +49,12 @@ struct Moment {
     Frame frame;
 };
 
+// How far the drug has come, in shares of the surface.
+struct DrugSample {
+    double time_s;
+    double target, rest;
+};
+
 // Collects the moments before the beginning, at the largest force, at each step reached, and at the
 // end.
 class Moments {
@@ -58,6 +64,7 @@ class Moments {
         const bool counts = standing.metrics.time_s > last_s_;
         if (!counts) return;
         last_s_ = standing.metrics.time_s;
+        drug_.push_back({last_s_, standing.moment.target_filled, standing.moment.elsewhere_filled});
         if (standing.metrics.peak_force_mn > peak_mn_) {
             peak_mn_ = standing.metrics.peak_force_mn;
             peak_ = Moment{
@@ -81,8 +88,11 @@ class Moments {
         return all;
     }
 
+    const std::vector<DrugSample>& drug() const { return drug_; }
+
   private:
     static constexpr std::size_t most = 8;
+    std::vector<DrugSample> drug_;
     std::vector<Moment> list_;
     std::optional<Moment> peak_, end_;
     double peak_mn_ = 0.0, last_s_ = 0.0, step_s_ = -1.0;  // step_s_: time of the last step reached
@@ -102,6 +112,24 @@ Chart chart_over_time(const std::vector<LessonSample>& samples, const std::strin
         chart.curves[0].y.push_back(value(sample));
     }
     return chart;
+}
+
+// Nothing where no drug came anywhere.
+std::optional<Chart> chart_of_drug(const std::vector<DrugSample>& samples, bool with_target) {
+    Chart chart{Words::id("Reached by the drug"),
+                "Time (s)",
+                Words::id("Share of the vessels (%)"),
+                {Curve{Words::id("all other vessels"), {}, {}}}};
+    if (with_target) chart.curves.push_back({Words::id("the target"), {}, {}});
+    bool came = false;
+    for (const DrugSample& sample : samples) {
+        came = came || sample.target > 0.0 || sample.rest > 0.0;
+        for (std::size_t c = 0; c < chart.curves.size(); ++c) {
+            chart.curves[c].x.push_back(sample.time_s);
+            chart.curves[c].y.push_back(100.0 * (c == 0 ? sample.rest : sample.target));
+        }
+    }
+    return came ? std::optional(chart) : std::nullopt;
 }
 
 // Events for the plots.
@@ -228,6 +256,7 @@ struct Parts {
     bool free;
     const Score& scored;
     const PatientCase& patient;
+    const std::vector<DrugSample>& drug;
     std::vector<std::pair<fs::path, std::string>> pictures;
     std::vector<std::pair<fs::path, std::string>> plots;
 };
@@ -285,7 +314,7 @@ HtmlReport page_of(const Parts& parts) {
     page.add_heading(key(Words::tr("Metrics")));
     page.add_table(
         table_of_metrics(parts.scored.standing.metrics, parts.lesson, parts.request.units));
-    page.add_heading(key(Words::tr("Over time")));
+    if (!parts.plots.empty()) page.add_heading(key(Words::tr("Over time")));
     for (const auto& [file, caption] : parts.plots) page.add_picture(file, caption);
     page.add_heading(key(Words::tr("Pictures")));
     page.add_paragraph(
@@ -323,11 +352,17 @@ void write_pictures(Parts& parts, const Moments& moments, const LessonRun& place
 // Adds the curves over time, as pictures and as one table.
 void write_plots(Parts& parts, const fs::path& folder) {
     const std::vector<LessonSample>& samples = parts.scored.samples;
-    std::vector<Chart> charts{
-        chart_over_time(samples, Words::id("Force"), Words::id("Force (mN)"),
-                        [](const LessonSample& s) { return s.force_mn; }),
-        chart_over_time(samples, Words::id("Largest stretch beyond rest"), Words::id("Stretch (%)"),
-                        [](const LessonSample& s) { return 100.0 * (s.stretch - 1.0); })};
+    std::vector<Chart> charts;
+    // Where nothing moves both would be flat.
+    if (parts.lesson.scene.deform) {
+        charts.push_back(chart_over_time(samples, Words::id("Force"), Words::id("Force (mN)"),
+                                         [](const LessonSample& s) { return s.force_mn; }));
+        charts.push_back(chart_over_time(
+            samples, Words::id("Largest stretch beyond rest"), Words::id("Stretch (%)"),
+            [](const LessonSample& s) { return 100.0 * (s.stretch - 1.0); }));
+    }
+    if (const auto drug = chart_of_drug(parts.drug, parts.lesson.target.has_value()))
+        charts.push_back(*drug);
     if (parts.lesson.scene.tear)
         charts.push_back(chart_over_time(samples, Words::id("Bleeding"),
                                          Words::id("Bleeding (g/s)"),
@@ -365,7 +400,7 @@ WrittenReport write_report(const ReportRequest& request, Job& job) {
     fs::create_directories(request.out);
     WrittenReport written{scored.standing.outcome == LessonOutcome::passed, {}};
     write_files_atomically(request.out, [&](const fs::path& folder) {
-        Parts parts{request, lesson, !played, scored, *patient, {}, {}};
+        Parts parts{request, lesson, !played, scored, *patient, moments.drug(), {}, {}};
         write_pictures(parts, moments, *places, folder, job);
         write_plots(parts, folder);
         write_text_atomically(folder / "metrics.csv", to_csv(scored.standing.metrics));

@@ -245,7 +245,7 @@ TEST_F(LanguageChoice, CanMakeTheWindowAnewWithItsPatient) {
     window_.findChild<QAction*>("language_de")->trigger();
     EXPECT_EQ(begun, 0);
     for (auto* button : window_.messages().findChildren<QPushButton*>())
-        if (button->text() == "Start it anew now") button->click();
+        if (button->text() == "Restart now") button->click();
     EXPECT_EQ(begun, 1);
     EXPECT_FALSE(window_.isVisible());
 }

@@ -8,6 +8,7 @@
 #include <QScreen>
 #include <QTabWidget>
 #include <QToolButton>
+#include <algorithm>
 
 #include "core/base/error.h"
 #include "core/lesson/attempts.h"
@@ -17,6 +18,7 @@
 #include "ui/lesson_editor/lesson_editor.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
+#include "ui/patient_place.h"
 
 namespace hepatica {
 namespace {
@@ -67,6 +69,10 @@ TEST_F(LessonEditorWindowTest, a_click_on_a_vessel_sets_the_place) {
     EXPECT_LT(on_tree.distance_mm, 0.1) << "on the centreline, to the rounding";
     EXPECT_TRUE(window_.view().mouse().mode() == MouseMode::pull) << "one click, one place";
     const Vec3 set = *place.point_mm;
+    const auto labels = editor().findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(labels, [&](const QLabel* label) {
+        return label->text() == "at " + patient_place(set, 1);
+    })) << "as places are written everywhere";
     const Vec3 elsewhere = test::small_patient()->tree.segments.back().points_mm.back();
     QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(elsewhere));
     editor().place_clicked(elsewhere);

@@ -154,6 +154,18 @@ TEST_F(LessonPanelTest, says_blood_in_the_units_that_were_chosen) {
     EXPECT_TRUE(text("lessonEnd").contains("it was 1.06\u202fg/s"));
 }
 
+// The portal trunk full of drug is little of all vessels that are no target.
+TEST_F(LessonPanelTest, says_of_what_the_shares_are_that_a_drug_has_reached) {
+    Lesson lesson = new_lesson();
+    lesson.scene.flow.emplace();
+    panel_.begin(lesson);
+    for (const char* name : {"lessonGoal", "lessonLimits", "lessonPass"})
+        EXPECT_TRUE(panel_.findChild<QLabel*>(name)->toolTip().contains("surface")) << name;
+    lesson.scene.flow.reset();
+    panel_.begin(lesson);
+    EXPECT_TRUE(panel_.findChild<QLabel*>("lessonGoal")->toolTip().isEmpty());
+}
+
 TEST_F(LessonPanelTest, gives_a_hint_where_it_is_asked_for) {
     panel_.show_standing(standing_);
     auto* hint = panel_.findChild<QLabel*>("lessonHint");

@@ -182,7 +182,7 @@ TEST_F(SegmentsOverSlices, AreNamedWithoutMovingOrWideningAnything) {
 TEST_F(SegmentsOverSlices, FollowACorrectedTreeAndGoWithTheirPatient) {
     show(patient(halves(6, 3)));
     scene().set_segments_visible(true);
-    EXPECT_TRUE(scene().describe(Vec3(-30, 0, 0)).ends_with("segment VI"));
+    EXPECT_TRUE(scene().describe(Vec3(-30, 0, 0)).ends_with("liver segment VI"));
     window_.view_layout().show_corrected(patient(halves(5, 2)));
     EXPECT_FALSE(scene().shows_segments()) << "those of the tree before are not shown";
     EXPECT_TRUE(testing::wait_for(

@@ -81,6 +81,15 @@ TEST_F(Measuring, ADiameterIsThatAtTheCentreline) {
         << made.text;
 }
 
+// The trunk's end is 3 mm away.
+TEST_F(Measuring, ADiameterNearAnEndSaysWhereAStenosisIsJudged) {
+    QTest::keyClick(&window_, Qt::Key_M, Qt::ControlModifier);
+    click_trunk_at(-57.0);
+    ASSERT_EQ(measurements().made().size(), 1u);
+    EXPECT_EQ(measurements().made()[0].text.find("stenosis"), std::string::npos);
+    EXPECT_TRUE(said().contains("10 mm to both sides without a fork")) << said().toStdString();
+}
+
 TEST_F(Measuring, AClickBesideTheVesselsSaysSoAndADragTurnsTheView) {
     QTest::keyClick(&window_, Qt::Key_M);
     const QPoint beside = on_widget(Vec3(-60, 0, -60));

@@ -14,6 +14,7 @@
 #include "core/lesson/lesson_draft.h"
 #include "ui/decimal_spin_box.h"
 #include "ui/lesson_editor/new_parts.h"
+#include "ui/patient_place.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -27,10 +28,7 @@ Vec3 rounded(const Vec3& place_mm) {
 }
 
 QLabel* text_of_point(const Vec3& at) {
-    return new QLabel(Words::tr("at %L1, %L2, %L3 mm")
-                          .arg(at.x(), 0, 'f', 1)
-                          .arg(at.y(), 0, 'f', 1)
-                          .arg(at.z(), 0, 'f', 1));
+    return new QLabel(Words::tr("at %1").arg(patient_place(at, 1)));
 }
 
 QLabel* quiet(const QString& text) {

@@ -114,7 +114,9 @@ std::string Measurements::add_diameter(const Vec3& position_mm, const SlicePlane
     tell();
     // This note is too long to stand beside the vessel.
     return calibre->stenosis ? text
-                             : Words::tr("%1, too near its end to judge a stenosis")
+                             : Words::tr(
+                                   "%1; a stenosis is judged where the branch goes on for 10 mm to "
+                                   "both sides without a fork")
                                    .arg(QString::fromStdString(text))
                                    .toStdString();
 }

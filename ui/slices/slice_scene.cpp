@@ -250,7 +250,7 @@ std::string SliceScene::describe(const Vec3& position_mm) const {
     std::string text = patient_place(position_mm, 1).toStdString() + "   " +
                        std::to_string(value_at(*ct_, position_mm)) + " HU";
     if (const int segment = segment_at(position_mm); segment > 0)
-        text += "   " + Words::tr("segment %1")
+        text += "   " + Words::tr("liver segment %1")
                             .arg(QString::fromStdString(segment_name(segment)))
                             .toStdString();
     if (const int tumour = tumours_.tumour_at(position_mm); tumour > 0)
