@@ -8716,10 +8716,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>%1, Oberfläche</translation>
     </message>
     <message>
-        <source>The computation was simplified for a moment to stay stable; forces shown may be rough.</source>
-        <translation>Die Berechnung wurde einen Augenblick vereinfacht, um stabil zu bleiben; angezeigte Kräfte können ungenau sein.</translation>
-    </message>
-    <message>
         <source>ended after %1 of %2 bytes: it was cut while it was read</source>
         <translation>endete nach %1 von %2 Bytes: Die Datei wurde gekürzt, während sie gelesen wurde</translation>
     </message>
@@ -8966,6 +8962,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Move slowly: what is stretched pulls back. The number at the held point shows the force.</source>
         <translation>Bewegen Sie sich langsam: Was gedehnt ist, zieht zurück. Die Zahl am gehaltenen Punkt zeigt die Kraft.</translation>
+    </message>
+    <message>
+        <source>Forces shown may be rough: the computation was simplified for a moment to stay stable.</source>
+        <translation>Angezeigte Kräfte können ungenau sein: Die Rechnung wurde einen Augenblick lang vereinfacht, um stabil zu bleiben.</translation>
+    </message>
+    <message>
+        <source>Cut line, not torn yet</source>
+        <translation>Schnittlinie, noch nicht gerissen</translation>
     </message>
 </context>
 </TS>

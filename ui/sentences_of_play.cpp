@@ -239,6 +239,7 @@ constexpr std::array sentences_play{
     Words::id("A place that is reached"),
     Words::id("A gap, and how sure"),
     Words::id("Cut or torn"),
+    Words::id("Cut line, not torn yet"),
     Words::id("Blood"),
     Words::id("%1 mm at the depth of the view's centre"),
     Words::id("This case knows neither liver nor tumours: nothing stands in the way"),
