@@ -8971,5 +8971,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Cut line, not torn yet</source>
         <translation>Schnittlinie, noch nicht gerissen</translation>
     </message>
+    <message>
+        <source>Bleeding (mL/min)</source>
+        <translation>Blutung (mL/min)</translation>
+    </message>
 </context>
 </TS>

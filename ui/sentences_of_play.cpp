@@ -260,6 +260,7 @@ constexpr std::array sentences_play{
     Words::id("vein at large strain"),
     Words::id("parenchyma"),
     Words::id("Pressure at the catheter (mmHg)"),
+    Words::id("Bleeding (mL/min)"),
     Words::id("%1 (s)"),
     Words::id("%1 (mm)"),
     Words::id("%1 (mN)"),

@@ -5,9 +5,11 @@
 
 #include <QFormLayout>
 #include <QLabel>
+#include <algorithm>
 #include <limits>
 
 #include "core/lesson/lesson_file.h"
+#include "ui/core_sentences.h"
 #include "ui/tool_panel.h"
 
 namespace hepatica {
@@ -125,6 +127,9 @@ TEST(LessonWords, DrawBleedingInTheUnitsOfTheClinic) {
     EXPECT_EQ(bleeding_in_units(chart, computed).curves[0].y[0], 1.06);
     const Chart shown = bleeding_in_units(chart, clinic);
     EXPECT_EQ(shown.y_label, "Bleeding (mL/min)");
+    EXPECT_TRUE(std::ranges::any_of(core_sentences(), [&](const char* sentence) {
+        return shown.y_label == sentence;
+    })) << "it is said in German, too";
     EXPECT_NEAR(shown.curves[0].y[0], 60.0, 1e-9);
     Chart force = chart;
     force.y_label = "Force (mN)";
