@@ -7612,10 +7612,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Schritt %1</translation>
     </message>
     <message>
-        <source>failed</source>
-        <translation>gescheitert</translation>
-    </message>
-    <message>
         <source>Bound</source>
         <translation>Grenze</translation>
     </message>
@@ -8974,6 +8970,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Bleeding (mL/min)</source>
         <translation>Blutung (mL/min)</translation>
+    </message>
+    <message>
+        <source>verdict: not passed</source>
+        <translation>Urteil: nicht bestanden</translation>
     </message>
 </context>
 </TS>

@@ -136,5 +136,18 @@ TEST(LessonWords, DrawBleedingInTheUnitsOfTheClinic) {
     EXPECT_EQ(bleeding_in_units(force, clinic).curves[0].y[0], 1.06);
 }
 
+// All steps were reached and a pass mark was missed: both labels stand at one moment.
+TEST(LessonWords, OfAPlotGiveTheVerdictToNoStep) {
+    LessonStanding standing;
+    standing.outcome = LessonOutcome::failed;
+    standing.reasons = {"pass mark missed"};
+    standing.steps = {{6.5, 0.0}};
+    standing.metrics.time_s = 6.5;
+    EXPECT_EQ(plot_events_of(standing),
+              (std::vector<PlotEvent>{{6.5, "step 1"}, {6.5, "verdict: not passed"}}));
+    standing.outcome = LessonOutcome::passed;
+    EXPECT_EQ(plot_events_of(standing).size(), 1u);
+}
+
 }  // namespace
 }  // namespace hepatica
