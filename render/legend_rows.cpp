@@ -105,6 +105,7 @@ void set_frame_shown(LegendContent& content, const Frame& frame, bool warnings,
     content.drug_end_s = content.injected ? std::max(frame.drug.end_s, least_drug_end_s) : 0.0;
     content.touched = frame.tool.has_value() || frame.grab.has_value();
     content.warned = warnings && frame.tear && frame.tear->loads;
+    content.lined = frame.tear && frame.tear->weak_edges;
     content.torn = frame.tear && frame.tear->joints_broken > 0;
     content.bleeds = frame.tear && !frame.tear->leaks.empty() && frame.tear->leaked_g > 0.0;
 }
@@ -121,6 +122,7 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     if (content.places) swatch("A place of the lesson", palette::torn_circle, true);
     if (content.places_reached) swatch("A place that is reached", palette::reached, true);
     if (content.gaps) swatch("A gap, and how sure", palette::bridge);
+    if (content.lined) swatch("Cut line, not torn yet", palette::weak_line(), true);
     if (content.torn) swatch("Cut or torn", palette::torn);
     if (content.bleeds) swatch("Blood (1/10 of the volume)", palette::bleeding);
     if (content.warned) add_warnings(rows);

@@ -26,6 +26,7 @@ struct LegendContent {
     bool touched = false;  // a tool is in use, or a vessel is pulled
     bool warned = false;   // vessels near their limit are coloured
     bool torn = false;
+    bool lined = false;  // a cut line holds still
     bool bleeds = false;
     bool gaps = false;    // gaps that might be bridged
     bool places = false;  // places of a lesson that are not reached yet

@@ -55,6 +55,10 @@ Colour liver_segment(int segment) {
     return colours[static_cast<std::size_t>(std::clamp(segment, 1, 8) - 1)];
 }
 
+Colour weak_line() {
+    return warning(vessel_system(VascularSystem::unknown), 1.0);
+}
+
 Colour warning(const Colour& vessel, double load) {
     constexpr Colour near_limit{1.00, 0.83, 0.20}, at_limit{0.95, 0.20, 0.10};
     constexpr double begin = 0.5, yellow = 0.7;

@@ -50,6 +50,9 @@ Colour liver_segment(int segment);
 // colour below 0.5, then towards yellow, and red at 1 and beyond.
 Colour warning(const Colour& vessel, double load);
 
+// Of a cut line that has not torn yet.
+Colour weak_line();
+
 // Colour of the drug at `fraction` in [0, 1] of the map; values outside are clamped.
 Colour drug(double fraction);
 

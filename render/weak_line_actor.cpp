@@ -37,9 +37,8 @@ std::vector<float> dashes_of(const Frame& frame) {
 }  // namespace
 
 WeakLineActor::WeakLineActor() {
-    const Colour colour = palette::warning(palette::vessel_system(VascularSystem::unknown), 1.0);
     for (const auto& [ribbons, of] :
-         {std::pair<Ribbons&, Colour>{rim_, palette::rim}, {line_, colour}}) {
+         {std::pair<Ribbons&, Colour>{rim_, palette::rim}, {line_, palette::weak_line()}}) {
         ribbons.quads = vtkSmartPointer<vtkPolyData>::New();
         ribbons.actor = vtkSmartPointer<vtkActor>::New();
         vtkNew<vtkPolyDataMapper> mapper;

@@ -7584,10 +7584,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Schritt %1</translation>
     </message>
     <message>
-        <source>failed</source>
-        <translation>gescheitert</translation>
-    </message>
-    <message>
         <source>Bound</source>
         <translation>Grenze</translation>
     </message>
@@ -8676,10 +8672,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>%1, Oberfläche</translation>
     </message>
     <message>
-        <source>The computation was simplified for a moment to stay stable; forces shown may be rough.</source>
-        <translation>Die Berechnung wurde einen Augenblick vereinfacht, um stabil zu bleiben; angezeigte Kräfte können ungenau sein.</translation>
-    </message>
-    <message>
         <source>ended after %1 of %2 bytes: it was cut while it was read</source>
         <translation>endete nach %1 von %2 Bytes: Die Datei wurde gekürzt, während sie gelesen wurde</translation>
     </message>
@@ -9074,6 +9066,22 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>%1; a stenosis is judged where the branch goes on for 10 mm to both sides without a fork</source>
         <translation>%1; eine Stenose wird beurteilt, wo der Ast nach beiden Seiten 10 mm ohne Abzweig weiterläuft</translation>
+    </message>
+    <message>
+        <source>Forces shown may be rough: the computation was simplified for a moment to stay stable.</source>
+        <translation>Angezeigte Kräfte können ungenau sein: Die Rechnung wurde einen Augenblick lang vereinfacht, um stabil zu bleiben.</translation>
+    </message>
+    <message>
+        <source>Cut line, not torn yet</source>
+        <translation>Schnittlinie, noch nicht gerissen</translation>
+    </message>
+    <message>
+        <source>Bleeding (mL/min)</source>
+        <translation>Blutung (mL/min)</translation>
+    </message>
+    <message>
+        <source>verdict: not passed</source>
+        <translation>Urteil: nicht bestanden</translation>
     </message>
 </context>
 </TS>

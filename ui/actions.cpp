@@ -319,6 +319,12 @@ void Actions::forbid(std::set<ActionId> forbidden) {
         if (forbidden_.contains(spec.id) != before.contains(spec.id)) enable(spec);
 }
 
+QString Actions::objection_to(const QKeySequence& keys) const {
+    for (const ActionId id : forbidden_)
+        if (actions_.at(id)->shortcuts().contains(keys)) return actions_.at(id)->statusTip();
+    return {};
+}
+
 void Actions::enable(const ActionSpec& spec) {
     QAction& action = *actions_.at(spec.id);
     const bool forbidden = forbidden_.contains(spec.id);

@@ -115,6 +115,8 @@ class Actions {
     void show_history(const QString& undo, const QString& redo);
     // Disables these actions, with a tip that the lesson does not allow them, until the next call.
     void forbid(std::set<ActionId> forbidden);
+    // What a forbidden action with these keys would do, as its tip says it; empty: there is none.
+    QString objection_to(const QKeySequence& keys) const;
 
     // All keys and mouse gestures as HTML.
     static QString cheat_sheet();

@@ -24,6 +24,11 @@ CurvesDock::CurvesDock(std::function<void(const Failure&)> failed, QWidget* pare
 
 void CurvesDock::follow(std::shared_ptr<const PatientCase> patient, const DrugView& drug,
                         bool may_come) {
+    // It was removed.
+    if (!drug.injection && std::exchange(followed_, nullptr)) {
+        job_.reset();
+        plots_->clear_injection();
+    }
     if (!drug.injection || drug.injection == followed_) return;
     const bool another = std::exchange(followed_, drug.injection) != nullptr;
     BackgroundJob::Callbacks callbacks;

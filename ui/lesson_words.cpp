@@ -9,6 +9,7 @@
 
 #include "core/base/units.h"
 #include "core/flow/fluid.h"
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -165,6 +166,17 @@ QString with_units_beside(QString text) {
         within("mN s(?!\\w)");
     return text.replace(unit, narrow_no_break_space)
         .replace(within, "mN" + QString(narrow_no_break_space) + "s");
+}
+
+// The last step may be reached in the moment of the verdict, and its label stands above that.
+std::vector<PlotEvent> plot_events_of(const LessonStanding& standing) {
+    std::vector<PlotEvent> events;
+    for (std::size_t i = 0; i < standing.steps.size(); ++i)
+        if (standing.steps[i].reached_s)
+            events.push_back({*standing.steps[i].reached_s, Words::tr("step %1").arg(i + 1)});
+    if (standing.outcome == LessonOutcome::failed && !standing.reasons.empty())
+        events.push_back({standing.metrics.time_s, Words::tr("verdict: not passed")});
+    return events;
 }
 
 Chart bleeding_in_units(Chart chart, FlowUnits units) {

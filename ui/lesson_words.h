@@ -11,6 +11,7 @@
 #include "core/lesson/lesson_run.h"
 #include "render/chart.h"
 #include "ui/flow_units.h"
+#include "ui/plot_panel.h"
 
 namespace hepatica {
 
@@ -34,6 +35,9 @@ std::string to_words(const Predicate& predicate, std::span<const std::string> ma
 // Why the lesson was not passed; as `standing.reasons`, but in these units.
 std::vector<std::string> reasons_in(const LessonStanding& standing,
                                     std::span<const std::string> mark_names, FlowUnits units);
+
+// For plots over time: when the steps were reached, and when the attempt failed.
+std::vector<PlotEvent> plot_events_of(const LessonStanding& standing);
 
 // Puts a narrow no-break space between a number and its unit.
 QString with_units_beside(QString text);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the window for lessons and reviews: connects their docks and the lesson editor.
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QMenu>
 #include <QMenuBar>
@@ -128,6 +129,9 @@ void MainWindow::use_for_lesson(std::unique_ptr<Simulation> simulation) {
     use(std::move(simulation));
     if (!begins) return;
     inject_->choose_drug(lessons_->running()->drug);
+    // Behind the panel of an earlier tool, it would not be found.
+    if (allows(lessons_->running()->tools, LessonTool::inject))
+        findChild<QDockWidget*>("Injection")->raise();
     show_whole_from_the_front();
     light_up(TreePoint{});  // the target, where the lesson has one
     view_->setFocus();      // so that the keys of the tools reach the play

@@ -326,8 +326,8 @@ void MainWindow::tell_simplified() {
     if (solver_said_.insert(last_message_).second)
         log_->add_warning(Words::tr("Simulation"), translated(last_message_));
     statusBar()->showMessage(
-        Words::tr("The computation was simplified for a moment to stay stable; "
-                  "forces shown may be rough."),
+        Words::tr("Forces shown may be rough: the computation was simplified for a moment to stay "
+                  "stable."),
         6000);
 }
 
@@ -338,13 +338,16 @@ void MainWindow::hint(const QString& text) {
         QToolTip::showText(QCursor::pos() + QPoint(12, 8), text, view_, {}, readable_ms);
 }
 
-// The action that has this key is disabled where there is nothing to undo; else the key does not
-// come here.
+// The action that has this key is disabled, by a lesson or because there is nothing to undo; else
+// the key does not come here.
 void MainWindow::keyPressEvent(QKeyEvent* event) {
     const bool undoes = event->key() == Qt::Key_Z && event->modifiers() == Qt::ControlModifier;
     if (undoes && patient_ && !review_->reviewing() && frame().tear &&
         frame().tear->joints_broken > 0)
         return say_that_cuts_stay();
+    if (const QString why = actions_->objection_to(QKeySequence(event->keyCombination()));
+        !why.isEmpty())
+        return hint(why);
     QMainWindow::keyPressEvent(event);
 }
 

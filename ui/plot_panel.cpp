@@ -309,6 +309,11 @@ void PlotPanel::show_some() {
 }
 
 void PlotPanel::clear() {
+    clear_injection();
+    set_tear({}, {});
+}
+
+void PlotPanel::clear_injection() {
     pressure_ = {Words::id("Pressure at the catheter"),
                  Words::id("Time (s)"),
                  Words::id("Pressure at the catheter (Pa)"),
@@ -320,7 +325,7 @@ void PlotPanel::clear() {
                        {}});
     set_time({});
     injected_ = false;
-    set_tear({}, {});
+    show_some();
 }
 
 void PlotPanel::set_units(FlowUnits units) {

@@ -78,6 +78,7 @@ class PlotPanel : public QWidget {
     void set_charts(const Chart& left, const Chart& right);
     // Chart and events of a tear; nullopt: nothing tears, and the chart is hidden.
     void set_tear(const std::optional<Chart>& chart, std::vector<PlotEvent> events);
+    void clear_injection();  // its charts are empty again
     void clear();
     // Units of pressures; effective at once for display and files.
     void set_units(FlowUnits units);

@@ -132,17 +132,6 @@ std::optional<Chart> chart_of_drug(const std::vector<DrugSample>& samples, bool 
     return came ? std::optional(chart) : std::nullopt;
 }
 
-// Events for the plots.
-std::vector<PlotEvent> events_of(const LessonStanding& standing) {
-    std::vector<PlotEvent> events;
-    for (std::size_t i = 0; i < standing.steps.size(); ++i)
-        if (standing.steps[i].reached_s)
-            events.push_back({*standing.steps[i].reached_s, Words::tr("step %1").arg(i + 1)});
-    if (standing.outcome == LessonOutcome::failed && !standing.reasons.empty())
-        events.push_back({standing.metrics.time_s, Words::tr("failed")});
-    return events;
-}
-
 void draw(const Chart& chart, const std::vector<PlotEvent>& events, const fs::path& file) {
     PlotView view;
     view.resize(900, 320);
@@ -370,7 +359,7 @@ void write_plots(Parts& parts, const fs::path& folder) {
     std::string table;
     for (const Chart& chart : charts) {
         const fs::path name = "plot_" + std::to_string(parts.plots.size() + 1) + ".png";
-        draw(bleeding_in_units(chart, parts.request.units), events_of(parts.scored.standing),
+        draw(bleeding_in_units(chart, parts.request.units), plot_events_of(parts.scored.standing),
              folder / name);
         parts.plots.emplace_back(name, key(translated(chart.title)));
         table += to_csv(chart);

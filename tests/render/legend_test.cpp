@@ -145,6 +145,13 @@ TEST(LegendRows, SayWhatGreenAndRedMeanWhereTheyAreShown) {
     EXPECT_TRUE(content_of(near_tearing, true).warned);
     EXPECT_FALSE(content_of(near_tearing, false).warned) << "no colour shows it";
     EXPECT_FALSE(content_of(near_tearing, true).torn) << "nothing has given way yet";
+    Frame lined = near_tearing;
+    lined.tear->weak_edges = std::make_shared<const std::vector<std::array<int, 2>>>();
+    EXPECT_FALSE(content_of(near_tearing, false).lined);
+    ASSERT_TRUE(content_of(lined, false).lined);
+    const LegendContent with_line = content_of(lined, false);
+    EXPECT_EQ(texts_of(with_line)[0], "Cut line, not torn yet");
+    EXPECT_EQ(legend_rows(with_line)[0].colours, std::vector{palette::weak_line()});
     near_tearing.tear->joints_broken = 3;
     LegendContent content = content_of(near_tearing, true);
     content.systems = {VascularSystem::portal};

@@ -77,43 +77,6 @@ TEST(FlowUnits, OfBleeding) {
     EXPECT_TRUE(says("530 g so far, of it up to 10.6 g drug"));
     panel.set_units(FlowUnits::clinic);
     EXPECT_TRUE(says("500 mL so far, of it up to 10.0 mL (10.6 g) drug"));
-    panel.set_units(FlowUnits::computed);
-    tear.leaked_g = 0.12;
-    panel.show_tear(tear);
-    EXPECT_TRUE(says("0.1 g so far")) << "as a lesson says it";
-}
-
-// A lesson counts the area of what has parted, so the panel may not say that nothing has.
-TEST(ToolPanel, SaysThatATearHasBegun) {
-    ToolPanel panel({});
-    const auto says = [&](const QString& text) {
-        for (const QLabel* label : panel.findChildren<QLabel*>())
-            if (label->text() == text) return true;
-        return false;
-    };
-    TearView tear;
-    panel.show_tear(tear);
-    EXPECT_TRUE(says("nothing cut or torn"));
-    tear.origins = std::make_shared<const std::vector<int>>(std::vector{0, 1, 2});
-    panel.show_tear(tear);
-    EXPECT_TRUE(says("nothing cut or torn")) << "it was made whole again";
-    tear.origins = std::make_shared<const std::vector<int>>(std::vector{0, 1, 2, 1});
-    panel.show_tear(tear);
-    EXPECT_FALSE(says("nothing cut or torn"));
-    EXPECT_TRUE(says("begun to tear, nothing is apart yet"));
-}
-
-TEST(ToolPanel, SaysHowALineIsDrawnWhileOneIs) {
-    ToolPanel panel({});
-    const auto help = [&] {
-        QStringList texts;
-        for (const QLabel* label : panel.findChildren<QLabel*>("quiet")) texts << label->text();
-        return texts.join("\n");
-    };
-    EXPECT_TRUE(help().contains("Take a tool from the bar"));
-    panel.show_kind({}, "Draw a line");
-    EXPECT_FALSE(help().contains("Take a tool from the bar"));
-    EXPECT_TRUE(help().contains("Draw a line"));
 }
 
 class FlowUnitsInWindow : public testing::FakeWindowTest {
@@ -192,6 +155,52 @@ TEST_F(FlowUnitsInWindow, AreKeptForTheNextStart) {
                     .left()
                     .y_label.ends_with("(mmHg)"));
     EXPECT_NEAR(injection(next).mass_flow_g_s, injection(window_).mass_flow_g_s, 1e-3);
+}
+
+// A lesson counts the area of what has parted, so the panel may not say that nothing has.
+TEST(ToolPanel, SaysThatATearHasBegun) {
+    ToolPanel panel({});
+    const auto says = [&](const QString& text) {
+        for (const QLabel* label : panel.findChildren<QLabel*>())
+            if (label->text() == text) return true;
+        return false;
+    };
+    TearView tear;
+    panel.show_tear(tear);
+    EXPECT_TRUE(says("nothing cut or torn"));
+    tear.origins = std::make_shared<const std::vector<int>>(std::vector{0, 1, 2});
+    panel.show_tear(tear);
+    EXPECT_TRUE(says("nothing cut or torn")) << "it was made whole again";
+    tear.origins = std::make_shared<const std::vector<int>>(std::vector{0, 1, 2, 1});
+    panel.show_tear(tear);
+    EXPECT_FALSE(says("nothing cut or torn"));
+    EXPECT_TRUE(says("begun to tear, nothing is apart yet"));
+}
+
+TEST(ToolPanel, SaysHowALineIsDrawnWhileOneIs) {
+    ToolPanel panel({});
+    const auto help = [&] {
+        QStringList texts;
+        for (const QLabel* label : panel.findChildren<QLabel*>("quiet")) texts << label->text();
+        return texts.join("\n");
+    };
+    EXPECT_TRUE(help().contains("Take a tool from the bar"));
+    panel.show_kind({}, "Draw a line");
+    EXPECT_FALSE(help().contains("Take a tool from the bar"));
+    EXPECT_TRUE(help().contains("Draw a line"));
+}
+
+TEST(ToolPanel, SaysLittleBloodToTheTenthOfAGramAsALessonDoes) {
+    ToolPanel panel({});
+    TearView tear;
+    tear.joints_broken = 3;
+    tear.leak_g_s = 6.7;
+    tear.leaked_g = 0.12;
+    panel.show_tear(tear);
+    bool said = false;
+    for (const QLabel* label : panel.findChildren<QLabel*>())
+        said = said || label->text().contains("bleeds 6.7 g/s, 0.1 g so far");
+    EXPECT_TRUE(said);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 // while it is played.
 #include <QAction>
 #include <QCheckBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -153,6 +154,8 @@ TEST_F(LessonToolsTest, what_it_does_not_allow_cannot_be_chosen) {
         EXPECT_FALSE(enabled(control)) << control;
     QTest::keyClick(&window_, Qt::Key_4);
     EXPECT_FALSE(window_.view().mouse().hand().holds());
+    EXPECT_TRUE(window_.statusBar()->currentMessage().startsWith("The lesson does not allow this"))
+        << window_.statusBar()->currentMessage().toStdString();
     window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
     for (const ActionId id : {ActionId::sphere_tool, ActionId::cut_mode, ActionId::reset}) {
         EXPECT_TRUE(action(id).isEnabled());
@@ -229,11 +232,17 @@ TEST_F(LessonToolsTest, the_target_of_a_drug_is_lit_while_it_is_played) {
     };
     begin(lesson);
     EXPECT_EQ(lit(), 0) << "it wants no drug anywhere";
+    const auto in_front = [this](const char* panel) {
+        return !window_.findChild<QDockWidget*>(panel)->visibleRegion().isEmpty();
+    };
+    window_.findChild<QDockWidget*>("Tool")->raise();  // as the lesson before left it
+    ASSERT_TRUE(wait_for([&] { return in_front("Tool"); }));
     lesson.target.emplace();
     lesson.target->share_of_longest_path = 0.5;
     begin(lesson);
     EXPECT_GT(lit(), 0);
     EXPECT_LT(lit(), std::ssize(window_.view().scene().highlight())) << "the rest is no target";
+    EXPECT_TRUE(wait_for([&] { return in_front("Injection"); }));
     window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
     EXPECT_EQ(lit(), 0);
 }

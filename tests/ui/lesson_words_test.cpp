@@ -5,9 +5,11 @@
 
 #include <QFormLayout>
 #include <QLabel>
+#include <algorithm>
 #include <limits>
 
 #include "core/lesson/lesson_file.h"
+#include "ui/core_sentences.h"
 #include "ui/tool_panel.h"
 
 namespace hepatica {
@@ -125,10 +127,26 @@ TEST(LessonWords, DrawBleedingInTheUnitsOfTheClinic) {
     EXPECT_EQ(bleeding_in_units(chart, computed).curves[0].y[0], 1.06);
     const Chart shown = bleeding_in_units(chart, clinic);
     EXPECT_EQ(shown.y_label, "Bleeding (mL/min)");
+    EXPECT_TRUE(std::ranges::any_of(core_sentences(), [&](const char* sentence) {
+        return shown.y_label == sentence;
+    })) << "it is said in German, too";
     EXPECT_NEAR(shown.curves[0].y[0], 60.0, 1e-9);
     Chart force = chart;
     force.y_label = "Force (mN)";
     EXPECT_EQ(bleeding_in_units(force, clinic).curves[0].y[0], 1.06);
+}
+
+// All steps were reached and a pass mark was missed: both labels stand at one moment.
+TEST(LessonWords, OfAPlotGiveTheVerdictToNoStep) {
+    LessonStanding standing;
+    standing.outcome = LessonOutcome::failed;
+    standing.reasons = {"pass mark missed"};
+    standing.steps = {{6.5, 0.0}};
+    standing.metrics.time_s = 6.5;
+    EXPECT_EQ(plot_events_of(standing),
+              (std::vector<PlotEvent>{{6.5, "step 1"}, {6.5, "verdict: not passed"}}));
+    standing.outcome = LessonOutcome::passed;
+    EXPECT_EQ(plot_events_of(standing).size(), 1u);
 }
 
 }  // namespace

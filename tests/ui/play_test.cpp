@@ -98,6 +98,9 @@ TEST_F(Play, a_double_click_sends_the_drug_downstream) {
     ASSERT_TRUE(testing::wait_for([&] { return !pressure().empty(); }));
     EXPECT_DOUBLE_EQ(pressure().at(0).x.back(), frame().drug.end_s);
     EXPECT_TRUE(testing::wait_for([&] { return dock.isVisible(); }));
+    // Nothing is injected any more.
+    window_.actions()[ActionId::remove_drug].trigger();
+    EXPECT_TRUE(testing::wait_for([&] { return pressure().empty(); }));
 }
 
 }  // namespace
