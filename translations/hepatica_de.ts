@@ -1107,10 +1107,6 @@
         <translation>Lipiodol-Emulsion, 2 zu 1</translation>
     </message>
     <message>
-        <source>Iodised oil, 25 mPa s and 1280 kg/m³ at 37 °C: the usual choice in chemoembolization.</source>
-        <translation>Iodiertes Öl, 25 mPa s und 1280 kg/m³ bei 37 °C: das Übliche bei der Chemoembolisation.</translation>
-    </message>
-    <message>
         <source>Gas, as in the paper</source>
         <translation>Gas, wie in der Veröffentlichung</translation>
     </message>
@@ -3155,10 +3151,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Draw a cut line across the branch at the first mark, take the branch at the second and pull until it comes off.</source>
         <translation>Ziehen Sie an der ersten Marke eine Schwächungslinie quer über den Ast, fassen Sie den Ast an der zweiten, und ziehen Sie, bis er abgeht.</translation>
-    </message>
-    <message>
-        <source>Inject the emulsion until nine tenths of the target are full.</source>
-        <translation>Injizieren Sie die Emulsion, bis neun Zehntel des Ziels gefüllt sind.</translation>
     </message>
     <message>
         <source>Portal vein</source>
@@ -8224,18 +8216,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Taste 4 nimmt die Sonde. Kommen Sie von der Seite der Wurzel, und drücken Sie einige Millimeter hinein.</translation>
     </message>
     <message>
-        <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. In a play a pump drives the drug, so that the flow itself never stands still, and there are no beads: the end is the filled target.</source>
-        <translation>Füllen Sie die Gefäße des Ziels mit einer Lipiodol-Emulsion, und hören Sie auf, bevor sie in die anderen zurückläuft. Im Spiel treibt eine Pumpe den Wirkstoff, sodass der Fluss selbst nie stillsteht, und es gibt keine Partikel: Das Ende ist das gefüllte Ziel.</translation>
-    </message>
-    <message>
-        <source>Stop the injection: take the catheter out (Del).</source>
-        <translation>Beenden Sie die Injektion: Nehmen Sie den Katheter heraus (Entf).</translation>
-    </message>
-    <message>
-        <source>Pausing only holds the clock. Del ends the injection and takes the drug out of the picture; the dose that was given stays counted.</source>
-        <translation>Anhalten hält nur die Uhr an. Entf beendet die Injektion und nimmt den Wirkstoff aus dem Bild; die gegebene Dosis bleibt gezählt.</translation>
-    </message>
-    <message>
         <source>the lesson asks for another drug: %1</source>
         <translation>die Lektion verlangt einen anderen Wirkstoff: %1</translation>
     </message>
@@ -8868,10 +8848,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Taste 9 zieht Schwächungslinien; Taste 1 zieht wieder. Stellen Sie „Entlang Linie“ im Bereich Werkzeug nahe 0: So viel lässt die Linie von der Festigkeit.</translation>
     </message>
     <message>
-        <source>A little beyond the mark, slowly: in the panel Injection, a flow of 0.5 g/s, which is about 30 mL/min.</source>
-        <translation>Etwas jenseits der Marke, langsam: im Bereich Injektion ein Fluss von 0,5 g/s, das sind etwa 30 mL/min.</translation>
-    </message>
-    <message>
         <source>Rod probe: the mouse leads a rod that pushes the vessels</source>
         <translation>Stabsonde: Die Maus führt einen Stab, der die Gefäße wegdrückt</translation>
     </message>
@@ -8938,6 +8914,30 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>measured</source>
         <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>Iodised oil, 25 mPa s and 1280 kg/m³ at 37 °C: given into the hepatic artery in chemoembolization, and with glue into the portal vein before a resection.</source>
+        <translation>Iodiertes Öl, 25 mPa s und 1280 kg/m³ bei 37 °C: bei der Chemoembolisation in die Leberarterie gegeben, mit Klebstoff vor einer Resektion in die Pfortader.</translation>
+    </message>
+    <message>
+        <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. A pump drives the emulsion; where the pump stops, the emulsion stays. You see by the filled target when it is enough.</source>
+        <translation>Füllen Sie die Zielgefäße mit einer Lipiodol-Emulsion, und hören Sie auf, bevor sie in die anderen zurückläuft. Eine Pumpe treibt die Emulsion; steht die Pumpe, bleibt die Emulsion, wo sie ist. Wann es genug ist, sehen Sie an den gefüllten Zielgefäßen.</translation>
+    </message>
+    <message>
+        <source>Lower the flow in the panel Injection, then inject the emulsion until nine tenths of the target are full.</source>
+        <translation>Verringern Sie den Fluss im Bereich Injektion, und injizieren Sie dann die Emulsion, bis neun Zehntel der Zielgefäße gefüllt sind.</translation>
+    </message>
+    <message>
+        <source>A little beyond the mark, slowly: a flow of 0.5 g/s, which is about 30 mL/min. At 2 g/s the emulsion runs back within seconds.</source>
+        <translation>Etwas jenseits der Marke, langsam: ein Fluss von 0,5 g/s, das sind etwa 30 mL/min. Bei 2 g/s läuft die Emulsion binnen Sekunden zurück.</translation>
+    </message>
+    <message>
+        <source>Stop the pump (Space) and leave the emulsion in the target.</source>
+        <translation>Halten Sie die Pumpe an (Leertaste), und lassen Sie die Emulsion in den Zielgefäßen.</translation>
+    </message>
+    <message>
+        <source>Pause in the panel Injection stops the pump too. Del would take the emulsion out again, and the target would be empty.</source>
+        <translation>Auch Pause im Bereich Injektion hält die Pumpe an. Entf nähme die Emulsion wieder heraus, und die Zielgefäße wären leer.</translation>
     </message>
 </context>
 </TS>

@@ -54,8 +54,8 @@ struct LessonMoment {
     double leak_g_s = 0.0;
     double target_filled = 0.0;     // share of the target's surface vertices reached by the drug
     double elsewhere_filled = 0.0;  // the same of all others
-    bool drug_present = false;
-    bool holding = false;  // the hand holds a vessel, or the tool touches one
+    bool drug_present = false;      // an injection runs: neither stopped nor taken out
+    bool holding = false;           // the hand holds a vessel, or the tool touches one
     std::vector<MarkMoment> marks;
     bool operator==(const LessonMoment&) const = default;
 };

@@ -224,12 +224,12 @@ void PlayMeter::take_arrivals(const Frame& frame) {
 
 void PlayMeter::see_drug(const Frame& frame) {
     if (!dose_) return;
-    moment_.drug_present = frame.drug.arrival_s != nullptr;
-    if (moment_.drug_present && frame.drug.version != drug_version_) take_arrivals(frame);
-    moment_.target_filled =
-        moment_.drug_present ? share_reached(target_arrivals_, frame.drug.time_s) : 0.0;
-    moment_.elsewhere_filled =
-        moment_.drug_present ? share_reached(other_arrivals_, frame.drug.time_s) : 0.0;
+    const bool injected = frame.drug.arrival_s != nullptr;
+    // A pump that stands ends the injection; what it filled stays filled.
+    moment_.drug_present = injected && frame.drug.playing;
+    if (injected && frame.drug.version != drug_version_) take_arrivals(frame);
+    moment_.target_filled = injected ? share_reached(target_arrivals_, frame.drug.time_s) : 0.0;
+    moment_.elsewhere_filled = injected ? share_reached(other_arrivals_, frame.drug.time_s) : 0.0;
     dose_->see(frame.drug);
     const Dose dose = dose_->total();
     metrics_.injected_g = dose.injected_g;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/scene/drug_arrival.h"
 #include "tests/lesson/frames.h"
 
 namespace hepatica {
@@ -202,6 +203,34 @@ TEST(PlayMeter, WhoTouchesTheVesselAtTheMarkIsNear) {
     frame.tool->touched = {nearest};
     meter.see(frame);
     EXPECT_EQ(meter.moment().marks.at(0).distance_mm, 0.0);
+}
+
+// A pump that stands ends the injection; taking the drug out also empties the target.
+TEST(PlayMeter, AStoppedInjectionLeavesTheTargetFilled) {
+    Lesson lesson = plain_lesson();
+    lesson.scene.flow.emplace();
+    lesson.target = ScriptPlace{.share_of_longest_path = 0.6};
+    Frame frame = rest_frame();
+    frame.drug.injection = std::make_shared<const InjectionOptions>(
+        injection_options({.at = {0, 20.0}, .mass_flow_g_s = 4.0}, small_patient()->tree));
+    frame.drug.arrival_s =
+        std::make_shared<const std::vector<float>>(small_patient()->mesh.vertices_mm.size(), 1.0F);
+    frame.drug.version = 1;
+    frame.drug.end_s = 15.0;
+    frame.drug.time_s = 2.0;
+    PlayMeter meter(lesson, small_patient());
+    meter.begin(rest_frame());
+    const auto expect = [&](bool runs, double filled) {
+        meter.see(frame);
+        EXPECT_EQ(meter.moment().drug_present, runs);
+        EXPECT_EQ(meter.moment().target_filled, filled);
+    };
+    frame.drug.playing = true;
+    expect(true, 1.0);
+    frame.drug.playing = false;
+    expect(false, 1.0);
+    frame.drug = {};
+    expect(false, 0.0);
 }
 
 }  // namespace
