@@ -1511,7 +1511,7 @@
     </message>
     <message>
         <source>&amp;Give it a target</source>
-        <translation>Mit &amp;Ziel</translation>
+        <translation>Mit &amp;Zielgebiet</translation>
     </message>
     <message>
         <source>Marks</source>
@@ -1527,11 +1527,11 @@
     </message>
     <message>
         <source>Target of the drug</source>
-        <translation>Ziel des Wirkstoffs</translation>
+        <translation>Zielgebiet des Wirkstoffs</translation>
     </message>
     <message>
         <source>The vessels beyond this place. What is delivered there is the dose in the target, all other is elsewhere.</source>
-        <translation>Die Gefäße jenseits dieses Orts. Was dort ankommt, ist die Dosis im Ziel, alles andere geht daneben.</translation>
+        <translation>Die Gefäße jenseits dieses Orts. Was dort ankommt, ist die Dosis im Zielgebiet, alles andere geht daneben.</translation>
     </message>
     <message>
         <source>Name of the mark</source>
@@ -3070,7 +3070,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>the target&apos;s vessel</source>
-        <translation>Gefäß des Ziels</translation>
+        <translation>Gefäß des Zielgebiets</translation>
     </message>
     <message>
         <source>the stump</source>
@@ -3142,7 +3142,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Inject so that 3 g reach the target&apos;s tissue.</source>
-        <translation>Injizieren Sie so, dass 3 g das Gewebe des Ziels erreichen.</translation>
+        <translation>Injizieren Sie so, dass 3 g das Gewebe des Zielgebiets erreichen.</translation>
     </message>
     <message>
         <source>Draw a cut line across a branch and pull it off along the line. Without the line the pull would stretch the branch long before it tears.</source>
@@ -4206,7 +4206,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>dose in the target</source>
-        <translation>Dosis im Ziel</translation>
+        <translation>Dosis im Zielgebiet</translation>
     </message>
     <message>
         <source>dose elsewhere</source>
@@ -4218,7 +4218,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>share of the dose in the target</source>
-        <translation>Anteil der Dosis im Ziel</translation>
+        <translation>Anteil der Dosis im Zielgebiet</translation>
     </message>
     <message>
         <source>time of this step</source>
@@ -4238,7 +4238,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>share of the target that the drug has reached</source>
-        <translation>vom Wirkstoff erreichter Anteil des Ziels</translation>
+        <translation>vom Wirkstoff erreichter Anteil des Zielgebiets</translation>
     </message>
     <message>
         <source>share of the rest that the drug has reached</source>
@@ -4370,7 +4370,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>The target</source>
-        <translation>Das Ziel</translation>
+        <translation>Das Zielgebiet</translation>
     </message>
     <message>
         <source>Step %1 &quot;%2&quot;</source>
@@ -4426,7 +4426,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>needs a target: say where it begins.</source>
-        <translation>braucht ein Ziel: Sagen Sie, wo es beginnt.</translation>
+        <translation>braucht ein Zielgebiet: Sagen Sie, wo es beginnt.</translation>
     </message>
     <message>
         <source>Pull the vessel at the mark 10 mm aside and hold it for a second.</source>
@@ -4762,7 +4762,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>the target</source>
-        <translation>das Ziel</translation>
+        <translation>das Zielgebiet</translation>
     </message>
     <message>
         <source>%1, %2 Newton iterates</source>
@@ -7688,10 +7688,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Bilder</translation>
     </message>
     <message>
-        <source>From the front, without perspective. Circles: the lesson&apos;s marks.</source>
-        <translation>Von vorn, ohne Perspektive. Kreise: die Marken der Lektion.</translation>
-    </message>
-    <message>
         <source>For training and research alone: no diagnosis, no treatment, no certificate.</source>
         <translation>Nur für Übung und Forschung: keine Diagnose, keine Behandlung, kein Zeugnis.</translation>
     </message>
@@ -8869,11 +8865,11 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>A tumour as the target</source>
-        <translation>Ein Tumor als Ziel</translation>
+        <translation>Ein Tumor als Zielgebiet</translation>
     </message>
     <message>
         <source>The target begins where the portal or arterial vessels pass nearest to the tumour&apos;s middle</source>
-        <translation>Das Ziel beginnt dort, wo Pfortader- oder Arterienäste der Mitte des Tumors am nächsten kommen</translation>
+        <translation>Das Zielgebiet beginnt dort, wo Pfortader- oder Arterienäste der Mitte des Tumors am nächsten kommen</translation>
     </message>
     <message>
         <source>Tumour %1 (%L2 ml)</source>
@@ -8921,11 +8917,11 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. A pump drives the emulsion; where the pump stops, the emulsion stays. You see by the filled target when it is enough.</source>
-        <translation>Füllen Sie die Zielgefäße mit einer Lipiodol-Emulsion, und hören Sie auf, bevor sie in die anderen zurückläuft. Eine Pumpe treibt die Emulsion; steht die Pumpe, bleibt die Emulsion, wo sie ist. Wann es genug ist, sehen Sie an den gefüllten Zielgefäßen.</translation>
+        <translation>Füllen Sie die Gefäße des Zielgebiets mit einer Lipiodol-Emulsion, und hören Sie auf, bevor sie in die anderen zurückläuft. Eine Pumpe treibt die Emulsion; steht die Pumpe, bleibt die Emulsion, wo sie ist. Wann es genug ist, sehen Sie am gefüllten Zielgebiet.</translation>
     </message>
     <message>
         <source>Lower the flow in the panel Injection, then inject the emulsion until nine tenths of the target are full.</source>
-        <translation>Verringern Sie den Fluss im Bereich Injektion, und injizieren Sie dann die Emulsion, bis neun Zehntel der Zielgefäße gefüllt sind.</translation>
+        <translation>Verringern Sie den Fluss im Bereich Injektion, und injizieren Sie dann die Emulsion, bis neun Zehntel des Zielgebiets gefüllt sind.</translation>
     </message>
     <message>
         <source>A little beyond the mark, slowly: a flow of 0.5 g/s, which is about 30 mL/min. At 2 g/s the emulsion runs back within seconds.</source>
@@ -8933,11 +8929,43 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Stop the pump (Space) and leave the emulsion in the target.</source>
-        <translation>Halten Sie die Pumpe an (Leertaste), und lassen Sie die Emulsion in den Zielgefäßen.</translation>
+        <translation>Halten Sie die Pumpe an (Leertaste), und lassen Sie die Emulsion im Zielgebiet.</translation>
     </message>
     <message>
         <source>Pause in the panel Injection stops the pump too. Del would take the emulsion out again, and the target would be empty.</source>
-        <translation>Auch Pause im Bereich Injektion hält die Pumpe an. Entf nähme die Emulsion wieder heraus, und die Zielgefäße wären leer.</translation>
+        <translation>Auch Pause im Bereich Injektion hält die Pumpe an. Entf nähme die Emulsion wieder heraus, und das Zielgebiet wäre leer.</translation>
+    </message>
+    <message>
+        <source>not begun</source>
+        <translation>nicht begonnen</translation>
+    </message>
+    <message>
+        <source>Came to</source>
+        <translation>Gekommen bis</translation>
+    </message>
+    <message>
+        <source>From the front, without perspective.</source>
+        <translation>Von vorn, ohne Perspektive.</translation>
+    </message>
+    <message>
+        <source>Circles: the lesson&apos;s marks.</source>
+        <translation>Kreise: die Marken der Übung.</translation>
+    </message>
+    <message>
+        <source>Brown to yellow: what the drug has reached, the earliest darkest.</source>
+        <translation>Braun bis Gelb: was der Wirkstoff erreicht hat, das früheste am dunkelsten.</translation>
+    </message>
+    <message>
+        <source>Vessels that the drug has reached</source>
+        <translation>Gefäße, die der Wirkstoff erreicht hat</translation>
+    </message>
+    <message>
+        <source>Share (%)</source>
+        <translation>Anteil (%)</translation>
+    </message>
+    <message>
+        <source>The rest</source>
+        <translation>Der Rest</translation>
     </message>
 </context>
 </TS>

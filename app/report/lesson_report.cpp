@@ -129,13 +129,18 @@ std::string key(const QString& words) {
     return words.toStdString();
 }
 
+// What a bound missed differs from it in the digits that are shown.
+QString value_words(const BoundStanding& bound, FlowUnits units) {
+    if (std::isnan(bound.value)) return Words::tr("not measured");
+    if (bound.kept) return in_words(bound.predicate.quantity, bound.value, units);
+    return translated(to_words_beside(bound.predicate, bound.value, units));
+}
+
 Json table_of_bounds(const std::vector<BoundStanding>& bounds,
                      const std::vector<std::string>& marks, FlowUnits units, bool judged) {
     Json rows = Json::array();
     for (const BoundStanding& bound : bounds) {
-        const bool unknown = std::isnan(bound.value);
-        const QString was = unknown ? Words::tr("not measured")
-                                    : in_words(bound.predicate.quantity, bound.value, units);
+        const QString was = value_words(bound, units);
         const QString kept = !judged ? Words::tr("not judged: the lesson did not reach its end")
                              : bound.kept ? Words::tr("yes")
                                           : Words::tr("no");
@@ -147,14 +152,29 @@ Json table_of_bounds(const std::vector<BoundStanding>& bounds,
     return rows;
 }
 
-Json table_of_steps(const LessonStanding& standing, const Lesson& lesson) {
+// How far the goal of a step came that was not reached.
+QString came_to(const LessonStanding& standing, std::size_t step, FlowUnits units) {
+    if (step < standing.step) return "";
+    if (step > standing.step) return Words::tr("not begun");
+    QStringList values;
+    for (const BoundStanding& goal : standing.goal) values << value_words(goal, units);
+    return values.join("; ");
+}
+
+Json table_of_steps(const LessonStanding& standing, const Lesson& lesson, FlowUnits units) {
+    const std::vector<std::string> marks = lesson.mark_names();
     Json rows = Json::array();
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const auto& reached = standing.steps[i].reached_s;
         const QString when = reached
                                  ? Words::tr("after %1").arg(in_words(Quantity::time_s, *reached))
                                  : Words::tr("no");
+        QStringList goals;
+        for (const Predicate& goal : lesson.steps[i].goal)
+            goals << translated(to_words(goal, marks, units));
         rows.push_back({{key(Words::tr("Step")), key(translated(lesson.steps[i].text))},
+                        {key(Words::tr("Goal")), key(goals.join("; "))},
+                        {key(Words::tr("Came to")), key(came_to(standing, i, units))},
                         {key(Words::tr("Reached")), key(when)}});
     }
     return rows;
@@ -189,6 +209,12 @@ Json table_of_metrics(const LessonMetrics& metrics, const Lesson& lesson, FlowUn
         if (words.quantity >= Quantity::step_time_s) break;
         const double value = value_of({words.quantity, -1, true, 0.0}, metrics, {}, 0.0);
         if (!means_something(words.quantity, value, lesson)) continue;
+        // From a tip in the target all that runs back goes elsewhere: one number, one row.
+        const bool repeats = words.quantity == Quantity::reflux_g && lesson.target &&
+                             !asks_for(lesson, words.quantity) &&
+                             in_words(words.quantity, value) ==
+                                 in_words(Quantity::dose_elsewhere_g, metrics.dose_elsewhere_g);
+        if (repeats) continue;
         rows.push_back({{key(Words::tr("Quantity")), key(translated(words.words))},
                         {key(Words::tr("Value")), key(in_words(words.quantity, value, units))}});
     }
@@ -229,6 +255,10 @@ struct Parts {
     std::vector<std::pair<fs::path, std::string>> plots;
 };
 
+bool is_of_drug(const Parts& parts) {
+    return parts.lesson.target || parts.scored.standing.metrics.injected_g > 0.0;
+}
+
 QString name_of_patient(const ReportRequest& request, const PatientCase& patient) {
     const std::string& name =
         request.patient_name.empty() ? patient.source.name : request.patient_name;
@@ -259,7 +289,7 @@ void add_verdict(HtmlReport& page, const Parts& parts) {
         page.add_paragraph(key(translated(reason)));
     if (!parts.lesson.about.empty()) page.add_paragraph(key(translated(parts.lesson.about)));
     page.add_heading(key(Words::tr("Steps")));
-    page.add_table(table_of_steps(standing, parts.lesson));
+    page.add_table(table_of_steps(standing, parts.lesson, units));
     if (!standing.limits.empty()) page.add_heading(key(Words::tr("Limits")));
     if (!standing.limits.empty())
         page.add_table(table_of_bounds(standing.limits, marks, units, true));
@@ -268,6 +298,14 @@ void add_verdict(HtmlReport& page, const Parts& parts) {
     if (!standing.pass.empty()) page.add_heading(key(Words::tr("Pass marks")));
     if (!standing.pass.empty())
         page.add_table(table_of_bounds(standing.pass, marks, units, reached));
+}
+
+QString legend_of_pictures(const Parts& parts) {
+    QStringList sentences{Words::tr("From the front, without perspective.")};
+    if (!parts.lesson.marks.empty()) sentences << Words::tr("Circles: the lesson's marks.");
+    if (is_of_drug(parts))
+        sentences << Words::tr("Brown to yellow: what the drug has reached, the earliest darkest.");
+    return sentences.join(" ");
 }
 
 HtmlReport page_of(const Parts& parts) {
@@ -280,8 +318,7 @@ HtmlReport page_of(const Parts& parts) {
     page.add_heading(key(Words::tr("Over time")));
     for (const auto& [file, caption] : parts.plots) page.add_picture(file, caption);
     page.add_heading(key(Words::tr("Pictures")));
-    page.add_paragraph(
-        key(Words::tr("From the front, without perspective. Circles: the lesson's marks.")));
+    page.add_paragraph(key(legend_of_pictures(parts)));
     for (const auto& [file, caption] : parts.pictures) page.add_picture(file, caption);
     page.add_paragraph(key(
         Words::tr("For training and research alone: no diagnosis, no treatment, no certificate.")));
@@ -308,20 +345,46 @@ void write_pictures(Parts& parts, const Moments& moments, const LessonRun& place
     }
 }
 
-// Adds the curves over time, as pictures and as one table.
-void write_plots(Parts& parts, const fs::path& folder) {
+// The shares of the vessels that the drug has reached.
+Chart chart_of_drug(const std::vector<LessonSample>& samples, bool target) {
+    const char* title = Words::id("Vessels that the drug has reached");
+    const char* unit = Words::id("Share (%)");
+    Chart chart = chart_over_time(samples, title, unit,
+                                  [](const LessonSample& s) { return 100.0 * s.elsewhere_filled; });
+    if (!target) return chart;
+    chart.curves[0].name = Words::id("The rest");
+    chart.curves.insert(
+        chart.curves.begin(),
+        chart_over_time(samples, Words::id("The target"), unit, [](const LessonSample& s) {
+            return 100.0 * s.target_filled;
+        }).curves[0]);
+    return chart;
+}
+
+std::vector<Chart> charts_of(const Parts& parts) {
     const std::vector<LessonSample>& samples = parts.scored.samples;
-    std::vector<Chart> charts{
-        chart_over_time(samples, Words::id("Force"), Words::id("Force (mN)"),
-                        [](const LessonSample& s) { return s.force_mn; }),
-        chart_over_time(samples, Words::id("Largest stretch beyond rest"), Words::id("Stretch (%)"),
-                        [](const LessonSample& s) { return 100.0 * (s.stretch - 1.0); })};
+    std::vector<Chart> charts;
+    if (is_of_drug(parts))
+        charts.push_back(chart_of_drug(samples, parts.lesson.target.has_value()));
+    // Where nothing but a drug was used, the vessels are at rest.
+    if (!is_of_drug(parts) || parts.scored.standing.metrics.peak_force_mn > 0.0) {
+        charts.push_back(chart_over_time(samples, Words::id("Force"), Words::id("Force (mN)"),
+                                         [](const LessonSample& s) { return s.force_mn; }));
+        charts.push_back(chart_over_time(
+            samples, Words::id("Largest stretch beyond rest"), Words::id("Stretch (%)"),
+            [](const LessonSample& s) { return 100.0 * (s.stretch - 1.0); }));
+    }
     if (parts.lesson.scene.tear)
         charts.push_back(chart_over_time(samples, Words::id("Bleeding"),
                                          Words::id("Bleeding (g/s)"),
                                          [](const LessonSample& s) { return s.leak_g_s; }));
+    return charts;
+}
+
+// Adds the curves over time, as pictures and as one table.
+void write_plots(Parts& parts, const fs::path& folder) {
     std::string table;
-    for (const Chart& chart : charts) {
+    for (const Chart& chart : charts_of(parts)) {
         const fs::path name = "plot_" + std::to_string(parts.plots.size() + 1) + ".png";
         draw(bleeding_in_units(chart, parts.request.units), events_of(parts.scored.standing),
              folder / name);
