@@ -1510,6 +1510,10 @@
         <translation>&amp;Zielgebiet angeben</translation>
     </message>
     <message>
+        <source></source>
+        <translation>Mit &amp;Zielgebiet</translation>
+    </message>
+    <message>
         <source>Marks</source>
         <translation>Marken</translation>
     </message>
@@ -7660,10 +7664,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Bilder</translation>
     </message>
     <message>
-        <source>From the front, without perspective. Circles: the lesson&apos;s marks.</source>
-        <translation>Von vorn, ohne Perspektive. Kreise: die Marken der Lektion.</translation>
-    </message>
-    <message>
         <source>For training and research alone: no diagnosis, no treatment, no certificate.</source>
         <translation>Nur für Übung und Forschung: keine Diagnose, keine Behandlung, kein Zeugnis.</translation>
     </message>
@@ -8186,10 +8186,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Key 4 takes the probe. Come from the side of the root, and press some millimetres in.</source>
         <translation>Taste 4 nimmt die Sonde. Kommen Sie von der Seite der Wurzel, und drücken Sie einige Millimeter hinein.</translation>
-    </message>
-    <message>
-        <source>Stop the injection: take the catheter out (Del).</source>
-        <translation>Beenden Sie die Injektion: Nehmen Sie den Katheter heraus (Entf).</translation>
     </message>
     <message>
         <source>the lesson asks for another drug: %1</source>
@@ -8812,10 +8808,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Taste 9 zieht Schwächungslinien; Taste 1 zieht wieder. Stellen Sie „Entlang Linie“ im Bereich Werkzeug nahe 0: So viel lässt die Linie von der Festigkeit.</translation>
     </message>
     <message>
-        <source>A little beyond the mark, slowly: in the panel Injection, a flow of 0.5 g/s, which is about 30 mL/min.</source>
-        <translation>Etwas jenseits der Marke, langsam: im Bereich Injektion ein Fluss von 0,5 g/s, das sind etwa 30 mL/min.</translation>
-    </message>
-    <message>
         <source>Rod probe: the mouse leads a rod that pushes the vessels</source>
         <translation>Stabsonde: Die Maus führt einen Stab, der die Gefäße wegdrückt</translation>
     </message>
@@ -8964,8 +8956,36 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Wie ein Klick auf die Mitte des Astes, dessen Zeile in der Tabelle der Äste (F6) gewählt ist: für einen, der zum Anklicken zu kurz ist</translation>
     </message>
     <message>
-        <source>Goal of step %1, as far as it came</source>
-        <translation>Ziel von Schritt %1, so weit es kam</translation>
+        <source>Iodised oil, 25 mPa s and 1280 kg/m³ at 37 °C: given into the hepatic artery in chemoembolization, and with glue into the portal vein before a resection.</source>
+        <translation>Iodiertes Öl, 25 mPa s und 1280 kg/m³ bei 37 °C: bei der Chemoembolisation in die Leberarterie gegeben, mit Klebstoff vor einer Resektion in die Pfortader.</translation>
+    </message>
+    <message>
+        <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. A pump drives the emulsion; where the pump stops, the emulsion stays. You see by the filled target when it is enough.</source>
+        <translation>Füllen Sie die Gefäße des Zielgebiets mit einer Lipiodol-Emulsion, und hören Sie auf, bevor sie in die anderen zurückläuft. Eine Pumpe treibt die Emulsion; steht die Pumpe, bleibt die Emulsion, wo sie ist. Wann es genug ist, sehen Sie am gefüllten Zielgebiet.</translation>
+    </message>
+    <message>
+        <source>Lower the flow in the panel Injection, then inject the emulsion until nine tenths of the target are full.</source>
+        <translation>Verringern Sie den Fluss im Bereich Injektion, und injizieren Sie dann die Emulsion, bis neun Zehntel des Zielgebiets gefüllt sind.</translation>
+    </message>
+    <message>
+        <source>A little beyond the mark, slowly: a flow of 0.5 g/s, which is about 30 mL/min. At 2 g/s the emulsion runs back within seconds.</source>
+        <translation>Etwas jenseits der Marke, langsam: ein Fluss von 0,5 g/s, das sind etwa 30 mL/min. Bei 2 g/s läuft die Emulsion binnen Sekunden zurück.</translation>
+    </message>
+    <message>
+        <source>Stop the pump (Space) and leave the emulsion in the target.</source>
+        <translation>Halten Sie die Pumpe an (Leertaste), und lassen Sie die Emulsion im Zielgebiet.</translation>
+    </message>
+    <message>
+        <source>Pause in the panel Injection stops the pump too. Del would take the emulsion out again, and the target would be empty.</source>
+        <translation>Auch Pause im Bereich Injektion hält die Pumpe an. Entf nähme die Emulsion wieder heraus, und das Zielgebiet wäre leer.</translation>
+    </message>
+    <message>
+        <source>not begun</source>
+        <translation>nicht begonnen</translation>
+    </message>
+    <message>
+        <source>Came to</source>
+        <translation>Gekommen bis</translation>
     </message>
     <message>
         <source>From the front, without perspective.</source>
@@ -8986,22 +9006,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Tried from the lesson editor: it is not kept among the attempts.</source>
         <translation>Aus dem Lektionseditor ausprobiert: Der Versuch wird nicht aufbewahrt.</translation>
-    </message>
-    <message>
-        <source>Iodised oil, 25 mPa s and 1280 kg/m³ at 37 °C: the usual choice in chemoembolization, which goes through the artery in a patient.</source>
-        <translation>Iodiertes Öl, 25 mPa s und 1280 kg/m³ bei 37 °C: das Übliche bei der Chemoembolisation, die beim Patienten durch die Arterie geht.</translation>
-    </message>
-    <message>
-        <source>Fill the target&apos;s vessels with an emulsion of lipiodol and stop before it runs back into the others. No beads block the vessels here: a pump drives the emulsion on until you take the catheter out, and what counts is the filled target.</source>
-        <translation>Füllen Sie die Gefäße des Zielgebiets mit einer Lipiodol-Emulsion, und hören Sie auf, bevor sie in die anderen zurückläuft. Hier verschließen keine Partikel die Gefäße: Eine Pumpe treibt die Emulsion weiter, bis Sie den Katheter herausnehmen, und es zählt das gefüllte Zielgebiet.</translation>
-    </message>
-    <message>
-        <source>Choose a slow flow, then inject the emulsion until nine tenths of the target are full.</source>
-        <translation>Wählen Sie einen langsamen Fluss, und injizieren Sie dann die Emulsion, bis neun Zehntel des Zielgebiets gefüllt sind.</translation>
-    </message>
-    <message>
-        <source>Pausing only holds the clock. Del ends the injection and takes the drug out of the picture; what it has reached and the dose stay counted.</source>
-        <translation>Anhalten hält nur die Uhr an. Entf beendet die Injektion und nimmt den Wirkstoff aus dem Bild; was er erreicht hat und die Dosis bleiben gezählt.</translation>
     </message>
     <message>
         <source>A place that is reached</source>
@@ -9040,18 +9044,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Bewegen Sie sich langsam: Was gedehnt ist, zieht zurück. Die Zahl am gehaltenen Punkt zeigt die Kraft.</translation>
     </message>
     <message>
-        <source>Reached by the drug</source>
-        <translation>Vom Wirkstoff erreicht</translation>
-    </message>
-    <message>
-        <source>Share of the vessels (%)</source>
-        <translation>Anteil der Gefäße (%)</translation>
-    </message>
-    <message>
-        <source>all other vessels</source>
-        <translation>alle anderen Gefäße</translation>
-    </message>
-    <message>
         <source>at %1</source>
         <translation>bei %1</translation>
     </message>
@@ -9064,8 +9056,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Was ein Wirkstoff erreicht hat, ist ein Anteil der Gefäßoberfläche: der des Zielgebiets oder der aller anderen Gefäße, gleich welchen Systems.</translation>
     </message>
     <message>
-        <source>%1; a stenosis is judged where the branch goes on for 10 mm to both sides without a fork</source>
-        <translation>%1; eine Stenose wird beurteilt, wo der Ast nach beiden Seiten 10 mm ohne Abzweig weiterläuft</translation>
+        <source>%1; a stenosis is judged where the vessel goes on for 10 mm to both sides</source>
+        <translation>%1; eine Stenose wird beurteilt, wo das Gefäß zu beiden Seiten 10 mm weit weitergeht</translation>
     </message>
     <message>
         <source>Forces shown may be rough: the computation was simplified for a moment to stay stable.</source>
@@ -9082,6 +9074,26 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>verdict: not passed</source>
         <translation>Urteil: nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Circles: the lesson&apos;s marks.</source>
+        <translation>Kreise: die Marken der Übung.</translation>
+    </message>
+    <message>
+        <source>Brown to yellow: what the drug has reached, the earliest darkest.</source>
+        <translation>Braun bis Gelb: was der Wirkstoff erreicht hat, das früheste am dunkelsten.</translation>
+    </message>
+    <message>
+        <source>Vessels that the drug has reached</source>
+        <translation>Gefäße, die der Wirkstoff erreicht hat</translation>
+    </message>
+    <message>
+        <source>Share (%)</source>
+        <translation>Anteil (%)</translation>
+    </message>
+    <message>
+        <source>The rest</source>
+        <translation>Der Rest</translation>
     </message>
 </context>
 </TS>

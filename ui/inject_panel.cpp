@@ -44,9 +44,8 @@ constexpr std::array<Preset, 3> presets{{
     {Words::id("Water-soluble carrier"), "carrier", 0.0,
      Words::id("Flows like blood: 3.5 mPa s, 1060 kg/m³.")},
     {Words::id("Lipiodol emulsion, 2 to 1"), "lipiodol", 0.67,
-     Words::id(
-         "Iodised oil, 25 mPa s and 1280 kg/m³ at 37 °C: the usual choice in chemoembolization, "
-         "which goes through the artery in a patient.")},
+     Words::id("Iodised oil, 25 mPa s and 1280 kg/m³ at 37 °C: given into the hepatic artery in "
+               "chemoembolization, and with glue into the portal vein before a resection.")},
     {Words::id("Gas, as in the paper"), "gas", 0.40,
      Words::id(
          "A share of gas of 0.386 to 0.433 in the paper. In blood this would be an air embolus.")},

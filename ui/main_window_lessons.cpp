@@ -32,6 +32,7 @@
 #include "ui/second_view.h"
 #include "ui/slices/view_layout.h"
 #include "ui/tool_panel.h"
+#include "ui/view_ruler.h"
 #include "ui/vtk_widget.h"
 #include "ui/words.h"
 
@@ -127,6 +128,7 @@ void MainWindow::use_for_lesson(std::unique_ptr<Simulation> simulation) {
     const bool begins = simulation != nullptr;
     if (begins) remember_recorded_patient();
     use(std::move(simulation));
+    ruler_->hide_made(begins);
     if (!begins) return;
     inject_->choose_drug(lessons_->running()->drug);
     // Behind the panel of an earlier tool, it would not be found.

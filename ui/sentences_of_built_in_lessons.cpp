@@ -77,17 +77,16 @@ constexpr std::array sentences_built_in_lessons{
               "and pull until it comes off."),
     Words::id("Key 9 draws cut lines; key 1 pulls again. Set \"Along a line\" in the panel Tool "
               "near 0: it is what the line leaves of the strength."),
-    Words::id(
-        "Fill the target's vessels with an emulsion of lipiodol and stop before it runs back "
-        "into the others. No beads block the vessels here: a pump drives the emulsion on until "
-        "you take the catheter out, and what counts is the filled target."),
-    Words::id("Choose a slow flow, then inject the emulsion until nine tenths of the target are "
-              "full."),
-    Words::id("A little beyond the mark, slowly: in the panel Injection, a flow of 0.5 g/s, which "
-              "is about 30 mL/min."),
-    Words::id("Stop the injection: take the catheter out (Del)."),
-    Words::id("Pausing only holds the clock. Del ends the injection and takes the drug out of the "
-              "picture; what it has reached and the dose stay counted."),
+    Words::id("Fill the target's vessels with an emulsion of lipiodol and stop before it runs back "
+              "into the others. A pump drives the emulsion; where the pump stops, the emulsion "
+              "stays. You see by the filled target when it is enough."),
+    Words::id("Lower the flow in the panel Injection, then inject the emulsion until nine tenths "
+              "of the target are full."),
+    Words::id("A little beyond the mark, slowly: a flow of 0.5 g/s, which is about 30 mL/min. At "
+              "2 g/s the emulsion runs back within seconds."),
+    Words::id("Stop the pump (Space) and leave the emulsion in the target."),
+    Words::id("Pause in the panel Injection stops the pump too. Del would take the emulsion out "
+              "again, and the target would be empty."),
 };
 
 }  // namespace

@@ -26,13 +26,6 @@ int nearest_vertex(const std::vector<Vec3>& vertices_mm, const Vec3& point_mm) {
     return nearest;
 }
 
-std::vector<const Measurement*> all_of(const Measurements& measurements) {
-    std::vector<const Measurement*> all;
-    for (const Measurement& made : measurements.made()) all.push_back(&made);
-    if (measurements.half_made()) all.push_back(measurements.half_made());
-    return all;
-}
-
 }  // namespace
 
 ViewRuler::ViewRuler(Measurements& measurements, Screen screen)
@@ -45,7 +38,22 @@ ViewRuler::ViewRuler(Measurements& measurements, Screen screen)
 
 void ViewRuler::show_patient(std::shared_ptr<const PatientCase> patient) {
     patient_ = std::move(patient);
+    hidden_ = 0;
     anchored_to_ = nullptr;
+}
+
+void ViewRuler::hide_made(bool hide) {
+    hidden_ = hide ? measurements_.made().size() : 0;
+    anchored_to_ = nullptr;
+    follow();
+}
+
+std::vector<const Measurement*> ViewRuler::drawn() const {
+    std::vector<const Measurement*> all;
+    const std::vector<Measurement>& made = measurements_.made();
+    for (std::size_t i = hidden_; i < made.size(); ++i) all.push_back(&made[i]);
+    if (measurements_.half_made()) all.push_back(measurements_.half_made());
+    return all;
 }
 
 // In a scene without deformation frames hold the surface's vertices, not the body's.
@@ -59,7 +67,7 @@ void ViewRuler::find_anchors(const std::vector<Vec3>& rest) {
     if (anchored_to_ == &rest) return;
     anchored_to_ = &rest;
     anchors_.clear();
-    for (const Measurement* measurement : all_of(measurements_))
+    for (const Measurement* measurement : drawn())
         for (const Vec3& point : measurement->points_mm)
             anchors_.push_back(nearest_vertex(rest, point));
 }
@@ -86,7 +94,7 @@ void ViewRuler::follow() {
         const std::vector<Vec3>& rest = rest_of(*frame);
         find_anchors(rest);
         std::size_t next = 0;
-        for (const Measurement* measurement : all_of(measurements_)) {
+        for (const Measurement* measurement : drawn()) {
             MeasureView view{measurement->points_mm, measurement->text};
             bool moved = false;
             for (Vec3& point : view.points_mm) {

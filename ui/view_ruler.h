@@ -27,10 +27,12 @@ class ViewRuler {
     };
     ViewRuler(Measurements& measurements, Screen screen);
 
-    // Null: none. Does not clear the measurements.
+    // Null: none. Does not clear the measurements, and hides none.
     void show_patient(std::shared_ptr<const PatientCase> patient);
     // A point of the frame's surface was clicked; reports the result or what to do next.
     void click(const SurfacePick& pick, const ViewAxes& axes);
+    // Whether those made so far are left out of the view: they would lie across a lesson's vessels.
+    void hide_made(bool hide);
     // Moves the lines with the vessels of the newest frame.
     void follow();
 
@@ -41,12 +43,13 @@ class ViewRuler {
     // The rest positions of the frame's vertices.
     const std::vector<Vec3>& rest_of(const Frame& frame) const;
     void find_anchors(const std::vector<Vec3>& rest);
+    std::vector<const Measurement*> drawn() const;  // in order, an unfinished one last
 
     Measurements& measurements_;
     Screen screen_;
     std::shared_ptr<const PatientCase> patient_;
-    // For each point of the measurements in order, an unfinished one last: the vertex it moves
-    // with; -1: no vessel is near, and it stays.
+    std::size_t hidden_ = 0;  // so many of the first ones made are not drawn
+    // For each point of drawn(): the vertex it moves with; -1: no vessel is near, and it stays.
     std::vector<int> anchors_;
     const void* anchored_to_ = nullptr;  // the rest positions used; null: none
 };

@@ -49,12 +49,6 @@ struct Moment {
     Frame frame;
 };
 
-// How far the drug has come, in shares of the surface.
-struct DrugSample {
-    double time_s;
-    double target, rest;
-};
-
 // Collects the moments before the beginning, at the largest force, at each step reached, and at the
 // end.
 class Moments {
@@ -64,7 +58,6 @@ class Moments {
         const bool counts = standing.metrics.time_s > last_s_;
         if (!counts) return;
         last_s_ = standing.metrics.time_s;
-        drug_.push_back({last_s_, standing.moment.target_filled, standing.moment.elsewhere_filled});
         if (standing.metrics.peak_force_mn > peak_mn_) {
             peak_mn_ = standing.metrics.peak_force_mn;
             peak_ = Moment{
@@ -88,11 +81,8 @@ class Moments {
         return all;
     }
 
-    const std::vector<DrugSample>& drug() const { return drug_; }
-
   private:
     static constexpr std::size_t most = 8;
-    std::vector<DrugSample> drug_;
     std::vector<Moment> list_;
     std::optional<Moment> peak_, end_;
     double peak_mn_ = 0.0, last_s_ = 0.0, step_s_ = -1.0;  // step_s_: time of the last step reached
@@ -114,24 +104,6 @@ Chart chart_over_time(const std::vector<LessonSample>& samples, const std::strin
     return chart;
 }
 
-// Nothing where no drug came anywhere.
-std::optional<Chart> chart_of_drug(const std::vector<DrugSample>& samples, bool with_target) {
-    Chart chart{Words::id("Reached by the drug"),
-                "Time (s)",
-                Words::id("Share of the vessels (%)"),
-                {Curve{Words::id("all other vessels"), {}, {}}}};
-    if (with_target) chart.curves.push_back({Words::id("the target"), {}, {}});
-    bool came = false;
-    for (const DrugSample& sample : samples) {
-        came = came || sample.target > 0.0 || sample.rest > 0.0;
-        for (std::size_t c = 0; c < chart.curves.size(); ++c) {
-            chart.curves[c].x.push_back(sample.time_s);
-            chart.curves[c].y.push_back(100.0 * (c == 0 ? sample.rest : sample.target));
-        }
-    }
-    return came ? std::optional(chart) : std::nullopt;
-}
-
 void draw(const Chart& chart, const std::vector<PlotEvent>& events, const fs::path& file) {
     PlotView view;
     view.resize(900, 320);
@@ -146,16 +118,18 @@ std::string key(const QString& words) {
     return words.toStdString();
 }
 
+// What a bound missed differs from it in the digits that are shown.
+QString value_words(const BoundStanding& bound, FlowUnits units) {
+    if (std::isnan(bound.value)) return Words::tr("not measured");
+    if (bound.kept) return in_words(bound.predicate.quantity, bound.value, units);
+    return translated(to_words_beside(bound.predicate, bound.value, units));
+}
+
 Json table_of_bounds(const std::vector<BoundStanding>& bounds,
                      const std::vector<std::string>& marks, FlowUnits units, bool judged) {
     Json rows = Json::array();
     for (const BoundStanding& bound : bounds) {
-        const bool unknown = std::isnan(bound.value);
-        // A value that broke its bound has the digits that tell the two apart.
-        const std::string value = judged && !bound.kept
-                                      ? to_words_beside(bound.predicate, bound.value, units)
-                                      : to_words(bound.predicate.quantity, bound.value, units);
-        const QString was = unknown ? Words::tr("not measured") : translated(value);
+        const QString was = value_words(bound, units);
         const QString kept = !judged ? Words::tr("not judged: the lesson did not reach its end")
                              : bound.kept ? Words::tr("yes")
                                           : Words::tr("no");
@@ -167,14 +141,29 @@ Json table_of_bounds(const std::vector<BoundStanding>& bounds,
     return rows;
 }
 
-Json table_of_steps(const LessonStanding& standing, const Lesson& lesson) {
+// How far the goal of a step came that was not reached.
+QString came_to(const LessonStanding& standing, std::size_t step, FlowUnits units) {
+    if (step < standing.step) return "";
+    if (step > standing.step) return Words::tr("not begun");
+    QStringList values;
+    for (const BoundStanding& goal : standing.goal) values << value_words(goal, units);
+    return values.join("; ");
+}
+
+Json table_of_steps(const LessonStanding& standing, const Lesson& lesson, FlowUnits units) {
+    const std::vector<std::string> marks = lesson.mark_names();
     Json rows = Json::array();
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const auto& reached = standing.steps[i].reached_s;
         const QString when = reached
                                  ? Words::tr("after %1").arg(in_words(Quantity::time_s, *reached))
                                  : Words::tr("no");
+        QStringList goals;
+        for (const Predicate& goal : lesson.steps[i].goal)
+            goals << translated(to_words(goal, marks, units));
         rows.push_back({{key(Words::tr("Step")), key(translated(lesson.steps[i].text))},
+                        {key(Words::tr("Goal")), key(goals.join("; "))},
+                        {key(Words::tr("Came to")), key(came_to(standing, i, units))},
                         {key(Words::tr("Reached")), key(when)}});
     }
     return rows;
@@ -209,6 +198,12 @@ Json table_of_metrics(const LessonMetrics& metrics, const Lesson& lesson, FlowUn
         if (words.quantity >= Quantity::step_time_s) break;
         const double value = value_of({words.quantity, -1, true, 0.0}, metrics, {}, 0.0);
         if (!means_something(words.quantity, value, lesson)) continue;
+        // From a tip in the target all that runs back goes elsewhere: one number, one row.
+        const bool repeats = words.quantity == Quantity::reflux_g && lesson.target &&
+                             !asks_for(lesson, words.quantity) &&
+                             in_words(words.quantity, value) ==
+                                 in_words(Quantity::dose_elsewhere_g, metrics.dose_elsewhere_g);
+        if (repeats) continue;
         rows.push_back({{key(Words::tr("Quantity")), key(translated(words.words))},
                         {key(Words::tr("Value")), key(in_words(words.quantity, value, units))}});
     }
@@ -245,10 +240,13 @@ struct Parts {
     bool free;
     const Score& scored;
     const PatientCase& patient;
-    const std::vector<DrugSample>& drug;
     std::vector<std::pair<fs::path, std::string>> pictures;
     std::vector<std::pair<fs::path, std::string>> plots;
 };
+
+bool is_of_drug(const Parts& parts) {
+    return parts.lesson.target || parts.scored.standing.metrics.injected_g > 0.0;
+}
 
 QString name_of_patient(const ReportRequest& request, const PatientCase& patient) {
     const std::string& name =
@@ -280,12 +278,7 @@ void add_verdict(HtmlReport& page, const Parts& parts) {
         page.add_paragraph(key(translated(reason)));
     if (!parts.lesson.about.empty()) page.add_paragraph(key(translated(parts.lesson.about)));
     page.add_heading(key(Words::tr("Steps")));
-    page.add_table(table_of_steps(standing, parts.lesson));
-    if (!standing.goal.empty()) {
-        page.add_heading(
-            key(Words::tr("Goal of step %1, as far as it came").arg(standing.step + 1)));
-        page.add_table(table_of_bounds(standing.goal, marks, units, true));
-    }
+    page.add_table(table_of_steps(standing, parts.lesson, units));
     if (!standing.limits.empty()) page.add_heading(key(Words::tr("Limits")));
     if (!standing.limits.empty())
         page.add_table(table_of_bounds(standing.limits, marks, units, true));
@@ -296,6 +289,14 @@ void add_verdict(HtmlReport& page, const Parts& parts) {
         page.add_table(table_of_bounds(standing.pass, marks, units, reached));
 }
 
+QString legend_of_pictures(const Parts& parts) {
+    QStringList sentences{Words::tr("From the front, without perspective.")};
+    if (!parts.lesson.marks.empty()) sentences << Words::tr("Circles: the lesson's marks.");
+    if (is_of_drug(parts))
+        sentences << Words::tr("Brown to yellow: what the drug has reached, the earliest darkest.");
+    return sentences.join(" ");
+}
+
 HtmlReport page_of(const Parts& parts) {
     HtmlReport page("Hepatica: " + key(translated(parts.lesson.name)), parts.request.language);
     add_who_and_when(page, parts);
@@ -303,13 +304,10 @@ HtmlReport page_of(const Parts& parts) {
     page.add_heading(key(Words::tr("Metrics")));
     page.add_table(
         table_of_metrics(parts.scored.standing.metrics, parts.lesson, parts.request.units));
-    if (!parts.plots.empty()) page.add_heading(key(Words::tr("Over time")));
+    page.add_heading(key(Words::tr("Over time")));
     for (const auto& [file, caption] : parts.plots) page.add_picture(file, caption);
     page.add_heading(key(Words::tr("Pictures")));
-    page.add_paragraph(
-        key(parts.lesson.marks.empty()
-                ? Words::tr("From the front, without perspective.")
-                : Words::tr("From the front, without perspective. Circles: the lesson's marks.")));
+    page.add_paragraph(key(legend_of_pictures(parts)));
     if (parts.scored.standing.metrics.blood_lost_g > 0.0)
         page.add_paragraph(key(Words::tr("Red balls: blood, a tenth of the volume lost.")));
     for (const auto& [file, caption] : parts.pictures) page.add_picture(file, caption);
@@ -338,26 +336,46 @@ void write_pictures(Parts& parts, const Moments& moments, const LessonRun& place
     }
 }
 
-// Adds the curves over time, as pictures and as one table.
-void write_plots(Parts& parts, const fs::path& folder) {
+// The shares of the vessels that the drug has reached.
+Chart chart_of_drug(const std::vector<LessonSample>& samples, bool target) {
+    const char* title = Words::id("Vessels that the drug has reached");
+    const char* unit = Words::id("Share (%)");
+    Chart chart = chart_over_time(samples, title, unit,
+                                  [](const LessonSample& s) { return 100.0 * s.elsewhere_filled; });
+    if (!target) return chart;
+    chart.curves[0].name = Words::id("The rest");
+    chart.curves.insert(
+        chart.curves.begin(),
+        chart_over_time(samples, Words::id("The target"), unit, [](const LessonSample& s) {
+            return 100.0 * s.target_filled;
+        }).curves[0]);
+    return chart;
+}
+
+std::vector<Chart> charts_of(const Parts& parts) {
     const std::vector<LessonSample>& samples = parts.scored.samples;
     std::vector<Chart> charts;
-    // Where nothing moves both would be flat.
-    if (parts.lesson.scene.deform) {
+    if (is_of_drug(parts))
+        charts.push_back(chart_of_drug(samples, parts.lesson.target.has_value()));
+    // Where nothing but a drug was used, the vessels are at rest.
+    if (!is_of_drug(parts) || parts.scored.standing.metrics.peak_force_mn > 0.0) {
         charts.push_back(chart_over_time(samples, Words::id("Force"), Words::id("Force (mN)"),
                                          [](const LessonSample& s) { return s.force_mn; }));
         charts.push_back(chart_over_time(
             samples, Words::id("Largest stretch beyond rest"), Words::id("Stretch (%)"),
             [](const LessonSample& s) { return 100.0 * (s.stretch - 1.0); }));
     }
-    if (const auto drug = chart_of_drug(parts.drug, parts.lesson.target.has_value()))
-        charts.push_back(*drug);
     if (parts.lesson.scene.tear)
         charts.push_back(chart_over_time(samples, Words::id("Bleeding"),
                                          Words::id("Bleeding (g/s)"),
                                          [](const LessonSample& s) { return s.leak_g_s; }));
+    return charts;
+}
+
+// Adds the curves over time, as pictures and as one table.
+void write_plots(Parts& parts, const fs::path& folder) {
     std::string table;
-    for (const Chart& chart : charts) {
+    for (const Chart& chart : charts_of(parts)) {
         const fs::path name = "plot_" + std::to_string(parts.plots.size() + 1) + ".png";
         draw(bleeding_in_units(chart, parts.request.units), plot_events_of(parts.scored.standing),
              folder / name);
@@ -389,7 +407,7 @@ WrittenReport write_report(const ReportRequest& request, Job& job) {
     fs::create_directories(request.out);
     WrittenReport written{scored.standing.outcome == LessonOutcome::passed, {}};
     write_files_atomically(request.out, [&](const fs::path& folder) {
-        Parts parts{request, lesson, !played, scored, *patient, moments.drug(), {}, {}};
+        Parts parts{request, lesson, !played, scored, *patient, {}, {}};
         write_pictures(parts, moments, *places, folder, job);
         write_plots(parts, folder);
         write_text_atomically(folder / "metrics.csv", to_csv(scored.standing.metrics));

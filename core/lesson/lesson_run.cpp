@@ -167,7 +167,8 @@ void LessonRun::see_step(std::span<const Command> commands, const Frame& frame) 
         standing_.metrics = meter_.metrics();
         standing_.moment = meter_.moment();
         samples_.push_back({standing_.metrics.time_s, standing_.moment.force_mn,
-                            standing_.moment.stretch, standing_.moment.leak_g_s});
+                            standing_.moment.stretch, standing_.moment.leak_g_s,
+                            standing_.moment.target_filled, standing_.moment.elsewhere_filled});
         check_limits();
         if (standing_.outcome == LessonOutcome::running) check_goal();
     }

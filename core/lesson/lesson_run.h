@@ -51,6 +51,8 @@ struct LessonSample {
     double force_mn = 0.0;
     double stretch = 1.0;
     double leak_g_s = 0.0;
+    double target_filled = 0.0;
+    double elsewhere_filled = 0.0;
 };
 
 // Not thread-safe.

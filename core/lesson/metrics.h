@@ -52,12 +52,12 @@ struct LessonMoment {
     double grip_mn = 0.0;  // of the jaws
     double stretch = 1.0;  // largest principal stretch of the surface
     double leak_g_s = 0.0;
-    // Share of the target's surface vertices that the drug has reached since the lesson began; one
-    // that another injection took the place of, or that was removed, stays counted.
+    // Share of the target's surface vertices that the drug has reached since the lesson began, also
+    // by an injection that another one took the place of; 0 once the drug is taken out.
     double target_filled = 0.0;
     double elsewhere_filled = 0.0;  // the same of all others
-    bool drug_present = false;
-    bool holding = false;  // the hand holds a vessel, or the tool touches one
+    bool drug_present = false;      // an injection runs: neither stopped nor taken out
+    bool holding = false;           // the hand holds a vessel, or the tool touches one
     std::vector<MarkMoment> marks;
     bool operator==(const LessonMoment&) const = default;
 };

@@ -212,18 +212,21 @@ void PlayMeter::see_tear(const Frame& frame) {
 }
 
 // Sorted once per injection, so that each step costs two binary searches. What the injections
-// before have reached counts as reached from the beginning.
+// before have reached counts as reached from the beginning, until the drug is taken out.
 void PlayMeter::take_arrivals(const DrugView& drug) {
-    constexpr float at_once = -1.0f, never = std::numeric_limits<float>::infinity();
+    constexpr float at_once = -1.0f;
     target_arrivals_.clear();
     other_arrivals_.clear();
+    if (!drug.arrival_s) {
+        std::ranges::fill(reached_, 0);
+        return;
+    }
     for (std::size_t i = 0; i < on_surface_.size(); ++i) {
         const auto v = static_cast<std::size_t>(on_surface_[i]);
         if (drug_.arrival_s && (*drug_.arrival_s)[v] <= static_cast<float>(drug_.time_s))
             reached_[i] = 1;
-        const float arrival_s = drug.arrival_s ? (*drug.arrival_s)[v] : never;
         (in_target_[i] != 0 ? target_arrivals_ : other_arrivals_)
-            .push_back(reached_[i] != 0 ? at_once : arrival_s);
+            .push_back(reached_[i] != 0 ? at_once : (*drug.arrival_s)[v]);
     }
     std::ranges::sort(target_arrivals_);
     std::ranges::sort(other_arrivals_);
@@ -233,7 +236,8 @@ void PlayMeter::see_drug(const Frame& frame) {
     if (!dose_) return;
     if (frame.drug.version != drug_.version) take_arrivals(frame.drug);
     drug_ = frame.drug;
-    moment_.drug_present = drug_.arrival_s != nullptr;
+    // A pump that stands ends the injection; what it filled stays filled.
+    moment_.drug_present = drug_.arrival_s != nullptr && drug_.playing;
     moment_.target_filled = share_reached(target_arrivals_, drug_.time_s);
     moment_.elsewhere_filled = share_reached(other_arrivals_, drug_.time_s);
     dose_->see(frame.drug);

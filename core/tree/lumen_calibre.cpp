@@ -3,13 +3,63 @@
 #include "core/tree/lumen_calibre.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <utility>
 
+#include "core/base/median.h"
 #include "core/tree/station.h"
 
 namespace hepatica {
 namespace {
 
 constexpr int stations_a_side = 21;
+// A vessel goes on past a side branch where its median radius, which a stenosis hardly changes,
+// stays this share of what it was. By Murray's law (r^3 adds up) the branch then has two thirds of
+// the radius at most.
+constexpr double same_vessel = 0.9;
+
+bool goes_on(const VesselSegment& a, const VesselSegment& b) {
+    const auto [least, most] = std::minmax(median(a.radii_mm), median(b.radii_mm));
+    return least >= same_vessel * most;
+}
+
+void append(const VesselSegment& more, VesselSegment& vessel) {
+    vessel.points_mm.insert(vessel.points_mm.end(), more.points_mm.begin() + 1,
+                            more.points_mm.end());
+    vessel.radii_mm.insert(vessel.radii_mm.end(), more.radii_mm.begin() + 1, more.radii_mm.end());
+}
+
+// A segment with as much of the same vessel on both sides as the reference needs. `at_mm`: the
+// place along the segment, then along the whole.
+VesselSegment through_side_branches(const VesselTree& tree, int segment, double far_mm,
+                                    double& at_mm) {
+    const auto& all = tree.segments;
+    VesselSegment vessel = all[static_cast<std::size_t>(segment)];
+    for (int up = vessel.parent, below = segment; up >= 0 && at_mm < far_mm;) {
+        const VesselSegment& parent = all[static_cast<std::size_t>(up)];
+        if (!goes_on(parent, all[static_cast<std::size_t>(below)])) break;
+        VesselSegment longer = parent;
+        append(vessel, longer);
+        vessel = std::move(longer);
+        at_mm += length_mm(parent);
+        below = std::exchange(up, parent.parent);
+    }
+    for (int last = segment; length_mm(vessel) < at_mm + far_mm;) {
+        int widest = -1;
+        for (std::size_t s = 0; s < all.size(); ++s) {
+            if (all[s].parent != last || all[s].closes_loop) continue;
+            if (widest < 0 ||
+                median(all[s].radii_mm) > median(all[static_cast<std::size_t>(widest)].radii_mm))
+                widest = static_cast<int>(s);
+        }
+        if (widest < 0) break;
+        const VesselSegment& child = all[static_cast<std::size_t>(widest)];
+        if (!goes_on(all[static_cast<std::size_t>(last)], child)) break;
+        append(child, vessel);
+        last = widest;
+    }
+    return vessel;
+}
 
 // The reference diameter at `place_mm`: value of the least-squares line through the diameters
 // beside it.
@@ -58,8 +108,9 @@ std::optional<LumenCalibre> calibre_at(const VesselTree& tree, const Vec3& posit
     }
     if (!found) return std::nullopt;
     LumenCalibre& calibre = *found;
-    const VesselSegment& segment = tree.segments[static_cast<std::size_t>(calibre.segment)];
-    calibre.reference_mm = reference_at(segment, calibre.arclength_mm, near_mm, far_mm);
+    double at_mm = calibre.arclength_mm;
+    const VesselSegment vessel = through_side_branches(tree, calibre.segment, far_mm, at_mm);
+    calibre.reference_mm = reference_at(vessel, at_mm, near_mm, far_mm);
     if (calibre.reference_mm) calibre.stenosis = 1.0 - calibre.diameter_mm / *calibre.reference_mm;
     return found;
 }

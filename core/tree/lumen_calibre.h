@@ -16,7 +16,7 @@ struct LumenCalibre {
     Vec3 position_mm = Vec3::Zero();  // on the centreline
     double diameter_mm = 0.0;
     // The reference diameter, and the share of it by which the lumen is narrower (negative: wider).
-    // None where the segment ends too near.
+    // None where the vessel ends too near.
     std::optional<double> reference_mm;
     std::optional<double> stenosis;
 };
@@ -24,8 +24,9 @@ struct LumenCalibre {
 // Measures the vessel whose lumen contains the position (of several, the one whose axis is nearest
 // relative to its radius), else the one whose wall is nearest, at most `margin_mm` away; none where
 // there is none. The reference is fitted by least squares to diameters sampled from `near_mm` to
-// `far_mm` (near < far) along the same segment on both sides; at least half of the samples must
-// exist on each. O(points of the tree). Thread-safe.
+// `far_mm` (near < far) along the same vessel on both sides: past a side branch where the median
+// radius stays within a tenth. At least half of the samples must exist on each. O(points of the
+// tree). Thread-safe.
 std::optional<LumenCalibre> calibre_at(const VesselTree& tree, const Vec3& position_mm,
                                        double margin_mm = 2.0, double near_mm = 5.0,
                                        double far_mm = 15.0);

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/scene/drug_arrival.h"
 #include "tests/lesson/frames.h"
 
 namespace hepatica {
@@ -180,7 +181,8 @@ TEST(PlayMeter, WhatWasApartBeforeTearingBeganIsNoPieceOff) {
     EXPECT_EQ(meter.metrics().pieces_off, 1);
 }
 
-// What an injection has reached stays reached when another takes its place, and when it is removed.
+// What an injection has reached stays reached when another takes its place, until the drug is taken
+// out.
 TEST(PlayMeter, WhatTheDrugHasReachedStaysReachedThroughAllInjections) {
     Lesson lesson = plain_lesson();
     lesson.scene.flow.emplace();
@@ -214,9 +216,11 @@ TEST(PlayMeter, WhatTheDrugHasReachedStaysReachedThroughAllInjections) {
     for (std::size_t i = 0; i < both.size(); ++i) EXPECT_GT(both[i], first[i] + 0.1);
     frame.drug = {};
     frame.drug.version = 3;
-    EXPECT_EQ(see(0.0), both) << "removed";
+    EXPECT_EQ(see(0.0), (std::array{0.0, 0.0})) << "taken out";
     EXPECT_FALSE(meter.moment().drug_present);
-    EXPECT_EQ(see(9.0), both) << "what had not arrived arrives no more";
+    frame.drug.version = 4;
+    frame.drug.arrival_s = arrivals(0, 1);
+    EXPECT_EQ(see(2.0), first) << "what was taken out does not count again";
 }
 
 // A wide vessel's middle is farther from its surface than what counts as near.
@@ -241,6 +245,34 @@ TEST(PlayMeter, WhoTouchesTheVesselAtTheMarkIsNear) {
     frame.tool->touched = {nearest};
     meter.see(frame);
     EXPECT_EQ(meter.moment().marks.at(0).distance_mm, 0.0);
+}
+
+// A pump that stands ends the injection; taking the drug out also empties the target.
+TEST(PlayMeter, AStoppedInjectionLeavesTheTargetFilled) {
+    Lesson lesson = plain_lesson();
+    lesson.scene.flow.emplace();
+    lesson.target = ScriptPlace{.share_of_longest_path = 0.6};
+    Frame frame = rest_frame();
+    frame.drug.injection = std::make_shared<const InjectionOptions>(
+        injection_options({.at = {0, 20.0}, .mass_flow_g_s = 4.0}, small_patient()->tree));
+    frame.drug.arrival_s =
+        std::make_shared<const std::vector<float>>(small_patient()->mesh.vertices_mm.size(), 1.0F);
+    frame.drug.version = 1;
+    frame.drug.end_s = 15.0;
+    frame.drug.time_s = 2.0;
+    PlayMeter meter(lesson, small_patient());
+    meter.begin(rest_frame());
+    const auto expect = [&](bool runs, double filled) {
+        meter.see(frame);
+        EXPECT_EQ(meter.moment().drug_present, runs);
+        EXPECT_EQ(meter.moment().target_filled, filled);
+    };
+    frame.drug.playing = true;
+    expect(true, 1.0);
+    frame.drug.playing = false;
+    expect(false, 1.0);
+    frame.drug = {};
+    expect(false, 0.0);
 }
 
 }  // namespace

@@ -87,6 +87,7 @@ DrugView drug_of_play() {
         injection_options({.at = {0, 20.0}, .mass_flow_g_s = 4.0, .void_fraction = 0.2}, tree));
     drug.version = 5;
     drug.end_s = 15.0;
+    drug.playing = true;
     auto arrivals = std::make_shared<std::vector<float>>();
     for (std::size_t v = 0; v < small_patient()->mesh.vertices_mm.size(); ++v)
         arrivals->push_back(static_cast<float>((v * 37) % 101) * 0.13f);

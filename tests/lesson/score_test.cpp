@@ -167,7 +167,7 @@ TEST(BuiltInLessons, EachIsPassedByOnePlayAndFailedByAnother) {
             EXPECT_EQ(followed.standing.outcome, LessonOutcome::passed)
                 << to_json(followed.standing, lesson).dump(1);
         }
-        // With one tool alone where the steps ask for another.
+        // With one tool alone where the steps ask for another, or the emulsion taken out again.
         if (const fs::path wrong = plays / (id + "_wrong_tool.json"); fs::exists(wrong)) {
             const Played pressed = play(lesson, read_script(wrong), patient, steps);
             EXPECT_NE(pressed.standing.outcome, LessonOutcome::passed) << id;

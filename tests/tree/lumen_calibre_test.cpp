@@ -105,5 +105,33 @@ TEST(LumenCalibre, SaysNothingOfAStenosisNearAnEnd) {
     EXPECT_NEAR(calibre_at(tree, Vec3(0.0, 3.0, -2.0))->diameter_mm, 8.0, 1e-9);
 }
 
+// The trunk is cut into short segments by its side branches; where it parts in two, it ends.
+TEST(LumenCalibre, GoesOnPastSideBranches) {
+    const VesselTree whole = dented(8.0, 8.0, 0.5, 30.0);
+    const auto& points = whole.segments[0].points_mm;
+    const auto& radii = whole.segments[0].radii_mm;
+    VesselTree parts;
+    for (const auto& [from, to] : {std::pair{0, 96}, std::pair{96, 144}, std::pair{144, 240}}) {
+        VesselSegment segment;
+        segment.parent = static_cast<int>(parts.segments.size()) - 1;
+        segment.points_mm.assign(points.begin() + from, points.begin() + to + 1);
+        segment.radii_mm.assign(radii.begin() + from, radii.begin() + to + 1);
+        parts.segments.push_back(segment);
+    }
+    VesselSegment side;
+    side.parent = 0;
+    side.points_mm = {points[96], points[96] + Vec3(0, 30, 0)};
+    side.radii_mm = {1.0, 1.0};
+    parts.segments.push_back(side);
+    const Vec3 dent(30.0, 3.0, -2.0);
+    const auto found = calibre_at(parts, dent);
+    ASSERT_TRUE(found && found->stenosis);
+    EXPECT_EQ(found->segment, 1);
+    EXPECT_NEAR(found->arclength_mm, 6.0, 1e-9);
+    EXPECT_NEAR(*found->stenosis, *calibre_at(whole, dent)->stenosis, 1e-9);
+    for (double& radius : parts.segments[2].radii_mm) radius *= 0.75;
+    EXPECT_FALSE(calibre_at(parts, dent)->stenosis);
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -28,6 +28,7 @@
 #include "ui/message_bar.h"
 #include "ui/paths.h"
 #include "ui/review_dock.h"
+#include "ui/slices/view_layout.h"
 
 namespace hepatica {
 namespace {
@@ -327,6 +328,33 @@ TEST_F(LessonWindowTest, leaving_gives_back_the_free_play) {
     EXPECT_FALSE(window_.lessons().playing());
     paint();
     EXPECT_TRUE(window_.lessons().isHidden());
+}
+
+// Those of who made the case would lie across what the trainee is to see.
+TEST_F(LessonWindowTest, earlier_measurements_are_not_drawn_while_a_lesson_is_played) {
+    const std::string file = lesson_file(R"({"what": "time_s", "at_least": 1000})");
+    const auto play = [&] {
+        window_.lessons().start(file);
+        return wait_for([&] { return window_.lessons().playing() && !window_.busy(); });
+    };
+    const auto drawn = [&] { return window_.view().scene().measures().size(); };
+    Measurements& measurements = window_.view_layout().slices().measurements();
+    const auto measure = [&] {
+        measurements.choose(MeasurementKind::distance);
+        for (const double z : {0.0, 9.0})
+            measurements.add_point(Vec3(0, 0, z), {}, test::small_patient()->tree);
+    };
+    const auto leave = [&] { window_.lessons().findChild<QPushButton*>("lessonLeave")->click(); };
+    ASSERT_TRUE(play());
+    leave();
+    measure();
+    EXPECT_EQ(drawn(), 1u);
+    ASSERT_TRUE(play());
+    EXPECT_EQ(drawn(), 0u);
+    measure();
+    EXPECT_EQ(drawn(), 1u) << "one's own is seen";
+    leave();
+    EXPECT_EQ(drawn(), 2u);
 }
 
 TEST_F(LessonWindowTest, the_panel_shows_how_fast_the_lessons_drug_runs) {

@@ -163,6 +163,28 @@ TEST_F(SegmentsOverSlices, AreNamedUnderTheMouse) {
     EXPECT_TRUE(said_at(Vec3(-57, 0, 0)).contains("HU"));
 }
 
+// As in the table of branches, which leaves the trunk's segment empty.
+TEST_F(SegmentsOverSlices, AreNotNamedInTheTrunkThatSuppliesSeveral) {
+    const auto shown = patient(halves(6, 3));
+    const auto add = [&](int parent, const Vec3& from, const Vec3& to) {
+        VesselSegment segment;
+        segment.parent = parent;
+        segment.system = VascularSystem::portal;
+        segment.points_mm = {from, 0.5 * (from + to), to};
+        segment.radii_mm = {5.0, 5.0, 5.0};
+        shown->tree.segments.push_back(segment);
+    };
+    add(-1, Vec3(-20, 0, 0), Vec3(-10, 20, 0));
+    add(0, Vec3(-10, 20, 0), Vec3(-30, 50, 0));
+    add(0, Vec3(-10, 20, 0), Vec3(30, 50, 0));
+    show(shown);
+    const std::string trunk = scene().describe(Vec3(-15, 10, 0));
+    EXPECT_NE(trunk.find("portal vein"), std::string::npos) << trunk;
+    EXPECT_EQ(trunk.find("segment"), std::string::npos) << trunk;
+    const std::string branch = scene().describe(Vec3(-30, 50, 0));
+    EXPECT_NE(branch.find("segment VI"), std::string::npos) << branch;
+}
+
 // Words that come and go with the mouse take the slices no room.
 TEST_F(SegmentsOverSlices, AreNamedWithoutMovingOrWideningAnything) {
     show(patient(halves(6, 3)));

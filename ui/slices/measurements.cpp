@@ -115,8 +115,8 @@ std::string Measurements::add_diameter(const Vec3& position_mm, const SlicePlane
     // This note is too long to stand beside the vessel.
     return calibre->stenosis ? text
                              : Words::tr(
-                                   "%1; a stenosis is judged where the branch goes on for 10 mm to "
-                                   "both sides without a fork")
+                                   "%1; a stenosis is judged where the vessel goes on for 10 mm to "
+                                   "both sides")
                                    .arg(QString::fromStdString(text))
                                    .toStdString();
 }

@@ -2,6 +2,7 @@
 #include "ui/slices/slice_scene.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "core/tree/territories/segment_name.h"
@@ -14,9 +15,12 @@ namespace {
 
 std::vector<CentrelinePoint> centrelines_of(const VesselTree& tree) {
     std::vector<CentrelinePoint> points;
-    for (const VesselSegment& segment : tree.segments)
+    int branch = 0;
+    for (const VesselSegment& segment : tree.segments) {
         for (std::size_t i = 0; i < segment.points_mm.size(); ++i)
-            points.push_back({segment.points_mm[i], segment.radii_mm[i], segment.system});
+            points.push_back({segment.points_mm[i], segment.radii_mm[i], segment.system, branch});
+        ++branch;
+    }
     return points;
 }
 
@@ -244,17 +248,25 @@ int SliceScene::segment_at(const Vec3& position_mm) const {
     return segments_.voxels.empty() ? 0 : value_at(segments_, position_mm);
 }
 
-std::string SliceScene::describe(const Vec3& position_mm) const {
-    if (empty()) return {};
-    if (!holds(ct_->grid, position_mm)) return {};
-    std::string text = patient_place(position_mm, 1).toStdString() + "   " +
-                       std::to_string(value_at(*ct_, position_mm)) + " HU";
-    if (const int segment = segment_at(position_mm); segment > 0)
-        text += "   " + Words::tr("liver segment %1")
-                            .arg(QString::fromStdString(segment_name(segment)))
-                            .toStdString();
-    if (const int tumour = tumours_.tumour_at(position_mm); tumour > 0)
-        text += "   " + Words::tr("tumour %1").arg(tumour).toStdString();
+bool SliceScene::supplies_several(const CentrelinePoint& vessel) const {
+    if (vessel.system != VascularSystem::portal) return false;
+    // Parents stand before their children.
+    std::vector<std::uint8_t> beyond(tree_.segments.size(), 0), passed_on(beyond);
+    beyond[static_cast<std::size_t>(vessel.branch)] = 1;
+    for (std::size_t s = 0; s < beyond.size(); ++s) {
+        const int parent = tree_.segments[s].parent;
+        if (parent < 0 || beyond[static_cast<std::size_t>(parent)] == 0) continue;
+        beyond[s] = passed_on[static_cast<std::size_t>(parent)] = 1;
+    }
+    std::set<int> supplied;
+    for (std::size_t s = 0; s < beyond.size(); ++s)
+        if (beyond[s] != 0 && passed_on[s] == 0)
+            if (const int segment = segment_at(tree_.segments[s].points_mm.back()); segment > 0)
+                supplied.insert(segment);
+    return supplied.size() > 1;
+}
+
+const CentrelinePoint* SliceScene::vessel_at(const Vec3& position_mm) const {
     const CentrelinePoint* vessel = nullptr;
     double nearest = 1.0;  // distance in radii
     for (const CentrelinePoint& point : centrelines_) {
@@ -263,6 +275,22 @@ std::string SliceScene::describe(const Vec3& position_mm) const {
         nearest = radii;
         vessel = &point;
     }
+    return vessel;
+}
+
+std::string SliceScene::describe(const Vec3& position_mm) const {
+    if (empty()) return {};
+    if (!holds(ct_->grid, position_mm)) return {};
+    std::string text = patient_place(position_mm, 1).toStdString() + "   " +
+                       std::to_string(value_at(*ct_, position_mm)) + " HU";
+    const CentrelinePoint* vessel = vessel_at(position_mm);
+    const int segment = segment_at(position_mm);
+    if (segment > 0 && !(vessel && supplies_several(*vessel)))
+        text += "   " + Words::tr("liver segment %1")
+                            .arg(QString::fromStdString(segment_name(segment)))
+                            .toStdString();
+    if (const int tumour = tumours_.tumour_at(position_mm); tumour > 0)
+        text += "   " + Words::tr("tumour %1").arg(tumour).toStdString();
     if (!vessel) return text;
     return text + "   " +
            Words::tr("%1, radius %L2 mm")

@@ -24,6 +24,7 @@ struct CentrelinePoint {
     Vec3 position_mm = Vec3::Zero();
     double radius_mm = 0.0;
     VascularSystem system = VascularSystem::unknown;
+    int branch = -1;  // segment of the tree
 };
 
 // UI thread only.
@@ -112,6 +113,10 @@ class SliceScene {
     std::string describe(const Vec3& position_mm) const;
 
   private:
+    // A trunk or main branch of the portal vein, which is no segment's own.
+    bool supplies_several(const CentrelinePoint& vessel) const;
+    // The vessel whose lumen the place is in; null: none.
+    const CentrelinePoint* vessel_at(const Vec3& position_mm) const;
     void tell_of_voxels();
     // Applies a stroke, or the new piece of one, to the voxels.
     void leave(const BrushStroke& stroke);
