@@ -8940,10 +8940,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Ziel von Schritt %1, so weit es kam</translation>
     </message>
     <message>
-        <source>From the front, without perspective.</source>
-        <translation>Von vorn, ohne Perspektive.</translation>
-    </message>
-    <message>
         <source>Saved: %1. The CT is not in it.</source>
         <translation>Gespeichert: %1. Das CT ist nicht darin.</translation>
     </message>

@@ -318,9 +318,7 @@ HtmlReport page_of(const Parts& parts) {
     for (const auto& [file, caption] : parts.plots) page.add_picture(file, caption);
     page.add_heading(key(Words::tr("Pictures")));
     page.add_paragraph(
-        key(parts.lesson.marks.empty()
-                ? Words::tr("From the front, without perspective.")
-                : Words::tr("From the front, without perspective. Circles: the lesson's marks.")));
+        key(Words::tr("From the front, without perspective. Circles: the lesson's marks.")));
     for (const auto& [file, caption] : parts.pictures) page.add_picture(file, caption);
     page.add_paragraph(key(
         Words::tr("For training and research alone: no diagnosis, no treatment, no certificate.")));

@@ -191,7 +191,6 @@ TEST_F(LessonVerb, AReportTellsABrokenLimitFromItsValueAndHowFarTheGoalCame) {
     };
     EXPECT_NE(row("time at most 0.22 s").find("0.233 s"), std::string::npos) << page;
     EXPECT_NE(row("contacts at least 7").find(">0<"), std::string::npos) << page;
-    EXPECT_EQ(page.find("Circles"), std::string::npos) << "there are no marks";
 }
 
 // Nothing moves, so that curves of force and stretch would be flat.
