@@ -114,24 +114,6 @@ Chart chart_over_time(const std::vector<LessonSample>& samples, const std::strin
     return chart;
 }
 
-// Nothing where no drug came anywhere.
-std::optional<Chart> chart_of_drug(const std::vector<DrugSample>& samples, bool with_target) {
-    Chart chart{Words::id("Reached by the drug"),
-                "Time (s)",
-                Words::id("Share of the vessels (%)"),
-                {Curve{Words::id("all other vessels"), {}, {}}}};
-    if (with_target) chart.curves.push_back({Words::id("the target"), {}, {}});
-    bool came = false;
-    for (const DrugSample& sample : samples) {
-        came = came || sample.target > 0.0 || sample.rest > 0.0;
-        for (std::size_t c = 0; c < chart.curves.size(); ++c) {
-            chart.curves[c].x.push_back(sample.time_s);
-            chart.curves[c].y.push_back(100.0 * (c == 0 ? sample.rest : sample.target));
-        }
-    }
-    return came ? std::optional(chart) : std::nullopt;
-}
-
 // Events for the plots.
 std::vector<PlotEvent> events_of(const LessonStanding& standing) {
     std::vector<PlotEvent> events;
@@ -343,6 +325,24 @@ void write_pictures(Parts& parts, const Moments& moments, const LessonRun& place
         save(paint(moment.frame, painting), folder / name);
         parts.pictures.emplace_back(name, key(moment.caption));
     }
+}
+
+// Nothing where no drug came anywhere.
+std::optional<Chart> chart_of_drug(const std::vector<DrugSample>& samples, bool with_target) {
+    Chart chart{Words::id("Reached by the drug"),
+                "Time (s)",
+                Words::id("Share of the vessels (%)"),
+                {Curve{Words::id("all other vessels"), {}, {}}}};
+    if (with_target) chart.curves.push_back({Words::id("the target"), {}, {}});
+    bool came = false;
+    for (const DrugSample& sample : samples) {
+        came = came || sample.target > 0.0 || sample.rest > 0.0;
+        for (std::size_t c = 0; c < chart.curves.size(); ++c) {
+            chart.curves[c].x.push_back(sample.time_s);
+            chart.curves[c].y.push_back(100.0 * (c == 0 ? sample.rest : sample.target));
+        }
+    }
+    return came ? std::optional(chart) : std::nullopt;
 }
 
 // Adds the curves over time, as pictures and as one table.
