@@ -8988,10 +8988,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Gekommen bis</translation>
     </message>
     <message>
-        <source>From the front, without perspective.</source>
-        <translation>Von vorn, ohne Perspektive.</translation>
-    </message>
-    <message>
         <source>Saved: %1. The CT is not in it.</source>
         <translation>Gespeichert: %1. Das CT ist nicht darin.</translation>
     </message>
@@ -9094,6 +9090,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>The rest</source>
         <translation>Der Rest</translation>
+    </message>
+    <message>
+        <source>From the front, without perspective.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -12,7 +12,6 @@
 
 #include "core/lesson/allowed_commands.h"
 #include "core/session/script.h"
-#include "core/tree/station.h"
 #include "ui/branch_dock.h"
 #include "ui/case_editing.h"
 #include "ui/core_words.h"
@@ -404,23 +403,6 @@ std::vector<std::uint8_t> MainWindow::lit_by_itself() const {
     if (lesson == nullptr || !lesson->target) return {};
     const VesselTree& tree = patient_->patient->tree;
     return patient_->anatomy.downstream_of(nearest_point(tree, position_of(*lesson->target, tree)));
-}
-
-// To the centreline, since the vertex itself lies on the wall.
-void MainWindow::lead_crosshair_to(int vertex) {
-    const TreePoint point = patient_->anatomy.tree_point(vertex);
-    if (point.segment < 0) return;
-    const VesselSegment& segment =
-        patient_->patient->tree.segments[static_cast<std::size_t>(point.segment)];
-    view_layout_->slices().set_crosshair(station_at(segment, point.arclength_mm).position_mm);
-}
-
-void MainWindow::inject(const SurfacePick& pick) {
-    if (frame().drug.arrival_s)
-        hint(Words::tr(
-            "This injection takes the place of the last one in the picture; what that one "
-            "reached and gave stays counted in a lesson"));
-    post(inject_->injection_at(pick.position_mm));
 }
 
 void MainWindow::tear(MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke) {

@@ -5,6 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "core/tree/station.h"
+#include "ui/branch_dock.h"
 #include "ui/case_editing.h"
 #include "ui/edit_panel.h"
 #include "ui/lesson_dock.h"
@@ -192,6 +194,15 @@ void MainWindow::build_editing() {
                 if (patient_ && show_marks()) view_->draw_again();
             },
             [this] { return branches_->isVisible() ? chosen_branch_ : -1; }});
+}
+
+// To the centreline, since the vertex itself lies on the wall.
+void MainWindow::lead_crosshair_to(int vertex) {
+    const TreePoint point = patient_->anatomy.tree_point(vertex);
+    if (point.segment < 0) return;
+    const VesselSegment& segment =
+        patient_->patient->tree.segments[static_cast<std::size_t>(point.segment)];
+    view_layout_->slices().set_crosshair(station_at(segment, point.arclength_mm).position_mm);
 }
 
 }  // namespace hepatica

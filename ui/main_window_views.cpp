@@ -12,6 +12,7 @@
 #include "ui/branch_dock.h"
 #include "ui/core_words.h"
 #include "ui/curves_dock.h"
+#include "ui/inject_panel.h"
 #include "ui/language.h"
 #include "ui/lesson_dock.h"
 #include "ui/liver_keeper.h"
@@ -262,6 +263,14 @@ void MainWindow::follow_measuring() {
     } else if (measures) {
         back_to_pulling();
     }
+}
+
+void MainWindow::inject(const SurfacePick& pick) {
+    if (frame().drug.arrival_s)
+        hint(Words::tr(
+            "This injection takes the place of the last one in the picture; what that one "
+            "reached and gave stays counted in a lesson"));
+    post(inject_->injection_at(pick.position_mm));
 }
 
 }  // namespace hepatica
