@@ -9093,7 +9093,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>From the front, without perspective.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von vorn, ohne Perspektive.</translation>
     </message>
 </context>
 </TS>

@@ -191,9 +191,7 @@ void MainWindow::speak(const QString& code) {
 void MainWindow::connect_measuring() {
     Measurements& measurements = view_layout_->slices().measurements();
     ViewRuler::Screen screen;
-    screen.show = [this, &measurements](std::vector<MeasureView> measures) {
-        // What was measured on the case would lie over the vessels that a lesson is about.
-        if (lessons_->playing() && !measurements.chosen()) measures.clear();
+    screen.show = [this](std::vector<MeasureView> measures) {
         if (view_->scene().set_measures(std::move(measures))) view_->draw_again();
     };
     screen.say = [this](const std::string& text) {

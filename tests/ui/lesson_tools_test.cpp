@@ -118,29 +118,6 @@ TEST_F(LessonToolsTest, after_the_name_was_entered_keys_are_those_of_the_play) {
     EXPECT_EQ(name->text(), "dr1");
 }
 
-// They would lie over the vessels that it is about.
-TEST_F(LessonToolsTest, what_was_measured_before_is_not_drawn_while_it_is_played) {
-    open_built_in();
-    Measurements& measurements = window_.view_layout().slices().measurements();
-    const auto drawn = [this] { return window_.view().scene().measures().size(); };
-    const VesselTree& tree = test::small_patient()->tree;
-    measurements.choose(MeasurementKind::distance);
-    for (const int end : {0, 1})
-        measurements.add_point(tree.nodes[static_cast<std::size_t>(end)].position_mm,
-                               SlicePlane{Vec3(0, 1, 0), Vec3(1, 0, 0)}, tree);
-    measurements.choose(std::nullopt);
-    ASSERT_EQ(drawn(), 1u);
-    begin(new_lesson());
-    EXPECT_TRUE(testing::wait_for([&] { return drawn() == 0; }));
-    EXPECT_EQ(measurements.made().size(), 1u) << "they are kept";
-    measurements.choose(MeasurementKind::distance);
-    EXPECT_EQ(drawn(), 1u) << "whoever measures sees them";
-    measurements.choose(std::nullopt);
-    EXPECT_EQ(drawn(), 0u);
-    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
-    EXPECT_TRUE(testing::wait_for([&] { return drawn() == 1; }));
-}
-
 TEST_F(LessonToolsTest, what_it_does_not_allow_cannot_be_chosen) {
     begin(new_lesson());
     EXPECT_TRUE(action(ActionId::pull_mode).isEnabled());
