@@ -321,6 +321,7 @@ void InjectPanel::show_hover(const QString& text) {
 }
 
 void InjectPanel::begin_play(bool free) {
+    if (free) give_drug_back();
     free_play_ = free;
     asked_speed_.reset();
     if (!free) return;
@@ -329,8 +330,20 @@ void InjectPanel::begin_play(bool free) {
 }
 
 void InjectPanel::choose_drug(const std::string& wanted) {
-    for (std::size_t i = 0; i < presets.size(); ++i)
-        if (presets[i].second_phase == wanted) preset_->setCurrentIndex(static_cast<int>(i));
+    give_drug_back();
+    for (std::size_t i = 0; i < presets.size(); ++i) {
+        if (presets[i].second_phase != wanted) continue;
+        before_lesson_ = {preset_->currentIndex(), void_fraction_->value()};
+        preset_->setCurrentIndex(static_cast<int>(i));
+        return;
+    }
+}
+
+void InjectPanel::give_drug_back() {
+    const auto before = std::exchange(before_lesson_, std::nullopt);
+    if (!before) return;
+    preset_->setCurrentIndex(before->preset);
+    void_fraction_->setValue(before->void_fraction);
 }
 
 void InjectPanel::allow_settings(bool allowed) {

@@ -8,7 +8,7 @@ namespace hepatica {
 
 namespace {
 
-bool names(const LessonStep& step, std::size_t mark) {
+bool names_mark(const LessonStep& step, std::size_t mark) {
     return std::ranges::any_of(step.goal, [&](const Predicate& goal) {
         return goal.mark >= 0 && static_cast<std::size_t>(goal.mark) == mark;
     });
@@ -18,7 +18,7 @@ bool names(const LessonStep& step, std::size_t mark) {
 // one on does.
 bool is_done_with(const Lesson& lesson, std::size_t mark, std::size_t step) {
     if (step == lesson.steps.size()) return true;
-    const auto names_it = [&](const LessonStep& one) { return names(one, mark); };
+    const auto names_it = [&](const LessonStep& one) { return names_mark(one, mark); };
     const auto now = lesson.steps.begin() + static_cast<std::ptrdiff_t>(step);
     return std::any_of(lesson.steps.begin(), now, names_it) &&
            std::none_of(now, lesson.steps.end(), names_it);
@@ -35,7 +35,7 @@ std::vector<MarkView> views_of_marks(const Lesson& lesson, const std::vector<Vec
         mark.place_mm = places_mm[i];
         if (places_mm.size() > 1) mark.number = std::to_string(i + 1);
         mark.reached = is_done_with(lesson, i, step);
-        mark.wanted = step < lesson.steps.size() && names(lesson.steps[step], i);
+        mark.wanted = step < lesson.steps.size() && names_mark(lesson.steps[step], i);
     }
     return marks;
 }

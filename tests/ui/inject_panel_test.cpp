@@ -44,6 +44,25 @@ TEST(InjectPanel, OffersTheDrugOfALesson) {
               panel.injection_at(Vec3::Zero()).void_fraction);
 }
 
+TEST(InjectPanel, GivesTheDrugFromBeforeALessonBack) {
+    InjectPanel panel([](const Command&) {});
+    panel.findChild<QComboBox*>("drug")->setCurrentIndex(2);
+    const InjectDrug before = panel.injection_at(Vec3::Zero());
+    const std::string drug = find_lesson("embolization").drug;
+    ASSERT_NE(before.second_phase, drug);
+    const auto offered = [&] { return panel.injection_at(Vec3::Zero()); };
+    panel.begin_play(false);
+    panel.choose_drug(drug);
+    panel.choose_drug(drug);  // begun again
+    ASSERT_EQ(offered().second_phase, drug);
+    panel.begin_play(true);
+    EXPECT_EQ(offered().second_phase, before.second_phase);
+    EXPECT_DOUBLE_EQ(offered().void_fraction, before.void_fraction);
+    panel.choose_drug(drug);
+    panel.choose_drug("");  // of a lesson that takes any
+    EXPECT_EQ(offered().second_phase, before.second_phase);
+}
+
 DrugView injected_drug() {
     DrugView drug;
     drug.arrival_s = std::make_shared<const std::vector<float>>(3, 1.0f);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // After an attempt: whose it was where he gave a name, and the way to the next lesson.
 #include <QComboBox>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScreen>
 #include <QTableWidget>
+#include <algorithm>
 #include <fstream>
 #include <tuple>
 
@@ -152,6 +155,20 @@ TEST_F(LessonAttemptsTest, what_is_compared_has_the_marks_of_the_lesson_too) {
     window_.review().compare(only_recording());
     ASSERT_TRUE(wait_for([&] { return window_.second_view().shown(); }));
     EXPECT_EQ(window_.second_view().view().scene().marks().size(), 1u);
+}
+
+TEST_F(LessonAttemptsTest, the_table_is_seen_as_far_as_the_screen_has_room) {
+    play(short_lesson("Short"));
+    ASSERT_EQ(kept().list.size(), 1u);
+    Attempt attempt = kept().list[0];
+    attempt.metrics.fill(1e4);
+    write_attempt(attempt);
+    window_.lessons().findChild<QPushButton*>("lessonAttempts")->click();
+    AttemptsDialog& dialog = window_.lessons().attempts();
+    const auto* table = dialog.findChild<QTableWidget*>("attempts");
+    const int columns = table->horizontalHeader()->length();
+    ASSERT_GT(columns, 860) << "more than the window's usual width";
+    EXPECT_GE(dialog.width(), std::min(columns, dialog.screen()->availableSize().width()));
 }
 
 // Ctrl + Q is quickly pressed for Ctrl + W.
