@@ -548,10 +548,6 @@
         <translation>Zeigen auf ein Gefäß</translation>
     </message>
     <message>
-        <source>show what lies downstream, and its share of the flow</source>
-        <translation>zeigen, was stromabwärts liegt, und seinen Anteil am Fluss</translation>
-    </message>
-    <message>
         <source>Shift + hover with slices beside</source>
         <translation>Umschalt + Zeigen, mit Schichten daneben</translation>
     </message>
@@ -1287,10 +1283,6 @@
         <translation>Injektion</translation>
     </message>
     <message>
-        <source>Gravity, tissue, tearing, drug&apos;s clock</source>
-        <translation>Schwerkraft, Gewebe, Reißen, Uhr des Wirkstoffs</translation>
-    </message>
-    <message>
         <source>&amp;Name</source>
         <translation>&amp;Name</translation>
     </message>
@@ -1666,16 +1658,8 @@
         <translation>Ö&amp;ffnen</translation>
     </message>
     <message>
-        <source>&amp;Take in a case…</source>
-        <translation>Fall über&amp;nehmen …</translation>
-    </message>
-    <message>
         <source>&amp;Save as one file…</source>
         <translation>Als eine Datei &amp;speichern …</translation>
-    </message>
-    <message>
-        <source>Take in a case</source>
-        <translation>Fall übernehmen</translation>
     </message>
     <message>
         <source>Cases in one file (*.hepz)</source>
@@ -1947,14 +1931,6 @@
     <message>
         <source>The liver&apos;s surface</source>
         <translation>Die Oberfläche der Leber</translation>
-    </message>
-    <message>
-        <source>The window speaks the other language from its next start on.</source>
-        <translation>Von seinem nächsten Start an spricht das Fenster die andere Sprache.</translation>
-    </message>
-    <message>
-        <source>Start it anew now</source>
-        <translation>Jetzt neu starten</translation>
     </message>
     <message>
         <source>Dismiss</source>
@@ -8276,10 +8252,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Neuer Kurs</translation>
     </message>
     <message>
-        <source>Where shall the new course lie?</source>
-        <translation>Wo soll der neue Kurs liegen?</translation>
-    </message>
-    <message>
         <source>Where its places lie on the vessels is not noted yet: open its patient, and save it then.</source>
         <translation>Wo ihre Orte auf den Gefäßen liegen, ist noch nicht vermerkt: Öffnen Sie ihren Patienten, und speichern Sie sie dann.</translation>
     </message>
@@ -8966,6 +8938,34 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>The rest</source>
         <translation>Der Rest</translation>
+    </message>
+    <message>
+        <source>show what lies downstream; the panel Injection says its share of the flow</source>
+        <translation>zeigen, was stromabwärts liegt; seinen Anteil am Fluss sagt der Bereich Injektion</translation>
+    </message>
+    <message>
+        <source>Settings: gravity, tissue, tearing, the drug&apos;s clock</source>
+        <translation>Einstellungen: Schwerkraft, Gewebe, Reißen, Uhr des Wirkstoffs</translation>
+    </message>
+    <message>
+        <source>Save the new course as</source>
+        <translation>Neuen Kurs speichern unter</translation>
+    </message>
+    <message>
+        <source>&amp;Import a case…</source>
+        <translation>Fall über&amp;nehmen …</translation>
+    </message>
+    <message>
+        <source>Import a case</source>
+        <translation>Fall übernehmen</translation>
+    </message>
+    <message>
+        <source>The language changes at the next start of the program.</source>
+        <translation>Die Sprache wechselt beim nächsten Start des Programms.</translation>
+    </message>
+    <message>
+        <source>Restart now</source>
+        <translation>Jetzt neu starten</translation>
     </message>
 </context>
 </TS>

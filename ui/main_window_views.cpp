@@ -164,9 +164,9 @@ void MainWindow::connect_languages() {
 
 void MainWindow::speak(const QString& code) {
     settings_.set_language(code);
-    const QString text = Words::tr("The window speaks the other language from its next start on.");
+    const QString text = Words::tr("The language changes at the next start of the program.");
     if (!begin_anew_) return messages_->show_notice(text);
-    messages_->show_notice(text, Words::tr("Start it anew now"), [this] {
+    messages_->show_notice(text, Words::tr("Restart now"), [this] {
         begins_anew_ = true;
         close();
     });

@@ -29,6 +29,7 @@
 #include "ui/lesson_editor/lesson_editor.h"
 #include "ui/lesson_editor/new_parts.h"
 #include "ui/message_bar.h"
+#include "ui/results_dialog.h"
 
 namespace hepatica::testing {
 namespace {
@@ -169,6 +170,17 @@ TEST_F(GermanWindow, BeginsANewLessonInGerman) {
     EXPECT_EQ(new_step_in_words().text, "Was der Übende tun soll.");
 }
 
+// "New course" is also what the window calls one, and has a translation.
+TEST_F(GermanWindow, CallsACourseAsItsAuthorDidAndTheProgramsOwnInGerman) {
+    EXPECT_NE(translated("New course"), "New course");
+    ResultsDialog dialog([](const std::string&) {}, nullptr);
+    const auto* title = dialog.findChild<QLabel*>("resultsTitle");
+    dialog.show_results("New course", {});
+    EXPECT_TRUE(title->text().startsWith("<b>New course</b>")) << title->text().toStdString();
+    dialog.show_results("First steps", {});
+    EXPECT_TRUE(title->text().startsWith("<b>Erste Schritte</b>")) << title->text().toStdString();
+}
+
 TEST_F(GermanWindow, CopiesALessonOfTheProgramInGerman) {
     LessonEditor& editor = window_.lesson_editor();
     for (const BuiltInLesson& entry : built_in_lessons()) {
@@ -245,7 +257,7 @@ TEST_F(LanguageChoice, CanMakeTheWindowAnewWithItsPatient) {
     window_.findChild<QAction*>("language_de")->trigger();
     EXPECT_EQ(begun, 0);
     for (auto* button : window_.messages().findChildren<QPushButton*>())
-        if (button->text() == "Start it anew now") button->click();
+        if (button->text() == "Restart now") button->click();
     EXPECT_EQ(begun, 1);
     EXPECT_FALSE(window_.isVisible());
 }

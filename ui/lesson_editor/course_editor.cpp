@@ -169,7 +169,7 @@ void CourseEditor::edit(const std::filesystem::path& file) {
 
 void CourseEditor::begin_new() {
     const std::string name = Words::tr("New course").toStdString();
-    const auto file = ways_.where_to_save(Words::tr("Where shall the new course lie?"), name);
+    const auto file = ways_.where_to_save(Words::tr("Save the new course as"), name);
     if (!file) return;
     const std::string called = to_text(file->stem()).toStdString();
     if (attempt(Words::tr("New course"), [&] { document_.begin(*file, {called, {}}, {}); }))
