@@ -548,10 +548,6 @@
         <translation>Zeigen auf ein Gefäß</translation>
     </message>
     <message>
-        <source>show what lies downstream, and its share of the flow</source>
-        <translation>zeigen, was stromabwärts liegt, und seinen Anteil am Fluss</translation>
-    </message>
-    <message>
         <source>Shift + hover with slices beside</source>
         <translation>Umschalt + Zeigen, mit Schichten daneben</translation>
     </message>
@@ -1287,10 +1283,6 @@
         <translation>Injektion</translation>
     </message>
     <message>
-        <source>Gravity, tissue, tearing, drug&apos;s clock</source>
-        <translation>Schwerkraft, Gewebe, Reißen, Uhr des Wirkstoffs</translation>
-    </message>
-    <message>
         <source>&amp;Name</source>
         <translation>&amp;Name</translation>
     </message>
@@ -1666,16 +1658,8 @@
         <translation>Ö&amp;ffnen</translation>
     </message>
     <message>
-        <source>&amp;Take in a case…</source>
-        <translation>Fall über&amp;nehmen …</translation>
-    </message>
-    <message>
         <source>&amp;Save as one file…</source>
         <translation>Als eine Datei &amp;speichern …</translation>
-    </message>
-    <message>
-        <source>Take in a case</source>
-        <translation>Fall übernehmen</translation>
     </message>
     <message>
         <source>Cases in one file (*.hepz)</source>
@@ -9094,6 +9078,22 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>From the front, without perspective.</source>
         <translation>Von vorn, ohne Perspektive.</translation>
+    </message>
+    <message>
+        <source>show what lies downstream; the panel Injection says its share of the flow</source>
+        <translation>zeigen, was stromabwärts liegt; seinen Anteil am Fluss sagt der Bereich Injektion</translation>
+    </message>
+    <message>
+        <source>Settings: gravity, tissue, tearing, the drug&apos;s clock</source>
+        <translation>Einstellungen: Schwerkraft, Gewebe, Reißen, Uhr des Wirkstoffs</translation>
+    </message>
+    <message>
+        <source>&amp;Import a case…</source>
+        <translation>Fall über&amp;nehmen …</translation>
+    </message>
+    <message>
+        <source>Import a case</source>
+        <translation>Fall übernehmen</translation>
     </message>
 </context>
 </TS>

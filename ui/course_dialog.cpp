@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/lesson/lesson_file.h"
 #include "ui/core_words.h"
 #include "ui/on_screen.h"
 #include "ui/words.h"
@@ -77,12 +78,17 @@ CourseDialog::CourseDialog(Begin begin, std::function<void()> own, QWidget* pare
     column->addWidget(buttons);
 }
 
+QString course_title(const std::string& name) {
+    static const std::string own = course_of(built_in_course(), "course").name;
+    return name == own ? translated(name) : QString::fromStdString(name);
+}
+
 void CourseDialog::show_course(const std::string& name, std::vector<CourseLine> lines,
                                const std::string& whose, bool own) {
     lines_ = std::move(lines);
     own_->setVisible(!own);
     const auto passed = std::ranges::count_if(lines_, &CourseLine::passed);
-    const QString title = translated(name).toHtmlEscaped(), done = QString::number(passed),
+    const QString title = course_title(name).toHtmlEscaped(), done = QString::number(passed),
                   of = QString::number(lines_.size());
     // All placeholders at once, here and elsewhere: a name may contain "%2".
     QString text = whose.empty()

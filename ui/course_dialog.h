@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QString>
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ class QPushButton;
 class QTableWidget;
 
 namespace hepatica {
+
+// The program's own course in the window's language; another one as its author called it.
+QString course_title(const std::string& name);
 
 // UI thread only.
 class CourseDialog : public QDialog {

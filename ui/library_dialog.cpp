@@ -126,7 +126,7 @@ QWidget* LibraryDialog::buttons() {
     open_ = buttons->addButton(Words::tr("&Open"), QDialogButtonBox::ActionRole);
     open_->setObjectName("libraryOpen");
     open_->setDefault(true);
-    take_ = buttons->addButton(Words::tr("&Take in a case…"), QDialogButtonBox::ActionRole);
+    take_ = buttons->addButton(Words::tr("&Import a case…"), QDialogButtonBox::ActionRole);
     give_ = buttons->addButton(Words::tr("&Save as one file…"), QDialogButtonBox::ActionRole);
     connect(open_, &QPushButton::clicked, this, [this] {
         if (const ShelvedCase* one = chosen(); one != nullptr && one->readable) {
@@ -142,7 +142,7 @@ QWidget* LibraryDialog::buttons() {
 
 void LibraryDialog::ask_what_to_take_in() {
     const QString from =
-        QFileDialog::getOpenFileName(this, Words::tr("Take in a case"), settings_.last_folder(),
+        QFileDialog::getOpenFileName(this, Words::tr("Import a case"), settings_.last_folder(),
                                      Words::tr("Cases in one file (*.hepz)"));
     if (!from.isEmpty()) take_in(to_path(from));
 }

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "ui/core_words.h"
+#include "ui/course_dialog.h"
 #include "ui/on_screen.h"
 #include "ui/words.h"
 
@@ -56,7 +57,7 @@ void ResultsDialog::show_results(const std::string& course, CourseResults result
     results_ = std::move(results);
     title_->setText(Words::tr("<b>%1</b>: who passed what by the marks of the course, in how many "
                               "attempts. The time is the shortest of those that passed.")
-                        .arg(translated(course).toHtmlEscaped()));
+                        .arg(course_title(course).toHtmlEscaped()));
     save_->setEnabled(!results_.trainees.empty());
     fill();
     show();

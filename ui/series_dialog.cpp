@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "ui/core_words.h"
 #include "ui/on_screen.h"
@@ -120,6 +121,29 @@ SeriesDialog::SeriesDialog(const std::vector<SeriesDescription>& series, QWidget
 
 SeriesDialog::~SeriesDialog() = default;
 
+namespace {
+
+// Where they part: the innermost folder alone is often called alike ("DICOM") in all.
+std::filesystem::path shared_folder(const std::vector<SeriesDescription>& series,
+                                    const QString& name) {
+    std::optional<std::filesystem::path> shared;
+    for (const SeriesDescription& one : series) {
+        const std::filesystem::path folder = one.middle_slice.parent_path();
+        if (name_in_list(one) != name || folder.empty()) continue;
+        if (!shared) {
+            shared = folder;
+            continue;
+        }
+        const auto parting = std::ranges::mismatch(*shared, folder);
+        std::filesystem::path common;
+        for (auto part = shared->begin(); part != parting.in1; ++part) common /= *part;
+        shared = common;
+    }
+    return shared.value_or(std::filesystem::path());
+}
+
+}  // namespace
+
 void SeriesDialog::name_folders(const std::vector<SeriesDescription>& series) {
     for (int row = 0; row < list_->topLevelItemCount(); ++row) {
         QTreeWidgetItem* item = list_->topLevelItem(row);
@@ -129,7 +153,10 @@ void SeriesDialog::name_folders(const std::vector<SeriesDescription>& series) {
         const auto called_so = std::ranges::count(series, name, name_in_list);
         if (folder.empty()) continue;
         item->setToolTip(1, as_plain(to_text(folder)));
-        if (called_so > 1) item->setText(1, name + "\n" + to_text(folder.filename()));
+        if (called_so < 2) continue;
+        const std::filesystem::path apart = folder.lexically_relative(shared_folder(series, name));
+        const bool same = apart.empty() || apart == ".";
+        item->setText(1, name + "\n" + to_text(same ? folder.filename() : apart));
     }
 }
 

@@ -195,6 +195,20 @@ TEST_F(Choosing, names_series_without_a_word_of_the_reader) {
     EXPECT_EQ(cell(1, 7), "the first is better: it has more slices");
 }
 
+// Of two patients of one archive even the folders may be called alike.
+TEST_F(Choosing, names_the_folders_from_where_they_part) {
+    const SeriesDialog dialog(
+        {{"series", "CT", 240, 1.25, "", "", "", "/scan/case 1/DICOM/5.dcm"},
+         {"series", "CT", 20, 1.25, "", "", "it has more slices", "/scan/case 7/DICOM/5.dcm"},
+         {"series", "CT", 10, 1.25, "", "", "it has more slices", "/scan/case 7/DICOM/9.dcm"}});
+    const auto name = [&](int row) {
+        return dialog.findChild<QTreeWidget*>("series")->topLevelItem(row)->text(1);
+    };
+    EXPECT_EQ(name(0), "unnamed\ncase 1/DICOM");
+    EXPECT_EQ(name(1), "unnamed\ncase 7/DICOM");
+    EXPECT_EQ(name(2), "unnamed\ncase 7/DICOM");
+}
+
 // In full beneath the list, wherever its columns end.
 TEST_F(Choosing, says_what_is_wrong_with_the_series_that_is_chosen) {
     const auto* warnings = dialog_.findChild<QLabel*>("seriesWarnings");

@@ -29,6 +29,7 @@
 #include "ui/lesson_editor/lesson_editor.h"
 #include "ui/lesson_editor/new_parts.h"
 #include "ui/message_bar.h"
+#include "ui/results_dialog.h"
 
 namespace hepatica::testing {
 namespace {
@@ -167,6 +168,17 @@ TEST_F(GermanWindow, BeginsANewLessonInGerman) {
     EXPECT_EQ(lesson.marks.front().name, "Marke 1");
     EXPECT_EQ(free_mark_name_in_words(lesson), "Marke 2");
     EXPECT_EQ(new_step_in_words().text, "Was der Übende tun soll.");
+}
+
+// "New course" is also what the window calls one, and has a translation.
+TEST_F(GermanWindow, CallsACourseAsItsAuthorDidAndTheProgramsOwnInGerman) {
+    EXPECT_NE(translated("New course"), "New course");
+    ResultsDialog dialog([](const std::string&) {}, nullptr);
+    const auto* title = dialog.findChild<QLabel*>("resultsTitle");
+    dialog.show_results("New course", {});
+    EXPECT_TRUE(title->text().startsWith("<b>New course</b>")) << title->text().toStdString();
+    dialog.show_results("First steps", {});
+    EXPECT_TRUE(title->text().startsWith("<b>Erste Schritte</b>")) << title->text().toStdString();
 }
 
 TEST_F(GermanWindow, CopiesALessonOfTheProgramInGerman) {

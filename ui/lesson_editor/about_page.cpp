@@ -30,7 +30,7 @@ constexpr std::array<std::pair<LessonTool, const char*>, 9> tool_words{
      {LessonTool::blade, Words::id("Blade")},
      {LessonTool::cut_line, Words::id("Cut line")},
      {LessonTool::inject, Words::id("Injection")},
-     {LessonTool::settings, Words::id("Gravity, tissue, tearing, drug's clock")}}};
+     {LessonTool::settings, Words::id("Settings: gravity, tissue, tearing, the drug's clock")}}};
 
 // Keeps the tools in the order of LessonTool, whatever the order of the clicks.
 void allow(Lesson& lesson, LessonTool tool, bool allowed) {
