@@ -94,7 +94,7 @@ class DeformPart {
     // out of range, and where the present setting's elements or solver cannot tear.
     void set_tear(const std::optional<TearSpec>& tear);
     bool tears() const { return tear_.has_value(); }
-    int pieces() const;  // of a body that tears
+    TornSoFar torn_so_far() const;  // of a body that tears
     // The opening at which a parted joint has come apart; 0 where nothing can tear.
     double critical_opening_mm() const;
     // Where the tool presses on which vessel.

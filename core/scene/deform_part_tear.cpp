@@ -90,9 +90,11 @@ std::shared_ptr<const std::vector<float>> DeformPart::vertex_loads() const {
     return loads;
 }
 
-int DeformPart::pieces() const {
+TornSoFar DeformPart::torn_so_far() const {
     const Tearing* tearing = stepper_->tearing();
-    return tearing != nullptr ? tearing->report().pieces : 0;
+    if (tearing == nullptr) return {};
+    return {tearing->topology().version(), tearing->report().joints_broken,
+            tearing->report().pieces};
 }
 
 double DeformPart::critical_opening_mm() const {

@@ -2,6 +2,7 @@
 // Where a body is torn through: vessels of which one part is no longer connected to the next.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -19,8 +20,18 @@ struct ThroughTear {
     }
 };
 
-// Compares consecutive sections of `stretch_mm` along each segment by the piece that most
-// tetrahedra of a section belong to. `tetrahedra` has the place of each tetrahedron.
+// While it is the same, so is where a body is torn through.
+struct TornSoFar {
+    std::uint64_t version = 0;  // of the topology
+    int joints_broken = 0;
+    int pieces = 0;
+    bool operator==(const TornSoFar&) const = default;
+};
+
+// Compares consecutive sections of `stretch_mm` along each segment, and of forks, by the piece that
+// most tetrahedra of a section belong to. Only what holds within the segment or the fork counts: a
+// branch that is cut through may still hang on a neighbour that it touches farther on. What was
+// apart from the start is no tear. `tetrahedra` has the place of each tetrahedron.
 std::vector<ThroughTear> through_tears(const VesselTree& tree, const Tearing& tearing,
                                        std::span<const VertexPlace> tetrahedra, double stretch_mm);
 

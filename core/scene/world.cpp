@@ -159,19 +159,19 @@ StepReport World::step(const std::stop_token& stop) {
     return report;
 }
 
-// Vessels are torn through only when pieces separate.
+// Vessels are torn through only when joints part or come apart.
 bool World::bleed() {
     if (!deform_ || !deform_->tears()) {
         bleeding_.reset();
-        pieces_ = 0;
+        searched_ = {};
         return false;
     }
     if (!bleeding_) bleeding_ = std::make_unique<Bleeding>(patient_->tree);
-    const int pieces = deform_->pieces();
-    if (pieces == pieces_) return false;
-    pieces_ = pieces;
+    const auto torn = std::exchange(searched_, deform_->torn_so_far());
+    if (torn == searched_) return false;
+    const std::vector<ThroughTear> before = bleeding_->tears();
     bleeding_->set_tears(deform_->torn_through(patient_->tree));
-    return true;
+    return bleeding_->tears() != before;
 }
 
 std::vector<ThroughTear> World::torn_through() {

@@ -104,7 +104,7 @@ class World {
     void list_contact();
     std::shared_ptr<const Obstacles> known_obstacles();
     void part_out(const std::string& name, const PartCost& before, const SelfCost& cost);
-    bool bleed();  // whether pieces came apart or together
+    bool bleed();  // whether other vessels are torn through than before
     void press();
     DrugLeak drug_leak_now() const;
     void show_leaks(TearView& tear, const std::vector<float>& positions_mm) const;
@@ -118,7 +118,7 @@ class World {
     std::unique_ptr<FlowPart> flow_;
     std::unique_ptr<Bleeding> bleeding_;  // where the body can tear
     std::vector<int> leaking_;            // a vertex at each of its tears, or -1
-    int pieces_ = 0;                      // when torn vessels were last searched for
+    TornSoFar searched_;                  // when torn vessels were last searched for
     std::vector<PartCost> parts_;
     std::shared_ptr<const Obstacles> obstacles_;  // once needed; null where none is known
     PartCost surfaces_of_obstacles_;              // without the cost of finding contacts

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where vessels count as torn through: bodies of cubes, whose cubes are told their vessels.
+#include "core/scene/through_tears.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace hepatica {
+namespace {
+
+// Cubes of 1 mm, each of six tetrahedra around its diagonal, so that cubes side by side share
+// triangles.
+struct CubeBody {
+    void add(int x, int y, int segment, double arclength_mm) {
+        std::array<int, 3> axes{0, 1, 2};
+        do {
+            std::array<int, 3> at{x, y, 0};
+            std::array<int, 4> corners{vertex(at)};
+            for (std::size_t k = 0; k < 3; ++k) {
+                ++at[static_cast<std::size_t>(axes[k])];
+                corners[k + 1] = vertex(at);
+            }
+            if (volume_of(corners) < 0.0) std::swap(corners[2], corners[3]);
+            mesh.tetrahedra.push_back(corners);
+            places.push_back({{segment, arclength_mm, 0.0}, 0.5});
+        } while (std::ranges::next_permutation(axes).found);
+    }
+
+    int vertex(const std::array<int, 3>& at) {
+        const auto [found, fresh] = numbers.try_emplace(at, int(mesh.vertices_mm.size()));
+        if (fresh) mesh.vertices_mm.push_back(Vec3(at[0], at[1], at[2]));
+        return found->second;
+    }
+
+    double volume_of(const std::array<int, 4>& t) const {
+        const auto edge = [&](int k) -> Vec3 {
+            return mesh.vertices_mm[std::size_t(t[std::size_t(k)])] -
+                   mesh.vertices_mm[std::size_t(t[0])];
+        };
+        return edge(1).cross(edge(2)).dot(edge(3));
+    }
+
+    // Across the row of cubes at this y, between x - 1 and x.
+    void cut(Tearing& tearing, double x, double y) const {
+        const std::vector<int> joints =
+            tearing.crossing(Vec3(x, y, -1.0), Vec3(0, 1, 0), Vec3(0, 0, 3), mesh.vertices_mm);
+        ASSERT_FALSE(joints.empty());
+        tearing.cut(joints);
+    }
+
+    TetMesh mesh;
+    std::vector<VertexPlace> places;
+    std::map<std::array<int, 3>, int> numbers;
+};
+
+VesselTree tree_of(const std::vector<int>& parents) {
+    VesselTree tree;
+    for (const int parent : parents) {
+        VesselSegment segment;
+        segment.parent = parent;
+        segment.points_mm = {Vec3(0, 0, 0), Vec3(30, 0, 0)};
+        segment.radii_mm = {0.5, 0.5};
+        tree.segments.push_back(segment);
+    }
+    return tree;
+}
+
+constexpr double stretch_mm = 2.0;
+
+// A vessel along x to a fork, and two branches side by side.
+CubeBody fork_of_cubes() {
+    CubeBody body;
+    for (int x = 0; x <= 6; ++x) body.add(x, 0, 0, x + 0.5);
+    for (int x = 6; x <= 20; ++x) {
+        body.add(x, 1, 1, x - 5.5);
+        body.add(x, -1, 2, x - 5.5);
+    }
+    return body;
+}
+
+const VesselTree fork_tree = tree_of({-1, 0, 0});
+
+// The ends of the two branches touch and are one in the mesh.
+TEST(ThroughTears, OfABranchThatHangsOnItsNeighbourFartherOn) {
+    CubeBody body = fork_of_cubes();
+    body.add(20, 0, 1, 15.5);
+    Tearing tearing(body.mesh, {}, {});
+    body.cut(tearing, 13.0, 1.0);
+    ASSERT_EQ(tearing.topology().pieces(tearing.bound_pairs()), 1) << "it leads around the cut";
+    const auto torn = through_tears(fork_tree, tearing, body.places, stretch_mm);
+    ASSERT_EQ(torn.size(), 1u);
+    EXPECT_EQ(torn[0].at.segment, 1);
+    EXPECT_NEAR(torn[0].at.arclength_mm, 7.0, stretch_mm);
+}
+
+// At the fork, the cut lies between two segments.
+TEST(ThroughTears, OfABranchAtItsForkThatHangsOnItsNeighbour) {
+    CubeBody body = fork_of_cubes();
+    body.add(20, 0, 1, 15.5);
+    Tearing tearing(body.mesh, {}, {});
+    const std::vector<int> joints =
+        tearing.crossing(Vec3(5.5, 1, -1), Vec3(2, 0, 0), Vec3(0, 0, 3), body.mesh.vertices_mm);
+    ASSERT_FALSE(joints.empty());
+    tearing.cut(joints);
+    ASSERT_EQ(tearing.topology().pieces(tearing.bound_pairs()), 1);
+    const auto torn = through_tears(fork_tree, tearing, body.places, stretch_mm);
+    ASSERT_EQ(torn.size(), 1u);
+    EXPECT_EQ(torn[0].at.segment, 1);
+    EXPECT_EQ(torn[0].at.arclength_mm, 0.0);
+}
+
+// Meshes of real vessels have segments of several pieces; only the cut is a tear.
+TEST(ThroughTears, AreNotWhereTheBodyWasApartFromTheStart) {
+    CubeBody body = fork_of_cubes();
+    for (int x = 0; x <= 20; ++x)
+        if (x != 8) body.add(x, 10, 3, x + 0.5);
+    for (int x = 22; x <= 30; ++x) body.add(x, 10, 4, x - 21.5);
+    Tearing tearing(body.mesh, {}, {});
+    body.cut(tearing, 13.0, 1.0);
+    const VesselTree tree = tree_of({-1, 0, 0, -1, 3});
+    const auto torn = through_tears(tree, tearing, body.places, stretch_mm);
+    ASSERT_EQ(torn.size(), 1u);
+    EXPECT_EQ(torn[0].at.segment, 1);
+    body.cut(tearing, 13.0, 10.0);
+    EXPECT_EQ(through_tears(tree, tearing, body.places, stretch_mm).size(), 2u);
+}
+
+// A cut that leaves a part of the wall opens no lumen.
+TEST(ThroughTears, AreNotWhereACrumbCameOff) {
+    const CubeBody body = fork_of_cubes();
+    Tearing tearing(body.mesh, {}, {});
+    std::vector<int> joints;
+    const std::span<const Joint> all = tearing.topology().joints();
+    for (std::size_t j = 0; j < all.size(); ++j)
+        if (std::ranges::find(all[j].tetrahedra, 100) != all[j].tetrahedra.end())
+            joints.push_back(static_cast<int>(j));
+    ASSERT_FALSE(joints.empty());
+    tearing.cut(joints);
+    ASSERT_GT(tearing.report().vertices_split, 0);
+    EXPECT_TRUE(through_tears(fork_tree, tearing, body.places, stretch_mm).empty());
+}
+
+}  // namespace
+}  // namespace hepatica
