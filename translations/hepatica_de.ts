@@ -9095,5 +9095,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Import a case</source>
         <translation>Fall übernehmen</translation>
     </message>
+    <message>
+        <source>given up before the end</source>
+        <translation>vor dem Ende aufgegeben</translation>
+    </message>
 </context>
 </TS>

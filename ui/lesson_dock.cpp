@@ -291,8 +291,7 @@ void LessonDock::drop_what_is_empty() {
 }
 
 void LessonDock::end_play() {
-    keep_result();
-    drop_what_is_empty();
+    give_up();
     watch_.reset();
     guard_.reset();
 }
@@ -327,8 +326,7 @@ void LessonDock::begin() {
         hide();
         return ways_.unfit(name_, *lesson_, wrong);
     }
-    keep_result();  // of the attempt before
-    drop_what_is_empty();
+    give_up();  // the attempt before, unless it has ended
     try {
         Job job;
         LessonPlay play =
@@ -354,8 +352,7 @@ void LessonDock::begin() {
 }
 
 void LessonDock::leave() {
-    keep_result();
-    drop_what_is_empty();
+    give_up();
     watch_.reset();
     guard_.reset();
     lesson_.reset();
@@ -411,12 +408,28 @@ void LessonDock::name_last_attempt() {
 }
 
 void LessonDock::keep_result() {
-    if (!watch_ || !watch_->recorded() || std::exchange(result_kept_, true)) return;
+    if (!watch_ || !watch_->recorded() || result_kept_) return;
     guard_.reset();
+    keep(watch_->standing());
+}
+
+// Else attempts that go wrong could be kept out of the learning curve.
+void LessonDock::give_up() {
+    keep_result();
+    drop_what_is_empty();
+    if (running() == nullptr || read_first_ || result_kept_) return;
+    LessonStanding standing = watch_->standing();
+    standing.outcome = LessonOutcome::failed;
+    standing.reasons.push_back(Words::id("given up before the end"));
+    keep(standing);
+}
+
+void LessonDock::keep(const LessonStanding& standing) {
+    result_kept_ = true;
     if (watch_->recording().parent_path() == tried()) return;
     const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
     try {
-        Attempt attempt = attempt_of(watch_->recording(), watch_->lesson().name, watch_->standing(),
+        Attempt attempt = attempt_of(watch_->recording(), watch_->lesson().name, standing,
                                      now.toStdString(), watched_course_pass_);
         attempt.name = trainee_;
         write_attempt(attempt);

@@ -142,6 +142,8 @@ class LessonDock : public QDockWidget {
     std::filesystem::path next_recording() const;
     void name_last_attempt();
     void keep_result();  // of an attempt that has ended, once
+    void give_up();      // keeps what was begun and has not ended as an attempt, not passed
+    void keep(const LessonStanding& standing);
     void show_attempts();
 
     Ways ways_;

@@ -148,6 +148,27 @@ TEST_F(LessonAttemptsTest, what_was_left_before_anything_was_done_leaves_no_reco
     EXPECT_EQ(recordings(), 1u) << "the clock ran";
 }
 
+// Nothing stays out of the learning curve.
+TEST_F(LessonAttemptsTest, what_was_begun_and_given_up_counts_as_an_attempt) {
+    const std::string endless = lesson_file(R"({"what": "time_s", "at_least": 1000})");
+    window_.lessons().start(endless);
+    start_clock();
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().standing().metrics.time_s > 0.0; }));
+    EXPECT_TRUE(kept().list.empty());
+    window_.lessons().findChild<QPushButton*>("lessonAgain")->click();
+    ASSERT_EQ(kept().list.size(), 1u);
+    EXPECT_FALSE(kept().list[0].passed);
+    EXPECT_EQ(kept().list[0].reasons, std::vector<std::string>{"given up before the end"});
+    EXPECT_GT(kept().list[0].value(Quantity::time_s), 0.0);
+    // Begun again, but nothing was done yet.
+    window_.lessons().findChild<QPushButton*>("lessonAgain")->click();
+    EXPECT_EQ(kept().list.size(), 1u);
+    start_clock();
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().standing().metrics.time_s > 0.0; }));
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    EXPECT_EQ(kept().list.size(), 2u);
+}
+
 TEST_F(LessonAttemptsTest, what_is_compared_has_the_marks_of_the_lesson_too) {
     play(short_lesson("Short"));
     window_.lessons().findChild<QPushButton*>("lessonLookBack")->click();
