@@ -7556,10 +7556,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Vor dem ersten Schritt</translation>
     </message>
     <message>
-        <source>The largest force: %1</source>
-        <translation>Die größte Kraft: %1</translation>
-    </message>
-    <message>
         <source>Step %1 reached, after %2</source>
         <translation>Schritt %1 erreicht, nach %2</translation>
     </message>
@@ -9098,6 +9094,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>given up before the end</source>
         <translation>vor dem Ende aufgegeben</translation>
+    </message>
+    <message>
+        <source>The largest force: %1, after %2</source>
+        <translation>Die größte Kraft: %1, nach %2</translation>
     </message>
 </context>
 </TS>

@@ -43,7 +43,7 @@ int decimals_of(Quantity quantity, FlowUnits units) {
         case Quantity::leak_g_s:
             return units == FlowUnits::clinic ? 0 : 2;
         case Quantity::blood_lost_g:
-            return units == FlowUnits::clinic ? 0 : 1;
+            return 1;
         case Quantity::injected_g:
         case Quantity::delivered_g:
         case Quantity::dose_target_g:
@@ -96,10 +96,12 @@ std::string number_words(double value, int decimals) {
                : text;
 }
 
-// A bound keeps the digits of its author, up to four.
+// A bound keeps the digits of its author, up to four. In other units than his it has no more than
+// what is measured.
 std::string bound_words(const Predicate& predicate, FlowUnits units) {
     const ShownValue bound = shown_value(predicate.quantity, predicate.bound, units);
-    return printed("%.*g", 4, bound.value) + beside_value(bound);
+    const bool converted = bound.value != predicate.bound;
+    return printed("%.*g", converted ? most_digits : 4, bound.value) + beside_value(bound);
 }
 
 }  // namespace
@@ -181,9 +183,8 @@ std::vector<PlotEvent> plot_events_of(const LessonStanding& standing) {
 
 Chart bleeding_in_units(Chart chart, FlowUnits units) {
     constexpr std::string_view grams = "(g/s)";
-    const std::size_t at = chart.y_label.find(grams);
-    if (units == FlowUnits::computed || at == std::string::npos) return chart;
-    chart.y_label.replace(at, grams.size(), "(mL/min)");
+    if (units == FlowUnits::computed || !chart.y_label.ends_with(grams)) return chart;
+    chart.y_label = Words::id("Bleeding (mL/min)");
     for (Curve& curve : chart.curves)
         for (double& flow : curve.y) flow = in_clinic_units(Quantity::leak_g_s, flow);
     return chart;

@@ -45,6 +45,7 @@ QString in_words(Quantity quantity, double value, FlowUnits units = FlowUnits::c
 
 // A moment shown as a picture.
 struct Moment {
+    double at_s;
     QString caption;
     Frame frame;
 };
@@ -54,29 +55,35 @@ struct Moment {
 class Moments {
   public:
     void see(const Frame& frame, const LessonStanding& standing) {
-        if (list_.empty()) list_.push_back({Words::tr("Before the first step"), frame});
+        if (list_.empty()) list_.push_back({0.0, Words::tr("Before the first step"), frame});
         const bool counts = standing.metrics.time_s > last_s_;
         if (!counts) return;
         last_s_ = standing.metrics.time_s;
         if (standing.metrics.peak_force_mn > peak_mn_) {
             peak_mn_ = standing.metrics.peak_force_mn;
-            peak_ = Moment{
-                Words::tr("The largest force: %1").arg(in_words(Quantity::force_mn, peak_mn_)),
-                frame};
+            peak_ = Moment{last_s_,
+                           Words::tr("The largest force: %1, after %2")
+                               .arg(in_words(Quantity::force_mn, peak_mn_))
+                               .arg(in_words(Quantity::time_s, last_s_)),
+                           frame};
         }
         if (standing.step > step_ && list_.size() < most)
-            list_.push_back({Words::tr("Step %1 reached, after %2")
+            list_.push_back({last_s_,
+                             Words::tr("Step %1 reached, after %2")
                                  .arg(standing.step)
                                  .arg(in_words(Quantity::time_s, last_s_)),
                              frame});
         if (standing.step > step_) step_s_ = last_s_;
         step_ = standing.step;
         end_ =
-            Moment{Words::tr("The end, after %1").arg(in_words(Quantity::time_s, last_s_)), frame};
+            Moment{last_s_, Words::tr("The end, after %1").arg(in_words(Quantity::time_s, last_s_)),
+                   frame};
     }
+    // In the order of their times.
     std::vector<Moment> list() const {
         std::vector<Moment> all = list_;
         if (peak_) all.push_back(*peak_);
+        std::ranges::stable_sort(all, {}, &Moment::at_s);
         if (end_ && step_s_ != last_s_) all.push_back(*end_);
         return all;
     }

@@ -127,6 +127,11 @@ TEST_F(LessonVerb, MakesAReportWithoutADisplay) {
         EXPECT_NE(page.find(text), std::string::npos) << text;
     for (const char* text : {"blood", "dose", "contacts", "injected"})
         EXPECT_EQ(page.find(text), std::string::npos) << text << " means nothing here";
+    std::smatch peak, reached;
+    ASSERT_TRUE(std::regex_search(page, peak, std::regex("largest force: .*, after ([0-9.]+)")));
+    ASSERT_TRUE(std::regex_search(page, reached, std::regex("Step 1 reached, after ([0-9.]+)")));
+    EXPECT_EQ(peak.position() < reached.position(), std::stod(peak[1]) < std::stod(reached[1]))
+        << "pictures lie in the order of their times";
     EXPECT_EQ(contents_of(path("report/report.pdf")).substr(0, 5), "%PDF-");
     EXPECT_GT(fs::file_size(path("report/report.pdf")), 20'000u) << "it has pictures";
     EXPECT_EQ(contents_of(path("report/recording.hrec")), contents_of(path("play.hrec")));
@@ -228,7 +233,7 @@ TEST_F(LessonVerb, MakesAReportInTheLanguageThatIsAskedFor) {
     EXPECT_NE(run.output.find("{\"fraction\":"), std::string::npos) << run.output;
     const std::string page = contents_of(path("Bericht/report.html"));
     for (const char* text : {"<html lang=\"de\"", "BESTANDEN", "Patient: Fall 7", "Gespielt am",
-                             "Schritte", "Bilder", "Blut", "0 mL<", "Hepatica "})
+                             "Schritte", "Bilder", "Blut", "0,0 mL<", "Hepatica "})
         EXPECT_NE(page.find(text), std::string::npos) << text;
     for (const char* text : {"PASSED", "Pictures", "peak force", "Before the first"})
         EXPECT_EQ(page.find(text), std::string::npos) << text;

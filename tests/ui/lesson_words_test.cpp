@@ -25,6 +25,10 @@ TEST(LessonWords, SayBloodInTheUnitsOfTheClinicAndAllElseAsEver) {
     EXPECT_EQ(to_words(bleeding, {}, computed), "bleeding at most 0.53 g/s");
     EXPECT_EQ(to_words(bleeding, {}, clinic), "bleeding at most 30 mL/min");
     EXPECT_EQ(to_words(lost, {}, clinic), "blood lost at most 10 mL");
+    EXPECT_EQ(to_words(Predicate{Quantity::blood_lost_g, -1, false, 50.0}, {}, clinic),
+              "blood lost at most 47.2 mL")
+        << "of 47.1698";
+    EXPECT_EQ(to_words(Quantity::blood_lost_g, 0.106, clinic), "0.1 mL");
     EXPECT_EQ(to_words(drug, {}, clinic), "drug injected at most 2 g");
     EXPECT_EQ(to_words(Quantity::leak_g_s, 1.06, clinic), "60 mL/min");
     EXPECT_EQ(to_words(Quantity::leak_g_s, 1.06, computed), "1.06 g/s");
@@ -110,10 +114,10 @@ TEST(LessonWords, SayTheReasonsAlike) {
                   "pass mark missed: blood lost at most 10.6 g, but it is 21.2 g"}));
     EXPECT_EQ(
         reasons_in(standing, {}, clinic),
-        (std::vector<std::string>{"another reason",
-                                  "limit broken: bleeding at most 30 mL/min, but it was 60 mL/min",
-                                  "limit broken: drug injected at most 2 g, but it was 3.00 g",
-                                  "pass mark missed: blood lost at most 10 mL, but it is 20 mL"}));
+        (std::vector<std::string>{
+            "another reason", "limit broken: bleeding at most 30 mL/min, but it was 60 mL/min",
+            "limit broken: drug injected at most 2 g, but it was 3.00 g",
+            "pass mark missed: blood lost at most 10 mL, but it is 20.0 mL"}));
     // What breaks a limit by a hair is told apart from it.
     standing.limits[0].value = 0.53 * (1.0 + 1e-5);
     standing.reasons = {reason_of_limit(standing.limits[0], {})};
