@@ -257,7 +257,10 @@ std::string text_of(const Series& series) {
         text.precision(3);
         text << ", " << series.spacing_mm << " mm apart";
     }
-    if (!first.kernel.empty()) text << ", kernel " << quoted_name(first.kernel);
+    // DICOM separates several values of a field by backslashes.
+    std::string kernel = first.kernel;
+    std::ranges::replace(kernel, '\\', '/');
+    if (!kernel.empty()) text << ", kernel " << quoted_name(kernel);
     if (series.phase() != Phase::unknown) text << ", " << name_of(series.phase());
     text << ")";
     return text.str();

@@ -61,6 +61,17 @@ TEST(SeriesChoice, PrefersSoftTissueToALungKernelAndSaysSo) {
     }
 }
 
+TEST(SeriesChoice, SaysAKernelOfSeveralValuesWithoutABackslash) {
+    Examination exam;
+    exam.add("abdomen", 12, 60, 1.5, "B30f\\3");
+    exam.add("thorax", 20, 900, 1.5, "B70f\\3");
+    ReadRemarks remarks;
+    exam.value_read(&remarks);
+    ASSERT_EQ(remarks.size(), 1u);
+    EXPECT_NE(remarks[0].find("B30f/3"), std::string::npos) << remarks[0];
+    EXPECT_EQ(remarks[0].find('\\'), std::string::npos) << remarks[0];
+}
+
 TEST(SeriesChoice, PrefersThePortalVenousPhaseAndThinSlices) {
     Examination phases;
     phases.add("native", 16, 10);

@@ -30,6 +30,7 @@
 #include "ui/lesson_editor/new_parts.h"
 #include "ui/message_bar.h"
 #include "ui/results_dialog.h"
+#include "ui/words.h"
 
 namespace hepatica::testing {
 namespace {
@@ -168,6 +169,14 @@ TEST_F(GermanWindow, BeginsANewLessonInGerman) {
     EXPECT_EQ(lesson.marks.front().name, "Marke 1");
     EXPECT_EQ(free_mark_name_in_words(lesson), "Marke 2");
     EXPECT_EQ(new_step_in_words().text, "Was der Übende tun soll.");
+}
+
+// A step has a goal, a drug has a target; both stand in the panel of one lesson.
+TEST_F(GermanWindow, NamesAGoalAndATargetByTwoWords) {
+    EXPECT_EQ(Words::tr("Goal"), "Ziel");
+    for (const char* of_target : {"dose in the target", "the target", "Target of the drug",
+                                  "share of the target that the drug has reached"})
+        EXPECT_TRUE(Words::tr(of_target).contains("Zielgebiet")) << of_target;
 }
 
 // "New course" is also what the window calls one, and has a translation.
