@@ -2224,13 +2224,6 @@
         <source>the plots cannot be written</source>
         <translation>Die Kurven lassen sich nicht schreiben</translation>
     </message>
-    <message numerus="yes">
-        <source>%n more to do</source>
-        <translation>
-            <numerusform>%n weitere Aufgabe</numerusform>
-            <numerusform>%n weitere Aufgaben</numerusform>
-        </translation>
-    </message>
     <message>
         <source>(%1 of %2)</source>
         <translation>(%1 von %2)</translation>
@@ -9036,10 +9029,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>%1; eine Stenose wird beurteilt, wo das Gefäß zu beiden Seiten 10 mm weit weitergeht</translation>
     </message>
     <message>
-        <source>Forces shown may be rough: the computation was simplified for a moment to stay stable.</source>
-        <translation>Angezeigte Kräfte können ungenau sein: Die Rechnung wurde einen Augenblick lang vereinfacht, um stabil zu bleiben.</translation>
-    </message>
-    <message>
         <source>Cut line, not torn yet</source>
         <translation>Schnittlinie, noch nicht gerissen</translation>
     </message>
@@ -9098,6 +9087,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>The largest force: %1, after %2</source>
         <translation>Die größte Kraft: %1, nach %2</translation>
+    </message>
+    <message>
+        <source>Forces shown may be rough: the step was simplified to stay stable</source>
+        <translation>Gezeigte Kräfte können grob sein: der Schritt wurde vereinfacht, um stabil zu bleiben</translation>
+    </message>
+    <message>
+        <source>then: %1</source>
+        <translation>danach: %1</translation>
     </message>
 </context>
 </TS>

@@ -53,13 +53,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n more to do</source>
-        <translation>
-            <numerusform>%n more to do</numerusform>
-            <numerusform>%n more to do</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n more under All messages.</source>
         <translation>
             <numerusform>%n more under All messages.</numerusform>

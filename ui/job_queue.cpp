@@ -55,6 +55,12 @@ void JobQueue::clear() {
     watcher_.changed();
 }
 
+std::vector<std::string> JobQueue::waiting_titles() const {
+    std::vector<std::string> titles;
+    for (const QueuedJob& job : waiting_) titles.push_back(job.title);
+    return titles;
+}
+
 bool JobQueue::holds(JobKind kind) const {
     return (running_ && current_.kind == kind && !*dropped_) ||
            std::ranges::find(waiting_, kind, &QueuedJob::kind) != waiting_.end();

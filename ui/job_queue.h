@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "ui/background_job.h"
 
@@ -50,6 +51,7 @@ class JobQueue {
 
     bool busy() const { return running_ != nullptr; }
     int waiting() const { return static_cast<int>(waiting_.size()); }
+    std::vector<std::string> waiting_titles() const;  // in their order
     // Whether a job of this kind runs or waits and was not dropped.
     bool holds(JobKind kind) const;
 

@@ -89,7 +89,10 @@ void MainWindow::cancel_job() {
 void MainWindow::show_jobs() {
     tell_dial_keeper();
     if (busy()) {
-        progress_->show_waiting(keeper_->jobs().waiting());
+        QStringList waiting;
+        for (const std::string& title : keeper_->jobs().waiting_titles())
+            waiting << QString::fromStdString(title);
+        progress_->show_waiting(waiting);
     } else {
         progress_->finish();
     }

@@ -325,9 +325,7 @@ void MainWindow::tell_simplified() {
     if (solver_said_.insert(last_message_).second)
         log_->add_warning(Words::tr("Simulation"), translated(last_message_));
     statusBar()->showMessage(
-        Words::tr("Forces shown may be rough: the computation was simplified for a moment to stay "
-                  "stable."),
-        6000);
+        Words::tr("Forces shown may be rough: the step was simplified to stay stable"), 6000);
 }
 
 void MainWindow::hint(const QString& text) {

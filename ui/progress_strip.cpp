@@ -47,8 +47,8 @@ void ProgressStrip::start(const QString& title) {
     show();
 }
 
-void ProgressStrip::show_waiting(int jobs) {
-    waiting_->setText(jobs == 0 ? QString() : Words::tr("%n more to do", nullptr, jobs));
+void ProgressStrip::show_waiting(const QStringList& titles) {
+    waiting_->setText(titles.isEmpty() ? QString() : Words::tr("then: %1").arg(titles.join(", ")));
 }
 
 void ProgressStrip::update_progress(const JobProgress& progress) {

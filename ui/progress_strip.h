@@ -3,6 +3,7 @@
 // Cancel.
 #pragma once
 
+#include <QStringList>
 #include <functional>
 
 #include "core/base/job.h"
@@ -21,7 +22,7 @@ class ProgressStrip : public OverlayBar {
     ProgressStrip(std::function<void()> cancel, QWidget* pictures);
 
     void start(const QString& title);
-    void show_waiting(int jobs);  // behind the running one
+    void show_waiting(const QStringList& titles);  // of those behind the running one
     void update_progress(const JobProgress& progress);
     void say_cancelling();
     void finish() { hide(); }

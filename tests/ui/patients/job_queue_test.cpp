@@ -58,6 +58,7 @@ TEST_F(Queue, runs_one_job_after_the_other) {
     queue_.add(job(JobKind::save, "c"));
     EXPECT_EQ(log_, Log{"begin a"}) << "work is prepared only when its turn has come";
     EXPECT_EQ(waiting_, 2);
+    EXPECT_EQ(queue_.waiting_titles(), (std::vector<std::string>{"b", "c"}));
     EXPECT_EQ(title_, "a");
     finish();
     EXPECT_EQ(log_, (Log{"begin a", "done a", "begin b", "done b", "begin c", "done c"}));
