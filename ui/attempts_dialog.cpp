@@ -217,9 +217,7 @@ void AttemptsDialog::show_attempts() {
 // The one that was chosen stays, as where the attempts of another trainee are shown.
 void AttemptsDialog::choose_quantities() {
     const auto index = static_cast<std::size_t>(std::max(0, quantity_->currentIndex()));
-    const std::optional<Quantity> chosen =
-        index < quantities_.size() ? std::optional(quantities_[index]) : std::nullopt;
-    quantities_.clear();
+    const std::vector<Quantity> before = std::exchange(quantities_, {});
     for (const QuantityWords& words : quantities()) {
         if (words.quantity >= Quantity::step_time_s) break;
         for (const Attempt& attempt : attempts_.list) {
@@ -233,7 +231,8 @@ void AttemptsDialog::choose_quantities() {
     quantity_->clear();
     for (const Quantity quantity : quantities_)
         quantity_->addItem(Words::tr(words_of(quantity).words));
-    const auto again = std::ranges::find(quantities_, chosen);
+    if (index >= before.size()) return;
+    const auto again = std::ranges::find(quantities_, before[index]);
     if (again != quantities_.end())
         quantity_->setCurrentIndex(static_cast<int>(again - quantities_.begin()));
 }
