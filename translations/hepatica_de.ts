@@ -1502,10 +1502,6 @@
         <translation>&amp;Zielgebiet angeben</translation>
     </message>
     <message>
-        <source></source>
-        <translation>Mit &amp;Zielgebiet</translation>
-    </message>
-    <message>
         <source>Marks</source>
         <translation>Marken</translation>
     </message>
@@ -8846,11 +8842,11 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>The last change was being written when the program ended, and is lost: all before it is here</source>
-        <translation>Die letzte Änderung wurde gerade geschrieben, als das Programm endete, und ist verloren: alles davor ist da</translation>
+        <translation>Die letzte Änderung wurde gerade geschrieben, als das Programm endete, und ist verloren: Alles davor ist da</translation>
     </message>
     <message>
         <source>The unsaved work is that of before line %1 of %2, which is damaged: what was done later is lost</source>
-        <translation>Die ungespeicherte Arbeit ist die von vor Zeile %1 von %2, die beschädigt ist: was danach kam, ist verloren</translation>
+        <translation>Die ungespeicherte Arbeit ist die von vor Zeile %1 von %2, die beschädigt ist: Was danach kam, ist verloren</translation>
     </message>
     <message>
         <source>The unsaved work may lack its end: %1 cannot be read from line %2 on. Check its disk and open it again</source>
@@ -8922,7 +8918,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Do it to the branch chosen in the table</source>
-        <translation>Am Ast tun, der in der Tabelle gewählt ist</translation>
+        <translation>Mit dem Ast tun, der in der Tabelle gewählt ist</translation>
     </message>
     <message>
         <source>As a click on the middle of the branch whose row is chosen in the table of branches (F6) would: for one that is too short to click on</source>
@@ -9030,7 +9026,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Cut line, not torn yet</source>
-        <translation>Schnittlinie, noch nicht gerissen</translation>
+        <translation>Schwächungslinie, noch nicht gerissen</translation>
     </message>
     <message>
         <source>Bleeding (mL/min)</source>
@@ -9042,7 +9038,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Circles: the lesson&apos;s marks.</source>
-        <translation>Kreise: die Marken der Übung.</translation>
+        <translation>Kreise: die Marken der Lektion.</translation>
     </message>
     <message>
         <source>Brown to yellow: what the drug has reached, the earliest darkest.</source>
@@ -9090,7 +9086,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Forces shown may be rough: the step was simplified to stay stable</source>
-        <translation>Gezeigte Kräfte können grob sein: der Schritt wurde vereinfacht, um stabil zu bleiben</translation>
+        <translation>Gezeigte Kräfte können grob sein: Der Schritt wurde vereinfacht, um stabil zu bleiben</translation>
     </message>
     <message>
         <source>then: %1</source>

@@ -100,8 +100,16 @@ std::string number_words(double value, int decimals) {
 // what is measured.
 std::string bound_words(const Predicate& predicate, FlowUnits units) {
     const ShownValue bound = shown_value(predicate.quantity, predicate.bound, units);
-    const bool converted = bound.value != predicate.bound;
-    return printed("%.*g", converted ? most_digits : 4, bound.value) + beside_value(bound);
+    if (bound.value == predicate.bound)
+        return printed("%.*g", 4, bound.value) + beside_value(bound);
+    // To the side on which it is kept: what breaks it must not seem to keep it.
+    constexpr double rounding = 1e-9;
+    const double finest =
+        std::pow(10.0, std::floor(std::log10(std::abs(bound.value))) + 1.0 - most_digits);
+    const double count = bound.value / finest;
+    const double kept =
+        finest * (predicate.at_least ? std::ceil(count - rounding) : std::floor(count + rounding));
+    return printed("%.*g", 12, kept) + beside_value(bound);
 }
 
 }  // namespace

@@ -349,8 +349,10 @@ void MainWindow::build_review() {
         // A vessel that is still being drawn would change the patient during the review.
         VesselPen& pen = view_layout_->slices().pen();
         if (simulation != nullptr && pen.draws()) pen.give_up();
+        const bool leaves = simulation == nullptr;
         lessons_->play_hidden(review_->file());
         use(std::move(simulation));
+        if (leaves) ruler_->hide_made(false);  // the lesson's play is over, too
     };
     ways.lesson_runs = [this] {
         return lessons_->playing() && lessons_->standing().outcome == LessonOutcome::running;

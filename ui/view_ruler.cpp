@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view_ruler.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -31,6 +32,7 @@ int nearest_vertex(const std::vector<Vec3>& vertices_mm, const Vec3& point_mm) {
 ViewRuler::ViewRuler(Measurements& measurements, Screen screen)
     : measurements_(measurements), screen_(std::move(screen)) {
     measurements_.on_change([this] {
+        hidden_ = std::min(hidden_, measurements_.made().size());
         anchored_to_ = nullptr;
         follow();
     });

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
-#include <ranges>
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
@@ -133,16 +132,15 @@ std::vector<int> around_fork(const std::vector<Sections>& along, std::size_t par
                              const std::vector<int>& branches) {
     constexpr std::size_t near = 2;
     std::vector<int> part;
-    const auto add = [&](const std::vector<int>& members) {
-        part.insert(part.end(), members.begin(), members.end());
+    const auto add = [&](auto section, auto end) {
+        for (std::size_t n = 0; n < near && section != end; ++n, ++section)
+            part.insert(part.end(), section->second.begin(), section->second.end());
     };
-    for (const auto& [stretch, members] :
-         along[parent] | std::views::reverse | std::views::take(near))
-        add(members);
-    for (const int b : branches)
-        for (const auto& [stretch, members] :
-             along[static_cast<std::size_t>(b)] | std::views::take(near))
-            add(members);
+    add(along[parent].rbegin(), along[parent].rend());
+    for (const int b : branches) {
+        const Sections& branch = along[static_cast<std::size_t>(b)];
+        add(branch.begin(), branch.end());
+    }
     return part;
 }
 
@@ -190,8 +188,8 @@ std::vector<ThroughTear> through_tears(const VesselTree& tree, const Tearing& te
     std::vector<ThroughTear> found;
     if (tearing.report().vertices_split == 0) return found;
     const std::vector<std::vector<int>> branches = children(tree);
-    const auto [torn, forks, along] =
-        looked_at(branches, tearing.topology(), tetrahedra, stretch_mm);
+    const Looked looked = looked_at(branches, tearing.topology(), tetrahedra, stretch_mm);
+    const std::vector<Sections>& along = looked.along;
     LocalPieces whole(tearing.topology().tetrahedra(), whole_vertices(tearing.topology()));
     LocalPieces now(tearing.topology().tetrahedra(), tied_vertices(tearing));
     const auto pieces_of = [&](const std::vector<int>& part) {
@@ -215,10 +213,10 @@ std::vector<ThroughTear> through_tears(const VesselTree& tree, const Tearing& te
         }
     };
     for (std::size_t s = 0; s < tree.segments.size(); ++s) {
-        if (torn[s] != 0)
+        if (looked.segments[s] != 0)
             for (const int stretch : parted_stretches(along[s], pieces_of(all_of(along[s]))))
                 add(s, stretch * stretch_mm);
-        if (forks[s] != 0 && !along[s].empty()) add_at_fork(s);
+        if (looked.forks[s] != 0 && !along[s].empty()) add_at_fork(s);
     }
     return found;
 }

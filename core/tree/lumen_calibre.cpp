@@ -19,7 +19,7 @@ constexpr int stations_a_side = 21;
 constexpr double same_vessel = 0.9;
 
 bool goes_on(const VesselSegment& a, const VesselSegment& b) {
-    const auto [least, most] = std::minmax(median(a.radii_mm), median(b.radii_mm));
+    const auto [least, most] = std::minmax({median(a.radii_mm), median(b.radii_mm)});
     return least >= same_vessel * most;
 }
 

@@ -50,7 +50,7 @@ TEST(LessonDoubts, NamesThePartThatIsMissing) {
         {"probe_free", [](SceneSpec& scene) { scene.contact->tools = false; }, "tools that touch",
          5},
         {"cut_line", [](SceneSpec& scene) { scene.tear.reset(); }, "vessels that tear", 4},
-        {"embolization", [](SceneSpec& scene) { scene.flow.reset(); }, "a drug that flows", 5}};
+        {"embolization", [](SceneSpec& scene) { scene.flow.reset(); }, "a drug that flows", 6}};
     for (const auto& [id, take_away, part, doubts] : parts) {
         Lesson built_in = find_lesson(id);
         take_away(built_in.scene);

@@ -26,8 +26,12 @@ TEST(LessonWords, SayBloodInTheUnitsOfTheClinicAndAllElseAsEver) {
     EXPECT_EQ(to_words(bleeding, {}, clinic), "bleeding at most 30 mL/min");
     EXPECT_EQ(to_words(lost, {}, clinic), "blood lost at most 10 mL");
     EXPECT_EQ(to_words(Predicate{Quantity::blood_lost_g, -1, false, 50.0}, {}, clinic),
-              "blood lost at most 47.2 mL")
+              "blood lost at most 47.1 mL")
         << "of 47.1698";
+    EXPECT_EQ(to_words(Predicate{Quantity::leak_g_s, -1, false, 20.0}, {}, clinic),
+              "bleeding at most 1130 mL/min");
+    EXPECT_EQ(to_words(Predicate{Quantity::leak_g_s, -1, true, 20.0}, {}, clinic),
+              "bleeding at least 1140 mL/min");
     EXPECT_EQ(to_words(Quantity::blood_lost_g, 0.106, clinic), "0.1 mL");
     EXPECT_EQ(to_words(drug, {}, clinic), "drug injected at most 2 g");
     EXPECT_EQ(to_words(Quantity::leak_g_s, 1.06, clinic), "60 mL/min");
