@@ -203,7 +203,13 @@ void Bleeding::solve() {
         points.push_back(one.at);
         areas_mm2.push_back(one.area_mm2);
     }
+    const std::vector<int> outlets = network.outlet_nodes;
     const std::vector<TearOpening> openings = tear_all(network, points, areas_mm2);
+    // A tear at the end of an end vessel takes its outlet away.
+    torn.terminal_resistances.clear();
+    for (std::size_t i = 0; i < outlets.size(); ++i)
+        if (std::ranges::find(network.outlet_nodes, outlets[i]) != network.outlet_nodes.end())
+            torn.terminal_resistances.push_back(conditions.terminal_resistances[i]);
     torn.torn_areas_mm2 = torn_areas_mm2(network, openings);
     NetworkFlow flow(network, torn);
     FlowSolution solution = flow.solve();

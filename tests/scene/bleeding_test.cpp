@@ -59,6 +59,15 @@ TEST(Bleeding, OfTheOnlyVesselIsAllThatFlowsIn) {
     EXPECT_EQ(leak_of(one_tube(VascularSystem::portal), {}), 0.0);
 }
 
+// The bed behind an end vessel is gone with its end.
+TEST(Bleeding, AtTheEndOfAnEndVesselIsAllThatFlowsIn) {
+    const RestingFlow rest;
+    ThroughTear at_end = half_way(0, std::numbers::pi * 16.0);
+    at_end.at.arclength_mm = 20.0;
+    EXPECT_NEAR(leak_of(one_tube(VascularSystem::portal), {at_end}), rest.portal_g_s,
+                1e-6 * rest.portal_g_s);
+}
+
 // Of a short wide vessel without friction Bernoulli's law is left: the cava's pressure drives blood
 // out of an opening of this area, of which 0.6 counts.
 TEST(Bleeding, OfAHepaticVeinIsWhatItsOpeningLetsOut) {
