@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "tests/support/checks_until.h"
 
 namespace hepatica {
 namespace {
@@ -69,17 +70,9 @@ TEST(GivenVessels, CountingAndNamingLabelsHearACancellation) {
     map.voxels.back() = 1;
     std::vector<std::string> warnings;
     const auto checks_until = [&](int last) {
-        Job job;
-        int checks = 0;
-        job.observe([&](JobEvent) {
-            if (++checks == last) job.cancel();
-        });
-        try {
+        return test::checks_until(last, [&](Job& job) {
             EXPECT_EQ(systems_of_labels(map, {}, "map.nii.gz", warnings, job).voxels.back(), 255);
-        } catch (const Cancelled&) {
-            return -checks;
-        }
-        return checks;
+        });
     };
     const int whole = checks_until(-1);
     EXPECT_GE(whole, 6);  // a million voxels between two, in two passes

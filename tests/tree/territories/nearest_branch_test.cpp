@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "tests/support/checks_until.h"
 
 namespace hepatica {
 namespace {
@@ -151,17 +152,9 @@ TEST(NearestBranch, StopsWhereTheTreeLiesFarFromTheOrgan) {
     const Mask organ(cube(20, 1.0), 1);
     const VesselTree tree = vessels({{Vec3(-500, 0, 0), Vec3(-500, 0, 9)}});
     const auto checks_until = [&](int last) {
-        Job job;
-        int checks = 0;
-        job.observe([&](JobEvent) {
-            if (++checks == last) job.cancel();
-        });
-        try {
+        return test::checks_until(last, [&](Job& job) {
             nearest_branch(organ, tree, std::vector<std::int32_t>{0}, job);
-        } catch (const Cancelled&) {
-            return -checks;
-        }
-        return checks;
+        });
     };
     const int whole = checks_until(-1);
     EXPECT_GE(whole, 8000 / 256);  // voxels between two looks
