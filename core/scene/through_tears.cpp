@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
+#include "core/scene/origins_of.h"
 
 namespace hepatica {
 namespace {
@@ -102,13 +103,6 @@ class LocalPieces {
     std::vector<int> number_, pieces_;
 };
 
-// The body as it was before anything tore: each vertex counts as the one it was split from.
-std::vector<int> whole_vertices(const TornTopology& topology) {
-    std::vector<int> first(topology.parents().begin(), topology.parents().end());
-    for (int& vertex : first) vertex = first[static_cast<std::size_t>(vertex)];
-    return first;
-}
-
 // The body as it is: vertices that ties hold together count as one.
 std::vector<int> tied_vertices(const Tearing& tearing) {
     DisjointSets sets(static_cast<std::size_t>(tearing.topology().vertex_count()));
@@ -190,7 +184,8 @@ std::vector<ThroughTear> through_tears(const VesselTree& tree, const Tearing& te
     const std::vector<std::vector<int>> branches = children(tree);
     const Looked looked = looked_at(branches, tearing.topology(), tetrahedra, stretch_mm);
     const std::vector<Sections>& along = looked.along;
-    LocalPieces whole(tearing.topology().tetrahedra(), whole_vertices(tearing.topology()));
+    // The body as it was before anything tore.
+    LocalPieces whole(tearing.topology().tetrahedra(), origins_of(tearing.topology()));
     LocalPieces now(tearing.topology().tetrahedra(), tied_vertices(tearing));
     const auto pieces_of = [&](const std::vector<int>& part) {
         return PiecesOfPart{whole.among(part), now.among(part)};

@@ -17,6 +17,7 @@
 #include "core/scene/heap_use.h"
 #include "core/scene/leak_places.h"
 #include "core/scene/obstacles_of_organs.h"
+#include "core/scene/origins_of.h"
 #include "core/scene/world_checkpoint.h"
 
 namespace hepatica {
@@ -38,13 +39,6 @@ PartCost cost_of(const std::string& name, const std::function<void()>& build) {
     const std::size_t after = heap_bytes_in_use();
     cost.bytes = after > before ? after - before : 0;
     return cost;
-}
-
-std::shared_ptr<const std::vector<int>> origins_of(const TornTopology& torn) {
-    const auto parents = torn.parents();
-    auto origins = std::make_shared<std::vector<int>>(parents.begin(), parents.end());
-    for (int& origin : *origins) origin = (*origins)[origin];
-    return origins;
 }
 
 }  // namespace
@@ -170,7 +164,7 @@ bool World::bleed() {
     const auto torn = std::exchange(searched_, deform_->torn_so_far());
     if (torn == searched_) return false;
     const std::vector<ThroughTear> before = bleeding_->tears();
-    bleeding_->set_tears(deform_->torn_through(patient_->tree));
+    bleeding_->set_tears(torn_through());
     return bleeding_->tears() != before;
 }
 
@@ -194,7 +188,8 @@ void World::follow_tear() {
     if (split) {
         tear_view_ = {};
         leaking_.clear();
-        if (torn != nullptr) tear_view_.origins = origins_of(*torn);
+        if (torn != nullptr)
+            tear_view_.origins = std::make_shared<const std::vector<int>>(origins_of(*torn));
     }
     // Split vertices come apart later: the rims may change without a split.
     const auto rims_before = tear_view_.rims;
