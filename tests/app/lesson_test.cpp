@@ -216,8 +216,8 @@ TEST_F(LessonVerb, AReportOfAnInjectionShowsTheSharesThatTheDrugReached) {
     for (const char* text : {"<figcaption>Force", "Largest stretch beyond rest", "Circles"})
         EXPECT_EQ(page.find(text), std::string::npos) << text;
     const std::string curves = contents_of(path("drug/plots.csv"));
-    EXPECT_NE(curves.find("The target,"), std::string::npos) << curves;
-    EXPECT_NE(curves.find("The rest,"), std::string::npos) << curves;
+    EXPECT_NE(curves.find("\"The target\","), std::string::npos) << curves;
+    EXPECT_NE(curves.find("\"The rest\","), std::string::npos) << curves;
 }
 
 // The lesson asks for the blood, so that none is a result; everything is said in German.
