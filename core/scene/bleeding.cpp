@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -86,20 +87,40 @@ FlowConditions conditions_of(const VesselTree& tree, const RestingFlow& rest,
     return conditions;
 }
 
+// What was lost at each tear. One that grows may move along its vessel, and stays the same.
+std::vector<double> handed_over(const std::vector<double>& lost_g,
+                                const std::vector<ThroughTear>& from,
+                                const std::vector<ThroughTear>& to) {
+    constexpr double same_mm = 3.0;
+    std::vector<double> handed_g(to.size(), 0.0);
+    std::vector<std::uint8_t> known(to.size(), 0), taken(from.size(), 0);
+    for (const double within_mm : {0.0, same_mm}) {
+        for (std::size_t i = 0; i < to.size(); ++i) {
+            if (known[i] != 0) continue;
+            double least_mm = within_mm;
+            std::size_t nearest = from.size();
+            for (std::size_t j = 0; j < from.size(); ++j) {
+                if (taken[j] != 0 || from[j].at.segment != to[i].at.segment) continue;
+                const double mm = std::abs(from[j].at.arclength_mm - to[i].at.arclength_mm);
+                if (mm > least_mm) continue;
+                least_mm = mm;
+                nearest = j;
+            }
+            if (nearest == from.size()) continue;
+            known[i] = taken[nearest] = 1;
+            handed_g[i] = lost_g[nearest];
+        }
+    }
+    return handed_g;
+}
+
 }  // namespace
 
 Bleeding::Bleeding(const VesselTree& tree, const RestingFlow& rest) : tree_(tree), rest_(rest) {}
 
 void Bleeding::set_tears(const std::vector<ThroughTear>& tears) {
     if (tears == tears_) return;
-    std::vector<double> lost_g;
-    for (const ThroughTear& tear : tears) {
-        const auto before = std::ranges::find(tears_, tear);
-        lost_g.push_back(before == tears_.end()
-                             ? 0.0
-                             : lost_g_[static_cast<std::size_t>(before - tears_.begin())]);
-    }
-    lost_g_ = std::move(lost_g);
+    lost_g_ = handed_over(lost_g_, tears_, tears);
     tears_ = tears;
     if (tears_.empty()) squeezes_.clear();  // nobody says what presses while nothing is torn
     solve();

@@ -223,6 +223,20 @@ TEST(Bleeding, KeepsWhatWasLostAtEachTearAlsoWhereItIsStemmed) {
     EXPECT_TRUE(bleeding.shares_of_loss().empty());
 }
 
+// A cut that grows is found a stretch further on; another one begins with nothing lost.
+TEST(Bleeding, ATearThatMovesALittleKeepsWhatWasLostThere) {
+    Bleeding bleeding(fork_of_two());
+    bleeding.set_tears({half_way(1, 30.0)});
+    bleeding.step(1.0);
+    ThroughTear moved = half_way(1, 28.0), far = half_way(1, 30.0);
+    moved.at.arclength_mm = 11.5;
+    far.at.arclength_mm = 2.0;
+    bleeding.set_tears({far, half_way(2, 30.0), moved});
+    EXPECT_EQ(bleeding.shares_of_loss(), (std::vector{0.0, 0.0, 1.0}));
+    bleeding.set_tears({half_way(1, 30.0), moved});
+    EXPECT_EQ(bleeding.shares_of_loss(), (std::vector{0.0, 1.0})) << "what is the same comes first";
+}
+
 TEST(Bleeding, AddsUpOverTimeAndStopsWhereNothingIsTorn) {
     Bleeding bleeding(one_tube(VascularSystem::portal));
     bleeding.step(1.0);
