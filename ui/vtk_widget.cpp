@@ -186,10 +186,10 @@ void VtkWidget::draw_again() {
 }
 
 void VtkWidget::draw_soon() {
-    if (!software())
-        draw_again();
-    else if (!soon_timer_.isActive())
-        soon_timer_.start();
+    constexpr qint64 longest_wait_ms = 200;
+    if (!software()) return draw_again();
+    if (!soon_timer_.isActive()) since_asked_.start();
+    if (since_asked_.elapsed() < longest_wait_ms) soon_timer_.start();
 }
 
 QImage VtkWidget::picture() {

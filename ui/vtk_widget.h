@@ -59,8 +59,9 @@ class VtkWidget : public QWidget {
     // To be called after any other change of scene or camera. Without a graphics card pictures are
     // drawn without smoothing while they change, and smoothed when at rest.
     void draw_again();
-    // As draw_again(), for changes led from the slices: without a graphics card at most 20 times a
-    // second, so that the slices, which the user looks at, come first.
+    // As draw_again(), for changes led from the slices: without a graphics card only once they
+    // rest, and some four times a second while they do not, so that the slices, which the user
+    // looks at, come first.
     void draw_soon();
 
     // Draws a picture now and reads it, at the screen's resolution and smoothing.
@@ -102,7 +103,8 @@ class VtkWidget : public QWidget {
     std::function<void(const SurfacePick&)> hover_;
     std::string renderer_name_;
     QTimer rest_timer_;
-    QTimer soon_timer_;  // a picture is due when it fires
+    QTimer soon_timer_;          // a picture is due when it fires
+    QElapsedTimer since_asked_;  // since soon_timer_ was set for that picture
     QElapsedTimer since_painting_;
     PictureTime last_;           // the last picture that has reached the screen
     double submitted_ms_ = 0.0;  // of the picture being painted

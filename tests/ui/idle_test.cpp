@@ -140,5 +140,17 @@ TEST_F(FakeIdle, a_frame_like_the_last_is_not_drawn) {
     EXPECT_TRUE(testing::wait_for([&] { return paintings.count > 0; }));
 }
 
+// Each change puts the picture off, but not for ever.
+TEST_F(FakeIdle, what_the_slices_change_is_drawn_though_they_never_rest) {
+    open_built_in();
+    Paintings paintings(window_.view());
+    ASSERT_TRUE(comes_to_rest(paintings));
+    paintings.count = 0;
+    EXPECT_TRUE(testing::wait_for([&] {
+        window_.view().draw_soon();
+        return paintings.count > 0;
+    }));
+}
+
 }  // namespace
 }  // namespace hepatica
