@@ -261,6 +261,8 @@ void Step<Real>::begin(Underway& step) {
         step.from_mm = state_.positions_mm;
         step.to_mm = places_ahead(state_, step.dt_s);
         look_along(step);
+    } else {
+        touches_.set({});  // a tool that was taken away presses no longer
     }
     grabs_.pull(start_.read());
     touches_.press(start_.read());

@@ -128,5 +128,32 @@ TEST(TearingTouch, WhatWasCutOffCountsWhenItHasComeAway) {
     EXPECT_EQ(crossings(*stepper, body, any), 0u);
 }
 
+// A slit: the bar is cut through half of its height and is one piece still.
+TEST(TearingTouch, WhatIsCutPartOfTheWayStillBends) {
+    BodyDescription body;
+    test::add_mesh(test::bar_at({24, 4, 4}, {12, 2, 2}, Mat3::Identity(), Vec3::Zero()), body.mesh);
+    body.self.emplace();
+    std::size_t tip = 0;
+    for (std::size_t v = 0; v < body.mesh.vertices_mm.size(); ++v) {
+        const Vec3& x = body.mesh.vertices_mm[v];
+        body.fixed.push_back(x.x() < -11.9);
+        if (x.x() > 11.9 && x.z() > 1.9) tip = v;
+    }
+    body.tear.emplace();
+    body.tear->tear_factor = 1e3;
+    const auto stepper = make_cpu_stepper(body, {});
+    stepper->cut(Vec3(0.2, -20, 0), Vec3(0, 40, 0), Vec3(0, 0, 40));
+    ASSERT_EQ(stepper->tearing()->report().pieces, 1);
+    ASSERT_GT(stepper->tearing()->report().vertices_split, 0);
+    Grab grab;
+    grab.vertices[0] = static_cast<int>(tip);
+    grab.target_mm = body.mesh.vertices_mm[tip] + Vec3(0, 0, -6);
+    grab.stiffness_un_per_mm = 1e5;
+    grab.force_limit_un = 1e12;
+    stepper->set_grabs(std::vector<Grab>{grab});
+    for (int k = 0; k < 60; ++k) stepper->step(frame_s);
+    EXPECT_LT(stepper->positions_mm()[tip].z(), body.mesh.vertices_mm[tip].z() - 4.0);
+}
+
 }  // namespace
 }  // namespace hepatica

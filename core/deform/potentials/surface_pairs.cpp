@@ -362,6 +362,8 @@ double SurfacePairs::share_of(const FeaturePair& pair, std::span<const Vec3> fro
     const double gap = distance_mm(pair, from_mm);
     if (stays_away(gap, pad_.thickness_mm)) return 1.0;
     const double pad = pad_of(pair);
+    // What lies on each other at rest, as the two sides of a tear in one piece, has no pad.
+    if (!(pad > 0.0)) return 1.0;
     if ((kept.only_from_outside && gap <= pad) || stays_away(gap, pad)) return 1.0;
     const double keep = kept.part * std::min(gap, pad);
     const double tolerance = band * std::max(gap - keep, keep);

@@ -192,6 +192,24 @@ TEST_P(Contact, AnyOrderOfBlocksGivesTheSameBits) {
     }
 }
 
+TEST(CudaBackEnd, ForgetsAToolThatIsTakenAway) {
+    TouchingBody body = touching_body("probe");
+    const auto options = options_of(LinearSolverKind::block_jacobi, Precision::double_precision);
+    const gpu::CudaOptions cuda{.precision = Precision::double_precision};
+    const auto gpu = gpu::make_cuda_back_end(body.description, options, gpu::make_emulator(), cuda);
+    gpu->set_tool(body.tool);
+    StepReport report;
+    for (int k = 0; k < 40; ++k) {
+        lead(body, *gpu, frame_s);
+        report = gpu->advance(frame_s);
+    }
+    ASSERT_GT(report.energy.contact, 0.0);
+    gpu->set_tool(std::nullopt);
+    const long made = cuda.share->device;
+    EXPECT_EQ(gpu->advance(frame_s).energy.contact, 0.0);
+    EXPECT_EQ(cuda.share->device, made + 1);
+}
+
 std::string name_of(const testing::TestParamInfo<std::string>& info) {
     std::string name = info.param;
     std::ranges::replace(name, '-', '_');
