@@ -11,6 +11,8 @@ namespace hepatica {
 namespace {
 
 constexpr double margin_slacks = 4.0;  // margin of boxes in the tree
+// After so many queries all boxes are made anew, so that one that a fast motion widened shrinks.
+constexpr int questions_per_box = 64;
 constexpr std::size_t pairs_per_block = 16;
 constexpr std::size_t patches_per_block = 64;
 
@@ -72,10 +74,15 @@ void NearPairs::find_strangers(const Sweep& sweep) {
     parallel_blocks(patches_.size(), patches_per_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) patches_[p] = moving(static_cast<int>(p), sweep);
     });
+    // What all fly together is no reason to meet.
+    Vec3 common_mm = Vec3::Zero();
+    for (const Moving& patch : patches_) common_mm += patch.motion_mm;
+    if (!patches_.empty()) common_mm /= static_cast<double>(patches_.size());
+    const bool anew = questions_ % questions_per_box == 0;
     bool left = !tree_;
     for (std::size_t p = 0; p < patches_.size(); ++p) {
-        const Box needed = grown(patches_[p].swept(Vec3::Zero()), 0.5 * sweep.reach_mm);
-        if (contains(boxes_[p], needed)) continue;
+        const Box needed = grown(patches_[p].swept(common_mm), 0.5 * sweep.reach_mm);
+        if (!anew && contains(boxes_[p], needed)) continue;
         boxes_[p] = grown(needed, margin_slacks * slack_mm_);
         left = true;
     }

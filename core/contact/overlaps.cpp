@@ -101,8 +101,8 @@ void Overlaps::find(std::span<const Vec3> positions_mm, double touch_mm, const O
     each_once(buried_);
 }
 
-// A pair that separated on the wrong side of an obstacle: the patch is left out with the whole
-// obstacle from then on.
+// A pair that separated on the wrong side: the patch is left out with the whole piece, or obstacle,
+// that it slipped into, from then on.
 bool Overlaps::slipped_in(const std::array<int, 2>& touching, std::span<const Box> boxes,
                           std::span<const Vec3> positions_mm, Pairs& buried) const {
     for (const auto& [patch, other] : {touching, std::array<int, 2>{touching[1], touching[0]}}) {
@@ -140,7 +140,7 @@ bool Overlaps::let_go(std::span<const Vec3> positions_mm, double reach_mm) {
     bool slipped = false;
     std::erase_if(touching_, [&](const auto& pair) {
         if (near(pair[0], pair[1])) return false;
-        if (features_.beside_obstacles()) slipped |= slipped_in(pair, boxes, positions_mm, still);
+        slipped |= slipped_in(pair, boxes, positions_mm, still);
         return true;
     });
     buried_ = std::move(still);

@@ -37,7 +37,7 @@ class Overlaps {
               const Overlaps* at_rest = nullptr);
 
     // Lets separated pairs count again; true where anything changed. A patch that came out of a
-    // piece is still left out with patches near it, one that slipped into an obstacle with all of
+    // piece is still left out with patches near it, one that slipped into a piece with all of
     // it.
     bool let_go(std::span<const Vec3> positions_mm, double reach_mm);
 

@@ -52,13 +52,15 @@ Vec6 ForceLoop::way_to(const HapticPose& handle) const {
 }
 
 // The force continues from that of the previous model; the difference fades over a step. Where the
-// tool has no contact, there is no difference.
+// tool has no contact, there is no difference. Another tool begins with no force.
 void ForceLoop::take(const LocalModel& model, const HapticPose& handle) {
     Vec6 before = Vec6::Zero();
-    if (grip_) before = faded().both() + local_.at(way_to(handle)).both();
+    const bool another = model.tool_number != tool_number_;
+    tool_number_ = model.tool_number;
+    if (grip_ && !another) before = faded().both() + local_.at(way_to(handle)).both();
     if (!model.tool) {
         grip_.reset();
-    } else if (!grip_) {
+    } else if (!grip_ || another) {
         grip_ = Grip{handle, model.centre_mm};
         led_ = handle;
     }

@@ -73,7 +73,8 @@ class ForceLoop {
     Vec6 fading_ = Vec6::Zero();  // force of the last model minus that of this one
     int ticks_in_step_ = 1, since_model_ = 0, since_lead_ = 0;  // ticks
     std::uint64_t number_ = 0;
-    int silent_ = 0;  // ticks without a new sample
+    std::uint64_t tool_number_ = 0;  // of the tool in hand
+    int silent_ = 0;                 // ticks without a new sample
     bool lost_ = false;
 };
 

@@ -8,6 +8,7 @@
 // At the last pose the forces are those of the simulation.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/base/vector.h"
@@ -28,6 +29,7 @@ struct LocalContact {
 // The model of one step, passed to the loop. Vectors keep their memory from step to step.
 struct LocalModel {
     bool tool = false;              // a tool is in hand; otherwise the rest is empty
+    std::uint64_t tool_number = 0;  // another number: another tool
     Vec3 centre_mm = Vec3::Zero();  // position of the tool
     Vec3 left_rad = Vec3::Zero();   // its remaining rotation
     std::vector<LocalContact> contacts;

@@ -94,6 +94,7 @@ void PatchFeed::fill(const DeformPart& part, double dt_s, LocalModel& model) {
     model.tool = part.tool().has_value();
     if (!model.tool) return;
     follow(part);
+    model.tool_number = part.tools_added();
     const Tool& tool = *part.tool();
     model.centre_mm = tool.centre_mm();
     model.left_rad = tool.turn_rad;

@@ -174,6 +174,7 @@ void DeformPart::add_tool(const ToolChoice& choice, const Vec3& towards_mm) {
     stepper_->set_tool(brought_from_outside(std::move(tool), choice.direction.normalized(),
                                             present_surface(body_.mesh, torn()), positions_mm(),
                                             body_.obstacles.get()));
+    ++tools_added_;
 }
 
 void DeformPart::lead_jaws(bool open, double share) {

@@ -88,6 +88,8 @@ class DeformPart {
     void open_jaws(double share) { lead_jaws(true, share); }
     void remove_tool() { stepper_->set_tool(std::nullopt); }
     const std::optional<Tool>& tool() const { return stepper_->tool(); }
+    // Number of calls of add_tool() so far: tells a tool from one that replaced it.
+    std::uint64_t tools_added() const { return tools_added_; }
     std::optional<ToolView> tool_view() const;
 
     // Sets how the body tears; none: it does not, and is made whole. Throws InputError for values
@@ -208,6 +210,7 @@ class DeformPart {
     std::vector<VertexPlace> tetrahedra_;  // places of the tetrahedra, once needed
     mutable WeakEdges weak_edges_;         // as they were shown last
     std::optional<Hold> hold_;
+    std::uint64_t tools_added_ = 0;
     std::unique_ptr<Stepper> stepper_;
 };
 

@@ -55,7 +55,10 @@ void DeformPart::set_tear(const std::optional<TearSpec>& tear) {
     BodyDescription body = body_;
     body.tear = law_of(tear);
     validate(body, setting_.model, setting_.order);
-    if (!tear) mend();
+    if (!tear) {
+        release();  // the hand may hold a vertex that vanishes
+        mend();
+    }
     rebuild(std::move(body), setting_);
     tear_ = tear;
 }

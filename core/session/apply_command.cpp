@@ -169,7 +169,9 @@ void Session::Apply::operator()(const UseTear& c) const {
         // Recorded before this command: the dial where it is replayed may be another.
         session.recorded_.commands.emplace_back(UseSetting{part.setting()});
     }
-    part.set_tear(TearSpec{.tear_factor = c.tear_factor});
+    TearSpec tear = part.settings().tear.value_or(TearSpec{});
+    tear.tear_factor = c.tear_factor;
+    part.set_tear(tear);
     session.take_dial(session.whole_dial_);
 }
 

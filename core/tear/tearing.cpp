@@ -196,7 +196,9 @@ bool Tearing::holds(int joint) const {
 void Tearing::part(std::span<const int> joints, double most_mm) {
     const int before = topology_.vertex_count();
     topology_.part(joints, volume_mm3_);
-    for (const int j : joints) most_mm_[j].fill(most_mm);
+    // What bears nothing is bound by nothing.
+    for (const int j : joints)
+        most_mm_[j].fill(factor_[j] * weakness_[j] > 0.0 ? most_mm : softening_.opening_mm);
     parted_.insert(parted_.end(), joints.begin(), joints.end());
     std::ranges::sort(parted_);
     if (!begun_ && topology_.vertex_count() > before) {
@@ -355,7 +357,8 @@ void Tearing::restore(const TearState& state) {
     for (std::size_t i = 0; i < state.weakened.size(); ++i)
         weakness_[state.weakened[i]] = state.weakness[i];
     begun_ = state.begun;
-    stopped_ = state.stopped;
+    // What another law has stopped goes on under one that never stops.
+    stopped_ = state.stopped && law_.stop != TearStop::none;
     entropy_before_ = state.entropy_before_nats;
     entropy_ = state.entropy_nats;
     load_.clear();

@@ -160,6 +160,15 @@ void TornTopology::restore(std::span<const int> parted, std::span<const int> par
             used[v] = 1;
         }
     fits(std::ranges::all_of(used, [](std::uint8_t is) { return is != 0; }));
+    // Both sides of a joint that has not parted have the same vertices.
+    std::vector<std::uint8_t> are_parted(joints_->size(), 0);
+    for (const int j : parted) are_parted[j] = 1;
+    for (std::size_t j = 0; j < joints_->size(); ++j) {
+        const auto& [one, other] = (*joints_)[j].tetrahedra;
+        const auto& [of_one, of_other] = (*joints_)[j].corners;
+        for (int k = 0; k < 3 && are_parted[j] == 0; ++k)
+            fits(tetrahedra[one][of_one[k]] == tetrahedra[other][of_other[k]]);
+    }
     ++version_;
     parents_.assign(parents.begin(), parents.end());
     tetrahedra_.assign(tetrahedra.begin(), tetrahedra.end());

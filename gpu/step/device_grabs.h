@@ -21,7 +21,7 @@ class DeviceGrabs {
     void set(std::span<const Grab> grabs, const AssemblyPlan& plan);
     // Sets the grabs for another plan, and rebuilds the lists by node.
     void follow_tear(std::span<const Grab> grabs, const AssemblyPlan& plan) {
-        held_.clear();
+        held_.assign(1, {-1, -1, -1, -1});  // unlike any grabs, and unlike none
         set(grabs, plan);
     }
     // Computes their forces at these positions.

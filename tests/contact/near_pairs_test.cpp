@@ -302,5 +302,30 @@ TEST(Overlaps, KnowWhatLiesInWhat) {
     EXPECT_TRUE(overlaps.set({{0, 9}}, {{1, 2}}));
 }
 
+TEST(NearPairs, WhatFliesTogetherMeetsNothingNewAndWhatIsBackForgets) {
+    const TetMesh bar = kuhn_brick(Vec3(60, 1, 1), {120, 2, 2});
+    const SurfaceFeatures features(SurfacePatches(boundary_triangles(bar)), bar.vertices_mm);
+    NearPairs near(features, 0.05);
+    const auto ask = [&](std::span<const Vec3> from, std::span<const Vec3> to) {
+        std::vector<FeaturePair> found;
+        near.add_between_strangers(
+            {from, to, 0.02}, [](int, int) { return false; }, std::nullopt, found);
+    };
+    const std::vector<Vec3>& rest = bar.vertices_mm;
+    std::vector<Vec3> flown = rest, apart = rest;
+    for (Vec3& x : flown) x += Vec3(100, 0, 0);
+    for (Vec3& x : apart) x.x() *= 3.0;
+    ask(rest, rest);
+    const std::size_t at_rest = near.bytes();
+    ask(rest, flown);
+    EXPECT_LT(near.bytes(), 2 * at_rest);
+    ask(flown, rest);
+    ask(rest, apart);
+    ask(apart, rest);
+    EXPECT_GT(near.bytes(), 2 * at_rest) << "else there is nothing to forget";
+    for (int k = 0; k < 64; ++k) ask(rest, rest);
+    EXPECT_LT(near.bytes(), 2 * at_rest);
+}
+
 }  // namespace
 }  // namespace hepatica

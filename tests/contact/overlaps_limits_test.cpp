@@ -54,5 +54,26 @@ TEST(OverlapsLimits, WhatIsAsNearAsAskedForTouches) {
     }
 }
 
+TEST(OverlapsLimits, WhatSlipsIntoAnotherPieceIsLeftOutUntilItIsOut) {
+    test::Boxes boxes;
+    boxes.add(Vec3::Zero(), 0.0);
+    const std::size_t small = boxes.mesh.vertices_mm.size();
+    boxes.add(Vec3(0, 0, 4.005), 0.3, 3.0);
+    const SurfaceFeatures features = boxes.features(4);
+    const auto moved = [&](double by_mm) {
+        std::vector<Vec3> x = boxes.mesh.vertices_mm;
+        for (std::size_t v = 0; v < small; ++v) x[v].z() += by_mm;
+        return x;
+    };
+    Overlaps overlaps(features);
+    overlaps.find(boxes.mesh.vertices_mm, 0.01);
+    ASSERT_FALSE(overlaps.touching().empty());
+    ASSERT_TRUE(overlaps.buried().empty());
+    EXPECT_TRUE(overlaps.let_go(moved(4.0), 0.1));
+    EXPECT_FALSE(overlaps.buried().empty());
+    EXPECT_TRUE(overlaps.let_go(moved(-4.0), 0.1));
+    EXPECT_FALSE(overlaps.any());
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -66,6 +66,26 @@ TEST(ForceLoop, WithoutAToolItDoesNothing) {
     EXPECT_TRUE(bench.posted.empty());
 }
 
+TEST(ForceLoop, AnotherToolIsLedFromWhereItIs) {
+    Bench bench({.path = [](double t) { return HapticPose{.at_mm = Vec3(10.0 * t, 0, 0)}; }});
+    LocalModel model = free_tool(Vec3(1, 0, 0));
+    bench.hand_over(model);
+    for (int i = 0; i < 50; ++i) bench.loop.tick();
+    model = free_tool(Vec3(80, 0, 0));
+    model.tool_number = 1;
+    bench.hand_over(model);
+    bench.loop.tick();
+    bench.posted.clear();
+    for (int i = 0; i < 50; ++i) bench.loop.tick();
+    int moves = 0;
+    for (const Command& command : bench.posted)
+        if (const auto* move = std::get_if<MoveTool>(&command)) {
+            EXPECT_NEAR(move->target_mm.x(), 80.0, 2.0);
+            ++moves;
+        }
+    EXPECT_GT(moves, 0);
+}
+
 TEST(ForceLoop, KeepsWithinTheDevicesLimits) {
     WallPress setup;
     setup.traits.force_limit_un = 2e5;

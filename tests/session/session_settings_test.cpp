@@ -227,5 +227,41 @@ TEST(Session, RecordsTheSettingThatTearingTakesFromItsDial) {
     EXPECT_EQ(same.state_hash, last.state_hash);
 }
 
+TEST(Session, AnotherTearFactorKeepsTheStopOfTheScene) {
+    SceneSpec spec = default_scene();
+    spec.tear = TearSpec{.stop = TearStop::vertices, .vertex_budget = 7};
+    const auto session = new_session(spec);
+    session->post(UseTear{true, 0.5});
+    session->step();
+    const std::optional<TearSpec> tear = session->world().deform()->settings().tear;
+    ASSERT_TRUE(tear);
+    EXPECT_EQ(tear->tear_factor, 0.5);
+    EXPECT_EQ(tear->stop, TearStop::vertices);
+    EXPECT_EQ(tear->vertex_budget, 7);
+}
+
+// The vertices that a tear made vanish with it, and with them what the hand held.
+TEST(Session, TearingEndsWhileTheHandHoldsWhatItMade) {
+    SceneSpec spec = default_scene();
+    spec.tear.emplace();
+    const auto session = new_session(spec);
+    const auto& points = small_patient()->tree.segments[0].points_mm;
+    const std::size_t m = points.size() / 2;
+    const Vec3 across = 15.0 * (points[m + 1] - points[m - 1]).unitOrthogonal();
+    session->post(Blade{points[m] - across, points[m] + across});
+    play(*session, 2);
+    const std::size_t whole = small_patient()->mesh.vertices_mm.size();
+    ASSERT_GT(session->world().vertex_count(), whole);
+    session->post(GrabVertex{static_cast<int>(session->world().vertex_count()) - 1});
+    play(*session, 2);
+    session->post(UseTear{false, 1.0});
+    session->step();
+    session->update_frame();
+    EXPECT_EQ(session->frame().statistics.message, "");
+    EXPECT_FALSE(session->frame().grab.has_value());
+    EXPECT_EQ(session->world().vertex_count(), whole);
+    EXPECT_EQ(session->frame().positions_mm.size(), 3 * whole);
+}
+
 }  // namespace
 }  // namespace hepatica

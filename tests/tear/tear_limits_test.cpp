@@ -12,6 +12,13 @@
 namespace hepatica {
 namespace {
 
+// Places of all vertices, those of split ones where their origin is.
+std::vector<Vec3> places_of_all(const TornTopology& topology, std::vector<Vec3> whole_mm) {
+    for (int v = static_cast<int>(whole_mm.size()); v < topology.vertex_count(); ++v)
+        whole_mm.push_back(Vec3(whole_mm[static_cast<std::size_t>(topology.parents()[v])]));
+    return whole_mm;
+}
+
 TEST(TearLimits, OfTheLaw) {
     const auto with = [](auto change) {
         TearLaw law;
@@ -139,6 +146,40 @@ TEST(TearLimits, OfACheckpoint) {
     refused("an opening below 0", [](TearState& s) { s.most_mm[1] = -1e-9; });
     refused("an opening of no number", [](TearState& s) { s.most_mm[1] = std::nan(""); });
     refused("a factor below 0", [](TearState& s) { s.weakness[1] = -1e-9; });
+}
+
+// Along a line of strength 0 nothing binds what has parted: it has come apart at once.
+TEST(TearLimits, WhatBearsNothingIsBroken) {
+    const TetMesh mesh = kuhn_brick(Vec3(3, 1, 1), {3, 1, 1});
+    Tearing tearing(mesh, {}, {});
+    const auto line =
+        tearing.crossing(Vec3(1.0, -1, -1), Vec3(0, 3, 0), Vec3(0, 0, 3), mesh.vertices_mm);
+    tearing.weaken(line, 0.0);
+    const std::vector<Mat3> stress(mesh.tetrahedra.size(), Mat3(10.0 * Mat3::Identity()));
+    const std::vector<double> energy(stress.size(), 1.0), mass(mesh.vertices_mm.size(), 1.0);
+    ASSERT_TRUE(tearing.part_overloaded({stress, energy, mesh.vertices_mm, mass}));
+    ASSERT_EQ(tearing.report().pieces, 2);
+    EXPECT_EQ(tearing.report().joints_broken, static_cast<int>(line.size()));
+    EXPECT_TRUE(tearing
+                    .crossing(Vec3(1.0, -1, -1), Vec3(0, 3, 0), Vec3(0, 0, 3),
+                              places_of_all(tearing.topology(), mesh.vertices_mm))
+                    .empty());
+}
+
+TEST(TearLimits, ALawWithoutAStopGoesOnWithWhatAnotherStopped) {
+    const TetMesh mesh = kuhn_brick(Vec3(3, 1, 1), {3, 1, 1});
+    const std::vector<double> energy(mesh.tetrahedra.size(), 1.0), mass(64, 1.0);
+    const std::vector<Mat3> still(mesh.tetrahedra.size(), Mat3(Mat3::Zero())),
+        torn(mesh.tetrahedra.size(), Mat3(1e9 * Mat3::Identity()));
+    Tearing stops(mesh, {.stop = TearStop::vertices, .vertex_budget = 1}, {}),
+        goes_on(mesh, {}, {});
+    stops.cut(stops.crossing(Vec3(1.0, -1, -1), Vec3(0, 3, 0), Vec3(0, 0, 3), mesh.vertices_mm));
+    const auto cut_mm = places_of_all(stops.topology(), mesh.vertices_mm);
+    stops.measure({still, energy, cut_mm, mass});
+    ASSERT_TRUE(stops.report().stopped);
+    goes_on.restore(stops.state());
+    EXPECT_FALSE(goes_on.report().stopped);
+    EXPECT_TRUE(goes_on.part_overloaded({torn, energy, cut_mm, mass}));
 }
 
 }  // namespace

@@ -188,5 +188,15 @@ TEST(TornTopology, RefusesWhatIsOfAnotherMesh) {
     EXPECT_THROW(topology.restore({}, parents, moved), InputError);
 }
 
+TEST(TornTopology, RefusesSidesThatDifferWhereNoJointHasParted) {
+    const TetMesh mesh = kuhn_brick(Vec3(3, 1, 1), {3, 1, 1});
+    TornTopology topology(mesh);
+    std::vector<int> parents(topology.parents().begin(), topology.parents().end());
+    std::vector<std::array<int, 4>> moved = mesh.tetrahedra;
+    parents.push_back(moved[0][0]);
+    moved[0][0] = static_cast<int>(parents.size()) - 1;
+    EXPECT_THROW(topology.restore({}, parents, moved), InputError);
+}
+
 }  // namespace
 }  // namespace hepatica

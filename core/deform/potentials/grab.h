@@ -3,7 +3,9 @@
 // prescribes a position, so that no speed of the mouse makes the simulation unstable.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "core/base/vector.h"
 
@@ -16,5 +18,11 @@ struct Grab {
     double stiffness_un_per_mm = 0.0;  // micronewton per millimetre, > 0
     double force_limit_un = 0.0;       // micronewton, > 0
 };
+
+// Whether it holds a vertex that a body of so many nodes does not have.
+inline bool holds_beyond(const Grab& grab, std::size_t nodes) {
+    return std::ranges::any_of(grab.vertices,
+                               [nodes](int v) { return v >= static_cast<int>(nodes); });
+}
 
 }  // namespace hepatica

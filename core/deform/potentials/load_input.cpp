@@ -64,6 +64,8 @@ void validate_tool(const Tool& tool, bool touchable) {
     }
     require(tool.target_mm.allFinite() && tool.turn_rad.allFinite(),
             "has a target that is not finite");
+    constexpr double one_turn_rad = 6.3;
+    require(tool.turn_rad.norm() <= one_turn_rad, "has more than a turn to go");
     require(positive(tool.led_over_s), "was led over " + number_text(tool.led_over_s) + " s");
     for (const double opening : {tool.opening_mm, tool.opening_target_mm})
         require(opening >= 0.0 && std::isfinite(opening),

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace hepatica {
 namespace {
@@ -137,7 +138,7 @@ bool lead(Tool& tool, const StandingSurfaces& surfaces, double keep_mm, double s
 }
 
 Vec3 turned_after(const Vec3& left_rad, const Vec3& by_rad) {
-    if (left_rad.isZero(0.0)) return by_rad;
+    if (left_rad.isZero(0.0) && by_rad.norm() <= 2.0 * std::numbers::pi) return by_rad;
     const auto rotation = [](const Vec3& turn) {
         const double angle = turn.norm();
         return angle > 0.0 ? Eigen::Quaterniond(Eigen::AngleAxisd(angle, turn / angle))

@@ -27,6 +27,7 @@ void assemble_again(const Body& body, IncrementalPotential& potential,
                          "Make the stepper of the body that it was taken of");
     PotentialList potentials(body);
     potentials.set_grabs(origin.grabs);
+    potentials.set_gravity(origin.gravity_mm_per_s2);
     potentials.surfaces().set_overlaps(checkpoint.overlaps);
     std::vector<Vec3> began_mm = origin.first_mm;
     if (with) {

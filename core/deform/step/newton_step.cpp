@@ -129,6 +129,7 @@ SolverCheckpoint NewtonStep::origin_of(const StepUnderway& step) const {
                          .collapse = potential_.collapse_counts(),
                          .held = potential_.live().held(),
                          .grabs = step.potentials.grabs(),
+                         .gravity_mm_per_s2 = step.potentials.gravity_mm_per_s2(),
                          .velocity_error = settings_.velocity_error},
         .overlaps = step.potentials.surfaces().kept_overlaps()};
     if (step.potentials.tool())

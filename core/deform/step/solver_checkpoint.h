@@ -27,7 +27,8 @@ struct MatrixOrigin {
     bool collapse = false;         // collapsed elements counted
     std::vector<std::uint8_t> held;  // per node: whether it was fixed or frozen
     std::vector<Grab> grabs;
-    RayleighDamping velocity_error;  // E of eq. (11)
+    Vec3 gravity_mm_per_s2 = Vec3::Zero();  // friction depends on all forces
+    RayleighDamping velocity_error;         // E of eq. (11)
 };
 
 // The tool whose contacts are part of that matrix.

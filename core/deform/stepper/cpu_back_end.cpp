@@ -200,13 +200,15 @@ std::vector<std::array<int, 2>> OwnCpuBackEnd::touching_nodes() const {
 }
 
 void OwnCpuBackEnd::tear(const BodyDescription& whole, const TornBody& tear) {
-    const std::vector<Grab> grabs = potentials_->grabs();
+    std::vector<Grab> grabs = potentials_->grabs();
     const Vec3 gravity = potentials_->gravity_mm_per_s2();
     const std::optional<Tool> tool = potentials_->tool();
     const SurfacesBeforeTear surfaces = potentials_->surfaces().before_tear();
     const Body before =
         std::exchange(body_, build_body(torn(whole, tear), options_.model, options_.order));
     body_.parted_pairs = tear.parted_pairs;
+    // Some may hold nodes of a tear that is taken back; the caller sets the others again.
+    std::erase_if(grabs, [&](const Grab& grab) { return holds_beyond(grab, body_.node_count()); });
     inherit(tear.parents, state_.positions_mm);
     inherit(tear.parents, state_.velocities_mm_per_s);
     recovery_.emplace(body_);

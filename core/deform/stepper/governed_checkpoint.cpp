@@ -99,6 +99,7 @@ void GovernedStepper::restore_solver(const StepperCheckpoint& checkpoint,
         tearing_.swap(tearing);
         if (tearing_) {
             follow_tear(*back_end_);
+            back_end_->set_grabs(grabs_);
             back_end_->set_state(present);
             if (region_) back_end_->freeze(frozen_nodes());
         }

@@ -353,6 +353,7 @@ void GovernedStepper::set_tear(const TearState& state) {
     tearing_->restore(state);
     stress_pa_.clear();
     follow_tear(*back_end_);
+    std::erase_if(grabs_, [&](const Grab& grab) { return holds_beyond(grab, nodes()); });
     wake();
     if (!region_) return;
     region_ = new_region(region_->options());

@@ -13,7 +13,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
 
-constexpr std::string_view heading = "hepatica checkpoint 3\n";
+constexpr std::string_view heading = "hepatica checkpoint 4\n";
 
 // Visits all fields in order; shared by writing, reading and hashing.
 template <class Visit>
@@ -128,6 +128,7 @@ void fields(Visit& visit, auto& value) requires requires {
     visit(value.collapse);
     visit(value.held);
     visit(value.grabs);
+    visit(value.gravity_mm_per_s2);
     visit(value.velocity_error.alpha_per_s);
     visit(value.velocity_error.beta_s);
 }

@@ -77,7 +77,7 @@ struct StepperCheckpoint {
 // Hash of the bytes that to_bytes() writes after its heading.
 std::uint64_t hash_of(const StepperCheckpoint& checkpoint);
 
-// "hepatica checkpoint 3\n", then the fields in the order above, little-endian: numbers as 8 bytes
+// "hepatica checkpoint 4\n", then the fields in the order above, little-endian: numbers as 8 bytes
 // (doubles as IEEE 754, integers signed), elements of `live` and `held` as one byte each; arrays
 // after their length; an optional field after a length of 0 or 1. Optional groups follow at the end
 // in this order: tools, surfaces, tear, obstacles with the start of the last matrix' step,

@@ -197,5 +197,13 @@ TEST(ToolPath, TurnsAfterEachOtherAreOne) {
     EXPECT_LT((matrix(turned_after(first, second)) - both).norm(), 1e-12);
 }
 
+TEST(ToolPath, WhatIsLeftOfManyTurnsIsHalfATurnAtMost) {
+    for (const double angle : {90.0, 1e5, 1e11}) {
+        const Vec3 left = turned_after(Vec3::Zero(), Vec3(0, 0, angle));
+        EXPECT_LE(left.norm(), std::numbers::pi + 1e-12) << angle;
+        EXPECT_NEAR(std::cos(left.z()), std::cos(angle), 1e-4) << angle;
+    }
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -408,5 +408,24 @@ TEST(Obstacle, WhatTearsGoesOnToTouch) {
     }
 }
 
+// Friction depends on all forces, so that the checkpoint of an older matrix holds its gravity.
+TEST(Obstacle, AnOldMatrixWithFrictionIsMadeAgainWithItsGravity) {
+    BodyDescription body;
+    body.mesh = kuhn_brick(Vec3(40, 4, 4), {12, 1, 1});
+    body.tether_pa_per_mm2 = 0.05;
+    body.obstacles = test::one_obstacle(
+        test::box_surface(Vec3(-20, -20, -8.35), Vec3(100, 50, 8), {6, 4, 2}), 0.3);
+    StepperOptions options;
+    options.solver = LinearSolverKind::skeleton;
+    options.linear.energy_tolerance = 0.2;
+    const auto make = [&] { return make_cpu_stepper(body, options); };
+    const auto step = [](Stepper& stepper, int k) {
+        if (k == 0) stepper.set_gravity({4000.0, 1500.0, -9810.0});
+        stepper.step(frame_s);
+    };
+    for (int kept_at = 0; kept_at < 20; ++kept_at)
+        test::expect_same_bits_from(kept_at, kept_at + 2, make, step);
+}
+
 }  // namespace
 }  // namespace hepatica

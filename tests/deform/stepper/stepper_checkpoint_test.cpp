@@ -16,6 +16,7 @@
 #include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/live_stepper.h"
+#include "core/mesh/brick_mesh.h"
 #include "tests/deform/support/test_bodies.h"
 
 namespace hepatica {
@@ -321,6 +322,30 @@ TEST(StepperCheckpointBytes, AStepperRefusesWhatIsNotOfItsKind) {
     }
     const Motion whole({LinearSolverKind::skeleton, ElementOrder::linear, false, Variant::newton});
     EXPECT_THROW(whole.stepper()->restore(checkpoint), InputError);
+}
+
+TEST(StepperCheckpoint, GoesBackBehindASplitWhoseNewVertexIsHeld) {
+    BodyDescription body;
+    body.mesh = kuhn_brick(Vec3(24, 6, 6), {8, 2, 2});
+    body.tear = TearLaw{};
+    StepperOptions options;
+    options.solver = LinearSolverKind::cholesky;
+    const auto stepper = make_cpu_stepper(body, options);
+    stepper->step(frame_s);
+    const StepperCheckpoint whole = stepper->checkpoint();
+    const std::uint64_t then = stepper->state_hash();
+    stepper->cut(Vec3(12.1, -1, -1), Vec3(0, 8, 0), Vec3(0, 0, 8));
+    const int last = static_cast<int>(stepper->positions_mm().size()) - 1;
+    ASSERT_GE(last, static_cast<int>(body.mesh.vertices_mm.size()));
+    Grab grab{.vertices = {last, -1, -1, -1}};
+    grab.target_mm = stepper->positions_mm()[last];
+    grab.stiffness_un_per_mm = 1e4;
+    grab.force_limit_un = 1e6;
+    stepper->set_grabs({&grab, 1});
+    stepper->step(frame_s);
+    stepper->restore(whole);
+    EXPECT_EQ(stepper->state_hash(), then);
+    EXPECT_EQ(stepper->energies().grab, 0.0);
 }
 
 }  // namespace

@@ -333,6 +333,31 @@ TEST_P(DeviceTear, ContinuesFromACheckpointToTheBit) {
     }
 }
 
+// The hand held a vertex that vanishes: nothing pulls the whole body any more.
+TEST_P(DeviceTear, ForgetsTheHandOnAVertexThatIsTakenBack) {
+    const BodyDescription body = body_of(GetParam());
+    GovernedStepper stepper(
+        body, {}, std::nullopt, [](const BodyDescription& whole, const StepperOptions& options) {
+            return gpu::make_cuda_back_end(whole, options, gpu::make_emulator(), {});
+        });
+    stepper.step(frame_s);
+    const StepperCheckpoint whole = stepper.checkpoint();
+    stepper.cut(Vec3(10.3, -1, -1), Vec3(0, 8, 0), Vec3(0, 0, 8));
+    const int last = static_cast<int>(stepper.positions_mm().size()) - 1;
+    ASSERT_GE(last, static_cast<int>(body.mesh.vertices_mm.size()));
+    Grab grab{.vertices = {last, -1, -1, -1}};
+    grab.target_mm = stepper.positions_mm()[last] + Vec3(0, 0, 1);
+    grab.stiffness_un_per_mm = 1e4;
+    grab.force_limit_un = 1e6;
+    stepper.set_grabs({&grab, 1});
+    stepper.step(frame_s);
+    stepper.restore(whole);
+    const std::vector<Vec3> before(stepper.positions_mm().begin(), stepper.positions_mm().end());
+    EXPECT_EQ(stepper.step(frame_s).energy.grab, 0.0);
+    for (std::size_t v = 0; v < before.size(); ++v)
+        EXPECT_LT((stepper.positions_mm()[v] - before[v]).norm(), 1e-3) << v;
+}
+
 std::string name_of_play(const testing::TestParamInfo<Play>& play) {
     return play.param.peel ? "peel" : "notch";
 }
