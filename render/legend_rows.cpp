@@ -98,6 +98,19 @@ void set_colours_shown(LegendContent& content, const std::vector<VascularSystem>
         if (segment_shown[segment]) content.segments.push_back(static_cast<int>(segment));
 }
 
+void set_highlights_shown(LegendContent& content, const std::vector<std::uint8_t>& target,
+                          const std::vector<std::uint8_t>& highlight, const DrugView& drug) {
+    content.target = content.target_lit = content.lit = false;
+    const std::size_t arrivals = drug.arrival_s ? drug.arrival_s->size() : 0;
+    for (std::size_t v = 0; v < std::max(target.size(), highlight.size()); ++v) {
+        const bool wanted = v < target.size() && target[v] != 0;
+        const bool lit = v < highlight.size() && highlight[v] != 0;
+        if (!wanted && !lit) continue;
+        if (v < arrivals && (*drug.arrival_s)[v] <= drug.time_s) continue;
+        (wanted ? lit ? content.target_lit : content.target : content.lit) = true;
+    }
+}
+
 void set_frame_shown(LegendContent& content, const Frame& frame, bool warnings,
                      double least_drug_end_s) {
     content.injected = frame.drug.arrival_s != nullptr && frame.drug.end_s > 0.0;
@@ -121,6 +134,14 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     if (content.touched) swatch("Touch and force", palette::touch, true);
     if (content.places) swatch("A place of the lesson", palette::torn_circle, true);
     if (content.places_reached) swatch("A place that is reached", palette::reached, true);
+    if (content.target) swatch("Target of the drug", palette::drug_target(content.bright));
+    const bool branch = content.lit_branch;
+    if (content.target_lit)
+        swatch(branch ? "Target, in the chosen branch" : "Target, downstream of the pointer",
+               palette::lit_drug_target(content.bright), true);
+    if (content.lit)
+        swatch(branch ? "The chosen branch" : "Downstream of the pointer",
+               palette::highlight(content.bright), true);
     if (content.gaps) swatch("A gap, and how sure", palette::bridge);
     if (content.lined) swatch("Cut line, not torn yet", palette::weak_line(), true);
     if (content.torn) swatch("Cut or torn", palette::torn);

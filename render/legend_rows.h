@@ -32,7 +32,11 @@ struct LegendContent {
     bool places = false;  // places of a lesson that are not reached yet
     bool places_reached = false;
     bool tumours = false;
-    bool bright = false;  // systems have their bright colours
+    bool target = false;      // of the drug, where nothing else covers it
+    bool target_lit = false;  // the part of it that is highlighted
+    bool lit = false;         // vessels beside the target are highlighted
+    bool lit_branch = false;  // the highlight is a chosen branch, not what the pointer is on
+    bool bright = false;      // systems have their bright colours
     bool operator==(const LegendContent&) const = default;
 };
 
@@ -40,6 +44,10 @@ struct LegendContent {
 // unknown. Vertices that the drug has reached show its colour instead and do not count.
 void set_colours_shown(LegendContent& content, const std::vector<VascularSystem>& systems,
                        const std::vector<std::uint8_t>& segments, const DrugView& drug = {});
+// Finds whether the colours of the drug's target and of the highlight are visible; both as
+// TreeActor has them. The drug's colour replaces them, too.
+void set_highlights_shown(LegendContent& content, const std::vector<std::uint8_t>& target,
+                          const std::vector<std::uint8_t>& highlight, const DrugView& drug = {});
 // Takes drug, tool, pull and tear from the frame. The drug's scale ends at `least_drug_end_s` or
 // later.
 void set_frame_shown(LegendContent& content, const Frame& frame, bool warnings,

@@ -43,6 +43,15 @@ Colour mixed(const Colour& from, const Colour& to, double share);
 // bluish grey. `bright`: the same hues with a contrast of at least 7 : 1 to black.
 Colour vessel_system(VascularSystem system, bool bright = false);
 
+// Colours that a vessel has instead of its system's, distinct for normal and for colour-blind eyes
+// from each other, the systems, the drug and its white front, marks and warnings
+// (palette_test.cpp). `bright`: beside the bright colours of the systems.
+// What a lesson wants the drug in, and that with a highlight over it.
+Colour drug_target(bool bright = false);
+Colour lit_drug_target(bool bright = false);
+// A highlight: what lies downstream of the pointer, or a chosen branch.
+Colour highlight(bool bright = false);
+
 // Colour of the branches to one of Couinaud's segments, 1 to 8; values outside are clamped.
 Colour liver_segment(int segment);
 

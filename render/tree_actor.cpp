@@ -86,6 +86,12 @@ void TreeActor::set_highlight(std::vector<std::uint8_t> highlight) {
     take_colours();
 }
 
+void TreeActor::set_target(std::vector<std::uint8_t> target) {
+    if (target == target_) return;
+    target_ = std::move(target);
+    take_colours();
+}
+
 void TreeActor::set_warnings(bool shown) {
     warnings_ = shown;
     if (shown || !loads_) return;
@@ -144,20 +150,27 @@ bool TreeActor::take_touched(const std::optional<ToolView>& tool) {
     return true;
 }
 
+Colour TreeActor::own_colour_of(std::size_t origin) const {
+    const auto marked = [origin](const std::vector<std::uint8_t>& per_vertex) {
+        return origin < per_vertex.size() && per_vertex[origin] != 0;
+    };
+    const bool lit = marked(highlight_);
+    if (marked(target_))
+        return lit ? palette::lit_drug_target(bright_) : palette::drug_target(bright_);
+    if (lit) return palette::highlight(bright_);
+    const int segment = origin < segments_.size() ? segments_[origin] : 0;
+    if (segment > 0) return palette::liver_segment(segment);
+    return palette::vessel_system(
+        origin < systems_.size() ? systems_[origin] : VascularSystem::unknown, bright_);
+}
+
 Colour TreeActor::colour_of(int vertex) const {
     if (std::ranges::binary_search(touched_, vertex)) return palette::touch;
     const auto shown = static_cast<std::size_t>(vertex);
     const bool split = origins_ && shown < origins_->size();
     const auto v = split ? static_cast<std::size_t>((*origins_)[shown]) : shown;
-    const VascularSystem system = v < systems_.size() ? systems_[v] : VascularSystem::unknown;
-    const int segment = v < segments_.size() ? segments_[v] : 0;
-    const Colour own =
-        segment > 0 ? palette::liver_segment(segment) : palette::vessel_system(system, bright_);
-    Colour colour = split && (*rims_)[shown] ? palette::torn : own;
-    if (loads_ && shown < loads_->size()) colour = palette::warning(colour, (*loads_)[shown]);
-    const bool lit = v < highlight_.size() && highlight_[v] != 0;
-    for (double& channel : colour)
-        if (lit) channel = 0.45 * channel + 0.55;
+    const Colour colour = split && (*rims_)[shown] ? palette::torn : own_colour_of(v);
+    if (loads_ && shown < loads_->size()) return palette::warning(colour, (*loads_)[shown]);
     return colour;
 }
 

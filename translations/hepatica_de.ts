@@ -9092,5 +9092,21 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>then: %1</source>
         <translation>danach: %1</translation>
     </message>
+    <message>
+        <source>Target, downstream of the pointer</source>
+        <translation>Zielgebiet, stromabwärts des Zeigers</translation>
+    </message>
+    <message>
+        <source>Target, in the chosen branch</source>
+        <translation>Zielgebiet, im gewählten Ast</translation>
+    </message>
+    <message>
+        <source>Downstream of the pointer</source>
+        <translation>Stromabwärts des Zeigers</translation>
+    </message>
+    <message>
+        <source>The chosen branch</source>
+        <translation>Der gewählte Ast</translation>
+    </message>
 </context>
 </TS>

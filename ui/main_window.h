@@ -254,7 +254,7 @@ class MainWindow : public QMainWindow {
     void colour_by_segments(const std::vector<std::uint8_t>& of_branches);
     void show_hover(const SurfacePick& pick);
     void light_up(const TreePoint& under_mouse);
-    std::vector<std::uint8_t> lit_by_itself() const;
+    std::vector<std::uint8_t> target_of_lesson() const;
     // Moves the slices' crosshair to a vertex of the body at rest; -1: no effect.
     void lead_crosshair_to(int vertex);
     void inject(const SurfacePick& pick);

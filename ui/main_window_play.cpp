@@ -56,6 +56,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     chosen_branch_ = -1;
     welcome_->hide();
     scene.set_highlight({});
+    scene.set_target({});
     scene.set_vertex_systems(patient_->anatomy.vertex_systems());
     scene.set_vertex_segments({});
     ruler_->show_patient(patient_->patient);
@@ -117,6 +118,7 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     curves_->clear();
     hovered_vertex_ = -1;
     view_->scene().set_highlight({});
+    view_->scene().set_target({});
     show_marks();  // the next frame may take a while
     view_->show_frame(frame());
     if (free) quality_->post_choices();  // a lesson has settings of its own
@@ -386,17 +388,19 @@ void MainWindow::show_hover(const SurfacePick& pick) {
 }
 
 void MainWindow::light_up(const TreePoint& under_mouse) {
-    view_->scene().set_highlight(
-        under_mouse.segment < 0 ? lit_by_itself() : patient_->anatomy.downstream_of(under_mouse));
+    SceneView& scene = view_->scene();
+    // While the pointer is on no vessel: the branch chosen in the table.
+    if (under_mouse.segment < 0 && chosen_branch_ >= 0 && branches_->isVisible())
+        scene.set_highlight(patient_->anatomy.vertices_of(chosen_branch_), HighlightOf::branch);
+    else
+        scene.set_highlight(patient_->anatomy.downstream_of(under_mouse));
+    scene.set_target(target_of_lesson());
     show_marks();
     view_->draw_again();
 }
 
-// While the pointer is on no vessel: the branch chosen in the table, else the target that the
-// lesson wants a drug in.
-std::vector<std::uint8_t> MainWindow::lit_by_itself() const {
-    if (chosen_branch_ >= 0 && branches_->isVisible())
-        return patient_->anatomy.vertices_of(chosen_branch_);
+// What the lesson wants a drug in; empty where it wants none.
+std::vector<std::uint8_t> MainWindow::target_of_lesson() const {
     const Lesson* lesson = lessons_->running();
     if (lesson == nullptr || !lesson->target) return {};
     const VesselTree& tree = patient_->patient->tree;

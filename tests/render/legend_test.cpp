@@ -132,6 +132,37 @@ TEST(LegendRows, NameASystemUntilTheDrugCoversAllOfIt) {
     EXPECT_TRUE(content.systems.empty());
 }
 
+// Each is named while its colour is seen, and no longer.
+TEST(LegendRows, NameTargetAndHighlightWhereTheyAreSeen) {
+    LegendContent content;
+    const auto texts = [&](const std::vector<std::uint8_t>& target,
+                           const std::vector<std::uint8_t>& highlight, const DrugView& drug = {}) {
+        set_highlights_shown(content, target, highlight, drug);
+        return texts_of(content);
+    };
+    using Texts = std::vector<std::string>;
+    EXPECT_EQ(texts({}, {}), Texts{});
+    EXPECT_EQ(texts({0, 0}, {0, 0, 0}), Texts{});
+    EXPECT_EQ(texts({0, 1}, {}), Texts{"Target of the drug"});
+    EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::drug_target()});
+    EXPECT_EQ(texts({}, {0, 0, 1}), Texts{"Downstream of the pointer"});
+    EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::highlight()});
+    EXPECT_EQ(texts({0, 1}, {0, 1}), Texts{"Target, downstream of the pointer"});
+    EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::lit_drug_target()});
+    EXPECT_EQ(texts({1, 1}, {0, 1, 1}),
+              (Texts{"Target of the drug", "Target, downstream of the pointer",
+                     "Downstream of the pointer"}));
+    content.bright = true;
+    EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::drug_target(true)});
+    content.lit_branch = true;
+    EXPECT_EQ(texts({1, 1}, {0, 1, 1}),
+              (Texts{"Target of the drug", "Target, in the chosen branch", "The chosen branch"}));
+    DrugView drug;
+    drug.arrival_s = std::make_shared<const std::vector<float>>(std::vector{1.0f, 2.0f, 3.0f});
+    drug.time_s = 2.0;
+    EXPECT_EQ(texts({1, 1}, {0, 1, 1}, drug), Texts{"The chosen branch"}) << "the drug covers it";
+}
+
 TEST(LegendRows, SayWhatGreenAndRedMeanWhereTheyAreShown) {
     EXPECT_FALSE(content_of(fake_frame()).touched);
     EXPECT_TRUE(content_of(testing::touched_frame()).touched);
