@@ -47,6 +47,10 @@ Colour lit_drug_target(bool bright) {
     return mixed(drug_target(bright), Colour{1.0, 1.0, 1.0}, 0.55);
 }
 
+Colour reached_before(bool bright) {
+    return bright ? Colour{0.61, 0.49, 0.52} : Colour{0.84, 0.68, 0.68};
+}
+
 Colour highlight(bool bright) {
     return bright ? Colour{0.30, 0.50, 0.95} : Colour{0.08, 0.76, 1.00};
 }

@@ -49,6 +49,8 @@ Colour vessel_system(VascularSystem system, bool bright = false);
 // What a lesson wants the drug in, and that with a highlight over it.
 Colour drug_target(bool bright = false);
 Colour lit_drug_target(bool bright = false);
+// What an injection before the present one has reached.
+Colour reached_before(bool bright = false);
 // A highlight: what lies downstream of the pointer, or a chosen branch.
 Colour highlight(bool bright = false);
 

@@ -68,8 +68,9 @@ class TreeActor {
 
   private:
     Colour colour_of(int vertex) const;
-    // Without touch, tears and warnings; of a vertex of the whole body.
-    Colour own_colour_of(std::size_t origin) const;
+    // Without touch, tears and warnings; `origin` is the vertex of the whole body that it comes
+    // from.
+    Colour own_colour_of(std::size_t vertex, std::size_t origin) const;
     void take_topology();
     void take_colours();
     void take_arrival(const DrugView& drug);
@@ -97,6 +98,7 @@ class TreeActor {
     std::shared_ptr<const std::vector<std::uint8_t>> rims_;  // likewise
     std::shared_ptr<const std::vector<float>> loads_;        // likewise
     bool warnings_ = false;
+    std::shared_ptr<const std::vector<std::uint8_t>> reached_before_;  // see DrugView
     std::uint64_t drug_version_ = 0;
     const void* drug_source_ = nullptr;
     double drug_time_s_ = 0.0;

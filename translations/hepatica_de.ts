@@ -9108,5 +9108,13 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>The chosen branch</source>
         <translation>Der gewählte Ast</translation>
     </message>
+    <message>
+        <source>what was reached before is not told by 0 and 1</source>
+        <translation>was vorher erreicht war, ist nicht mit 0 und 1 angegeben</translation>
+    </message>
+    <message>
+        <source>Reached by an earlier injection</source>
+        <translation>Von einer früheren Injektion erreicht</translation>
+    </message>
 </context>
 </TS>

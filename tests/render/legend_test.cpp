@@ -163,6 +163,28 @@ TEST(LegendRows, NameTargetAndHighlightWhereTheyAreSeen) {
     EXPECT_EQ(texts({1, 1}, {0, 1, 1}, drug), Texts{"The chosen branch"}) << "the drug covers it";
 }
 
+TEST(LegendRows, NameWhatAnInjectionBeforeHasReachedUntilThePresentOneCoversIt) {
+    DrugView drug;
+    drug.arrival_s = std::make_shared<const std::vector<float>>(std::vector{1.0f, 2.0f, 3.0f});
+    drug.time_s = 0.5;
+    LegendContent content;
+    const auto texts = [&] {
+        set_colours_shown(content, std::vector(3, VascularSystem::portal), {}, drug);
+        set_highlights_shown(content, {0, 1, 0}, {}, drug);
+        return texts_of(content);
+    };
+    using Texts = std::vector<std::string>;
+    EXPECT_EQ(texts(), (Texts{"Target of the drug", "Portal vein"}));
+    drug.reached_before =
+        std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{1, 1, 0});
+    EXPECT_EQ(texts(), (Texts{"Reached by an earlier injection", "Portal vein"}));
+    EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::reached_before()});
+    drug.time_s = 2.0;
+    EXPECT_EQ(texts(), Texts{"Portal vein"});
+    drug = {};
+    EXPECT_EQ(texts(), (Texts{"Target of the drug", "Portal vein"}));
+}
+
 TEST(LegendRows, SayWhatGreenAndRedMeanWhereTheyAreShown) {
     EXPECT_FALSE(content_of(fake_frame()).touched);
     EXPECT_TRUE(content_of(testing::touched_frame()).touched);

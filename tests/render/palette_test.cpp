@@ -91,11 +91,12 @@ std::vector<Colour> colours_beside_a_target(bool bright) {
     return colours;
 }
 
-TEST(Palette, TellsTargetAndHighlightFromEachOtherAndFromAllElse) {
+TEST(Palette, TellsTargetHighlightAndWhatWasReachedBeforeFromEachOtherAndFromAllElse) {
     for (const bool bright : {false, true})
         for (const Sight& sight : sights()) {
             SCOPED_TRACE(std::string(sight.name) + (bright ? ", bright" : ""));
-            const std::vector<Colour> own{palette::drug_target(bright), palette::highlight(bright)};
+            const std::vector<Colour> own{palette::drug_target(bright), palette::highlight(bright),
+                                          palette::reached_before(bright)};
             for (std::size_t i = 0; i < own.size(); ++i) {
                 for (const Colour& other : colours_beside_a_target(bright))
                     EXPECT_GE(distance(own[i], other, sight), 0.7 * sight.least_distance) << i;

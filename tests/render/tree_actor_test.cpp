@@ -162,6 +162,47 @@ TEST_P(TreeOnCard, has_colours_of_their_own_for_target_and_highlight) {
     }
 }
 
+// Under the present injection, until the drug is taken away; frames alike send nothing.
+TEST_P(TreeOnCard, keeps_a_tint_of_what_an_injection_before_has_reached) {
+    const auto colour = [this](vtkIdType vertex) {
+        std::array<double, 4> rgba{};
+        vtkPolyDataMapper::SafeDownCast(shown()->GetMapper())
+            ->GetInput()
+            ->GetPointData()
+            ->GetScalars()
+            ->GetTuple(vertex, rgba.data());
+        return rgba;
+    };
+    const std::array<double, 4> own = colour(0);
+    std::vector<std::uint8_t> reached(first_.positions_mm.size() / 3, 0);
+    reached[static_cast<std::size_t>(tree_.surface().frame_vertices()[0])] = 1;
+    Frame second = first_;
+    ++second.drug.version;
+    second.drug.reached_before = std::make_shared<const std::vector<std::uint8_t>>(reached);
+    EXPECT_TRUE(tree_.update(second));
+    context_.window().Render();
+    const vtkMTimeType colours = sent("scalarColor");
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(colour(0)[c], 255.0 * palette::reached_before()[c], 0.5) << c;
+    EXPECT_EQ(colour(3), own) << "not reached";
+    tree_.set_highlight(std::vector<std::uint8_t>(reached.size(), 1));
+    tree_.set_target(std::vector<std::uint8_t>(reached.size(), 1));
+    EXPECT_NEAR(colour(0)[0], 255.0 * palette::reached_before()[0], 0.5) << "as the drug would";
+    tree_.set_highlight({});
+    tree_.set_target({});
+    context_.window().Render();
+    const vtkMTimeType now = sent("scalarColor");
+    EXPECT_GT(now, colours);
+    EXPECT_FALSE(tree_.update(second));
+    second.drug.time_s += 0.5;
+    EXPECT_TRUE(tree_.update(second));
+    context_.window().Render();
+    EXPECT_EQ(sent("scalarColor"), now) << "only the drug runs";
+    second.drug = DrugView{};
+    EXPECT_TRUE(tree_.update(second));
+    EXPECT_EQ(colour(0), own);
+}
+
 TEST_P(TreeOnCard, takes_nothing_where_only_the_drug_runs) {
     const vtkMTimeType positions = sent("vertexMC");
     const vtkMTimeType arrival = sent("arrivalMC");

@@ -402,6 +402,63 @@ TEST(FlowPart, ADrugGoesToTheBranchesThatAreNotTorn) {
     }
 }
 
+std::vector<std::uint8_t> reached_by(const DrugView& drug) {
+    std::vector<std::uint8_t> reached;
+    for (const float arrival_s : *drug.arrival_s) reached.push_back(arrival_s <= drug.time_s);
+    return reached;
+}
+
+// Until the drug is taken away, as PlayMeter counts it.
+TEST(FlowPart, WhatAnInjectionReachedIsKeptBesideTheNext) {
+    Shown made(tube_of_40_mm());
+    FlowPart& part = made.part;
+    part.inject({.at = {0, 0.0, 0.0}});
+    EXPECT_FALSE(part.drug().reached_before) << "there was none before";
+    part.set_time(0.35 * part.drug().end_s);
+    const std::vector<std::uint8_t> first = reached_by(part.drug());
+    EXPECT_EQ(first, (std::vector<std::uint8_t>{1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0}));
+    part.inject({.at = {0, 20.0, 0.0}});
+    ASSERT_TRUE(part.drug().reached_before);
+    EXPECT_EQ(*part.drug().reached_before, first);
+    part.step(0.01 * part.drug().end_s);
+    const auto kept = part.drug().reached_before;
+    part.step(0.01 * part.drug().end_s);
+    EXPECT_EQ(part.drug().reached_before, kept) << "nothing is copied while the drug runs";
+    const FlowCheckpoint second = part.checkpoint();
+    part.set_time(part.drug().end_s);
+    const std::vector<std::uint8_t> also = reached_by(part.drug());
+    part.inject(unlike_blood);
+    EXPECT_EQ(part.drug().reached_before, kept) << "while the next is computed";
+    part.finish_injection();
+    for (std::size_t v = 0; v < first.size(); ++v)
+        EXPECT_EQ((*part.drug().reached_before)[v], first[v] | also[v]) << v;
+    part.restore(second);
+    EXPECT_EQ(*part.drug().reached_before, first) << "back to before the third";
+    part.remove_drug();
+    EXPECT_FALSE(part.drug().reached_before);
+    part.inject({.at = {0, 0.0, 0.0}});
+    EXPECT_FALSE(part.drug().reached_before) << "nothing of before";
+}
+
+TEST(FlowPart, WhatWasReachedBeforeGoesWithSplitVerticesAndIntoFiles) {
+    Shown made(tube_of_40_mm()), other(tube_of_40_mm());
+    made.part.inject({.at = {0, 0.0, 0.0}});
+    made.part.set_time(0.35 * made.part.drug().end_s);
+    made.part.inject({.at = {0, 20.0, 0.0}});
+    WorldCheckpoint kept;
+    kept.flow = made.part.checkpoint();
+    auto json = to_json(kept);
+    other.part.restore(*world_checkpoint_from_json(json).flow);
+    ASSERT_TRUE(other.part.drug().reached_before);
+    EXPECT_EQ(*other.part.drug().reached_before, *made.part.drug().reached_before);
+    json["flow"]["reached_before"] = "012";
+    EXPECT_THROW(world_checkpoint_from_json(json), InputError);
+    made.topology.split(std::vector<int>{0, 10}, {});
+    made.part.step(0.01);
+    EXPECT_EQ(*made.part.drug().reached_before,
+              (std::vector<std::uint8_t>{1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0}));
+}
+
 // As from a keyframe in a file, which holds no times.
 TEST(FlowPart, TheTearsOfAnInjectionGoIntoCheckpoints) {
     const VesselTree tree = tube_of_40_mm();
