@@ -44,7 +44,7 @@ Colour drug_target(bool bright) {
 }
 
 Colour lit_drug_target(bool bright) {
-    return mixed(drug_target(bright), Colour{1.0, 1.0, 1.0}, 0.55);
+    return bright ? Colour{1.00, 0.40, 0.82} : Colour{0.94, 0.22, 1.00};
 }
 
 Colour reached_before(bool bright) {

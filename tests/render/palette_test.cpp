@@ -96,15 +96,15 @@ TEST(Palette, TellsTargetHighlightAndWhatWasReachedBeforeFromEachOtherAndFromAll
         for (const Sight& sight : sights()) {
             SCOPED_TRACE(std::string(sight.name) + (bright ? ", bright" : ""));
             const std::vector<Colour> own{palette::drug_target(bright), palette::highlight(bright),
-                                          palette::reached_before(bright)};
+                                          palette::reached_before(bright),
+                                          palette::lit_drug_target(bright)};
             for (std::size_t i = 0; i < own.size(); ++i) {
+                // The last, where both lie over each other, is near one of them while it is shown.
+                const double least = (i < 3 ? 0.7 : 0.5) * sight.least_distance;
                 for (const Colour& other : colours_beside_a_target(bright))
-                    EXPECT_GE(distance(own[i], other, sight), 0.7 * sight.least_distance) << i;
+                    EXPECT_GE(distance(own[i], other, sight), least) << i;
                 for (std::size_t j = 0; j < i; ++j)
-                    EXPECT_GE(distance(own[i], own[j], sight), 0.7 * sight.least_distance) << i;
-                EXPECT_GE(distance(palette::lit_drug_target(bright), own[i], sight),
-                          0.5 * sight.least_distance)
-                    << i;
+                    EXPECT_GE(distance(own[i], own[j], sight), least) << i << ", " << j;
             }
         }
 }
