@@ -139,6 +139,7 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     if (content.places) swatch("A place of the lesson", palette::torn_circle, true);
     if (content.places_reached) swatch("A place that is reached", palette::reached, true);
     if (content.target) swatch("Target of the drug", palette::drug_target(content.bright));
+    const std::size_t steady = rows.size();
     const bool branch = content.lit_branch;
     if (content.target_lit)
         swatch(branch ? "Target, in the chosen branch" : "Target, downstream of the pointer",
@@ -146,6 +147,7 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     if (content.lit)
         swatch(branch ? "The chosen branch" : "Downstream of the pointer",
                palette::highlight(content.bright), true);
+    for (std::size_t r = steady; r < rows.size(); ++r) rows[r].passing = !branch;
     if (content.gaps) swatch("A gap, and how sure", palette::bridge);
     if (content.lined) swatch("Cut line, not torn yet", palette::weak_line(), true);
     if (content.torn) swatch("Cut or torn", palette::torn);

@@ -65,6 +65,7 @@ struct LegendRow {
     std::optional<double> marker;  // position of the marker across the bar, in [0, 1]
     bool faint = false;            // an explanation of the row above it
     bool minor = false;            // left out first where the picture has no room
+    bool passing = false;          // comes and goes with the pointer
 };
 
 // The rows from top to bottom. The drug's colours come before the colours of systems and segments.

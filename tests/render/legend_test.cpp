@@ -3,6 +3,9 @@
 #include "render/legend.h"
 
 #include <gtest/gtest.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -327,6 +330,35 @@ TEST(LegendPlace, IsChosenAnewWhereOneLooksFromElsewhereWhileThePictureMoves) {
     view.look_from(ViewDirection::anterior);
     view.render();
     EXPECT_EQ(view.legend_box().bottom, at_first.bottom);
+}
+
+// It would jump from corner to corner while the mouse goes over vessels.
+TEST(LegendPlace, IsNotChosenByARowThatComesAndGoesWithThePointer) {
+    OsmesaContext context(800, 600);
+    vtkNew<vtkRenderer> renderer;
+    context.window().AddRenderer(renderer);
+    Legend legend(*renderer);
+    // One row has room below the vessels, two have not.
+    const Legend::Count count = [](const std::vector<PictureBox>& boxes) {
+        std::vector<int> covered;
+        for (const PictureBox& box : boxes) covered.push_back(box.bottom < 300 && box.top > 50);
+        return covered;
+    };
+    LegendContent content;
+    content.systems = {VascularSystem::portal};
+    const auto box_of = [&](const std::vector<LegendRow>& rows) {
+        legend.update(rows, {800, 600}, dark_look, count);
+        return legend.box();
+    };
+    const PictureBox alone = box_of(legend_rows(content));
+    ASSERT_LT(alone.top, 50.0);
+    content.lit = true;
+    const PictureBox pointed = box_of(legend_rows(content));
+    EXPECT_EQ(pointed.bottom, alone.bottom);
+    EXPECT_GT(pointed.top, 50.0);
+    content.lit_branch = true;  // which stays
+    EXPECT_GT(box_of(legend_rows(content)).bottom, 300.0);
+    context.window().RemoveRenderer(renderer);
 }
 
 // 12 points of print are 16 of a screen with 96 dots to an inch: a line of the legend is never
