@@ -122,7 +122,7 @@ TEST_F(SceneElements, what_a_vessel_hides_of_a_tool_shines_through) {
     int largest = 0;
     for (std::size_t i = 0; i < through.rgb.size(); ++i)
         largest = std::max(largest, through.rgb[i] - touched_alone.rgb[i]);
-    EXPECT_GT(largest, 75) << "its outline is clear; a body that is merely faint adds 50";
+    EXPECT_GT(largest, 75) << "its outline is clear; a body that is merely faint adds 60";
     EXPECT_TRUE(view_.show(fake_frame(0.0)));
     EXPECT_TRUE(look_alike(picture_of(fake_frame(0.0)), without));
 }
