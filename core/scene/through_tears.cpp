@@ -177,6 +177,11 @@ std::vector<int> parted_stretches(const Sections& sections, const PiecesOfPart& 
 
 }  // namespace
 
+double lumen_mm2(const VesselSegment& segment, double arclength_mm) {
+    const double radius = radius_at(segment, arclength_mm);
+    return std::numbers::pi * radius * radius;
+}
+
 std::vector<ThroughTear> through_tears(const VesselTree& tree, const Tearing& tearing,
                                        std::span<const VertexPlace> tetrahedra, double stretch_mm) {
     std::vector<ThroughTear> found;
@@ -191,9 +196,8 @@ std::vector<ThroughTear> through_tears(const VesselTree& tree, const Tearing& te
         return PiecesOfPart{whole.among(part), now.among(part)};
     };
     const auto add = [&](std::size_t s, double arclength_mm) {
-        const double radius = radius_at(tree.segments[s], arclength_mm);
         found.push_back(
-            {{static_cast<int>(s), arclength_mm, 0.0}, std::numbers::pi * radius * radius});
+            {{static_cast<int>(s), arclength_mm, 0.0}, lumen_mm2(tree.segments[s], arclength_mm)});
     };
     const auto add_at_fork = [&](std::size_t s) {
         const PiecesOfPart pieces = pieces_of(around_fork(along, s, branches[s]));

@@ -275,6 +275,20 @@ std::vector<std::array<int, 2>> Tearing::bound_pairs() const {
     return bound;
 }
 
+std::vector<OpenJoint> Tearing::open_joints() const {
+    std::vector<OpenJoint> open;
+    for (const int j : parted_) {
+        OpenJoint one{.joint = j};
+        const bool tied = factor_[j] * weakness_[j] > 0.0;
+        for (int k = 0; k < 3; ++k) {
+            const auto sides = topology_.sides(topology_.joints()[j], k);
+            one.corners[k] = sides[0] != sides[1] && (!tied || apart(most_mm_[j][k]));
+        }
+        if (one.corners != std::array<bool, 3>{}) open.push_back(one);
+    }
+    return open;
+}
+
 void Tearing::report_entropy() {
     const bool known = begun_ && entropy_before_ != not_yet;
     report_.entropy_nats = entropy_;
