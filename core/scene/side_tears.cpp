@@ -121,6 +121,12 @@ class SideSearch {
         return static_cast<int>(std::floor(at.arclength_mm / stretch_mm_));
     }
 
+    static bool has_broken(const Crack& crack) {
+        return std::ranges::any_of(crack, [](const OpenJoint& one) {
+            return one.corners == std::array<bool, 3>{true, true, true};
+        });
+    }
+
     bool reaches_lumen(const Crack& crack) const {
         constexpr double inside = 1.0 - TubeWall{}.thickness_per_radius;
         return std::ranges::any_of(crack, [&](const OpenJoint& one) {
@@ -193,7 +199,7 @@ class SideSearch {
     }
 
     void add(const Crack& crack) {
-        if (of_a_through_tear(crack) || !reaches_lumen(crack)) return;
+        if (!has_broken(crack) || !reaches_lumen(crack) || of_a_through_tear(crack)) return;
         const std::vector<std::array<int, 4>> gaps = gaps_of(crack);
         if (gaps.empty()) return;
         const TreePoint middle = middle_of(crack);
@@ -222,7 +228,7 @@ class SideSearch {
 std::vector<SideTear> side_tears(const VesselTree& tree, const Tearing& tearing,
                                  std::span<const VertexPlace> tetrahedra, double stretch_mm,
                                  std::span<const ThroughTear> through) {
-    if (tearing.report().vertices_split == 0) return {};
+    if (tearing.report().joints_broken == 0) return {};
     return SideSearch(tree, tearing, tetrahedra, stretch_mm, through).take();
 }
 

@@ -26,10 +26,11 @@ struct TornPlaces {
 };
 
 // One per stretch of `stretch_mm` at most, ascending. Joints that have come apart at a common
-// corner are one crack. It opens the side where it reaches the surface and, by a joint's centre,
-// farther than through the wall, and where none of it lies within a stretch of a vessel that is
-// torn through. What has parted is the area of its joints projected onto their mean plane, a third
-// of a joint for each corner that has come apart. `tetrahedra` has the place of each tetrahedron.
+// corner are one crack. It opens the side where a joint of it has come apart wholly, as for the
+// body to count as torn, where it reaches the surface and, by a joint's centre, farther than
+// through the wall, and where none of it lies within a stretch of a vessel that is torn through.
+// What has parted is the area of its joints projected onto their mean plane, a third of a joint for
+// each corner that has come apart. `tetrahedra` has the place of each tetrahedron.
 std::vector<SideTear> side_tears(const VesselTree& tree, const Tearing& tearing,
                                  std::span<const VertexPlace> tetrahedra, double stretch_mm,
                                  std::span<const ThroughTear> through);

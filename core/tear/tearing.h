@@ -85,7 +85,7 @@ class Tearing {
     // The pairs of vertices that ties still hold together.
     std::vector<std::array<int, 2>> bound_pairs() const;
 
-    // The joints of which a corner has come apart, so that nothing binds its two vertices any more,
+    // The joints of which a corner has come apart, so that no tie binds its two vertices any more,
     // ascending.
     std::vector<OpenJoint> open_joints() const;
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far the side of a vessel counts as open: a bar of 4 x 4 cubes of 1 mm along x, cut at x = 10
-// from its top downwards. Areas by hand.
+// How far the side of a vessel counts as open: a bar of 4 x 4 cubes of 1 mm along x, mostly cut at
+// x = 10 from its top downwards. Areas by hand.
 #include "core/scene/side_tears.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -23,10 +24,10 @@ constexpr double bar_stretch_mm = 2.0;
 constexpr double section_mm2 = 16.0;
 
 struct CutBar {
-    CutBar() {
+    explicit CutBar(int wide = 4) {
         for (int x = 0; x < 20; ++x)
-            for (int y = 0; y < 4; ++y)
-                for (int z = 0; z < 4; ++z) body.add(x, y, 0, x + 0.5, z);
+            for (int y = 0; y < wide; ++y)
+                for (int z = 0; z < wide; ++z) body.add(x, y, 0, x + 0.5, z);
         tree.segments[0].radii_mm.assign(2, std::sqrt(section_mm2 / std::numbers::pi));
     }
 
@@ -76,7 +77,7 @@ struct CutBar {
 
 // Rows of the section whose corners all came apart count wholly, the last one by half.
 TEST(SideTears, ShareOfTheSectionAndGape) {
-    for (const int depth : {1, 2, 3}) {
+    for (const int depth : {2, 3}) {
         CutBar bar;
         bar.cut_from_top(depth);
         const TornPlaces torn = bar.torn();
@@ -96,6 +97,43 @@ TEST(SideTears, ShareOfTheSectionAndGape) {
         EXPECT_EQ(opening_mm2(side, bar.positions(depth, 10.0)), side.most_mm2);
         EXPECT_EQ(opening_mm2(side, bar.positions(depth, 0.0)), 0.0) << "it is closed";
     }
+}
+
+// As for the body to count as torn.
+TEST(SideTears, BeginWithAJointThatHasComeApartWholly) {
+    CutBar bar;
+    bar.cut_from_top(1);
+    ASSERT_FALSE(bar.tearing().open_joints().empty());
+    ASSERT_EQ(bar.tearing().report().joints_broken, 0);
+    EXPECT_TRUE(bar.torn().sides.empty());
+}
+
+// A tie of one joint binds its vertices for its neighbours, too.
+TEST(SideTears, AreNotWhereTiesHold) {
+    const auto open_corners = [](CutBar& bar) {
+        int count = 0;
+        for (const OpenJoint& open : bar.tearing().open_joints())
+            count += static_cast<int>(std::ranges::count(open.corners, true));
+        return count;
+    };
+    CutBar bar;
+    bar.cut_from_top(2);
+    const int before = open_corners(bar);
+    const double half_mm = 0.5 * TearLaw{}.softening().opening_mm;
+    TearState tied = bar.tearing().state();
+    const std::vector<OpenJoint> open = bar.tearing().open_joints();
+    const auto whole =
+        std::ranges::find(open, std::array<bool, 3>{true, true, true}, &OpenJoint::corners);
+    ASSERT_NE(whole, open.end());
+    const auto at = std::ranges::find(tied.parted, whole->joint) - tied.parted.begin();
+    std::fill_n(tied.most_mm.begin() + 3 * at, 3, half_mm);
+    bar.tearing().restore(tied);
+    EXPECT_GT(open_corners(bar), 0);
+    EXPECT_LT(open_corners(bar), before - 3);
+    std::ranges::fill(tied.most_mm, half_mm);
+    bar.tearing().restore(tied);
+    EXPECT_EQ(open_corners(bar), 0);
+    EXPECT_TRUE(bar.torn().sides.empty());
 }
 
 TEST(SideTears, AreNoMoreThanTheLumen) {
@@ -158,24 +196,19 @@ TEST(SideTears, AreThereAgainAfterARestore) {
 
 // Nothing comes out of a crack that does not reach the surface.
 TEST(SideTears, AreNotInside) {
-    CutBar bar;
-    bar.cut(1.0, 1.0, 2.0, 2.0);
-    ASSERT_FALSE(bar.tearing().open_joints().empty());
+    CutBar bar(6);
+    bar.cut(1.0, 1.0, 4.0, 4.0);
+    ASSERT_GT(bar.tearing().report().joints_broken, 0);
     EXPECT_TRUE(bar.torn().sides.empty());
 }
 
-// The upper row lies within the wall, a tenth of the radius, or does not.
+// What is cut lies within the wall, a tenth of the radius, or does not.
 TEST(SideTears, AreNotInTheWallAlone) {
     for (const double share : {0.5, 0.95}) {
         CutBar bar;
-        for (std::size_t t = 0; t < bar.body.places.size(); ++t) {
-            VertexPlace& place = bar.body.places[t];
-            const bool upper = std::ranges::all_of(bar.body.mesh.tetrahedra[t], [&](int v) {
-                return bar.body.mesh.vertices_mm[std::size_t(v)].y() >= 3.0;
-            });
-            if (upper) place.on_tree.distance_mm = share * place.radius_mm;
-        }
-        bar.cut_from_top(1);
+        for (VertexPlace& place : bar.body.places)
+            place.on_tree.distance_mm = share * place.radius_mm;
+        bar.cut_from_top(2);
         EXPECT_EQ(bar.torn().sides.size(), share < 0.9 ? 1u : 0u) << share;
     }
 }
@@ -184,14 +217,15 @@ TEST(SideTears, AreNotInTheWallAlone) {
 TEST(SideTears, AreSlitsAlongTheVessel) {
     CutBar bar;
     const std::vector<int> joints = bar.tearing().crossing(
-        Vec3(8, 3, 2), Vec3(4, 0, 0), Vec3(0, 2, 0), bar.body.mesh.vertices_mm);
+        Vec3(7, 2, 2), Vec3(6, 0, 0), Vec3(0, 3, 0), bar.body.mesh.vertices_mm);
     ASSERT_FALSE(joints.empty());
     bar.tearing().cut(joints);
     const TornPlaces torn = bar.torn();
     ASSERT_EQ(torn.sides.size(), 1u);
-    // Three of its vertices on the surface came apart, each with a third of three triangles.
-    EXPECT_NEAR(torn.sides[0].most_mm2, 2.0 * 3.0 * 0.5, 1e-12);
-    EXPECT_EQ(torn.sides[0].gaps.size(), 4u);
+    // A sixth of a square millimetre for each triangle of a vertex that came apart: five on the
+    // surface with three triangles, and five below with six.
+    EXPECT_NEAR(torn.sides[0].most_mm2, 2.0 * (5 * 3 + 5 * 6) / 6.0, 1e-12);
+    EXPECT_EQ(torn.sides[0].gaps.size(), 6u);
 }
 
 }  // namespace
