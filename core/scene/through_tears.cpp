@@ -203,13 +203,25 @@ std::vector<ThroughTear> through_tears(const VesselTree& tree, const Tearing& te
         const PiecesOfPart pieces = pieces_of(around_fork(along, s, branches[s]));
         const std::vector<int>& last = along[s].rbegin()->second;
         const int of_whole = pieces.most_whole(last);
+        const int before = pieces.most_now(last, of_whole);
+        std::map<int, int> now;  // the piece of each branch
         for (const int b : branches[s]) {
             const Sections& branch = along[static_cast<std::size_t>(b)];
             if (branch.empty()) continue;
             const int first = pieces.most_now(branch.begin()->second, of_whole);
-            if (first >= 0 && first != pieces.most_now(last, of_whole))
-                add(static_cast<std::size_t>(b), branch.begin()->first * stretch_mm);
+            if (first >= 0) now[b] = first;
         }
+        // Parted from the parent together, they go on feeding each other.
+        const bool one_piece = std::ranges::all_of(
+            now, [&](const auto& branch) { return branch.second == now.begin()->second; });
+        if (now.size() > 1 && one_piece && now.begin()->second != before) {
+            add(s, length_mm(tree.segments[s]));
+            return;
+        }
+        for (const auto& [b, piece] : now)
+            if (piece != before)
+                add(static_cast<std::size_t>(b),
+                    along[static_cast<std::size_t>(b)].begin()->first * stretch_mm);
     };
     for (std::size_t s = 0; s < tree.segments.size(); ++s) {
         if (looked.segments[s] != 0)

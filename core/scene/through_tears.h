@@ -14,7 +14,9 @@
 namespace hepatica {
 
 struct ThroughTear {
-    TreePoint at;  // arclength 0: torn off its fork, which stays joined to the other branches
+    // Arclength 0: torn off its fork, which stays joined to the other branches. The whole length:
+    // torn off all branches behind it, which stay joined with each other.
+    TreePoint at;
     double area_mm2 = 0.0;  // of the lumen there, or of the opening in its side
     bool side = false;      // only the side is open, and the vessel goes on
     // Whether they are in the same place; areas may differ.

@@ -9,6 +9,7 @@
 #include <map>
 #include <vector>
 
+#include "core/scene/origins_of.h"
 #include "core/scene/vertex_places.h"
 #include "core/tear/tearing.h"
 #include "core/tree/vessel_tree.h"
@@ -47,10 +48,18 @@ struct CubeBody {
         return edge(1).cross(edge(2)).dot(edge(3));
     }
 
+    // Of all vertices, those that were split off, too.
+    std::vector<Vec3> rest_of(const Tearing& tearing) const {
+        std::vector<Vec3> at;
+        for (const int origin : origins_of(tearing.topology()))
+            at.push_back(mesh.vertices_mm[std::size_t(origin)]);
+        return at;
+    }
+
     // Across the row of cubes at this y, between x - 1 and x.
     void cut(Tearing& tearing, double x, double y) const {
         const std::vector<int> joints =
-            tearing.crossing(Vec3(x, y, -1.0), Vec3(0, 1, 0), Vec3(0, 0, 3), mesh.vertices_mm);
+            tearing.crossing(Vec3(x, y, -1.0), Vec3(0, 1, 0), Vec3(0, 0, 3), rest_of(tearing));
         ASSERT_FALSE(joints.empty());
         tearing.cut(joints);
     }

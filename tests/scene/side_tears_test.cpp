@@ -45,8 +45,7 @@ struct CutBar {
     std::vector<Vec3> positions(double depth, double wide_mm) {
         const TornTopology& topology = tearing().topology();
         const std::vector<int> origins = origins_of(topology);
-        std::vector<Vec3> at;
-        for (const int origin : origins) at.push_back(body.mesh.vertices_mm[std::size_t(origin)]);
+        std::vector<Vec3> at = body.rest_of(tearing());
         for (std::size_t t = 0; t < body.places.size(); ++t) {
             if (body.places[t].on_tree.arclength_mm < 10.0) continue;
             for (const int v : topology.tetrahedra()[t]) {

@@ -58,6 +58,44 @@ TEST(ThroughTears, OfABranchAtItsForkThatHangsOnItsNeighbour) {
     EXPECT_EQ(torn[0].at.arclength_mm, 0.0);
 }
 
+// A trunk that both branches of its fork came off together, in one piece, is cut once, at its end.
+TEST(ThroughTears, OfATrunkAtItsVeryEndIsOne) {
+    CubeBody body;
+    for (int x = 0; x <= 6; ++x) body.add(x, 0, 0, x + 0.5);
+    for (int x = 7; x <= 20; ++x) {
+        body.add(x, 0, 1, x - 6.5);
+        body.add(x, 1, 2, x - 6.5);
+    }
+    VesselTree tree = tree_of({-1, 0, 0});
+    tree.segments[0].points_mm.back() = Vec3(7, 0, 0);
+    Tearing tearing(body.mesh, {}, {});
+    body.cut(tearing, 7.0, 0.0);
+    ASSERT_EQ(tearing.topology().pieces(tearing.bound_pairs()), 2);
+    const auto torn = through_tears(tree, tearing, body.places, stretch_mm);
+    ASSERT_EQ(torn.size(), 1u);
+    EXPECT_EQ(torn[0].at.segment, 0);
+    EXPECT_EQ(torn[0].at.arclength_mm, 7.0);
+}
+
+// Each by itself, they are as many tears.
+TEST(ThroughTears, OfAllBranchesOneByOneAreAsMany) {
+    CubeBody body = fork_of_cubes();
+    Tearing tearing(body.mesh, {}, {});
+    for (const double y : {1.0, 0.0}) {
+        const std::vector<int> joints =
+            tearing.crossing(Vec3(5.5, y, -1), Vec3(2, 0, 0), Vec3(0, 0, 3), body.rest_of(tearing));
+        ASSERT_FALSE(joints.empty());
+        tearing.cut(joints);
+    }
+    ASSERT_EQ(tearing.topology().pieces(tearing.bound_pairs()), 3);
+    const auto torn = through_tears(fork_tree, tearing, body.places, stretch_mm);
+    ASSERT_EQ(torn.size(), 2u);
+    for (const ThroughTear& one : torn) {
+        EXPECT_NE(one.at.segment, 0);
+        EXPECT_EQ(one.at.arclength_mm, 0.0);
+    }
+}
+
 // Meshes of real vessels have segments of several pieces; only the cut is a tear.
 TEST(ThroughTears, AreNotWhereTheBodyWasApartFromTheStart) {
     CubeBody body = fork_of_cubes();
