@@ -94,8 +94,9 @@ TornSoFar DeformPart::torn_so_far() const {
     const Tearing* tearing = stepper_->tearing();
     if (tearing == nullptr) return {};
     int open_corners = 0;
-    for (const OpenJoint& open : tearing->open_joints())
-        open_corners += static_cast<int>(std::ranges::count(open.corners, true));
+    if (tearing->report().joints_broken > 0)  // nothing is open before
+        for (const OpenJoint& open : tearing->open_joints())
+            open_corners += static_cast<int>(std::ranges::count(open.corners, true));
     return {tearing->topology().version(), tearing->report().joints_broken,
             tearing->report().pieces, open_corners};
 }

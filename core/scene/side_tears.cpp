@@ -234,12 +234,13 @@ std::vector<SideTear> side_tears(const VesselTree& tree, const Tearing& tearing,
 
 double gape_mm2(const SideTear& tear, std::span<const Vec3> positions_mm) {
     double area = 0.0;
-    for (const auto& [a, b, c, d] : tear.gaps) {
-        const auto from_a = [&](int v) -> Vec3 {
-            return positions_mm[static_cast<std::size_t>(v)] -
-                   positions_mm[static_cast<std::size_t>(a)];
+    for (const std::array<int, 4>& gap : tear.gaps) {
+        const auto from_first = [&](std::size_t k) -> Vec3 {
+            return positions_mm[static_cast<std::size_t>(gap[k])] -
+                   positions_mm[static_cast<std::size_t>(gap[0])];
         };
-        area += 0.5 * (from_a(b).cross(from_a(c)).norm() + from_a(c).cross(from_a(d)).norm());
+        const Vec3 diagonal = from_first(2);
+        area += 0.5 * (from_first(1).cross(diagonal).norm() + diagonal.cross(from_first(3)).norm());
     }
     return area;
 }
