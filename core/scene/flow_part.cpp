@@ -247,6 +247,7 @@ std::uint64_t FlowPart::state_hash() const {
             const std::array<double, 2> cut{tear.at.arclength_mm, tear.area_mm2};
             hasher.add_bytes(&tear.at.segment, sizeof tear.at.segment);
             hasher.add(std::span<const double>(cut));
+            if (tear.side) hasher.add_bytes(&tear.side, sizeof tear.side);
         }
     };
     add(injected_ ? &*injected_ : nullptr);

@@ -97,10 +97,12 @@ Json to_json(const Injection& injection) {
               {"second_phase", injection.second_phase},
               {"pressure_model", injection.pressure_model},
               {"drug_viscosity_pa_s", injection.drug_viscosity_pa_s}};
-    for (const ThroughTear& tear : injection.tears)
+    for (const ThroughTear& tear : injection.tears) {
         json["tears"].push_back({{"segment", tear.at.segment},
                                  {"arclength_mm", tear.at.arclength_mm},
                                  {"area_mm2", tear.area_mm2}});
+        if (tear.side) json["tears"].back()["side"] = true;
+    }
     return json;
 }
 
@@ -117,7 +119,8 @@ Injection injection_from(const Json& json) {
     for (const Json& tear : json.at("tears"))
         injection.tears.push_back(
             {{whole_number<int>(tear.at("segment")), tear.at("arclength_mm").get<double>(), 0.0},
-             tear.at("area_mm2").get<double>()});
+             tear.at("area_mm2").get<double>(),
+             tear.value("side", false)});
     return injection;
 }
 
