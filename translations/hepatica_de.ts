@@ -9092,5 +9092,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>then: %1</source>
         <translation>danach: %1</translation>
     </message>
+    <message>
+        <source>The view looks back on this attempt; below is how it was judged. Nothing that you do changes it: &quot;Leave the review&quot; ends looking back, &quot;Begin again&quot; is a new attempt.</source>
+        <translation>Die Ansicht blickt auf diesen Versuch zurück; unten steht, wie er beurteilt wurde. Nichts, was Sie tun, ändert ihn: „Rückblick verlassen“ beendet den Rückblick, „Von vorn beginnen“ ist ein neuer Versuch.</translation>
+    </message>
 </context>
 </TS>

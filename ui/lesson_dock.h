@@ -64,6 +64,8 @@ class LessonDock : public QDockWidget {
         std::function<void(const QString& name)> named;
         std::function<void()> ended = [] {};  // the attempt was passed or failed
         std::function<void()> kept = [] {};   // its result was written
+        // The recording that is looked back on now; empty: none.
+        std::function<std::filesystem::path()> reviewed = [] { return std::filesystem::path(); };
         // This course is shown from now on; empty: the built-in one.
         std::function<void(const std::filesystem::path& file)> course_chosen =
             [](const std::filesystem::path&) {};

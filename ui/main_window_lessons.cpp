@@ -76,6 +76,9 @@ void MainWindow::build_lessons() {
     };
     ways.ended = [this] { stop_after_lesson(); };
     ways.kept = [this] { library_->refresh(); };
+    ways.reviewed = [this] {
+        return review_->reviewing() ? review_->file() : std::filesystem::path();
+    };
     ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
         fail(doing, failure_of(error));
     };
