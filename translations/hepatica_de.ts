@@ -6010,14 +6010,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Zeit, seit die Gefäße reißen können (s)</translation>
     </message>
     <message>
-        <source>entropy</source>
-        <translation>Entropie</translation>
-    </message>
-    <message>
-        <source>produced</source>
-        <translation>erzeugt</translation>
-    </message>
-    <message>
         <source>bleeding</source>
         <translation>Blutung</translation>
     </message>
@@ -8038,10 +8030,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>korotiert</translation>
     </message>
     <message>
-        <source>Damage by tearing (entropy)</source>
-        <translation>Schaden durch Reißen (Entropie)</translation>
-    </message>
-    <message>
         <source>Couinaud&apos;s segments I to VIII, in the colours of the branches that supply them (F6)</source>
         <translation>Couinaud-Segmente I bis VIII, in den Farben der Äste, die sie versorgen (F6)</translation>
     </message>
@@ -9095,6 +9083,22 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>The view looks back on this attempt; below is how it was judged. Nothing that you do changes it: &quot;Leave the review&quot; ends looking back, &quot;Begin again&quot; is a new attempt.</source>
         <translation>Die Ansicht blickt auf diesen Versuch zurück; unten steht, wie er beurteilt wurde. Nichts, was Sie tun, ändert ihn: „Rückblick verlassen“ beendet den Rückblick, „Von vorn beginnen“ ist ein neuer Versuch.</translation>
+    </message>
+    <message>
+        <source>Damage by tearing, as entropy (nats)</source>
+        <translation>Schaden durch Reißen, als Entropie (nat)</translation>
+    </message>
+    <message>
+        <source>in all</source>
+        <translation>insgesamt</translation>
+    </message>
+    <message>
+        <source>since the first tear</source>
+        <translation>seit dem ersten Riss</translation>
+    </message>
+    <message>
+        <source>entropy</source>
+        <translation>Entropie</translation>
     </message>
 </context>
 </TS>

@@ -103,6 +103,8 @@ class LessonDock : public QDockWidget {
     // The patient being opened will not come: no lesson waits for him any more.
     void patient_not_shown() { waits_ = false; }
     bool playing() const { return watch_ != nullptr; }
+    // The view shows the lesson's play, and no review or free play after it.
+    bool shows_play() const { return playing() && on_screen_; }
     // The lesson being played that has not ended; null: none.
     const Lesson* running() const;
     // A lesson runs in which something was done.

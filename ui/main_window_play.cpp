@@ -292,7 +292,7 @@ void MainWindow::show_figures() {
     tool_panel_->show_tear(frame.tear);
     if (!cuts_message_.isEmpty() && (!frame.tear || frame.tear->joints_broken == 0))
         if (std::exchange(cuts_message_, {}) == messages_->text()) messages_->dismiss();
-    curves_->follow_tear(frame);
+    curves_->follow_tear(frame, lessons_->shows_play() || review_->of_lesson());
     lessons_->show_figures();
     allow_tools();
     const bool injected = frame.drug.arrival_s != nullptr;
