@@ -9100,5 +9100,13 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>entropy</source>
         <translation>Entropie</translation>
     </message>
+    <message>
+        <source>Show the branch</source>
+        <translation>Ast zeigen</translation>
+    </message>
+    <message>
+        <source>The one that the chosen message names, in the table and the view; so does a double click on the message</source>
+        <translation>Den, welchen die gewählte Meldung nennt, in der Tabelle und der Ansicht; ebenso tut es ein Doppelklick auf die Meldung</translation>
+    </message>
 </context>
 </TS>

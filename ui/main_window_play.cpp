@@ -159,6 +159,7 @@ void MainWindow::show_warnings(bool corrected) {
         fresh |= !corrected || other_vessels;
         log_->add_warning(translated(keeper_->workspace().title()), translated(warning));
     }
+    log_->settle();
     const bool stand = !warnings_text_.isEmpty() && said == warnings_text_;
     if (stand) messages_->dismiss();
     if (!warnings_.empty() && (fresh || stand)) tell_warnings();
@@ -193,6 +194,7 @@ void MainWindow::show_workspace() {
     editing_->update_panel();
     view_layout_->show_tumours(workspace.edits());
     view_layout_->show_strokes(workspace.strokes());
+    log_->settle();
     keep_dial();
 }
 
