@@ -2905,16 +2905,8 @@
         <translation>%1 (in Ruhe)</translation>
     </message>
     <message>
-        <source>Click on a vessel where the distance begins</source>
-        <translation>Klicken Sie auf ein Gefäß, wo der Abstand beginnt</translation>
-    </message>
-    <message>
         <source>Click where it ends</source>
         <translation>Klicken Sie, wo er endet</translation>
-    </message>
-    <message>
-        <source>Click on one arm of the angle</source>
-        <translation>Klicken Sie auf einen Schenkel des Winkels</translation>
     </message>
     <message>
         <source>Click on its vertex</source>
@@ -9107,6 +9099,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>The one that the chosen message names, in the table and the view; so does a double click on the message</source>
         <translation>Den, welchen die gewählte Meldung nennt, in der Tabelle und der Ansicht; ebenso tut es ein Doppelklick auf die Meldung</translation>
+    </message>
+    <message>
+        <source>Click where the distance begins: on a vessel, or anywhere in a slice</source>
+        <translation>Klicken Sie, wo der Abstand beginnt: auf ein Gefäß oder irgendwo in einer Schicht</translation>
+    </message>
+    <message>
+        <source>Click on one arm of the angle: on a vessel, or anywhere in a slice</source>
+        <translation>Klicken Sie auf einen Schenkel des Winkels: auf ein Gefäß oder irgendwo in einer Schicht</translation>
     </message>
 </context>
 </TS>

@@ -6,6 +6,7 @@
 #include <QKeyEvent>
 #include <QStatusBar>
 #include <QTimer>
+#include <QToolButton>
 #include <QToolTip>
 #include <algorithm>
 #include <utility>
@@ -442,6 +443,8 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
     if (mode != MouseMode::place) end_waiting_for_place();
     Measurements& measurements = view_layout_->slices().measurements();
     if (mode != MouseMode::measure && measurements.chosen()) measurements.choose(std::nullopt);
+    if (auto* button = findChild<QToolButton*>("measureButton"))
+        button->setChecked(mode == MouseMode::measure);
     view_->setCursor(mode == MouseMode::pull ? Qt::ArrowCursor : Qt::CrossCursor);
     const bool draws = mode == MouseMode::cut || mode == MouseMode::weaken;
     tool_panel_->show_kind(view_->mouse().hand().kind(), draws ? guidance_of(mode) : QString());
