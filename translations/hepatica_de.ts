@@ -797,7 +797,7 @@
         </translation>
     </message>
     <message>
-        <source>Now click the vessel that it shall be linked with</source>
+        <source>Now click the vessel to link it with</source>
         <translation>Klicken Sie nun auf das Gefäß, mit dem es verbunden werden soll</translation>
     </message>
     <message>
@@ -943,8 +943,8 @@
         <translation>Gefäß durchtrennen</translation>
     </message>
     <message>
-        <source>Click where it shall part</source>
-        <translation>Klicken Sie, wo es sich teilen soll</translation>
+        <source>Click where to cut it</source>
+        <translation>Klicken Sie, wo es durchtrennt werden soll</translation>
     </message>
     <message>
         <source>Link two vessels</source>
@@ -987,8 +987,8 @@
         <translation>Klicken Sie auf einen Ast; alles, was daran hängt, geht mit</translation>
     </message>
     <message>
-        <source>Say what a vessel is</source>
-        <translation>Sagen, was ein Gefäß ist</translation>
+        <source>Name a vessel&apos;s system</source>
+        <translation>System eines Gefäßes nennen</translation>
     </message>
     <message>
         <source>Click a vessel; all that belongs with it takes the system below, however far it reaches</source>
@@ -7740,8 +7740,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Nehmen Sie &quot;obstacles&quot;: true aus dem Kontakt der Szene heraus, oder rekonstruieren Sie den Fall mit einer Leber oder Tumoren</translation>
     </message>
     <message>
-        <source>A copy of the course is edited: where shall it lie?</source>
-        <translation>Bearbeitet wird eine Kopie des Kurses: Wo soll sie liegen?</translation>
+        <source>A copy of the course is edited: where to save it?</source>
+        <translation>Bearbeitet wird eine Kopie des Kurses: Wo soll sie gespeichert werden?</translation>
     </message>
     <message>
         <source>Stands in the results of attempts that end from now on, in that of the one that has just ended if it names nobody, and in their reports. Leave it empty, and nobody is named.</source>

@@ -255,7 +255,7 @@ void CaseEditing::click(const TreePoint& point) {
     if (edit.kind == TreeEditKind::add_link) {
         if (!link_from_mm_) {
             begin_link(edit.at_mm);
-            return callbacks_.say(Words::tr("Now click the vessel that it shall be linked with"));
+            return callbacks_.say(Words::tr("Now click the vessel to link it with"));
         }
         edit.to_mm = std::exchange(edit.at_mm, *link_from_mm_);
         begin_link({});
