@@ -9108,5 +9108,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Click on one arm of the angle: on a vessel, or anywhere in a slice</source>
         <translation>Klicken Sie auf einen Schenkel des Winkels: auf ein Gefäß oder irgendwo in einer Schicht</translation>
     </message>
+    <message>
+        <source>Of the tumours numbered %1 from the masks %2 of %3 ml lie outside the box about the liver and are left out of the case. Check that the masks of tumours and liver are of this CT, or give a liver mask that includes them.</source>
+        <translation>Von den Tumoren Nummer %1 der Masken liegen %2 von %3 ml außerhalb des Kastens um die Leber und fehlen im Fall. Prüfen Sie, ob die Masken der Tumoren und der Leber zu diesem CT gehören, oder geben Sie eine Lebermaske an, die sie enthält.</translation>
+    </message>
 </context>
 </TS>
