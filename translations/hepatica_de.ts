@@ -9112,5 +9112,13 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Of the tumours numbered %1 from the masks %2 of %3 ml lie outside the box about the liver and are left out of the case. Check that the masks of tumours and liver are of this CT, or give a liver mask that includes them.</source>
         <translation>Von den Tumoren Nummer %1 der Masken liegen %2 von %3 ml außerhalb des Kastens um die Leber und fehlen im Fall. Prüfen Sie, ob die Masken der Tumoren und der Leber zu diesem CT gehören, oder geben Sie eine Lebermaske an, die sie enthält.</translation>
     </message>
+    <message>
+        <source>Forces shown were rough for a moment: the step was simplified to stay stable (%1)</source>
+        <translation>Gezeigte Kräfte waren einen Augenblick lang ungenau: Der Schritt wurde vereinfacht, um stabil zu bleiben (%1)</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
 </context>
 </TS>

@@ -326,7 +326,10 @@ void MainWindow::show_message_of(const FrameStatistics& statistics) {
 // with single steps, again and again.
 void MainWindow::tell_simplified() {
     if (solver_said_.insert(last_message_).second)
-        log_->add_warning(Words::tr("Simulation"), translated(last_message_));
+        log_->add_note(Words::tr("Simulation"),
+                       Words::tr("Forces shown were rough for a moment: the step was simplified to "
+                                 "stay stable (%1)")
+                           .arg(translated(last_message_)));
     statusBar()->showMessage(
         Words::tr("Forces shown may be rough: the step was simplified to stay stable"), 6000);
 }

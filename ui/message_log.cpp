@@ -115,6 +115,10 @@ void MessageLog::show_branch_of(const QTreeWidgetItem* item) const {
     if (const std::optional<int> branch = branch_of(item); branch && on_branch) on_branch(*branch);
 }
 
+void MessageLog::add_note(const QString& source, const QString& text) {
+    add(Words::tr("Note"), source, text);
+}
+
 void MessageLog::add_failure(const QString& source, const Failure& failure) {
     QString text = translated(failure.problem);
     if (!failure.place.empty() && !names_its_place(failure))

@@ -30,6 +30,8 @@ class MessageLog : public QDialog {
     void settle_warning(const QString& text);
     // Marks those as past that hold no longer.
     void settle();
+    // What happened for a moment and asks for nothing: it counts to no warnings.
+    void add_note(const QString& source, const QString& text);
     void add_failure(const QString& source, const Failure& failure);
 
     // Called with the index of a branch when a message that names it is double-clicked or Enter is

@@ -63,6 +63,8 @@ TEST_F(Messages, what_the_solver_says_is_told_plainly_and_kept_in_the_log_once) 
         EXPECT_EQ(window_.statusBar()->currentMessage(), told) << "it can be read";
     }
     EXPECT_EQ(window_.log().as_text().count(exact), 1);
+    EXPECT_TRUE(window_.log().as_text().contains("\tNote\tSimulation\tForces shown were rough"))
+        << "and no warning, which the foot of the window would count";
     // It stops nothing, also where the play is held just then.
     window_.actions()[ActionId::pause_simulation].trigger();
     ASSERT_TRUE(testing::wait_for([&] { return window_.frame().statistics.paused; }));
