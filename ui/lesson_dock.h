@@ -64,6 +64,8 @@ class LessonDock : public QDockWidget {
         std::function<void(const QString& name)> named;
         std::function<void()> ended = [] {};  // the attempt was passed or failed
         std::function<void()> kept = [] {};   // its result was written
+        // The recording that is looked back on now; empty: none.
+        std::function<std::filesystem::path()> reviewed = [] { return std::filesystem::path(); };
         // This course is shown from now on; empty: the built-in one.
         std::function<void(const std::filesystem::path& file)> course_chosen =
             [](const std::filesystem::path&) {};
@@ -101,6 +103,8 @@ class LessonDock : public QDockWidget {
     // The patient being opened will not come: no lesson waits for him any more.
     void patient_not_shown() { waits_ = false; }
     bool playing() const { return watch_ != nullptr; }
+    // The view shows the lesson's play, and no review or free play after it.
+    bool shows_play() const { return playing() && on_screen_; }
     // The lesson being played that has not ended; null: none.
     const Lesson* running() const;
     // A lesson runs in which something was done.

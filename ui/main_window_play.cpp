@@ -6,6 +6,7 @@
 #include <QKeyEvent>
 #include <QStatusBar>
 #include <QTimer>
+#include <QToolButton>
 #include <QToolTip>
 #include <algorithm>
 #include <utility>
@@ -161,6 +162,7 @@ void MainWindow::show_warnings(bool corrected) {
         fresh |= !corrected || other_vessels;
         log_->add_warning(translated(keeper_->workspace().title()), translated(warning));
     }
+    log_->settle();
     const bool stand = !warnings_text_.isEmpty() && said == warnings_text_;
     if (stand) messages_->dismiss();
     if (!warnings_.empty() && (fresh || stand)) tell_warnings();
@@ -195,6 +197,7 @@ void MainWindow::show_workspace() {
     editing_->update_panel();
     view_layout_->show_tumours(workspace.edits());
     view_layout_->show_strokes(workspace.strokes());
+    log_->settle();
     keep_dial();
 }
 
@@ -294,7 +297,7 @@ void MainWindow::show_figures() {
     tool_panel_->show_tear(frame.tear);
     if (!cuts_message_.isEmpty() && (!frame.tear || frame.tear->joints_broken == 0))
         if (std::exchange(cuts_message_, {}) == messages_->text()) messages_->dismiss();
-    curves_->follow_tear(frame);
+    curves_->follow_tear(frame, lessons_->shows_play() || review_->of_lesson());
     lessons_->show_figures();
     allow_tools();
     const bool injected = frame.drug.arrival_s != nullptr;
@@ -325,7 +328,10 @@ void MainWindow::show_message_of(const FrameStatistics& statistics) {
 // with single steps, again and again.
 void MainWindow::tell_simplified() {
     if (solver_said_.insert(last_message_).second)
-        log_->add_warning(Words::tr("Simulation"), translated(last_message_));
+        log_->add_note(Words::tr("Simulation"),
+                       Words::tr("Forces shown were rough for a moment: the step was simplified to "
+                                 "stay stable (%1)")
+                           .arg(translated(last_message_)));
     statusBar()->showMessage(
         Words::tr("Forces shown may be rough: the step was simplified to stay stable"), 6000);
 }
@@ -444,6 +450,8 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
     if (mode != MouseMode::place) end_waiting_for_place();
     Measurements& measurements = view_layout_->slices().measurements();
     if (mode != MouseMode::measure && measurements.chosen()) measurements.choose(std::nullopt);
+    if (auto* button = findChild<QToolButton*>("measureButton"))
+        button->setChecked(mode == MouseMode::measure);
     view_->setCursor(mode == MouseMode::pull ? Qt::ArrowCursor : Qt::CrossCursor);
     const bool draws = mode == MouseMode::cut || mode == MouseMode::weaken;
     tool_panel_->show_kind(view_->mouse().hand().kind(), draws ? guidance_of(mode) : QString());

@@ -27,15 +27,17 @@ ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* pictures)
     bar_->setRange(0, 1000);
     bar_->setTextVisible(false);
     bar_->setMaximumWidth(260);
-    bar_->setMinimumWidth(80);
+    bar_->setMinimumWidth(40);
+    waiting_->hide();
     connect(cancel_, &QPushButton::clicked, this, std::move(cancel));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(14, 8, 10, 8);
     row->setSpacing(14);
     row->addWidget(title_);
-    row->addWidget(stage_, 1);  // gets the room that the title leaves
+    // Share the room that the title leaves: in a narrow view the bar yields, not the words.
+    row->addWidget(stage_, 3);
     row->addWidget(waiting_);
-    row->addWidget(bar_);
+    row->addWidget(bar_, 1);
     row->addWidget(cancel_);
 }
 
@@ -48,6 +50,7 @@ void ProgressStrip::start(const QString& title) {
 }
 
 void ProgressStrip::show_waiting(const QStringList& titles) {
+    waiting_->setVisible(!titles.isEmpty());  // else a gap would stand there
     waiting_->setText(titles.isEmpty() ? QString() : Words::tr("then: %1").arg(titles.join(", ")));
 }
 

@@ -13,6 +13,7 @@
 #include "app/verbs/reconstruction_json.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/patient_space.h"
 #include "core/base/text_file.h"
 #include "core/opening/patient_image.h"
 #include "core/patient/corrections.h"
@@ -203,6 +204,22 @@ Json tumours_of(const PatientCase& patient) {
     return list;
 }
 
+// What is odd about the tree, and of the new strokes which tumours are cut off.
+std::vector<std::string> warnings_of(const PatientCase& patient, std::size_t edits_before) {
+    std::vector<std::string> warnings = sentences(std::nullopt, patient.tree);
+    const std::vector<TreeEdit>& edits = patient.corrections.edits;
+    const Grid canvas = tumour_canvas(patient).grid;
+    for (std::size_t i = edits_before; i < edits.size(); ++i)
+        if (edits[i].kind == TreeEditKind::paint_tumour &&
+            reaches_beyond(stroke_of(edits[i]), canvas))
+            warnings.push_back("Tumour " + std::to_string(edits[i].tumour) + " painted at " +
+                               place_text(edits[i].at_mm) +
+                               " reaches beyond the part of the CT about the liver that a case "
+                               "keeps: what lies outside of it is left out. Paint it elsewhere, or "
+                               "take the edit back (--undo).");
+    return warnings;
+}
+
 Json run_edit(const EditChoices& options, Job& job) {
     if (options.list && !(options.does_nothing() && options.out.empty()))
         throw UsageError("changes nothing and writes nothing", "--list",
@@ -224,7 +241,8 @@ Json run_edit(const EditChoices& options, Job& job) {
     answer["case"] = (options.out.empty() ? options.patient : options.out).string();
     answer["edits_before"] = before;
     answer["edits"] = Json::parse(edits_to_json(patient.corrections.edits));
-    answer["warnings"] = sentences(std::nullopt, patient.tree);
+    const auto undone = static_cast<std::size_t>(options.undo);
+    answer["warnings"] = warnings_of(patient, options.list ? before : before - undone);
     answer["tree"] = to_json(patient.tree);
     answer["mesh"] = to_json(patient.mesh);
     answer["tumours"] = tumours_of(patient);

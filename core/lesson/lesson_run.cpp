@@ -117,6 +117,7 @@ void LessonRun::check_goal() {
     if (step.held_s + rounding < hold_s) return;
     step.held_s = hold_s;
     step.reached_s = meter_.metrics().time_s;
+    step.goal = standing_.goal;
     if (++standing_.step < lesson_.steps.size())
         begin_step();
     else

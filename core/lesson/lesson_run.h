@@ -30,6 +30,7 @@ struct BoundStanding {
 struct StepStanding {
     std::optional<double> reached_s;  // metric time
     double held_s = 0.0;              // how long its goal has held
+    std::vector<BoundStanding> goal;  // as it stood when the step was reached; empty before
 };
 
 // State of an attempt, as panels and reports show it.

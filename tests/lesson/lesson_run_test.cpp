@@ -49,8 +49,12 @@ TEST(LessonRun, ReachesStepAfterStepAndIsPassed) {
     LessonRun run = attempt(pull_lesson(), {0.0, 3.0});
     EXPECT_EQ(run.standing().step, 0u);
     EXPECT_EQ(run.standing().steps[0].held_s, 0.5);
-    run.see({}, with_force(3e3));
+    EXPECT_TRUE(run.standing().steps[0].goal.empty()) << "not reached yet";
+    run.see({}, with_force(4e3));
     EXPECT_EQ(run.standing().step, 1u);
+    ASSERT_EQ(run.standing().steps[0].goal.size(), 1u);
+    EXPECT_DOUBLE_EQ(run.standing().steps[0].goal[0].value, 4.0) << "what it came to then";
+    EXPECT_TRUE(run.standing().steps[0].goal[0].kept);
     EXPECT_EQ(run.standing().steps[0].reached_s, 1.5);
     EXPECT_EQ(run.standing().outcome, LessonOutcome::running);
     run.see({}, rest_frame());

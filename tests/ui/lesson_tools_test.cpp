@@ -278,6 +278,8 @@ TEST_F(LessonToolsTest, its_mark_is_on_no_other_bodys_vessels) {
     wait_for_figures();
     window_.lessons().findChild<QPushButton*>("lessonLookBack")->click();
     ASSERT_TRUE(wait_for([&] { return window_.review().complete(); }));
+    EXPECT_TRUE(shown("lessonClock").startsWith("The view looks back on this attempt"))
+        << shown("lessonClock").toStdString();
     window_.review().findChild<QPushButton*>("reviewLeave")->click();
     paint();
     EXPECT_TRUE(window_.lessons().marks_in(window_.frame()).empty());

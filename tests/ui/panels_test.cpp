@@ -213,5 +213,32 @@ TEST(ProgressStripTest, cuts_no_words_where_there_is_room_for_them) {
         EXPECT_EQ(label->shown(), label->text());
 }
 
+// Beside a lesson's panel: the bar takes a third of what the step needs, and yields the rest.
+TEST(ProgressStripTest, cuts_no_words_before_its_bar_is_short) {
+    QWidget pictures;
+    pictures.resize(860, 400);
+    auto* strip = new ProgressStrip([] {}, &pictures);
+    strip->start("Opening the built-in patient");
+    JobProgress progress;
+    progress.stage = "Telling the systems apart";
+    progress.stage_number = 14;
+    progress.stage_count = 17;
+    strip->update_progress(progress);
+    pictures.show();
+    int needed = strip->findChild<QPushButton*>()->sizeHint().width();
+    int stage = 0;
+    for (const auto* label : strip->findChildren<ElidedLabel*>()) {
+        const int hint = label->text().isEmpty() ? 0 : label->sizeHint().width();
+        needed += hint;
+        if (label->objectName() == "quiet") stage = std::max(stage, hint);
+    }
+    ASSERT_GT(stage, 120);
+    const int margins = 24, gaps = 3 * 14;
+    pictures.resize(needed + margins + gaps + stage / 3 + 3, 400);
+    QCoreApplication::processEvents();
+    for (const auto* label : strip->findChildren<ElidedLabel*>())
+        EXPECT_EQ(label->shown(), label->text()) << pictures.width();
+}
+
 }  // namespace
 }  // namespace hepatica
