@@ -7791,10 +7791,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>The clock stands: it runs from the first thing you do.</source>
         <translation>Die Uhr steht: Sie läuft, sobald Sie etwas tun.</translation>
     </message>
-    <message>
-        <source>The lesson begins as soon as the report is written.</source>
-        <translation>Die Lektion beginnt, sobald der Bericht geschrieben ist.</translation>
-    </message>
     <message numerus="yes">
         <source>%n attempt(s)</source>
         <translation>
@@ -9091,6 +9087,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>then: %1</source>
         <translation>danach: %1</translation>
+    </message>
+    <message>
+        <source>at the same time: %1</source>
+        <translation>gleichzeitig: %1</translation>
     </message>
 </context>
 </TS>

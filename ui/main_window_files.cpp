@@ -92,10 +92,13 @@ void MainWindow::show_jobs() {
         QStringList waiting;
         for (const std::string& title : keeper_->jobs().waiting_titles())
             waiting << QString::fromStdString(title);
-        progress_->show_waiting(waiting);
+        progress_->show_others(waiting, QString::fromStdString(keeper_->jobs().title_beside()));
     } else {
         progress_->finish();
     }
+    // It waited for a patient, whose warnings would have taken its place.
+    if (!report_to_offer_.empty() && !keeper_->jobs().holds(JobKind::open))
+        offer_report(std::exchange(report_to_offer_, {}));
 }
 
 void MainWindow::remember(const std::filesystem::path& path) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // After an attempt: whose it was where he gave a name, and the way to the next lesson.
 #include <QComboBox>
+#include <QFileDialog>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScreen>
 #include <QTableWidget>
+#include <QTimer>
 #include <algorithm>
 #include <fstream>
 #include <tuple>
@@ -15,6 +17,7 @@
 #include "core/lesson/lesson_writer.h"
 #include "tests/ui/lesson_window_test.h"
 #include "ui/attempts_dialog.h"
+#include "ui/message_bar.h"
 #include "ui/recording_guard.h"
 #include "ui/review_dock.h"
 #include "ui/second_view.h"
@@ -190,6 +193,37 @@ TEST_F(LessonAttemptsTest, the_table_is_seen_as_far_as_the_screen_has_room) {
     const int columns = table->horizontalHeader()->length();
     ASSERT_GT(columns, 860) << "more than the window's usual width";
     EXPECT_GE(dialog.width(), std::min(columns, dialog.screen()->availableSize().width()));
+}
+
+// Of a long play that takes minutes.
+TEST_F(LessonAttemptsTest, a_patient_is_opened_while_a_report_is_written) {
+    namespace fs = std::filesystem;
+    play(short_lesson("Short"));
+    const fs::path go = to_path(folder_.filePath("go")), program = to_path(folder_.filePath("sh"));
+    std::ofstream(program) << "#!/bin/sh\nuntil [ -e '" << go.string()
+                           << "' ]; do sleep 0.02; done\necho done > \"$4/report.html\"\n";
+    fs::permissions(program, fs::perms::owner_all);
+    window_.set_report_program(to_text(program));
+    QTimer answering;  // the question where to write it
+    QObject::connect(&answering, &QTimer::timeout, [this] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (dialog == nullptr) return;
+        dialog->findChild<QLineEdit*>()->setText(folder_.path());
+        QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
+    });
+    answering.start(20);
+    window_.lessons().findChild<QPushButton*>("lessonReport")->click();
+    answering.stop();
+    ASSERT_TRUE(window_.busy());
+    const fs::path other = to_path(folder_.filePath("other.hep"));
+    window_.open(to_text(other));
+    EXPECT_TRUE(wait_for([&] { return window_.workspace().folder() == other; }));
+    EXPECT_TRUE(window_.busy()) << "the report is still being written";
+    std::ofstream{go};
+    ASSERT_TRUE(wait_for([this] { return !window_.busy(); }));
+    EXPECT_TRUE(window_.messages().text().startsWith("The report is in"))
+        << window_.messages().text().toStdString();
+    EXPECT_EQ(window_.messages().findChild<QPushButton*>("offer")->text(), "Open");
 }
 
 // Ctrl + Q is quickly pressed for Ctrl + W.
