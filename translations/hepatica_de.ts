@@ -8066,10 +8066,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Die Lektion %1 wird gerade gespielt.</translation>
     </message>
     <message>
-        <source>Who quits now ends it without a result; its recording is kept.</source>
-        <translation>Wer jetzt beendet, beendet sie ohne Ergebnis; die Aufzeichnung bleibt erhalten.</translation>
-    </message>
-    <message>
         <source>&amp;Go on playing</source>
         <translation>&amp;Weiterspielen</translation>
     </message>
@@ -9091,6 +9087,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>at the same time: %1</source>
         <translation>gleichzeitig: %1</translation>
+    </message>
+    <message>
+        <source>Who quits now gives it up: it counts as not passed. Its recording is kept.</source>
+        <translation>Wer jetzt beendet, gibt sie auf: Sie gilt als nicht bestanden. Die Aufzeichnung bleibt erhalten.</translation>
     </message>
 </context>
 </TS>

@@ -365,6 +365,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     in_close_event_ = false;
     if (!may_close_) return event->ignore();
     if (begins_anew_) begin_anew_(patient_from_where());
+    lessons_->give_up();
     end_recording();
     review_->end();
     settings_.set_window(saveGeometry(), saveState());

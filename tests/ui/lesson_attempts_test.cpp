@@ -239,8 +239,23 @@ TEST_F(LessonAttemptsTest, the_window_asks_before_it_closes_on_a_lesson_that_is_
     EXPECT_TRUE(window_.lessons().running() != nullptr);
     EXPECT_TRUE(stood) << "thinking about the question costs no time";
     EXPECT_TRUE(wait_for([&] { return !window_.frame().statistics.paused; })) << "it goes on";
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().standing().metrics.time_s > 0.0; }));
+    EXPECT_TRUE(kept().list.empty());
     lesson_may_end_ = true;
     EXPECT_TRUE(window_.close());
+    ASSERT_EQ(kept().list.size(), 1u) << "closing hides no attempt";
+    EXPECT_FALSE(kept().list[0].passed);
+    EXPECT_EQ(kept().list[0].reasons, std::vector<std::string>{"given up before the end"});
+}
+
+TEST_F(LessonAttemptsTest, closing_on_a_lesson_in_which_nothing_was_done_keeps_nothing) {
+    window_.lessons().start(lesson_file(R"({"what": "holding", "at_least": 1})"));
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing(); }));
+    only_recording();
+    EXPECT_TRUE(window_.close());
+    EXPECT_EQ(lesson_ends_asked_, 0);
+    EXPECT_TRUE(kept().list.empty());
+    EXPECT_TRUE(recordings_in(to_path(settings_.recordings_folder())).empty());
 }
 
 TEST_F(LessonAttemptsTest, one_table_says_who_passed_what) {
