@@ -9092,5 +9092,29 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Who quits now gives it up: it counts as not passed. Its recording is kept.</source>
         <translation>Wer jetzt beendet, gibt sie auf: Sie gilt als nicht bestanden. Die Aufzeichnung bleibt erhalten.</translation>
     </message>
+    <message>
+        <source>series %1 %2</source>
+        <translation>Serie %1 %2</translation>
+    </message>
+    <message>
+        <source>series %1</source>
+        <translation>Serie %1</translation>
+    </message>
+    <message>
+        <source>a series %1</source>
+        <translation>eine Serie %1</translation>
+    </message>
+    <message>
+        <source>a series</source>
+        <translation>eine Serie</translation>
+    </message>
+    <message>
+        <source>no contrast</source>
+        <translation>ohne Kontrastmittel</translation>
+    </message>
+    <message>
+        <source>Looking through the folder…</source>
+        <translation>Der Ordner wird durchgesehen…</translation>
+    </message>
 </context>
 </TS>
