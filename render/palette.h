@@ -25,7 +25,7 @@ inline constexpr Colour rim{0.02, 0.03, 0.05};      // dark, about a line over a
 inline constexpr Colour outline{0.13, 0.15, 0.18};  // outline of bright things on white paper
 inline constexpr Colour tool{0.74, 0.77, 0.80};
 inline constexpr Colour tool_rim{0.96, 0.98, 1.0};  // about a tool, seen through vessels
-inline constexpr Colour torn{0.62, 0.10, 0.12};     // the rim of a tear
+inline constexpr Colour torn{0.45, 0.00, 0.35};     // the rim of a tear: wine, no red of blood
 inline constexpr Colour touch = grab_line;          // what a tool touches, and its force
 inline constexpr Colour bridge{0.98, 0.74, 0.30};
 inline constexpr Colour measure{1.0, 0.84, 0.35};     // measurements

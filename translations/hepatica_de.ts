@@ -7775,10 +7775,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>The clock stands: it runs from the first thing you do.</source>
         <translation>Die Uhr steht: Sie läuft, sobald Sie etwas tun.</translation>
     </message>
-    <message>
-        <source>The lesson begins as soon as the report is written.</source>
-        <translation>Die Lektion beginnt, sobald der Bericht geschrieben ist.</translation>
-    </message>
     <message numerus="yes">
         <source>%n attempt(s)</source>
         <translation>
@@ -8048,10 +8044,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>The lesson %1 is being played.</source>
         <translation>Die Lektion %1 läuft gerade.</translation>
-    </message>
-    <message>
-        <source>Who quits now ends it without a result; its recording is kept.</source>
-        <translation>Wer jetzt beendet, beendet sie ohne Ergebnis; die Aufzeichnung bleibt erhalten.</translation>
     </message>
     <message>
         <source>&amp;Go on playing</source>
@@ -9143,6 +9135,38 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Note</source>
         <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>at the same time: %1</source>
+        <translation>gleichzeitig: %1</translation>
+    </message>
+    <message>
+        <source>Who quits now gives it up: it counts as not passed. Its recording is kept.</source>
+        <translation>Wer jetzt beendet, gibt sie auf: Sie gilt als nicht bestanden. Die Aufzeichnung bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>series %1 %2</source>
+        <translation>Serie %1 %2</translation>
+    </message>
+    <message>
+        <source>series %1</source>
+        <translation>Serie %1</translation>
+    </message>
+    <message>
+        <source>a series %1</source>
+        <translation>eine Serie %1</translation>
+    </message>
+    <message>
+        <source>a series</source>
+        <translation>eine Serie</translation>
+    </message>
+    <message>
+        <source>no contrast</source>
+        <translation>ohne Kontrastmittel</translation>
+    </message>
+    <message>
+        <source>Looking through the folder…</source>
+        <translation>Der Ordner wird durchgesehen…</translation>
     </message>
 </context>
 </TS>

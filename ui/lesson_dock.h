@@ -112,6 +112,9 @@ class LessonDock : public QDockWidget {
     // Of the lesson being played or ended. Requires playing().
     LessonStanding standing() const { return watch_->standing(); }
     bool recorded() const { return watch_->recorded(); }
+    // Keeps what was begun and has not ended as an attempt that was not passed, once; deletes the
+    // recording of one in which nothing was done. For whatever ends the lesson's play.
+    void give_up();
     AttemptsDialog& attempts() { return *attempts_; }
     void set_units(FlowUnits units);
     // The clock stands while the task is read and after the end of the attempt. Returns whether
@@ -146,7 +149,6 @@ class LessonDock : public QDockWidget {
     std::filesystem::path next_recording() const;
     void name_last_attempt();
     void keep_result();  // of an attempt that has ended, once
-    void give_up();      // keeps what was begun and has not ended as an attempt, not passed
     void keep(const LessonStanding& standing);
     void show_attempts();
 

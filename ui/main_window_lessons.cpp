@@ -127,7 +127,6 @@ bool MainWindow::may_begin_lesson() {
 
 void MainWindow::use_for_lesson(std::unique_ptr<Simulation> simulation) {
     review_->end();
-    take_report_message_away();
     const bool begins = simulation != nullptr;
     if (begins) remember_recorded_patient();
     use(std::move(simulation));
@@ -190,9 +189,6 @@ void MainWindow::open_for_lesson(const OpenRequest& request) {
     if (patient_ && !lessons_->playing()) before = patient_from_where();
     open(request);
     before_lesson_ = before;
-    if (!keeper_->jobs().holds(JobKind::report)) return;
-    messages_->show_notice(Words::tr("The lesson begins as soon as the report is written."));
-    report_message_ = messages_->text();
 }
 
 void MainWindow::offer_patient_from_before() {

@@ -49,9 +49,12 @@ void ProgressStrip::start(const QString& title) {
     show();
 }
 
-void ProgressStrip::show_waiting(const QStringList& titles) {
-    waiting_->setVisible(!titles.isEmpty());  // else a gap would stand there
-    waiting_->setText(titles.isEmpty() ? QString() : Words::tr("then: %1").arg(titles.join(", ")));
+void ProgressStrip::show_others(const QStringList& waiting, const QString& beside) {
+    QStringList others;
+    if (!beside.isEmpty()) others << Words::tr("at the same time: %1").arg(beside);
+    if (!waiting.isEmpty()) others << Words::tr("then: %1").arg(waiting.join(", "));
+    waiting_->setVisible(!others.isEmpty());  // else a gap would stand there
+    waiting_->setText(others.join("; "));
 }
 
 void ProgressStrip::update_progress(const JobProgress& progress) {

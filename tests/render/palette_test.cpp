@@ -109,6 +109,19 @@ TEST(Palette, TellsTargetHighlightAndWhatWasReachedBeforeFromEachOtherAndFromAll
         }
 }
 
+// Both are there after a cut, side by side in the view and in its legend.
+TEST(Palette, TellsTornRimsFromBloodFromVesselsAndFromTheBackground) {
+    std::vector<Colour> others{palette::bleeding, palette::background_top,
+                               palette::background_bottom};
+    for (const VascularSystem system : vascular_systems)
+        for (const bool bright : {false, true})
+            others.push_back(palette::vessel_system(system, bright));
+    for (const Sight& sight : sights())
+        for (const Colour& other : others)
+            EXPECT_GE(distance(palette::torn, other, sight), 0.9 * sight.least_distance)
+                << sight.name;
+}
+
 TEST(Palette, TellsSegmentsFromEachOtherFromSystemsAndFromTumours) {
     std::vector<Colour> others{palette::tumour};
     for (const VascularSystem system : vascular_systems)

@@ -6,9 +6,11 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSlider>
 #include <QWheelEvent>
+#include <algorithm>
 
 #include "tests/ui/fake_window_test.h"
 #include "ui/curves_dock.h"
@@ -198,6 +200,19 @@ TEST(PlotTitles, AreWholeOrEndInAnEllipsisAndNeverOverlap) {
 }
 
 // In German, at the least width that a whole window has for it.
+TEST(ProgressStripTest, names_the_other_jobs) {
+    QWidget pictures;
+    ProgressStrip strip([] {}, &pictures);
+    const auto says = [&](const QString& text) {
+        return std::ranges::any_of(strip.findChildren<QLabel*>(),
+                                   [&](const QLabel* label) { return label->text() == text; });
+    };
+    strip.show_others({"Saving a", "Saving b"}, "Writing the report");
+    EXPECT_TRUE(says("at the same time: Writing the report; then: Saving a, Saving b"));
+    strip.show_others({}, "Writing the report");
+    EXPECT_TRUE(says("at the same time: Writing the report"));
+}
+
 TEST(ProgressStripTest, cuts_no_words_where_there_is_room_for_them) {
     QWidget pictures;
     pictures.resize(860, 400);
