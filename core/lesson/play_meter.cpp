@@ -139,14 +139,14 @@ void PlayMeter::begin(const Frame& frame) {
     moment_.leak_g_s = before_.leak_g_s;
 }
 
-void PlayMeter::see(const Frame& frame) {
+void PlayMeter::see(const Frame& frame, const std::stop_token& stop) {
     if (frame.statistics.paused) return;
     metrics_.time_s += dt_s_;
     see_hand(frame);
     see_contact(frame);
     see_marks(frame);
     see_tear(frame);
-    see_drug(frame);
+    see_drug(frame, stop);
 }
 
 void PlayMeter::see_hand(const Frame& frame) {
@@ -241,7 +241,7 @@ void PlayMeter::take_arrivals(const DrugView& drug) {
     std::ranges::sort(other_arrivals_);
 }
 
-void PlayMeter::see_drug(const Frame& frame) {
+void PlayMeter::see_drug(const Frame& frame, const std::stop_token& stop) {
     if (!dose_) return;
     if (frame.drug.version != drug_.version) take_arrivals(frame.drug);
     drug_ = frame.drug;
@@ -249,7 +249,7 @@ void PlayMeter::see_drug(const Frame& frame) {
     moment_.drug_present = drug_.arrival_s != nullptr && drug_.playing;
     moment_.target_filled = share_reached(target_arrivals_, drug_.time_s);
     moment_.elsewhere_filled = share_reached(other_arrivals_, drug_.time_s);
-    dose_->see(frame.drug);
+    dose_->see(frame.drug, stop);
     const Dose dose = dose_->total();
     metrics_.injected_g = dose.injected_g;
     metrics_.delivered_g = dose.delivered_g;

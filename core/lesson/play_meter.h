@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/lesson/dose_account.h"
@@ -28,8 +29,9 @@ class PlayMeter {
     // The frame before the first that counts; tears in it are not counted.
     void begin(const Frame& frame);
     // Call with every later frame in order, each one step of the scene's dt_s; paused frames are
-    // ignored. Throws InputError where an injection cannot flow.
-    void see(const Frame& frame);
+    // ignored. Throws InputError where an injection cannot flow, and Cancelled where its dose is
+    // waited for and a stop is requested.
+    void see(const Frame& frame, const std::stop_token& stop = {});
     // Call before the next frame where another tool, or a grab at another place, has replaced the
     // last one: nothing has gone the way between them.
     void take_another_tool() { tip_.reset(); }
@@ -54,7 +56,7 @@ class PlayMeter {
     void see_contact(const Frame& frame);
     void see_marks(const Frame& frame);
     void see_tear(const Frame& frame);
-    void see_drug(const Frame& frame);
+    void see_drug(const Frame& frame, const std::stop_token& stop);
     const std::vector<char>& reached_before(const DrugView& drug);
     void take_arrivals(const DrugView& drug);
 
