@@ -8773,10 +8773,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Ein Tumor als Zielgebiet</translation>
     </message>
     <message>
-        <source>The target begins where the portal or arterial vessels pass nearest to the tumour&apos;s middle</source>
-        <translation>Das Zielgebiet beginnt dort, wo Pfortader- oder Arterienäste der Mitte des Tumors am nächsten kommen</translation>
-    </message>
-    <message>
         <source>Tumour %1 (%L2 ml)</source>
         <translation>Tumor %1 (%L2 ml)</translation>
     </message>
@@ -9167,6 +9163,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Looking through the folder…</source>
         <translation>Der Ordner wird durchgesehen…</translation>
+    </message>
+    <message>
+        <source>The target begins where the portal or arterial vessels pass nearest to the tumour&apos;s middle; other branches that feed it are not in the target</source>
+        <translation>Das Zielgebiet beginnt, wo die Gefäße der Pfortader oder der Arterie der Mitte des Tumors am nächsten liegen; andere Äste, die ihn versorgen, gehören nicht dazu</translation>
     </message>
 </context>
 </TS>
