@@ -27,7 +27,6 @@ constexpr int exit_done = 0;
 constexpr int exit_bad_input = 1;
 constexpr int exit_bad_usage = 2;
 constexpr int exit_internal = 3;
-constexpr int exit_interrupted = 130;
 
 int report(const Error& error, int code) {
     const std::string where = error.place().empty() ? "" : error.place() + ": ";

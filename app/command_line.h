@@ -24,6 +24,8 @@ namespace hepatica {
 
 using Json = nlohmann::ordered_json;
 
+inline constexpr int exit_interrupted = 130;
+
 class CommandLine {
   public:
     // The work of a verb, under a job that Ctrl-C cancels and whose progress is shown on standard

@@ -2,15 +2,15 @@
 #include "app/headless_play.h"
 
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <utility>
 
 #include "app/case_picture.h"
 #include "app/step_times.h"
+#include "core/base/error.h"
 #include "core/flow/injection.h"
-#include "core/scene/flow_part.h"
+#include "core/scene/frame.h"
 #include "core/scene/world.h"
 #include "core/session/script.h"
 #include "core/session/session.h"
@@ -81,14 +81,17 @@ Json pull(Session& session, const Vec3& held, Player& player, Album& album) {
     return facts;
 }
 
-// Returns the drug's time in the last picture, in seconds.
-double watch_injection(Session& session, const Vec3& tip_mm, Player& player, Album& album) {
+// Returns the drug of the pictures, the last of which is at its end.
+DrugView watch_injection(Session& session, const Vec3& tip_mm, Player& player, Album& album) {
     session.post(InjectDrug{tip_mm});
     session.post(FinishInjection{});
     player.step(1);
-    const double end_s = player.frame().drug.end_s;
+    const DrugView drug = player.frame().drug;
+    if (!drug.injection)
+        throw InputError("is not possible: " + player.frame().statistics.message, "the injection",
+                         "Play on vessels that are longer");
     for (const int percent : drug_moments_percent) {
-        const double time_s = end_s * percent / 100.0;
+        const double time_s = drug.end_s * percent / 100.0;
         session.post(SetDrugTime{time_s});
         session.post(PlayDrug{false});
         player.step(1);
@@ -97,7 +100,7 @@ double watch_injection(Session& session, const Vec3& tip_mm, Player& player, Alb
                       time_s);
         album.add(player.frame(), "4_drug_" + std::to_string(percent), caption);
     }
-    return end_s;
+    return drug;
 }
 
 Chart curve_over_time(const InjectionResult& injection, const std::string& title,
@@ -111,12 +114,12 @@ Chart curve_over_time(const InjectionResult& injection, const std::string& title
     return chart;
 }
 
-// Computes the injection of the pictures again, with its curves up to the last picture.
-Json injection_facts(const VesselTree& tree, const Injection& made, double end_s, Album& album,
-                     Job& job) {
-    InjectionOptions options = injection_options(made, tree);
-    options.until_s = end_s;
-    options.step_s = end_s / 200.0;
+// Computes the injection of the pictures again, through the same tears, with its curves up to the
+// last picture.
+Json injection_facts(const VesselTree& tree, const DrugView& drug, Album& album, Job& job) {
+    InjectionOptions options = *drug.injection;
+    options.until_s = drug.end_s;
+    options.step_s = drug.end_s / 200.0;
     const InjectionResult injection = inject(tree, options, job);
     album.add(curve_over_time(injection, "Share of the vessels filled with the drug", "Share",
                               [](const InjectionSample& s) { return s.filled_fraction; }),
@@ -128,18 +131,17 @@ Json injection_facts(const VesselTree& tree, const Injection& made, double end_s
                         }),
         "6_delivered");
     const InjectionSample& last = injection.series.back();
-    return {{"drug", made.second_phase},
-            {"void_fraction", made.void_fraction},
-            {"pressure_law", made.pressure_model},
-            {"mass_flow_g_s", made.mass_flow_g_s},
+    return {{"drug", options.second_phase.name},
+            {"void_fraction", options.void_fraction},
+            {"pressure_law", name_of(options.law)},
+            {"mass_flow_g_s", options.mass_flow_g_s},
             {"duration_s", last.time_s},
             {"inlet_pressure_begin_pa", injection.series.front().inlet_pressure_pa},
             {"inlet_pressure_end_pa", last.inlet_pressure_pa},
             {"injected_g", last.injected_g},
             {"inside_g", last.inside_g},
             {"delivered_g", last.delivered_g},
-            {"mass_error_relative",
-             std::abs(last.injected_g - last.inside_g - last.delivered_g) / last.injected_g}};
+            {"mass_error_relative", injection.balance.error_relative()}};
 }
 
 }  // namespace
@@ -163,8 +165,7 @@ HeadlessPlay play_headless(std::shared_ptr<const PatientCase> patient,
     played.simulation = pull(session, held, player, album);
     job.advance(0.5);
     const Vec3 tip_mm = point_on_longest_path(patient->tree, 0.0);
-    const Injection made{.at = session.world().place_near(tip_mm)};
-    const double end_s = watch_injection(session, tip_mm, player, album);
+    const DrugView drug = watch_injection(session, tip_mm, player, album);
     const StepTimes& times = player.times();
     played.simulation["steps"] = times.steps();
     played.simulation["steps_asleep"] = times.asleep();
@@ -175,7 +176,7 @@ HeadlessPlay play_headless(std::shared_ptr<const PatientCase> patient,
     played.simulation["setting"] = statistics.setting;
     played.simulation["expected_error"] = statistics.expected_error;
     played.simulation["error_reference"] = statistics.error_reference;
-    played.injection = injection_facts(patient->tree, made, end_s, album, job);
+    played.injection = injection_facts(patient->tree, drug, album, job);
     played.pictures = album.pictures();
     return played;
 }

@@ -47,6 +47,23 @@ std::vector<LegendRow> with_room(std::vector<LegendRow> rows, double half_pt) {
     return rows;
 }
 
+// Where a legend of this size may lie: lower right, upper right, upper left; the orientation cube
+// is in the lower left corner.
+std::vector<PictureBox> legend_corners(const Legend::Room& room, double width, double height) {
+    const double r = room.point;
+    const double right = room.width - margin * r, top = room.height - room.covered_top - margin * r;
+    const double below_caption = top - line * r;
+    // Below the caption where there is no room beside it.
+    const bool beside_caption = room.caption + width + 3.0 * margin * r <= room.width;
+    const double right_top = beside_caption ? top : below_caption;
+    // In a narrow picture the legend goes above the scale bar.
+    const double foot =
+        room.covered_bottom + (room.width < 640.0 * r ? (margin + 36.0) * r : margin * r);
+    return {{right - width, foot, right, foot + height},
+            {right - width, right_top - height, right, right_top},
+            {margin * r, below_caption - height, margin * r + width, below_caption}};
+}
+
 }  // namespace
 
 Legend::Legend(vtkRenderer& renderer)
@@ -189,27 +206,20 @@ void Legend::update(const std::vector<LegendRow>& wanted, const Room& room, cons
     const double r = room.point;
     const double needed = width_of(rows, r);
     const double p = r * std::clamp(widest / std::max(needed, 1.0), least_shrunk, 1.0);
-    const double width = std::min(width_of(rows, p), widest);
-    double height = 0.0;
-    for (const LegendRow& row : rows) height += height_of(row) * p;
+    const auto corners_of = [&](const std::vector<LegendRow>& some) {
+        double height = 0.0;
+        for (const LegendRow& row : some) height += height_of(row) * p;
+        return legend_corners(room, std::min(width_of(some, p), widest), height);
+    };
     if (!rows.empty()) {
-        const double right = room.width - margin * r,
-                     top = room.height - room.covered_top - margin * r;
-        const double below_caption = top - line * r;
-        // Below the caption where there is no room beside it.
-        const bool beside_caption = room.caption + width + 3.0 * margin * r <= room.width;
-        const double right_top = beside_caption ? top : below_caption;
-        // In a narrow picture the legend goes above the scale bar.
-        const double foot =
-            room.covered_bottom + (room.width < 640.0 * r ? (margin + 36.0) * r : margin * r);
-        // Lower right, upper right, upper left; the orientation cube is in the lower left corner.
-        const std::vector<PictureBox> corners{
-            {right - width, foot, right, foot + height},
-            {right - width, right_top - height, right, right_top},
-            {margin * r, below_caption - height, margin * r + width, below_caption}};
+        const std::vector<PictureBox> corners = corners_of(rows);
+        const double width = corners[0].right - corners[0].left;
         if (count) {
+            std::vector<LegendRow> steady = rows;
+            std::erase_if(steady, [](const LegendRow& row) { return row.passing; });
             const std::vector<int> held = count(corners);
-            corner_ = least_covered(held);
+            corner_ =
+                least_covered(steady.size() == rows.size() ? held : count(corners_of(steady)));
             covers_ = held[corner_] > 0;
         }
         box_ = corners[corner_];

@@ -41,7 +41,8 @@ class Legend {
     using Count = std::function<std::vector<int>(const std::vector<PictureBox>&)>;
 
     // Lays out everything anew; without rows nothing is drawn. With `count` it moves to the corner
-    // that covers the fewest vertices; without, it stays in its corner.
+    // that covers the fewest vertices; without, it stays in its corner. Passing rows do not choose
+    // the corner: it would change under the pointer.
     void update(const std::vector<LegendRow>& rows, const Room& room, const ViewLook& look,
                 const Count& count);
     const PictureBox& box() const { return box_; }  // where it was drawn last

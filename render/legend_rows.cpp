@@ -83,8 +83,13 @@ void set_colours_shown(LegendContent& content, const std::vector<VascularSystem>
     const std::size_t arrivals = drug.arrival_s ? drug.arrival_s->size() : 0;
     std::size_t count = std::max(systems.size(), segments.size());
     if (count == 0) count = std::max<std::size_t>(1, arrivals);
+    content.reached_before = false;
     for (std::size_t v = 0; v < count; ++v) {
-        if (v < arrivals && (*drug.arrival_s)[v] <= drug.time_s) continue;
+        if (drug.has_reached(v)) continue;
+        if (drug.had_reached(v)) {
+            content.reached_before = true;
+            continue;
+        }
         if (v < segments.size() && segments[v] != 0)
             segment_shown[segments[v]] = true;
         else
@@ -96,6 +101,18 @@ void set_colours_shown(LegendContent& content, const std::vector<VascularSystem>
     content.segments.clear();
     for (std::size_t segment = 1; segment < segment_shown.size(); ++segment)
         if (segment_shown[segment]) content.segments.push_back(static_cast<int>(segment));
+}
+
+void set_highlights_shown(LegendContent& content, const std::vector<std::uint8_t>& target,
+                          const std::vector<std::uint8_t>& highlight, const DrugView& drug) {
+    content.target = content.target_lit = content.lit = false;
+    for (std::size_t v = 0; v < std::max(target.size(), highlight.size()); ++v) {
+        const bool wanted = v < target.size() && target[v] != 0;
+        const bool lit = v < highlight.size() && highlight[v] != 0;
+        if (!wanted && !lit) continue;
+        if (drug.has_reached(v) || drug.had_reached(v)) continue;
+        (wanted ? lit ? content.target_lit : content.target : content.lit) = true;
+    }
 }
 
 void set_frame_shown(LegendContent& content, const Frame& frame, bool warnings,
@@ -121,12 +138,24 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     if (content.touched) swatch("Touch and force", palette::touch, true);
     if (content.places) swatch("A place of the lesson", palette::torn_circle, true);
     if (content.places_reached) swatch("A place that is reached", palette::reached, true);
+    if (content.target) swatch("Target of the drug", palette::drug_target(content.bright));
+    const std::size_t steady = rows.size();
+    const bool branch = content.lit_branch;
+    if (content.target_lit)
+        swatch(branch ? "Target, in the chosen branch" : "Target, downstream of the pointer",
+               palette::lit_drug_target(content.bright), true);
+    if (content.lit)
+        swatch(branch ? "The chosen branch" : "Downstream of the pointer",
+               palette::highlight(content.bright), true);
+    for (std::size_t r = steady; r < rows.size(); ++r) rows[r].passing = !branch;
     if (content.gaps) swatch("A gap, and how sure", palette::bridge);
     if (content.lined) swatch("Cut line, not torn yet", palette::weak_line(), true);
     if (content.torn) swatch("Cut or torn", palette::torn);
     if (content.bleeds) swatch("Blood (1/10 of the volume)", palette::bleeding);
     if (content.warned) add_warnings(rows);
     if (content.injected) add_drug(content, rows);
+    if (content.reached_before)
+        swatch("Reached by an earlier injection", palette::reached_before(content.bright));
     if (!content.segments.empty()) add_segments(content, rows);
     for (const VascularSystem system : content.systems)
         swatch(with_capital(title_of(system)), palette::vessel_system(system, content.bright));

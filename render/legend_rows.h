@@ -22,6 +22,7 @@ struct LegendContent {
         systems;                // systems whose colour is visible, ordered as vascular_systems
     std::vector<int> segments;  // liver segments whose colour is visible, ascending
     bool injected = false;
+    bool reached_before = false;  // what an injection before has reached is visible
     double drug_time_s = 0.0, drug_end_s = 0.0;
     bool touched = false;  // a tool is in use, or a vessel is pulled
     bool warned = false;   // vessels near their limit are coloured
@@ -32,14 +33,23 @@ struct LegendContent {
     bool places = false;  // places of a lesson that are not reached yet
     bool places_reached = false;
     bool tumours = false;
-    bool bright = false;  // systems have their bright colours
+    bool target = false;      // of the drug, where nothing else covers it
+    bool target_lit = false;  // the part of it that is highlighted
+    bool lit = false;         // vessels beside the target are highlighted
+    bool lit_branch = false;  // the highlight is a chosen branch, not what the pointer is on
+    bool bright = false;      // systems have their bright colours
     bool operator==(const LegendContent&) const = default;
 };
 
 // Finds the systems and segments whose colours TreeActor shows. A vertex without a system counts as
-// unknown. Vertices that the drug has reached show its colour instead and do not count.
+// unknown. Vertices that the drug has reached, or did in an injection before, show the colour of
+// that instead and do not count.
 void set_colours_shown(LegendContent& content, const std::vector<VascularSystem>& systems,
                        const std::vector<std::uint8_t>& segments, const DrugView& drug = {});
+// Finds whether the colours of the drug's target and of the highlight are visible; both as
+// TreeActor has them. What the drug reached has other colours, as above.
+void set_highlights_shown(LegendContent& content, const std::vector<std::uint8_t>& target,
+                          const std::vector<std::uint8_t>& highlight, const DrugView& drug = {});
 // Takes drug, tool, pull and tear from the frame. The drug's scale ends at `least_drug_end_s` or
 // later.
 void set_frame_shown(LegendContent& content, const Frame& frame, bool warnings,
@@ -55,6 +65,7 @@ struct LegendRow {
     std::optional<double> marker;  // position of the marker across the bar, in [0, 1]
     bool faint = false;            // an explanation of the row above it
     bool minor = false;            // left out first where the picture has no room
+    bool passing = false;          // comes and goes with the pointer
 };
 
 // The rows from top to bottom. The drug's colours come before the colours of systems and segments.

@@ -39,6 +39,22 @@ Colour vessel_system(VascularSystem system, bool bright) {
     return bright ? Colour{0.70, 0.72, 0.78} : Colour{0.58, 0.60, 0.72};
 }
 
+Colour drug_target(bool bright) {
+    return bright ? Colour{1.00, 0.08, 0.72} : Colour{0.78, 0.24, 0.62};
+}
+
+Colour lit_drug_target(bool bright) {
+    return bright ? Colour{1.00, 0.40, 0.82} : Colour{0.94, 0.22, 1.00};
+}
+
+Colour reached_before(bool bright) {
+    return bright ? Colour{0.61, 0.49, 0.52} : Colour{0.84, 0.68, 0.68};
+}
+
+Colour highlight(bool bright) {
+    return bright ? Colour{0.30, 0.50, 0.95} : Colour{0.08, 0.76, 1.00};
+}
+
 // Excludes blue, violet and red, which belong to the systems, and the light green of tumours. Found
 // by a search that maximises the least distance between any two of these colours, and from each to
 // those excluded, in the OKLab space (Ottosson 2020) as seen by normal and by colour-blind eyes

@@ -24,8 +24,9 @@ inline constexpr Colour grab_line{0.30, 0.95, 0.85};
 inline constexpr Colour rim{0.02, 0.03, 0.05};      // dark, about a line over any colours
 inline constexpr Colour outline{0.13, 0.15, 0.18};  // outline of bright things on white paper
 inline constexpr Colour tool{0.74, 0.77, 0.80};
-inline constexpr Colour torn{0.62, 0.10, 0.12};  // the rim of a tear
-inline constexpr Colour touch = grab_line;       // what a tool touches, and its force
+inline constexpr Colour tool_rim{0.96, 0.98, 1.0};  // about a tool, seen through vessels
+inline constexpr Colour torn{0.45, 0.00, 0.35};     // the rim of a tear: wine, no red of blood
+inline constexpr Colour touch = grab_line;          // what a tool touches, and its force
 inline constexpr Colour bridge{0.98, 0.74, 0.30};
 inline constexpr Colour measure{1.0, 0.84, 0.35};     // measurements
 inline constexpr Colour bent_axis{0.95, 0.16, 0.14};  // the red line of the paper's Fig. 3
@@ -42,6 +43,17 @@ Colour mixed(const Colour& from, const Colour& to, double share);
 // Colour of a vascular system: portal vein blue-violet, hepatic veins blue, arteries red, unknown
 // bluish grey. `bright`: the same hues with a contrast of at least 7 : 1 to black.
 Colour vessel_system(VascularSystem system, bool bright = false);
+
+// Colours that a vessel has instead of its system's, distinct for normal and for colour-blind eyes
+// from each other, the systems, the drug and its white front, marks and warnings
+// (palette_test.cpp). `bright`: beside the bright colours of the systems.
+// What a lesson wants the drug in, and that with a highlight over it.
+Colour drug_target(bool bright = false);
+Colour lit_drug_target(bool bright = false);
+// What an injection before the present one has reached.
+Colour reached_before(bool bright = false);
+// A highlight: what lies downstream of the pointer, or a chosen branch.
+Colour highlight(bool bright = false);
 
 // Colour of the branches to one of Couinaud's segments, 1 to 8; values outside are clamped.
 Colour liver_segment(int segment);

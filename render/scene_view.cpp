@@ -164,8 +164,23 @@ void SceneView::set_vertex_segments(std::vector<std::uint8_t> segments) {
     parts_->tree.set_vertex_segments(std::move(segments));
 }
 
-void SceneView::set_highlight(std::vector<std::uint8_t> vertices) {
+void SceneView::set_highlight(std::vector<std::uint8_t> vertices, HighlightOf what) {
     parts_->tree.set_highlight(std::move(vertices));
+    parts_->legend.lit_branch = what == HighlightOf::branch;
+    parts_->find_highlights_shown();
+}
+
+void SceneView::set_target(std::vector<std::uint8_t> vertices) {
+    parts_->tree.set_target(std::move(vertices));
+    parts_->find_highlights_shown();
+}
+
+const std::vector<std::uint8_t>& SceneView::target() const {
+    return parts_->tree.target();
+}
+
+const LegendContent& SceneView::legend() const {
+    return parts_->legend;
 }
 
 const std::vector<std::uint8_t>& SceneView::highlight() const {

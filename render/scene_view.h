@@ -40,6 +40,9 @@ std::string renderer_name(vtkRenderWindow& window);
 // True for renderers without a graphics card, such as Mesa's llvmpipe.
 bool is_software_renderer(const std::string& renderer_name);
 
+// What a highlight shows, for the legend.
+enum class HighlightOf { downstream, branch };
+
 // Use it only from the thread whose OpenGL context is the window's; the window must outlive it.
 class SceneView {
   public:
@@ -58,8 +61,12 @@ class SceneView {
     // Per vertex of the frame; see TreeActor.
     void set_vertex_systems(std::vector<VascularSystem> systems);
     void set_vertex_segments(std::vector<std::uint8_t> segments);
-    void set_highlight(std::vector<std::uint8_t> vertices);
+    void set_highlight(std::vector<std::uint8_t> vertices,
+                       HighlightOf what = HighlightOf::downstream);
     const std::vector<std::uint8_t>& highlight() const;
+    void set_target(std::vector<std::uint8_t> vertices);
+    const std::vector<std::uint8_t>& target() const;
+    const LegendContent& legend() const;  // what it explains
     // The stroke being drawn on the vessels, from one point to another; none removes it.
     void set_stroke(const std::optional<std::array<Vec3, 2>>& stroke);
     // Where the slices of the CT cross; none removes it. Returns true if the picture changed.

@@ -60,7 +60,13 @@ struct SceneView::Parts {
         tumours.set_visible(!obstacles.has_solids());
         legend.tumours = tumours.shows() || obstacles.has_solids();
     }
-    void find_colours_shown() { set_colours_shown(legend, systems, segments, drug); }
+    void find_colours_shown() {
+        set_colours_shown(legend, systems, segments, drug);
+        find_highlights_shown();
+    }
+    void find_highlights_shown() {
+        set_highlights_shown(legend, tree.target(), tree.highlight(), drug);
+    }
     // The driver's name is read once, when a volume is first shown.
     void prepare_volume() {
         if (!volume.empty() && !by_card) by_card = !is_software_renderer(renderer_name(window));

@@ -12,11 +12,14 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkShaderProperty.h>
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
 #include <numbers>
 #include <sstream>
+#include <string>
 
 #include "render/actor_settings.h"
 #include "render/before_vessels.h"
@@ -29,7 +32,30 @@ constexpr int around = 32;
 constexpr int bands = 8;  // from pole to equator of each hemisphere
 constexpr double least_un = 50.0;
 constexpr double points_a_decade = 34.0;
-constexpr double seen_through = 0.3;  // opacity of the parts that vessels hide
+// Of the parts that vessels hide: a faint body in a clear outline, bright with a dark edge, so that
+// even a small tip is found over vessels and marks of any colour.
+constexpr double seen_through = 0.3, outline_seen_through = 0.95;
+
+std::string outlined_ghost() {
+    std::ostringstream code;
+    code.imbue(std::locale::classic());
+    code << std::fixed;
+    const auto vec3 = [&code](const Colour& c) {
+        code << "vec3(" << c[0] << ", " << c[1] << ", " << c[2] << ")";
+    };
+    code << R"(//VTK::Light::Impl
+  {
+    float facing = abs(dot(normalVCVSOutput, normalize(-vertexVC.xyz)));
+    float outline = 1.0 - smoothstep(0.60, 0.75, facing);
+    float edge = 1.0 - smoothstep(0.25, 0.40, facing);
+    vec3 outlined = mix(diffuseColor, )";
+    vec3(palette::tool_rim);
+    code << ", outline);\n    outlined = mix(outlined, ";
+    vec3(palette::rim);
+    code << ", edge);\n    gl_FragData[0] = vec4(outlined, mix(" << seen_through << ", "
+         << outline_seen_through << ", outline));\n  }\n";
+    return code.str();
+}
 
 vtkSmartPointer<vtkPolyData> capsule(const ToolView::Part& part) {
     const Vec3 along = part.to_mm - part.from_mm;
@@ -116,10 +142,11 @@ void ToolActor::add_part() {
     // Blended over what was drawn before it. VTK's pass for translucent surfaces, which sorts them,
     // takes a software renderer as long as the vessels.
     part.ghost->ForceOpaqueOn();
-    part.ghost->GetProperty()->SetLighting(false);
     part.ghost->GetProperty()->BackfaceCullingOn();  // otherwise it would be blended twice
     part.ghost->SetPickable(false);
     draw_before_vessels(*part.ghost);
+    part.ghost->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true,
+                                                                  outlined_ghost(), false);
     parts_.push_back(part);
     // Ghosts are added last, because they are in front of everything drawn after them.
     for (const Part& each : parts_) renderer_.RemoveActor(each.ghost);

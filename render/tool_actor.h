@@ -44,7 +44,8 @@ class ToolActor {
     std::optional<PictureBox> label_box() const { return label_.box(); }
 
   private:
-    // The visible part of a capsule, and a faint copy of it where vessels hide it.
+    // The visible part of a capsule, and a faint copy in a clear outline, which vessels do not
+    // hide.
     struct Part {
         vtkSmartPointer<vtkActor> solid, ghost;
     };

@@ -48,7 +48,9 @@ bool TreeActor::update(const Frame& frame) {
     const auto loads = frame.tear && warnings_ ? frame.tear->loads : nullptr;
     const bool warned_anew = loads != loads_;
     loads_ = loads;
-    if (rebuilt || touched_anew || warned_anew || torn_anew) take_colours();
+    const bool reached_anew = frame.drug.reached_before != reached_before_;
+    reached_before_ = frame.drug.reached_before;
+    if (rebuilt || touched_anew || warned_anew || torn_anew || reached_anew) take_colours();
     if (change != SurfaceGeometry::Change::none) {
         plain_is_old_ = rounded_is_old_ = true;
         take_positions();
@@ -61,7 +63,7 @@ bool TreeActor::update(const Frame& frame) {
     for (vtkActor* actor : actors()) drug_overlay::set_time(*actor, frame.drug, least_drug_end_s_);
     show_one();
     return change != SurfaceGeometry::Change::none || new_drug || drug_moved || touched_anew ||
-           warned_anew || torn_anew;
+           warned_anew || torn_anew || reached_anew;
 }
 
 void TreeActor::set_rounded(bool rounded) {
@@ -83,6 +85,12 @@ void TreeActor::set_vertex_segments(std::vector<std::uint8_t> segments) {
 void TreeActor::set_highlight(std::vector<std::uint8_t> highlight) {
     if (highlight == highlight_) return;
     highlight_ = std::move(highlight);
+    take_colours();
+}
+
+void TreeActor::set_target(std::vector<std::uint8_t> target) {
+    if (target == target_) return;
+    target_ = std::move(target);
     take_colours();
 }
 
@@ -144,20 +152,29 @@ bool TreeActor::take_touched(const std::optional<ToolView>& tool) {
     return true;
 }
 
+Colour TreeActor::own_colour_of(std::size_t vertex, std::size_t origin) const {
+    if (reached_before_ && vertex < reached_before_->size() && (*reached_before_)[vertex] != 0)
+        return palette::reached_before(bright_);
+    const auto marked = [origin](const std::vector<std::uint8_t>& per_vertex) {
+        return origin < per_vertex.size() && per_vertex[origin] != 0;
+    };
+    const bool lit = marked(highlight_);
+    if (marked(target_))
+        return lit ? palette::lit_drug_target(bright_) : palette::drug_target(bright_);
+    if (lit) return palette::highlight(bright_);
+    const int segment = origin < segments_.size() ? segments_[origin] : 0;
+    if (segment > 0) return palette::liver_segment(segment);
+    return palette::vessel_system(
+        origin < systems_.size() ? systems_[origin] : VascularSystem::unknown, bright_);
+}
+
 Colour TreeActor::colour_of(int vertex) const {
     if (std::ranges::binary_search(touched_, vertex)) return palette::touch;
     const auto shown = static_cast<std::size_t>(vertex);
     const bool split = origins_ && shown < origins_->size();
     const auto v = split ? static_cast<std::size_t>((*origins_)[shown]) : shown;
-    const VascularSystem system = v < systems_.size() ? systems_[v] : VascularSystem::unknown;
-    const int segment = v < segments_.size() ? segments_[v] : 0;
-    const Colour own =
-        segment > 0 ? palette::liver_segment(segment) : palette::vessel_system(system, bright_);
-    Colour colour = split && (*rims_)[shown] ? palette::torn : own;
-    if (loads_ && shown < loads_->size()) colour = palette::warning(colour, (*loads_)[shown]);
-    const bool lit = v < highlight_.size() && highlight_[v] != 0;
-    for (double& channel : colour)
-        if (lit) channel = 0.45 * channel + 0.55;
+    const Colour colour = split && (*rims_)[shown] ? palette::torn : own_colour_of(shown, v);
+    if (loads_ && shown < loads_->size()) return palette::warning(colour, (*loads_)[shown]);
     return colour;
 }
 

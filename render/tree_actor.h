@@ -38,9 +38,12 @@ class TreeActor {
     // Couinaud's segment of each vertex of the frame, 1 to 8, whose colour replaces its system's;
     // 0, and those missing at the end, show the system.
     void set_vertex_segments(std::vector<std::uint8_t> segments);
-    // 1 for each vertex of the frame to brighten, 0 for others; empty brightens none.
+    // 1 for each vertex of the frame to highlight, 0 for others; empty highlights none.
     void set_highlight(std::vector<std::uint8_t> highlight);
     const std::vector<std::uint8_t>& highlight() const { return highlight_; }
+    // The same for what a lesson wants the drug in, which stays visible under a highlight.
+    void set_target(std::vector<std::uint8_t> target);
+    const std::vector<std::uint8_t>& target() const { return target_; }
     // See SceneView::set_drug_scale().
     void set_drug_scale(double least_end_s) { least_drug_end_s_ = least_end_s; }
     // Whether vessels near their limit are coloured (palette::warning); off by default.
@@ -65,6 +68,9 @@ class TreeActor {
 
   private:
     Colour colour_of(int vertex) const;
+    // Without touch, tears and warnings; `origin` is the vertex of the whole body that it comes
+    // from.
+    Colour own_colour_of(std::size_t vertex, std::size_t origin) const;
     void take_topology();
     void take_colours();
     void take_arrival(const DrugView& drug);
@@ -85,12 +91,14 @@ class TreeActor {
     std::vector<VascularSystem> systems_;
     std::vector<std::uint8_t> segments_;
     std::vector<std::uint8_t> highlight_;
+    std::vector<std::uint8_t> target_;
     bool bright_ = false;
     std::vector<int> touched_;                               // vertices of the frame, ascending
     std::shared_ptr<const std::vector<int>> origins_;        // see TearView
     std::shared_ptr<const std::vector<std::uint8_t>> rims_;  // likewise
     std::shared_ptr<const std::vector<float>> loads_;        // likewise
     bool warnings_ = false;
+    std::shared_ptr<const std::vector<std::uint8_t>> reached_before_;  // see DrugView
     std::uint64_t drug_version_ = 0;
     const void* drug_source_ = nullptr;
     double drug_time_s_ = 0.0;

@@ -125,7 +125,7 @@
     </message>
     <message>
         <source>&amp;Edit the vessels</source>
-        <translation>Gefäße änd&amp;ern</translation>
+        <translation>Gefäße b&amp;earbeiten</translation>
     </message>
     <message>
         <source>Left click on a vessel corrects the tree there</source>
@@ -241,7 +241,7 @@
     </message>
     <message>
         <source>&amp;Anterior</source>
-        <translation>&amp;Anterior</translation>
+        <translation>Vor&amp;n</translation>
     </message>
     <message>
         <source>Look from the front</source>
@@ -249,7 +249,7 @@
     </message>
     <message>
         <source>&amp;Posterior</source>
-        <translation>P&amp;osterior</translation>
+        <translation>H&amp;inten</translation>
     </message>
     <message>
         <source>Look from the back</source>
@@ -273,7 +273,7 @@
     </message>
     <message>
         <source>&amp;Superior</source>
-        <translation>&amp;Superior</translation>
+        <translation>&amp;Oben</translation>
     </message>
     <message>
         <source>Look from the head</source>
@@ -281,7 +281,7 @@
     </message>
     <message>
         <source>&amp;Inferior</source>
-        <translation>&amp;Inferior</translation>
+        <translation>Un&amp;ten</translation>
     </message>
     <message>
         <source>Look from the feet</source>
@@ -377,7 +377,7 @@
     </message>
     <message>
         <source>&amp;High contrast</source>
-        <translation>Hoher Kon&amp;trast</translation>
+        <translation>Hoher Kontra&amp;st</translation>
     </message>
     <message>
         <source>Black and white, for eyes that need more contrast</source>
@@ -501,7 +501,7 @@
     </message>
     <message>
         <source>Click in Edit mode</source>
-        <translation>Klick im Modus Ändern</translation>
+        <translation>Klick im Modus Bearbeiten</translation>
     </message>
     <message>
         <source>what the panel says: cut, link, delete, root, system</source>
@@ -797,7 +797,7 @@
         </translation>
     </message>
     <message>
-        <source>Now click the vessel that it shall be linked with</source>
+        <source>Now click the vessel to link it with</source>
         <translation>Klicken Sie nun auf das Gefäß, mit dem es verbunden werden soll</translation>
     </message>
     <message>
@@ -943,8 +943,8 @@
         <translation>Gefäß durchtrennen</translation>
     </message>
     <message>
-        <source>Click where it shall part</source>
-        <translation>Klicken Sie, wo es sich teilen soll</translation>
+        <source>Click where to cut it</source>
+        <translation>Klicken Sie, wo es durchtrennt werden soll</translation>
     </message>
     <message>
         <source>Link two vessels</source>
@@ -987,8 +987,8 @@
         <translation>Klicken Sie auf einen Ast; alles, was daran hängt, geht mit</translation>
     </message>
     <message>
-        <source>Say what a vessel is</source>
-        <translation>Sagen, was ein Gefäß ist</translation>
+        <source>Name a vessel&apos;s system</source>
+        <translation>System eines Gefäßes nennen</translation>
     </message>
     <message>
         <source>Click a vessel; all that belongs with it takes the system below, however far it reaches</source>
@@ -996,7 +996,7 @@
     </message>
     <message>
         <source>A click in Edit mode</source>
-        <translation>Ein Klick im Modus Ändern</translation>
+        <translation>Ein Klick im Modus Bearbeiten</translation>
     </message>
     <message>
         <source>Tool of the edit</source>
@@ -1711,7 +1711,7 @@
     </message>
     <message>
         <source>Edit</source>
-        <translation>Ändern</translation>
+        <translation>Bearbeiten</translation>
     </message>
     <message>
         <source>Run</source>
@@ -2358,11 +2358,11 @@
     </message>
     <message>
         <source>was played on another patient, of whom no case lies beside it</source>
-        <translation>wurde an einem anderen Patienten gespielt, von dem kein Fall daneben liegt</translation>
+        <translation>wurde an einem anderen Patienten geübt, von dem kein Fall daneben liegt</translation>
     </message>
     <message>
         <source>was played on another patient</source>
-        <translation>wurde an einem anderen Patienten gespielt</translation>
+        <translation>wurde an einem anderen Patienten geübt</translation>
     </message>
     <message>
         <source>Choose a recording of the patient who is shown</source>
@@ -2905,16 +2905,8 @@
         <translation>%1 (in Ruhe)</translation>
     </message>
     <message>
-        <source>Click on a vessel where the distance begins</source>
-        <translation>Klicken Sie auf ein Gefäß, wo der Abstand beginnt</translation>
-    </message>
-    <message>
         <source>Click where it ends</source>
         <translation>Klicken Sie, wo er endet</translation>
-    </message>
-    <message>
-        <source>Click on one arm of the angle</source>
-        <translation>Klicken Sie auf einen Schenkel des Winkels</translation>
     </message>
     <message>
         <source>Click on its vertex</source>
@@ -4275,7 +4267,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Remove it: hepatica-cli lesson scores its recording again</source>
-        <translation>Entfernen Sie die Datei: Datei &gt; Aufzeichnung öffnen zeigt das Spiel weiterhin</translation>
+        <translation>Entfernen Sie die Datei: Datei &gt; Aufzeichnung öffnen zeigt die Übung weiterhin</translation>
     </message>
     <message>
         <source>is not JSON</source>
@@ -4675,7 +4667,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>From here on it is not what was played: another build of the program or another processor recorded it</source>
-        <translation>Ab hier ist es nicht mehr das Gespielte: Ein anderer Bau des Programms oder ein anderer Prozessor hat es aufgezeichnet</translation>
+        <translation>Ab hier ist es nicht mehr, was geübt wurde: Ein anderer Bau des Programms oder ein anderer Prozessor hat es aufgezeichnet</translation>
     </message>
     <message>
         <source>holds no step</source>
@@ -4683,7 +4675,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>was played in another scene than the lesson&apos;s: %1</source>
-        <translation>wurde in einer anderen Szene als der der Lektion gespielt: %1</translation>
+        <translation>wurde in einer anderen Szene als der der Lektion geübt: %1</translation>
     </message>
     <message>
         <source>%1 is %2, not left out</source>
@@ -5759,7 +5751,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Measure again: hepatica-cli dial CASE --anew; or remove the file</source>
-        <translation>Entfernen Sie die Datei: Es wird neu gemessen, während niemand spielt</translation>
+        <translation>Entfernen Sie die Datei: Es wird neu gemessen, während niemand übt</translation>
     </message>
     <message>
         <source>Branch %1 (%2), %3 of %4 mm along: %5 of %6 ends lie downstream; they get %7 % of the flow</source>
@@ -5927,7 +5919,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Replay it with version %1</source>
-        <translation>Spielen Sie sie mit Version %1 ab</translation>
+        <translation>Geben Sie sie mit Version %1 wieder</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a hash</source>
@@ -5963,7 +5955,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Replay it with the back end that recorded it</source>
-        <translation>Spielen Sie sie mit dem Rechenkern ab, der sie aufzeichnete</translation>
+        <translation>Geben Sie sie mit dem Rechenkern wieder, der sie aufzeichnete</translation>
     </message>
     <message>
         <source>was computed by the back end &quot;%1&quot;, and this is &quot;%2&quot;</source>
@@ -6008,14 +6000,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Time since the vessels may tear (s)</source>
         <translation>Zeit, seit die Gefäße reißen können (s)</translation>
-    </message>
-    <message>
-        <source>entropy</source>
-        <translation>Entropie</translation>
-    </message>
-    <message>
-        <source>produced</source>
-        <translation>erzeugt</translation>
     </message>
     <message>
         <source>bleeding</source>
@@ -7227,7 +7211,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Open the vie&amp;w</source>
-        <translation>A&amp;nsicht aufschneiden</translation>
+        <translation>&amp;Ansicht aufschneiden</translation>
     </message>
     <message>
         <source>Open it l&amp;ess deep</source>
@@ -7454,11 +7438,11 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Record pla&amp;y</source>
-        <translation>Spiel aufzei&amp;chnen</translation>
+        <translation>Übung aufzei&amp;chnen</translation>
     </message>
     <message>
         <source>Record the play from now on, and end that; File &gt; Open recording looks back on it</source>
-        <translation>Das Spiel von jetzt an aufzeichnen, und das beenden; mit Datei &gt; Aufzeichnung öffnen blickt man darauf zurück</translation>
+        <translation>Die Übung von jetzt an aufzeichnen, und das beenden; mit Datei &gt; Aufzeichnung öffnen blickt man darauf zurück</translation>
     </message>
     <message>
         <source>interrupted</source>
@@ -7466,7 +7450,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>The play ended before the lesson did: it can be looked back on.</source>
-        <translation>Das Spiel endete vor der Lektion: Man kann darauf zurückblicken.</translation>
+        <translation>Die Übung endete vor der Lektion: Man kann auf sie zurückblicken.</translation>
     </message>
     <message>
         <source>The last lesson or recorded play was interrupted (%1). Its recording goes up to that moment.</source>
@@ -7474,7 +7458,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Look back on the play</source>
-        <translation>Auf das Spiel zurückblicken</translation>
+        <translation>Auf die Übung zurückblicken</translation>
     </message>
     <message>
         <source>Forget it</source>
@@ -7482,7 +7466,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Record the play</source>
-        <translation>Das Spiel aufzeichnen</translation>
+        <translation>Die Übung aufzeichnen</translation>
     </message>
     <message>
         <source>Nothing moved: nothing was recorded.</source>
@@ -7490,7 +7474,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>The play was recorded: %1</source>
-        <translation>Das Spiel wurde aufgezeichnet: %1</translation>
+        <translation>Die Übung wurde aufgezeichnet: %1</translation>
     </message>
     <message>
         <source>Writing the report</source>
@@ -7498,7 +7482,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Free play</source>
-        <translation>Freies Spiel</translation>
+        <translation>Freie Übung</translation>
     </message>
     <message>
         <source>is being recorded</source>
@@ -7510,7 +7494,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Recordings of lessons and plays, the newest first:</source>
-        <translation>Aufzeichnungen von Lektionen und freien Spielen, die neueste zuerst:</translation>
+        <translation>Aufzeichnungen von Lektionen und freien Übungen, die neueste zuerst:</translation>
     </message>
     <message>
         <source>Another &amp;file…</source>
@@ -7518,7 +7502,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Played</source>
-        <translation>Gespielt</translation>
+        <translation>Datum</translation>
     </message>
     <message>
         <source>File</source>
@@ -7538,7 +7522,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>The play is recorded; F5 ends that</source>
-        <translation>Das Spiel wird aufgezeichnet; F5 beendet das</translation>
+        <translation>Die Übung wird aufgezeichnet; F5 beendet das</translation>
     </message>
     <message>
         <source>Before the first step</source>
@@ -7598,7 +7582,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Played by %1</source>
-        <translation>Gespielt von %1</translation>
+        <translation>Geübt von %1</translation>
     </message>
     <message>
         <source>Patient: %1</source>
@@ -7606,7 +7590,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Played on %1</source>
-        <translation>Gespielt am %1</translation>
+        <translation>Datum: %1</translation>
     </message>
     <message>
         <source>PASSED.</source>
@@ -7634,7 +7618,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>For training and research alone: no diagnosis, no treatment, no certificate.</source>
-        <translation>Nur für Übung und Forschung: keine Diagnose, keine Behandlung, kein Zeugnis.</translation>
+        <translation>Nur für Übung und Forschung: keine Diagnose, keine Behandlung, kein Befähigungsnachweis.</translation>
     </message>
     <message>
         <source>Force</source>
@@ -7756,8 +7740,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Nehmen Sie &quot;obstacles&quot;: true aus dem Kontakt der Szene heraus, oder rekonstruieren Sie den Fall mit einer Leber oder Tumoren</translation>
     </message>
     <message>
-        <source>A copy of the course is edited: where shall it lie?</source>
-        <translation>Bearbeitet wird eine Kopie des Kurses: Wo soll sie liegen?</translation>
+        <source>A copy of the course is edited: where to save it?</source>
+        <translation>Bearbeitet wird eine Kopie des Kurses: Wo soll sie gespeichert werden?</translation>
     </message>
     <message>
         <source>Stands in the results of attempts that end from now on, in that of the one that has just ended if it names nobody, and in their reports. Leave it empty, and nobody is named.</source>
@@ -7790,10 +7774,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>The clock stands: it runs from the first thing you do.</source>
         <translation>Die Uhr steht: Sie läuft, sobald Sie etwas tun.</translation>
-    </message>
-    <message>
-        <source>The lesson begins as soon as the report is written.</source>
-        <translation>Die Lektion beginnt, sobald der Bericht geschrieben ist.</translation>
     </message>
     <message numerus="yes">
         <source>%n attempt(s)</source>
@@ -8038,10 +8018,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>korotiert</translation>
     </message>
     <message>
-        <source>Damage by tearing (entropy)</source>
-        <translation>Schaden durch Reißen (Entropie)</translation>
-    </message>
-    <message>
         <source>Couinaud&apos;s segments I to VIII, in the colours of the branches that supply them (F6)</source>
         <translation>Couinaud-Segmente I bis VIII, in den Farben der Äste, die sie versorgen (F6)</translation>
     </message>
@@ -8067,15 +8043,11 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>The lesson %1 is being played.</source>
-        <translation>Die Lektion %1 wird gerade gespielt.</translation>
-    </message>
-    <message>
-        <source>Who quits now ends it without a result; its recording is kept.</source>
-        <translation>Wer jetzt beendet, beendet sie ohne Ergebnis; die Aufzeichnung bleibt erhalten.</translation>
+        <translation>Die Lektion %1 läuft gerade.</translation>
     </message>
     <message>
         <source>&amp;Go on playing</source>
-        <translation>&amp;Weiterspielen</translation>
+        <translation>&amp;Weiter üben</translation>
     </message>
     <message>
         <source>would stand in an obstacle</source>
@@ -8090,7 +8062,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>%L1 s of the drug pass in each second of the play.</source>
-        <translation>In jeder Sekunde des Spiels vergehen %L1 s des Wirkstoffs.</translation>
+        <translation>In jeder Sekunde der Übung vergehen %L1 s des Wirkstoffs.</translation>
     </message>
     <message>
         <source>Time: %1</source>
@@ -8234,7 +8206,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>%1 is not played: the vessels were corrected since it was made, and its places lie elsewhere now.</source>
-        <translation>%1 wird nicht gespielt: Seit sie gemacht wurde, wurden die Gefäße korrigiert, und ihre Orte liegen jetzt anderswo.</translation>
+        <translation>%1 beginnt nicht: Seit die Lektion gemacht wurde, wurden die Gefäße korrigiert, und ihre Orte liegen jetzt anderswo.</translation>
     </message>
     <message>
         <source>Whoever made it looks at them in the lesson editor and saves it again.</source>
@@ -8253,7 +8225,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Nobody can play them until their places were looked at in the lesson editor. Undo of the correction makes them fit again.</source>
-        <translation>Niemand kann sie spielen, bis ihre Orte unter Lektion &gt; Lektionen bearbeiten angesehen wurden. Wird die Korrektur rückgängig gemacht, passen sie wieder.</translation>
+        <translation>Niemand kann sie üben, bis ihre Orte unter Lektion &gt; Lektionen bearbeiten angesehen wurden. Wird die Korrektur rückgängig gemacht, passen sie wieder.</translation>
     </message>
     <message>
         <source>No vessel there: press on one and drag it</source>
@@ -8321,7 +8293,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>What is shown now goes on as it began: the next play is computed by it</source>
-        <translation>Was jetzt gezeigt wird, geht weiter, wie es begann: erst das nächste Spiel wird davon gerechnet</translation>
+        <translation>Was jetzt gezeigt wird, geht weiter, wie es begann: erst die nächste Übung wird davon gerechnet</translation>
     </message>
     <message>
         <source>Computed by</source>
@@ -8481,7 +8453,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>What makes the steps; a change begins the play anew. On a device the dial offers the settings that were measured on it, and with &quot;else processor&quot; those of the processor beside them</source>
-        <translation>Was die Schritte macht; eine Änderung beginnt das Spiel von vorn. Auf einem Gerät bietet der Schieber die Einstellungen, die darauf gemessen wurden, und mit „sonst Prozessor“ daneben die des Prozessors</translation>
+        <translation>Was die Schritte macht; eine Änderung beginnt die Übung von vorn. Auf einem Gerät bietet der Schieber die Einstellungen, die darauf gemessen wurden, und mit „sonst Prozessor“ daneben die des Prozessors</translation>
     </message>
     <message>
         <source>There is %1 already, and it is no case. Choose another name.</source>
@@ -8523,11 +8495,11 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Choose the case that was played on</source>
-        <translation>Wählen Sie den Fall, an dem gespielt wurde</translation>
+        <translation>Wählen Sie den Fall, an dem geübt wurde</translation>
     </message>
     <message>
         <source>was played on %1, which is not there any more or holds other vessels by now</source>
-        <translation>wurde an %1 gespielt; dieser Fall ist nicht mehr da oder hat inzwischen andere Gefäße</translation>
+        <translation>wurde an %1 geübt; dieser Fall ist nicht mehr da oder hat inzwischen andere Gefäße</translation>
     </message>
     <message>
         <source>nothing measures a %1</source>
@@ -8758,7 +8730,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Undo is for corrections of the vessels: what was cut or torn in the play stays so. Reset (Backspace) makes the vessels whole.</source>
-        <translation>Rückgängig gilt Korrekturen der Gefäße: Was im Spiel geschnitten wurde oder riss, bleibt so. Zurücksetzen (Rücktaste) macht die Gefäße wieder ganz.</translation>
+        <translation>Rückgängig gilt Korrekturen der Gefäße: Was beim Üben geschnitten wurde oder riss, bleibt so. Zurücksetzen (Rücktaste) macht die Gefäße wieder ganz.</translation>
     </message>
     <message>
         <source>Far beyond the mark: point at a vessel to see what lies downstream of it. A double click injects there; after key 2, one click does.</source>
@@ -8801,10 +8773,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Ein Tumor als Zielgebiet</translation>
     </message>
     <message>
-        <source>The target begins where the portal or arterial vessels pass nearest to the tumour&apos;s middle</source>
-        <translation>Das Zielgebiet beginnt dort, wo Pfortader- oder Arterienäste der Mitte des Tumors am nächsten kommen</translation>
-    </message>
-    <message>
         <source>Tumour %1 (%L2 ml)</source>
         <translation>Tumor %1 (%L2 ml)</translation>
     </message>
@@ -8826,7 +8794,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Measure it again, or play without tearing</source>
-        <translation>Messen Sie ihn neu, oder spielen Sie ohne Reißen</translation>
+        <translation>Messen Sie ihn neu, oder üben Sie ohne Reißen</translation>
     </message>
     <message>
         <source>Radius of the vessel that is drawn</source>
@@ -9091,6 +9059,114 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>then: %1</source>
         <translation>danach: %1</translation>
+    </message>
+    <message>
+        <source>Target, downstream of the pointer</source>
+        <translation>Zielgebiet, stromabwärts des Zeigers</translation>
+    </message>
+    <message>
+        <source>Target, in the chosen branch</source>
+        <translation>Zielgebiet, im gewählten Ast</translation>
+    </message>
+    <message>
+        <source>Downstream of the pointer</source>
+        <translation>Stromabwärts des Zeigers</translation>
+    </message>
+    <message>
+        <source>The chosen branch</source>
+        <translation>Der gewählte Ast</translation>
+    </message>
+    <message>
+        <source>what was reached before is not told by 0 and 1</source>
+        <translation>was vorher erreicht war, ist nicht mit 0 und 1 angegeben</translation>
+    </message>
+    <message>
+        <source>Reached by an earlier injection</source>
+        <translation>Von einer früheren Injektion erreicht</translation>
+    </message>
+    <message>
+        <source>The view looks back on this attempt; below is how it was judged. Nothing that you do changes it: &quot;Leave the review&quot; ends looking back, &quot;Begin again&quot; is a new attempt.</source>
+        <translation>Die Ansicht blickt auf diesen Versuch zurück; unten steht, wie er beurteilt wurde. Nichts, was Sie tun, ändert ihn: „Rückblick verlassen“ beendet den Rückblick, „Von vorn beginnen“ ist ein neuer Versuch.</translation>
+    </message>
+    <message>
+        <source>Damage by tearing, as entropy (nats)</source>
+        <translation>Schaden durch Reißen, als Entropie (nat)</translation>
+    </message>
+    <message>
+        <source>in all</source>
+        <translation>insgesamt</translation>
+    </message>
+    <message>
+        <source>since the first tear</source>
+        <translation>seit dem ersten Riss</translation>
+    </message>
+    <message>
+        <source>entropy</source>
+        <translation>Entropie</translation>
+    </message>
+    <message>
+        <source>Show the branch</source>
+        <translation>Ast zeigen</translation>
+    </message>
+    <message>
+        <source>The one that the chosen message names, in the table and the view; so does a double click on the message</source>
+        <translation>Den, welchen die gewählte Meldung nennt, in der Tabelle und der Ansicht; ebenso tut es ein Doppelklick auf die Meldung</translation>
+    </message>
+    <message>
+        <source>Click where the distance begins: on a vessel, or anywhere in a slice</source>
+        <translation>Klicken Sie, wo der Abstand beginnt: auf ein Gefäß oder irgendwo in einer Schicht</translation>
+    </message>
+    <message>
+        <source>Click on one arm of the angle: on a vessel, or anywhere in a slice</source>
+        <translation>Klicken Sie auf einen Schenkel des Winkels: auf ein Gefäß oder irgendwo in einer Schicht</translation>
+    </message>
+    <message>
+        <source>Of the tumours numbered %1 from the masks %2 of %3 ml lie outside the box about the liver and are left out of the case. Check that the masks of tumours and liver are of this CT, or give a liver mask that includes them.</source>
+        <translation>Von den Tumoren Nummer %1 der Masken liegen %2 von %3 ml außerhalb des Kastens um die Leber und fehlen im Fall. Prüfen Sie, ob die Masken der Tumoren und der Leber zu diesem CT gehören, oder geben Sie eine Lebermaske an, die sie enthält.</translation>
+    </message>
+    <message>
+        <source>Forces shown were rough for a moment: the step was simplified to stay stable (%1)</source>
+        <translation>Gezeigte Kräfte waren einen Augenblick lang ungenau: Der Schritt wurde vereinfacht, um stabil zu bleiben (%1)</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>at the same time: %1</source>
+        <translation>gleichzeitig: %1</translation>
+    </message>
+    <message>
+        <source>Who quits now gives it up: it counts as not passed. Its recording is kept.</source>
+        <translation>Wer jetzt beendet, gibt sie auf: Sie gilt als nicht bestanden. Die Aufzeichnung bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>series %1 %2</source>
+        <translation>Serie %1 %2</translation>
+    </message>
+    <message>
+        <source>series %1</source>
+        <translation>Serie %1</translation>
+    </message>
+    <message>
+        <source>a series %1</source>
+        <translation>eine Serie %1</translation>
+    </message>
+    <message>
+        <source>a series</source>
+        <translation>eine Serie</translation>
+    </message>
+    <message>
+        <source>no contrast</source>
+        <translation>ohne Kontrastmittel</translation>
+    </message>
+    <message>
+        <source>Looking through the folder…</source>
+        <translation>Der Ordner wird durchgesehen…</translation>
+    </message>
+    <message>
+        <source>The target begins where the portal or arterial vessels pass nearest to the tumour&apos;s middle; other branches that feed it are not in the target</source>
+        <translation>Das Zielgebiet beginnt, wo die Gefäße der Pfortader oder der Arterie der Mitte des Tumors am nächsten liegen; andere Äste, die ihn versorgen, gehören nicht dazu</translation>
     </message>
 </context>
 </TS>

@@ -7,6 +7,8 @@
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
 #include <QWidget>
 #include <array>
 #include <span>
@@ -362,6 +364,24 @@ QString Actions::cheat_sheet() {
             tip.startsWith(name) ? tip : name + tip);
     }
     return html + "</table>";
+}
+
+void add_measure_button(Actions& actions, QToolBar& bar) {
+    auto* button = new QToolButton(&bar);
+    button->setObjectName("measureButton");
+    button->setIcon(actions[ActionId::measure_distance].icon());
+    const QString name = Words::tr("&Measure").remove('&');
+    button->setToolTip(name);
+    button->setAccessibleName(name);
+    button->setIconSize(bar.iconSize());
+    button->setAutoRaise(true);
+    button->setCheckable(true);
+    button->setFocusPolicy(Qt::NoFocus);
+    button->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(button);
+    for (const ActionId id : measuring_actions) menu->addAction(&actions[id]);
+    button->setMenu(menu);
+    bar.addWidget(button);
 }
 
 }  // namespace hepatica

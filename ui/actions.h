@@ -13,6 +13,7 @@
 #include <span>
 
 class QMenuBar;
+class QToolBar;
 class QWidget;
 
 namespace hepatica {
@@ -129,5 +130,9 @@ class Actions {
     std::map<ActionId, QString> history_;
     bool patient_shown_ = false;
 };
+
+// "measureButton", with the kinds of measurements in a menu. Whoever measures checks it, so that it
+// is lit.
+void add_measure_button(Actions& actions, QToolBar& bar);
 
 }  // namespace hepatica

@@ -67,8 +67,10 @@ Chart learning_curve(const std::vector<Attempt>& attempts, Quantity quantity, Fl
                 words.words + unit,
                 {Curve{words.words, {}, {}}}};
     for (std::size_t i = 0; i < attempts.size(); ++i) {
+        // The line joins the passed ones alone: one that failed early would look like progress.
+        const bool passed = attempts[i].passed;
         chart.curves[0].x.push_back(static_cast<double>(i + 1));
-        chart.curves[0].y.push_back(shown(attempts[i].value(quantity)));
+        chart.curves[0].y.push_back(passed ? shown(attempts[i].value(quantity)) : std::nan(""));
     }
     // At least least_axis wide, so that the axis is labelled in whole attempts.
     if (attempts.size() < static_cast<std::size_t>(least_axis)) {

@@ -5,11 +5,11 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTableWidget>
 #include <QVBoxLayout>
-#include <cmath>
 #include <utility>
 
 #include "core/opening/patient_image.h"
@@ -30,13 +30,31 @@ QStringList columns() {
             Words::tr("Share of flow (%)")};
 }
 
-// Sorts numerically and shows this many decimals.
+// Shows exactly this many decimals and sorts by its value.
+class NumberItem : public QTableWidgetItem {
+  public:
+    NumberItem(double value, int decimals)
+        : QTableWidgetItem(in_decimals(value, decimals)), value_(value) {
+        setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    }
+    bool operator<(const QTableWidgetItem& other) const override {
+        const auto* number = dynamic_cast<const NumberItem*>(&other);
+        return number != nullptr && value_ < number->value_;
+    }
+
+  private:
+    static QString in_decimals(double value, int decimals) {
+        QLocale numbers;
+        numbers.setNumberOptions(
+            QLocale::OmitGroupSeparator);  // the number of a branch is read back
+        return numbers.toString(value, 'f', decimals);
+    }
+
+    double value_;
+};
+
 QTableWidgetItem* number(double value, int decimals) {
-    auto* item = new QTableWidgetItem;
-    const double scale = std::pow(10.0, decimals);
-    item->setData(Qt::DisplayRole, std::round(value * scale) / scale);
-    item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    return item;
+    return new NumberItem(value, decimals);
 }
 
 // Shows a Roman numeral and sorts by its value.

@@ -162,6 +162,10 @@ QStringList CaseEditing::given_apart() {
     const std::vector<VesselNode>& nodes = as_reconstructed(*workspace_.patient()).nodes;
     const Vec3 begin = nodes.empty() ? Vec3(Vec3::Zero()) : nodes.front().position_mm;
     const bool same_patient = std::exchange(begin_mm_, begin) == begin;
+    std::erase_if(apart_, [&](const auto& said) {
+        const auto [system, trees] = said.second;
+        return !same_patient || count[system] < trees;
+    });
     // After undoing, or with another patient, there is nothing to compare with.
     if (!same_patient || edits.size() < old.size() ||
         !std::equal(old.begin(), old.end(), edits.begin()))
@@ -178,8 +182,15 @@ QStringList CaseEditing::given_apart() {
                 "it belongs to one of them, choose Link two vessels and click both.")
                 .arg(translated(title_of(system)));
         if (!list.contains(doubt)) list << doubt;
+        apart_[doubt] = {system, count[system]};
     }
     return list;
+}
+
+bool CaseEditing::stands(const QString& doubt) const {
+    return apart_.contains(doubt) || std::ranges::any_of(doubts_, [&](const std::string& one) {
+               return translated(one) == doubt;
+           });
 }
 
 void CaseEditing::show_bridges() {
@@ -244,7 +255,7 @@ void CaseEditing::click(const TreePoint& point) {
     if (edit.kind == TreeEditKind::add_link) {
         if (!link_from_mm_) {
             begin_link(edit.at_mm);
-            return callbacks_.say(Words::tr("Now click the vessel that it shall be linked with"));
+            return callbacks_.say(Words::tr("Now click the vessel to link it with"));
         }
         edit.to_mm = std::exchange(edit.at_mm, *link_from_mm_);
         begin_link({});

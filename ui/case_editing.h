@@ -31,7 +31,7 @@ class CaseEditing {
         std::function<void(std::vector<BridgeView>)> show_bridges;
         std::function<void(const QString&)> say;
         std::function<void(const Failure&)> not_drawn;
-        std::function<void(const QString&)> warn;  // what a correction made doubtful
+        std::function<void(const QString&)> warn;  // what a correction made doubtful, in lines
         std::function<void()> link_changed;        // link_from_mm() has changed
         std::function<int()> chosen_branch;        // in the table of branches; -1: none
     };
@@ -50,6 +50,8 @@ class CaseEditing {
     QString tool_name() const { return panel_.tool_name(); }
     // The first vessel of a link whose second one is still to be clicked on, mm.
     const std::optional<Vec3>& link_from_mm() const { return link_from_mm_; }
+    // Whether what was warned of in this line is still so.
+    bool stands(const QString& doubt) const;
     void accept(int bridge);
     // Follows a vessel through these places of the patient's CT in the background. Without a radius
     // that is measured, too. A drawing that is still running ends without an answer.
@@ -80,6 +82,8 @@ class CaseEditing {
     std::vector<TreeEdit> edits_;          // of the shown body, like the two below
     std::map<VascularSystem, int> roots_;  // number of trees
     Vec3 begin_mm_ = Vec3::Zero();         // of the tree before the first correction
+    // What given_apart() said, with the trees that the system had then; fewer are joined since.
+    std::map<QString, std::pair<VascularSystem, int>> apart_;
     std::unique_ptr<BackgroundJob> drawing_;
 };
 

@@ -92,6 +92,10 @@ QString in_words(const QString& english, int depth);
 
 // Translates inserted names, numbers and lists.
 QString part_in_words(const QString& part, int depth) {
+    // As quoted_name() writes what a person called something.
+    if (part.startsWith(QChar(0x201c)) && part.endsWith(QChar(0x201d)) &&
+        part.count(QChar(0x201d)) == 1)
+        return part;
     return depth >= deepest ? number_in_words(part) : in_words(part, depth + 1);
 }
 

@@ -50,8 +50,10 @@ void CurvesDock::follow(std::shared_ptr<const PatientCase> patient, const DrugVi
         std::move(callbacks));
 }
 
-void CurvesDock::follow_tear(const Frame& frame) {
-    if (!tear_.follow(frame)) return;
+void CurvesDock::follow_tear(const Frame& frame, bool of_lesson) {
+    const bool changed = of_lesson ? !tear_.empty() : tear_.follow(frame);
+    if (of_lesson) tear_.clear();
+    if (!changed) return;
     if (tear_.empty()) return plots_->set_tear({}, {});
     std::vector<PlotEvent> events;
     for (const TearHistory::Event& event : tear_.events())

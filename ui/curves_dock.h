@@ -28,8 +28,9 @@ class CurvesDock : public QDockWidget {
     void follow(std::shared_ptr<const PatientCase> patient, const DrugView& drug,
                 bool may_come = true);
     // Adds the newest frame's tear. The dock does not come for it: a tear comes unasked, and would
-    // take room from the view while it is watched.
-    void follow_tear(const Frame& frame);
+    // take room from the view while it is watched. Of a lesson none is shown: entropy is none of
+    // its quantities.
+    void follow_tear(const Frame& frame, bool of_lesson = false);
     // Appears once no mouse button is down, unless the user closed it.
     void come();
     // Time on the drug's clock; nullopt: nothing is injected.

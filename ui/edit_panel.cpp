@@ -25,7 +25,7 @@ struct EditTool {
 };
 
 constexpr std::array<EditTool, 7> tools{{
-    {TreeEditKind::cut_link, Words::id("Cut the vessel"), Words::id("Click where it shall part")},
+    {TreeEditKind::cut_link, Words::id("Cut the vessel"), Words::id("Click where to cut it")},
     {TreeEditKind::add_link, Words::id("Link two vessels"),
      Words::id("Click the one, then the other")},
     {TreeEditKind::delete_branch, Words::id("Delete a branch"),
@@ -36,7 +36,7 @@ constexpr std::array<EditTool, 7> tools{{
      Words::id("Click near the end where blood comes in")},
     {TreeEditKind::reassign_system, Words::id("Give to a system"),
      Words::id("Click a branch; all that hangs on it goes with it")},
-    {TreeEditKind::seed_system, Words::id("Say what a vessel is"),
+    {TreeEditKind::seed_system, Words::id("Name a vessel's system"),
      Words::id("Click a vessel; all that belongs with it takes the system below, however far it "
                "reaches")},
 }};

@@ -7,93 +7,110 @@
 namespace hepatica {
 
 void JobQueue::add(QueuedJob job) {
-    waiting_.push_back(std::move(job));
-    run_next();
+    Lane& lane = lane_of(job.kind);
+    lane.waiting.push_back(std::move(job));
+    run_next(lane);
 }
 
 void JobQueue::replace(QueuedJob job) {
     const JobKind kind = job.kind;
-    const auto old = std::ranges::find(waiting_, kind, &QueuedJob::kind);
-    if (old != waiting_.end()) {
+    Lane& lane = lane_of(kind);
+    const auto old = std::ranges::find(lane.waiting, kind, &QueuedJob::kind);
+    if (old != lane.waiting.end()) {
         *old = std::move(job);
     } else if (drop_running(kind)) {
-        watcher_.started(job.title);
-        waiting_.push_front(std::move(job));
+        if (shows(lane)) watcher_.started(job.title);
+        lane.waiting.push_front(std::move(job));
     } else {
-        waiting_.push_back(std::move(job));
+        lane.waiting.push_back(std::move(job));
     }
-    run_next();
+    run_next(lane);
 }
 
 void JobQueue::drop(JobKind kind) {
     drop_running(kind);
-    std::erase_if(waiting_, [kind](const QueuedJob& job) { return job.kind == kind; });
+    std::erase_if(lane_of(kind).waiting, [kind](const QueuedJob& job) { return job.kind == kind; });
     watcher_.changed();
 }
 
 bool JobQueue::drop_running(JobKind kind) {
-    if (!running_ || current_.kind != kind) return false;
-    *dropped_ = true;
-    running_->cancel();
+    Lane& lane = lane_of(kind);
+    if (!lane.running || lane.current.kind != kind) return false;
+    *lane.dropped = true;
+    lane.running->cancel();
     return true;
 }
 
 void JobQueue::cancel_running() {
-    if (!running_) return;
-    if (!*dropped_) return running_->cancel();
+    Lane& lane = patients_.running ? patients_ : reports_;
+    if (!lane.running) return;
+    if (!*lane.dropped) return lane.running->cancel();
     // The dropped job is ending anyway; the user means the one that takes its place.
-    if (waiting_.empty() || waiting_.front().kind != current_.kind) return;
-    const QueuedJob meant = std::move(waiting_.front());
-    waiting_.pop_front();
+    if (lane.waiting.empty() || lane.waiting.front().kind != lane.current.kind) return;
+    const QueuedJob meant = std::move(lane.waiting.front());
+    lane.waiting.pop_front();
     meant.cancelled();
     watcher_.changed();
 }
 
 void JobQueue::clear() {
-    waiting_.clear();
-    running_.reset();
+    for (Lane* lane : {&patients_, &reports_}) lane->waiting.clear();
+    for (Lane* lane : {&patients_, &reports_}) lane->running.reset();
     watcher_.changed();
 }
 
 std::vector<std::string> JobQueue::waiting_titles() const {
     std::vector<std::string> titles;
-    for (const QueuedJob& job : waiting_) titles.push_back(job.title);
+    for (const Lane* lane : {&patients_, &reports_})
+        for (const QueuedJob& job : lane->waiting) titles.push_back(job.title);
     return titles;
 }
 
-bool JobQueue::holds(JobKind kind) const {
-    return (running_ && current_.kind == kind && !*dropped_) ||
-           std::ranges::find(waiting_, kind, &QueuedJob::kind) != waiting_.end();
+std::string JobQueue::title_beside() const {
+    return patients_.running && reports_.running ? reports_.current.title : std::string();
 }
 
-void JobQueue::run_next() {
-    if (running_ || waiting_.empty()) return watcher_.changed();
-    current_ = std::move(waiting_.front());
-    waiting_.pop_front();
-    dropped_ = std::make_shared<bool>(false);
-    watcher_.started(current_.title);
+bool JobQueue::holds(JobKind kind) const {
+    const Lane& lane = lane_of(kind);
+    return (lane.running && lane.current.kind == kind && !*lane.dropped) ||
+           std::ranges::find(lane.waiting, kind, &QueuedJob::kind) != lane.waiting.end();
+}
+
+void JobQueue::run_next(Lane& lane) {
+    if (lane.running || lane.waiting.empty()) return watcher_.changed();
+    lane.current = std::move(lane.waiting.front());
+    lane.waiting.pop_front();
+    lane.dropped = std::make_shared<bool>(false);
+    if (shows(lane)) watcher_.started(lane.current.title);
     // A job that is dropped after its work was done has no effect either.
-    BackgroundJob::Work work = [run = current_.begin(), dropped = dropped_](Job& job) {
+    BackgroundJob::Work work = [run = lane.current.begin(), dropped = lane.dropped](Job& job) {
         return [finish = run(job), dropped] {
             if (!*dropped) finish();
         };
     };
-    BackgroundJob::Callbacks callbacks;
-    callbacks.progress = [this](const JobProgress& now) {
-        if (!*dropped_) watcher_.progress(now);
-    };
-    callbacks.failed = [this](const Failure& failure) {
-        if (!*dropped_) current_.failed(failure);
-    };
-    callbacks.cancelled = [this] {
-        if (!*dropped_) current_.cancelled();
-    };
-    callbacks.ended = [this] {
-        running_.reset();
-        run_next();
-    };
-    running_ = std::make_unique<BackgroundJob>(std::move(work), std::move(callbacks));
+    lane.running = std::make_unique<BackgroundJob>(std::move(work), callbacks_of(lane));
     watcher_.changed();
+}
+
+BackgroundJob::Callbacks JobQueue::callbacks_of(Lane& lane) {
+    BackgroundJob::Callbacks callbacks;
+    callbacks.progress = [this, &lane](const JobProgress& now) {
+        if (shows(lane) && !*lane.dropped) watcher_.progress(now);
+    };
+    callbacks.failed = [&lane](const Failure& failure) {
+        if (!*lane.dropped) lane.current.failed(failure);
+    };
+    callbacks.cancelled = [&lane] {
+        if (!*lane.dropped) lane.current.cancelled();
+    };
+    callbacks.ended = [this, &lane] {
+        lane.running.reset();
+        // The report that went on beside it is shown again.
+        if (&lane == &patients_ && lane.waiting.empty() && reports_.running)
+            watcher_.started(reports_.current.title);
+        run_next(lane);
+    };
+    return callbacks;
 }
 
 }  // namespace hepatica

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Queue of the window's long jobs: one runs, the others wait, and no job cancels one of another
-// kind. Thus a correction and the saving of a case never disturb each other.
+// kind. Thus a correction and the saving of a case never disturb each other. Reports have a queue
+// of their own, which runs beside the other: a process that needs nothing of the patient shown
+// writes them, so that opening a patient does not wait for one.
 #pragma once
 
 #include <deque>
@@ -30,8 +32,9 @@ struct QueuedJob {
 class JobQueue {
   public:
     struct Watcher {
+        // The shown job is another one now: that about the patient while one runs, else the report.
         std::function<void(const std::string& title)> started;
-        std::function<void(const JobProgress&)> progress;
+        std::function<void(const JobProgress&)> progress;  // of the shown job
         // Called whenever a job begins or ends; also after `started`.
         std::function<void()> changed;
     };
@@ -43,27 +46,38 @@ class JobQueue {
     void replace(QueuedJob job);
     // The running and waiting jobs of this kind end without effect.
     void drop(JobKind kind);
-    // Cancels the running job, or the one that is to take its place; the others stay.
+    // Cancels the shown job, or the one that is to take its place; the others stay.
     void cancel_running();
 
-    // Cancels the running job, waits for its worker and discards the others, without callbacks.
+    // Cancels the running jobs, waits for their workers and discards the others, without callbacks.
     void clear();
 
-    bool busy() const { return running_ != nullptr; }
-    int waiting() const { return static_cast<int>(waiting_.size()); }
-    std::vector<std::string> waiting_titles() const;  // in their order
+    bool busy() const { return patients_.running || reports_.running; }
+    // Titles of what waits: jobs about the patient in their order, then reports.
+    std::vector<std::string> waiting_titles() const;
+    // Title of the report that is written beside the shown job; empty: none.
+    std::string title_beside() const;
     // Whether a job of this kind runs or waits and was not dropped.
     bool holds(JobKind kind) const;
 
   private:
-    void run_next();
+    struct Lane {
+        std::deque<QueuedJob> waiting{};
+        QueuedJob current{};
+        std::shared_ptr<bool> dropped{};  // whether the running job was dropped
+        std::unique_ptr<BackgroundJob> running{};
+    };
+    Lane& lane_of(JobKind kind) { return kind == JobKind::report ? reports_ : patients_; }
+    const Lane& lane_of(JobKind kind) const {
+        return kind == JobKind::report ? reports_ : patients_;
+    }
+    bool shows(const Lane& lane) const { return &lane == &patients_ || !patients_.running; }
+    void run_next(Lane& lane);
+    BackgroundJob::Callbacks callbacks_of(Lane& lane);
     bool drop_running(JobKind kind);
 
     Watcher watcher_;
-    std::deque<QueuedJob> waiting_;
-    QueuedJob current_;
-    std::shared_ptr<bool> dropped_;  // whether the running job was dropped
-    std::unique_ptr<BackgroundJob> running_;
+    Lane patients_, reports_;
 };
 
 }  // namespace hepatica

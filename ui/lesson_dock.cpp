@@ -391,7 +391,11 @@ void LessonDock::show_figures() {
         stands_at_end_ = true;
         ways_.ended();
     }
-    panel_->show_standing(watch_->standing(), clock_stands(), on_screen_);
+    using InView = LessonPanel::InView;
+    const InView in_view = on_screen_                                ? InView::play
+                           : ways_.reviewed() == watch_->recording() ? InView::review
+                                                                     : InView::other;
+    panel_->show_standing(watch_->standing(), clock_stands(), in_view);
     keep_result();
 }
 

@@ -64,6 +64,8 @@ class LessonDock : public QDockWidget {
         std::function<void(const QString& name)> named;
         std::function<void()> ended = [] {};  // the attempt was passed or failed
         std::function<void()> kept = [] {};   // its result was written
+        // The recording that is looked back on now; empty: none.
+        std::function<std::filesystem::path()> reviewed = [] { return std::filesystem::path(); };
         // This course is shown from now on; empty: the built-in one.
         std::function<void(const std::filesystem::path& file)> course_chosen =
             [](const std::filesystem::path&) {};
@@ -101,6 +103,8 @@ class LessonDock : public QDockWidget {
     // The patient being opened will not come: no lesson waits for him any more.
     void patient_not_shown() { waits_ = false; }
     bool playing() const { return watch_ != nullptr; }
+    // The view shows the lesson's play, and no review or free play after it.
+    bool shows_play() const { return playing() && on_screen_; }
     // The lesson being played that has not ended; null: none.
     const Lesson* running() const;
     // A lesson runs in which something was done.
@@ -108,6 +112,9 @@ class LessonDock : public QDockWidget {
     // Of the lesson being played or ended. Requires playing().
     LessonStanding standing() const { return watch_->standing(); }
     bool recorded() const { return watch_->recorded(); }
+    // Keeps what was begun and has not ended as an attempt that was not passed, once; deletes the
+    // recording of one in which nothing was done. For whatever ends the lesson's play.
+    void give_up();
     AttemptsDialog& attempts() { return *attempts_; }
     void set_units(FlowUnits units);
     // The clock stands while the task is read and after the end of the attempt. Returns whether
@@ -142,7 +149,6 @@ class LessonDock : public QDockWidget {
     std::filesystem::path next_recording() const;
     void name_last_attempt();
     void keep_result();  // of an attempt that has ended, once
-    void give_up();      // keeps what was begun and has not ended as an attempt, not passed
     void keep(const LessonStanding& standing);
     void show_attempts();
 

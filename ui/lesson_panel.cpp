@@ -180,20 +180,31 @@ void LessonPanel::begin(const Lesson& lesson, const std::vector<std::string>& do
     for (QLabel* label : {goal_, limits_, pass_}) label->setToolTip(counted);
 }
 
-void LessonPanel::show_standing(const LessonStanding& standing, bool clock_stands, bool on_screen) {
+QString LessonPanel::about_clock(const LessonStanding& standing, bool clock_stands,
+                                 InView in_view) const {
     const bool running = standing.outcome == LessonOutcome::running;
-    clock_->setVisible(running || clock_stands || !on_screen);
-    clock_->setText(
-        !running && !on_screen
-            ? Words::tr(
-                  "The play that was judged is left: \"Look back on it\" shows its recording.")
-        : !running
-            ? Words::tr("The play stands as it was judged, and the hand is empty, so that the "
-                        "wheel zooms: the first thing you do lets the play go on.")
-        : clock_stands ? Words::tr("The clock stands: it runs from the first thing you do.")
-                       : Words::tr("Time: %1")
-                             .arg(with_units_beside(translated(
-                                 to_words(Quantity::time_s, standing.metrics.time_s, units_)))));
+    if (!running && in_view == InView::review)
+        return Words::tr(
+            "The view looks back on this attempt; below is how it was judged. Nothing that you do "
+            "changes it: \"Leave the review\" ends looking back, \"Begin again\" is a new "
+            "attempt.");
+    if (!running && in_view == InView::other)
+        return Words::tr(
+            "The play that was judged is left: \"Look back on it\" shows its recording.");
+    if (!running)
+        return Words::tr(
+            "The play stands as it was judged, and the hand is empty, so that the "
+            "wheel zooms: the first thing you do lets the play go on.");
+    if (clock_stands) return Words::tr("The clock stands: it runs from the first thing you do.");
+    return Words::tr("Time: %1")
+        .arg(with_units_beside(
+            translated(to_words(Quantity::time_s, standing.metrics.time_s, units_))));
+}
+
+void LessonPanel::show_standing(const LessonStanding& standing, bool clock_stands, InView in_view) {
+    const bool running = standing.outcome == LessonOutcome::running;
+    clock_->setVisible(running || clock_stands || in_view != InView::play);
+    clock_->setText(about_clock(standing, clock_stands, in_view));
     for (QWidget* widget : std::initializer_list<QWidget*>{step_, goal_, hold_, hint_button_})
         widget->setVisible(running);
     end_->setVisible(!running);

@@ -29,6 +29,10 @@ class LessonPanel : public QWidget {
         std::function<void(const QString&)> name = {};  // the trainee's new name
     };
 
+    // What the view shows: the lesson's play, the review of its recording, or something else, such
+    // as free play after it.
+    enum class InView { play, review, other };
+
     explicit LessonPanel(Ways ways, QWidget* parent = nullptr);
 
     // Shows this lesson. `doubts`: sentences on whether it fits the patient.
@@ -40,12 +44,12 @@ class LessonPanel : public QWidget {
     void set_name(const QString& name);
     // Takes effect with the next standing.
     void set_units(FlowUnits units) { units_ = units; }
-    // `clock_stands`: nothing was done yet, or nothing since the end. `on_screen`: the view shows
-    // the lesson's play, and no review or free play after it.
+    // `clock_stands`: nothing was done yet, or nothing since the end.
     void show_standing(const LessonStanding& standing, bool clock_stands = false,
-                       bool on_screen = true);
+                       InView in_view = InView::play);
 
   private:
+    QString about_clock(const LessonStanding& standing, bool clock_stands, InView in_view) const;
     QLayout* make_name();
     void show_step(const LessonStanding& standing);
     void show_end(const LessonStanding& standing);

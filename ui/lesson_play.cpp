@@ -19,8 +19,9 @@ LessonStanding LessonWatch::standing() const {
     return standing_;
 }
 
-bool LessonWatch::see(const std::vector<Command>& commands, const Frame& frame) {
-    run_.see(commands, frame);
+bool LessonWatch::see(const std::vector<Command>& commands, const Frame& frame,
+                      const std::stop_token& stop) {
+    run_.see(commands, frame, stop);
     const bool running = run_.standing().outcome == LessonOutcome::running;
     {
         const std::scoped_lock lock(mutex_);
@@ -46,14 +47,15 @@ LessonPlay LessonPlay::begin(const Lesson& lesson, std::shared_ptr<const Patient
     auto session = std::make_unique<Session>(std::move(patient), lesson.scene, job, back_end);
     play.watch->writer_ = std::make_unique<RecordingWriter>(recording, session->recording_start());
     session->record([watch = play.watch](RecordedStep step) { watch->keep(std::move(step)); });
-    session->watch([watch = play.watch, played = session.get()](
-                       const std::vector<Command>& commands, const Frame& frame) {
-        const bool running = watch->see(commands, frame);
-        // At once, so that the play shown beside the verdict is the one that was judged: the window
-        // learns of the verdict some steps later.
-        if (!running) played->post(SetPaused{true});
-        return running;
-    });
+    session->watch(
+        [watch = play.watch, played = session.get()](
+            const std::vector<Command>& commands, const Frame& frame, const std::stop_token& stop) {
+            const bool running = watch->see(commands, frame, stop);
+            // At once, so that the play shown beside the verdict is the one that was judged: the
+            // window learns of the verdict some steps later.
+            if (!running) played->post(SetPaused{true});
+            return running;
+        });
     for (const Command& command : play.watch->run_.setup()) session->post(command);
     if (lesson.scene.deform) session->post(SetAutomaticQuality{true});
     session->step(job);

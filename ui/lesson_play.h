@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <stop_token>
 #include <vector>
 
 #include "core/base/job.h"
@@ -35,7 +36,7 @@ class LessonWatch {
   private:
     friend struct LessonPlay;
     // Returns whether the attempt goes on after this step.
-    bool see(const std::vector<Command>& commands, const Frame& frame);
+    bool see(const std::vector<Command>& commands, const Frame& frame, const std::stop_token& stop);
     void keep(RecordedStep step);
 
     LessonRun run_;  // used by the stepping thread, except for what never changes

@@ -343,6 +343,7 @@ void MainWindow::build_tool_bar() {
             button->setToolButtonStyle(Qt::ToolButtonIconOnly);
     }
     for (const ActionId id : measuring_actions) modes->addAction(&(*actions_)[id]);
+    add_measure_button(*actions_, *bar);
     bar->addSeparator();
     bar->addAction(&(*actions_)[ActionId::play_pause]);
     bar->addAction(&(*actions_)[ActionId::reset]);

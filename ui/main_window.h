@@ -254,7 +254,7 @@ class MainWindow : public QMainWindow {
     void colour_by_segments(const std::vector<std::uint8_t>& of_branches);
     void show_hover(const SurfacePick& pick);
     void light_up(const TreePoint& under_mouse);
-    std::vector<std::uint8_t> lit_by_itself() const;
+    std::vector<std::uint8_t> target_of_lesson() const;
     // Moves the slices' crosshair to a vertex of the body at rest; -1: no effect.
     void lead_crosshair_to(int vertex);
     void inject(const SurfacePick& pick);
@@ -274,7 +274,6 @@ class MainWindow : public QMainWindow {
     void write_report_into(const std::filesystem::path& chosen,
                            const std::filesystem::path& recording, const std::string& lesson);
     void offer_report(const std::filesystem::path& folder);
-    void take_report_message_away();
 
     // main_window_recording.cpp: recording of a free play.
     void connect_recording();
@@ -322,10 +321,10 @@ class MainWindow : public QMainWindow {
     QString warnings_text_;              // as they were told last
     std::uint64_t warnings_origin_ = 0;  // of the workspace, whose warnings they are
     QString report_program_;
-    QString cuts_message_;    // tells that cuts stay
-    QString report_message_;  // tells where the last report is
-    QString unfit_message_;   // names lessons that no longer fit
-    QString place_message_;   // asks for a place of a lesson
+    std::filesystem::path report_to_offer_;  // written while a patient was opened
+    QString cuts_message_;                   // tells that cuts stay
+    QString unfit_message_;                  // names lessons that no longer fit
+    QString place_message_;                  // asks for a place of a lesson
     std::function<void()> first_picture_;
     std::function<void(const std::optional<OpenRequest>&)> begin_anew_;
     bool begins_anew_ = false;  // after closing

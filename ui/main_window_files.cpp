@@ -92,10 +92,13 @@ void MainWindow::show_jobs() {
         QStringList waiting;
         for (const std::string& title : keeper_->jobs().waiting_titles())
             waiting << QString::fromStdString(title);
-        progress_->show_waiting(waiting);
+        progress_->show_others(waiting, QString::fromStdString(keeper_->jobs().title_beside()));
     } else {
         progress_->finish();
     }
+    // It waited for a patient, whose warnings would have taken its place.
+    if (!report_to_offer_.empty() && !keeper_->jobs().holds(JobKind::open))
+        offer_report(std::exchange(report_to_offer_, {}));
 }
 
 void MainWindow::remember(const std::filesystem::path& path) {
@@ -362,6 +365,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     in_close_event_ = false;
     if (!may_close_) return event->ignore();
     if (begins_anew_) begin_anew_(patient_from_where());
+    lessons_->give_up();
     end_recording();
     review_->end();
     settings_.set_window(saveGeometry(), saveState());

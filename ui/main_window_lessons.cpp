@@ -76,6 +76,9 @@ void MainWindow::build_lessons() {
     };
     ways.ended = [this] { stop_after_lesson(); };
     ways.kept = [this] { library_->refresh(); };
+    ways.reviewed = [this] {
+        return review_->reviewing() ? review_->file() : std::filesystem::path();
+    };
     ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
         fail(doing, failure_of(error));
     };
@@ -124,7 +127,6 @@ bool MainWindow::may_begin_lesson() {
 
 void MainWindow::use_for_lesson(std::unique_ptr<Simulation> simulation) {
     review_->end();
-    take_report_message_away();
     const bool begins = simulation != nullptr;
     if (begins) remember_recorded_patient();
     use(std::move(simulation));
@@ -187,9 +189,6 @@ void MainWindow::open_for_lesson(const OpenRequest& request) {
     if (patient_ && !lessons_->playing()) before = patient_from_where();
     open(request);
     before_lesson_ = before;
-    if (!keeper_->jobs().holds(JobKind::report)) return;
-    messages_->show_notice(Words::tr("The lesson begins as soon as the report is written."));
-    report_message_ = messages_->text();
 }
 
 void MainWindow::offer_patient_from_before() {
@@ -209,6 +208,7 @@ void MainWindow::offer_patient_from_before() {
 
 void MainWindow::tell_unfit(const std::vector<ShelvedLesson>& lessons) {
     if (lessons.empty()) {
+        if (!unfit_message_.isEmpty()) log_->settle_warning(unfit_message_);
         if (!unfit_message_.isEmpty() && messages_->text() == unfit_message_) messages_->dismiss();
         return unfit_message_.clear();
     }
@@ -221,8 +221,12 @@ void MainWindow::tell_unfit(const std::vector<ShelvedLesson>& lessons) {
         "editor. Undo of the correction makes them fit again.");
     const QString text = lines.join("\n");
     if (text == unfit_message_) return;  // told already after an earlier correction
+    if (!unfit_message_.isEmpty()) log_->settle_warning(unfit_message_);
     unfit_message_ = text;
-    log_->add_warning(Words::tr("Corrections"), text);
+    log_->add_warning(Words::tr("Corrections"), text,
+                      [this, opening = keeper_->workspace().opening()] {
+                          return keeper_->workspace().opening() == opening;
+                      });
     messages_->show_notice(text, Words::tr("Edit the lesson"),
                            [this, file = lessons.front().file] { lesson_editor().edit(file); });
 }

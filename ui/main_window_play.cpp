@@ -6,6 +6,7 @@
 #include <QKeyEvent>
 #include <QStatusBar>
 #include <QTimer>
+#include <QToolButton>
 #include <QToolTip>
 #include <algorithm>
 #include <utility>
@@ -56,6 +57,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     chosen_branch_ = -1;
     welcome_->hide();
     scene.set_highlight({});
+    scene.set_target({});
     scene.set_vertex_systems(patient_->anatomy.vertex_systems());
     scene.set_vertex_segments({});
     ruler_->show_patient(patient_->patient);
@@ -117,6 +119,7 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     curves_->clear();
     hovered_vertex_ = -1;
     view_->scene().set_highlight({});
+    view_->scene().set_target({});
     show_marks();  // the next frame may take a while
     view_->show_frame(frame());
     if (free) quality_->post_choices();  // a lesson has settings of its own
@@ -159,6 +162,7 @@ void MainWindow::show_warnings(bool corrected) {
         fresh |= !corrected || other_vessels;
         log_->add_warning(translated(keeper_->workspace().title()), translated(warning));
     }
+    log_->settle();
     const bool stand = !warnings_text_.isEmpty() && said == warnings_text_;
     if (stand) messages_->dismiss();
     if (!warnings_.empty() && (fresh || stand)) tell_warnings();
@@ -193,6 +197,7 @@ void MainWindow::show_workspace() {
     editing_->update_panel();
     view_layout_->show_tumours(workspace.edits());
     view_layout_->show_strokes(workspace.strokes());
+    log_->settle();
     keep_dial();
 }
 
@@ -292,7 +297,7 @@ void MainWindow::show_figures() {
     tool_panel_->show_tear(frame.tear);
     if (!cuts_message_.isEmpty() && (!frame.tear || frame.tear->joints_broken == 0))
         if (std::exchange(cuts_message_, {}) == messages_->text()) messages_->dismiss();
-    curves_->follow_tear(frame);
+    curves_->follow_tear(frame, lessons_->shows_play() || review_->of_lesson());
     lessons_->show_figures();
     allow_tools();
     const bool injected = frame.drug.arrival_s != nullptr;
@@ -323,7 +328,10 @@ void MainWindow::show_message_of(const FrameStatistics& statistics) {
 // with single steps, again and again.
 void MainWindow::tell_simplified() {
     if (solver_said_.insert(last_message_).second)
-        log_->add_warning(Words::tr("Simulation"), translated(last_message_));
+        log_->add_note(Words::tr("Simulation"),
+                       Words::tr("Forces shown were rough for a moment: the step was simplified to "
+                                 "stay stable (%1)")
+                           .arg(translated(last_message_)));
     statusBar()->showMessage(
         Words::tr("Forces shown may be rough: the step was simplified to stay stable"), 6000);
 }
@@ -386,17 +394,19 @@ void MainWindow::show_hover(const SurfacePick& pick) {
 }
 
 void MainWindow::light_up(const TreePoint& under_mouse) {
-    view_->scene().set_highlight(
-        under_mouse.segment < 0 ? lit_by_itself() : patient_->anatomy.downstream_of(under_mouse));
+    SceneView& scene = view_->scene();
+    // While the pointer is on no vessel: the branch chosen in the table.
+    if (under_mouse.segment < 0 && chosen_branch_ >= 0 && branches_->isVisible())
+        scene.set_highlight(patient_->anatomy.vertices_of(chosen_branch_), HighlightOf::branch);
+    else
+        scene.set_highlight(patient_->anatomy.downstream_of(under_mouse));
+    scene.set_target(target_of_lesson());
     show_marks();
     view_->draw_again();
 }
 
-// While the pointer is on no vessel: the branch chosen in the table, else the target that the
-// lesson wants a drug in.
-std::vector<std::uint8_t> MainWindow::lit_by_itself() const {
-    if (chosen_branch_ >= 0 && branches_->isVisible())
-        return patient_->anatomy.vertices_of(chosen_branch_);
+// What the lesson wants a drug in; empty where it wants none.
+std::vector<std::uint8_t> MainWindow::target_of_lesson() const {
     const Lesson* lesson = lessons_->running();
     if (lesson == nullptr || !lesson->target) return {};
     const VesselTree& tree = patient_->patient->tree;
@@ -440,6 +450,8 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
     if (mode != MouseMode::place) end_waiting_for_place();
     Measurements& measurements = view_layout_->slices().measurements();
     if (mode != MouseMode::measure && measurements.chosen()) measurements.choose(std::nullopt);
+    if (auto* button = findChild<QToolButton*>("measureButton"))
+        button->setChecked(mode == MouseMode::measure);
     view_->setCursor(mode == MouseMode::pull ? Qt::ArrowCursor : Qt::CrossCursor);
     const bool draws = mode == MouseMode::cut || mode == MouseMode::weaken;
     tool_panel_->show_kind(view_->mouse().hand().kind(), draws ? guidance_of(mode) : QString());

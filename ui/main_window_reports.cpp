@@ -59,16 +59,14 @@ void MainWindow::write_report_into(const std::filesystem::path& chosen,
 }
 
 void MainWindow::offer_report(const std::filesystem::path& folder) {
+    if (keeper_->jobs().holds(JobKind::open)) {
+        report_to_offer_ = folder;  // show_jobs() offers it
+        return;
+    }
     messages_->show_notice(
         Words::tr("The report is in %1").arg(to_text(folder)), Words::tr("Open"), [folder] {
             QDesktopServices::openUrl(QUrl::fromLocalFile(to_text(folder / "report.html")));
         });
-    report_message_ = messages_->text();
-}
-
-void MainWindow::take_report_message_away() {
-    if (!report_message_.isEmpty() && messages_->text() == report_message_) messages_->dismiss();
-    report_message_.clear();
 }
 
 }  // namespace hepatica

@@ -2,6 +2,7 @@
 // The part of the window for the slices of the CT and for corrections of vessels and tumours.
 #include <QDockWidget>
 #include <QStatusBar>
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -131,7 +132,10 @@ void MainWindow::warn_of_stroke_outside(const BrushStroke& stroke) {
                              "This stroke lies far outside the liver (at %1), and Rebuild "
                              "would make a vessel of it. Undo takes it back.")
                              .arg(patient_place(stroke.path_mm.front()));
-    log_->add_warning(Words::tr("Corrections"), text);
+    log_->add_warning(Words::tr("Corrections"), text, [this, stroke] {
+        return std::ranges::find(keeper_->workspace().strokes(), stroke, &PendingStroke::stroke) !=
+               keeper_->workspace().strokes().end();
+    });
     messages_->show_notice(text, Words::tr("Undo"), [this] { keeper_->take_strokes_back(1); });
 }
 
@@ -142,7 +146,10 @@ void MainWindow::warn_of_tumour_outside(const TreeEdit& edit) {
     const QString text =
         Words::tr("This tumour lies outside the liver (at %1). Undo takes it back.")
             .arg(patient_place(edit.path_mm.front()));
-    log_->add_warning(Words::tr("Corrections"), text);
+    log_->add_warning(Words::tr("Corrections"), text, [this, edit] {
+        const Workspace::Edits& edits = keeper_->workspace().edits();
+        return std::ranges::find(edits, edit) != edits.end();
+    });
     messages_->show_notice(text, Words::tr("Undo"), [this] { keeper_->undo_tumour_stroke(); });
 }
 
@@ -183,7 +190,9 @@ void MainWindow::build_editing() {
             [this](const QString& text) { statusBar()->showMessage(text, 8000); },
             [this](const Failure& failure) { fail(Words::tr("Drawing a vessel"), failure); },
             [this](const QString& text) {
-                log_->add_warning(Words::tr("Corrections"), text);
+                for (const QString& line : text.split('\n'))
+                    log_->add_warning(Words::tr("Corrections"), line,
+                                      [this, line] { return editing_->stands(line); });
                 const bool warnings_stand =
                     !warnings_text_.isEmpty() && messages_->text() == warnings_text_;
                 if (!warnings_stand) return messages_->show_notice(text);

@@ -36,6 +36,11 @@ class WrappingDelegate : public QStyledItemDelegate {
     QTreeWidget* list_;
 };
 
+// The branch that a message names; none where that is past, and the number may be another's.
+std::optional<int> branch_of(const QTreeWidgetItem* item) {
+    return item == nullptr || item->isDisabled() ? std::nullopt : branch_named_in(item->text(3));
+}
+
 }  // namespace
 
 MessageLog::MessageLog(QWidget* parent) : QDialog(parent), list_(new QTreeWidget(this)) {
@@ -53,31 +58,65 @@ MessageLog::MessageLog(QWidget* parent) : QDialog(parent), list_(new QTreeWidget
     list_->setItemDelegate(new WrappingDelegate(list_));
     connect(list_->header(), &QHeaderView::sectionResized, list_, &QTreeWidget::doItemsLayout,
             Qt::QueuedConnection);
-    connect(list_, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) {
-        const std::optional<int> branch = branch_named_in(item->text(3));
-        if (branch && on_branch) on_branch(*branch);
-    });
+    connect(list_, &QTreeWidget::itemActivated, this,
+            [this](const QTreeWidgetItem* item) { show_branch_of(item); });
+    connect(list_, &QTreeWidget::currentItemChanged, this, [this] { offer_branch(); });
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     QPushButton* copy = buttons->addButton(Words::tr("Copy all"), QDialogButtonBox::ActionRole);
     connect(copy, &QPushButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setText(as_text()); });
+    show_branch_ = buttons->addButton(Words::tr("Show the branch"), QDialogButtonBox::ActionRole);
+    show_branch_->setObjectName("logShowBranch");
+    show_branch_->setAutoDefault(false);
+    show_branch_->setToolTip(
+        Words::tr("The one that the chosen message names, in the table and the "
+                  "view; so does a double click on the message"));
+    connect(show_branch_, &QPushButton::clicked, this,
+            [this] { show_branch_of(list_->currentItem()); });
+    offer_branch();
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::hide);
     auto* column = new QVBoxLayout(this);
     column->addWidget(list_);
     column->addWidget(buttons);
 }
 
-void MessageLog::add_warning(const QString& source, const QString& text) {
-    add(Words::tr("Warning"), source, text);
+void MessageLog::add_warning(const QString& source, const QString& text,
+                             std::function<bool()> holds) {
+    QTreeWidgetItem* item = add(Words::tr("Warning"), source, text);
+    if (holds) standing_.emplace_back(item, std::move(holds));
 }
 
 void MessageLog::settle_warning(const QString& text) {
     for (int row = 0; row < list_->topLevelItemCount(); ++row) {
         QTreeWidgetItem& item = *list_->topLevelItem(row);
-        if (item.text(1) != Words::tr("Warning") || item.text(3) != text) continue;
-        item.setText(1, Words::tr("Warning, no longer so"));
-        item.setDisabled(true);
+        if (item.text(1) == Words::tr("Warning") && item.text(3) == text) mark_as_past(item);
     }
+}
+
+void MessageLog::settle() {
+    std::erase_if(standing_, [this](const auto& warning) {
+        const bool past = warning.first->isDisabled() || !warning.second();
+        if (past) mark_as_past(*warning.first);
+        return past;
+    });
+}
+
+void MessageLog::mark_as_past(QTreeWidgetItem& item) {
+    item.setText(1, Words::tr("Warning, no longer so"));
+    item.setDisabled(true);
+    offer_branch();
+}
+
+void MessageLog::offer_branch() {
+    show_branch_->setEnabled(branch_of(list_->currentItem()).has_value());
+}
+
+void MessageLog::show_branch_of(const QTreeWidgetItem* item) const {
+    if (const std::optional<int> branch = branch_of(item); branch && on_branch) on_branch(*branch);
+}
+
+void MessageLog::add_note(const QString& source, const QString& text) {
+    add(Words::tr("Note"), source, text);
 }
 
 void MessageLog::add_failure(const QString& source, const Failure& failure) {
@@ -88,7 +127,7 @@ void MessageLog::add_failure(const QString& source, const Failure& failure) {
     add(Words::tr("Failure"), source, text);
 }
 
-void MessageLog::add(const QString& kind, const QString& source, const QString& text) {
+QTreeWidgetItem* MessageLog::add(const QString& kind, const QString& source, const QString& text) {
     auto* item =
         new QTreeWidgetItem(list_, {QTime::currentTime().toString("HH:mm:ss"), kind, source, text});
     for (int column = 0; column < 4; ++column) item->setTextAlignment(column, Qt::AlignTop);
@@ -96,6 +135,7 @@ void MessageLog::add(const QString& kind, const QString& source, const QString& 
                                      ? text + "\n" + Words::tr("A double click shows the branch")
                                      : text));
     list_->scrollToItem(item);
+    return item;
 }
 
 QString MessageLog::as_text() const {

@@ -6,10 +6,14 @@
 #include <QDialog>
 #include <QString>
 #include <functional>
+#include <utility>
+#include <vector>
 
 #include "ui/background_job.h"
 
+class QPushButton;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace hepatica {
 
@@ -19,9 +23,15 @@ class MessageLog : public QDialog {
     explicit MessageLog(QWidget* parent = nullptr);
 
     // `source`: the job or file that the message is about.
-    void add_warning(const QString& source, const QString& text);
+    // `holds`: whether it is still so, asked by settle(). Without one only settle_warning() ends
+    // it.
+    void add_warning(const QString& source, const QString& text, std::function<bool()> holds = {});
     // Marks the warnings of these words as past: a branch that they name may be another one now.
     void settle_warning(const QString& text);
+    // Marks those as past that hold no longer.
+    void settle();
+    // What happened for a moment and asks for nothing: it counts to no warnings.
+    void add_note(const QString& source, const QString& text);
     void add_failure(const QString& source, const Failure& failure);
 
     // Called with the index of a branch when a message that names it is double-clicked or Enter is
@@ -32,9 +42,14 @@ class MessageLog : public QDialog {
     QString as_text() const;
 
   private:
-    void add(const QString& kind, const QString& source, const QString& text);
+    QTreeWidgetItem* add(const QString& kind, const QString& source, const QString& text);
+    void mark_as_past(QTreeWidgetItem& item);
+    void offer_branch();
+    void show_branch_of(const QTreeWidgetItem* item) const;
 
     QTreeWidget* list_;
+    QPushButton* show_branch_;
+    std::vector<std::pair<QTreeWidgetItem*, std::function<bool()>>> standing_;
 };
 
 }  // namespace hepatica

@@ -23,8 +23,11 @@ void place_on_screen(QWidget& window, const QPoint& wanted, int title) {
     const auto nearest = [](int wanted, int low, int high) {
         return std::max(low, std::min(wanted, high));
     };
-    window.move(nearest(wanted.x(), room.left(), room.right() + 1 - window.width()),
-                nearest(wanted.y(), room.top(), room.bottom() + 1 - window.height()));
+    // Without its frame, which the desktop adds some time after the first show: move() would place
+    // the content then, and the frame from the second time on.
+    window.setGeometry({{nearest(wanted.x(), room.left(), room.right() + 1 - window.width()),
+                         nearest(wanted.y(), room.top(), room.bottom() + 1 - window.height())},
+                        window.size()});
 }
 
 }  // namespace hepatica

@@ -11,8 +11,9 @@ namespace hepatica {
 
 // Resizes a window to the wanted size, limited to its screen.
 void resize_on_screen(QWidget& window, const QSize& wanted);
-// Moves a shown window to the wanted place, or the nearest one at which it is entirely on its
-// screen and `title` below the upper edge. Shrinks it if needed, as far as its content allows.
+// Moves the content of a shown window to the wanted place, or the nearest one at which it is
+// entirely on its screen and `title`, the height of a title bar, below the upper edge. Shrinks it
+// if needed, as far as its content allows.
 void place_on_screen(QWidget& window, const QPoint& wanted, int title);
 
 }  // namespace hepatica

@@ -71,6 +71,7 @@ PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
     series_->setObjectName("series");
     series_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     series_->setToolTip(Words::tr("Of the folder; the first shows the liver's vessels best"));
+    series_->setPlaceholderText(Words::tr("Looking through the folder…"));
     form_->addRow(Words::tr("Series"), series_);
     offer({});
     liver_mask_ = add_path(*form_, Words::tr("Liver mask"), false);
@@ -155,8 +156,12 @@ void PatientWizard::look_for_series() {
     listing_.reset();
     offer({});
     if (!std::filesystem::is_directory(folder) || is_case(folder)) return;
+    // Thousands of files take a while; a field that is not there yet would be missed.
+    series_->setEnabled(false);
+    form_->setRowVisible(series_, true);
     BackgroundJob::Callbacks callbacks;
-    callbacks.failed = [](const Failure&) {};  // reading the CT will report the same
+    // Reading the CT will report the same.
+    callbacks.failed = [this](const Failure&) { offer({}); };
     callbacks.ended = [this] { listing_.reset(); };
     listing_ = std::make_unique<BackgroundJob>(
         [this, folder](Job& job) -> std::function<void()> {
@@ -171,6 +176,7 @@ void PatientWizard::look_for_series() {
 
 void PatientWizard::offer(const std::vector<SeriesDescription>& series) {
     series_->clear();
+    series_->setEnabled(true);
     for (const SeriesDescription& one : series) {
         QString text = Words::tr("%1: %2, %3 images")
                            .arg(QString::number(series_->count() + 1), name_in_list(one),

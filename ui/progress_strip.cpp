@@ -27,15 +27,17 @@ ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* pictures)
     bar_->setRange(0, 1000);
     bar_->setTextVisible(false);
     bar_->setMaximumWidth(260);
-    bar_->setMinimumWidth(80);
+    bar_->setMinimumWidth(40);
+    waiting_->hide();
     connect(cancel_, &QPushButton::clicked, this, std::move(cancel));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(14, 8, 10, 8);
     row->setSpacing(14);
     row->addWidget(title_);
-    row->addWidget(stage_, 1);  // gets the room that the title leaves
+    // Share the room that the title leaves: in a narrow view the bar yields, not the words.
+    row->addWidget(stage_, 3);
     row->addWidget(waiting_);
-    row->addWidget(bar_);
+    row->addWidget(bar_, 1);
     row->addWidget(cancel_);
 }
 
@@ -47,8 +49,12 @@ void ProgressStrip::start(const QString& title) {
     show();
 }
 
-void ProgressStrip::show_waiting(const QStringList& titles) {
-    waiting_->setText(titles.isEmpty() ? QString() : Words::tr("then: %1").arg(titles.join(", ")));
+void ProgressStrip::show_others(const QStringList& waiting, const QString& beside) {
+    QStringList others;
+    if (!beside.isEmpty()) others << Words::tr("at the same time: %1").arg(beside);
+    if (!waiting.isEmpty()) others << Words::tr("then: %1").arg(waiting.join(", "));
+    waiting_->setVisible(!others.isEmpty());  // else a gap would stand there
+    waiting_->setText(others.join("; "));
 }
 
 void ProgressStrip::update_progress(const JobProgress& progress) {

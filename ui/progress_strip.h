@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bar over the foot of the pictures while a job runs: stage, progress, number of waiting jobs, and
+// Bar over the foot of the pictures while a job runs: stage, progress, the other jobs by name, and
 // Cancel.
 #pragma once
 
@@ -22,7 +22,9 @@ class ProgressStrip : public OverlayBar {
     ProgressStrip(std::function<void()> cancel, QWidget* pictures);
 
     void start(const QString& title);
-    void show_waiting(const QStringList& titles);  // of those behind the running one
+    // `waiting`: titles of those behind the shown one; `beside`: of one that runs beside it, or
+    // none.
+    void show_others(const QStringList& waiting, const QString& beside);
     void update_progress(const JobProgress& progress);
     void say_cancelling();
     void finish() { hide(); }

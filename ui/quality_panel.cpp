@@ -9,7 +9,9 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStringList>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -35,6 +37,35 @@ constexpr std::array<std::pair<const char*, const char*>, 4> back_ends{{
     {"auto", Words::id("CUDA, else processor")},
     {"cuda-emulated", Words::id("CUDA device, emulated")},
 }};
+
+// `iterations` of the linear solver in a step; 0: it is direct.
+QString words_of_solver(int iterations, bool degraded) {
+    return (iterations == 0 ? Words::tr("Each step is solved directly")
+                            : Words::tr("%n pass(es) of the solver a step", nullptr, iterations)) +
+           (degraded ? Words::tr("; the last step was simplified to stay stable") : QString());
+}
+
+// A label with room for its longest texts. One that grows with every simplified step would squash
+// what stands below it until all the layouts around have followed.
+class RoomyLabel : public QLabel {
+  public:
+    RoomyLabel(QStringList longest, QWidget* parent)
+        : QLabel(parent), longest_(std::move(longest)) {
+        setWordWrap(true);
+    }
+    int heightForWidth(int width) const override {
+        int height = QLabel::heightForWidth(width);
+        for (const QString& text : longest_) {
+            const QRect room(0, 0, width, QWIDGETSIZE_MAX);
+            height =
+                std::max(height, fontMetrics().boundingRect(room, Qt::TextWordWrap, text).height());
+        }
+        return height;
+    }
+
+  private:
+    QStringList longest_;
+};
 
 }  // namespace
 
@@ -84,9 +115,10 @@ QWidget* QualityPanel::make_dial() {
     error_ = new QLabel(box);
     error_->setWordWrap(true);
     column->addWidget(error_);
-    solver_ = new QLabel(box);
+    constexpr int many = 999;
+    solver_ = new RoomyLabel({words_of_solver(0, true), words_of_solver(many, true)}, box);
     solver_->setObjectName("quiet");
-    solver_->setWordWrap(true);
+    solver_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     column->addWidget(solver_);
     column->addWidget(make_back_ends(box));
     return box;
@@ -174,13 +206,7 @@ void QualityPanel::show_statistics(const FrameStatistics& statistics) {
     }
     solver_->setText(statistics.setting.empty()
                          ? QString()
-                         : (statistics.linear_iterations == 0
-                                ? Words::tr("Each step is solved directly")
-                                : Words::tr("%n pass(es) of the solver a step", nullptr,
-                                            statistics.linear_iterations)) +
-                               (statistics.degraded
-                                    ? Words::tr("; the last step was simplified to stay stable")
-                                    : QString()));
+                         : words_of_solver(statistics.linear_iterations, statistics.degraded));
     device_->setText(statistics.setting.empty()  ? QString()
                      : statistics.device.empty() ? Words::tr("the processor")
                                                  : translated(statistics.device));

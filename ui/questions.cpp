@@ -59,7 +59,7 @@ bool ask_end_lesson(QWidget& parent, const std::string& lesson) {
                     as_plain(Words::tr("The lesson %1 is being played.").arg(translated(lesson))),
                     QMessageBox::NoButton, &parent);
     box.setInformativeText(
-        Words::tr("Who quits now ends it without a result; its recording is kept."));
+        Words::tr("Who quits now gives it up: it counts as not passed. Its recording is kept."));
     QPushButton* quit = box.addButton(Words::tr("&Quit"), QMessageBox::DestructiveRole);
     QPushButton* stay = box.addButton(Words::tr("&Go on playing"), QMessageBox::RejectRole);
     box.setDefaultButton(stay);

@@ -96,6 +96,7 @@ class ReviewDock : public QDockWidget {
     bool comparing() const { return other_tape_ != nullptr; }
     // A recording is shown.
     bool reviewing() const { return screen_ != nullptr; }
+    bool of_lesson() const { return reviewing() && lesson_.has_value(); }
     // All frames of the recording, and of the one beside it, are computed.
     bool complete() const { return reviewing() && job_ == nullptr && other_job_ == nullptr; }
 

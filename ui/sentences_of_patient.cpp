@@ -87,6 +87,11 @@ constexpr std::array sentences_patient{
     Words::id(
         "The tumours' masks hold %1 separate pieces, and a case holds %2 tumours at most: the %3 "
         "smallest are left out, %4 ml together. Remove specks from the masks."),
+    Words::id(
+        "Of the tumours numbered %1 from the masks %2 of %3 ml lie outside the box about the liver "
+        "and are left out of the case. Check that the masks of tumours and liver are of this CT, "
+        "or "
+        "give a liver mask that includes them."),
     Words::id("nothing measures a %1"),
     Words::id("has %1 points_mm in place of %2"),
     Words::id("measures at %1, which is farther than 10 m from the origin"),

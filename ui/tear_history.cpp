@@ -60,10 +60,11 @@ bool TearHistory::follow(const Frame& frame) {
 }
 
 Chart TearHistory::chart() const {
-    return {"Tearing",
-            "Time since the vessels may tear (s)",
-            "Damage by tearing (entropy)",
-            {Curve{"entropy", time_s_, entropy_}, Curve{"produced", time_s_, produced_}}};
+    return {
+        "Tearing",
+        "Time since the vessels may tear (s)",
+        "Damage by tearing, as entropy (nats)",
+        {Curve{"in all", time_s_, entropy_}, Curve{"since the first tear", time_s_, produced_}}};
 }
 
 }  // namespace hepatica

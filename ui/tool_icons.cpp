@@ -96,6 +96,14 @@ void draw_cut_line(QPainter& p) {
     p.drawLine(QPointF(5, 2), QPointF(11, 14));
 }
 
+void draw_ruler(QPainter& p) {
+    p.setPen(pen(bright(), 1.6));
+    p.drawPolygon(QPolygonF(
+        {QPointF(1.5, 10.5), QPointF(10.5, 1.5), QPointF(14.5, 5.5), QPointF(5.5, 14.5)}));
+    for (const double at : {4.0, 6.25, 8.5})
+        p.drawLine(QPointF(at, 12.0 - at), QPointF(at + 1.8, 13.8 - at));
+}
+
 Draw draw_of(ActionId id) {
     switch (id) {
         case ActionId::pull_mode:
@@ -116,6 +124,8 @@ Draw draw_of(ActionId id) {
             return draw_blade;
         case ActionId::weaken_mode:
             return draw_cut_line;
+        case ActionId::measure_distance:
+            return draw_ruler;
         default:
             return nullptr;
     }

@@ -124,10 +124,14 @@ std::string ViewRuler::guidance() const {
     const std::size_t points = half ? half->points_mm.size() : 0;
     switch (*measurements_.chosen()) {
         case MeasurementKind::distance:
-            return points == 0 ? Words::id("Click on a vessel where the distance begins")
-                               : Words::id("Click where it ends");
+            return points == 0
+                       ? Words::id(
+                             "Click where the distance begins: on a vessel, or anywhere in a slice")
+                       : Words::id("Click where it ends");
         case MeasurementKind::angle:
-            return points == 0   ? Words::id("Click on one arm of the angle")
+            return points == 0
+                       ? Words::id(
+                             "Click on one arm of the angle: on a vessel, or anywhere in a slice")
                    : points == 1 ? Words::id("Click on its vertex")
                                  : Words::id("Click on the other arm");
         case MeasurementKind::diameter:

@@ -61,6 +61,7 @@ Colour colour_of(const Frame& frame, const FramePainting& how, int vertex) {
             return palette::drug(std::sqrt(arrival_s / std::max(drug.end_s, 1e-9)));
     }
     const auto shown = static_cast<std::size_t>(vertex);
+    if (drug.had_reached(shown)) return palette::reached_before();
     const bool open = frame.tear && frame.tear->rims && shown < frame.tear->rims->size();
     if (open && (*frame.tear->rims)[shown] != 0) return palette::torn;
     const auto origin = static_cast<std::size_t>(frame.origin_of(vertex));

@@ -148,12 +148,13 @@ Json table_of_bounds(const std::vector<BoundStanding>& bounds,
     return rows;
 }
 
-// How far the goal of a step came that was not reached.
+// What the goal of a step came to: when it was reached, or in the end.
 QString came_to(const LessonStanding& standing, std::size_t step, FlowUnits units) {
-    if (step < standing.step) return "";
     if (step > standing.step) return Words::tr("not begun");
     QStringList values;
-    for (const BoundStanding& goal : standing.goal) values << value_words(goal, units);
+    for (const BoundStanding& goal :
+         step < standing.step ? standing.steps[step].goal : standing.goal)
+        values << value_words(goal, units);
     return values.join("; ");
 }
 

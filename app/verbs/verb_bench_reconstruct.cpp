@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // bench reconstruct: time, responsiveness to cancelling and peak memory of a reconstruction, stage
 // by stage (core/study/job_watch.h).
+#include <signal.h>
 #include <spawn.h>
+#include <spdlog/spdlog.h>
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -33,8 +37,28 @@ struct BenchReconstructChoices {
     int seed = 1;
 };
 
+// Waits for the end of a child, which is told to end where the job is cancelled.
+int status_of(pid_t child, const Job& job) {
+    {
+        const std::stop_callback told(job.stop_token(), [child] { kill(child, SIGTERM); });
+        siginfo_t end{};
+        while (waitid(P_PID, static_cast<id_t>(child), &end, WEXITED | WNOWAIT) != 0 &&
+               errno == EINTR) {
+        }
+    }
+    int status = -1;
+    waitpid(child, &status, 0);
+    return status;
+}
+
+// Ctrl-C at a terminal reaches the child as well, which may end before this job is cancelled.
+bool was_interrupted(int status) {
+    if (WIFSIGNALED(status)) return WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM;
+    return WIFEXITED(status) && WEXITSTATUS(status) == exit_interrupted;
+}
+
 // Runs in a separate process, so that this one's peak memory is that of the reconstruction.
-void make_phantom_elsewhere(const BenchReconstructChoices& options) {
+void make_phantom_elsewhere(const BenchReconstructChoices& options, const Job& job) {
     std::vector<std::string> words{"hepatica-cli",
                                    "phantom",
                                    (options.out / "patient").string(),
@@ -57,8 +81,9 @@ void make_phantom_elsewhere(const BenchReconstructChoices& options) {
     const int failed =
         posix_spawn(&child, "/proc/self/exe", &silent, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&silent);
-    int status = -1;
-    if (failed == 0) waitpid(child, &status, 0);
+    const int status = failed == 0 ? status_of(child, job) : -1;
+    job.throw_if_cancelled();
+    if (failed == 0 && was_interrupted(status)) throw Cancelled();
     if (status != 0)
         throw InputError("the synthetic patient could not be made", options.out.string(),
                          "Try hepatica-cli phantom with the same --dims and --spacing");
@@ -81,7 +106,8 @@ Json run_bench_reconstruct(BenchReconstructChoices options, Job& job) {
     const bool synthetic = options.ct.empty();
     if (synthetic) {
         fs::create_directories(options.out);
-        make_phantom_elsewhere(options);
+        spdlog::info("a synthetic patient is made");
+        make_phantom_elsewhere(options, job);
         options.ct = options.out / "patient" / "ct.nii.gz";
         options.liver_mask = options.out / "patient" / "liver.nii.gz";
     }

@@ -13,6 +13,7 @@
 #include "app/verbs/reconstruction_json.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/patient_space.h"
 #include "core/base/text_file.h"
 #include "core/opening/patient_image.h"
 #include "core/patient/corrections.h"
@@ -40,10 +41,12 @@ struct EditChoices {
     int undo = 0;
     bool list = false;
 
+    bool decides_bridges() const {
+        return refuse_below >= 0.0 || !accepted.empty() || !refused.empty() || !offered.empty();
+    }
     bool does_nothing() const {
         return edits.empty() && places.empty() && seeds.empty() && accept > 1.0 &&
-               refuse_below < 0.0 && accepted.empty() && refused.empty() && offered.empty() &&
-               painted.empty() && erased.empty() && tumour == 0 && undo == 0;
+               !decides_bridges() && painted.empty() && erased.empty() && tumour == 0 && undo == 0;
     }
 };
 
@@ -76,28 +79,36 @@ void require_state(const PatientCase& patient, std::size_t index, const std::str
                                                     : "See what can be decided: --list");
 }
 
-// Refuses by confidence, then offers again, accepts and refuses the named bridges.
+// Refuses by confidence, then offers again, accepts and refuses the named bridges, as they are
+// after `edits` and the decisions before.
 void decide_bridges(const EditChoices& options, PatientCase& patient,
                     std::vector<TreeEdit>& edits) {
-    std::vector<Bridge>& bridges = patient.corrections.bridges;
+    if (!options.decides_bridges()) return;
+    PatientCase now = with_edited_tree(patient, edits);
+    std::vector<Bridge>& bridges = now.corrections.bridges;
+    const auto make = [&](const TreeEdit& edit) {
+        edits.push_back(edit);
+        now.corrections.edits = edits;
+    };
     for (std::size_t i = 0; i < bridges.size(); ++i)
         if (bridges[i].confidence < options.refuse_below &&
-            state_of_bridge(patient, i) == BridgeState::open)
+            state_of_bridge(now, i) == BridgeState::open)
             bridges[i].refused = true;
-    for (const std::size_t i : bridges_named("--offer", options.offered, patient))
+    for (const std::size_t i : bridges_named("--offer", options.offered, now))
         bridges[i].refused = false;
-    for (const std::size_t i : bridges_named("--accept", options.accepted, patient)) {
-        require_state(patient, i, "--accept", {BridgeState::open, BridgeState::refused});
+    for (const std::size_t i : bridges_named("--accept", options.accepted, now)) {
+        require_state(now, i, "--accept", {BridgeState::open, BridgeState::refused});
         bridges[i].refused = false;
-        edits.push_back(acceptance_of(bridges[i]));
+        make(acceptance_of(bridges[i]));
     }
-    for (const std::size_t i : bridges_named("--refuse", options.refused, patient)) {
-        require_state(patient, i, "--refuse", {BridgeState::open, BridgeState::built});
+    for (const std::size_t i : bridges_named("--refuse", options.refused, now)) {
+        require_state(now, i, "--refuse", {BridgeState::open, BridgeState::built});
         if (bridges[i].built)
-            edits.push_back(refusal_of(bridges[i]));
+            make(refusal_of(bridges[i]));
         else
             bridges[i].refused = true;
     }
+    patient.corrections.bridges = bridges;
 }
 
 // The edit that draws a vessel along the given places.
@@ -203,6 +214,22 @@ Json tumours_of(const PatientCase& patient) {
     return list;
 }
 
+// What is odd about the tree, and of the new strokes which tumours are cut off.
+std::vector<std::string> warnings_of(const PatientCase& patient, std::size_t edits_before) {
+    std::vector<std::string> warnings = sentences(std::nullopt, patient.tree);
+    const std::vector<TreeEdit>& edits = patient.corrections.edits;
+    const Grid canvas = tumour_canvas(patient).grid;
+    for (std::size_t i = edits_before; i < edits.size(); ++i)
+        if (edits[i].kind == TreeEditKind::paint_tumour &&
+            reaches_beyond(stroke_of(edits[i]), canvas))
+            warnings.push_back("Tumour " + std::to_string(edits[i].tumour) + " painted at " +
+                               place_text(edits[i].at_mm) +
+                               " reaches beyond the part of the CT about the liver that a case "
+                               "keeps: what lies outside of it is left out. Paint it elsewhere, or "
+                               "take the edit back (--undo).");
+    return warnings;
+}
+
 Json run_edit(const EditChoices& options, Job& job) {
     if (options.list && !(options.does_nothing() && options.out.empty()))
         throw UsageError("changes nothing and writes nothing", "--list",
@@ -224,7 +251,8 @@ Json run_edit(const EditChoices& options, Job& job) {
     answer["case"] = (options.out.empty() ? options.patient : options.out).string();
     answer["edits_before"] = before;
     answer["edits"] = Json::parse(edits_to_json(patient.corrections.edits));
-    answer["warnings"] = sentences(std::nullopt, patient.tree);
+    const auto undone = static_cast<std::size_t>(options.undo);
+    answer["warnings"] = warnings_of(patient, options.list ? before : before - undone);
     answer["tree"] = to_json(patient.tree);
     answer["mesh"] = to_json(patient.mesh);
     answer["tumours"] = tumours_of(patient);

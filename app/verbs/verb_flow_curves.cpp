@@ -10,6 +10,7 @@
 #include "app/output_place.h"
 #include "app/verbs/flow_options.h"
 #include "app/verbs/verbs.h"
+#include "core/base/atomic_write.h"
 #include "core/base/units.h"
 
 namespace hepatica {
@@ -39,8 +40,8 @@ std::vector<Form> forms() {
              mixture(blood(), gas(), published_void_fraction)}};
 }
 
-// Draws the drops over the Reynolds number of blood at the same mass flow.
-void draw_forms(const FlowCurvesChoices& options) {
+// Draws the drops over the Reynolds number of blood at the same mass flow into files of `folder`.
+void draw_forms(const FlowCurvesChoices& options, const std::filesystem::path& folder) {
     Chart drops{"Drop of total pressure along one vessel",
                 "Reynolds number of blood at the inlet",
                 "Drop (Pa)",
@@ -74,8 +75,8 @@ void draw_forms(const FlowCurvesChoices& options) {
         ratios.curves.push_back(ratio);
     }
     for (const std::string& extension : {std::string("csv"), options.format}) {
-        write_chart(options.out / ("flow_forms." + extension), drops);
-        write_chart(options.out / ("flow_forms_ratio." + extension), ratios);
+        write_chart(folder / ("flow_forms." + extension), drops);
+        write_chart(folder / ("flow_forms_ratio." + extension), ratios);
     }
 }
 
@@ -125,8 +126,8 @@ Json run_flow_curves(const FlowCurvesChoices& options) {
     validate(options.cone);
     require_chart_file(options.out / ("flow_forms." + options.format));
     require_writable_folder(options.out);
-    std::filesystem::create_directories(options.out);
-    draw_forms(options);
+    write_files_atomically(
+        options.out, [&](const std::filesystem::path& folder) { draw_forms(options, folder); });
     return {{"files",
              {(options.out / ("flow_forms." + options.format)).string(),
               (options.out / ("flow_forms_ratio." + options.format)).string()}},

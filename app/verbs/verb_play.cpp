@@ -115,7 +115,6 @@ Json run_play(const PlayChoices& options, Job& job) {
     job.expect_stages(stage_count_of(request));
     const OpenedPatient opened = open_patient(request, job);
     for (const std::string& warning : opened.warnings) spdlog::warn("{}", warning);
-    fs::create_directories(options.out);
     if (request.built_in) write_case(options.out / "built_in_patient.hep", *opened.patient);
     if (opened.worth_saving) write_case(options.out / "patient.hep", *opened.patient);
     const Json accuracy = request.built_in ? accuracy_of_built_in(*opened.patient, job) : Json();

@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <stdio.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -173,6 +174,34 @@ void renew_folder_atomically(const fs::path& target,
 
 namespace {
 
+// A folder, made with those above it that are missing. The destructor removes what was made and is
+// empty, unless it is kept.
+class MadeFolder {
+  public:
+    explicit MadeFolder(const fs::path& folder) {
+        std::error_code error;
+        const auto missing = [&](const fs::path& path) {
+            return fs::symlink_status(path, error).type() == fs::file_type::not_found;
+        };
+        for (fs::path at = without_trailing_slash(fs::absolute(folder)); missing(at);
+             at = at.parent_path())
+            made_.push_back(at);
+        error.clear();
+        fs::create_directories(folder, error);
+        if (error) throw_unwritable(folder, error);
+    }
+    ~MadeFolder() {
+        for (const fs::path& path : made_) rmdir(path.c_str());
+    }
+    MadeFolder(const MadeFolder&) = delete;
+    MadeFolder& operator=(const MadeFolder&) = delete;
+
+    void keep() { made_.clear(); }
+
+  private:
+    std::vector<fs::path> made_;  // the lowest first
+};
+
 // A finished file and the place it goes to.
 struct Move {
     fs::path fresh;
@@ -210,9 +239,8 @@ void make_all(const std::vector<Move>& moves) {
 
 void write_files_atomically(const fs::path& folder,
                             const std::function<void(const fs::path&)>& write) {
+    MadeFolder made(folder);
     std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw_unwritable(folder, error);
     const Temporary temporary(folder / "files");  // on the file system of `folder`
     fs::create_directory(temporary.path(), error);
     if (error) throw_unwritable(folder, error);
@@ -237,6 +265,7 @@ void write_files_atomically(const fs::path& folder,
         moves.push_back(move);
     }
     make_all(moves);
+    made.keep();
 }
 
 }  // namespace hepatica

@@ -9,7 +9,8 @@
 namespace hepatica {
 
 // `patches` must form a closed surface; `boxes` has one entry for each patch of `surface`. The
-// majority of three rays decides, so that one that grazes an edge does no harm.
+// majority of three rays decides, so that one that grazes an edge does no harm. A point on the
+// surface may lie on either side.
 bool lies_within(const Vec3& point, const SurfacePatches& surface, std::span<const int> patches,
                  std::span<const Box> boxes, std::span<const Vec3> positions_mm);
 

@@ -310,8 +310,16 @@ std::array<int, 2> tear(FlowNetwork& network, const TreePoint& point) {
     return stumps;
 }
 
+int open_side(FlowNetwork& network, const TreePoint& point) {
+    const int node = divide(network, point);
+    if (std::ranges::find(network.torn_nodes, node) == network.torn_nodes.end())
+        network.torn_nodes.push_back(node);
+    return node;
+}
+
 std::vector<TearOpening> tear_all(FlowNetwork& network, std::span<const TreePoint> points,
-                                  std::span<const double> areas_mm2) {
+                                  std::span<const double> areas_mm2,
+                                  std::span<const std::uint8_t> sides) {
     std::vector<TearOpening> openings;
     const auto add = [&](std::size_t tear, int node) {
         const auto found = std::ranges::find(network.torn_nodes, node);
@@ -319,6 +327,10 @@ std::vector<TearOpening> tear_all(FlowNetwork& network, std::span<const TreePoin
             {tear, static_cast<std::size_t>(found - network.torn_nodes.begin()), areas_mm2[tear]});
     };
     for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!sides.empty() && sides[i] != 0) {
+            add(i, open_side(network, points[i]));
+            continue;
+        }
         const auto [proximal, distal] = tear(network, points[i]);
         add(i, distal);
         if (proximal != distal) add(i, proximal);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -34,7 +35,7 @@ struct FlowNetwork {
     std::vector<Cone> cones;
     std::vector<int> root_nodes;    // where each vascular system is supplied, in order
     std::vector<int> outlet_nodes;  // ends of the resolved vessels, ascending; never a root
-    std::vector<int> torn_nodes;    // stumps that bleed into the surroundings
+    std::vector<int> torn_nodes;    // stumps and open sides, which bleed into the surroundings
 };
 
 // one_cone:   the best straight line through the segment's radii (least squares over arclength),
@@ -89,6 +90,10 @@ int place_catheter(FlowNetwork& network, const TreePoint& tip, bool wedged);
 // the same where nothing else was there to be severed from.
 std::array<int, 2> tear(FlowNetwork& network, const TreePoint& point);
 
+// Opens the side of a vessel at a point between its ends, where it goes on as before. Returns the
+// node there, which is in torn_nodes once.
+int open_side(FlowNetwork& network, const TreePoint& point);
+
 // Where a tear bleeds; several tears may share a node, as of branches that were torn off one fork.
 struct TearOpening {
     std::size_t tear = 0;
@@ -97,9 +102,11 @@ struct TearOpening {
 };
 
 // Tears the vessels through at all of these points, each with an opening of this area at both
-// stumps. As many areas as points.
+// stumps; where `sides` is not 0, only their side is opened. As many areas as points, and as many
+// `sides` or none.
 std::vector<TearOpening> tear_all(FlowNetwork& network, std::span<const TreePoint> points,
-                                  std::span<const double> areas_mm2);
+                                  std::span<const double> areas_mm2,
+                                  std::span<const std::uint8_t> sides = {});
 // Of each torn node, the sum over its openings.
 std::vector<double> torn_areas_mm2(const FlowNetwork& network,
                                    std::span<const TearOpening> openings);

@@ -118,13 +118,15 @@ InjectionSample sample(const InjectionResult& injection, const DrugFront& front,
 }  // namespace
 
 void tear_for(const InjectionOptions& options, FlowNetwork& network, FlowConditions& conditions) {
+    assert(options.tear_sides.empty() ||
+           options.tear_sides.size() == options.tear_areas_mm2.size());
     if (options.tear_areas_mm2.empty()) {
         for (const TreePoint& point : options.tears) tear(network, point);
         return;
     }
     assert(options.tear_areas_mm2.size() == options.tears.size());
     const std::vector<TearOpening> openings =
-        tear_all(network, options.tears, options.tear_areas_mm2);
+        tear_all(network, options.tears, options.tear_areas_mm2, options.tear_sides);
     conditions.torn_areas_mm2 = torn_areas_mm2(network, openings);
 }
 

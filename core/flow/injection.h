@@ -3,6 +3,7 @@
 // resulting arrival times, flows and series over time. The paper's section II.B in one call.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -62,6 +63,9 @@ struct InjectionOptions {
     // Of each of `tears`, the opening at both stumps, above 0; empty: nothing holds the flow up
     // there. As many as tears, or none.
     std::vector<double> tear_areas_mm2;
+    // Of each of `tears`, whether only the side is open and the vessel goes on (not 0); empty: none
+    // is. As many as tears, which then have areas, or none.
+    std::vector<std::uint8_t> tear_sides;
 };
 
 // The state at one moment.

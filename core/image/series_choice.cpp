@@ -13,6 +13,7 @@
 #include <set>
 #include <sstream>
 #include <tuple>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/number_text.h"
@@ -244,11 +245,27 @@ std::vector<std::string> warnings_of(const Series& series) {
     return warnings;
 }
 
+// The description is `series NUMBER "NAME"`, of which number or name may be missing. The name alone
+// is quoted, and the number told where it is one.
+std::string called(const std::string& description) {
+    const std::size_t quote = description.find('"');
+    const std::vector<std::string> before = words(description.substr(0, quote));
+    const bool numbered =
+        before.size() == 2 && before[1].find_first_not_of("0123456789") == std::string::npos;
+    std::string text = numbered ? "series " + before[1] : "a series";
+    if (quote != std::string::npos && description.size() > quote + 1)
+        text +=
+            " " +
+            quoted_name(
+                std::string_view(description).substr(quote + 1, description.size() - quote - 2));
+    return text;
+}
+
 std::string text_of(const Series& series) {
     const DicomSlice& first = series.first();
     std::ostringstream text;
     const bool is_ct = first.modality == "CT";
-    text << quoted_name(first.description) << " ("
+    text << called(first.description) << " ("
          << (first.modality.empty() ? "no modality"
              : is_ct                ? "CT"
                                     : quoted_name(first.modality))
@@ -279,6 +296,7 @@ std::optional<std::size_t> wished(const std::vector<Series>& all, const SeriesWi
 
 void remark_on_choice(const std::vector<Series>& all, std::size_t chosen, bool was_wished,
                       ReadRemarks& remarks) {
+    bool told = false;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (i == chosen) continue;
         if (!all[i].is_ct()) {
@@ -287,6 +305,8 @@ void remark_on_choice(const std::vector<Series>& all, std::size_t chosen, bool w
         }
         const std::string why =
             was_wished ? "as asked for" : "because " + reason(all[chosen], all[i]);
+        // Who chose by himself hears of the best of the others, once.
+        if (was_wished && std::exchange(told, true)) continue;
         remarks.push_back("Read " + text_of(all[chosen]) + " and left out " + text_of(all[i]) +
                           " " + why + ". On the command line --series " + std::to_string(i + 1) +
                           " reads the other one, and so does naming one of its files");

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/base/error.h"
+
 namespace hepatica {
 
 namespace {
@@ -42,7 +44,9 @@ double mass_in(const std::vector<double>& outlet_g, const std::vector<char>& ins
 }  // namespace
 
 DoseCurve::DoseCurve(const VesselTree& tree, const InjectionOptions& options, double end_s,
-                     const std::optional<TargetRegion>& target) {
+                     const std::optional<TargetRegion>& target,
+                     std::function<void(JobEvent)> observer) {
+    job_.observe(std::move(observer));
     InjectionOptions run = options;
     run.until_s = end_s;
     run.step_s = std::max(end_s / samples, least_step_s);
@@ -84,9 +88,11 @@ void DoseCurve::compute(const VesselTree& tree, const InjectionOptions& run,
     });
 }
 
-Dose DoseCurve::at(double time_s) const {
+Dose DoseCurve::at(double time_s, const std::stop_token& stop) const {
     std::unique_lock lock(mutex_);
-    more_.wait(lock, [&] { return ended_ || (!time_s_.empty() && time_s_.back() > time_s); });
+    const bool known = more_.wait(
+        lock, stop, [&] { return ended_ || (!time_s_.empty() && time_s_.back() > time_s); });
+    if (!known) throw Cancelled();
     if (error_ && (time_s_.empty() || time_s_.back() <= time_s)) std::rethrow_exception(error_);
     const auto after = std::ranges::upper_bound(time_s_, time_s);
     if (after == time_s_.begin()) return dose_.front();
@@ -99,7 +105,7 @@ Dose DoseCurve::at(double time_s) const {
             between(a.reflux_g, b.reflux_g, share)};
 }
 
-void DoseAccount::see(const DrugView& drug) {
+void DoseAccount::see(const DrugView& drug, const std::stop_token& stop) {
     const auto undone = [&drug](const Part& part) {
         const bool replaced = drug.injection != nullptr && part.injection != drug.injection;
         return part.number > drug.injections || (part.number == drug.injections && replaced);
@@ -112,7 +118,7 @@ void DoseAccount::see(const DrugView& drug) {
     Part& part = parts_.back();
     if (!part.curve)
         part.curve = std::make_unique<const DoseCurve>(tree_, *drug.injection, drug.end_s, target_);
-    part.dose = part.curve->at(drug.time_s);
+    part.dose = part.curve->at(drug.time_s, stop);
 }
 
 Dose DoseAccount::total() const {

@@ -6,9 +6,11 @@
 
 #include <condition_variable>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
@@ -35,16 +37,19 @@ struct Dose {
 class DoseCurve {
   public:
     // Begins to compute and does not wait. `options.tip` is set; `end_s` >= 0: end of the run. The
-    // tree must outlive the curve. Throws std::system_error where no thread can be created.
+    // tree must outlive the curve. `observer`: see Job::observe(). Throws std::system_error where
+    // no thread can be created.
     DoseCurve(const VesselTree& tree, const InjectionOptions& options, double end_s,
-              const std::optional<TargetRegion>& target);
+              const std::optional<TargetRegion>& target,
+              std::function<void(JobEvent)> observer = {});
     ~DoseCurve();  // cancels and joins, which waits for at most one step of the front
     DoseCurve(const DoseCurve&) = delete;
     DoseCurve& operator=(const DoseCurve&) = delete;
 
     // `time_s` is clamped to the run. Waits until the run has come to that time; the result does
-    // not depend on how far it has come. Throws InputError where nothing can flow.
-    Dose at(double time_s) const;
+    // not depend on how far it has come. Throws InputError where nothing can flow, and Cancelled
+    // where it would have to wait and a stop is requested.
+    Dose at(double time_s, const std::stop_token& stop = {}) const;
 
   private:
     void compute(const VesselTree& tree, const InjectionOptions& run,
@@ -52,7 +57,7 @@ class DoseCurve {
 
     Job job_;
     mutable std::mutex mutex_;  // for what follows
-    mutable std::condition_variable more_;
+    mutable std::condition_variable_any more_;
     std::vector<double> time_s_;
     std::vector<Dose> dose_;
     bool ended_ = false;
@@ -69,8 +74,9 @@ class DoseAccount {
         : tree_(tree), target_(target) {}
 
     // Call with every frame. Takes no time, unless the drug's clock has leapt ahead: then it waits
-    // for the curve. Throws InputError where an injection cannot flow.
-    void see(const DrugView& drug);
+    // for the curve, or throws Cancelled soon after a stop is requested. Throws InputError where an
+    // injection cannot flow.
+    void see(const DrugView& drug, const std::stop_token& stop = {});
     Dose total() const;
 
   private:

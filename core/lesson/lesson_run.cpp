@@ -117,6 +117,7 @@ void LessonRun::check_goal() {
     if (step.held_s + rounding < hold_s) return;
     step.held_s = hold_s;
     step.reached_s = meter_.metrics().time_s;
+    step.goal = standing_.goal;
     if (++standing_.step < lesson_.steps.size())
         begin_step();
     else
@@ -145,13 +146,15 @@ void LessonRun::finish() {
     }
 }
 
-void LessonRun::see(std::span<const Command> commands, const Frame& frame) {
+void LessonRun::see(std::span<const Command> commands, const Frame& frame,
+                    const std::stop_token& stop) {
     if (standing_.outcome != LessonOutcome::running) return;
-    see_step(commands, frame);
+    see_step(commands, frame, stop);
     see_pass_marks();
 }
 
-void LessonRun::see_step(std::span<const Command> commands, const Frame& frame) {
+void LessonRun::see_step(std::span<const Command> commands, const Frame& frame,
+                         const std::stop_token& stop) {
     if (!begun_) {
         begun_ = true;
         check_setup(commands);
@@ -163,7 +166,7 @@ void LessonRun::see_step(std::span<const Command> commands, const Frame& frame) 
     see_taken(commands);
     if (frame.statistics.diverged) fail("the simulation stopped by itself: play it again");
     if (!frame.statistics.paused) {
-        meter_.see(frame);
+        meter_.see(frame, stop);
         standing_.metrics = meter_.metrics();
         standing_.moment = meter_.moment();
         samples_.push_back({standing_.metrics.time_s, standing_.moment.force_mn,

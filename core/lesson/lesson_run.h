@@ -8,6 +8,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct BoundStanding {
 struct StepStanding {
     std::optional<double> reached_s;  // metric time
     double held_s = 0.0;              // how long its goal has held
+    std::vector<BoundStanding> goal;  // as it stood when the step was reached; empty before
 };
 
 // State of an attempt, as panels and reports show it.
@@ -68,8 +70,11 @@ class LessonRun {
     const std::vector<Command>& setup() const { return setup_; }
 
     // Call after every step from the first: the commands applied before the step, and its frame.
-    // The first step is that of the setup. Throws InputError where an injection cannot flow.
-    void see(std::span<const Command> commands, const Frame& frame);
+    // The first step is that of the setup. Throws InputError where an injection cannot flow, and
+    // Cancelled where its dose is waited for and a stop is requested: the attempt cannot go on
+    // then.
+    void see(std::span<const Command> commands, const Frame& frame,
+             const std::stop_token& stop = {});
     // Call after the last step: an attempt that is still running has failed.
     void end();
 
@@ -84,7 +89,8 @@ class LessonRun {
     void see_taken(std::span<const Command> commands);
     void check_limits();
     void check_goal();
-    void see_step(std::span<const Command> commands, const Frame& frame);
+    void see_step(std::span<const Command> commands, const Frame& frame,
+                  const std::stop_token& stop);
     void see_pass_marks();
     void begin_step();
     void finish();

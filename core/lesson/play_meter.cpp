@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -87,7 +88,6 @@ PlayMeter::PlayMeter(const Lesson& lesson, std::shared_ptr<const PatientCase> pa
     if (!lesson.scene.flow) return;
     std::optional<TargetRegion> target;
     in_target_.assign(on_surface_.size(), 0);
-    reached_.assign(on_surface_.size(), 0);
     if (lesson.target) {
         target.emplace(patient_->tree,
                        nearest_point(patient_->tree, position_of(*lesson.target, patient_->tree)));
@@ -139,14 +139,14 @@ void PlayMeter::begin(const Frame& frame) {
     moment_.leak_g_s = before_.leak_g_s;
 }
 
-void PlayMeter::see(const Frame& frame) {
+void PlayMeter::see(const Frame& frame, const std::stop_token& stop) {
     if (frame.statistics.paused) return;
     metrics_.time_s += dt_s_;
     see_hand(frame);
     see_contact(frame);
     see_marks(frame);
     see_tear(frame);
-    see_drug(frame);
+    see_drug(frame, stop);
 }
 
 void PlayMeter::see_hand(const Frame& frame) {
@@ -211,28 +211,37 @@ void PlayMeter::see_tear(const Frame& frame) {
     raise(metrics_.blood_lost_g, frame.tear->leaked_g - before_.leaked_g);
 }
 
-// Sorted once per injection, so that each step costs two binary searches. What the injections
-// before have reached counts as reached from the beginning, until the drug is taken out.
+// What earlier injections have reached when another takes their place stays reached, until the drug
+// is taken out. Where the play goes back to an earlier injection, what was reached since does not
+// count, and where the drug is taken out, the next injection begins with nothing.
+const std::vector<char>& PlayMeter::reached_before(const DrugView& drug) {
+    const auto [mine, is_new] =
+        reached_before_.try_emplace(drug.injections, on_surface_.size(), char{0});
+    std::vector<char>& reached = mine->second;
+    const bool replaces = drug_.arrival_s != nullptr && drug_.injections < drug.injections;
+    if (!is_new || !replaces) return reached;
+    if (mine != reached_before_.begin()) reached = std::prev(mine)->second;
+    for (std::size_t i = 0; i < on_surface_.size(); ++i)
+        if ((*drug_.arrival_s)[on_surface_[i]] <= static_cast<float>(drug_.time_s)) reached[i] = 1;
+    return reached;
+}
+
+// Sorted at each change of the arrival times, so that each step costs two binary searches.
 void PlayMeter::take_arrivals(const DrugView& drug) {
     constexpr float at_once = -1.0f;
     target_arrivals_.clear();
     other_arrivals_.clear();
-    if (!drug.arrival_s) {
-        std::ranges::fill(reached_, 0);
-        return;
-    }
-    for (std::size_t i = 0; i < on_surface_.size(); ++i) {
-        const auto v = static_cast<std::size_t>(on_surface_[i]);
-        if (drug_.arrival_s && (*drug_.arrival_s)[v] <= static_cast<float>(drug_.time_s))
-            reached_[i] = 1;
+    reached_before_.erase(reached_before_.upper_bound(drug.injections), reached_before_.end());
+    if (!drug.arrival_s) return;
+    const std::vector<char>& reached = reached_before(drug);
+    for (std::size_t i = 0; i < on_surface_.size(); ++i)
         (in_target_[i] != 0 ? target_arrivals_ : other_arrivals_)
-            .push_back(reached_[i] != 0 ? at_once : (*drug.arrival_s)[v]);
-    }
+            .push_back(reached[i] != 0 ? at_once : (*drug.arrival_s)[on_surface_[i]]);
     std::ranges::sort(target_arrivals_);
     std::ranges::sort(other_arrivals_);
 }
 
-void PlayMeter::see_drug(const Frame& frame) {
+void PlayMeter::see_drug(const Frame& frame, const std::stop_token& stop) {
     if (!dose_) return;
     if (frame.drug.version != drug_.version) take_arrivals(frame.drug);
     drug_ = frame.drug;
@@ -240,7 +249,7 @@ void PlayMeter::see_drug(const Frame& frame) {
     moment_.drug_present = drug_.arrival_s != nullptr && drug_.playing;
     moment_.target_filled = share_reached(target_arrivals_, drug_.time_s);
     moment_.elsewhere_filled = share_reached(other_arrivals_, drug_.time_s);
-    dose_->see(frame.drug);
+    dose_->see(frame.drug, stop);
     const Dose dose = dose_->total();
     metrics_.injected_g = dose.injected_g;
     metrics_.delivered_g = dose.delivered_g;

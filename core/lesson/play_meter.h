@@ -3,8 +3,10 @@
 // the last bit. Wall time has no influence.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/lesson/dose_account.h"
@@ -27,8 +29,9 @@ class PlayMeter {
     // The frame before the first that counts; tears in it are not counted.
     void begin(const Frame& frame);
     // Call with every later frame in order, each one step of the scene's dt_s; paused frames are
-    // ignored. Throws InputError where an injection cannot flow.
-    void see(const Frame& frame);
+    // ignored. Throws InputError where an injection cannot flow, and Cancelled where its dose is
+    // waited for and a stop is requested.
+    void see(const Frame& frame, const std::stop_token& stop = {});
     // Call before the next frame where another tool, or a grab at another place, has replaced the
     // last one: nothing has gone the way between them.
     void take_another_tool() { tip_.reset(); }
@@ -53,7 +56,8 @@ class PlayMeter {
     void see_contact(const Frame& frame);
     void see_marks(const Frame& frame);
     void see_tear(const Frame& frame);
-    void see_drug(const Frame& frame);
+    void see_drug(const Frame& frame, const std::stop_token& stop);
+    const std::vector<char>& reached_before(const DrugView& drug);
     void take_arrivals(const DrugView& drug);
 
     std::shared_ptr<const PatientCase> patient_;
@@ -70,9 +74,11 @@ class PlayMeter {
     FeltForce felt_force_;
     std::optional<Vec3> tip_, hand_;  // of the frame before
     double since_touch_s_ = 1e9;
-    TearView before_;            // of the first frame
-    DrugView drug_;              // of the last frame
-    std::vector<char> reached_;  // per vertex of on_surface_, by the injections before
+    TearView before_;  // of the first frame
+    DrugView drug_;    // of the last frame
+    // Per injection so far, by DrugView::injections, and vertex of on_surface_: whether the drug of
+    // earlier ones is there.
+    std::map<int, std::vector<char>> reached_before_;
     std::vector<float> target_arrivals_, other_arrivals_;  // ascending
 };
 

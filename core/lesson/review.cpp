@@ -24,18 +24,18 @@ Review review(const Recording& recording, const std::optional<Lesson>& lesson,
     PlayEvents events;
     std::vector<double> ends_s;  // per step
     double now_s = 0.0;
-    const ReplayResult result =
-        replay(recording, patient, job, 0, back_end,
-               [&](const std::vector<Command>& commands, const Frame& frame) {
-                   if (!frame.statistics.paused) now_s += recording.scene.dt_s;
-                   ends_s.push_back(now_s);
-                   if (run) run->see(commands, frame);
-                   tape.add(now_s, frame);
-                   for (PlayEvent& event :
-                        events.see(now_s, commands, frame, run ? &run->standing() : nullptr))
-                       tape.note(std::move(event));
-                   return true;
-               });
+    const ReplayResult result = replay(
+        recording, patient, job, 0, back_end,
+        [&](const std::vector<Command>& commands, const Frame& frame, const std::stop_token& stop) {
+            if (!frame.statistics.paused) now_s += recording.scene.dt_s;
+            ends_s.push_back(now_s);
+            if (run) run->see(commands, frame, stop);
+            tape.add(now_s, frame);
+            for (PlayEvent& event :
+                 events.see(now_s, commands, frame, run ? &run->standing() : nullptr))
+                tape.note(std::move(event));
+            return true;
+        });
     Review found;
     found.diverged_at = result.diverged_at;
     if (result.diverged_at)

@@ -66,13 +66,13 @@ Score score(const Recording& recording, const Lesson& lesson,
             const SeeScored& see) {
     require_same_scene(recording.scene, lesson.scene);
     LessonRun run(lesson, patient);
-    const ReplayResult result =
-        replay(recording, patient, job, 0, back_end,
-               [&](const std::vector<Command>& commands, const Frame& frame) {
-                   run.see(commands, frame);
-                   if (see) see(frame, run.standing());
-                   return true;
-               });
+    const ReplayResult result = replay(
+        recording, patient, job, 0, back_end,
+        [&](const std::vector<Command>& commands, const Frame& frame, const std::stop_token& stop) {
+            run.see(commands, frame, stop);
+            if (see) see(frame, run.standing());
+            return true;
+        });
     if (result.diverged_at)
         throw InputError("diverged from the recording at step " +
                              std::to_string(*result.diverged_at) + ", so that it cannot be scored",

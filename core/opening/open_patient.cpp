@@ -2,6 +2,8 @@
 // Decides by path what a request opens, and opens it.
 #include "core/opening/open_patient.h"
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -96,6 +98,20 @@ std::string name_of(const fs::path& path) {
     return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
+// One of the series in a folder was chosen by its number.
+bool names_series(const OpenRequest& request) {
+    std::error_code ignored;
+    return !request.built_in && request.reconstruct.series != 0 &&
+           !is_case(request.reconstruct.ct) && fs::is_directory(request.reconstruct.ct, ignored);
+}
+
+std::string title_of(const OpenRequest& request, Job& job) {
+    if (request.built_in) return built_in_title;
+    const fs::path& path = request.reconstruct.ct;
+    if (!names_series(request)) return name_of(path);
+    return title_of_series(path, list_series(path, job), request.reconstruct.series);
+}
+
 void make_absolute(fs::path& path) {
     if (!path.empty()) path = fs::absolute(path).lexically_normal();
 }
@@ -139,6 +155,32 @@ std::vector<SeriesDescription> series_to_choose_from(const OpenRequest& request,
     return series;
 }
 
+std::string title_of_series(const fs::path& folder, const std::vector<SeriesDescription>& series,
+                            int number) {
+    const std::string name = name_of(folder);
+    const auto count = static_cast<int>(series.size());
+    if (count < 2 || number < 1 || number > count) return name;
+    const auto parts_of = [&](const SeriesDescription& one) {
+        const fs::path place = one.middle_slice.parent_path().lexically_relative(folder);
+        std::vector<std::string> parts;
+        for (const fs::path& part : place)
+            if (part != ".") parts.push_back(part.string());
+        return parts;
+    };
+    const std::vector<std::string> own = parts_of(series[static_cast<std::size_t>(number - 1)]);
+    std::ptrdiff_t first = std::ssize(own), last = -1;  // where it parts from others
+    for (const SeriesDescription& other : series) {
+        const std::ptrdiff_t at = std::ranges::mismatch(own, parts_of(other)).in1 - own.begin();
+        if (at == std::ssize(own)) continue;
+        first = std::min(first, at);
+        last = std::max(last, at);
+    }
+    std::string apart;
+    for (std::ptrdiff_t at = first; at <= last; ++at)
+        apart += " " + own[static_cast<std::size_t>(at)];
+    return name + (apart.empty() ? " " + std::to_string(number) : apart);
+}
+
 void look_at(const OpenRequest& request, Job& job) {
     if (request.built_in) return;
     const fs::path& path = request.reconstruct.ct;
@@ -158,7 +200,8 @@ int opening_stage_count(const OpenRequest& request) {
     const fs::path& path = request.reconstruct.ct;
     if (request.built_in) return holds_patient(request.cache) ? 1 : built_in_stage_count();
     if (is_case(path)) return 1;
-    return is_tree_file(path) ? 2 : stage_count(request.reconstruct);
+    if (is_tree_file(path)) return 2;
+    return stage_count(request.reconstruct) + (names_series(request) ? 1 : 0);
 }
 
 OpenedPatient open_patient(const OpenRequest& request, Job& job) {
@@ -189,7 +232,7 @@ OpenedPatient open_patient(const OpenRequest& request, Job& job) {
     if (request.left_edits) require_same(*opened.patient, *request.left_edits);
     if (request.left_edits) opened.kept_copy = request.left_edits->file;
     if (!request.lost.empty()) opened.warnings.insert(opened.warnings.begin(), request.lost);
-    opened.title = request.built_in ? built_in_title : name_of(path);
+    opened.title = title_of(request, job);
     return opened;
 }
 

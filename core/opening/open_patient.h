@@ -71,6 +71,13 @@ struct OpenedPatient {
 // left for open_patient() to report. Throws Cancelled. Thread-safe.
 std::vector<SeriesDescription> series_to_choose_from(const OpenRequest& request, Job& job);
 
+// Title of a patient made of one of several series in a folder, `number` in the list of
+// list_series() from 1: the folder's name and those of the folders below by which it parts from the
+// others, or else the number. Made of names of folders alone, never of what DICOM tags say. A
+// folder of one series gives its own name.
+std::string title_of_series(const std::filesystem::path& folder,
+                            const std::vector<SeriesDescription>& series, int number);
+
 // Checks quickly whether the request could be opened: that the file or folder exists and can be
 // read, and its headers or series. Throws InputError as open_patient() would, and Cancelled.
 // Problems that show only in the whole data are left for open_patient(). Thread-safe.

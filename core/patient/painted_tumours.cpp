@@ -156,6 +156,18 @@ Mask tumour_canvas(const PatientCase& patient) {
     return patient.mask.voxels.empty() ? Mask() : Mask(patient.mask.grid);
 }
 
+bool reaches_beyond(const BrushStroke& stroke, const Grid& canvas) {
+    const Vec3 radius = stroke.radius_mm * canvas.spacing_mm.cwiseInverse();
+    return std::ranges::any_of(stroke.path_mm, [&](const Vec3& place) {
+        const Vec3 at = canvas.to_index(place);
+        for (int axis = 0; axis < 3; ++axis)
+            if (at[axis] - radius[axis] < -0.5 ||
+                at[axis] + radius[axis] > canvas.dims[static_cast<std::size_t>(axis)] - 0.5)
+                return true;
+        return false;
+    });
+}
+
 std::size_t paint_tumour(const TreeEdit& stroke, const Mask& canvas, Mask& organs) {
     const bool erases = stroke.kind == TreeEditKind::erase_tumour;
     std::size_t changes = 0;

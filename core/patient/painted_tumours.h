@@ -49,6 +49,9 @@ Mask unpainted_organs(const PatientCase& patient);
 // organs, an empty map on the grid of the vessels' voxels. Empty where the patient has no voxels.
 Mask tumour_canvas(const PatientCase& patient);
 
+// Whether the ball of a stroke leaves this grid, outside of which nothing is painted.
+bool reaches_beyond(const BrushStroke& stroke, const Grid& canvas);
+
 // Applies one stroke to organs that began as `canvas`. Painting labels all voxels but those of
 // other tumours and of the vena cava: a tumour may enclose vessels and stick out of the liver.
 // Erased voxels get back their label in `canvas`, or liver where that was a tumour. Returns the

@@ -63,7 +63,9 @@ void mark_tumours(const ReconstructOptions& options, const Grid& ct_grid, Mask& 
     if (organs.voxels.empty())
         throw InputError("tumours are given without a liver", options.tumour_masks.front().string(),
                          "Give the liver, too (--liver-mask): blood reaches tumours through it");
-    add_tumours(read_tumours(options.tumour_masks, ct_grid, warnings, job), organs);
+    const Mask tumours = read_tumours(options.tumour_masks, ct_grid, warnings, job);
+    warn_of_tumours_outside(tumours, organs.grid, warnings, job);
+    add_tumours(tumours, organs);
 }
 
 std::optional<Mask> given_liver(const ReconstructOptions& options, const Grid& ct_grid, Job& job) {

@@ -3,6 +3,7 @@
 #include "core/reconstruction/tumours.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -48,6 +49,39 @@ Mask read_tumours(const std::vector<std::filesystem::path>& files, const Grid& c
             tumours.voxels[i] = static_cast<std::uint8_t>(pieces.labels.voxels[i]);
     });
     return tumours;
+}
+
+void warn_of_tumours_outside(const Mask& tumours, const Grid& organs,
+                             std::vector<std::string>& warnings, const Job& job) {
+    std::array<std::size_t, most_tumours + 1> all{}, outside{};
+    for_each_voxel_in_order(tumours.voxels.size(), job, [&](std::size_t i) {
+        const std::uint8_t tumour = tumours.voxels[i];
+        if (tumour == 0) return;
+        ++all[tumour];
+        const auto [x, y, z] = tumours.grid.index_of(i);
+        const Vec3 at = organs.to_index(tumours.grid.to_mm(x, y, z));
+        if (!organs.contains(static_cast<int>(std::lround(at.x())),
+                             static_cast<int>(std::lround(at.y())),
+                             static_cast<int>(std::lround(at.z()))))
+            ++outside[tumour];
+    });
+    constexpr std::size_t least_share = 100;  // as a fraction of 1
+    std::string numbers;
+    std::size_t lost = 0, whole = 0;
+    for (std::size_t tumour = 1; tumour < all.size(); ++tumour) {
+        if (outside[tumour] == 0 || least_share * outside[tumour] < all[tumour]) continue;
+        numbers += (numbers.empty() ? "" : ", ") + std::to_string(tumour);
+        lost += outside[tumour];
+        whole += all[tumour];
+    }
+    if (lost == 0) return;
+    const double voxel_ml = tumours.grid.spacing_mm.prod() / 1000.0;
+    warnings.push_back(
+        "Of the tumours numbered " + numbers + " from the masks " +
+        number_text(voxel_ml * static_cast<double>(lost)) + " of " +
+        number_text(voxel_ml * static_cast<double>(whole)) +
+        " ml lie outside the box about the liver and are left out of the case. Check that the "
+        "masks of tumours and liver are of this CT, or give a liver mask that includes them.");
 }
 
 void add_tumours(const Mask& tumours, Mask& organs) {

@@ -18,6 +18,11 @@ namespace hepatica {
 Mask read_tumours(const std::vector<std::filesystem::path>& files, const Grid& ct_grid,
                   std::vector<std::string>& warnings, Job& job);
 
+// Of tumours that lie, wholly or by a hundredth at least, outside this grid of the organs, where a
+// case keeps nothing of them, `warnings` says so. Throws Cancelled.
+void warn_of_tumours_outside(const Mask& tumours, const Grid& organs,
+                             std::vector<std::string>& warnings, const Job& job);
+
 // Labels the organs, on any grid, organ_label::first_tumour + number - 1 where a tumour lies.
 void add_tumours(const Mask& tumours, Mask& organs);
 

@@ -119,7 +119,8 @@ std::vector<double> handed_over(const std::vector<double>& lost_g,
 Bleeding::Bleeding(const VesselTree& tree, const RestingFlow& rest) : tree_(tree), rest_(rest) {}
 
 void Bleeding::set_tears(const std::vector<ThroughTear>& tears) {
-    if (tears == tears_) return;
+    constexpr auto area = &ThroughTear::area_mm2;
+    if (tears == tears_ && std::ranges::equal(tears, tears_, {}, area, area)) return;
     lost_g_ = handed_over(lost_g_, tears_, tears);
     tears_ = tears;
     if (tears_.empty()) squeezes_.clear();  // nobody says what presses while nothing is torn
@@ -220,12 +221,14 @@ void Bleeding::solve() {
     FlowConditions torn = conditions;
     std::vector<TreePoint> points;
     std::vector<double> areas_mm2;
+    std::vector<std::uint8_t> sides;
     for (const ThroughTear& one : tears_) {
         points.push_back(one.at);
         areas_mm2.push_back(one.area_mm2);
+        sides.push_back(one.side ? 1 : 0);
     }
     const std::vector<int> outlets = network.outlet_nodes;
-    const std::vector<TearOpening> openings = tear_all(network, points, areas_mm2);
+    const std::vector<TearOpening> openings = tear_all(network, points, areas_mm2, sides);
     // A tear at the end of an end vessel takes its outlet away.
     torn.terminal_resistances.clear();
     for (std::size_t i = 0; i < outlets.size(); ++i)

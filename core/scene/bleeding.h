@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The blood loss of torn vessels: the tree at its resting inflow, with an opening into the
-// surroundings at each stump, narrowed where a tool presses on it harder than its blood does
-// (tube_law.h). Solved again when tears or pressures change.
+// surroundings at each stump and at each side that is open, narrowed where a tool presses on it
+// harder than its blood does (tube_law.h). Solved again when tears or pressures change.
 #pragma once
 
 #include <vector>

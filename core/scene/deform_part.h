@@ -22,6 +22,7 @@
 #include "core/scene/hand.h"
 #include "core/scene/pressed_stretches.h"
 #include "core/scene/scene_spec.h"
+#include "core/scene/side_tears.h"
 #include "core/scene/through_tears.h"
 #include "core/scene/tools/tool_choice.h"
 #include "core/scene/weak_edges.h"
@@ -103,6 +104,8 @@ class DeformPart {
     std::vector<PressedStretch> pressed() const;
     // Where it is torn through.
     std::vector<ThroughTear> torn_through(const VesselTree& tree);
+    // And where only the side of a vessel is open.
+    TornPlaces torn_places(const VesselTree& tree);
     // |mass of the torn body - mass of the whole| / mass of the whole.
     double mass_error_relative() const;
     // Fills in counts, entropy and loads; also the rims if the view has origins.

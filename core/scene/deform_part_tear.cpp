@@ -96,8 +96,12 @@ std::shared_ptr<const std::vector<float>> DeformPart::vertex_loads() const {
 TornSoFar DeformPart::torn_so_far() const {
     const Tearing* tearing = stepper_->tearing();
     if (tearing == nullptr) return {};
+    int open_corners = 0;
+    if (tearing->report().joints_broken > 0)  // nothing is open before
+        for (const OpenJoint& open : tearing->open_joints())
+            open_corners += static_cast<int>(std::ranges::count(open.corners, true));
     return {tearing->topology().version(), tearing->report().joints_broken,
-            tearing->report().pieces};
+            tearing->report().pieces, open_corners};
 }
 
 double DeformPart::critical_opening_mm() const {
@@ -148,6 +152,14 @@ const std::vector<VertexPlace>& DeformPart::places_of_tetrahedra(const VesselTre
 std::vector<ThroughTear> DeformPart::torn_through(const VesselTree& tree) {
     if (torn() == nullptr) return {};
     return through_tears(tree, *stepper_->tearing(), places_of_tetrahedra(tree), 2.0 * edge_mm_);
+}
+
+TornPlaces DeformPart::torn_places(const VesselTree& tree) {
+    TornPlaces places{torn_through(tree), {}};
+    if (torn() != nullptr)
+        places.sides = side_tears(tree, *stepper_->tearing(), places_of_tetrahedra(tree),
+                                  2.0 * edge_mm_, places.through);
+    return places;
 }
 
 double DeformPart::mass_error_relative() const {

@@ -95,6 +95,7 @@ InjectionOptions injection_options(const Injection& injection, const VesselTree&
     for (const ThroughTear& tear : injection.tears) {
         options.tears.push_back(tear.at);
         options.tear_areas_mm2.push_back(tear.area_mm2);
+        options.tear_sides.push_back(tear.side ? 1 : 0);
     }
     return options;
 }

@@ -14,6 +14,21 @@
 #include "core/base/number_text.h"
 
 namespace hepatica {
+namespace {
+
+// Gives the vertices of a changed body their parents' values. Returns false where nothing is to be
+// changed.
+template <class T>
+bool inherit_shared(const BodyTopology& topology, bool changed,
+                    std::shared_ptr<const std::vector<T>>& per_vertex) {
+    if (!per_vertex || (!changed && per_vertex->size() == topology.vertex_count())) return false;
+    auto inherited = std::make_shared<std::vector<T>>(*per_vertex);
+    inherit(topology, *inherited);
+    per_vertex = std::move(inherited);
+    return true;
+}
+
+}  // namespace
 
 FlowPart::FlowPart(const VesselTree& tree, const std::vector<VertexPlace>& places,
                    const FlowSpec& spec, const BodyTopology& topology)
@@ -60,6 +75,7 @@ void FlowPart::finish_injection(const std::stop_token& stop) {
 }
 
 void FlowPart::start(const Injection& injection, DrugArrival arrival) {
+    keep_reached();
     injected_ = injection;
     mass_error_relative_ = arrival.mass_error_relative;
     at_tears_s_ = std::move(arrival.at_tears_s);
@@ -71,6 +87,18 @@ void FlowPart::start(const Injection& injection, DrugArrival arrival) {
     drug_.end_s = arrival.end_s;
     drug_.playing = true;
     follow_topology();
+}
+
+// What the injection that is shown has reached stays visible beside the next.
+void FlowPart::keep_reached() {
+    if (!drug_.arrival_s) return;
+    const std::vector<float>& arrival_s = *drug_.arrival_s;
+    std::vector<std::uint8_t> reached;
+    if (drug_.reached_before) reached = *drug_.reached_before;
+    reached.resize(arrival_s.size(), 0);
+    for (std::size_t v = 0; v < arrival_s.size(); ++v)
+        if (arrival_s[v] <= static_cast<float>(drug_.time_s)) reached[v] = 1;
+    drug_.reached_before = std::make_shared<const std::vector<std::uint8_t>>(std::move(reached));
 }
 
 // A cancelled run may still be within a step of its front; it is not waited for here.
@@ -95,12 +123,8 @@ void FlowPart::follow_topology() {
         inherit(topology_, *places);
         places_ = std::move(places);
     }
-    if (drug_.arrival_s && (changed || drug_.arrival_s->size() != topology_.vertex_count())) {
-        auto arrival_s = std::make_shared<std::vector<float>>(*drug_.arrival_s);
-        inherit(topology_, *arrival_s);
-        drug_.arrival_s = std::move(arrival_s);
-        ++drug_.version;
-    }
+    if (inherit_shared(topology_, changed, drug_.arrival_s)) ++drug_.version;
+    inherit_shared(topology_, changed, drug_.reached_before);
     followed_ = topology_.version();
 }
 
@@ -109,6 +133,7 @@ void FlowPart::remove_drug() {
     injected_.reset();
     drug_.arrival_s.reset();
     drug_.injection.reset();
+    drug_.reached_before.reset();
     ++drug_.version;
     drug_.time_s = 0.0;
     drug_.end_s = 0.0;
@@ -147,6 +172,7 @@ FlowCheckpoint FlowPart::checkpoint() const {
     checkpoint.arrival = {drug_.arrival_s, drug_.end_s, mass_error_relative_, at_tears_s_};
     checkpoint.options = drug_.injection;
     checkpoint.injections = drug_.injections;
+    checkpoint.reached_before = drug_.reached_before;
     return checkpoint;
 }
 
@@ -172,6 +198,7 @@ void FlowPart::restore(const FlowCheckpoint& checkpoint) {
         drug_.injection = std::make_shared<const InjectionOptions>(
             injection_options(*checkpoint.injected, tree_));
     drug_.injections = checkpoint.injections;
+    drug_.reached_before = checkpoint.reached_before;
     mass_error_relative_ = arrival.mass_error_relative;
     at_tears_s_ = std::move(arrival.at_tears_s);
     drug_.computing = run_ != nullptr;
@@ -220,6 +247,7 @@ std::uint64_t FlowPart::state_hash() const {
             const std::array<double, 2> cut{tear.at.arclength_mm, tear.area_mm2};
             hasher.add_bytes(&tear.at.segment, sizeof tear.at.segment);
             hasher.add(std::span<const double>(cut));
+            if (tear.side) hasher.add_bytes(&tear.side, sizeof tear.side);
         }
     };
     add(injected_ ? &*injected_ : nullptr);

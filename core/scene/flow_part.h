@@ -32,6 +32,7 @@ struct FlowCheckpoint {
     DrugArrival arrival{};
     std::shared_ptr<const InjectionOptions> options{};  // of `injected`; empty as `arrival` is
     int injections = 0;                                 // so far, with `injected`
+    std::shared_ptr<const std::vector<std::uint8_t>> reached_before{};  // as in DrugView
 };
 
 class FlowPart {
@@ -72,7 +73,7 @@ class FlowPart {
     // checkpoint is not of this tree.
     void restore(const FlowCheckpoint& checkpoint);
     // Hash of everything in a checkpoint except `arrival` and `options`, which follow from the
-    // rest, and `injections`, which changes no step.
+    // rest, and `injections` and `reached_before`, which change no step.
     std::uint64_t state_hash() const;
 
     const DrugView& drug() const { return drug_; }
@@ -87,6 +88,7 @@ class FlowPart {
 
   private:
     void start(const Injection& injection, DrugArrival arrival);
+    void keep_reached();
     void end_run();
     void drop_ended_runs();
     void follow_topology();

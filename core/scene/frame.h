@@ -68,6 +68,17 @@ struct DrugView {
     // How many injections have been shown so far, with this one; less again where the play goes
     // back to before one.
     int injections = 0;
+    // Per vertex: 1 where an injection before this one had come until it was replaced. Null where
+    // there was none since the drug was last removed. A new one replaces it, none is changed.
+    std::shared_ptr<const std::vector<std::uint8_t>> reached_before;
+
+    // Whether the drug of the present injection has come to a vertex; of one before it.
+    bool has_reached(std::size_t vertex) const {
+        return arrival_s && vertex < arrival_s->size() && (*arrival_s)[vertex] <= time_s;
+    }
+    bool had_reached(std::size_t vertex) const {
+        return reached_before && vertex < reached_before->size() && (*reached_before)[vertex] != 0;
+    }
 };
 
 // Where a torn vessel bleeds or bled.

@@ -177,6 +177,11 @@ std::vector<int> parted_stretches(const Sections& sections, const PiecesOfPart& 
 
 }  // namespace
 
+double lumen_mm2(const VesselSegment& segment, double arclength_mm) {
+    const double radius = radius_at(segment, arclength_mm);
+    return std::numbers::pi * radius * radius;
+}
+
 std::vector<ThroughTear> through_tears(const VesselTree& tree, const Tearing& tearing,
                                        std::span<const VertexPlace> tetrahedra, double stretch_mm) {
     std::vector<ThroughTear> found;
@@ -191,21 +196,32 @@ std::vector<ThroughTear> through_tears(const VesselTree& tree, const Tearing& te
         return PiecesOfPart{whole.among(part), now.among(part)};
     };
     const auto add = [&](std::size_t s, double arclength_mm) {
-        const double radius = radius_at(tree.segments[s], arclength_mm);
         found.push_back(
-            {{static_cast<int>(s), arclength_mm, 0.0}, std::numbers::pi * radius * radius});
+            {{static_cast<int>(s), arclength_mm, 0.0}, lumen_mm2(tree.segments[s], arclength_mm)});
     };
     const auto add_at_fork = [&](std::size_t s) {
         const PiecesOfPart pieces = pieces_of(around_fork(along, s, branches[s]));
         const std::vector<int>& last = along[s].rbegin()->second;
         const int of_whole = pieces.most_whole(last);
+        const int before = pieces.most_now(last, of_whole);
+        std::map<int, int> now;  // the piece of each branch
         for (const int b : branches[s]) {
             const Sections& branch = along[static_cast<std::size_t>(b)];
             if (branch.empty()) continue;
             const int first = pieces.most_now(branch.begin()->second, of_whole);
-            if (first >= 0 && first != pieces.most_now(last, of_whole))
-                add(static_cast<std::size_t>(b), branch.begin()->first * stretch_mm);
+            if (first >= 0) now[b] = first;
         }
+        // Parted from the parent together, they go on feeding each other.
+        const bool one_piece = std::ranges::all_of(
+            now, [&](const auto& branch) { return branch.second == now.begin()->second; });
+        if (now.size() > 1 && one_piece && now.begin()->second != before) {
+            add(s, length_mm(tree.segments[s]));
+            return;
+        }
+        for (const auto& [b, piece] : now)
+            if (piece != before)
+                add(static_cast<std::size_t>(b),
+                    along[static_cast<std::size_t>(b)].begin()->first * stretch_mm);
     };
     for (std::size_t s = 0; s < tree.segments.size(); ++s) {
         if (looked.segments[s] != 0)

@@ -153,24 +153,28 @@ StepReport World::step(const std::stop_token& stop) {
     return report;
 }
 
-// Vessels are torn through only when joints part or come apart.
+// Vessels are torn only when joints part or come apart; how far their sides are open changes as
+// they move.
 bool World::bleed() {
     if (!deform_ || !deform_->tears()) {
         bleeding_.reset();
         searched_ = {};
+        torn_ = {};
         return false;
     }
     if (!bleeding_) bleeding_ = std::make_unique<Bleeding>(patient_->tree);
     const auto torn = std::exchange(searched_, deform_->torn_so_far());
-    if (torn == searched_) return false;
+    const bool same = torn == searched_;
+    if (same && torn_.sides.empty()) return false;
+    if (!same) torn_ = deform_->torn_places(patient_->tree);
     const std::vector<ThroughTear> before = bleeding_->tears();
-    bleeding_->set_tears(torn_through());
+    bleeding_->set_tears(open_tears(torn_, deform_->positions_mm()));
     return bleeding_->tears() != before;
 }
 
-std::vector<ThroughTear> World::torn_through() {
+std::vector<ThroughTear> World::torn_now() {
     if (!deform_ || !deform_->tears()) return {};
-    return deform_->torn_through(patient_->tree);
+    return open_tears(deform_->torn_places(patient_->tree), deform_->positions_mm());
 }
 
 // Pressed vessels bleed less.
@@ -311,6 +315,7 @@ void World::restore(const WorldCheckpoint& checkpoint) {
         deform_->restore(*checkpoint.deform, obstacles ? known_obstacles() : nullptr);
         list_contact();
     }
+    searched_ = {};
     follow_tear();
     press();
     if (bleeding_) {

@@ -19,7 +19,7 @@
 #include "core/scene/drug_leak.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene_spec.h"
-#include "core/scene/through_tears.h"
+#include "core/scene/side_tears.h"
 
 namespace hepatica {
 
@@ -81,8 +81,9 @@ class World {
     // Updates vertices and triangles after the body was torn or made whole; step() and restore() do
     // so themselves. Costs nothing where nothing has changed.
     void follow_tear();
-    // Where vessels are torn through now. O(tetrahedra) once something is split.
-    std::vector<ThroughTear> torn_through();
+    // Where vessels are torn through or open at their side now. O(tetrahedra) once something is
+    // split.
+    std::vector<ThroughTear> torn_now();
     // Null where nothing can tear.
     const Bleeding* bleeding() const { return bleeding_.get(); }
 
@@ -104,7 +105,7 @@ class World {
     void list_contact();
     std::shared_ptr<const Obstacles> known_obstacles();
     void part_out(const std::string& name, const PartCost& before, const SelfCost& cost);
-    bool bleed();  // whether other vessels are torn through than before
+    bool bleed();  // whether other vessels are torn than before
     void press();
     DrugLeak drug_leak_now() const;
     void show_leaks(TearView& tear, const std::vector<float>& positions_mm) const;
@@ -119,6 +120,7 @@ class World {
     std::unique_ptr<Bleeding> bleeding_;  // where the body can tear
     std::vector<int> leaking_;            // a vertex at each of its tears, or -1
     TornSoFar searched_;                  // when torn vessels were last searched for
+    TornPlaces torn_;                     // what was found then
     std::vector<PartCost> parts_;
     std::shared_ptr<const Obstacles> obstacles_;  // once needed; null where none is known
     PartCost surfaces_of_obstacles_;              // without the cost of finding contacts

@@ -3,8 +3,12 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/base64.h"
 #include "core/base/error.h"
@@ -93,10 +97,12 @@ Json to_json(const Injection& injection) {
               {"second_phase", injection.second_phase},
               {"pressure_model", injection.pressure_model},
               {"drug_viscosity_pa_s", injection.drug_viscosity_pa_s}};
-    for (const ThroughTear& tear : injection.tears)
+    for (const ThroughTear& tear : injection.tears) {
         json["tears"].push_back({{"segment", tear.at.segment},
                                  {"arclength_mm", tear.at.arclength_mm},
                                  {"area_mm2", tear.area_mm2}});
+        if (tear.side) json["tears"].back()["side"] = true;
+    }
     return json;
 }
 
@@ -113,7 +119,8 @@ Injection injection_from(const Json& json) {
     for (const Json& tear : json.at("tears"))
         injection.tears.push_back(
             {{whole_number<int>(tear.at("segment")), tear.at("arclength_mm").get<double>(), 0.0},
-             tear.at("area_mm2").get<double>()});
+             tear.at("area_mm2").get<double>(),
+             tear.value("side", false)});
     return injection;
 }
 
@@ -123,7 +130,20 @@ Json to_json(const FlowCheckpoint& checkpoint) {
               {"speed", checkpoint.speed}};
     if (checkpoint.injected) json["injected"] = to_json(*checkpoint.injected);
     if (checkpoint.computing) json["computing"] = to_json(*checkpoint.computing);
+    if (checkpoint.reached_before) {
+        std::string reached;
+        for (const std::uint8_t yes : *checkpoint.reached_before) reached += yes != 0 ? '1' : '0';
+        json["reached_before"] = std::move(reached);
+    }
     return json;
+}
+
+std::shared_ptr<const std::vector<std::uint8_t>> reached_from(const std::string& text) {
+    if (text.find_first_not_of("01") != std::string::npos)
+        refuse("what was reached before is not told by 0 and 1");
+    auto reached = std::make_shared<std::vector<std::uint8_t>>();
+    for (const char digit : text) reached->push_back(digit == '1');
+    return reached;
 }
 
 FlowCheckpoint flow_from(const Json& json) {
@@ -133,6 +153,9 @@ FlowCheckpoint flow_from(const Json& json) {
     checkpoint.speed = json.at("speed").get<double>();
     if (json.contains("injected")) checkpoint.injected = injection_from(json.at("injected"));
     if (json.contains("computing")) checkpoint.computing = injection_from(json.at("computing"));
+    if (json.contains("reached_before"))
+        checkpoint.reached_before =
+            reached_from(json.at("reached_before").get_ref<const std::string&>());
     return checkpoint;
 }
 

@@ -87,7 +87,7 @@ struct Session::Apply {
         Injection injection{world.place_near(c.point_mm), c.mass_flow_g_s, c.void_fraction,
                             c.second_phase, c.pressure_model};
         if (c.drug_viscosity_pa_s) injection.drug_viscosity_pa_s = *c.drug_viscosity_pa_s;
-        injection.tears = world.torn_through();
+        injection.tears = world.torn_now();
         flow().inject(injection);
     }
     void operator()(const FinishInjection&) const;

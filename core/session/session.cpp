@@ -241,10 +241,10 @@ void Session::recover() {
     recorded_.commands.emplace_back(SetPaused{true});
 }
 
-void Session::show_to_watch(const Frame& frame) {
+void Session::show_to_watch(const Frame& frame, const std::stop_token& stop) {
     if (!watch_) return;
     try {
-        if (!watch_(watched_, frame)) watch_ = nullptr;
+        if (!watch_(watched_, frame, stop)) watch_ = nullptr;
     } catch (...) {
         watch_ = nullptr;
         throw;
@@ -292,7 +292,7 @@ SessionStep Session::step(const std::stop_token& stop) {
     shielded([&] { keep_step(done); });
     shielded([&] {
         resting_ = rests_after(done);
-        publish(done, start);
+        publish(done, start, stop);
         if (!done.paused && !done.deform.asleep &&
             dial_.govern(done.step_ms, budget_ms(), world_->deform()))
             setting_changed_ = true;
@@ -353,7 +353,7 @@ std::uint64_t Session::state_hash() const {
     return hasher.value();
 }
 
-void Session::publish(SessionStep& step, Clock::time_point start) {
+void Session::publish(SessionStep& step, Clock::time_point start, const std::stop_token& stop) {
     Frame& frame = frames_.back();
     world_->fill(frame);
     frame.step = step_;
@@ -373,7 +373,7 @@ void Session::publish(SessionStep& step, Clock::time_point start) {
     statistics.message = message_.empty() ? step.deform.message : message_;
     felt_force_.see(frame);
     felt_force_.show_in(frame);
-    show_to_watch(frame);
+    show_to_watch(frame, stop);
     // Measured last, so that filling the frame counts; publishing is one exchange of an index.
     statistics.step_ms = step.step_ms = milliseconds_since(start);
     frames_.publish();

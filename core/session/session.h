@@ -126,8 +126,9 @@ class Session {
     // are recorded, and its frame before it is published. Call it before the first step. A watched
     // session rests only while it is paused, because time passes for the watch. Where `see` returns
     // false or throws, it is not called again; where it throws, the session also pauses as after
-    // any other error.
-    using Watch = std::function<bool(const std::vector<Command>&, const Frame&)>;
+    // any other error. The token is that of the step, for a watch that waits.
+    using Watch =
+        std::function<bool(const std::vector<Command>&, const Frame&, const std::stop_token&)>;
     void watch(Watch see) { watch_ = std::move(see); }
     // The start of a recording of this session, without steps.
     const Recording& recording_start() const { return recording_start_; }
@@ -163,7 +164,7 @@ class Session {
     // After an error: returns to the last good state and records that.
     void recover();
     void keep_step(SessionStep& step);
-    void show_to_watch(const Frame& frame);
+    void show_to_watch(const Frame& frame, const std::stop_token& stop);
     // Shows an injection whose computation has ended.
     void finish_ready_injection();
     // Uses what the body can of this dial; where that is nothing, keeps the old dial and says why.
@@ -175,7 +176,8 @@ class Session {
     // Whether no step would change anything before the next command.
     bool rests_after(const SessionStep& done) const;
     // Fills a frame, passes it to the reader, and sets step.step_ms to the time since `start`.
-    void publish(SessionStep& step, std::chrono::steady_clock::time_point start);
+    void publish(SessionStep& step, std::chrono::steady_clock::time_point start,
+                 const std::stop_token& stop = {});
 
     SessionInbox inbox_;
     QualityDial whole_dial_;        // with the settings that cannot tear

@@ -73,7 +73,7 @@ void mark_front(Tradeoff& tradeoff);
 
 // Writes FOLDER/tradeoff.csv, one line per point, and FOLDER/tradeoff.svg, error over cost with the
 // front; `error_name` stands beside its axis. The folder is created if missing. Throws InputError
-// where that fails.
+// where that fails; then neither file is written.
 void write_tradeoff(const Tradeoff& tradeoff, const std::filesystem::path& folder,
                     const std::string& error_name = "error of the motion");
 

@@ -179,12 +179,10 @@ std::string svg_of(const Tradeoff& tradeoff, const std::string& error_name) {
 
 void write_tradeoff(const Tradeoff& tradeoff, const std::filesystem::path& folder,
                     const std::string& error_name) {
-    std::error_code failure;
-    std::filesystem::create_directories(folder, failure);
-    if (failure)
-        throw InputError(failure.message(), folder.string(), "Choose a folder that can be written");
-    write_text_atomically(folder / "tradeoff.csv", csv_of(tradeoff));
-    write_text_atomically(folder / "tradeoff.svg", svg_of(tradeoff, error_name));
+    write_files_atomically(folder, [&](const std::filesystem::path& temporary) {
+        write_text_atomically(temporary / "tradeoff.csv", csv_of(tradeoff));
+        write_text_atomically(temporary / "tradeoff.svg", svg_of(tradeoff, error_name));
+    });
 }
 
 }  // namespace hepatica

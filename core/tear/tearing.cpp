@@ -277,6 +277,27 @@ std::vector<std::array<int, 2>> Tearing::bound_pairs() const {
     return bound;
 }
 
+std::vector<OpenJoint> Tearing::open_joints() const {
+    const auto ascending = [](std::array<int, 2> pair) {
+        return std::array{std::min(pair[0], pair[1]), std::max(pair[0], pair[1])};
+    };
+    // Ties of other joints may bind the same vertices.
+    std::vector<std::array<int, 2>> bound = bound_pairs();
+    for (std::array<int, 2>& pair : bound) pair = ascending(pair);
+    std::ranges::sort(bound);
+    std::vector<OpenJoint> open;
+    for (const int j : parted_) {
+        OpenJoint one{.joint = j};
+        for (int k = 0; k < 3; ++k) {
+            const auto sides = topology_.sides(topology_.joints()[j], k);
+            one.corners[k] =
+                sides[0] != sides[1] && !std::ranges::binary_search(bound, ascending(sides));
+        }
+        if (one.corners != std::array<bool, 3>{}) open.push_back(one);
+    }
+    return open;
+}
+
 void Tearing::report_entropy() {
     const bool known = begun_ && entropy_before_ != not_yet;
     report_.entropy_nats = entropy_;

@@ -4,6 +4,7 @@
 // has produced, or the number of its vertices, reaches its budget.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,6 +22,12 @@ struct TearLoads {
     std::span<const double> energy_nj;
     std::span<const Vec3> positions_mm;
     std::span<const double> mass_g;
+};
+
+// A parted joint, and which of its corners have come apart.
+struct OpenJoint {
+    int joint = -1;
+    std::array<bool, 3> corners{};
 };
 
 // Not thread-safe; loops inside give the same bits for any number of threads.
@@ -77,6 +84,10 @@ class Tearing {
 
     // The pairs of vertices that ties still hold together.
     std::vector<std::array<int, 2>> bound_pairs() const;
+
+    // The joints of which a corner has come apart, so that no tie binds its two vertices any more,
+    // ascending.
+    std::vector<OpenJoint> open_joints() const;
 
     const TearReport& report() const { return report_; }
     TearState state() const;

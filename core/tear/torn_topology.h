@@ -31,6 +31,10 @@ class TornTopology {
     // The boundary, as boundary_triangles() gives it, but without a sort.
     std::vector<std::array<int, 3>> surface() const;
     bool parted(int joint) const { return parted_[joint] != 0; }
+    // The joint opposite a corner of a tetrahedron; -1: none, on the surface of the whole mesh.
+    int joint_opposite(int tetrahedron, int corner) const {
+        return (*joint_opposite_)[tetrahedron][corner];
+    }
     // The vertices at corner k of a joint, on its first and on its second side.
     std::array<int, 2> sides(const Joint& joint, int k) const;
 

@@ -300,6 +300,15 @@ TEST_F(BadInput, WhatIsNoNumber) {
     }
 }
 
+// Ctrl-C reaches both processes, and the one that makes the patient ends first.
+TEST_F(BadInput, ABenchmarkIsInterruptedWhileItsPatientIsMade) {
+    const Outcome run = run_cli({"bench", "reconstruct", "--dims", "256,256,160", "--spacing",
+                                 "0.8,0.8,1.0", "--out", path("bench")},
+                                {.interrupt_at = "a synthetic patient is made"});
+    EXPECT_EQ(run.exit_code, 130) << run.errors;
+    EXPECT_EQ(run.errors.find("could not be made"), std::string::npos) << run.errors;
+}
+
 // Nan is a given name, and Infinity may be the name of a file: what is refused is the missing file.
 TEST_F(BadInput, ANameMayReadAsANumber) {
     for (const std::vector<std::string>& arguments :

@@ -93,6 +93,22 @@ TEST_F(EditBridges, AreRefusedBelowAConfidence) {
               (States{"refused", "accepted"}));
 }
 
+TEST_F(EditBridges, AreDecidedAsTheyAreOnceEditsAreTakenBack) {
+    EXPECT_EQ(states({"--accept", "1"}), (States{"accepted", "needless"}));
+    EXPECT_EQ(states({"--undo", "1", "--refuse", "1"}), (States{"refused", "open"}));
+    EXPECT_TRUE(read_case(case_).corrections.edits.empty());
+    EXPECT_EQ(states({"--accept", "2"}), (States{"refused", "accepted"}));
+    EXPECT_EQ(states({"--undo", "1", "--accept", "1"}), (States{"accepted", "needless"}));
+    EXPECT_EQ(read_case(case_).corrections.edits.size(), 1u);
+}
+
+TEST_F(EditBridges, AreNotAcceptedAndRefusedAtOnce) {
+    const auto both = run_cli({"edit", case_.string(), "--accept", "1", "--refuse", "1"});
+    EXPECT_EQ(both.exit_code, 2);
+    EXPECT_NE(both.errors.find("bridge 1 is accepted"), std::string::npos) << both.errors;
+    EXPECT_EQ(states({"--list"}), (States{"open", "open"}));
+}
+
 TEST_F(EditBridges, WhatCannotBeDecidedIsSaid) {
     EXPECT_EQ(run_cli({"edit", case_.string(), "--accept", "3"}).exit_code, 2);
     EXPECT_EQ(run_cli({"edit", case_.string(), "--refuse", "0"}).exit_code, 2);

@@ -66,6 +66,10 @@ TEST_F(EditTumours, ArePaintedErasedListedAndTakenBack) {
     EXPECT_EQ(said.at("tumours")[0].at("tumour"), 1);
     EXPECT_NEAR(said.at("tumours")[0].at("middle_mm")[1].get<double>(), 23.0, 0.1);
     EXPECT_NEAR(said.at("tumours")[0].at("volume_ml").get<double>(), 0.94, 0.05);
+    const auto cut_off = [&] {
+        return said.at("warnings").dump().find("that a case keeps") != std::string::npos;
+    };
+    EXPECT_FALSE(cut_off());
     said = edit({"--paint-tumour", "20,40,10,4"});
     ASSERT_EQ(said.at("tumours").size(), 2u) << "a new one";
     EXPECT_EQ(said.at("tumours")[1].at("tumour"), 2);
@@ -81,6 +85,8 @@ TEST_F(EditTumours, ArePaintedErasedListedAndTakenBack) {
     said = edit({"--undo", "6"});
     EXPECT_TRUE(said.at("tumours").empty());
     EXPECT_FALSE(fs::exists(case_ / "organs_unpainted.nii.gz"));
+    said = edit({"--paint-tumour", "39,1,29,45"});
+    EXPECT_TRUE(cut_off()) << "a part of it lies where the case keeps nothing";
 }
 
 TEST_F(EditTumours, AreDrawnByRender) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -265,6 +266,15 @@ TEST_F(FlowVerbs, FlowCurvesLeaveTheNumbersBesideThePlots) {
         EXPECT_EQ(rows[0], "curve,x,y");
     }
     EXPECT_GE(found["hepatic_arteries"].size(), 3u);
+}
+
+TEST_F(FlowVerbs, FlowCurvesWriteAllFilesOrNone) {
+    std::filesystem::create_directories(path("half/flow_forms_ratio.csv/in_the_way"));
+    std::ofstream(path("half/flow_forms.csv")) << "older";
+    const Outcome run = run_cli({"flow-curves", path("half"), "--format", "csv"});
+    EXPECT_EQ(run.exit_code, 1) << run.errors;
+    EXPECT_NE(run.errors.find("flow_forms_ratio.csv"), std::string::npos) << run.errors;
+    EXPECT_EQ(lines_in(path("half/flow_forms.csv")), std::vector<std::string>{"older"});
 }
 
 }  // namespace

@@ -130,6 +130,8 @@ TEST_F(LessonVerb, MakesAReportWithoutADisplay) {
     std::smatch peak, reached;
     ASSERT_TRUE(std::regex_search(page, peak, std::regex("largest force: .*, after ([0-9.]+)")));
     ASSERT_TRUE(std::regex_search(page, reached, std::regex("Step 1 reached, after ([0-9.]+)")));
+    EXPECT_TRUE(std::regex_search(page, std::regex("at least 3 mm</td><td>[3-9][0-9.]* mm</td>")))
+        << "what the goal came to";
     EXPECT_EQ(peak.position() < reached.position(), std::stod(peak[1]) < std::stod(reached[1]))
         << "pictures lie in the order of their times";
     EXPECT_EQ(contents_of(path("report/report.pdf")).substr(0, 5), "%PDF-");
@@ -232,8 +234,8 @@ TEST_F(LessonVerb, MakesAReportInTheLanguageThatIsAskedFor) {
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     EXPECT_NE(run.output.find("{\"fraction\":"), std::string::npos) << run.output;
     const std::string page = contents_of(path("Bericht/report.html"));
-    for (const char* text : {"<html lang=\"de\"", "BESTANDEN", "Patient: Fall 7", "Gespielt am",
-                             "Schritte", "Bilder", "Blut", "0,0 mL<", "Hepatica "})
+    for (const char* text : {"<html lang=\"de\"", "BESTANDEN", "Patient: Fall 7",
+                             "Datum: ", "Schritte", "Bilder", "Blut", "0,0 mL<", "Hepatica "})
         EXPECT_NE(page.find(text), std::string::npos) << text;
     for (const char* text : {"PASSED", "Pictures", "peak force", "Before the first"})
         EXPECT_EQ(page.find(text), std::string::npos) << text;

@@ -115,6 +115,13 @@ TEST_F(Play, LeavesNoFolderWhereThereIsNothingToOpen) {
     EXPECT_FALSE(fs::exists(path("from_nothing")));
 }
 
+TEST_F(Play, LeavesNoFolderWhereItIsInterrupted) {
+    const Outcome run =
+        run_cli({"play", path("p.hep"), "--out", path("none")}, {.interrupt_at = "] Playing"});
+    ASSERT_EQ(run.exit_code, 130) << run.errors;
+    EXPECT_FALSE(fs::exists(path("none")));
+}
+
 TEST_F(Play, LeavesAnOlderReportWholeWhereItIsInterrupted) {
     fs::create_directories(path("kept"));
     for (const char* name : {"kept/report.html", "kept/1_patient.png", "kept/mine.txt"})

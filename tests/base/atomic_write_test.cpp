@@ -138,6 +138,26 @@ TEST_F(AtomicWrite, PutsFilesBesideOthersOnlyWhenAllAreWritten) {
     EXPECT_EQ(entries(), 3);
 }
 
+TEST_F(AtomicWrite, LeavesNoNewFolderWhereWhatShouldBeInItIsNotWritten) {
+    const auto write = [&](bool fails) {
+        write_files_atomically(folder_ / "new" / "below" / "", [&](const fs::path& temporary) {
+            std::ofstream(temporary / "a.png") << "text";
+            if (fails) throw Cancelled();
+        });
+    };
+    EXPECT_THROW(write(true), Cancelled);
+    EXPECT_EQ(entries(), 0);
+    fs::create_directories(folder_ / "new" / "below");
+    EXPECT_THROW(write(true), Cancelled);
+    EXPECT_TRUE(fs::is_directory(folder_ / "new" / "below")) << "was there before";
+    fs::remove_all(folder_ / "new");
+    write(false);
+    EXPECT_EQ(read(folder_ / "new" / "below" / "a.png"), "text");
+    fs::create_symlink(folder_ / "nowhere", folder_ / "link");
+    EXPECT_THROW(write_files_atomically(folder_ / "link", [](const fs::path&) {}), InputError);
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+}
+
 TEST_F(AtomicWrite, WritesThroughALink) {
     write_text_atomically(folder_ / "real" / "a.txt", "old");
     fs::create_symlink(folder_ / "real" / "a.txt", folder_ / "link.txt");

@@ -146,5 +146,25 @@ TEST(FlowNetwork, ARingOnOneNodeIsClosed) {
     EXPECT_FALSE(network.segments.back().open);
 }
 
+TEST(FlowNetwork, TearsAndOpenSidesMayShareAVessel) {
+    Random random(31);
+    FlowNetwork network = testing_flow::random_tree(random, 3);
+    const double length = length_mm(network, 0);
+    const std::vector<TreePoint> points{
+        {0, 0.25 * length, 0.0}, {0, 0.75 * length, 0.0}, {0, 0.75 * length, 0.0}, {1, 0.0, 0.0}};
+    const std::vector<double> areas{1.0, 2.0, 3.0, 4.0};
+    const std::vector<TearOpening> openings =
+        tear_all(network, points, areas, std::vector<std::uint8_t>{1, 1, 1, 0});
+    ASSERT_EQ(openings.size(), 5u) << "both stumps of the tear, and one of each side";
+    EXPECT_EQ(openings[1].torn_node, openings[2].torn_node);
+    const std::vector<double> torn_mm2 = torn_areas_mm2(network, openings);
+    EXPECT_EQ(torn_mm2, (std::vector<double>{1.0, 5.0, 4.0, 4.0}));
+    EXPECT_EQ(network.segments[0].distal_node, network.torn_nodes[0]);
+    int onwards = 0;
+    for (const FlowSegment& s : network.segments)
+        onwards += s.proximal_node == network.torn_nodes[0] ? 1 : 0;
+    EXPECT_EQ(onwards, 1);
+}
+
 }  // namespace
 }  // namespace hepatica

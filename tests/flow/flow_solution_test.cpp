@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/base/error.h"
 #include "tests/flow/random_cases.h"
@@ -238,6 +239,42 @@ TEST(FlowNetwork, AForkThatAllBranchesAreTornOffBleedsOnce) {
     EXPECT_EQ(network.segments[2].proximal_node, second[1]);
     EXPECT_EQ(tear(network, {1, 0.0, 0.0}), (std::array<int, 2>{first[1], first[1]})) << "again";
     EXPECT_EQ(network.torn_nodes, (std::vector<int>{first[0], first[1], second[1]}));
+}
+
+// A tube with a hole in its side: of the flow q, x leaves by the hole, with the loss k x^2, and the
+// rest by the resistance r of the tube and of the bed behind: k x^2 = r (q - x).
+TEST(FlowSolution, AnOpenSideLeaksByItsQuadratic) {
+    FlowNetwork network;
+    network.node_count = 2;
+    network.root_nodes = {0};
+    network.outlet_nodes = {1};
+    network.cones = {{1.0, 1.0, 20.0}};
+    network.segments = {{0, 1, 0, 1, 0}};
+    const int node = open_side(network, {0, 8.0, 0.0});
+    EXPECT_EQ(open_side(network, {0, 8.0, 0.0}), node) << "again";
+    EXPECT_EQ(network.torn_nodes, std::vector<int>{node});
+    EXPECT_EQ(network.outlet_nodes, std::vector<int>{1}) << "the vessel goes on";
+    FlowConditions conditions = conditions_of(PressureLaw::regime, {flow_into(0, 0.1)});
+    conditions.resident = pure(blood());
+    conditions.terminal_resistances = {2.0};
+    const auto [density, viscosity, share] = conditions.resident;
+    const double q = 0.1 / density;
+    const double r = 2.0 + 8.0 * viscosity * 12.0 / std::numbers::pi;
+    double last = 0.0;
+    for (const double area_mm2 : {0.01, 0.1, 0.4, 1.0, 3.0}) {
+        conditions.torn_areas_mm2 = {area_mm2};
+        const FlowSolution solution = solve_flow(network, conditions);
+        const double k = 0.5 * density / std::pow(0.6 * area_mm2, 2);
+        const double x = (std::sqrt(r * r + 4.0 * k * r * q) - r) / (2.0 * k);
+        EXPECT_NEAR(solution.torn_flow_mm3_s[0], x, 1e-5 * x) << area_mm2;
+        EXPECT_NEAR(solution.outlet_flow_mm3_s[0] + solution.torn_flow_mm3_s[0],
+                    solution.inlet_flow_mm3_s[0], 1e-12 * q);
+        EXPECT_LE(solution.mass_error_relative, 1e-12);
+        EXPECT_NEAR(solution.volume_flow_mm3_s[0], q, 1e-12 * q);
+        EXPECT_NEAR(solution.volume_flow_mm3_s[1], q - x, 1e-5 * q);
+        EXPECT_GT(solution.torn_flow_mm3_s[0], last);
+        last = solution.torn_flow_mm3_s[0];
+    }
 }
 
 TEST(FlowSolution, AWedgedCatheterPerfusesOnlyWhatIsDownstream) {

@@ -139,6 +139,23 @@ TEST(Injection, FeelsAClosedAndATornVessel) {
     EXPECT_THROW(inject(tree, options, job), InputError);
 }
 
+// What was torn half way leaks, and the rest goes on.
+TEST(Injection, GoesOnBehindAVesselWhoseSideIsOpen) {
+    const VesselTree tree = make_tree(71, 4);
+    Job job;
+    InjectionOptions options;
+    const InjectionResult whole = inject(tree, options, job);
+    options.tears = {{1, 0.5 * length_mm(tree.segments[1]), 0.0}};
+    options.tear_areas_mm2 = {0.5};
+    options.tear_sides = {1};
+    const InjectionResult open = inject(tree, options, job);
+    EXPECT_GT(open.balance.bled_mm3, 0.0);
+    EXPECT_LE(open.balance.error_relative(), 1e-11);
+    EXPECT_TRUE(std::isfinite(first_arrival_s(open, 2))) << "beyond the hole";
+    EXPECT_LT(end_flow_g_s(open, 2), end_flow_g_s(whole, 2));
+    EXPECT_GT(end_flow_g_s(open, 2), 0.0);
+}
+
 TEST(Injection, SamplesDoNotChangeTheSolution) {
     const VesselTree tree = make_tree(67, 4);
     Job job;

@@ -72,6 +72,29 @@ TEST(SeriesChoice, SaysAKernelOfSeveralValuesWithoutABackslash) {
     EXPECT_EQ(remarks[0].find('\\'), std::string::npos) << remarks[0];
 }
 
+// Their word "series" can be translated then, and a choice of one's own is told once.
+TEST(SeriesChoice, QuotesTheNamesOfSeriesAlone) {
+    Examination exam;
+    exam.add("portal", 16, 30);
+    exam.add("late", 16, 20);
+    exam.add("native", 16, 10);
+    exam.edit("portal", series_number, "7");
+    exam.edit("native", series_number, "");
+    ReadRemarks remarks, wished;
+    exam.value_read(&remarks);
+    ASSERT_EQ(remarks.size(), 2u);
+    for (const std::string& remark : remarks) {
+        EXPECT_TRUE(remark.starts_with("Read series 7 “portal” (CT, 16 images")) << remark;
+        EXPECT_EQ(remark.find('"'), std::string::npos) << remark;
+    }
+    EXPECT_NE(remarks[1].find("left out a series “native” (CT"), std::string::npos) << remarks[1];
+    exam.value_read(&wished, 3);
+    ASSERT_EQ(wished.size(), 1u);
+    EXPECT_TRUE(wished[0].starts_with("Read a series “native” (CT")) << wished[0];
+    EXPECT_NE(wished[0].find("left out series 7 “portal”"), std::string::npos) << wished[0];
+    EXPECT_NE(wished[0].find("as asked for. On the command line --series 1 "), std::string::npos);
+}
+
 TEST(SeriesChoice, PrefersThePortalVenousPhaseAndThinSlices) {
     Examination phases;
     phases.add("native", 16, 10);

@@ -4,7 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <stop_token>
+#include <thread>
 
 #include "core/base/error.h"
 #include "core/scene/drug_arrival.h"
@@ -159,6 +164,62 @@ TEST(DoseCurve, WhatCannotFlowIsSaidAlthoughAnotherThreadFindsIt) {
     const DoseCurve curve(tree(), options, end_s, {});
     EXPECT_THROW(curve.at(1.0), InputError);
     EXPECT_THROW(curve.at(end_s), InputError) << "again";
+}
+
+// Holds a computation back until it is opened. A test that fails opens it late instead of hanging.
+class Gate {
+  public:
+    void open() {
+        const std::scoped_lock lock(mutex_);
+        open_ = true;
+        opened_.notify_all();
+    }
+    void pass() {
+        std::unique_lock lock(mutex_);
+        passed_by_ = std::this_thread::get_id();
+        if (!opened_.wait_for(lock, std::chrono::seconds(30), [&] { return open_; })) late_ = true;
+        open_ = true;
+    }
+    bool late() const {
+        const std::scoped_lock lock(mutex_);
+        return late_;
+    }
+    std::thread::id passed_by() const {
+        const std::scoped_lock lock(mutex_);
+        return passed_by_;
+    }
+
+  private:
+    mutable std::mutex mutex_;
+    std::condition_variable opened_;
+    bool open_ = false, late_ = false;
+    std::thread::id passed_by_;
+};
+
+TEST(DoseCurve, IsComputedBesideTheThreadThatAsks) {
+    Gate gate;
+    const DoseCurve curve(tree(), into({0, 0.0}, 0.5), end_s, {}, [&](JobEvent) { gate.pass(); });
+    gate.open();
+    EXPECT_FALSE(gate.late()) << "the constructor waited";
+    EXPECT_NEAR(curve.at(end_s).injected_g, 3.0 * end_s, 1e-6);
+    EXPECT_NE(gate.passed_by(), std::thread::id());
+    EXPECT_NE(gate.passed_by(), std::this_thread::get_id());
+}
+
+TEST(DoseCurve, IsNotWaitedForOnceAStopIsRequested) {
+    Gate gate;
+    std::stop_source source;
+    const DoseCurve curve(tree(), into({0, 0.0}, 0.5), end_s, {}, [&](JobEvent) {
+        source.request_stop();
+        gate.pass();
+    });
+    EXPECT_THROW(curve.at(end_s, source.get_token()), Cancelled);
+    gate.open();
+    EXPECT_FALSE(gate.late()) << "it waited for the end";
+    const Dose whole = curve.at(end_s);
+    EXPECT_NEAR(whole.injected_g, 3.0 * end_s, 1e-6) << "for those who wait it goes on";
+    EXPECT_EQ(curve.at(end_s, source.get_token()).injected_g, whole.injected_g)
+        << "what is known needs no waiting";
 }
 
 // A play of the small patient whose drug is weighed in every frame.

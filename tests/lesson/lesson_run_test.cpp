@@ -8,7 +8,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "core/base/error.h"
+#include "core/scene/drug_arrival.h"
 #include "tests/lesson/frames.h"
+#include "tests/support/asked_to_stop.h"
 
 namespace hepatica {
 namespace {
@@ -49,8 +52,12 @@ TEST(LessonRun, ReachesStepAfterStepAndIsPassed) {
     LessonRun run = attempt(pull_lesson(), {0.0, 3.0});
     EXPECT_EQ(run.standing().step, 0u);
     EXPECT_EQ(run.standing().steps[0].held_s, 0.5);
-    run.see({}, with_force(3e3));
+    EXPECT_TRUE(run.standing().steps[0].goal.empty()) << "not reached yet";
+    run.see({}, with_force(4e3));
     EXPECT_EQ(run.standing().step, 1u);
+    ASSERT_EQ(run.standing().steps[0].goal.size(), 1u);
+    EXPECT_DOUBLE_EQ(run.standing().steps[0].goal[0].value, 4.0) << "what it came to then";
+    EXPECT_TRUE(run.standing().steps[0].goal[0].kept);
     EXPECT_EQ(run.standing().steps[0].reached_s, 1.5);
     EXPECT_EQ(run.standing().outcome, LessonOutcome::running);
     run.see({}, rest_frame());
@@ -230,6 +237,20 @@ TEST(LessonRun, AStopOfTheSimulationIsNoAttempt) {
     LessonRun run = attempt(pull_lesson(), {3.0});
     run.see({}, stopped);
     EXPECT_EQ(run.standing().outcome, LessonOutcome::failed);
+}
+
+TEST(LessonRun, ADoseThatTakesLongIsNotWaitedForOnceAStopIsRequested) {
+    Lesson lesson = pull_lesson();
+    lesson.scene.flow.emplace();
+    LessonRun run(lesson, small_patient());
+    run.see({}, rest_frame());
+    InjectionOptions viscous =
+        injection_options({.at = {0, 20.0}, .void_fraction = 0.5}, small_patient()->tree);
+    viscous.front.step_tolerance = 1e-6;  // minutes of work
+    Frame frame = rest_frame();
+    frame.drug.injection = std::make_shared<const InjectionOptions>(viscous);
+    frame.drug.end_s = frame.drug.time_s = 15.0;
+    EXPECT_THROW(run.see({}, frame, test::asked_to_stop()), Cancelled);
 }
 
 TEST(LessonRun, TheAnswerNamesStepsLimitsAndMetrics) {

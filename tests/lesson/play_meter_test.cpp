@@ -181,46 +181,93 @@ TEST(PlayMeter, WhatWasApartBeforeTearingBeganIsNoPieceOff) {
     EXPECT_EQ(meter.metrics().pieces_off, 1);
 }
 
-// What an injection has reached stays reached when another takes its place, until the drug is taken
-// out.
-TEST(PlayMeter, WhatTheDrugHasReachedStaysReachedThroughAllInjections) {
-    Lesson lesson = plain_lesson();
-    lesson.scene.flow.emplace();
-    lesson.target = {{std::nullopt, 0.5}};
-    PlayMeter meter(lesson, small_patient());
-    meter.begin(rest_frame());
-    // About a third of the vertices at 1 s, a third at 5 s, the others practically never.
-    const std::size_t count = small_patient()->mesh.vertices_mm.size();
-    const auto arrivals = [count](std::size_t early, std::size_t late) {
+// A play into which a drug flows that comes to about a third of the vertices at 1 s, to a third at
+// 5 s, and practically never to the others.
+class DrugByThirds {
+  public:
+    DrugByThirds() { meter_.begin(rest_frame()); }
+    void show(int injection, std::size_t early, std::size_t late) {
         auto times = std::make_shared<std::vector<float>>();
-        for (std::size_t v = 0; v < count; ++v) {
+        for (std::size_t v = 0; v < small_patient()->mesh.vertices_mm.size(); ++v) {
             const std::size_t kind = ((v * 37) % 101) % 3;
             times->push_back(kind == early ? 1.0f : kind == late ? 5.0f : 1e9f);
         }
-        return times;
-    };
-    Frame frame = rest_frame();
-    const auto see = [&](double time_s) {
-        frame.drug.time_s = time_s;
-        meter.see(frame);
-        return std::array{meter.moment().target_filled, meter.moment().elsewhere_filled};
-    };
-    frame.drug.version = 1;
-    frame.drug.arrival_s = arrivals(0, 1);
-    const auto first = see(2.0);
+        take_out(injection);
+        frame_.drug.arrival_s = times;
+    }
+    void take_out(int injections_so_far) {
+        frame_.drug = {};
+        frame_.drug.version = ++version_;
+        frame_.drug.injections = injections_so_far;
+    }
+    std::array<double, 2> filled_at(double time_s) {
+        frame_.drug.time_s = time_s;
+        meter_.see(frame_);
+        return {meter_.moment().target_filled, meter_.moment().elsewhere_filled};
+    }
+    const PlayMeter& meter() const { return meter_; }
+
+  private:
+    static Lesson lesson_with_target() {
+        Lesson lesson = plain_lesson();
+        lesson.scene.flow.emplace();
+        lesson.target = {{std::nullopt, 0.5}};
+        return lesson;
+    }
+    PlayMeter meter_{lesson_with_target(), small_patient()};
+    Frame frame_ = rest_frame();
+    std::uint64_t version_ = 0;
+};
+
+constexpr std::array nowhere{0.0, 0.0};
+
+// What an injection has reached stays reached when another takes its place, until the drug is taken
+// out.
+TEST(PlayMeter, WhatTheDrugHasReachedStaysReachedThroughAllInjections) {
+    DrugByThirds play;
+    play.show(1, 0, 1);
+    const auto first = play.filled_at(2.0);
     for (const double share : first) EXPECT_GT(share, 0.1);
-    frame.drug.version = 2;
-    frame.drug.arrival_s = arrivals(2, 1);
-    EXPECT_EQ(see(0.5), first) << "the second has reached nothing yet";
-    const auto both = see(2.0);
+    play.show(2, 2, 1);
+    EXPECT_EQ(play.filled_at(0.5), first) << "the second has reached nothing yet";
+    const auto both = play.filled_at(2.0);
     for (std::size_t i = 0; i < both.size(); ++i) EXPECT_GT(both[i], first[i] + 0.1);
-    frame.drug = {};
-    frame.drug.version = 3;
-    EXPECT_EQ(see(0.0), (std::array{0.0, 0.0})) << "taken out";
-    EXPECT_FALSE(meter.moment().drug_present);
-    frame.drug.version = 4;
-    frame.drug.arrival_s = arrivals(0, 1);
-    EXPECT_EQ(see(2.0), first) << "what was taken out does not count again";
+    play.take_out(2);
+    EXPECT_EQ(play.filled_at(0.0), nowhere) << "taken out";
+    EXPECT_FALSE(play.meter().moment().drug_present);
+    play.show(3, 0, 1);
+    EXPECT_EQ(play.filled_at(2.0), first) << "what was taken out does not count again";
+}
+
+TEST(PlayMeter, WhereThePlayGoesBackTheDrugHasReachedWhatItHadThen) {
+    DrugByThirds play;
+    play.show(1, 0, 1);
+    const auto first = play.filled_at(2.0);
+    EXPECT_GT(first[0], 0.1);
+    play.show(1, 0, 1);
+    EXPECT_EQ(play.filled_at(0.5), nowhere) << "back before it had come anywhere";
+    play.show(2, 2, 1);
+    EXPECT_EQ(play.filled_at(0.5), nowhere);
+    EXPECT_GT(play.filled_at(2.0)[0], 0.1);
+    play.show(1, 0, 1);
+    EXPECT_EQ(play.filled_at(2.0), first) << "the second is undone";
+    play.show(2, 2, 1);
+    EXPECT_EQ(play.filled_at(0.5), first);
+    play.take_out(2);
+    EXPECT_EQ(play.filled_at(0.0), nowhere);
+    play.show(2, 2, 1);
+    EXPECT_EQ(play.filled_at(0.5), first) << "that it was taken out is undone";
+}
+
+// A vertex that is split gives the drug's times a new version, too.
+TEST(PlayMeter, WhereTheDrugsClockIsSetBackASplitVertexKeepsNothingReached) {
+    DrugByThirds play;
+    play.show(1, 0, 1);
+    EXPECT_GT(play.filled_at(2.0)[0], 0.1);
+    EXPECT_EQ(play.filled_at(0.5), nowhere);
+    EXPECT_GT(play.filled_at(2.0)[0], 0.1);
+    play.show(1, 0, 1);
+    EXPECT_EQ(play.filled_at(0.5), nowhere);
 }
 
 // A wide vessel's middle is farther from its surface than what counts as near.

@@ -39,7 +39,7 @@ Played play(const Lesson& lesson, const Script& script, std::shared_ptr<const Pa
     Session session(patient, lesson.scene, job);
     Played played;
     played.recording = keep_recording(session);
-    session.watch([&](const std::vector<Command>& commands, const Frame& frame) {
+    session.watch([&](const auto& commands, const Frame& frame, const auto& /*stop*/) {
         run.see(commands, frame);
         return true;
     });
@@ -107,7 +107,7 @@ TEST(Score, AWatchedSessionDoesNotRest) {
     Session session(small_patient(), small_lesson().scene, job);
     bool rested = false;
     int seen = 0;
-    session.watch([&](const std::vector<Command>&, const Frame& frame) {
+    session.watch([&](const auto&, const Frame& frame, const auto&) {
         rested = rested || frame.statistics.resting;
         return ++seen < 40;
     });

@@ -150,6 +150,60 @@ TEST(OpeningLimits, AScanIsReconstructedAndWorthSaving) {
     fs::remove_all(folder);
 }
 
+// Two patients below one folder would else be called alike.
+TEST(OpeningLimits, ASeriesOfSeveralIsCalledAfterTheFolderAtWhichTheyPart) {
+    const auto in = [](const fs::path& folder) {
+        SeriesDescription series;
+        series.description = "series 5 \"Mrs. Miller\"";
+        series.middle_slice = folder / "5.dcm";
+        return series;
+    };
+    const std::vector<SeriesDescription> apart{in("/scan/all/case 1/DICOM"),
+                                               in("/scan/all/case 7/DICOM")};
+    EXPECT_EQ(title_of_series("/scan", apart, 1), "scan case 1");
+    EXPECT_EQ(title_of_series("/scan/all", apart, 2), "all case 7");
+    const std::vector<SeriesDescription> mixed{in("/scan"), in("/scan"), in("/scan/late")};
+    EXPECT_EQ(title_of_series("/scan", mixed, 3), "scan late");
+    EXPECT_EQ(title_of_series("/scan", mixed, 1), "scan 1");
+    const std::vector<SeriesDescription> deep{in("/scan/7/SE1"), in("/scan/7/SE2"),
+                                              in("/scan/8/SE1")};
+    EXPECT_EQ(title_of_series("/scan", deep, 2), "scan 7 SE2");
+    EXPECT_EQ(title_of_series("/scan", deep, 3), "scan 8");
+    EXPECT_EQ(title_of_series("/scan", {mixed[2]}, 1), "scan") << "nothing was to be chosen";
+    EXPECT_EQ(title_of_series("/scan", mixed, 4), "scan");
+}
+
+TEST(OpeningLimits, TheSeriesThatWasChosenGivesThePatientItsTitle) {
+    const fs::path folder = own_folder() / "limits series";
+    Volume ct(Grid{{48, 48, 20}}, 100);
+    ct.voxels[0] = 50;
+    Job job;
+    for (const char* name : {"one", "two"}) {
+        fs::create_directories(folder / name);
+        ++ct.voxels[0];  // one with the same voxels would be the same series
+        write_dicom_series(folder / name / "DICOM", ct, {}, job);
+    }
+    Mask line(ct.grid);
+    for (std::size_t i = 0; i < line.voxels.size(); ++i) {
+        const auto [x, y, z] = ct.grid.index_of(i);
+        line.voxels[i] = std::hypot(x - 24.0, z - 10.0) < 3.0 && y > 4 && y < 44;
+    }
+    write_nifti(own_folder() / "series line.nii.gz", line);
+    OpenRequest request;
+    request.reconstruct.ct = folder;
+    request.reconstruct.vessel_mask = own_folder() / "series line.nii.gz";
+    request.reconstruct.mesh.target_tetrahedra = 500;
+    request.reconstruct.series = 2;
+    Job opening;
+    const OpenedPatient opened = open_patient(request, opening);
+    const std::string place =
+        list_series(folder, job).at(1).middle_slice.parent_path().parent_path().filename();
+    EXPECT_EQ(opened.title, "limits series " + place);
+    EXPECT_EQ(static_cast<int>(opening.stage_times().size()), opening_stage_count(request));
+    fs::remove_all(folder);
+    fs::remove(own_folder() / "series line.nii.gz");
+}
+
 // Nobody asks for the phantom's CT where the grid tells already that it is another one.
 TEST(OpeningLimits, ThePhantomIsMadeForItsOwnGridAlone) {
     PatientCase patient;

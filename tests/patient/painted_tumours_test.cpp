@@ -110,6 +110,10 @@ TEST(PaintedTumours, StickOutOfTheLiverAsFarAsThereIsACt) {
     const PatientCase after = with(before, {painted(outside, 30.0, 2)});
     EXPECT_EQ(tumour_of(value_at(after.organs, outside)), 2);
     EXPECT_FALSE(holds(after.organs.grid, beyond));
+    const Grid canvas = tumour_canvas(before).grid;
+    EXPECT_TRUE(reaches_beyond({{outside}, 30.0, false}, canvas)) << "part of it is cut off";
+    EXPECT_FALSE(reaches_beyond({{inside}, 10.0, false}, canvas));
+    EXPECT_TRUE(reaches_beyond({{inside, beyond}, 1.0, false}, canvas)) << "its end is cut off";
     EXPECT_TRUE(holds(after.organs.grid, grid.to_mm(-20, 20, 20)));
     const PatientCase partly = with(after, {painted(outside, 30.0, 2), erased(outside, 10.0)});
     EXPECT_EQ(value_at(partly.organs, outside), 0) << "outside it was no liver before";

@@ -3,6 +3,9 @@
 #include "render/legend.h"
 
 #include <gtest/gtest.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -130,6 +133,59 @@ TEST(LegendRows, NameASystemUntilTheDrugCoversAllOfIt) {
     drug.arrival_s = std::make_shared<const std::vector<float>>(3, 1.0f);
     set_colours_shown(content, {}, {}, drug);
     EXPECT_TRUE(content.systems.empty());
+}
+
+// Each is named while its colour is seen, and no longer.
+TEST(LegendRows, NameTargetAndHighlightWhereTheyAreSeen) {
+    LegendContent content;
+    const auto texts = [&](const std::vector<std::uint8_t>& target,
+                           const std::vector<std::uint8_t>& highlight, const DrugView& drug = {}) {
+        set_highlights_shown(content, target, highlight, drug);
+        return texts_of(content);
+    };
+    using Texts = std::vector<std::string>;
+    EXPECT_EQ(texts({}, {}), Texts{});
+    EXPECT_EQ(texts({0, 0}, {0, 0, 0}), Texts{});
+    EXPECT_EQ(texts({0, 1}, {}), Texts{"Target of the drug"});
+    EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::drug_target()});
+    EXPECT_EQ(texts({}, {0, 0, 1}), Texts{"Downstream of the pointer"});
+    EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::highlight()});
+    EXPECT_EQ(texts({0, 1}, {0, 1}), Texts{"Target, downstream of the pointer"});
+    EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::lit_drug_target()});
+    EXPECT_EQ(texts({1, 1}, {0, 1, 1}),
+              (Texts{"Target of the drug", "Target, downstream of the pointer",
+                     "Downstream of the pointer"}));
+    content.bright = true;
+    EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::drug_target(true)});
+    content.lit_branch = true;
+    EXPECT_EQ(texts({1, 1}, {0, 1, 1}),
+              (Texts{"Target of the drug", "Target, in the chosen branch", "The chosen branch"}));
+    DrugView drug;
+    drug.arrival_s = std::make_shared<const std::vector<float>>(std::vector{1.0f, 2.0f, 3.0f});
+    drug.time_s = 2.0;
+    EXPECT_EQ(texts({1, 1}, {0, 1, 1}, drug), Texts{"The chosen branch"}) << "the drug covers it";
+}
+
+TEST(LegendRows, NameWhatAnInjectionBeforeHasReachedUntilThePresentOneCoversIt) {
+    DrugView drug;
+    drug.arrival_s = std::make_shared<const std::vector<float>>(std::vector{1.0f, 2.0f, 3.0f});
+    drug.time_s = 0.5;
+    LegendContent content;
+    const auto texts = [&] {
+        set_colours_shown(content, std::vector(3, VascularSystem::portal), {}, drug);
+        set_highlights_shown(content, {0, 1, 0}, {}, drug);
+        return texts_of(content);
+    };
+    using Texts = std::vector<std::string>;
+    EXPECT_EQ(texts(), (Texts{"Target of the drug", "Portal vein"}));
+    drug.reached_before =
+        std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{1, 1, 0});
+    EXPECT_EQ(texts(), (Texts{"Reached by an earlier injection", "Portal vein"}));
+    EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::reached_before()});
+    drug.time_s = 2.0;
+    EXPECT_EQ(texts(), Texts{"Portal vein"});
+    drug = {};
+    EXPECT_EQ(texts(), (Texts{"Target of the drug", "Portal vein"}));
 }
 
 TEST(LegendRows, SayWhatGreenAndRedMeanWhereTheyAreShown) {
@@ -274,6 +330,35 @@ TEST(LegendPlace, IsChosenAnewWhereOneLooksFromElsewhereWhileThePictureMoves) {
     view.look_from(ViewDirection::anterior);
     view.render();
     EXPECT_EQ(view.legend_box().bottom, at_first.bottom);
+}
+
+// It would jump from corner to corner while the mouse goes over vessels.
+TEST(LegendPlace, IsNotChosenByARowThatComesAndGoesWithThePointer) {
+    OsmesaContext context(800, 600);
+    vtkNew<vtkRenderer> renderer;
+    context.window().AddRenderer(renderer);
+    Legend legend(*renderer);
+    // One row has room below the vessels, two have not.
+    const Legend::Count count = [](const std::vector<PictureBox>& boxes) {
+        std::vector<int> covered;
+        for (const PictureBox& box : boxes) covered.push_back(box.bottom < 300 && box.top > 50);
+        return covered;
+    };
+    LegendContent content;
+    content.systems = {VascularSystem::portal};
+    const auto box_of = [&](const std::vector<LegendRow>& rows) {
+        legend.update(rows, {800, 600}, dark_look, count);
+        return legend.box();
+    };
+    const PictureBox alone = box_of(legend_rows(content));
+    ASSERT_LT(alone.top, 50.0);
+    content.lit = true;
+    const PictureBox pointed = box_of(legend_rows(content));
+    EXPECT_EQ(pointed.bottom, alone.bottom);
+    EXPECT_GT(pointed.top, 50.0);
+    content.lit_branch = true;  // which stays
+    EXPECT_GT(box_of(legend_rows(content)).bottom, 300.0);
+    context.window().RemoveRenderer(renderer);
 }
 
 // 12 points of print are 16 of a screen with 96 dots to an inch: a line of the legend is never

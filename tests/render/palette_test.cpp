@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "core/base/vector.h"
@@ -74,6 +75,51 @@ TEST(Palette, OfBrightSystemsHasContrastToBlackAndTellsThemApart) {
                     << title_of(system) << ", " << title_of(other) << ", " << sight.name;
         }
     }
+}
+
+// What else is shown while a drug is to be brought to its target.
+std::vector<Colour> colours_beside_a_target(bool bright) {
+    std::vector<Colour> colours{{1.0, 1.0, 1.0},  // the drug's front
+                                palette::touch,  palette::torn_circle, palette::reached,
+                                palette::tumour, palette::torn,        palette::bleeding,
+                                palette::bridge, palette::weak_line()};
+    for (const VascularSystem system : vascular_systems)
+        colours.push_back(palette::vessel_system(system, bright));
+    for (int i = 0; i <= 20; ++i) colours.push_back(palette::drug(i / 20.0));
+    for (const double load : {0.7, 0.8, 0.9, 1.0})
+        colours.push_back(palette::warning(palette::vessel_system(VascularSystem::portal), load));
+    return colours;
+}
+
+TEST(Palette, TellsTargetHighlightAndWhatWasReachedBeforeFromEachOtherAndFromAllElse) {
+    for (const bool bright : {false, true})
+        for (const Sight& sight : sights()) {
+            SCOPED_TRACE(std::string(sight.name) + (bright ? ", bright" : ""));
+            const std::vector<Colour> own{palette::drug_target(bright), palette::highlight(bright),
+                                          palette::reached_before(bright),
+                                          palette::lit_drug_target(bright)};
+            for (std::size_t i = 0; i < own.size(); ++i) {
+                // The last, where both lie over each other, is near one of them while it is shown.
+                const double least = (i < 3 ? 0.7 : 0.5) * sight.least_distance;
+                for (const Colour& other : colours_beside_a_target(bright))
+                    EXPECT_GE(distance(own[i], other, sight), least) << i;
+                for (std::size_t j = 0; j < i; ++j)
+                    EXPECT_GE(distance(own[i], own[j], sight), least) << i << ", " << j;
+            }
+        }
+}
+
+// Both are there after a cut, side by side in the view and in its legend.
+TEST(Palette, TellsTornRimsFromBloodFromVesselsAndFromTheBackground) {
+    std::vector<Colour> others{palette::bleeding, palette::background_top,
+                               palette::background_bottom};
+    for (const VascularSystem system : vascular_systems)
+        for (const bool bright : {false, true})
+            others.push_back(palette::vessel_system(system, bright));
+    for (const Sight& sight : sights())
+        for (const Colour& other : others)
+            EXPECT_GE(distance(palette::torn, other, sight), 0.9 * sight.least_distance)
+                << sight.name;
 }
 
 TEST(Palette, TellsSegmentsFromEachOtherFromSystemsAndFromTumours) {

@@ -129,6 +129,80 @@ TEST_P(TreeOnCard, takes_colours_where_a_joint_comes_apart) {
     EXPECT_FALSE(tree_.update(torn)) << "the same rims";
 }
 
+// The target of a drug stays visible where what lies downstream of the pointer is shown, too.
+TEST_P(TreeOnCard, has_colours_of_their_own_for_target_and_highlight) {
+    const std::size_t vertices = first_.positions_mm.size() / 3;
+    const auto colour_is = [this](vtkIdType vertex, const Colour& expected) {
+        std::array<double, 4> rgba{};
+        vtkPolyDataMapper::SafeDownCast(shown()->GetMapper())
+            ->GetInput()
+            ->GetPointData()
+            ->GetScalars()
+            ->GetTuple(vertex, rgba.data());
+        for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(rgba[c], 255.0 * expected[c], 0.5) << c;
+    };
+    std::vector<std::uint8_t> target(vertices, 0), highlight(vertices, 0);
+    const std::vector<int>& drawn = tree_.surface().frame_vertices();
+    const auto of_drawn = [&drawn](std::size_t i) { return static_cast<std::size_t>(drawn[i]); };
+    target[of_drawn(0)] = target[of_drawn(1)] = 1;
+    highlight[of_drawn(1)] = highlight[of_drawn(2)] = 1;
+    for (const bool bright : {false, true}) {
+        SCOPED_TRACE(bright);
+        tree_.set_bright(bright);
+        tree_.set_target(target);
+        tree_.set_highlight(highlight);
+        colour_is(0, palette::drug_target(bright));
+        colour_is(1, palette::lit_drug_target(bright));
+        colour_is(2, palette::highlight(bright));
+        colour_is(3, palette::vessel_system(VascularSystem::unknown, bright));
+        tree_.set_highlight({});
+        colour_is(1, palette::drug_target(bright));
+        tree_.set_target({});
+        colour_is(0, palette::vessel_system(VascularSystem::unknown, bright));
+    }
+}
+
+// Under the present injection, until the drug is taken away; frames alike send nothing.
+TEST_P(TreeOnCard, keeps_a_tint_of_what_an_injection_before_has_reached) {
+    const auto colour = [this](vtkIdType vertex) {
+        std::array<double, 4> rgba{};
+        vtkPolyDataMapper::SafeDownCast(shown()->GetMapper())
+            ->GetInput()
+            ->GetPointData()
+            ->GetScalars()
+            ->GetTuple(vertex, rgba.data());
+        return rgba;
+    };
+    const std::array<double, 4> own = colour(0);
+    std::vector<std::uint8_t> reached(first_.positions_mm.size() / 3, 0);
+    reached[static_cast<std::size_t>(tree_.surface().frame_vertices()[0])] = 1;
+    Frame second = first_;
+    ++second.drug.version;
+    second.drug.reached_before = std::make_shared<const std::vector<std::uint8_t>>(reached);
+    EXPECT_TRUE(tree_.update(second));
+    context_.window().Render();
+    const vtkMTimeType colours = sent("scalarColor");
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(colour(0)[c], 255.0 * palette::reached_before()[c], 0.5) << c;
+    EXPECT_EQ(colour(3), own) << "not reached";
+    tree_.set_highlight(std::vector<std::uint8_t>(reached.size(), 1));
+    tree_.set_target(std::vector<std::uint8_t>(reached.size(), 1));
+    EXPECT_NEAR(colour(0)[0], 255.0 * palette::reached_before()[0], 0.5) << "as the drug would";
+    tree_.set_highlight({});
+    tree_.set_target({});
+    context_.window().Render();
+    const vtkMTimeType now = sent("scalarColor");
+    EXPECT_GT(now, colours);
+    EXPECT_FALSE(tree_.update(second));
+    second.drug.time_s += 0.5;
+    EXPECT_TRUE(tree_.update(second));
+    context_.window().Render();
+    EXPECT_EQ(sent("scalarColor"), now) << "only the drug runs";
+    second.drug = DrugView{};
+    EXPECT_TRUE(tree_.update(second));
+    EXPECT_EQ(colour(0), own);
+}
+
 TEST_P(TreeOnCard, takes_nothing_where_only_the_drug_runs) {
     const vtkMTimeType positions = sent("vertexMC");
     const vtkMTimeType arrival = sent("arrivalMC");

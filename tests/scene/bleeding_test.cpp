@@ -133,6 +133,69 @@ TEST(Bleeding, OfABranchThatIsTornOffIsThatOfItsStump) {
     EXPECT_NEAR(both.leaks_g_s()[0] + both.leaks_g_s()[1], both.leak_g_s(), 1e-9);
 }
 
+ThroughTear open_side_of(int segment, double area_mm2) {
+    ThroughTear torn = half_way(segment, area_mm2);
+    torn.side = true;
+    return torn;
+}
+
+// The vessel goes on behind the hole. With one pressure p everywhere, the loss c sqrt(p) and what
+// goes on, p over the bed's resistance, add up to what flows in: a quadratic for sqrt(p).
+TEST(Bleeding, OfAnOpenSideIsSharedWithTheBedBehindIt) {
+    const VesselTree tree = one_tube(VascularSystem::portal);
+    const RestingFlow rest;
+    const double bed_pa_s_g = rest.portal_pa / rest.portal_g_s;
+    double last = 0.0;
+    for (const double area_mm2 : {0.01, 0.3, 3.0, 10.0, 30.0}) {
+        const double c = 0.6 * area_mm2 * std::sqrt(2.0 * density_g_mm3);
+        const double root =
+            0.5 * bed_pa_s_g * (std::sqrt(c * c + 4.0 * rest.portal_g_s / bed_pa_s_g) - c);
+        const double leak = leak_of(tree, {open_side_of(0, area_mm2)});
+        EXPECT_NEAR(leak, c * root, 0.02 * c * root) << area_mm2;
+        EXPECT_GT(leak, last) << "monotone";
+        last = leak;
+    }
+    EXPECT_LT(last, 0.9 * rest.portal_g_s);
+}
+
+TEST(Bleeding, OfAnOpenSideFollowsItsOpening) {
+    Bleeding bleeding(fork_of_two());
+    bleeding.set_tears({open_side_of(1, 1.0)});
+    const double narrow = bleeding.leak_g_s();
+    bleeding.step(1.0);
+    bleeding.set_tears({open_side_of(1, 2.0)});
+    EXPECT_GT(bleeding.leak_g_s(), 1.5 * narrow);
+    EXPECT_EQ(bleeding.shares_of_loss(), std::vector<double>{1.0}) << "it is the same tear";
+    bleeding.set_tears({open_side_of(1, 1.0)});
+    EXPECT_EQ(bleeding.leak_g_s(), narrow) << "the same bits whatever was before";
+    bleeding.set_tears({});
+    EXPECT_EQ(bleeding.leak_g_s(), 0.0);
+}
+
+// A side that tears on until the vessel is cut through.
+TEST(Bleeding, OfASideThatTearsOnIsInTheEndThatOfTheStumps) {
+    const VesselTree tree = fork_of_two();
+    Bleeding bleeding(tree);
+    bleeding.set_tears({open_side_of(1, 3.0)});
+    EXPECT_LT(bleeding.leak_g_s(), leak_of(tree, {half_way(1, 3.0)}))
+        << "as wide, but the vessel goes on";
+    bleeding.step(1.0);
+    bleeding.set_tears({half_way(1, 30.0)});
+    EXPECT_EQ(bleeding.leak_g_s(), leak_of(tree, {half_way(1, 30.0)}));
+    EXPECT_EQ(bleeding.shares_of_loss(), std::vector<double>{1.0}) << "what was lost counts there";
+}
+
+// Nothing bleeds at the side of a branch that was torn off before it.
+TEST(Bleeding, OfAnOpenSideBehindATearIsNone) {
+    const VesselTree tree = fork_of_two();
+    ThroughTear off = half_way(1, 3.0);
+    off.at.arclength_mm = 2.0;
+    Bleeding bleeding(tree);
+    bleeding.set_tears({off, open_side_of(1, 3.0)});
+    EXPECT_NEAR(bleeding.leaks_g_s()[1], 0.0, 1e-9);
+    EXPECT_NEAR(bleeding.leak_g_s(), leak_of(tree, {off}), 1e-9);
+}
+
 // Held between the fork and the stump: what presses less than the blood does changes nothing, and
 // the harder it is held, the less is lost.
 TEST(Bleeding, FallsWhereTheVesselIsHeldBeforeItsStump) {

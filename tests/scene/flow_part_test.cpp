@@ -384,6 +384,31 @@ TEST(FlowPart, ADrugEndsAtTheTearOfATube) {
     }
 }
 
+// Behind a hole in the side of a tube it goes on more slowly: of the flow q, x leaks, and the
+// quadratic of the orifice says how much.
+TEST(FlowPart, ADrugGoesOnBehindAnOpenSide) {
+    const VesselTree tree = tube_of_40_mm();
+    const Injection whole{.at = {0, 0.0, 0.0}};
+    Injection open = whole;
+    const ThroughTear hole{{0, 20.0, 0.0}, 3.0, true};
+    open.tears = {hole};
+    const std::vector<float> usual = shown(tree, whole);
+    Shown made(tree);
+    made.part.inject(open);
+    const Fluid fluid = pure(blood());
+    const double q = whole.mass_flow_g_s / fluid.density_g_mm3;
+    const double r = 8.0 * fluid.viscosity_pa_s * 20.0 / (std::numbers::pi * 16.0);
+    const double k_loss = 0.5 * fluid.density_g_mm3 / std::pow(0.6 * 3.0, 2);
+    const double x = (std::sqrt(r * r + 4.0 * k_loss * r * q) - r) / (2.0 * k_loss);
+    ASSERT_GT(x, 0.1 * q);
+    for (std::size_t k = 0; k < 11; ++k) {
+        double expected = usual[k];
+        if (k > 5) expected = usual[5] + (usual[k] - usual[5]) * q / (q - x);
+        EXPECT_NEAR((*made.part.drug().arrival_s)[k], expected, 1e-4 * usual[10]) << k;
+    }
+    EXPECT_NEAR(made.part.arrival_at_stump_s(hole, -1), usual[5], 1e-4 * usual[10]);
+}
+
 TEST(FlowPart, ADrugGoesToTheBranchesThatAreNotTorn) {
     const VesselTree& tree = test::small_patient()->tree;
     const std::vector<std::vector<int>> kids = children(tree);
@@ -402,6 +427,63 @@ TEST(FlowPart, ADrugGoesToTheBranchesThatAreNotTorn) {
     }
 }
 
+std::vector<std::uint8_t> reached_by(const DrugView& drug) {
+    std::vector<std::uint8_t> reached;
+    for (const float arrival_s : *drug.arrival_s) reached.push_back(arrival_s <= drug.time_s);
+    return reached;
+}
+
+// Until the drug is taken away, as PlayMeter counts it.
+TEST(FlowPart, WhatAnInjectionReachedIsKeptBesideTheNext) {
+    Shown made(tube_of_40_mm());
+    FlowPart& part = made.part;
+    part.inject({.at = {0, 0.0, 0.0}});
+    EXPECT_FALSE(part.drug().reached_before) << "there was none before";
+    part.set_time(0.35 * part.drug().end_s);
+    const std::vector<std::uint8_t> first = reached_by(part.drug());
+    EXPECT_EQ(first, (std::vector<std::uint8_t>{1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0}));
+    part.inject({.at = {0, 20.0, 0.0}});
+    ASSERT_TRUE(part.drug().reached_before);
+    EXPECT_EQ(*part.drug().reached_before, first);
+    part.step(0.01 * part.drug().end_s);
+    const auto kept = part.drug().reached_before;
+    part.step(0.01 * part.drug().end_s);
+    EXPECT_EQ(part.drug().reached_before, kept) << "nothing is copied while the drug runs";
+    const FlowCheckpoint second = part.checkpoint();
+    part.set_time(part.drug().end_s);
+    const std::vector<std::uint8_t> also = reached_by(part.drug());
+    part.inject(unlike_blood);
+    EXPECT_EQ(part.drug().reached_before, kept) << "while the next is computed";
+    part.finish_injection();
+    for (std::size_t v = 0; v < first.size(); ++v)
+        EXPECT_EQ((*part.drug().reached_before)[v], first[v] | also[v]) << v;
+    part.restore(second);
+    EXPECT_EQ(*part.drug().reached_before, first) << "back to before the third";
+    part.remove_drug();
+    EXPECT_FALSE(part.drug().reached_before);
+    part.inject({.at = {0, 0.0, 0.0}});
+    EXPECT_FALSE(part.drug().reached_before) << "nothing of before";
+}
+
+TEST(FlowPart, WhatWasReachedBeforeGoesWithSplitVerticesAndIntoFiles) {
+    Shown made(tube_of_40_mm()), other(tube_of_40_mm());
+    made.part.inject({.at = {0, 0.0, 0.0}});
+    made.part.set_time(0.35 * made.part.drug().end_s);
+    made.part.inject({.at = {0, 20.0, 0.0}});
+    WorldCheckpoint kept;
+    kept.flow = made.part.checkpoint();
+    auto json = to_json(kept);
+    other.part.restore(*world_checkpoint_from_json(json).flow);
+    ASSERT_TRUE(other.part.drug().reached_before);
+    EXPECT_EQ(*other.part.drug().reached_before, *made.part.drug().reached_before);
+    json["flow"]["reached_before"] = "012";
+    EXPECT_THROW(world_checkpoint_from_json(json), InputError);
+    made.topology.split(std::vector<int>{0, 10}, {});
+    made.part.step(0.01);
+    EXPECT_EQ(*made.part.drug().reached_before,
+              (std::vector<std::uint8_t>{1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1, 0}));
+}
+
 // As from a keyframe in a file, which holds no times.
 TEST(FlowPart, TheTearsOfAnInjectionGoIntoCheckpoints) {
     const VesselTree tree = tube_of_40_mm();
@@ -417,6 +499,15 @@ TEST(FlowPart, TheTearsOfAnInjectionGoIntoCheckpoints) {
     EXPECT_EQ(other.part.drug().end_s, made.part.drug().end_s);
     EXPECT_EQ(other.part.arrival_at_stump_s(tear, -1), made.part.arrival_at_stump_s(tear, -1));
     EXPECT_EQ(other.part.state_hash(), made.part.state_hash());
+    Injection side{.at = {0, 0.0, 0.0}, .tears = {tear}};
+    side.tears[0].side = true;
+    whole.part.inject(side);
+    EXPECT_NE(whole.part.state_hash(), made.part.state_hash());
+    WorldCheckpoint with_side;
+    with_side.flow = whole.part.checkpoint();
+    other.part.restore(*world_checkpoint_from_json(to_json(with_side)).flow);
+    EXPECT_EQ(other.part.state_hash(), whole.part.state_hash());
+    EXPECT_EQ(*other.part.drug().arrival_s, *whole.part.drug().arrival_s);
     kept.flow->injected->tears[0].at.segment = 1;
     EXPECT_THROW(other.part.restore(*kept.flow), InputError) << "of another tree";
 }

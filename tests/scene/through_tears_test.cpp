@@ -5,68 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
+
+#include "tests/scene/cube_body.h"
 
 namespace hepatica {
 namespace {
 
-// Cubes of 1 mm, each of six tetrahedra around its diagonal, so that cubes side by side share
-// triangles.
-struct CubeBody {
-    void add(int x, int y, int segment, double arclength_mm) {
-        std::array<int, 3> axes{0, 1, 2};
-        do {
-            std::array<int, 3> at{x, y, 0};
-            std::array<int, 4> corners{vertex(at)};
-            for (std::size_t k = 0; k < 3; ++k) {
-                ++at[static_cast<std::size_t>(axes[k])];
-                corners[k + 1] = vertex(at);
-            }
-            if (volume_of(corners) < 0.0) std::swap(corners[2], corners[3]);
-            mesh.tetrahedra.push_back(corners);
-            places.push_back({{segment, arclength_mm, 0.0}, 0.5});
-        } while (std::ranges::next_permutation(axes).found);
-    }
-
-    int vertex(const std::array<int, 3>& at) {
-        const auto [found, fresh] = numbers.try_emplace(at, int(mesh.vertices_mm.size()));
-        if (fresh) mesh.vertices_mm.push_back(Vec3(at[0], at[1], at[2]));
-        return found->second;
-    }
-
-    double volume_of(const std::array<int, 4>& t) const {
-        const auto edge = [&](int k) -> Vec3 {
-            return mesh.vertices_mm[std::size_t(t[std::size_t(k)])] -
-                   mesh.vertices_mm[std::size_t(t[0])];
-        };
-        return edge(1).cross(edge(2)).dot(edge(3));
-    }
-
-    // Across the row of cubes at this y, between x - 1 and x.
-    void cut(Tearing& tearing, double x, double y) const {
-        const std::vector<int> joints =
-            tearing.crossing(Vec3(x, y, -1.0), Vec3(0, 1, 0), Vec3(0, 0, 3), mesh.vertices_mm);
-        ASSERT_FALSE(joints.empty());
-        tearing.cut(joints);
-    }
-
-    TetMesh mesh;
-    std::vector<VertexPlace> places;
-    std::map<std::array<int, 3>, int> numbers;
-};
-
-VesselTree tree_of(const std::vector<int>& parents) {
-    VesselTree tree;
-    for (const int parent : parents) {
-        VesselSegment segment;
-        segment.parent = parent;
-        segment.points_mm = {Vec3(0, 0, 0), Vec3(30, 0, 0)};
-        segment.radii_mm = {0.5, 0.5};
-        tree.segments.push_back(segment);
-    }
-    return tree;
-}
+using test::CubeBody;
+using test::tree_of;
 
 constexpr double stretch_mm = 2.0;
 
@@ -110,6 +56,44 @@ TEST(ThroughTears, OfABranchAtItsForkThatHangsOnItsNeighbour) {
     ASSERT_EQ(torn.size(), 1u);
     EXPECT_EQ(torn[0].at.segment, 1);
     EXPECT_EQ(torn[0].at.arclength_mm, 0.0);
+}
+
+// A trunk that both branches of its fork came off together, in one piece, is cut once, at its end.
+TEST(ThroughTears, OfATrunkAtItsVeryEndIsOne) {
+    CubeBody body;
+    for (int x = 0; x <= 6; ++x) body.add(x, 0, 0, x + 0.5);
+    for (int x = 7; x <= 20; ++x) {
+        body.add(x, 0, 1, x - 6.5);
+        body.add(x, 1, 2, x - 6.5);
+    }
+    VesselTree tree = tree_of({-1, 0, 0});
+    tree.segments[0].points_mm.back() = Vec3(7, 0, 0);
+    Tearing tearing(body.mesh, {}, {});
+    body.cut(tearing, 7.0, 0.0);
+    ASSERT_EQ(tearing.topology().pieces(tearing.bound_pairs()), 2);
+    const auto torn = through_tears(tree, tearing, body.places, stretch_mm);
+    ASSERT_EQ(torn.size(), 1u);
+    EXPECT_EQ(torn[0].at.segment, 0);
+    EXPECT_EQ(torn[0].at.arclength_mm, 7.0);
+}
+
+// Each by itself, they are as many tears.
+TEST(ThroughTears, OfAllBranchesOneByOneAreAsMany) {
+    CubeBody body = fork_of_cubes();
+    Tearing tearing(body.mesh, {}, {});
+    for (const double y : {1.0, 0.0}) {
+        const std::vector<int> joints =
+            tearing.crossing(Vec3(5.5, y, -1), Vec3(2, 0, 0), Vec3(0, 0, 3), body.rest_of(tearing));
+        ASSERT_FALSE(joints.empty());
+        tearing.cut(joints);
+    }
+    ASSERT_EQ(tearing.topology().pieces(tearing.bound_pairs()), 3);
+    const auto torn = through_tears(fork_tree, tearing, body.places, stretch_mm);
+    ASSERT_EQ(torn.size(), 2u);
+    for (const ThroughTear& one : torn) {
+        EXPECT_NE(one.at.segment, 0);
+        EXPECT_EQ(one.at.arclength_mm, 0.0);
+    }
 }
 
 // Meshes of real vessels have segments of several pieces; only the cut is a tear.

@@ -123,6 +123,7 @@ TEST(WorldState, GoesOnFromTheTextOfItsCheckpoint) {
     EXPECT_EQ(*a.tear->origins, *b.tear->origins);
     EXPECT_EQ(*a.tear->rims, *b.tear->rims);
     EXPECT_EQ(a.tear->leaked_g, b.tear->leaked_g);
+    EXPECT_EQ(a.tear->leak_g_s, b.tear->leak_g_s);
     EXPECT_EQ(a.tool, b.tool);
 }
 

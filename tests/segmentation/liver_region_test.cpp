@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/segmentation/organ_surroundings.h"
+#include "core/segmentation/soft_organ.h"
 #include "tests/support/test_masks.h"
 
 namespace hepatica {
@@ -251,6 +252,26 @@ TEST(CloseLiver, FillsChannelsAndCavitiesUpToTwiceItsRadius) {
     EXPECT_EQ(wide.at(29, 29, 29), 0);
     EXPECT_EQ(close_liver(ball_with(3.0), 1.0, job).at(29, 40, 29), 1);
     EXPECT_EQ(close_liver(ball_with(3.0), 1.0, job).at(29, 29, 29), 0);
+}
+
+// Three layers of 94, 100 and 106 HU under fat: in the histogram, whose bins are 2 HU wide,
+// smoothed with exp(-k^2/8) over k bins, they are one peak in the bin from 100 to 102 HU. It falls
+// to half its height between the fourth and the fifth bin: sum of exp(-(j - k)^2/8) over j = -3,
+// 0, 3.
+TEST(SoftOrgan, IsOnePeakOfTheSmoothedHistogram) {
+    Grid grid;
+    grid.dims = {20, 20, 27};
+    grid.spacing_mm = Vec3::Constant(3.0);
+    FloatVolume smooth(grid);
+    for (std::size_t i = 0; i < smooth.voxels.size(); ++i) {
+        const int z = grid.index_of(i)[2];
+        smooth.voxels[i] = z < 2 ? -100.0f : z < 11 ? 94.0f : z < 19 ? 100.0f : 106.0f;
+    }
+    Job job;
+    const SoftOrgan organ = largest_soft_organ(smooth, job);
+    EXPECT_EQ(organ.hu, 101.0);
+    EXPECT_NEAR(organ.half_band_hu, 2.2 * (5 * 2.0) / 1.177, 1e-9);
+    EXPECT_GT(organ.core_ml, 0.0);
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ class StoppedStep : public testing::Test {
 
 TEST_F(StoppedStep, IsNeitherShownNorRecordedNorCounted) {
     int watched = 0;
-    session_->watch([&](const auto&, const auto&) { return ++watched > 0; });
+    session_->watch([&](const auto&, const auto&, const auto&) { return ++watched > 0; });
     play(75);
     session_->update_frame();
     const SessionStep stopped = stop_within_a_step();
@@ -78,6 +78,19 @@ TEST_F(StoppedStep, IsNeitherShownNorRecordedNorCounted) {
     EXPECT_EQ(next.step, 76u);
     EXPECT_EQ(recording_->steps.size(), 76u);
     EXPECT_EQ(watched, 76);
+}
+
+// What a watch waits for may never come.
+TEST_F(StoppedStep, IsHeardByAWatchThatWaits) {
+    std::stop_source source;
+    bool heard = false;
+    session_->watch([&](const auto&, const auto&, const std::stop_token& stop) {
+        source.request_stop();
+        heard = stop.stop_requested();
+        return true;
+    });
+    session_->step(source.get_token());
+    EXPECT_TRUE(heard);
 }
 
 TEST_F(StoppedStep, TheNextGoesBackToTheLastGoodStateAndAReplayAgrees) {

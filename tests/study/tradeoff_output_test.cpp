@@ -214,6 +214,16 @@ TEST(TradeoffOutput, RefusesAFolderThatCannotBe) {
     fs::remove(file);
 }
 
+TEST(TradeoffOutput, WritesBothFilesOrNone) {
+    const fs::path folder = fs::path(testing::TempDir()) / "tradeoff_half";
+    fs::create_directories(folder / "tradeoff.svg" / "in_the_way");
+    std::ofstream(folder / "tradeoff.csv") << "older";
+    EXPECT_THROW(write_tradeoff(four_points(), folder), InputError);
+    std::ifstream in(folder / "tradeoff.csv");
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "older");
+    fs::remove_all(folder);
+}
+
 BodyDescription brick() {
     BodyDescription body;
     body.mesh = kuhn_brick(Vec3(10, 10, 10), {1, 1, 1});

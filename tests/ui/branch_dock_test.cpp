@@ -70,6 +70,9 @@ TEST_F(Branches, AreReadWhenTheTableIsShown) {
     EXPECT_EQ(value(0, 3), 30.0);
     EXPECT_EQ(value(1, 2), 2.0);
     EXPECT_EQ(value(1, 6), 70.0);
+    EXPECT_EQ(table().item(0, 3)->text(), "30.0") << "as many decimals in each row";
+    EXPECT_EQ(table().item(0, 6)->text(), "100.00");
+    EXPECT_EQ(table().item(1, 6)->text(), "70.00");
     EXPECT_EQ(table().item(0, 1)->text(), "portal vein");
 }
 

@@ -203,6 +203,12 @@ TEST(CoreWords, AreSaidInGermanWithWhatIsPutIn) {
          "Einstellungen des Schiebers, die auf NVIDIA X (cuda) gemessen wurden, fehlen: Es macht "
          "die Schritte hier nicht"},
         {"corotated, 2 substeps, on the processor", "korotiert, 2 Teilschritte, auf dem Prozessor"},
+        {"Read series 5 “CT Body 3.0” (CT, 60 images, 1.5 mm apart, kernel “Br38f/3”) and left out "
+         "a series “lung” (CT, 8 images) as asked for. On the command line --series 1 reads the "
+         "other one, and so does naming one of its files",
+         "Gelesen wurde wie verlangt Serie 5 “CT Body 3.0” (CT, 60 Bilder, Abstand 1,5 mm, Kern "
+         "“Br38f/3”), ausgelassen eine Serie “lung” (CT, 8 Bilder). Die andere liest Datei > Mit "
+         "Optionen rekonstruieren, Serie 1, oder wenn man eine ihrer Dateien wählt"},
         // As the window says it in English.
         {"On the command line --series", "On the command line --series"},
         {"Leave the series out, or give a DICOM folder",
@@ -218,6 +224,8 @@ TEST(CoreWords, LeaveNamesAlone) {
         EXPECT_EQ(translated(name).toStdString(), name);
     EXPECT_EQ(translated("is \"50 %2 %1\", which is no tool").toStdString(),
               "ist „50 %2 %1“, kein Werkzeug");
+    EXPECT_EQ(translated("series 5 “liver and spleen”").toStdString(),
+              "Serie 5 “liver and spleen”");
 }
 
 TEST(CoreWords, StayAsTheyAreInEnglish) {

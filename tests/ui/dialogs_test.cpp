@@ -96,8 +96,12 @@ TEST_F(Wizard, offers_the_series_of_a_folder_that_holds_several) {
     ASSERT_NE(series, nullptr);
     EXPECT_TRUE(series->isHidden());
     wizard_.set_ct(to_text(both));
+    EXPECT_FALSE(series->isHidden()) << "who looks for the field finds it at once";
+    EXPECT_FALSE(series->isEnabled());
+    EXPECT_TRUE(series->placeholderText().startsWith("Looking"));
     ASSERT_TRUE(testing::wait_for([&] { return series->count() == 2; }));
     EXPECT_FALSE(series->isHidden());
+    EXPECT_TRUE(series->isEnabled());
     EXPECT_TRUE(series->itemText(0).contains("thin")) << series->itemText(0).toStdString();
     EXPECT_TRUE(series->itemText(1).contains("\"thick, 50 %3\", 4 images"))
         << series->itemText(1).toStdString();
@@ -117,7 +121,6 @@ TEST_F(Wizard, offers_the_series_of_a_folder_that_holds_several) {
     // Another folder, of one series, typed by hand.
     field("ct").setText(to_text(both / "one"));
     emit field("ct").editingFinished();
-    EXPECT_TRUE(series->isHidden());
     EXPECT_EQ(wizard_.options().series, 0);
     ASSERT_TRUE(testing::wait_for([&] { return series->count() == 1; }));
     EXPECT_TRUE(series->isHidden());

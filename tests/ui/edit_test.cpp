@@ -297,7 +297,7 @@ TEST_F(Editing, a_click_in_a_slice_corrects_what_lies_there) {
     views.slices().set_crosshair(trunk);
     emit child<QComboBox>("measure").activated(5);
     EXPECT_TRUE(child<QLabel>("slicePlace").text().contains("Cut the vessel"));
-    choose_tool("Say what a vessel is");
+    choose_tool("Name a vessel's system");
     child<QComboBox>("EditSystem").setCurrentText("portal vein");
     const auto click_beside = [&](double mm) {
         QTest::mouseClick(&axial, Qt::LeftButton, {},
@@ -307,7 +307,7 @@ TEST_F(Editing, a_click_in_a_slice_corrects_what_lies_there) {
     EXPECT_EQ(window_.statusBar()->currentMessage(), "No vessel there: click on one");
     EXPECT_TRUE(saved().corrections.edits.empty());
     views.slices().set_crosshair(trunk);
-    EXPECT_TRUE(child<QLabel>("slicePlace").text().contains("Say what a vessel is"));
+    EXPECT_TRUE(child<QLabel>("slicePlace").text().contains("Name a vessel's system"));
     click_beside(4.5);  // 0.7 mm beside the wall
     ASSERT_EQ(saved().corrections.edits.size(), 1u);
     EXPECT_EQ(saved_.corrections.edits[0].kind, TreeEditKind::seed_system);

@@ -56,5 +56,19 @@ TEST(FramePainter, ColoursWhatWasSplitOffAsWhatItComesFrom) {
     EXPECT_EQ(picture_of(torn), picture_of(whole));
 }
 
+TEST(FramePainter, ColoursWhatAnInjectionBeforeHasReached) {
+    Frame frame = triangle(0);
+    frame.drug.arrival_s = three_of({0.25F, never, never, never});
+    const QImage present = picture_of(frame);
+    frame.drug.arrival_s = three_of({never, never, never, never});
+    const QImage plain = picture_of(frame);
+    frame.drug.reached_before =
+        std::make_shared<const std::vector<std::uint8_t>>(std::vector<std::uint8_t>{1, 0, 0, 0});
+    EXPECT_NE(picture_of(frame), plain);
+    EXPECT_NE(picture_of(frame), present);
+    frame.drug.arrival_s = three_of({0.25F, never, never, never});
+    EXPECT_EQ(picture_of(frame), present);
+}
+
 }  // namespace
 }  // namespace hepatica

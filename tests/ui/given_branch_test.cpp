@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QListWidget>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QStatusBar>
 #include <QTableWidget>
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include "tests/patient/parted_patient.h"
 #include "tests/ui/window_test.h"
 #include "ui/message_bar.h"
+#include "ui/message_log.h"
 
 namespace hepatica {
 namespace {
@@ -61,6 +63,8 @@ TEST_F(GivenBranch, that_became_a_tree_of_its_own_is_warned_of) {
     window_.actions()[ActionId::undo_edit].trigger();
     wait();
     EXPECT_FALSE(says_so());
+    static const QRegularExpression past("no longer so\tCorrections\t[^\n]*tree of its own");
+    EXPECT_TRUE(window_.log().as_text().contains(past)) << window_.log().as_text().toStdString();
 }
 
 // One that is shorter than it is wide cannot be clicked on.

@@ -27,15 +27,19 @@ class Hover : public testing::FakeWindowTest {
     }
     void point_at_mm(const Vec3& place_mm) { point_at_place(on_widget(place_mm)); }
 
-    // How bright the picture is around a point of the patient, of 255.
-    double brightness_at(const QImage& picture, const Vec3& place_mm) {
+    // Mean red, green and blue of the view's picture around a point of the patient, of 255.
+    Vec3 colour_at(const QImage& picture, const Vec3& place_mm) {
         const QPoint centre =
             on_widget(place_mm) * (static_cast<double>(picture.width()) / window_.view().width());
-        double sum = 0.0;
+        Vec3 sum = Vec3::Zero();
         for (int y = -3; y <= 3; ++y)
-            for (int x = -3; x <= 3; ++x) sum += qGray(picture.pixel(centre + QPoint(x, y)));
+            for (int x = -3; x <= 3; ++x) {
+                const QRgb pixel = picture.pixel(centre + QPoint(x, y));
+                sum += Vec3(qRed(pixel), qGreen(pixel), qBlue(pixel));
+            }
         return sum / 49.0;
     }
+    Vec3 colour_at(const Vec3& place_mm) { return colour_at(window_.view().picture(), place_mm); }
 };
 
 TEST_F(Hover, lights_up_what_lies_downstream_and_nothing_else) {
@@ -45,8 +49,10 @@ TEST_F(Hover, lights_up_what_lies_downstream_and_nothing_else) {
     const QString nothing = words();
     point_at_mm(Vec3(0, 0, -40));
     const QImage lit = window_.view().picture();
-    EXPECT_GT(brightness_at(lit, downstream), brightness_at(dark, downstream) + 20.0);
-    EXPECT_NEAR(brightness_at(lit, upstream), brightness_at(dark, upstream), 1.0);
+    EXPECT_GT((colour_at(lit, downstream) - colour_at(dark, downstream)).norm(), 40.0);
+    EXPECT_LT((colour_at(lit, upstream) - colour_at(dark, upstream)).norm(), 2.0);
+    EXPECT_TRUE(window_.view().scene().legend().lit);
+    EXPECT_FALSE(window_.view().scene().legend().lit_branch);
     EXPECT_TRUE(words().startsWith("Branch 1 ")) << words().toStdString();
 
     point_at_place(QPoint(5, 5));
@@ -73,12 +79,12 @@ TEST_F(Hover, ends_when_the_mouse_leaves_the_view_or_takes_hold) {
 // The light begins where the mouse is, not where it came onto the branch.
 TEST_F(Hover, follows_the_mouse_along_one_branch) {
     const Vec3 between(0, 0, -40);
-    const double dark = brightness_at(window_.view().picture(), between);
+    const Vec3 dark = colour_at(between);
     point_at_mm(Vec3(0, 0, -52));
-    EXPECT_GT(brightness_at(window_.view().picture(), between), dark + 20.0);
+    EXPECT_GT((colour_at(between) - dark).norm(), 40.0);
     const QString low = words();
     point_at_mm(Vec3(0, 0, -25));
-    EXPECT_NEAR(brightness_at(window_.view().picture(), between), dark, 1.0);
+    EXPECT_LT((colour_at(between) - dark).norm(), 2.0);
     const QString high = words();
     EXPECT_NE(low, high);
     // In millimetres from the branch's beginning, as near as vertices lie (3.2 mm apart).
@@ -93,22 +99,23 @@ TEST_F(Hover, follows_the_mouse_along_one_branch) {
 // Whoever followed a warning to a branch still sees it after the mouse has passed over others.
 TEST_F(Hover, gives_way_to_the_branch_that_was_chosen_in_the_table) {
     const Vec3 below(0, 0, -55), above(0, 0, -25);
-    const double dark = brightness_at(window_.view().picture(), below);
+    const Vec3 dark = colour_at(below);
     window_.messages().show_notice("Branch 1 is an end");
     emit window_.messages().findChild<QLabel*>()->linkActivated("branch:1");
     auto* table = window_.findChild<QTableWidget*>("branches");
     ASSERT_TRUE(testing::wait_for([table] { return table->currentRow() >= 0; }));
     paint();
-    EXPECT_GT(brightness_at(window_.view().picture(), below), dark + 20.0);
+    EXPECT_TRUE(window_.view().scene().legend().lit_branch);
+    EXPECT_GT((colour_at(below) - dark).norm(), 40.0);
     point_at_mm(above);
-    EXPECT_NEAR(brightness_at(window_.view().picture(), below), dark, 1.0);
+    EXPECT_LT((colour_at(below) - dark).norm(), 2.0);
     point_at_place(QPoint(5, 5));
-    EXPECT_GT(brightness_at(window_.view().picture(), below), dark + 20.0);
+    EXPECT_GT((colour_at(below) - dark).norm(), 40.0);
     window_.findChild<QDockWidget*>("Branches")->hide();
     paint();
     point_at_mm(above);
     point_at_place(QPoint(5, 5));
-    EXPECT_NEAR(brightness_at(window_.view().picture(), below), dark, 1.0);
+    EXPECT_LT((colour_at(below) - dark).norm(), 2.0);
 }
 
 }  // namespace

@@ -179,6 +179,26 @@ TEST_F(GermanWindow, NamesAGoalAndATargetByTwoWords) {
         EXPECT_TRUE(Words::tr(of_target).contains("Zielgebiet")) << of_target;
 }
 
+// A play of the vessels is practice, "Übung", as the menu says, and no game.
+TEST_F(GermanWindow, CallsAPlayPracticeAndNoGame) {
+    static const QRegularExpression game("\\b(Spiel|spiel|gespielt|Gespielt)",
+                                         QRegularExpression::UseUnicodePropertiesOption);
+    const std::vector<Translation> all = translations_in(translation_file("de"));
+    EXPECT_GT(all.size(), 1000u);
+    for (const Translation& one : all)
+        for (const QString& form : one.forms)
+            EXPECT_FALSE(form.contains(game)) << form.toStdString();
+    EXPECT_EQ(Words::tr("Record the play"), "Die Übung aufzeichnen");
+}
+
+TEST_F(GermanWindow, SaysAllSixViewsInGerman) {
+    QStringList views;
+    for (int id = static_cast<int>(ActionId::view_anterior);
+         id <= static_cast<int>(ActionId::view_inferior); ++id)
+        views << window_.actions()[static_cast<ActionId>(id)].text().remove('&');
+    EXPECT_EQ(views, QStringList({"Vorn", "Hinten", "Links", "Rechts", "Oben", "Unten"}));
+}
+
 // "New course" is also what the window calls one, and has a translation.
 TEST_F(GermanWindow, CallsACourseAsItsAuthorDidAndTheProgramsOwnInGerman) {
     EXPECT_NE(translated("New course"), "New course");
@@ -225,7 +245,7 @@ TEST_F(GermanWindow, HasItsLessonEditorWhollyOnTheScreen) {
 
 TEST_F(GermanWindow, SaysInItsToolBarWhatItsMenuSays) {
     EXPECT_EQ(window_.actions()[ActionId::reset].iconText(), "Zurücksetzen");
-    EXPECT_EQ(window_.actions()[ActionId::toggle_clip].text(), "A&nsicht aufschneiden");
+    EXPECT_EQ(window_.actions()[ActionId::toggle_clip].text(), "&Ansicht aufschneiden");
 }
 
 TEST_F(GermanWindow, ShowsAllOfItsToolBarOnASmallScreen) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // After an attempt: whose it was where he gave a name, and the way to the next lesson.
 #include <QComboBox>
+#include <QFileDialog>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScreen>
 #include <QTableWidget>
+#include <QTimer>
 #include <algorithm>
 #include <fstream>
 #include <tuple>
@@ -15,6 +17,7 @@
 #include "core/lesson/lesson_writer.h"
 #include "tests/ui/lesson_window_test.h"
 #include "ui/attempts_dialog.h"
+#include "ui/message_bar.h"
 #include "ui/recording_guard.h"
 #include "ui/review_dock.h"
 #include "ui/second_view.h"
@@ -192,6 +195,37 @@ TEST_F(LessonAttemptsTest, the_table_is_seen_as_far_as_the_screen_has_room) {
     EXPECT_GE(dialog.width(), std::min(columns, dialog.screen()->availableSize().width()));
 }
 
+// Of a long play that takes minutes.
+TEST_F(LessonAttemptsTest, a_patient_is_opened_while_a_report_is_written) {
+    namespace fs = std::filesystem;
+    play(short_lesson("Short"));
+    const fs::path go = to_path(folder_.filePath("go")), program = to_path(folder_.filePath("sh"));
+    std::ofstream(program) << "#!/bin/sh\nuntil [ -e '" << go.string()
+                           << "' ]; do sleep 0.02; done\necho done > \"$4/report.html\"\n";
+    fs::permissions(program, fs::perms::owner_all);
+    window_.set_report_program(to_text(program));
+    QTimer answering;  // the question where to write it
+    QObject::connect(&answering, &QTimer::timeout, [this] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (dialog == nullptr) return;
+        dialog->findChild<QLineEdit*>()->setText(folder_.path());
+        QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
+    });
+    answering.start(20);
+    window_.lessons().findChild<QPushButton*>("lessonReport")->click();
+    answering.stop();
+    ASSERT_TRUE(window_.busy());
+    const fs::path other = to_path(folder_.filePath("other.hep"));
+    window_.open(to_text(other));
+    EXPECT_TRUE(wait_for([&] { return window_.workspace().folder() == other; }));
+    EXPECT_TRUE(window_.busy()) << "the report is still being written";
+    std::ofstream{go};
+    ASSERT_TRUE(wait_for([this] { return !window_.busy(); }));
+    EXPECT_TRUE(window_.messages().text().startsWith("The report is in"))
+        << window_.messages().text().toStdString();
+    EXPECT_EQ(window_.messages().findChild<QPushButton*>("offer")->text(), "Open");
+}
+
 // Ctrl + Q is quickly pressed for Ctrl + W.
 TEST_F(LessonAttemptsTest, the_window_asks_before_it_closes_on_a_lesson_that_is_played) {
     lesson_may_end_ = false;
@@ -205,8 +239,23 @@ TEST_F(LessonAttemptsTest, the_window_asks_before_it_closes_on_a_lesson_that_is_
     EXPECT_TRUE(window_.lessons().running() != nullptr);
     EXPECT_TRUE(stood) << "thinking about the question costs no time";
     EXPECT_TRUE(wait_for([&] { return !window_.frame().statistics.paused; })) << "it goes on";
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().standing().metrics.time_s > 0.0; }));
+    EXPECT_TRUE(kept().list.empty());
     lesson_may_end_ = true;
     EXPECT_TRUE(window_.close());
+    ASSERT_EQ(kept().list.size(), 1u) << "closing hides no attempt";
+    EXPECT_FALSE(kept().list[0].passed);
+    EXPECT_EQ(kept().list[0].reasons, std::vector<std::string>{"given up before the end"});
+}
+
+TEST_F(LessonAttemptsTest, closing_on_a_lesson_in_which_nothing_was_done_keeps_nothing) {
+    window_.lessons().start(lesson_file(R"({"what": "holding", "at_least": 1})"));
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing(); }));
+    only_recording();
+    EXPECT_TRUE(window_.close());
+    EXPECT_EQ(lesson_ends_asked_, 0);
+    EXPECT_TRUE(kept().list.empty());
+    EXPECT_TRUE(recordings_in(to_path(settings_.recordings_folder())).empty());
 }
 
 TEST_F(LessonAttemptsTest, one_table_says_who_passed_what) {

@@ -17,6 +17,7 @@
 #include "ui/lesson_dock.h"
 #include "ui/lesson_editor/lesson_editor.h"
 #include "ui/message_bar.h"
+#include "ui/on_screen.h"
 #include "ui/paths.h"
 #include "ui/patient_place.h"
 
@@ -52,6 +53,25 @@ TEST_F(LessonEditorWindowTest, lies_wholly_on_the_screen_as_the_first_window_doe
         EXPECT_TRUE(wait_for([&] { return screen.contains(editor().frameGeometry()); }));
         editor().resize(2 * screen.size());
         editor().hide();
+    }
+}
+
+// The frame that a desktop adds comes after the first show: the window lay lower by its title bar
+// from the second time on. Run once more where windows have frames (ui.on_screen_with_frames).
+TEST(PlaceOnScreen, IsThatOfTheContentHoweverOftenItIsShown) {
+    QWidget window;
+    window.resize(200, 100);
+    const QPoint wanted = window.screen()->availableGeometry().topLeft() + QPoint(60, 80);
+    for (int time = 0; time < 3; ++time) {
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, testing::patience_ms));
+        constexpr int title = 40;
+        place_on_screen(window, wanted, title);
+        EXPECT_TRUE(wait_for([&] { return window.geometry().topLeft() == wanted; })) << time;
+        if (QGuiApplication::platformName() == "offscreen") {
+            EXPECT_NE(window.frameGeometry(), window.geometry());
+        }
+        window.hide();
     }
 }
 

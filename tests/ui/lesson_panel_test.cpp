@@ -97,10 +97,13 @@ TEST_F(LessonPanelTest, says_what_the_wheel_does_after_the_verdict) {
     panel_.show_standing(standing_, true);
     EXPECT_TRUE(text("lessonClock").contains("the wheel zooms"));
     EXPECT_FALSE(panel_.findChild<QLabel*>("lessonClock")->isHidden());
-    // A review or free play is shown instead.
-    panel_.show_standing(standing_, true, false);
+    // Free play is shown instead.
+    panel_.show_standing(standing_, true, LessonPanel::InView::other);
     EXPECT_FALSE(text("lessonClock").contains("stands as it was judged"));
     EXPECT_TRUE(text("lessonClock").contains("The play that was judged is left"));
+    EXPECT_FALSE(panel_.findChild<QLabel*>("lessonClock")->isHidden());
+    panel_.show_standing(standing_, true, LessonPanel::InView::review);
+    EXPECT_TRUE(text("lessonClock").startsWith("The view looks back on this attempt"));
     EXPECT_FALSE(panel_.findChild<QLabel*>("lessonClock")->isHidden());
 }
 

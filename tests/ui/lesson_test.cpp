@@ -170,6 +170,9 @@ TEST(LearningCurve, MarksWhatWasNotPassed) {
     attempts[1].passed = true;
     const Chart chart = learning_curve(attempts, Quantity::time_s);
     ASSERT_EQ(chart.curves.size(), 2u);
+    EXPECT_TRUE(std::isnan(chart.curves[0].y[0])) << "the line is of those that were passed";
+    EXPECT_EQ(chart.curves[0].y[1], 9.0);
+    EXPECT_TRUE(std::isnan(chart.curves[0].y[2]));
     EXPECT_TRUE(chart.curves[1].points_only);
     EXPECT_EQ(chart.curves[1].x, (std::vector<double>{1, 3}));
     EXPECT_EQ(chart.curves[1].y, (std::vector<double>{10, 8}));

@@ -197,7 +197,7 @@ TEST_F(LessonToolsTest, that_the_tool_is_put_away_at_the_verdict_is_said) {
 }
 
 // "Inject so that 3 g reach the target's tissue": which that is must be seen.
-TEST_F(LessonToolsTest, the_target_of_a_drug_is_lit_while_it_is_played) {
+TEST_F(LessonToolsTest, the_target_of_a_drug_is_seen_while_it_is_played) {
     Lesson lesson = new_lesson();
     lesson.scene.deform.reset();
     lesson.scene.flow.emplace();
@@ -205,7 +205,7 @@ TEST_F(LessonToolsTest, the_target_of_a_drug_is_lit_while_it_is_played) {
     lesson.limits.clear();
     lesson.steps[0].goal = {{Quantity::time_s, -1, true, 1000.0}};
     const auto lit = [this] {
-        return std::ranges::count(window_.view().scene().highlight(), std::uint8_t{1});
+        return std::ranges::count(window_.view().scene().target(), std::uint8_t{1});
     };
     begin(lesson);
     EXPECT_EQ(lit(), 0) << "it wants no drug anywhere";
@@ -218,10 +218,24 @@ TEST_F(LessonToolsTest, the_target_of_a_drug_is_lit_while_it_is_played) {
     lesson.target->share_of_longest_path = 0.5;
     begin(lesson);
     EXPECT_GT(lit(), 0);
-    EXPECT_LT(lit(), std::ssize(window_.view().scene().highlight())) << "the rest is no target";
+    EXPECT_LT(lit(), std::ssize(window_.view().scene().target())) << "the rest is no target";
+    EXPECT_TRUE(window_.view().scene().legend().target);
+    // Pointing at a vessel, as to choose where to inject, adds a highlight and takes nothing away.
+    const std::vector<std::uint8_t> target = window_.view().scene().target();
+    const std::vector<std::uint8_t>& highlight = window_.view().scene().highlight();
+    const Frame& frame = window_.frame();
+    for (int v = 0; highlight.empty() && v < static_cast<int>(target.size()); v += 5) {
+        const QPoint place = on_widget(frame.place_mm(v));
+        QMouseEvent move(QEvent::MouseMove, place, window_.view().mapToGlobal(place), Qt::NoButton,
+                         Qt::NoButton, Qt::NoModifier);
+        QApplication::sendEvent(&window_.view(), &move);
+    }
+    EXPECT_GT(std::ranges::count(highlight, std::uint8_t{1}), 0);
+    EXPECT_EQ(window_.view().scene().target(), target);
     EXPECT_TRUE(wait_for([&] { return in_front("Injection"); }));
     window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
     EXPECT_EQ(lit(), 0);
+    EXPECT_FALSE(window_.view().scene().legend().target);
 }
 
 TEST_F(LessonToolsTest, a_slip_is_told_of_and_does_not_end_it) {
@@ -264,6 +278,8 @@ TEST_F(LessonToolsTest, its_mark_is_on_no_other_bodys_vessels) {
     wait_for_figures();
     window_.lessons().findChild<QPushButton*>("lessonLookBack")->click();
     ASSERT_TRUE(wait_for([&] { return window_.review().complete(); }));
+    EXPECT_TRUE(shown("lessonClock").startsWith("The view looks back on this attempt"))
+        << shown("lessonClock").toStdString();
     window_.review().findChild<QPushButton*>("reviewLeave")->click();
     paint();
     EXPECT_TRUE(window_.lessons().marks_in(window_.frame()).empty());

@@ -63,6 +63,8 @@ TEST_F(Messages, what_the_solver_says_is_told_plainly_and_kept_in_the_log_once) 
         EXPECT_EQ(window_.statusBar()->currentMessage(), told) << "it can be read";
     }
     EXPECT_EQ(window_.log().as_text().count(exact), 1);
+    EXPECT_TRUE(window_.log().as_text().contains("\tNote\tSimulation\tForces shown were rough"))
+        << "and no warning, which the foot of the window would count";
     // It stops nothing, also where the play is held just then.
     window_.actions()[ActionId::pause_simulation].trigger();
     ASSERT_TRUE(testing::wait_for([&] { return window_.frame().statistics.paused; }));
@@ -157,6 +159,16 @@ TEST_F(Messages, lead_to_the_branch_that_they_name) {
     auto* list = window_.log().findChild<QTreeWidget*>();
     emit list->itemActivated(list->topLevelItem(0), 0);
     EXPECT_EQ(table->item(table->currentRow(), 0)->text(), "1");
+    window_.log().add_warning("A", "Branch 2 is one, too");
+    window_.log().add_warning("A", "The slices are thick");
+    auto* show = window_.log().findChild<QPushButton*>("logShowBranch");
+    list->setCurrentItem(list->topLevelItem(2));
+    EXPECT_FALSE(show->isEnabled()) << "it names none";
+    list->setCurrentItem(list->topLevelItem(1));
+    show->click();
+    EXPECT_EQ(table->item(table->currentRow(), 0)->text(), "2");
+    window_.log().settle_warning("Branch 2 is one, too");
+    EXPECT_FALSE(show->isEnabled()) << "another branch may have its number now";
     emit label->linkActivated("branch:999");  // of a patient before
     window_.actions()[ActionId::toggle_branches].trigger();
     EXPECT_FALSE(table->isVisible());
@@ -361,6 +373,22 @@ TEST_F(StandingWarnings, ThatHoldNoLongerAreMarkedInTheLog) {
     open_built_in();
     EXPECT_EQ(window_.log().as_text().count(of_image), 2);
     EXPECT_EQ(marked(), 2) << window_.log().as_text().toStdString();
+}
+
+// A joined message of several lines is one row for each, which ends on its own.
+TEST(MessageLog, MarksAWarningAsPastOnceItHoldsNoLonger) {
+    MessageLog log;
+    bool holds = true;
+    log.add_warning("Corrections", "A loop is left", [&holds] { return holds; });
+    log.add_warning("Corrections", "A stroke lies outside", [] { return true; });
+    log.add_warning("Measure", "A diameter is gone");
+    log.settle();
+    EXPECT_EQ(log.as_text().count("no longer so"), 0);
+    holds = false;
+    log.settle();
+    log.settle();
+    EXPECT_EQ(log.as_text().count("no longer so"), 1);
+    EXPECT_TRUE(log.as_text().contains("no longer so\tCorrections\tA loop is left"));
 }
 
 TEST_F(StandingWarnings, AreJoinedByWhatACorrectionMakesDoubtful) {

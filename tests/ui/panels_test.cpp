@@ -6,9 +6,11 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSlider>
 #include <QWheelEvent>
+#include <algorithm>
 
 #include "tests/ui/fake_window_test.h"
 #include "ui/curves_dock.h"
@@ -198,6 +200,19 @@ TEST(PlotTitles, AreWholeOrEndInAnEllipsisAndNeverOverlap) {
 }
 
 // In German, at the least width that a whole window has for it.
+TEST(ProgressStripTest, names_the_other_jobs) {
+    QWidget pictures;
+    ProgressStrip strip([] {}, &pictures);
+    const auto says = [&](const QString& text) {
+        return std::ranges::any_of(strip.findChildren<QLabel*>(),
+                                   [&](const QLabel* label) { return label->text() == text; });
+    };
+    strip.show_others({"Saving a", "Saving b"}, "Writing the report");
+    EXPECT_TRUE(says("at the same time: Writing the report; then: Saving a, Saving b"));
+    strip.show_others({}, "Writing the report");
+    EXPECT_TRUE(says("at the same time: Writing the report"));
+}
+
 TEST(ProgressStripTest, cuts_no_words_where_there_is_room_for_them) {
     QWidget pictures;
     pictures.resize(860, 400);
@@ -211,6 +226,33 @@ TEST(ProgressStripTest, cuts_no_words_where_there_is_room_for_them) {
     pictures.show();
     for (const auto* label : strip->findChildren<ElidedLabel*>())
         EXPECT_EQ(label->shown(), label->text());
+}
+
+// Beside a lesson's panel: the bar takes a third of what the step needs, and yields the rest.
+TEST(ProgressStripTest, cuts_no_words_before_its_bar_is_short) {
+    QWidget pictures;
+    pictures.resize(860, 400);
+    auto* strip = new ProgressStrip([] {}, &pictures);
+    strip->start("Opening the built-in patient");
+    JobProgress progress;
+    progress.stage = "Telling the systems apart";
+    progress.stage_number = 14;
+    progress.stage_count = 17;
+    strip->update_progress(progress);
+    pictures.show();
+    int needed = strip->findChild<QPushButton*>()->sizeHint().width();
+    int stage = 0;
+    for (const auto* label : strip->findChildren<ElidedLabel*>()) {
+        const int hint = label->text().isEmpty() ? 0 : label->sizeHint().width();
+        needed += hint;
+        if (label->objectName() == "quiet") stage = std::max(stage, hint);
+    }
+    ASSERT_GT(stage, 120);
+    const int margins = 24, gaps = 3 * 14;
+    pictures.resize(needed + margins + gaps + stage / 3 + 3, 400);
+    QCoreApplication::processEvents();
+    for (const auto* label : strip->findChildren<ElidedLabel*>())
+        EXPECT_EQ(label->shown(), label->text()) << pictures.width();
 }
 
 }  // namespace

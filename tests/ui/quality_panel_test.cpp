@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QScrollArea>
 #include <QSlider>
 #include <QTest>
 #include <algorithm>
@@ -68,6 +69,38 @@ TEST(QualityPanel, SaysWhatWasSimplified) {
 
 // Errors of two bodies are no one scale: the figure of a synthetic patient says nothing of this
 // one.
+// Now and then one is, while a vessel is torn; all below the sentence jumped and was squashed.
+TEST(QualityPanel, StaysInItsPlaceWhileStepsAreSimplified) {
+    Panel p;
+    QScrollArea scroll;
+    scroll.setWidgetResizable(true);
+    scroll.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll.setWidget(&p.panel);
+    scroll.resize(320, 350);
+    scroll.show();
+    FrameStatistics statistics;
+    statistics.setting = "corotated, 4 substeps";
+    p.panel.show_statistics(statistics);
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&scroll));
+    constexpr int more_than_layouts_within_each_other = 10;
+    for (int i = 0; i < more_than_layouts_within_each_other; ++i) QCoreApplication::processEvents();
+    auto* computed_by = p.panel.findChild<QComboBox*>("back_end");
+    const auto place = [&] {
+        return QRect(computed_by->mapTo(&p.panel, QPoint()), computed_by->size());
+    };
+    const QRect before = place();
+    EXPECT_GE(before.height(), computed_by->minimumSizeHint().height());
+    statistics.degraded = true;
+    p.panel.show_statistics(statistics);
+    const auto* solver = p.panel.findChild<QLabel*>("quiet");
+    EXPECT_GT(solver->fontMetrics().horizontalAdvance(solver->text()), solver->width());
+    for (int i = 0; i < more_than_layouts_within_each_other; ++i) {
+        QCoreApplication::processEvents();
+        EXPECT_EQ(place(), before) << i;
+    }
+    scroll.takeWidget();
+}
+
 TEST(QualityPanel, ShowsNoErrorThatWasMeasuredOnAnotherBody) {
     Panel p;
     FrameStatistics statistics;

@@ -2,6 +2,7 @@
 // Vessels painted and erased in the slices by mouse and keys.
 #include "tests/ui/slices_test.h"
 #include "ui/message_bar.h"
+#include "ui/message_log.h"
 #include "ui/slices/stroke_place.h"
 
 #include <QComboBox>
@@ -255,8 +256,11 @@ TEST_F(BrushOnSlices, WarnsOfAStrokeFarOutsideTheLiverAndTakesItBack) {
     const QString warning = window_.messages().text();
     EXPECT_TRUE(warning.contains("outside the liver")) << warning.toStdString();
     EXPECT_TRUE(warning.contains("R 30")) << "and where: " << warning.toStdString();
+    EXPECT_FALSE(window_.log().as_text().contains("no longer so"));
     QTest::mouseClick(window_.messages().findChild<QPushButton*>("offer"), Qt::LeftButton);
     EXPECT_EQ(brush().strokes().size(), 1u);
+    EXPECT_TRUE(window_.log().as_text().contains("no longer so\tCorrections\tThis stroke lies"))
+        << window_.log().as_text().toStdString();
 }
 
 TEST_F(BrushOnSlices, SaysThatATumourLiesOutsideTheLiverAndTakesItBack) {
@@ -276,6 +280,8 @@ TEST_F(BrushOnSlices, SaysThatATumourLiesOutsideTheLiverAndTakesItBack) {
     QTest::mouseClick(window_.messages().findChild<QPushButton*>("offer"), Qt::LeftButton);
     ASSERT_EQ(scene().tumours().tumours().size(), 1u);
     EXPECT_EQ(scene().tumours().tumours()[0].volume_ml, before_ml);
+    EXPECT_TRUE(window_.log().as_text().contains("no longer so\tCorrections\tThis tumour lies"))
+        << window_.log().as_text().toStdString();
 }
 
 TEST(TumourLiesOutside, OfTheLiverWhereNeitherLiverNorAnotherTumourIsNear) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A lesson that begins with torn vessels: the body then has more vertices than the patient's mesh
 // before the first picture of it is drawn.
+#include <QDockWidget>
 #include <QImage>
 #include <fstream>
 #include <memory>
@@ -9,6 +10,7 @@
 #include "tests/ui/window_test.h"
 #include "ui/lesson_dock.h"
 #include "ui/paths.h"
+#include "ui/plot_panel.h"
 
 namespace hepatica {
 namespace {
@@ -62,6 +64,26 @@ TEST_F(TornLesson, keeps_the_colours_of_vessels) {
     const std::size_t vertices = portal_patient()->mesh.vertices_mm.size();
     ASSERT_TRUE(wait_for([&] { return window_.frame().positions_mm.size() > 3 * vertices; }));
     EXPECT_LT(share_of_grey(), before + 0.02);
+}
+
+// Entropy is no quantity of the lesson, and none that its trainee knows.
+TEST_F(TornLesson, shows_no_curve_of_entropy) {
+    open_built_in();
+    const auto& panel =
+        dynamic_cast<PlotPanel&>(*window_.findChild<QDockWidget*>("Curves")->widget());
+    const std::string file = folder_.filePath("torn.json").toStdString();
+    std::ofstream(file) << R"({"format": "hepatica-lesson", "version": 1, "name": "Torn",
+        "scene": {"name": "torn", "deform": {}, "tear": {}}, "tools": ["pull"],
+        "steps": [{"text": "Wait", "goal": [{"what": "time_s", "at_least": 1000}]}]})";
+    window_.lessons().start(file);
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+    ASSERT_TRUE(wait_for([&] { return window_.frame().tear.has_value(); }));
+    window_.actions()[ActionId::pause_simulation].trigger();  // lets the clock run
+    // The panel and the curves follow a frame together.
+    const auto* clock = window_.lessons().findChild<QLabel*>("lessonClock");
+    ASSERT_TRUE(wait_for([&] { return clock->text().startsWith("Time:"); }));
+    EXPECT_TRUE(window_.frame().tear.has_value());
+    EXPECT_TRUE(panel.tear().chart().curves.empty());
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include "ui/view_ruler.h"
 
 #include <QComboBox>
+#include <QMenu>
 #include <QStatusBar>
+#include <QToolButton>
 #include <cmath>
 #include <numbers>
 
@@ -35,6 +37,7 @@ TEST_F(Measuring, ADistanceIsThatOfTwoClicksOnVessels) {
     EXPECT_TRUE(chosen(ActionId::measure_distance));
     EXPECT_FALSE(chosen(ActionId::pull_mode));
     EXPECT_TRUE(said().contains("begins"));
+    EXPECT_TRUE(said().contains("anywhere in a slice"));
     click_trunk_at(-50.0);
     ASSERT_NE(measurements().half_made(), nullptr);
     EXPECT_TRUE(said().contains("ends"));
@@ -51,6 +54,21 @@ TEST_F(Measuring, ADistanceIsThatOfTwoClicksOnVessels) {
     EXPECT_EQ(drawn()[0].text, made.text);
     EXPECT_EQ(drawn()[0].points_mm.size(), 2u);
     EXPECT_TRUE(commands_of_type<GrabPoint>().empty()) << "nothing was pulled";
+}
+
+TEST_F(Measuring, LightsAButtonOfTheToolBar) {
+    const auto* button = window_.findChild<QToolButton*>("measureButton");
+    ASSERT_NE(button, nullptr);
+    EXPECT_TRUE(button->isVisible());
+    EXPECT_FALSE(button->icon().isNull());
+    EXPECT_FALSE(button->isChecked());
+    for (const ActionId id : measuring_actions) {
+        EXPECT_TRUE(button->menu()->actions().contains(&window_.actions()[id]));
+        window_.actions()[id].trigger();
+        EXPECT_TRUE(button->isChecked());
+    }
+    window_.actions()[ActionId::pull_mode].trigger();
+    EXPECT_FALSE(button->isChecked());
 }
 
 TEST_F(Measuring, AnAngleIsThatOfThreeClicks) {

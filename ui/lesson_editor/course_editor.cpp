@@ -185,7 +185,7 @@ void CourseEditor::show_editor() {
 
 void CourseEditor::save_copy(const Course& course, const std::filesystem::path& folder) {
     const auto file = ways_.where_to_save(
-        Words::tr("A copy of the course is edited: where shall it lie?"), course.name);
+        Words::tr("A copy of the course is edited: where to save it?"), course.name);
     if (!file) return;
     attempt(Words::tr("Copy course"), [&] { document_.begin(*file, course, folder); });
 }

@@ -79,7 +79,7 @@ PlacesPage::PlacesPage(Changes changes, std::function<void()> ask_for_place,
     tumour_->setObjectName("lessonTumour");
     tumour_->setToolTip(
         Words::tr("The target begins where the portal or arterial vessels pass nearest to the "
-                  "tumour's middle"));
+                  "tumour's middle; other branches that feed it are not in the target"));
     tumour_->setMenu(new QMenu(tumour_));
     column->addWidget(tumour_, 0, Qt::AlignLeft);
     column->addStretch(1);

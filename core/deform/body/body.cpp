@@ -51,12 +51,12 @@ void check_hexahedra(const BodyDescription& d) {
 }
 
 void check_every_vertex_is_used(const BodyDescription& d) {
-    std::vector<char> used(d.mesh.vertices_mm.size(), 0);
+    std::vector<char> used(d.mesh.vertices_mm.size(), false);
     for (const auto& nodes : d.mesh.tetrahedra)
-        for (const int v : nodes) used[v] = 1;
+        for (const int v : nodes) used[v] = true;
     for (const auto& nodes : d.hexahedra)
-        for (const int v : nodes) used[v] = 1;
-    const auto lonely = std::ranges::find(used, 0);
+        for (const int v : nodes) used[v] = true;
+    const auto lonely = std::ranges::find(used, false);
     if (lonely != used.end())
         reject("belongs to no element", "vertex " + std::to_string(lonely - used.begin()),
                "Remove it from the mesh");

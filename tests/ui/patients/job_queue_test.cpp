@@ -47,7 +47,8 @@ class Queue : public ::testing::Test {
     std::string title_;
     int waiting_ = -1;
     JobQueue queue_{{[this](const std::string& title) { title_ = title; },
-                     [](const JobProgress&) {}, [this] { waiting_ = queue_.waiting(); }}};
+                     [](const JobProgress&) {},
+                     [this] { waiting_ = static_cast<int>(queue_.waiting_titles().size()); }}};
 };
 
 using Log = std::vector<std::string>;
@@ -111,13 +112,39 @@ TEST_F(Queue, a_failure_is_told_and_the_next_one_runs) {
     EXPECT_EQ(log_, (Log{"begin bad", "failed bad", "begin b", "done b"}));
 }
 
+TEST_F(Queue, a_report_is_written_beside_what_is_done_with_patients) {
+    queue_.add(job(JobKind::report, "report"));
+    queue_.add(job(JobKind::report, "next report"));
+    EXPECT_EQ(title_, "report");
+    EXPECT_EQ(queue_.title_beside(), "");
+    queue_.add(job(JobKind::open, "a"));
+    queue_.add(job(JobKind::save, "b"));
+    EXPECT_EQ(log_, (Log{"begin report", "begin a"})) << "nobody waits for a report";
+    EXPECT_EQ(title_, "a");
+    EXPECT_EQ(queue_.title_beside(), "report");
+    EXPECT_EQ(queue_.waiting_titles(), (std::vector<std::string>{"b", "next report"}));
+    queue_.cancel_running();
+    EXPECT_TRUE(QTest::qWaitFor([this] { return log_.size() >= 4; }, 5000));
+    EXPECT_EQ(log_, (Log{"begin report", "begin a", "cancelled a", "begin b"}));
+    queue_.cancel_running();
+    EXPECT_TRUE(QTest::qWaitFor([this] { return title_ == "report"; }, 5000)) << "shown again";
+    EXPECT_TRUE(queue_.holds(JobKind::report));
+    EXPECT_FALSE(queue_.holds(JobKind::save));
+    queue_.cancel_running();
+    EXPECT_TRUE(QTest::qWaitFor([this] { return title_ == "next report"; }, 5000));
+    finish();
+    EXPECT_EQ(log_, (Log{"begin report", "begin a", "cancelled a", "begin b", "cancelled b",
+                         "cancelled report", "begin next report", "done next report"}));
+}
+
 TEST_F(Queue, clearing_ends_all_without_a_word) {
     queue_.add(job(JobKind::open, "a"));
     queue_.add(job(JobKind::save, "b"));
+    queue_.add(job(JobKind::report, "report"));
     queue_.clear();
     EXPECT_FALSE(queue_.busy());
     finish();
-    EXPECT_EQ(log_, Log{"begin a"});
+    EXPECT_EQ(log_, (Log{"begin a", "begin report"}));
 }
 
 }  // namespace
