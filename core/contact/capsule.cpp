@@ -111,7 +111,8 @@ double free_share(const Capsule& capsule, const SurfacePatches& surface,
         const double gap = nearest_point(axis, capsule.radius_mm, motion.begin, t).gap_mm;
         const double keep = kept(gap);
         if (keep < 0.0) return;
-        const double band = tolerance * std::max(gap - keep, keep);
+        double band = tolerance * std::max(gap - keep, keep);
+        if (keep > 0.0) band = std::min(band, keep);
         const auto time = time_of_contact(still, motion, capsule.radius_mm + keep, band);
         if (time) share = std::min(share, *time);
     };

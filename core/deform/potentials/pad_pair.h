@@ -75,7 +75,7 @@ HEPATICA_HOST_DEVICE PairPull pull_of(const PadPair& pair, const NearestPoints& 
     pull.normal = {{0.0, 0.0, 1.0}};
     for (int c = 0; c < 3 && at.gap_mm > 0.0; ++c) pull.normal[c] = at.apart[c] / at.gap_mm;
     pull.pad = pad_barrier(at.gap_mm, pair.pad_mm, pair.strength_un);
-    if (pair.in_first == 2) fade(pair, x, pull);
+    if (pair.in_first == 2 && at.gap_mm > 0.0) fade(pair, x, pull);
     return pull;
 }
 

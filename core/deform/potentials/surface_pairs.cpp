@@ -19,6 +19,7 @@ constexpr double touched = 0.5;            // of the pad, for share_until_touch(
 constexpr double touching_at_rest = 0.05;  // of the pad: nearer is overlap
 constexpr double slack_edges = 0.25;       // slack of the search in mean edges; see PairCover
 constexpr double band = 1e-3;              // relative tolerance of times of contact
+constexpr double coincident = 1e-9;        // of the pad: a distance at rest that is rounding
 constexpr double beyond_rounding = 1.0 + 1e-9;
 constexpr std::size_t pairs_per_block = 128;
 
@@ -235,7 +236,9 @@ double SurfacePairs::pad_of(const FeaturePair& pair) const {
     if (features_.beside_obstacles()) return std::min(pad_.thickness_mm, 0.5 * clearance_of(pair));
     if (!features_.counts(pair, [&](int p, int q) { return at_rest_.left_out(p, q); }))
         return pad_.thickness_mm;
-    return std::min(pad_.thickness_mm, 0.5 * distance_mm(pair, rest_mm_));
+    // The two sides of a tear in one piece lie on each other at rest, up to rounding: no pad.
+    const double pad = std::min(pad_.thickness_mm, 0.5 * distance_mm(pair, rest_mm_));
+    return pad > coincident * pad_.thickness_mm ? pad : 0.0;
 }
 
 const std::vector<FeaturePair>& SurfacePairs::candidates(std::span<const Vec3> from_mm,
@@ -309,8 +312,8 @@ void SurfacePairs::list_touches(std::span<const Vec3> from_mm, std::span<const V
     append_of_each<PadPair>(candidates(from_mm, to_mm), list, [&](const FeaturePair& pair) {
         std::optional<PadPair> touch;
         if (!in_reach(pair, from_mm) && !in_reach(pair, to_mm)) return touch;
-        if (const double area = area_of(pair); area != 0.0)
-            touch = pad_pair(pair, pad_of(pair), area);
+        const double area = area_of(pair), pad = pad_of(pair);
+        if (area != 0.0 && pad != 0.0) touch = pad_pair(pair, pad, area);
         return touch;
     });
 }
@@ -362,11 +365,10 @@ double SurfacePairs::share_of(const FeaturePair& pair, std::span<const Vec3> fro
     const double gap = distance_mm(pair, from_mm);
     if (stays_away(gap, pad_.thickness_mm)) return 1.0;
     const double pad = pad_of(pair);
-    // What lies on each other at rest, as the two sides of a tear in one piece, has no pad.
-    if (!(pad > 0.0)) return 1.0;
+    if (pad == 0.0) return 1.0;
     if ((kept.only_from_outside && gap <= pad) || stays_away(gap, pad)) return 1.0;
     const double keep = kept.part * std::min(gap, pad);
-    const double tolerance = band * std::max(gap - keep, keep);
+    const double tolerance = std::min(band * std::max(gap - keep, keep), keep);
     return std::min(1.0, time_to(pair, from_mm, to_mm, keep, tolerance).value_or(1.0));
 }
 

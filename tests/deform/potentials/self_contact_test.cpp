@@ -6,10 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <random>
 
 #include "core/base/parallel.h"
+#include "core/deform/potentials/pad_pair.h"
 #include "core/deform/potentials/potential_list.h"
 #include "core/deform/solvers/node_loops.h"
 #include "core/deform/step/assembly.h"
@@ -263,6 +265,36 @@ TEST(SelfContact, AnswersDoNotDependOnQuestionsBefore) {
     }
     EXPECT_GT(touching, 100u);
     EXPECT_GT(stopped, 10u);
+}
+
+TEST(SelfContact, WhatFliesByIsNotStoppedHoweverFarItComesFrom) {
+    BodyDescription description = crossed_bars(0.5);
+    const Mat3 turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+    for (Vec3& x : description.mesh.vertices_mm) x = turn * x;
+    const Body body = built(description);
+    for (const double way : {50.0, 166.0, 600.0, 1700.0}) {
+        const SelfContact contact(body);
+        std::vector<Vec3> from = body.rest_positions_mm, to = from;
+        for (std::size_t i = from.size() / 2; i < from.size(); ++i) {
+            from[i] -= turn * Vec3(0.5 * way, 0, 0);
+            to[i] += turn * Vec3(0.5 * way, 0, 0);
+        }
+        EXPECT_EQ(contact.free_share(from, to), 1.0) << way;
+    }
+}
+
+// Parallel edges have no pad, but where two overlap the gap is closed all the same.
+TEST(SelfContact, TheEnergyOfEdgesThatOverlapIsInfinite) {
+    const small::Vector3<double> edges[4] = {
+        {{0, 0, 0}}, {{1, 0, 0}}, {{0.2, 0, 0}}, {{0.8, 0, 0}}};
+    const PadPair pair{.nodes = {0, 1, 2, 3},
+                       .in_first = 2,
+                       .pad_mm = 0.1,
+                       .strength_un = 1.0,
+                       .parallel_mm4 = 0.01};
+    const PairPull pull = pull_of(pair, nearest_points(2, edges), edges);
+    EXPECT_TRUE(std::isinf(pull.pad.energy_nj));
+    EXPECT_EQ(small::squared_length(pull.turning_first_un), 0.0);
 }
 
 }  // namespace
