@@ -71,7 +71,6 @@ PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
     series_->setObjectName("series");
     series_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     series_->setToolTip(Words::tr("Of the folder; the first shows the liver's vessels best"));
-    series_->setPlaceholderText(Words::tr("Looking through the folder…"));
     form_->addRow(Words::tr("Series"), series_);
     offer({});
     liver_mask_ = add_path(*form_, Words::tr("Liver mask"), false);
@@ -157,6 +156,7 @@ void PatientWizard::look_for_series() {
     offer({});
     if (!std::filesystem::is_directory(folder) || is_case(folder)) return;
     // Thousands of files take a while; a field that is not there yet would be missed.
+    series_->setPlaceholderText(Words::tr("Looking through the folder…"));
     series_->setEnabled(false);
     form_->setRowVisible(series_, true);
     BackgroundJob::Callbacks callbacks;
