@@ -2,7 +2,7 @@
 // The haptic loop: from one sample of the device to the force in response, a thousand times a
 // second, and from its pose to commands, once per step of the simulation. A tick reads the device
 // and the newest local model and otherwise depends only on its own state: no clock, no lock except
-// for posting a command, and no allocation unless a new model has more contacts than any before.
+// for posting a command, and no allocation except to take a new model, once per step.
 //
 //   device pose ─► local model in series with the coupling ─► limits ─► passivity ─► device force
 #pragma once

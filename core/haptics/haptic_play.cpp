@@ -37,7 +37,11 @@ void HapticPlay::attach(std::shared_ptr<HapticDevice> device, const ForceLoopOpt
     detach();
     say("");
     device_ = std::move(device);
-    tool_ = false;
+    {
+        // An after_step() that began before detach() may still write it.
+        const std::scoped_lock lock(mutex_);
+        tool_ = false;
+    }
     attached_ = true;
     // A resting session makes no frame, from which the loop would learn of the tool, without a
     // command.

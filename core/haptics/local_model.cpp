@@ -20,10 +20,30 @@ void LocalForce::take(const LocalModel& model) {
         f0_[i] = contact.force_un;
     }
     compliance_ = model.compliance + motion_ * give_.asDiagonal() * motion_.transpose();
+    pressed_matrix_.resize(count, count);
+    for (Eigen::VectorXd* vector : {&apart_, &bent_, &wanted_, &right_}) vector->resize(count);
     f_ = f0_;
     pressed_.assign(static_cast<std::size_t>(count), 1);
     index_.reserve(pressed_.size());
     energy_nj_ = 0.0;
+}
+
+// Forces of the pressed contacts, the others having none, in memory that take() has made: Eigen's
+// indexed views would copy their indices.
+void LocalForce::solve_pressed() {
+    const auto pressed = static_cast<Eigen::Index>(index_.size());
+    Eigen::Map<Eigen::MatrixXd> matrix(pressed_matrix_.data(), pressed, pressed);
+    Eigen::Map<Eigen::VectorXd> forces(apart_.data(), pressed);
+    for (Eigen::Index k = 0; k < pressed; ++k) {
+        const int of_column = index_[static_cast<std::size_t>(k)];
+        for (Eigen::Index i = 0; i < pressed; ++i)
+            matrix(i, k) = compliance_(index_[static_cast<std::size_t>(i)], of_column);
+        forces[k] = right_[of_column];
+    }
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(matrix);
+    factor.solveInPlace(forces);
+    f_.setZero();
+    for (Eigen::Index k = 0; k < pressed; ++k) f_[index_[static_cast<std::size_t>(k)]] = forces[k];
 }
 
 // Linear complementarity: f >= 0, C (f - f0) >= wanted, one of the two with equality per contact.
@@ -32,20 +52,17 @@ void LocalForce::take(const LocalModel& model) {
 // (Judice and Pires 1994).
 void LocalForce::solve(const Eigen::VectorXd& wanted) {
     const auto count = f0_.size();
-    right_ = wanted + compliance_ * f0_;
+    right_ = wanted;
+    right_.noalias() += compliance_ * f0_;
     Eigen::Index fewest = count + 1;
     constexpr int patience = 8, most_rounds = 40;
     for (int round = 0, tries = patience; round < most_rounds; ++round) {
         index_.clear();
         for (int i = 0; i < count; ++i)
             if (pressed_[static_cast<std::size_t>(i)]) index_.push_back(i);
-        f_.setZero();
-        pressed_matrix_ = compliance_(index_, index_);
-        const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(pressed_matrix_);
-        apart_ = right_(index_);
-        factor.solveInPlace(apart_);
-        f_(index_) = apart_;
-        apart_ = compliance_ * f_ - right_;
+        solve_pressed();
+        apart_.noalias() = compliance_ * f_;
+        apart_ -= right_;
         const double slack = 1e-12 * right_.lpNorm<Eigen::Infinity>();
         const auto wrong = [&](Eigen::Index i) {
             return pressed_[static_cast<std::size_t>(i)] ? f_[i] < 0.0 : apart_[i] < -slack;
@@ -66,10 +83,11 @@ void LocalForce::solve(const Eigen::VectorXd& wanted) {
 
 HapticForce LocalForce::at(const Vec6& way) {
     if (f0_.size() == 0) return {};
-    wanted_ = motion_ * way;
+    wanted_.noalias() = motion_ * way;
     solve(wanted_);
     apart_ = f_ - f0_;
-    energy_nj_ = wanted_.dot(f_) - 0.5 * apart_.dot(compliance_ * apart_);
+    bent_.noalias() = compliance_ * apart_;
+    energy_nj_ = wanted_.dot(f_) - 0.5 * apart_.dot(bent_);
     const Vec6 load = -(motion_.transpose() * f_);
     return {load.head<3>(), load.tail<3>()};
 }

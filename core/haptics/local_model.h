@@ -55,13 +55,14 @@ class LocalForce {
 
   private:
     void solve(const Eigen::VectorXd& wanted);
+    void solve_pressed();
 
     Vec6 give_;                            // of the coupling: 1/stiffness
     Eigen::Matrix<double, -1, 6> motion_;  // per contact: motion into the body
     Eigen::MatrixXd compliance_;
-    Eigen::VectorXd f0_, f_, apart_, wanted_, right_;
-    Eigen::MatrixXd pressed_matrix_;
-    std::vector<char> pressed_;  // contacts with f > 0 in the last solution
+    Eigen::VectorXd f0_, f_, apart_, bent_, wanted_, right_;
+    Eigen::MatrixXd pressed_matrix_;  // memory for all contacts
+    std::vector<char> pressed_;       // contacts with f > 0 in the last solution
     std::vector<int> index_;
     double energy_nj_ = 0.0;
 };

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/deform/body/torn_body.h"
+
 namespace hepatica {
 namespace {
 
@@ -70,13 +72,33 @@ void PatchFeed::follow(const DeformPart& part) {
     if (compliance_ && settings.wall_mm == wall_mm_ &&
         settings.tether_pa_per_mm2 == tether_pa_per_mm2_ && settings.stepper.model == model_ &&
         part.body().obstacles == compliance_->body().obstacles)
-        return;
+        return follow_tear(part.torn());
     wall_mm_ = settings.wall_mm;
     tether_pa_per_mm2_ = settings.tether_pa_per_mm2;
     model_ = settings.stepper.model;
     contact_.reset();
     compliance_.emplace(part.body(), model_);
     contact_.emplace(compliance_->body());
+    split_ = split_version_ = 0;
+    follow_tear(part.torn());
+}
+
+// The surface that a tear has left, bare faces included.
+void PatchFeed::follow_tear(const TornTopology* torn) {
+    const Body& whole = compliance_->body();
+    const auto vertices = static_cast<std::uint64_t>(torn != nullptr ? torn->vertex_count() : 0);
+    const std::uint64_t split =
+        vertices > whole.rest_positions_mm.size() ? vertices - whole.rest_positions_mm.size() : 0;
+    const std::uint64_t version = split > 0 ? torn->version() : 0;
+    if (split == split_ && version == split_version_) return;
+    Body body;
+    body.obstacles = whole.obstacles;
+    body.surface = split > 0 ? torn->surface() : whole.surface;
+    body.rest_positions_mm = whole.rest_positions_mm;
+    if (split > 0) inherit(torn->parents(), body.rest_positions_mm);
+    contact_.emplace(body);
+    split_ = split;
+    split_version_ = version;
 }
 
 Eigen::MatrixXd PatchFeed::give(std::span<const Vec3> positions_mm, double dt_s) {

@@ -4,6 +4,7 @@
 // the thread that steps.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "core/deform/potentials/tool_contact.h"
@@ -34,12 +35,14 @@ class PatchFeed {
   public:
     // Fills the model from the part after a step of dt_s. Costs nothing without a tool, a search
     // for contacts with one, and for contacts some solves with a factor, which is computed again
-    // where the patch has rotated or stretched. A torn body counts as rigid: only its pads are
-    // compliant. Obstacles are felt as the play has them: where they stop the tool.
+    // where the patch has rotated or stretched. A torn body is felt at its bare
+    // faces, too, and counts as rigid: only its pads are compliant. Obstacles are felt as the play
+    // has them: where they stop the tool.
     void fill(const DeformPart& part, double dt_s, LocalModel& model);
 
   private:
     void follow(const DeformPart& part);
+    void follow_tear(const TornTopology* torn);
     Eigen::MatrixXd give(std::span<const Vec3> positions_mm, double dt_s);
 
     // Belong to the body with the settings below.
@@ -49,6 +52,9 @@ class PatchFeed {
     ElementModel model_ = ElementModel::corotated;
 
     JoinedContacts joined_, rigid_;  // of the body, of obstacles
+
+    // Of the tear whose surface contact_ has: how many vertices it has split, and its version.
+    std::uint64_t split_ = 0, split_version_ = 0;
 };
 
 }  // namespace hepatica

@@ -75,10 +75,15 @@ void append(TetMesh& whole, const TetMesh& part) {
         whole.tetrahedra.push_back({first + a, first + b, first + c, first + d});
 }
 
+// Each piece of centreline in radii of its thinner end.
 double length_in_radii(const VesselTree& tree, const MeshOptions& options) {
     double radii = 0.0;
     for (const VesselSegment& segment : tree.segments)
-        radii += length_mm(segment) / std::max(segment.radii_mm.front(), options.minimum_radius_mm);
+        for (std::size_t i = 1; i < segment.points_mm.size(); ++i) {
+            const double thinner = std::min(segment.radii_mm[i - 1], segment.radii_mm[i]);
+            radii += (segment.points_mm[i] - segment.points_mm[i - 1]).norm() /
+                     std::max(thinner, options.minimum_radius_mm);
+        }
     return radii;
 }
 

@@ -117,6 +117,20 @@ TEST_F(HapticPlayTest, IsFeltInASessionThatRests) {
     EXPECT_TRUE(ticks.wait_for([](int, const Tick& t) { return t.tool; }));
 }
 
+// Under the thread sanitizer: an after_step() may end in the middle of the next attach().
+TEST_F(HapticPlayTest, IsAttachedAgainAndAgainWhileASessionSteps) {
+    take_tool();
+    session->step();
+    session->post(ShiftTool{Vec3(0, 0, -3.0)});
+    std::jthread simulation([this](const std::stop_token& stop) {
+        while (!stop.stop_requested()) session->step();
+    });
+    for (int i = 0; i < 200; ++i) haptics.attach(device());
+    const int before = ticks.count();
+    EXPECT_TRUE(ticks.wait_for([&](int count, const Tick& t) { return count > before && t.tool; }));
+    haptics.detach();
+}
+
 TEST_F(HapticPlayTest, ALostDeviceIsSaidAndThePlayGoesOn) {
     take_tool();
     const auto pulled_out = device();

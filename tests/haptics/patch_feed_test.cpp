@@ -206,6 +206,43 @@ TEST(PatchFeed, ATumourIsFelt) {
     EXPECT_GT(felt.tick.force.force_un.z(), 1e3) << "it holds the hand up";
 }
 
+// The trunk is cut through, and what is beyond stands 8 mm away. Its wall at rest spans that gap.
+TEST(PatchFeed, InTheGapOfATornVesselNothingIsFelt) {
+    SceneSpec spec = touchable();
+    spec.tear.emplace();
+    const auto session = new_session(spec);
+    const auto& points = small_patient()->tree.segments[0].points_mm;
+    const std::size_t m = points.size() / 2;
+    const Vec3 along = (points[m + 1] - points[m - 1]).normalized();
+    const Vec3 across = along.unitOrthogonal();
+    session->post(ball(1.0));  // the feed knows the whole body first
+    session->step();
+    PatchFeed feed;
+    LocalModel model;
+    DeformPart& part = *session->world().deform();
+    feed.fill(part, 1.0 / 60.0, model);
+    session->post(RemoveTool{});
+    session->post(Blade{points[m] - 15.0 * across, points[m] + 15.0 * across});
+    ASSERT_EQ(session->step().deform.tear.pieces, 2);
+    const std::vector<int> piece = part.torn()->piece_of_vertices({});
+    BodyState state = part.state();
+    for (std::size_t v = 0; v < piece.size(); ++v) {
+        const Vec3& rest = part.rest_positions_mm()[v];
+        const bool beyond = piece[v] != piece[0];
+        EXPECT_LT((rest - points[m]).dot(along) * (beyond ? -1.0 : 1.0), 4.0);
+        if (beyond) state.positions_mm[v] += 8.0 * along;
+        state.velocities_mm_per_s[v].setZero();
+    }
+    part.set_state(state);
+    const Vec3 gap = points[m] + 4.0 * along;
+    const double radius_mm = small_patient()->tree.segments[0].radii_mm[m];
+    session->post(AddTool{
+        .radius_mm = 1.0, .direction = -across, .point_mm = gap + (radius_mm - 1.0) * across});
+    ASSERT_EQ(session->step().deform.tool.contacts, 0);
+    feed.fill(part, 1.0 / 60.0, model);
+    EXPECT_TRUE(model.contacts.empty());
+}
+
 TEST(PatchFeed, WithoutAToolThereIsNothing) {
     const auto session = new_session(touchable());
     Felt felt(*session, {.path = down(3.0)});

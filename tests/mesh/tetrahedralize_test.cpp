@@ -180,6 +180,18 @@ TEST(Tetrahedralize, RefusesAVesselAMillionTimesLongerThanWide) {
     EXPECT_THROW(tetrahedralize(tree, {}, job), InputError);
 }
 
+TEST(Tetrahedralize, RefusesAVesselThatIsThinBehindAWideBeginning) {
+    VesselTree tree = test::random_tree(1, 1);
+    for (VesselSegment& segment : tree.segments)
+        std::fill(segment.radii_mm.begin() + 1, segment.radii_mm.end(), 1e-5);
+    Job job;
+    job.cancel();  // what is not refused is not meshed either
+    EXPECT_THROW(tetrahedralize(tree, {}, job), InputError);
+    MeshOptions options;
+    options.minimum_radius_mm = 0.5;
+    EXPECT_THROW(tetrahedralize(tree, options, job), Cancelled);
+}
+
 // A case.json may state any number; boxes of 1e300 mm have no volume that is a number.
 TEST(Tetrahedralize, RefusesALeastRadiusThatNoVesselHas) {
     Job job;

@@ -168,9 +168,15 @@ class OwnCpuBackEnd final : public CpuBackEnd {
   private:
     void end_step(StepReport& report) {
         potentials_->end_step();
+        report.energy.tear_loss = 0.0;
+        follow_positions(report.energy);
+    }
+    // What the potentials remember of the past follows new positions.
+    void follow_positions(EnergyLedger& ledger) {
         if (potentials_->ties()) {
-            report.energy.tear_loss = potentials_->ties()->settle(state_.positions_mm);
-            report.energy.cohesion -= report.energy.tear_loss;
+            const double loss = potentials_->ties()->settle(state_.positions_mm);
+            ledger.tear_loss += loss;
+            ledger.cohesion -= loss;
         }
         potentials_->surfaces().let_go(state_.positions_mm);
     }
@@ -238,6 +244,7 @@ bool OwnCpuBackEnd::recover_from_inversion(StepReport& report) {
     ledger.contact = after.contact;
     ledger.cohesion = after.cohesion;
     state_.positions_mm = *recovered;
+    follow_positions(ledger);
     std::ranges::fill(state_.velocities_mm_per_s, Vec3::Zero());
     ledger.kinetic = 0.0;
     ledger.elastic = integrator_->elastic_energy(state_.positions_mm);

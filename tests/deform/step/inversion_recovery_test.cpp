@@ -8,6 +8,7 @@
 #include "core/deform/stepper/cpu_back_end.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/mesh/brick_mesh.h"
+#include "core/tear/tearing.h"
 
 namespace hepatica {
 namespace {
@@ -175,6 +176,36 @@ TEST(InversionRecovery, IsBookedInTheReportOfTheStep) {
     EXPECT_GT(lost, 0.0);
     EXPECT_NEAR(report.energy.inversion_recovery_loss, lost, 1e-9 * stored_energy(before));
     EXPECT_FALSE(back_end->recover_from_inversion(report));
+}
+
+// A checkpoint has the positions and no normals: ties are restored with those of the positions.
+TEST(InversionRecovery, TurnsTheTiesOfATornBodyToTheNewPositions) {
+    BodyDescription body = clamped_brick();
+    body.tear.emplace();
+    Tearing tearing(body.mesh, *body.tear, {});
+    const std::vector<Vec3>& rest = body.mesh.vertices_mm;
+    tearing.weaken(tearing.crossing(Vec3(40, -1, -1), Vec3(0, 50, 0), Vec3(0, 0, 50), rest), 0.1);
+    const std::vector<Mat3> stress(body.mesh.tetrahedra.size(), Mat3(0.5e6 * Mat3::Identity()));
+    const std::vector<double> energy(stress.size(), 1.0), mass(rest.size(), 1.0);
+    ASSERT_TRUE(tearing.part_overloaded({stress, energy, rest, mass}));
+    TornBody torn_so_far = torn_body_of(tearing);
+    ASSERT_FALSE(torn_so_far.ties.empty());
+    const auto one = make_cpu_back_end(body, {}), other = make_cpu_back_end(body, {});
+    one->tear(body, torn_so_far);
+    BodyState folded = one->state();
+    const SofteningTie& tie = torn_so_far.ties.front();
+    for (const int v : tie.triangle) folded.positions_mm[v] -= 30.0 * tie.normal;
+    one->set_state(folded);
+    StepReport report;
+    ASSERT_TRUE(one->recover_from_inversion(report));
+    torn_so_far.ties.assign(one->ties().begin(), one->ties().end());
+    other->tear(body, torn_so_far);
+    other->set_state(one->state());
+    for (std::size_t i = 0; i < torn_so_far.ties.size(); ++i)
+        EXPECT_EQ(one->ties()[i].normal, other->ties()[i].normal) << i;
+    const double cohesion = other->energies().cohesion;
+    EXPECT_NEAR(report.energy.cohesion, cohesion, 1e-9 * (1.0 + cohesion));
+    EXPECT_GE(report.energy.tear_loss, 0.0);
 }
 
 }  // namespace
