@@ -37,6 +37,7 @@ class AutomaticSolver final : public LinearSolver {
     void precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) override {
         chosen_->precondition(r, z);
     }
+    void wear(const SolveReport& solved) override { chosen_->wear(solved); }
     std::string_view name() const override { return name_of(LinearSolverKind::automatic); }
     bool made_from_latest() const override { return chosen_->made_from_latest(); }
     std::vector<double> memory() const override;

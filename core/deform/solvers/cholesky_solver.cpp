@@ -157,6 +157,7 @@ SolveReport CholeskySolver::solve(std::span<const Vec3> rhs, std::span<Vec3> x,
         const SolveReport report = solve_by(*single_, rhs, x, short_limits);
         const bool told_to_stop = report.iterations >= limits.max_iterations;
         if ((report.converged && report.dropped_pivots == 0) || told_to_stop) return report;
+        if (!std::isfinite(dot(rhs, rhs))) return report;  // no factor has an answer to that
         single_.reset();
         in_double_ = true;
         factored_ = false;

@@ -123,8 +123,18 @@ void CoupledFactor::analyse_pattern() {
 
 bool CoupledFactor::pays(const BlockMatrix& matrix, const CouplingBlocks& coupling) {
     if (coupling.size() <= few_couplings) return false;
+    // Where the last pattern does not pay, one with as many pairs or more hardly will: an analysis
+    // in every step for nothing would cost more than all its iterations.
+    if (of_pattern(matrix) && !worth(coupling.size()) &&
+        pairs_beside(matrix, coupling).size() >= pairs_.size())
+        return false;
     analyse_if_worn(matrix, coupling);
-    const double iterations = iterations_of_root * std::sqrt(static_cast<double>(coupling.size()));
+    return worth(coupling.size());
+}
+
+// By the last analysis, for that many couplings.
+bool CoupledFactor::worth(std::size_t couplings) const {
+    const double iterations = iterations_of_root * std::sqrt(static_cast<double>(couplings));
     return factor_blocks_ <= most_factor_blocks * united_.column.size() &&
            multiplications_ <= iterations * multiplications_of_iteration *
                                    static_cast<double>(united_.column.size());

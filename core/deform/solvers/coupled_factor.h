@@ -35,6 +35,7 @@ class CoupledFactor {
 
     // Whether solve() is likely faster than a solver without couplings: there are many couplings,
     // and a factorisation with them costs less than that solver's iterations, by a count of both.
+    // A pattern that does not pay is analysed again only once fewer pairs of nodes are coupled.
     bool pays(const BlockMatrix& matrix, const CouplingBlocks& coupling);
 
     // A + C must be symmetric positive definite; the off-diagonal blocks of held rows must be zero.
@@ -65,6 +66,7 @@ class CoupledFactor {
     void plan(const BlockMatrix& pattern);
     void analyse_pattern();
     void part(const CouplingBlocks& coupling);
+    bool worth(std::size_t couplings) const;
     void analyse_if_worn(const BlockMatrix& matrix, const CouplingBlocks& coupling);
     void find_changed(const BlockMatrix& matrix, std::span<const int> changed_rows);
     void fill(const BlockMatrix& matrix);

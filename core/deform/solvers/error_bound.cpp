@@ -18,14 +18,18 @@ bool all_above(double shift, std::span<const double> steps, std::span<const doub
     return pivot > 0.0;
 }
 
-// Smallest eigenvalue of that matrix, a lower estimate within 1 %. It is at most `upper`.
+// Smallest eigenvalue of that matrix, a lower estimate within 1 %. It is at most `upper`, and that
+// where there is none: rounding may have made the matrix indefinite, or a coefficient is not
+// finite. The number of evaluations is bounded whatever the coefficients are.
 double smallest_eigenvalue(double upper, std::span<const double> steps,
                            std::span<const double> ratios) {
-    double lower = upper;
-    while (!all_above(lower, steps, ratios)) lower *= 0.7;
-    if (lower == upper) return upper;
+    constexpr int most_falls = 200;           // 0.7^200 = 1e-31, far below what rounding leaves
+    constexpr int halvings_to_1_percent = 6;  // (1 / 0.7)^(1 / 2^6) = 1.006
+    if (all_above(upper, steps, ratios) || !all_above(1e-30 * upper, steps, ratios)) return upper;
+    double lower = 0.7 * upper;
+    for (int k = 1; k < most_falls && !all_above(lower, steps, ratios); ++k) lower *= 0.7;
     upper = lower / 0.7;
-    while (upper > 1.01 * lower) {
+    for (int k = 0; k < halvings_to_1_percent; ++k) {
         const double middle = std::sqrt(lower * upper);
         (all_above(middle, steps, ratios) ? lower : upper) = middle;
     }

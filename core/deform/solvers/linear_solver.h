@@ -79,6 +79,10 @@ class LinearSolver {
     // until the next update(); for iterations on a matrix close to this one. May prepare what
     // solve() would have prepared, but does not otherwise change later results.
     virtual void precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) = 0;
+    // Reports a solve of the last matrix that used precondition() alone, by which a solver that
+    // keeps a preconditioner may know that it is worn out. Changes no result before the next
+    // update().
+    virtual void wear(const SolveReport& /*solved*/) {}
 
     // Tells that nodes of the body were split: node i comes from parents[i], a smaller number, or
     // is an original node where parents[i] == i. `pattern` is that of the matrices so far; in later

@@ -142,6 +142,12 @@ SolveReport SkeletonSolver::solve(std::span<const Vec3> rhs, std::span<Vec3> x,
     return report;
 }
 
+// Couplings alone may cost more iterations than that; even then a fresh preconditioner costs but a
+// small part of such a solve.
+void SkeletonSolver::wear(const SolveReport& solved) {
+    if (!solved.converged || solved.iterations > fresh_iterations_ + patience) worn_ = true;
+}
+
 std::vector<double> SkeletonSolver::memory() const {
     return {worn_ ? 1.0 : 0.0,
             static_cast<double>(spent_),

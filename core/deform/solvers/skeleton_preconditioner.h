@@ -71,6 +71,7 @@ class SkeletonSolver final : public LinearSolver {
     void precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) override {
         preconditioner_.apply(r, z);
     }
+    void wear(const SolveReport& solved) override;
     std::string_view name() const override { return name_of(LinearSolverKind::skeleton); }
     bool made_from_latest() const override { return fresh_; }
     std::vector<double> memory() const override;

@@ -40,7 +40,10 @@ SolveReport StepSystem::solve(const StepUnderway& step, const CouplingBlocks& co
     const auto add_coupling = [&](std::span<const Vec3> d, std::span<Vec3> product) {
         step.potentials.add_coupling(step.positions, step.dt_s * step.dt_s, d, product);
     };
-    return solve_coupled(*solver_, matrix, add_coupling, held, rhs, x, limits, step.stop);
+    const SolveReport report =
+        solve_coupled(*solver_, matrix, add_coupling, held, rhs, x, limits, step.stop);
+    solver_->wear(report);
+    return report;
 }
 
 SolverCheckpoint StepSystem::checkpoint() const {

@@ -214,6 +214,22 @@ TEST(LinearSolver, OwnsUpToALoadOrAMatrixThatIsNotFinite) {
         }
 }
 
+// The matrix was not the reason, so that single precision does for later loads.
+TEST(CholeskySolver, StaysInSinglePrecisionAfterALoadThatIsNotFinite) {
+    const Motion motion;
+    const std::vector<Vec3>& rest = motion.body.mesh.vertices_mm;
+    const BlockMatrix matrix = test::assemble(motion.body, rest, {});
+    const std::vector<Vec3> load = test::make_load(motion.body, {});
+    std::vector<Vec3> broken = load, x(load.size(), Vec3::Zero());
+    broken[3].x() = std::nan("");
+    CholeskySolver solver;
+    solver.prepare(matrix, rest);
+    EXPECT_FALSE(solver.solve(broken, x, {}).converged);
+    EXPECT_TRUE(solver.in_single_precision());
+    EXPECT_TRUE(solver.solve(load, x, {}).converged);
+    EXPECT_LT(test::energy_error(matrix, x, test::solve_exactly(matrix, load)), 1e-2);
+}
+
 // A vertex without mass or stiffness: its pivots vanish and the report counts them.
 TEST(CholeskySolver, ReportsDroppedPivots) {
     const Motion motion;

@@ -103,14 +103,12 @@ TEST(CoupledFactor, PaysForManyCouplingsOnly) {
 }
 
 // Nodes joined at random: the factor is nearly full, and would be no smaller for any order.
-TEST(CoupledFactor, DoesNotPayWhereItFills) {
-    constexpr int nodes = 1000;
+BlockMatrix joined_at_random(int nodes) {
     std::mt19937 random(5);
     std::vector<std::vector<int>> rows(nodes);
     const auto join = [&](int a, int b) {
         if (std::ranges::find(rows[a], b) == rows[a].end()) rows[a].push_back(b);
     };
-    CouplingBlocks coupling;
     for (int i = 0; i < nodes; ++i) {
         join(i, i);
         for (int k = 0; k < 6; ++k) {
@@ -118,7 +116,6 @@ TEST(CoupledFactor, DoesNotPayWhereItFills) {
             join(i, other);
             join(other, i);
         }
-        if (i < 10) coupling.push_back({{{{i, i + 500, Mat3::Zero()}}}, 1});
     }
     BlockMatrix matrix;
     for (std::vector<int>& row : rows) {
@@ -127,9 +124,31 @@ TEST(CoupledFactor, DoesNotPayWhereItFills) {
         matrix.row_begin.push_back(static_cast<int>(matrix.column.size()));
     }
     matrix.block.assign(matrix.column.size(), Mat3::Zero());
+    return matrix;
+}
+
+// Of the nodes from `first` on with those of the other half.
+CouplingBlocks couplings(int first, int count) {
+    CouplingBlocks all;
+    for (int i = first; i < first + count; ++i) all.push_back({{{{i, i + 500, Mat3::Zero()}}}, 1});
+    return all;
+}
+
+TEST(CoupledFactor, DoesNotPayWhereItFills) {
     CoupledFactor factor;
-    EXPECT_FALSE(factor.pays(matrix, coupling));
+    EXPECT_FALSE(factor.pays(joined_at_random(1000), couplings(0, 10)));
     EXPECT_EQ(factor.analyses(), 1);
+}
+
+// Contacts that wander over a thick body would be analysed in every step; fewer might pay.
+TEST(CoupledFactor, IsNotAnalysedAgainForAsManyCouplingsWhereItDoesNotPay) {
+    const BlockMatrix matrix = joined_at_random(1000);
+    CoupledFactor factor;
+    for (int step = 0; step < 8; ++step)
+        EXPECT_FALSE(factor.pays(matrix, couplings(50 * step, 30 + 2 * step)));
+    EXPECT_EQ(factor.analyses(), 1);
+    EXPECT_FALSE(factor.pays(matrix, couplings(450, 20)));
+    EXPECT_EQ(factor.analyses(), 2);
 }
 
 // Springs come and go; those that the pattern has not are left to iterations.

@@ -65,5 +65,26 @@ TEST(ErrorBound, HoldsWhereTheSmallestRitzValueFallsLate) {
     }
 }
 
+// Rounding has made the Lanczos matrix indefinite: 1 + 1e17 - 1e17 is 0. What was known stays.
+TEST(ErrorBound, EndsWhereRoundingLeavesNoEigenvalue) {
+    ErrorBound bound(0.0);
+    bound.after(1.0, 1e17);
+    EXPECT_GE(bound.after(1.0, 0.5), 0.0);
+    EXPECT_GT(bound.smallest(), 0.9);
+    EXPECT_LE(bound.smallest(), 1.0);
+}
+
+TEST(ErrorBound, EndsWhateverTheCoefficientsAre) {
+    const double odd[] = {1e-300, 1e-200, 1.0, 1e200, 1e300, INFINITY, NAN};
+    for (const double step : odd)
+        for (const double ratio : odd) {
+            ErrorBound bound(0.0);
+            for (int k = 0; k < 6; ++k) {
+                EXPECT_GE(bound.after(k % 2 == 0 ? step : 1.0, ratio), 0.0) << step << ' ' << ratio;
+                EXPECT_GE(bound.smallest(), 0.0) << step << ' ' << ratio;
+            }
+        }
+}
+
 }  // namespace
 }  // namespace hepatica

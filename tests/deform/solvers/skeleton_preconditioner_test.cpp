@@ -256,6 +256,49 @@ TEST(SkeletonSolver, KeepsTheErrorWhileTheBodyTurnsUnderAnOldPreconditioner) {
     EXPECT_LE(more, 3 * 20);  // no more than preparing every time would have cost
 }
 
+SolveReport solve_that_took(int iterations, bool converged) {
+    SolveReport report;
+    report.iterations = iterations;
+    report.converged = converged;
+    return report;
+}
+
+// Couplings are solved around it: as long as they take about as many iterations as a fresh solve it
+// is kept, then it is made anew at the next matrix. A restored one knows that, too.
+TEST(SkeletonSolver, IsMadeAnewAfterASolveThatOnlyPreconditionedByItAndTookLong) {
+    const Case bar = bent_bar(10, 2, 0.5), further = bent_bar(10, 2, 0.52);
+    SkeletonSolver solver(bar.body.skeleton, bar.body.mesh.vertices_mm);
+    solver.prepare(bar.matrix, bar.positions);
+    std::vector<Vec3> x(bar.load.size(), Vec3::Zero());
+    const int fresh = solver.solve(bar.load, x, {}).iterations;
+    const auto made_anew_after = [&](int iterations, bool converged) {
+        solver.prepare(further.matrix, further.positions);
+        EXPECT_FALSE(solver.made_from_latest());
+        solver.wear(solve_that_took(iterations, converged));
+        SkeletonSolver restored(bar.body.skeleton, bar.body.mesh.vertices_mm);
+        restored.restore(further.matrix, true, further.positions, solver.memory());
+        for (SkeletonSolver* each : {&solver, &restored}) each->prepare(bar.matrix, bar.positions);
+        EXPECT_EQ(restored.made_from_latest(), solver.made_from_latest());
+        return solver.made_from_latest();
+    };
+    EXPECT_FALSE(made_anew_after(fresh + 1, true));
+    EXPECT_TRUE(made_anew_after(fresh + 200, true));
+    EXPECT_FALSE(made_anew_after(fresh + 1, true));
+    EXPECT_TRUE(made_anew_after(1, false));
+}
+
+TEST(AutomaticSolver, PassesOnThatItsPreconditionerIsWorn) {
+    const Case bulky = make_case(test::make_bar(60.0, 36.0, 15, 9), 0.1, 60.0);
+    const auto solver = make_linear_solver(LinearSolverKind::automatic, bulky.body.skeleton,
+                                           bulky.body.mesh.vertices_mm);
+    solver->prepare(bulky.matrix, bulky.positions);
+    solver->prepare(bulky.matrix, bulky.positions);
+    EXPECT_FALSE(solver->made_from_latest());
+    solver->wear(solve_that_took(500, true));
+    solver->prepare(bulky.matrix, bulky.positions);
+    EXPECT_TRUE(solver->made_from_latest());
+}
+
 TEST(SkeletonSolver, RecoversFromAMatrixThatIsNotFinite) {
     const Case bar = bent_bar(10, 2, 0.5);
     BlockMatrix bad = bar.matrix;

@@ -6,11 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
+#include <utility>
 
+#include "core/base/frame_time.h"
 #include "core/base/units.h"
 #include "core/mesh/brick_mesh.h"
 #include "tests/deform/support/odd_solver.h"
+#include "tests/deform/support/two_bars.h"
 
 namespace hepatica {
 namespace {
@@ -124,6 +128,36 @@ TEST(BackwardEuler, ASteadyMotionIsPredicted) {
         return std::sqrt(sum);
     };
     EXPECT_LT(missed(false), 0.3 * missed(true));
+}
+
+// A cube that falls onto a slab with a corner first: the one coupling is left to iterations around
+// the solver, which has to learn what they cost.
+TEST(BackwardEuler, TellsTheSolverOfSolvesThatItOnlyPreconditions) {
+    BodyDescription two;
+    test::add_mesh(test::bar_at(Vec3(8, 8, 4), {2, 2, 1}, Mat3::Identity(), Vec3::Zero()),
+                   two.mesh);
+    const std::size_t slab = two.mesh.vertices_mm.size();
+    const Mat3 corner_down =
+        Eigen::Quaterniond::FromTwoVectors(Vec3(1, 1, 1), Vec3(0, 0, -1)).toRotationMatrix();
+    test::add_mesh(test::bar_at(Vec3(4, 4, 4), {1, 1, 1}, corner_down,
+                                Vec3(1.1, 0.7, 2.3 + 2.0 * std::sqrt(3.0))),
+                   two.mesh);
+    two.self.emplace();
+    const Body body = build_body(two, ElementModel::corotated, ElementOrder::linear);
+    int solves = 0;
+    auto made = std::make_unique<test::OddSolver>(solves);
+    const test::OddSolver& solver = *made;
+    BackwardEuler integrator(body, {}, std::move(made));
+    PotentialList potentials(body);
+    BodyState state{body.rest_positions_mm, std::vector<Vec3>(body.mass_g.size(), Vec3::Zero())};
+    for (std::size_t i = slab; i < state.velocities_mm_per_s.size(); ++i)
+        state.velocities_mm_per_s[i].z() = -20.0;
+    int linear_solves = 0;
+    for (int k = 0; k < 10; ++k)
+        linear_solves += integrator.advance(state, frame_s, potentials).linear_solves;
+    ASSERT_LT(solves, linear_solves) << "nothing touched";
+    EXPECT_EQ(std::ssize(solver.worn), linear_solves - solves);
+    for (const int iterations : solver.worn) EXPECT_GT(iterations, 0);
 }
 
 }  // namespace

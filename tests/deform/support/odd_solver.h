@@ -14,6 +14,8 @@ namespace hepatica::test {
 
 class OddSolver final : public LinearSolver {
   public:
+    std::vector<int> worn;  // iterations of each solve that was reported to wear()
+
     // Counts its solves in `count`; the first `uphill` of them give the answer with its sign
     // turned. `told` is called behind each solve.
     explicit OddSolver(int& count, int uphill = 0, std::function<void()> told = {})
@@ -37,6 +39,7 @@ class OddSolver final : public LinearSolver {
     void precondition(const std::vector<Vec3>& r, std::vector<Vec3>& z) override {
         solver_->precondition(r, z);
     }
+    void wear(const SolveReport& solved) override { worn.push_back(solved.iterations); }
     std::string_view name() const override { return "odd"; }
     bool made_from_latest() const override { return false; }
     std::vector<double> memory() const override { return {}; }
