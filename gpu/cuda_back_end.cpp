@@ -72,8 +72,8 @@ class CudaBackEnd final : public StepBackEnd {
 
     bool set_options(const StepperOptions& options) override {
         // These options decide whether the device has a body. Where that would change, a new back
-        // end is needed.
-        const bool here = !why_not_on_device(cpu_->body(), options);
+        // end is needed; not where the device has failed, because another would fail, too.
+        const bool here = lost_.empty() && !why_not_on_device(cpu_->body(), options);
         if (here == (device_ == nullptr) || !cpu_->set_options(options)) return false;
         options_ = options;
         return true;

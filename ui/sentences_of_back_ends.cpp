@@ -21,6 +21,7 @@ constexpr std::array sentences_back_ends{
     Words::id("this computer has no NVIDIA driver"),
     Words::id("the driver knows CUDA %1, which is older than the %2 of this build"),
     Words::id("this computer has no CUDA device that can be used"),
+    Words::id("the CUDA device does not answer"),
     Words::id("the CUDA back end"),
     Words::id("Use the processor, or build with HEPATICA_CUDA=ON where nvcc is"),
     Words::id("Use the processor, or a computer with an NVIDIA device"),

@@ -174,9 +174,11 @@ DeviceInfo look() {
                       version_text(runtime) + " of this build";
     } else if (found != cudaSuccess || devices == 0) {
         info.reason = "this computer has no CUDA device that can be used";
+    } else if (cudaDeviceProp properties{};
+               cudaGetDeviceProperties(&properties, 0) != cudaSuccess) {
+        cudaGetLastError();  // clears it
+        info.reason = "the CUDA device does not answer";
     } else {
-        cudaDeviceProp properties{};
-        require(cudaGetDeviceProperties(&properties, 0), "the device does not answer");
         info.device = properties.name;
         info.memory_bytes = properties.totalGlobalMem;
     }

@@ -41,8 +41,8 @@ class DeviceStep {
 
     // Makes a step of dt_s > 0 and fills the report as BackwardEuler::advance() does. Returns
     // false, with the state unchanged, where its single full iterate would increase the energy or
-    // could not be solved for; the step must then be made by other means. Throws Cancelled, with
-    // the state unchanged, within some iterations after a stop was requested.
+    // could not be solved for; the step must then be made by other means. Throws Cancelled
+    // within some iterations after a stop was requested; set_state() must follow then.
     virtual bool advance(double dt_s, const SolveLimits& limits, StepReport& report,
                          const std::stop_token& stop = {}) = 0;
     // The reason why the last step was not made, in words; empty where it would have increased the

@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "core/base/frame_time.h"
+#include "core/mesh/brick_mesh.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/measured_dial.h"
 #include "core/scene/world.h"
@@ -120,6 +122,26 @@ TEST(DeviceSession, GoesOnWithTheProcessorWhereItsDeviceIsLost) {
     EXPECT_GT(session.world().time_s(), time_s);
     EXPECT_TRUE(session.world().deform()->holding());
     EXPECT_EQ(session.world().deform()->hand_mm(), hand);
+}
+
+// Another back end would fail on it, too, and say so again.
+TEST(DeviceSession, AChangeOfSettingMakesNoOtherBackEndOfALostDevice) {
+    int said = 0;
+    const EmulatedBackEnd device = emulated_back_end([&](const std::string&) { ++said; });
+    BodyDescription body;
+    body.mesh = kuhn_brick(Vec3(24, 6, 6), {8, 2, 2});
+    StepperOptions options;
+    const auto stepper = device.back_end.make(body, options, {});
+    stepper->set_gravity(Vec3(0, -9810, 0));
+    stepper->step(frame_s);
+    ASSERT_EQ(device.device_steps(), 1);
+    device.lose();
+    stepper->step(frame_s);
+    EXPECT_EQ(said, 1);
+    options.linear.energy_tolerance *= 2.0;
+    EXPECT_TRUE(stepper->set_options(options));
+    stepper->step(frame_s);
+    EXPECT_EQ(said, 1);
 }
 
 }  // namespace

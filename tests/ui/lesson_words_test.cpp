@@ -149,7 +149,8 @@ TEST(LessonWords, OfAPlotGiveTheVerdictToNoStep) {
     LessonStanding standing;
     standing.outcome = LessonOutcome::failed;
     standing.reasons = {"pass mark missed"};
-    standing.steps = {{6.5, 0.0}};
+    standing.steps.resize(1);
+    standing.steps[0].reached_s = 6.5;
     standing.metrics.time_s = 6.5;
     EXPECT_EQ(plot_events_of(standing),
               (std::vector<PlotEvent>{{6.5, "step 1"}, {6.5, "verdict: not passed"}}));
