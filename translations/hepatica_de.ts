@@ -9168,5 +9168,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>The target begins where the portal or arterial vessels pass nearest to the tumour&apos;s middle; other branches that feed it are not in the target</source>
         <translation>Das Zielgebiet beginnt, wo die Gefäße der Pfortader oder der Arterie der Mitte des Tumors am nächsten liegen; andere Äste, die ihn versorgen, gehören nicht dazu</translation>
     </message>
+    <message>
+        <source>holds its voxels as text (BinaryData = False)</source>
+        <translation>enthält seine Voxel als Text (BinaryData = False)</translation>
+    </message>
 </context>
 </TS>
