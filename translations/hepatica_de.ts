@@ -9172,5 +9172,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>the CUDA device does not answer</source>
         <translation>das CUDA-Gerät antwortet nicht</translation>
     </message>
+    <message>
+        <source>holds its voxels as text (BinaryData = False)</source>
+        <translation>enthält seine Voxel als Text (BinaryData = False)</translation>
+    </message>
 </context>
 </TS>

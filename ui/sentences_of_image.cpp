@@ -116,6 +116,7 @@ constexpr std::array sentences_image{
     Words::id("has a DimSize that is no size"),
     Words::id("has a data file with a header of its own"),
     Words::id("has a voxel spacing of %1"),
+    Words::id("holds its voxels as text (BinaryData = False)"),
     Words::id("has its data in several files"),
     Words::id("has no DimSize"),
     Words::id("has no ElementSpacing"),

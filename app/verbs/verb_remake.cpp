@@ -52,6 +52,21 @@ bool searches(const RemakeChoices& options) {
     return options.threshold.line_share != 1.0 || options.threshold.refinement_recursions != 0;
 }
 
+// Where the case has one system and the file marks nothing but its number, that is meant; otherwise
+// a mask of one number says nothing of systems.
+std::vector<VesselLabel> only_system(const Mask& of_case, const LabelMap& labels) {
+    std::uint8_t only = 0;
+    for (const std::uint8_t voxel : of_case.voxels) {
+        if (voxel == 0 || voxel == unknown || voxel == only) continue;
+        if (only != 0) return {};
+        only = voxel;
+    }
+    const auto system = system_numbered(only);
+    if (!system || std::ranges::any_of(labels.voxels, [&](auto v) { return v != 0 && v != only; }))
+        return {};
+    return {{only, *system}};
+}
+
 // The vessels of the file, or else the case's.
 Mask wanted_vessels(const RemakeChoices& options, const PatientCase& patient, const Grid& ct_grid,
                     std::vector<std::string>& warnings, Job& job) {
@@ -59,7 +74,8 @@ Mask wanted_vessels(const RemakeChoices& options, const PatientCase& patient, co
     if (!options.vessels.empty()) {
         const LabelMap labels = read_label_map(options.vessels, job);
         if (same_grid(labels.grid, patient.mask.grid)) {
-            vessels = systems_of_labels(labels, {}, options.vessels.string(), warnings, job);
+            vessels = systems_of_labels(labels, only_system(patient.mask, labels),
+                                        options.vessels.string(), warnings, job);
             vessels.grid = patient.mask.grid;  // the file stores it in single precision
         } else {
             vessels = read_given_vessels(options.vessels, {}, ct_grid, warnings, job);

@@ -201,8 +201,9 @@ bool is_same(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-void require_equal_repeats(const OrderedSeries& series, ReadRemarks& remarks) {
+void require_equal_repeats(const OrderedSeries& series, ReadRemarks& remarks, const Job& job) {
     for (const auto& [kept, repeat] : series.repeated) {
+        job.throw_if_cancelled();
         const DicomSlice& original = series.slices[kept];
         if (!std::ranges::equal(read_pixels(original), read_pixels(repeat), is_same))
             throw InputError(
@@ -325,7 +326,7 @@ Volume read_dicom(const fs::path& folder, const DicomWish& wish, Job& job, ReadR
     remark_on_values(series.slices, remarks);
     remark_on_tilt(series, remarks);
     require_room(series.slices.front());
-    require_equal_repeats(series, remarks);
+    require_equal_repeats(series, remarks, job);
     const UprightStack stack(series, wish.between);
     const PlacedGrid placed = place(series, stack);
     const Index3& dims = placed.grid.dims;

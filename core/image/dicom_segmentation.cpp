@@ -110,9 +110,10 @@ Place place_of(const std::vector<DicomSlice>& frames, const fs::path& file) {
             levels.front(), step_mm};
 }
 
-void add_frame(LabelMap& labels, const Place& place, const DicomSlice& frame,
+// The level is measured along the normal of the first frame, as those of the place are.
+void add_frame(LabelMap& labels, const Place& place, const Vec3& normal, const DicomSlice& frame,
                const std::function<bool(int)>& wanted) {
-    const double level_mm = frame.position_mm.dot(frame.normal());
+    const double level_mm = frame.position_mm.dot(normal);
     const auto z = std::lround((level_mm - place.first_level_mm) / place.step_mm);
     const auto& strides = place.placed.strides;
     const std::vector<double> values = read_pixels(frame);
@@ -146,9 +147,10 @@ LabelMap read_dicom_segmentation(const fs::path& file, const std::function<bool(
     require_upright(frames);
     const Place place = place_of(frames, file);
     LabelMap labels(place.placed.grid);
+    const Vec3 normal = frames.front().normal();
     for (std::size_t i = 0; i < frames.size(); ++i) {
         job.advance(static_cast<double>(i) / static_cast<double>(frames.size()));
-        add_frame(labels, place, frames[i], wanted);
+        add_frame(labels, place, normal, frames[i], wanted);
     }
     return labels;
 }

@@ -68,7 +68,7 @@ std::vector<double> values_of(const Fields& fields, std::initializer_list<const 
 }
 
 bool is_true(const std::string& text) {
-    return lower_case(text).starts_with('t');
+    return lower_case(text).starts_with('t') || text.starts_with('1');
 }
 
 void place(const Fields& fields, VoxelFile& file, const fs::path& path) {
@@ -110,6 +110,9 @@ VoxelFile read_meta_header(const fs::path& path) {
     file.type = *type;
     file.big_endian = is_true(field(fields, "binarydatabyteordermsb")) ||
                       is_true(field(fields, "elementbyteordermsb"));
+    const std::string binary = field(fields, "binarydata");
+    if (!binary.empty() && !is_true(binary))
+        reject(path, "holds its voxels as text (BinaryData = False)");
     if (is_true(field(fields, "compresseddata"))) file.encoding = Encoding::deflated;
     const std::string data = field(fields, "elementdatafile");
     if (lower_case(data) == "local") {

@@ -151,8 +151,10 @@ void find_data(const Fields& fields, VoxelFile& file, const fs::path& path,
         file.encoding = Encoding::deflated;
     else if (encoding != "raw")
         reject_nrrd(path, "has encoding \"" + encoding + "\"");
-    const std::string skip = field(fields, "byte skip");
-    if (!skip.empty() && skip != "0") reject_nrrd(path, "skips bytes before its data");
+    for (const char* name : {"byte skip", "byteskip", "line skip", "lineskip"}) {
+        const std::string skip = field(fields, name);
+        if (!skip.empty() && skip != "0") reject_nrrd(path, "skips bytes before its data");
+    }
 }
 
 }  // namespace

@@ -34,15 +34,14 @@ std::vector<Pixels> segments_in(const DicomSlice& slice, std::size_t segments,
                                 std::span<const SegmentLayer> layers) {
     std::vector<Pixels> found(segments);
     const std::size_t count = static_cast<std::size_t>(slice.rows) * slice.columns;
+    const Mat3 steps = slice.steps_mm(1.0);
     for (const SegmentLayer& layer : layers) {
         std::array<std::optional<std::size_t>, 256> segment_of{};
         for (const auto& [label, segment] : layer.segment_of) segment_of[label] = segment;
         std::size_t at = 0;
         for (int y = 0; y < slice.rows; ++y)
             for (int x = 0; x < slice.columns; ++x, ++at) {
-                const Vec3 centre = slice.position_mm +
-                                    x * slice.column_spacing_mm * slice.row_axis +
-                                    y * slice.row_spacing_mm * slice.column_axis;
+                const Vec3 centre = slice.position_mm + x * steps.col(0) + y * steps.col(1);
                 const auto segment = segment_of[value_at(*layer.voxels, centre)];
                 if (!segment) continue;
                 Pixels& pixels = found[*segment];

@@ -146,6 +146,8 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     mark_tumours(options, ct.grid, patient.organs, warnings, job);
     require_seeds_in_vessels(patient.mask, options.seeds);
     keep_portal_trunk(anatomy.portal_trunk_mm, patient.source.parameters_json);
+    if (options.vessel_mask)
+        keep_systems_given(has_systems(patient.mask), patient.source.parameters_json);
     FromVoxelsOptions from_voxels;
     from_voxels.seeds = options.seeds;
     from_voxels.find_systems = !options.seeds.empty() || !has_systems(patient.mask);

@@ -13,6 +13,7 @@ namespace hepatica {
 namespace {
 
 constexpr const char* trunk_key = "portal_trunk_mm";
+constexpr const char* systems_given_key = "systems_given";
 
 // None where the value is not an array of three numbers.
 std::optional<Vec3> place_in(const nlohmann::json& json) {
@@ -59,6 +60,12 @@ void keep_portal_trunk(const std::optional<Vec3>& trunk_mm, std::string& paramet
     parameters_json = json.dump();
 }
 
+void keep_systems_given(bool given, std::string& parameters_json) {
+    auto json = nlohmann::ordered_json::parse(parameters_json);
+    json[systems_given_key] = given;
+    parameters_json = json.dump();
+}
+
 FromVoxelsOptions from_voxels_options(const std::string& parameters_json) {
     FromVoxelsOptions options;
     const auto json = nlohmann::json::parse(parameters_json, nullptr, false);
@@ -76,10 +83,10 @@ FromVoxelsOptions from_voxels_options(const std::string& parameters_json) {
                 continue;
             }
         }
-    // Systems of a given mask are kept.
-    const bool drawn = has("vessel_mask_given", &nlohmann::json::is_boolean) &&
-                       json["vessel_mask_given"].get<bool>();
-    options.find_systems = !options.seeds.empty() || !drawn;
+    // Systems of a given mask are kept. An older case does not say whether its mask had some.
+    const char* said = json.contains(systems_given_key) ? systems_given_key : "vessel_mask_given";
+    const bool given = has(said, &nlohmann::json::is_boolean) && json[said].get<bool>();
+    options.find_systems = !options.seeds.empty() || !given;
     if (has("bridge_confidence", &nlohmann::json::is_number))
         options.bridge_confidence = json["bridge_confidence"].get<double>();
     if (json.contains("thinning") && json["thinning"] == "parallel")

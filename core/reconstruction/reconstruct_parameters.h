@@ -17,6 +17,10 @@ std::string parameters_json(const ReconstructOptions& options);
 // the vessel and could not be made again from its voxels without that place.
 void keep_portal_trunk(const std::optional<Vec3>& trunk_mm, std::string& parameters_json);
 
+// Keeps whether the given vessel mask said which vessel is of which system: those of one number are
+// told apart, when the case is remade as well.
+void keep_systems_given(bool given, std::string& parameters_json);
+
 // Reads the options that decide how a tree is made from voxels. Missing or malformed values take
 // their defaults; malformed seeds are left out.
 FromVoxelsOptions from_voxels_options(const std::string& parameters_json);

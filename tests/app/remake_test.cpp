@@ -74,6 +74,21 @@ TEST_F(Remake, ErasesATwigAndTakesTheMaskOfAnotherProgram) {
     EXPECT_EQ(hash_of(back), hash_of(before)) << "tree and body, to the bit";
 }
 
+// Of a system that was given and is not found anew.
+TEST_F(Remake, TheMaskOfACaseOfOneSystemKeepsIt) {
+    const fs::path given = folder() / "given.hep";
+    answer({"reconstruct", ct().string(), "--vessel-mask",
+            (folder() / "p" / "truth_mask.nii.gz").string(), "--vessel-label", "1=portal", "--out",
+            given.string(), "--tetrahedra", "1500"});
+    const PatientCase before = read_case(given);
+    answer({"remake", given.string(), "--ct", ct().string(), "--vessels",
+            (given / "mask.nii.gz").string()});
+    const PatientCase after = read_case(given);
+    EXPECT_EQ(after.mask.voxels, before.mask.voxels);
+    for (const VesselSegment& segment : after.tree.segments)
+        EXPECT_EQ(segment.system, VascularSystem::portal);
+}
+
 // Within the grid, as far from all vessels as there is room.
 Vec3 far_from_vessels(const PatientCase& patient) {
     const Grid& grid = patient.mask.grid;

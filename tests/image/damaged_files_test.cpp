@@ -44,6 +44,39 @@ int refusals(const fs::path& file, const fs::path& to_read, std::size_t header_b
     return refused;
 }
 
+// Two voxels a side, marked or not, in a file of their own.
+TEST(NrrdHeader, WhoseDataBeginLaterIsRefused) {
+    const TemporaryFolder folder;
+    Job job;
+    write_bytes(folder / "mask.raw", std::string("\0\0\0\n\1\0\0\0\0\0\0\1", 12));
+    const auto says = [&](const std::string& skip) {
+        write_bytes(folder / "mask.nhdr",
+                    "NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\n"
+                    "sizes: 2 2 2\nspace directions: (1,0,0) (0,1,0) (0,0,1)\nencoding: raw\n"
+                    "space origin: (0,0,0)\n" +
+                        skip + "data file: mask.raw\n\n");
+        return refusal([&] { read_label_map(folder / "mask.nhdr", job); });
+    };
+    for (const char* skip : {"byte skip: 4\n", "byteskip: 4\n", "line skip: 1\n", "lineskip: 1\n"})
+        EXPECT_NE(says(skip).find("skips bytes before its data"), std::string::npos) << skip;
+    for (const char* none : {"", "byteskip: 0\n", "line skip: 0\n"}) EXPECT_EQ(says(none), "");
+}
+
+TEST(MetaHeader, OfVoxelsAsTextIsRefused) {
+    const TemporaryFolder folder;
+    Job job;
+    const auto says = [&](const std::string& binary) {
+        write_bytes(folder / "mask.mha",
+                    "ObjectType = Image\nNDims = 3\n" + binary +
+                        "ElementSpacing = 1 1 1\nDimSize = 2 2 2\nElementType = MET_UCHAR\n"
+                        "ElementDataFile = LOCAL\n0 0 0 0 0 0 0 1 ");
+        return refusal([&] { read_mask(folder / "mask.mha", job); });
+    };
+    EXPECT_NE(says("BinaryData = False\n").find("holds its voxels as text"), std::string::npos);
+    for (const char* binary : {"", "BinaryData = True\n", "BinaryData = 1\n"})
+        EXPECT_EQ(says(binary), "") << binary;
+}
+
 TEST(DamagedFile, OfAnyVolumeFormatIsReadOrRefused) {
     const TemporaryFolder folder;
     const Volume volume = patterned_volume(turned_grid());

@@ -6,6 +6,7 @@
 #include <gdcmReader.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstring>
 #include <functional>
 
@@ -221,6 +222,24 @@ TEST(Dicom, ReadsASliceThatStandsThereTwiceOnce) {
     EXPECT_EQ(folder.read(&remarks).voxels, folder.volume().voxels);
     ASSERT_EQ(remarks.size(), 1u);
     EXPECT_NE(remarks[0].find("twice"), std::string::npos);
+}
+
+// A series may stand there twice, and decoding takes long: a look for each file, and one for each
+// comparison.
+TEST(Dicom, AsksBeforeEachSliceThatIsCompared) {
+    const DicomFolder folder;
+    const auto checks = [&] {
+        std::atomic<int> count = 0;
+        Job job;
+        job.observe([&](JobEvent event) { count += event == JobEvent::check ? 1 : 0; });
+        read_volume(folder.path(), job);
+        return count.load();
+    };
+    const int once = checks();
+    const int slices = folder.volume().grid.dims[2];
+    for (int i = 1; i <= slices; ++i)
+        fs::copy_file(folder.slice(i), folder.path() / ("again " + std::to_string(i) + ".dcm"));
+    EXPECT_GE(checks(), once + 2 * slices);
 }
 
 // As 3D-IRCADb hands out its experts' masks.

@@ -47,7 +47,19 @@ struct Segmentation {
         put_sequence(group, plane_position, {place});
         put(segment, gdcm::Tag(0x0062, 0x000b), gdcm::VR::US, word_of(frame.segment));
         if (with_segments) put_sequence(group, gdcm::Tag(0x0062, 0x000a), {segment});
+        if (frame.z == 4 && one_turned != 0.0)
+            put_sequence(group, plane_orientation, {axes_of(one_turned)});
         return group;
+    }
+
+    // Of a slice whose rows are turned towards the normal.
+    gdcm::DataSet axes_of(double turned) const {
+        gdcm::DataSet axes;
+        const Vec3 row = (grid.direction.col(0) + turned * grid.direction.col(2)).normalized();
+        const Vec3 column = grid.direction.col(1);
+        put(axes, gdcm::Tag(0x0020, 0x0037), gdcm::VR::DS,
+            number_list({row.x(), row.y(), row.z(), column.x(), column.y(), column.z()}));
+        return axes;
     }
 
     std::string packed_pixels() const {
@@ -90,16 +102,13 @@ struct Segmentation {
         put(data, gdcm::Tag(0x0028, 0x0103), gdcm::VR::US, word_of(0));
         put(data, gdcm::Tag(0x0062, 0x0001), gdcm::VR::CS, type);
         put(data, gdcm::Tag(0x0062, 0x000e), gdcm::VR::US, word_of(whole));
-        gdcm::DataSet axes, measures, shared;
-        const Vec3 row = grid.direction.col(0), column = grid.direction.col(1);
-        put(axes, gdcm::Tag(0x0020, 0x0037), gdcm::VR::DS,
-            number_list({row.x(), row.y(), row.z(), column.x(), column.y(), column.z()}));
+        gdcm::DataSet measures, shared;
         put(measures, gdcm::Tag(0x0028, 0x0030), gdcm::VR::DS,
             number_list({grid.spacing_mm[1], grid.spacing_mm[0]}));
         if (stated_spacing_mm > 0.0)
             put(measures, gdcm::Tag(0x0018, 0x0088), gdcm::VR::DS,
                 number_list({stated_spacing_mm}));
-        put_sequence(shared, plane_orientation, {axes});
+        put_sequence(shared, plane_orientation, {axes_of(0.0)});
         put_sequence(shared, pixel_measures, {measures});
         put_sequence(data, gdcm::Tag(0x5200, 0x9229), {shared});
         std::vector<gdcm::DataSet> groups;
@@ -124,6 +133,7 @@ struct Segmentation {
     double aside_mm = 0.0;         // that each slice lies off the one before
     double vessel_ahead_mm = 0.0;  // that the vessel's slices lie off the liver's
     double one_ahead_mm = 0.0;     // that one slice of the liver lies off its place
+    double one_turned = 0.0;       // of the same slice, towards the normal
     bool with_segments = true;
     std::size_t missing_bytes = 0;
 };
@@ -172,6 +182,24 @@ TEST(DicomSegmentation, IsALabelMapWhoseHigherSegmentStandsWhereTheyOverlap) {
         for (std::size_t i = 0; i < labels.voxels.size(); ++i) {
             const auto [x, y, z] = labels.grid.index_of(i);
             ASSERT_EQ(labels.voxels[i], in_vessel(x, y, z) ? 4 : in_liver(x, y, z) ? 1 : 0);
+        }
+    }
+}
+
+// Axes are rounded, and far from the origin a slice's own normal leads to another level. Measured
+// along its own, the turned slice would lie where the next one does, 1.8 mm away.
+TEST(DicomSegmentation, OfASliceTurnedALittleLiesWhereItWasDrawnFarFromTheOrigin) {
+    for (const double turned : {-9e-4, 9e-4}) {
+        Segmentation drawn;
+        drawn.grid.origin_mm = 2000.0 * drawn.grid.direction.col(0);
+        drawn.one_turned = turned;
+        const SegmentationFile file(drawn);
+        Job job;
+        const std::vector<int> liver{1};
+        const Mask mask = on_grid_of(drawn.grid, read_mask(file.path(), job, liver), "seg.dcm");
+        for (std::size_t i = 0; i < mask.voxels.size(); ++i) {
+            const auto [x, y, z] = mask.grid.index_of(i);
+            ASSERT_EQ(mask.voxels[i], in_liver(x, y, z) ? 1 : 0) << x << ", " << y << ", " << z;
         }
     }
 }

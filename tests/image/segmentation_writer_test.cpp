@@ -17,6 +17,7 @@
 #include "core/image/segmentation_writer.h"
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
+#include "tests/image/dicom_folder.h"
 #include "tests/image/enhanced_ct.h"
 
 namespace hepatica {
@@ -87,6 +88,24 @@ TEST(SegmentationWriter, EverySegmentLiesOnTheCtWhereItsVoxelsAre) {
     expect_segment(scan, 1, [&](int x, int y, int z) { return scan.vessel.at(x, y, z) != 0; });
     expect_segment(scan, 2, [&](int x, int y, int z) { return scan.in_organ(x, y, z); });
     EXPECT_FALSE(fs::exists(scan.folder / "vessels.dcm.tmp"));
+}
+
+// The direction cosines are rounded: taken as they stand, the last columns would be those before.
+TEST(SegmentationWriter, AxesThatAreNoUnitsMoveNoPixel) {
+    Grid wide = small_grid();
+    wide.dims = {120, 5, 3};
+    const DicomFolder series(patterned_volume(wide));
+    series.edit_all(orientation, "0.992\\0\\0\\0\\0.992\\0");
+    Job job;
+    Mask drawn(read_volume(series.path(), job).grid);
+    for (std::size_t i = 0; i < drawn.voxels.size(); ++i)
+        drawn.voxels[i] = drawn.grid.index_of(i)[0] % 2 == 0 ? 1 : 0;
+    const TemporaryFolder folder;
+    const std::vector<SegmentLayer> layers{{&drawn, {{1, 0}}}};
+    write_dicom_segmentation(folder / "vessels.dcm", {&meanings[0], 1}, layers, series.path(), 0,
+                             "1.2.3", job);
+    const Mask back = on_grid_of(drawn.grid, read_mask(folder / "vessels.dcm", job), "vessels.dcm");
+    EXPECT_EQ(back.voxels, drawn.voxels);
 }
 
 gdcm::DataSet read_data(const fs::path& file) {

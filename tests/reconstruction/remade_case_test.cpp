@@ -90,6 +90,33 @@ TEST_F(RemadeCaseTest, OfItsOwnVoxelsIsTheSameToTheBit) {
     EXPECT_EQ(made.patient.source.image_sha256, patient_->source.image_sha256);
 }
 
+// Systems are found in a mask of one number and kept in one of several: when it is remade as well.
+TEST(FromVoxelsOptions, OfAGivenMaskFindSystemsWhereTheReconstructionDid) {
+    PhantomOptions options;
+    options.dims = {88, 88, 64};
+    options.spacing_mm = Vec3(2.0, 2.0, 2.0);
+    options.generations = 3;
+    options.systems = 2;
+    Job job;
+    const Phantom phantom = make_phantom(options, job);
+    const fs::path folder = fs::path(testing::TempDir()) / "remade of a given mask";
+    fs::create_directories(folder);
+    ReconstructOptions reconstruction;
+    reconstruction.ct = folder / "ct.nii.gz";
+    reconstruction.vessel_mask = folder / "vessels.nii.gz";
+    reconstruction.mesh.target_tetrahedra = 1500;
+    write_nifti(reconstruction.ct, phantom.ct);
+    for (const bool has_systems : {true, false}) {
+        Mask vessels = phantom.vessels;
+        for (std::uint8_t& voxel : vessels.voxels)
+            if (!has_systems && voxel != 0) voxel = 1;
+        write_nifti(*reconstruction.vessel_mask, vessels);
+        const PatientCase patient = reconstruct(reconstruction, job).patient;
+        EXPECT_EQ(from_voxels_options(patient.source.parameters_json).find_systems, !has_systems);
+    }
+    fs::remove_all(folder);
+}
+
 // The patient's own voxels say what his vessels were; numbers in those that are given do not.
 TEST_F(RemadeCaseTest, AVesselStaysWhatThePatientHadIt) {
     Mask exchanged = patient_->mask;

@@ -78,8 +78,9 @@ class Edit {
         const auto node_at = [&](const Vec3& position_mm) {
             // Located in the current graph: the first split may have renumbered its links.
             const TreePoint at = locate({{}, segments_of(graph_)}, position_mm);
-            return std::pair(split_link(graph_, at.segment, at.arclength_mm, 1.0),
-                             graph_.links[at.segment].system);
+            // Read before the split, which may move the links.
+            const VascularSystem system = graph_.links[at.segment].system;
+            return std::pair(split_link(graph_, at.segment, at.arclength_mm, 1.0), system);
         };
         const auto [from, system] = node_at(edit.at_mm);
         const auto [to, other_system] = node_at(edit.to_mm);

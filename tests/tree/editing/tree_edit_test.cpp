@@ -190,6 +190,26 @@ TEST(TreeEdit, LinkInsideOneTreeClosesALoop) {
               1);
 }
 
+// Splitting a vessel for the link may move the list of links: it is full at a power of two.
+TEST(TreeEdit, ALinkTakesTheSystemOfTheVesselItLeaves) {
+    for (const int count : {1, 2, 4, 8}) {
+        VesselGraph graph;
+        for (int i = 0; i < count; ++i) {
+            graph.nodes.push_back({Vec3(0, 20.0 * i, 0), 2.0});
+            graph.nodes.push_back({Vec3(40, 20.0 * i, 0), 2.0});
+            graph.links.push_back(
+                straight_link(graph, 2 * i, 2 * i + 1, 2.0, 2.0, VascularSystem::portal));
+        }
+        TreeEdit link = edit_at(TreeEditKind::add_link, Vec3(10, 0, 0));
+        link.to_mm = count == 1 ? Vec3(30, 0, 0) : Vec3(30, 20, 0);
+        link.path_mm = {Vec3(20, 10, 0)};
+        const VesselTree linked = edited(directed(graph), link);
+        EXPECT_GT(linked.segments.size(), graph.links.size());
+        for (const VesselSegment& segment : linked.segments)
+            EXPECT_EQ(segment.system, VascularSystem::portal) << count;
+    }
+}
+
 TEST(TreeEdit, DeletingATreeTakesAllOfItAndNothingElse) {
     const VesselTree cut = edited(forked_tree(), edit_at(TreeEditKind::cut_link, on_right_branch));
     ASSERT_EQ(roots(cut).size(), 2u);
