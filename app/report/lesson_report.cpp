@@ -225,7 +225,7 @@ std::optional<Lesson> lesson_of_play(const ReportRequest& request, const Recordi
                                        ? built_in_lesson_of(recording)
                                        : std::optional(find_lesson(request.lesson));
     const std::vector<Predicate> of_course = course_pass_beside(request.recording);
-    if (lesson) lesson->pass.insert(lesson->pass.end(), of_course.begin(), of_course.end());
+    if (lesson) add_new(of_course, lesson->pass);
     return lesson;
 }
 
