@@ -66,6 +66,9 @@ std::vector<std::string> names_in(const std::vector<Attempt>& attempts);
 std::string name_beside(const std::filesystem::path& recording);
 // The course's pass marks in that result; empty if it has none or cannot be read.
 std::vector<Predicate> course_pass_beside(const std::filesystem::path& recording);
+// The lesson as that attempt at it was judged: with the course's pass marks.
+std::optional<Lesson> with_course_pass(std::optional<Lesson> lesson,
+                                       const std::filesystem::path& recording);
 // Sets the trainee's name (empty: none) in the result beside this recording. Throws InputError
 // where it cannot be read or written.
 void name_attempt(const std::filesystem::path& recording, const std::string& name);
