@@ -251,8 +251,7 @@ void LessonDock::open_case(const fs::path& place) {
 
 bool LessonDock::start(const std::string& name, const std::vector<Predicate>& more_pass) {
     if (!read(name)) return false;
-    add_new(more_pass, lesson_->pass);
-    course_pass_ = more_pass;
+    course_pass_ = add_new(more_pass, lesson_->pass);
     const bool any = lesson_->patient == "any";
     if (any ? ways_.patient() != nullptr : lesson_->patient == "built-in" && built_in_shown_)
         begin();

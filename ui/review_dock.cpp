@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/lesson/attempts.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/review.h"
 #include "core/lesson/score.h"
@@ -287,7 +288,7 @@ void ReviewDock::begin() {
         show_progress({});
     };
     job_ = std::make_unique<BackgroundJob>(
-        [recording = recording_, lesson = lesson_, patient, tape = tape_,
+        [recording = recording_, lesson = with_course_pass(lesson_, file_), patient, tape = tape_,
          back_end = ways_.back_end](Job& job) -> std::function<void()> {
             review(*recording, lesson, patient, *tape, job, back_end(recording->back_end));
             return [] {};
@@ -325,8 +326,8 @@ void ReviewDock::compare(const fs::path& other) {
                 throw InputError(Words::id("was played on another patient"), file.string(),
                                  Words::id("Choose a recording of the patient who is shown"));
             const bool same = lesson && is_same_scene(recording.scene, lesson->scene);
-            review(recording, same ? lesson : built_in_lesson_of(recording), patient, *tape, job,
-                   back_end(recording.back_end));
+            review(recording, with_course_pass(same ? lesson : built_in_lesson_of(recording), file),
+                   patient, *tape, job, back_end(recording.back_end));
             return [] {};
         },
         std::move(callbacks));

@@ -221,12 +221,9 @@ Json table_of_metrics(const LessonMetrics& metrics, const Lesson& lesson, FlowUn
 // The lesson of a play: the one named, or the built-in one with the recorded scene, or none; with
 // the pass marks of the course from which it was begun.
 std::optional<Lesson> lesson_of_play(const ReportRequest& request, const Recording& recording) {
-    std::optional<Lesson> lesson = request.lesson.empty()
-                                       ? built_in_lesson_of(recording)
-                                       : std::optional(find_lesson(request.lesson));
-    const std::vector<Predicate> of_course = course_pass_beside(request.recording);
-    if (lesson) lesson->pass.insert(lesson->pass.end(), of_course.begin(), of_course.end());
-    return lesson;
+    return with_course_pass(request.lesson.empty() ? built_in_lesson_of(recording)
+                                                   : std::optional(find_lesson(request.lesson)),
+                            request.recording);
 }
 
 // A lesson whose one step is never reached, so that the whole play is measured.

@@ -11,6 +11,7 @@
 #include "app/recorded_patient.h"
 #include "app/verbs/verbs.h"
 #include "core/base/atomic_write.h"
+#include "core/lesson/attempts.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_ties.h"
 #include "core/lesson/score.h"
@@ -31,7 +32,7 @@ struct LessonChoices {
 
 Json run_lesson(const LessonChoices& options, Job& job) {
     if (!options.csv.empty()) require_writable_file(options.csv, ".csv");
-    const Lesson lesson = find_lesson(options.lesson);
+    const Lesson lesson = *with_course_pass(find_lesson(options.lesson), options.recording);
     const Recording recording = read_recording(options.recording);
     for (const std::string& warning : recording.warnings) spdlog::warn("{}", warning);
     constexpr int building_and_replaying = 2;

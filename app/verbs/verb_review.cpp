@@ -9,6 +9,7 @@
 #include "app/back_end_choice.h"
 #include "app/recorded_patient.h"
 #include "app/verbs/verbs.h"
+#include "core/lesson/attempts.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/play_notes.h"
 #include "core/lesson/review.h"
@@ -32,12 +33,16 @@ Json run_review(const ReviewChoices& options, Job& job) {
     // Notes are read before the long replay, so that errors appear at once.
     const std::vector<PlayNote> read = read_notes(options.recording);
     for (const std::string& warning : recording.warnings) spdlog::warn("{}", warning);
-    const auto lesson = options.lesson.empty() ? built_in_lesson_of(recording)
-                                               : std::optional(find_lesson(options.lesson));
+    const auto lesson =
+        with_course_pass(options.lesson.empty() ? built_in_lesson_of(recording)
+                                                : std::optional(find_lesson(options.lesson)),
+                         options.recording);
     constexpr int building_and_replaying = 2;
     const BuiltInCache no_cache;
     const auto patient = std::make_shared<const PatientCase>(recorded_patient(
-        recording, options.recording, options.patient, &no_cache, building_and_replaying, job));
+        recording, options.recording,
+        lesson ? case_of_lesson(*lesson, options.lesson, options.patient) : options.patient,
+        &no_cache, building_and_replaying, job));
     ReviewTape tape(0);  // events only
     const Review found =
         review(recording, lesson, patient, tape, job, choose_back_end(recording.back_end).back_end);

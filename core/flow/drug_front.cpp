@@ -328,6 +328,15 @@ double DrugFront::drug_mm3(int segment) const {
     return drug;
 }
 
+double DrugFront::drug_up_to_mm3(int segment, double volume_mm3) const {
+    double drug = 0.0;
+    for (const Slug& slug : slugs_[segment]) {
+        drug += std::clamp(volume_mm3, 0.0, slug.volume_mm3) * slug.share;
+        volume_mm3 -= slug.volume_mm3;
+    }
+    return drug;
+}
+
 double DrugFront::filled_fraction(int segment) const {
     return volume_mm3_[segment] > 0.0 ? drug_mm3(segment) / volume_mm3_[segment] : 0.0;
 }

@@ -78,6 +78,8 @@ class DrugFront {
     double filled_fraction(int segment) const;
     double filled_length_mm(int segment) const;
     double drug_mm3(int segment) const;
+    // The drug in the first `volume_mm3` of the segment from its proximal node.
+    double drug_up_to_mm3(int segment, double volume_mm3) const;
     DrugBalance balance() const;
     // Drug that has left through each outlet, in g.
     const std::vector<double>& outlet_mass_g() const { return outlet_mass_g_; }

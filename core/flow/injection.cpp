@@ -79,12 +79,25 @@ void prepare(const VesselTree& tree, const InjectionOptions& options, InjectionR
     }
 }
 
+// The drug in that part of a segment that belongs to the territory: of the segment of its point
+// only what lies downstream of it.
+double territory_drug_mm3(const InjectionResult& injection, const DrugFront& front,
+                          const Territory& territory, int segment) {
+    const double whole = front.drug_mm3(segment);
+    if (segment != territory.segment) return whole;
+    const double proximal = front.drug_up_to_mm3(
+        segment, volume_up_to_mm3(injection.network, segment, territory.begins_mm));
+    const bool distally = injection.begin.volume_flow_mm3_s[segment] >= 0.0;
+    return distally ? std::max(0.0, whole - proximal) : proximal;
+}
+
 double territory_mass_g(const InjectionResult& injection, const DrugFront& front,
                         const Territory& territory) {
     double mass = 0.0;
     for (std::size_t i = 0; i < territory.passed_share.size(); ++i)
         if (territory.passed_share[i] > 0.0)
-            mass += territory.passed_share[i] * front.drug_mm3(static_cast<int>(i)) *
+            mass += territory.passed_share[i] *
+                    territory_drug_mm3(injection, front, territory, static_cast<int>(i)) *
                     injection.drug.density_g_mm3;
     for (std::size_t k = 0; k < territory.outlets.size(); ++k)
         mass += territory.outlet_shares[k] * front.outlet_mass_g()[territory.outlets[k]];

@@ -178,6 +178,11 @@ std::vector<Predicate> course_pass_beside(const fs::path& recording) {
     return attempt_beside(recording).course_pass;
 }
 
+std::optional<Lesson> with_course_pass(std::optional<Lesson> lesson, const fs::path& recording) {
+    if (lesson) add_new(course_pass_beside(recording), lesson->pass);
+    return lesson;
+}
+
 void name_attempt(const fs::path& recording, const std::string& name) {
     const fs::path file = result_file_of(recording);
     Attempt attempt = attempt_from(read_text_file(file, result_remedy), recording, file.string());

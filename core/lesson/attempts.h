@@ -28,7 +28,7 @@ struct Attempt {
     std::string name;                            // of the trainee; empty: not given
     std::string ended_at;                        // UTC in ISO 8601, so that texts sort as times
     bool passed = false;                         // by the lesson's and the course's marks
-    std::vector<Predicate> course_pass;          // the marks of the course
+    std::vector<Predicate> course_pass;          // the marks that only the course asks for
     bool passed_lesson = false;                  // by the lesson's own marks alone
     std::vector<std::string> reasons;            // why it failed
     bool reference = false;                      // a reference for others, such as an instructor's
@@ -37,8 +37,8 @@ struct Attempt {
     double value(Quantity quantity) const { return metrics[static_cast<std::size_t>(quantity)]; }
 };
 
-// The attempt with this final standing. `course_pass`: the pass marks of the course that it was
-// begun from, which must be the last ones of the standing.
+// The attempt with this final standing. `course_pass`: the pass marks that the course that it was
+// begun from adds to the lesson's own (see add_new()); they must be the last ones of the standing.
 Attempt attempt_of(const std::filesystem::path& recording, const std::string& lesson,
                    const LessonStanding& standing, const std::string& ended_at,
                    std::vector<Predicate> course_pass = {});
@@ -66,6 +66,9 @@ std::vector<std::string> names_in(const std::vector<Attempt>& attempts);
 std::string name_beside(const std::filesystem::path& recording);
 // The course's pass marks in that result; empty if it has none or cannot be read.
 std::vector<Predicate> course_pass_beside(const std::filesystem::path& recording);
+// The lesson as that attempt at it was judged: with the course's pass marks.
+std::optional<Lesson> with_course_pass(std::optional<Lesson> lesson,
+                                       const std::filesystem::path& recording);
 // Sets the trainee's name (empty: none) in the result beside this recording. Throws InputError
 // where it cannot be read or written.
 void name_attempt(const std::filesystem::path& recording, const std::string& name);

@@ -19,8 +19,11 @@ std::string entry_naming(const std::string& lesson, const std::filesystem::path&
 
 bool passes(const Attempt& attempt, const std::vector<Predicate>& marks) {
     return attempt.passed_lesson && std::ranges::all_of(marks, [&](const Predicate& mark) {
-               return mark.quantity < Quantity::step_time_s &&
-                      mark.holds(attempt.value(mark.quantity));
+               if (mark.quantity < Quantity::step_time_s)
+                   return mark.holds(attempt.value(mark.quantity));
+               // No result keeps it: it was judged when the attempt ended.
+               return attempt.passed &&
+                      std::ranges::find(attempt.course_pass, mark) != attempt.course_pass.end();
            });
 }
 

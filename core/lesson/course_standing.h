@@ -26,8 +26,8 @@ std::string lesson_named_by(const std::string& entry, const std::filesystem::pat
 // The inverse: the entry for a lesson in a course in this folder.
 std::string entry_naming(const std::string& lesson, const std::filesystem::path& folder);
 
-// Returns true if the attempt passed the lesson and meets these marks. Unknown quantities and those
-// of a moment meet none.
+// Returns true if the attempt passed the lesson and meets these marks. Unknown quantities meet
+// none; those of a moment only the marks of the course that the attempt passed.
 bool passes(const Attempt& attempt, const std::vector<Predicate>& marks);
 
 // One line per lesson, in order. `folder`: where the course's file lies. Throws InputError where a

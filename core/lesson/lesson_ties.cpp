@@ -56,15 +56,31 @@ bool same(const SetupPlace& a, const SetupPlace& b) {
            place.share_of_longest_path == other.share_of_longest_path;
 }
 
+bool names_a_place(const ScriptPlace& place) {
+    return place.point_mm || place.share_of_longest_path;
+}
+
+// Where a command of a recording acts; an action of its own kind names its place beside it.
+std::optional<SetupPlace> place_of(const Command& command) {
+    if (const auto* blade = std::get_if<Blade>(&command)) return *blade;
+    return std::visit(
+        [](const auto& one) -> std::optional<SetupPlace> {
+            if constexpr (requires { Vec3(one.point_mm); })
+                return ScriptPlace{Vec3(one.point_mm), std::nullopt};
+            else
+                return std::nullopt;
+        },
+        command);
+}
+
 // The places of a setup's actions, in order.
 std::vector<SetupPlace> places_of(const Script& setup) {
     std::vector<SetupPlace> places;
     for (const ScriptAction& action : setup.actions) {
         for (const ScriptPlace& place : {action.place, action.to_place})
-            if (place.point_mm || place.share_of_longest_path) places.emplace_back(place);
-        if (action.command)
-            if (const auto* blade = std::get_if<Blade>(&*action.command))
-                places.emplace_back(*blade);
+            if (names_a_place(place)) places.emplace_back(place);
+        if (!action.command || names_a_place(action.place)) continue;
+        if (const auto place = place_of(*action.command)) places.push_back(*place);
     }
     return places;
 }

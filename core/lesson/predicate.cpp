@@ -75,9 +75,12 @@ std::string to_words_beside(const Predicate& predicate, double value) {
     return to_words(predicate.quantity, value, digits);
 }
 
-void add_new(const std::vector<Predicate>& more, std::vector<Predicate>& predicates) {
+std::vector<Predicate> add_new(const std::vector<Predicate>& more,
+                               std::vector<Predicate>& predicates) {
+    const auto before = static_cast<std::ptrdiff_t>(predicates.size());
     for (const Predicate& one : more)
         if (std::ranges::find(predicates, one) == predicates.end()) predicates.push_back(one);
+    return {predicates.begin() + before, predicates.end()};
 }
 
 std::string to_words(const Predicate& predicate, std::span<const std::string> mark_names) {

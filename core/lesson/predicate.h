@@ -75,8 +75,9 @@ struct Predicate {
     bool operator==(const Predicate&) const = default;
 };
 
-// Appends those that `predicates` does not contain yet.
-void add_new(const std::vector<Predicate>& more, std::vector<Predicate>& predicates);
+// Appends those that `predicates` does not contain yet. Returns the ones that were appended.
+std::vector<Predicate> add_new(const std::vector<Predicate>& more,
+                               std::vector<Predicate>& predicates);
 
 // "force at most 600 mN", "distance of the tip to the first mark at most 5 mm"; of a bound whose
 // mark is gone (-1) "... to no mark ...".

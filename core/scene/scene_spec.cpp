@@ -6,8 +6,10 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 #include "core/base/error.h"
+#include "core/base/json_number.h"
 #include "core/base/number_text.h"
 #include "core/base/text_file.h"
 #include "core/base/unknown_key.h"
@@ -33,7 +35,10 @@ class Fields {
         const auto found = json_.find(key);
         if (found == json_.end()) return;
         try {
-            value = found->get<T>();
+            if constexpr (std::is_same_v<T, int>)
+                value = whole_number<int>(*found);
+            else
+                value = found->template get<T>();
         } catch (const Json::exception&) {
             refuse("has a value of the wrong kind (" + found->dump() + ")", key);
         }
@@ -119,9 +124,14 @@ ContactSpec contact_from(const Json& json) {
     Fields fields(json, "contact");
     fields.read("tools", spec.tools);
     fields.read("self", spec.self);
-    bool obstacles = false;
+    Json obstacles = false;
     fields.read("obstacles", obstacles);
-    if (obstacles) spec.obstacles = WantedObstacles::required;
+    if (obstacles == "known")
+        spec.obstacles = WantedObstacles::known;
+    else if (!obstacles.is_boolean())
+        fields.refuse("has a value of the wrong kind (" + obstacles.dump() + ")", "obstacles");
+    else if (obstacles.get<bool>())
+        spec.obstacles = WantedObstacles::required;
     fields.read_number("friction", spec.friction, 0.0, greatest_friction);
     if (spec.friction > 0.0 && !spec.self)
         fields.refuse("needs self: only vessels that touch each other rub", "friction");
@@ -136,7 +146,8 @@ Json to_json(const ContactSpec& spec) {
     Json json = Json::object();
     if (!spec.all()) {
         json = {{"tools", spec.tools}, {"self", spec.self}};
-        if (spec.obstacles != WantedObstacles::none) json["obstacles"] = true;
+        if (spec.obstacles == WantedObstacles::required) json["obstacles"] = true;
+        if (spec.obstacles == WantedObstacles::known) json["obstacles"] = "known";
     }
     if (spec.friction > 0.0) json["friction"] = spec.friction;
     return json;

@@ -98,6 +98,7 @@ bool DialStudy::measure_next(Job& job) {
         trial_ = std::make_unique<HandTrial>(patient_, scene_as_played(),
                                              PlayedRegion::as_in_scenes, job, back_end_);
     if (reference_.empty()) reference_ = trial_->reference(motion, reference_substeps, job);
+    require_movement(reference_);  // a point without an error would make the dial unreadable
     const HandPlay played = trial_->play(motion, *setting, job);
     const DragSummary cost = summary_of(played);
     QualityPoint point{*setting, cost.frame_ms.p95, motion_error(played.motion, reference_),

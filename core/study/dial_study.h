@@ -45,7 +45,7 @@ class DialStudy {
     // substeps a frame and solved exactly; the mesh's own error is not included. Checks the job
     // after every step. Throws Cancelled, after which the next call measures the same setting
     // again, and InputError where a device left the motion to the processor, because that would not
-    // measure the device.
+    // measure the device, or where nothing moves.
     bool measure_next(Job& job);
 
     const std::vector<QualityPoint>& points() const { return points_; }

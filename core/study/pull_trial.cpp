@@ -149,6 +149,14 @@ MotionDifference motion_difference(std::span<const Vec3> motion, std::span<const
             std::sqrt(furthest)};
 }
 
+void require_movement(const CentrelineMotion& reference) {
+    const bool moves = std::ranges::any_of(
+        reference, [](const Vec3& displacement) { return !displacement.isZero(0.0); });
+    if (!moves)
+        throw InputError("does not move where the hand pulls", "the body",
+                         "Name the setting in the scene: its errors cannot be measured");
+}
+
 double motion_error(const CentrelineMotion& motion, const CentrelineMotion& reference) {
     return motion_difference(motion, reference).relative;
 }

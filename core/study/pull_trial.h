@@ -62,6 +62,8 @@ struct MotionDifference {
 
 // Both motions must have the same number of frames and probes; the reference must move.
 MotionDifference motion_difference(std::span<const Vec3> motion, std::span<const Vec3> reference);
+// Throws InputError where nothing moves, because no error is relative to that.
+void require_movement(const CentrelineMotion& reference);
 // MotionDifference::relative.
 double motion_error(const CentrelineMotion& motion, const CentrelineMotion& reference);
 

@@ -164,6 +164,56 @@ TEST_F(LessonVerb, AReportJudgesByThePassMarksOfTheCourse) {
     EXPECT_NE(page.find("path of the tip at most 0.5"), std::string::npos) << page;
 }
 
+TEST_F(LessonVerb, AScoreAndAReviewJudgeByThePassMarksOfTheCourse) {
+    play(3.0);
+    Attempt attempt;
+    attempt.recording = path("course.hrec");
+    attempt.lesson = "Pull <gently>";
+    attempt.ended_at = "2026";
+    attempt.course_pass = {{Quantity::path_mm, -1, false, 0.5}};
+    fs::copy_file(path("play.hrec"), path("course.hrec"), fs::copy_options::overwrite_existing);
+    write_attempt(attempt);
+    const Json scored = answer({"lesson", path("lesson.json"), "--recording", path("course.hrec")});
+    EXPECT_EQ(scored["passed"], false);
+    EXPECT_EQ(scored["reasons"].size(), 1u) << scored.dump(1);
+    const Json seen = answer({"review", path("course.hrec"), "--lesson", path("lesson.json")});
+    EXPECT_NE(seen.dump().find("pass mark missed"), std::string::npos) << seen.dump(1);
+}
+
+TEST_F(LessonVerb, AReviewFindsTheCaseThatTheLessonNames) {
+    play(3.0);
+    Json lesson = Json::parse(contents_of(path("lesson.json")));
+    lesson["patient"] = "p.hep";
+    std::ofstream(path("named.json")) << lesson.dump();
+    fs::create_directories(path("away"));
+    fs::copy_file(path("play.hrec"), path("away/play.hrec"), fs::copy_options::overwrite_existing);
+    const Json seen = answer({"review", path("away/play.hrec"), "--lesson", path("named.json")});
+    EXPECT_EQ(seen["lesson"], "Pull <gently>");
+    EXPECT_FALSE(seen["events"].empty());
+}
+
+// Older attempts hold a course's marks also where the lesson has them itself.
+TEST_F(LessonVerb, AReportNamesAMarkOfLessonAndCourseOnce) {
+    play(3.0);
+    Json lesson = Json::parse(contents_of(path("lesson.json")));
+    lesson["pass"] = Json::array({Json{{"what", "path_mm"}, {"at_most", 777}}});
+    std::ofstream(path("both.json")) << lesson.dump();
+    Attempt attempt;
+    attempt.recording = path("play.hrec");
+    attempt.lesson = "Pull <gently>";
+    attempt.ended_at = "2026";
+    attempt.course_pass = {{Quantity::path_mm, -1, false, 777}};
+    write_attempt(attempt);
+    const Outcome run = report({"--report", path("play.hrec"), "--out", path("both"), "--lesson",
+                                path("both.json"), "--json"});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    const std::string page = contents_of(path("both/report.html"));
+    const std::string mark = "path of the tip at most 777";
+    const std::size_t first = page.find(mark);
+    ASSERT_NE(first, std::string::npos) << page;
+    EXPECT_EQ(page.find(mark, first + 1), std::string::npos);
+}
+
 TEST_F(LessonVerb, AReportSaysWhyAPassMarkIsNotJudged) {
     play(100.0);  // is not reached
     Attempt attempt;

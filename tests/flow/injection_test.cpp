@@ -89,6 +89,19 @@ TEST(Injection, FollowsTheDrugOfATerritory) {
     }
 }
 
+TEST(Injection, ATerritoryHasNoDrugThatHasNotPassedItsPoint) {
+    const VesselTree tree = make_tree(64, 4);
+    Job job;
+    InjectionOptions options;
+    const double begins_mm = 0.6 * length_mm(tree.segments[0]);
+    options.territories = {{0, begins_mm, 0.0}};
+    const InjectionResult injection = inject(tree, options, job);
+    const double before_g = volume_up_to_mm3(injection.network, 0, begins_mm) * 1.06e-3;
+    ASSERT_GT(before_g, 0.0);
+    for (const InjectionSample& s : injection.series)
+        EXPECT_NEAR(s.territory_mass_g[0], std::max(0.0, s.injected_g - before_g), 1e-9);
+}
+
 TEST(Injection, ByAWedgedCatheterStaysDownstream) {
     const VesselTree tree = make_tree(65, 4);
     Job job;

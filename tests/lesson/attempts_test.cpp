@@ -175,6 +175,16 @@ TEST(Attempts, KeepTheMarksOfTheCourseThatTheyWerePlayedUnder) {
     EXPECT_FALSE(attempt_of(recording, "x", broken, "1", marks).passed_lesson);
 }
 
+// What the lesson asks for itself is no mark of the course alone, even where the course names it.
+TEST(Attempts, MissTheLessonsOwnMarkThatACourseNamesToo) {
+    const Predicate path{Quantity::path_mm, -1, false, 100.0},
+        time{Quantity::time_s, -1, false, 60};
+    std::vector<Predicate> pass{path, time};
+    const std::vector<Predicate> of_course = add_new({time}, pass);
+    const LessonStanding standing = standing_of_course(true, false);
+    EXPECT_FALSE(attempt_of("a.hrec", "x", standing, "1", of_course).passed_lesson);
+}
+
 TEST(Attempts, AreNamedAfterwards) {
     const TemporaryFolder folder;
     const fs::path recording = folder.path() / "a.hrec";

@@ -37,6 +37,16 @@ TEST(CourseStanding, AnAttemptMustPassTheLessonAndMeetTheCoursesMarks) {
         << "what is of a moment is not known afterwards";
 }
 
+TEST(CourseStanding, AMarkOfAMomentIsMetByWhatPassedItThen) {
+    const Predicate gentle = no_more_than(Quantity::force_mn, 5.0);
+    Attempt attempt = attempt_of_time("x", true, 1.0);
+    attempt.course_pass = {gentle};
+    EXPECT_TRUE(passes(attempt, {gentle}));
+    EXPECT_FALSE(passes(attempt, {no_more_than(Quantity::force_mn, 4.0)})) << "another course";
+    attempt.passed = false;
+    EXPECT_FALSE(passes(attempt, {gentle})) << "the lesson's own marks alone were met";
+}
+
 TEST(CourseStanding, CountsEachLessonsAttemptsAndOneThatPassedIsEnough) {
     Course course{"c", {{"gentle_pull", {no_more_than(Quantity::time_s, 10.0)}}, {"cut_line", {}}}};
     const std::string pull = find_lesson("gentle_pull").name;

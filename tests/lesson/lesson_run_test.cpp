@@ -136,8 +136,9 @@ TEST(Predicate, IsAddedOnce) {
     const Predicate time{Quantity::time_s, -1, false, 60.0},
         force{Quantity::force_mn, -1, false, 1};
     std::vector<Predicate> marks{time};
-    add_new({time, force, force}, marks);
+    EXPECT_EQ(add_new({time, force, force}, marks), std::vector{force}) << "what is new";
     EXPECT_EQ(marks, (std::vector{time, force}));
+    EXPECT_TRUE(add_new({force, time}, marks).empty());
 }
 
 TEST(LessonRun, WhatEndsTooEarlyHasFailed) {

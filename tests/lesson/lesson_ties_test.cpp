@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
 #include "core/lesson/lesson_draft.h"
@@ -119,6 +120,29 @@ TEST(LessonTies, NameWhatTheSetupCuts) {
     EXPECT_THAT(misfits(lesson, without_branch_at(on_right)),
                 ElementsAre(HasSubstr("Place 2 of the setup now lies 20 mm"),
                             HasSubstr("Place 3 of the setup now lies 22 mm")));
+}
+
+// Actions that are commands of a recording name their points without a "where".
+TEST(LessonTies, NameWhereACommandOfTheSetupActs) {
+    for (const Command& command : {Command(GrabPoint{on_back}), Command(InjectDrug{on_back}),
+                                   Command(AddTool{.point_mm = on_back})}) {
+        nlohmann::ordered_json json = to_json(command);
+        json["do"] = json["command"];
+        json.erase("command");
+        const std::string action = json.dump();
+        Lesson lesson = lesson_of_a_case();
+        lesson.marks.clear();
+        give_setup(lesson, "[" + action + "]");
+        EXPECT_FALSE(is_tied(lesson)) << action;
+        tie(lesson, fork());
+        EXPECT_TRUE(is_tied(lesson)) << action;
+        EXPECT_THAT(misfits(lesson, fork()), IsEmpty()) << action;
+        EXPECT_THAT(misfits(lesson, without_branch_at(on_back)),
+                    ElementsAre(HasSubstr("Place 1 of the setup now lies 15 mm")))
+            << action;
+        const Lesson read = lesson_of(text_of(lesson), "file");
+        EXPECT_TRUE(is_tied(read)) << action << ": its tie is kept in the file";
+    }
 }
 
 // Whoever edits the file by hand puts something in front, exchanges two actions, takes one away.

@@ -242,6 +242,24 @@ TEST(ObstaclesOfAScene, SurviveJson) {
     EXPECT_EQ(scene_with("{}").contact->friction, 0.0);
 }
 
+// A box that is unticked in the lesson editor does not turn "those that there are" into a demand.
+TEST(ObstaclesOfAScene, AreReadAsTheyWereWritten) {
+    for (const bool tools : {false, true})
+        for (const bool self : {false, true})
+            for (const auto wanted :
+                 {WantedObstacles::none, WantedObstacles::known, WantedObstacles::required}) {
+                SceneSpec scene = scene_with("{}");
+                scene.contact = ContactSpec{.tools = tools, .self = self, .obstacles = wanted};
+                const std::string text = to_json(scene)["contact"].dump();
+                const SceneSpec read = scene_with(text.c_str());
+                EXPECT_EQ(read.contact->obstacles, wanted) << text;
+                EXPECT_EQ(read.contact->tools, tools) << text;
+                EXPECT_EQ(read.contact->self, self) << text;
+            }
+    for (const char* text : {R"({"obstacles": "all"})", R"({"obstacles": null})"})
+        EXPECT_THROW(scene_with(text), InputError) << text;
+}
+
 TEST(ContactOfAScene, GivesVesselsTheirFriction) {
     Job job;
     const World rubs(small_patient(), scene_with(R"({"self": true, "friction": 0.3})"), job);

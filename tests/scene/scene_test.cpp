@@ -175,6 +175,22 @@ TEST(DeformPart, RefusesAWallThatIsNone) {
     EXPECT_TRUE(part.body().stiffness_factor.empty());
 }
 
+TEST(Scene, TakesWholeVertexBudgetsAlone) {
+    const auto read = [](const std::string& budget) {
+        return tear_from_json(
+            Json::parse(R"({"stop": "vertices", "vertex_budget": )" + budget + "}"));
+    };
+    EXPECT_EQ(read("7").vertex_budget, 7);
+    EXPECT_EQ(read("7.0").vertex_budget, 7);
+    for (const char* budget : {"2.9", "true", "1e12", "1e300", "3000000000", "-1", "\"7\""})
+        EXPECT_THROW(read(budget), InputError) << budget;
+    try {
+        read("1e12");
+    } catch (const InputError& error) {
+        EXPECT_NE(error.problem().find("wrong kind"), std::string::npos) << error.problem();
+    }
+}
+
 TEST(DeformPart, RefusesAMaterialThatNobodyKnows) {
     DeformSpec spec;
     spec.material = "unobtainium";

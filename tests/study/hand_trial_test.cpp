@@ -5,9 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
+#include "core/base/error.h"
 #include "core/study/drag_study.h"
 #include "core/study/motion_file.h"
 #include "tests/session/small_patient.h"
@@ -218,6 +220,16 @@ TEST(DragSummary, LooksAtTheTailOfTheFramesThatWereAwake) {
     EXPECT_DOUBLE_EQ(summary.live_most, 1.0);
     EXPECT_EQ(summary.degraded, 1);
     EXPECT_EQ(summary.degraded_because, "first");
+}
+
+// An error relative to it would be none, and a dial with such a point cannot be read again.
+TEST(HandTrial, AReferenceThatStandsStillIsRefused) {
+    CentrelineMotion reference(12, Vec3::Zero());
+    EXPECT_THROW(require_movement(reference), InputError);
+    EXPECT_THROW(require_movement({}), InputError);
+    reference[7].y() = 1e-6;
+    EXPECT_NO_THROW(require_movement(reference));
+    EXPECT_TRUE(std::isfinite(motion_error(CentrelineMotion(12, Vec3::Zero()), reference)));
 }
 
 }  // namespace

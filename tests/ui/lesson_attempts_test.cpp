@@ -107,6 +107,22 @@ TEST_F(LessonAttemptsTest, marks_of_a_course_belong_to_what_was_begun_from_it_al
     EXPECT_EQ(window_.lessons().standing().pass.size(), new_lesson().pass.size());
 }
 
+// A mark that the lesson asks for stays the lesson's own where a course names it as well.
+TEST_F(LessonAttemptsTest, a_mark_of_the_lesson_is_not_taken_for_the_courses) {
+    Lesson lesson = new_lesson();
+    lesson.name = "Own";
+    lesson.limits = {{Quantity::time_s, -1, false, 0.2}};
+    const Predicate own{Quantity::path_mm, -1, false, 5.0}, more{Quantity::time_s, -1, false, 60.0};
+    lesson.pass = {own};
+    const std::string file = folder_.filePath("own.json").toStdString();
+    write_lesson(file, lesson);
+    window_.lessons().start(file, {own, more});
+    start_clock();
+    ASSERT_TRUE(wait_for([&] { return kept().list.size() == 1; }));
+    EXPECT_EQ(kept().list[0].course_pass, std::vector{more});
+    EXPECT_EQ(window_.lessons().standing().pass.size(), 2u);
+}
+
 TEST_F(LessonAttemptsTest, a_new_window_knows_the_name) {
     settings_.set_trainee("A. B.");
     MainWindow other(settings_, {});

@@ -10,6 +10,8 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "core/lesson/attempts.h"
+#include "core/lesson/lesson_writer.h"
 #include "core/lesson/play_notes.h"
 #include "tests/ui/review_window_test.h"
 #include "ui/message_bar.h"
@@ -126,6 +128,26 @@ TEST_F(ReviewWindowTest, jumps_to_what_happened) {
     EXPECT_NEAR(dock().at_s(), (pull_begins + 1) / 60.0, 1e-9);
     events().setCurrentRow(1);
     EXPECT_NEAR(dock().at_s(), (pull_ends + 1) / 60.0, 1e-9);
+}
+
+TEST_F(ReviewWindowTest, judges_by_the_pass_marks_of_the_course) {
+    Lesson lesson;
+    lesson.name = "Pull";
+    lesson.scene = played().recording.scene;
+    lesson.tools = {LessonTool::pull};
+    lesson.steps = {{"Pull", "", {{Quantity::time_s, -1, true, 1.0}}, 0.0, {}}};
+    const std::filesystem::path place = to_path(folder_.filePath("lesson.json"));
+    write_lesson(place, lesson);
+    Attempt attempt;
+    attempt.recording = file_;
+    attempt.lesson = lesson.name;
+    attempt.ended_at = "2026";
+    attempt.course_pass = {{Quantity::path_mm, -1, false, 0.1}};
+    write_attempt(attempt);
+    open_built_in();
+    dock().open(file_, place.string());
+    ASSERT_TRUE(wait_for([this] { return dock().complete(); }));
+    EXPECT_EQ(events().findItems("pass mark missed", Qt::MatchContains).size(), 1);
 }
 
 TEST_F(ReviewWindowTest, notes_lie_beside_the_recording) {
