@@ -108,9 +108,11 @@ PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
             options();
             accept();
         } catch (const Error& error) {
-            problem_->setText(QString("%1: %2. %3")
-                                  .arg(translated(error.place()), translated(error.problem()),
-                                       translated(error.remedy())));
+            QString remedy = translated(error.remedy());
+            if (!remedy.isEmpty()) remedy[0] = remedy[0].toUpper();
+            problem_->setText(
+                QString("%1: %2. %3")
+                    .arg(translated(error.place()), translated(error.problem()), remedy));
         }
     });
     column->addWidget(buttons);
