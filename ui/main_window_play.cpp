@@ -406,9 +406,9 @@ void MainWindow::light_up(const TreePoint& under_mouse) {
     view_->draw_again();
 }
 
-// What the lesson wants a drug in; empty where it wants none.
+// What the lesson wants a drug in, after its verdict too; empty where it wants none.
 std::vector<std::uint8_t> MainWindow::target_of_lesson() const {
-    const Lesson* lesson = lessons_->running();
+    const Lesson* lesson = lessons_->shown();
     if (lesson == nullptr || !lesson->target) return {};
     const VesselTree& tree = patient_->patient->tree;
     return patient_->anatomy.downstream_of(nearest_point(tree, position_of(*lesson->target, tree)));
