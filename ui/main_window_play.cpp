@@ -65,6 +65,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     quality_->post_choices();
     inject_->begin_play(true);
     view_->mouse().hand().begin_again();
+    view_->mouse().set_moves(true);
     tool_panel_->begin_play(true);
     follow_simulation();
     editing_->show_body();
@@ -102,6 +103,7 @@ void MainWindow::match_anatomy() {
         patient.tree, moves ? patient.mesh.vertices_mm : patient.surface.vertices_mm, job);
     view_->scene().set_vertex_systems(patient_->anatomy.vertex_systems());
     branches_->colour_vessels();  // if the branches of this patient are known
+    view_->mouse().set_moves(moves);
 }
 
 void MainWindow::use(std::unique_ptr<Simulation> simulation) {

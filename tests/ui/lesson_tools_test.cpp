@@ -243,6 +243,26 @@ TEST_F(LessonToolsTest, the_target_of_a_drug_is_seen_while_it_is_played) {
     EXPECT_FALSE(window_.view().scene().legend().target);
 }
 
+// The drag that turned the view before the verdict would ask of the scene what it has not.
+TEST_F(LessonToolsTest, what_does_not_move_is_not_pulled_after_the_verdict_either) {
+    Lesson lesson = new_lesson();
+    lesson.scene.deform.reset();
+    lesson.scene.flow.emplace();
+    lesson.tools = {LessonTool::inject};
+    lesson.limits = {{Quantity::time_s, -1, false, 0.2}};
+    lesson.steps[0].goal = {{Quantity::time_s, -1, true, 1000.0}};
+    begin(lesson);
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
+    wait_for_figures();
+    ASSERT_EQ(window_.view().mouse().mode(), MouseMode::pull);
+    const QPoint at = on_widget(window_.lessons().marks_in(window_.frame()).at(0).place_mm);
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, at);
+    EXPECT_FALSE(window_.view().mouse().pulling());
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, at);
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    EXPECT_TRUE(window_.view().mouse().may_pull()) << "free play moves";
+}
+
 // Just then one looks for what the drug has missed.
 TEST_F(LessonToolsTest, the_target_of_a_drug_is_seen_after_the_verdict) {
     Lesson lesson = new_lesson();
