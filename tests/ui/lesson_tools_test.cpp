@@ -144,8 +144,8 @@ TEST_F(LessonToolsTest, what_it_does_not_allow_cannot_be_chosen) {
         EXPECT_FALSE(enabled(control)) << control;
     QTest::keyClick(&window_, Qt::Key_4);
     EXPECT_FALSE(window_.view().mouse().hand().holds());
-    EXPECT_TRUE(window_.statusBar()->currentMessage().startsWith("The lesson does not allow this"))
-        << window_.statusBar()->currentMessage().toStdString();
+    EXPECT_EQ(window_.statusBar()->currentMessage().toStdString(),
+              "The lesson does not allow this: Probe");
     window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
     for (const ActionId id : {ActionId::sphere_tool, ActionId::cut_mode, ActionId::reset}) {
         EXPECT_TRUE(action(id).isEnabled());
