@@ -4002,8 +4002,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>hat %1 Voxel entlang einer Achse</translation>
     </message>
     <message>
-        <source>has %1 voxels, but the CT has %2</source>
-        <translation>hat %1 Voxel, das CT aber %2</translation>
+        <source>the mask has %1 voxels, but the CT has %2</source>
+        <translation>die Maske hat %1 Voxel, das CT aber %2</translation>
     </message>
     <message>
         <source>holds the value %1, which is no label</source>
@@ -4058,8 +4058,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>ist ein einzelnes Bild und enthält keine Serien</translation>
     </message>
     <message>
-        <source>lies elsewhere in space than the CT</source>
-        <translation>liegt anderswo im Raum als das CT</translation>
+        <source>the mask lies elsewhere in space than the CT</source>
+        <translation>die Maske liegt anderswo im Raum als das CT</translation>
     </message>
     <message>
         <source>marks no voxel</source>

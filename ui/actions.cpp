@@ -335,7 +335,8 @@ void Actions::enable(const ActionSpec& spec) {
     const bool nothing_to_do = history != history_.end() && history->second.isEmpty();
     action.setEnabled(!forbidden && !nothing_to_do && (patient_shown_ || !spec.needs_patient));
     const QString tip = Words::tr(spec.tip);
-    tell(action, forbidden ? Words::tr("The lesson does not allow this: %1").arg(tip) : tip);
+    tell(action,
+         forbidden ? Words::tr("The lesson does not allow this: %1").arg(plain(spec.text)) : tip);
 }
 
 QString Actions::cheat_sheet() {

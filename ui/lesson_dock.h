@@ -105,6 +105,8 @@ class LessonDock : public QDockWidget {
     bool playing() const { return watch_ != nullptr; }
     // The view shows the lesson's play, and no review or free play after it.
     bool shows_play() const { return playing() && on_screen_; }
+    // The lesson whose play the view shows, also after its end; null: none.
+    const Lesson* shown() const { return shows_play() ? &watch_->lesson() : nullptr; }
     // The lesson being played that has not ended; null: none.
     const Lesson* running() const;
     // A lesson runs in which something was done.

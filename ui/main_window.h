@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QStringList>
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -325,6 +326,8 @@ class MainWindow : public QMainWindow {
     QString cuts_message_;                   // tells that cuts stay
     QString unfit_message_;                  // names lessons that no longer fit
     QString place_message_;                  // asks for a place of a lesson
+    // Of the last reconstruction asked for, until a patient is shown: it may fail.
+    QStringList reconstruction_entries_;
     std::function<void()> first_picture_;
     std::function<void(const std::optional<OpenRequest>&)> begin_anew_;
     bool begins_anew_ = false;  // after closing

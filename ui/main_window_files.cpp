@@ -129,8 +129,13 @@ void MainWindow::ask_for_case() {
 
 void MainWindow::ask_for_reconstruction() {
     PatientWizard wizard(settings_.last_folder(), this);
-    wizard.set_ct(to_text(keeper_->workspace().image()), keeper_->workspace().series());
-    if (wizard.exec() == QDialog::Accepted) open(OpenRequest{false, wizard.options()});
+    if (reconstruction_entries_.empty())
+        wizard.set_ct(to_text(keeper_->workspace().image()), keeper_->workspace().series());
+    else
+        wizard.set_entries(reconstruction_entries_);
+    if (wizard.exec() != QDialog::Accepted) return;
+    reconstruction_entries_ = wizard.entries();
+    open(OpenRequest{false, wizard.options()});
 }
 
 void MainWindow::ask_where_to_save_picture() {

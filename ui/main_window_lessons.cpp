@@ -187,7 +187,8 @@ std::optional<OpenRequest> MainWindow::patient_from_where() const {
 void MainWindow::open_for_lesson(const OpenRequest& request) {
     std::optional<OpenRequest> before = before_lesson_;
     if (patient_ && !lessons_->playing()) before = patient_from_where();
-    open(request);
+    // Who is on his way already is not begun anew.
+    if (!request.built_in || !keeper_->opens_built_in()) open(request);
     before_lesson_ = before;
 }
 

@@ -65,11 +65,13 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     quality_->post_choices();
     inject_->begin_play(true);
     view_->mouse().hand().begin_again();
+    view_->mouse().set_moves(true);
     tool_panel_->begin_play(true);
     follow_simulation();
     editing_->show_body();
     const std::size_t lost = show_in_slices(corrected);
     if (!corrected) {
+        reconstruction_entries_.clear();
         // The former patient's plane would cut the new one anywhere.
         if (QAction& open = (*actions_)[ActionId::toggle_clip]; open.isChecked()) open.trigger();
         liver_->show_patient(patient_->patient, patient_->folder);
@@ -101,6 +103,7 @@ void MainWindow::match_anatomy() {
         patient.tree, moves ? patient.mesh.vertices_mm : patient.surface.vertices_mm, job);
     view_->scene().set_vertex_systems(patient_->anatomy.vertex_systems());
     branches_->colour_vessels();  // if the branches of this patient are known
+    view_->mouse().set_moves(moves);
 }
 
 void MainWindow::use(std::unique_ptr<Simulation> simulation) {
@@ -405,9 +408,9 @@ void MainWindow::light_up(const TreePoint& under_mouse) {
     view_->draw_again();
 }
 
-// What the lesson wants a drug in; empty where it wants none.
+// What the lesson wants a drug in, after its verdict too; empty where it wants none.
 std::vector<std::uint8_t> MainWindow::target_of_lesson() const {
-    const Lesson* lesson = lessons_->running();
+    const Lesson* lesson = lessons_->shown();
     if (lesson == nullptr || !lesson->target) return {};
     const VesselTree& tree = patient_->patient->tree;
     return patient_->anatomy.downstream_of(nearest_point(tree, position_of(*lesson->target, tree)));

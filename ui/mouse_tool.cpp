@@ -46,7 +46,7 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
         action_ = left && clicks_vessels() ? Action::wait_for_click : Action::orbit;
     } else if (mode_ != MouseMode::pull || modifiers.control) {
         action_ = Action::wait_for_click;
-    } else if (!may_pull_) {
+    } else if (!may_pull()) {
         action_ = Action::orbit;
     } else {
         action_ = Action::pull;
@@ -112,7 +112,7 @@ bool MouseTool::is_click(const Pixel& at) const {
 void MouseTool::release(const Pixel& at) {
     clicked_ = action_ == Action::wait_for_click;
     const bool points = pulling() && !dragged_;
-    const bool tried_to_pull = action_ == Action::orbit && mode_ == MouseMode::pull && may_pull_ &&
+    const bool tried_to_pull = action_ == Action::orbit && mode_ == MouseMode::pull && may_pull() &&
                                !dragged_ && pressed_left_;
     if (action_ == Action::draw) callbacks_.drawn(mode_, stroke_to(at));
     cancel();

@@ -58,7 +58,9 @@ class MouseTool {
     const MouseScheme& scheme() const { return *scheme_; }
     // If false, a drag on a vessel turns the view.
     void set_may_pull(bool may_pull) { may_pull_ = may_pull; }
-    bool may_pull() const { return may_pull_; }
+    // Whether there is a body to pull; likewise.
+    void set_moves(bool moves) { moves_ = moves; }
+    bool may_pull() const { return may_pull_ && moves_; }
     ToolHand& hand() { return hand_; }
     ClipControl& clip() { return clip_; }
 
@@ -115,7 +117,7 @@ class MouseTool {
     ClipControl clip_{view_};
     const MouseScheme* scheme_ = &mouse_schemes().front();
     MouseMode mode_ = MouseMode::pull;
-    bool may_pull_ = true;
+    bool may_pull_ = true, moves_ = true;
     Action action_ = Action::none;
     bool clicked_ = false;       // the last press ended as a click
     bool dragged_ = false;       // since the last press

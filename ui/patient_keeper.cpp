@@ -110,6 +110,7 @@ void PatientKeeper::look_first(const OpenRequest& request, std::function<void()>
 }
 
 QueuedJob PatientKeeper::opening_job(const OpenRequest& request) {
+    opens_built_in_ = request.built_in && !request.unsaved_copy && !request.left_edits;
     QueuedJob job;
     job.kind = JobKind::open;
     job.title =
@@ -492,6 +493,7 @@ void PatientKeeper::archive(const std::filesystem::path& ct, const std::filesyst
 }
 
 void PatientKeeper::cancel() {
+    opens_built_in_ = false;
     jobs_.cancel_running();
 }
 

@@ -95,6 +95,9 @@ class PatientKeeper {
         return jobs_.holds(JobKind::correct) || jobs_.holds(JobKind::remake);
     }
 
+    // Whether the built-in patient, without edits, is on his way.
+    bool opens_built_in() const { return opens_built_in_ && jobs_.holds(JobKind::open); }
+
     // Each returns at once. A newer opening replaces one under way.
     void open(const OpenRequest& request);
     // Adds a correction; one of the tree is then computed.
@@ -177,6 +180,7 @@ class PatientKeeper {
     std::uint64_t told_of_rebuilding_ = 0;
     std::set<std::filesystem::path> written_;  // cases written since the last opening began to read
     std::shared_ptr<int> opening_;             // a new one for each opening
+    bool opens_built_in_ = false;              // of the newest, unless it was cancelled
     JobQueue jobs_;
 };
 

@@ -108,9 +108,11 @@ PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
             options();
             accept();
         } catch (const Error& error) {
-            problem_->setText(QString("%1: %2. %3")
-                                  .arg(translated(error.place()), translated(error.problem()),
-                                       translated(error.remedy())));
+            QString remedy = translated(error.remedy());
+            if (!remedy.isEmpty()) remedy[0] = remedy[0].toUpper();
+            problem_->setText(
+                QString("%1: %2. %3")
+                    .arg(translated(error.place()), translated(error.problem()), remedy));
         }
     });
     column->addWidget(buttons);
@@ -146,6 +148,23 @@ void PatientWizard::set_ct(const QString& path, int series) {
     chosen_in_ = to_path(ct_->text().trimmed());
     chosen_ = series;
     look_for_series();
+}
+
+std::array<QLineEdit*, 6> PatientWizard::edits() const {
+    return {ct_, liver_mask_, vessel_mask_, window_, portal_seeds_, hepatic_seeds_};
+}
+
+QStringList PatientWizard::entries() const {
+    const int series = series_->count() > 1 ? series_->currentIndex() + 1 : 0;
+    QStringList entries{QString::number(series)};
+    for (const QLineEdit* edit : edits()) entries << edit->text();
+    return entries;
+}
+
+void PatientWizard::set_entries(const QStringList& entries) {
+    qsizetype next = 1;
+    for (QLineEdit* edit : edits()) edit->setText(entries.value(next++));
+    set_ct(ct_->text(), entries.value(0).toInt());
 }
 
 void PatientWizard::look_for_series() {

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <QDialog>
+#include <QStringList>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -32,7 +34,12 @@ class PatientWizard : public QDialog {
     // The options in the fields. Throws InputError that names the first invalid field.
     ReconstructOptions options() const;
 
+    // What all fields hold, as it was typed, to be set in a later dialog.
+    QStringList entries() const;
+    void set_entries(const QStringList& entries);
+
   private:
+    std::array<QLineEdit*, 6> edits() const;  // the CT first
     QLineEdit* add_path(QFormLayout& form, const QString& label, bool folders_too);
     // Lists the series of the CT's folder in the background and offers them if there are several.
     void look_for_series();

@@ -12,11 +12,13 @@ namespace hepatica {
 namespace {
 
 // Longer texts first, because they contain shorter ones.
-constexpr std::array<std::pair<const char*, const char*>, 37> words{{
+constexpr std::array<std::pair<const char*, const char*>, 39> words{{
     {"--seed-mm X,Y,Z,1 and --seed-mm X,Y,Z,2",
      "written into Portal vein seeds and Hepatic vein seeds of File > Reconstruct with options"},
     {"--seed-mm X,Y,Z,portal and --seed-mm X,Y,Z,hepatic",
      "written into Portal vein seeds and Hepatic vein seeds of File > Reconstruct with options"},
+    {"--seed-mm X,Y,Z,portal", "Portal vein seeds"},
+    {"--seed-mm X,Y,Z,hepatic", "Hepatic vein seeds"},
     {"(--window LO,HI)", "(Window of File > Reconstruct with options)"},
     {"(--seed-mm)", "(Portal vein seeds or Hepatic vein seeds, beside it)"},
     {"--seed-mm", "Portal vein seeds, Hepatic vein seeds"},
@@ -77,8 +79,16 @@ std::string in_window_words(std::string text) {
     // The message of the JSON library for unreadable text.
     static const std::regex parse_error(
         R"(is damaged \(parse error at line (\d+), column (\d+):[^]*)");
-    return std::regex_replace(text, parse_error,
+    text = std::regex_replace(text, parse_error,
                               "is damaged: it cannot be read from line $1, column $2 on");
+    // A seed's place as the field takes it: a comma may stand for the decimal point there.
+    static const std::regex seeds(
+        R"(^(-?[\d.]+),(-?[\d.]+),(-?[\d.]+) (lies (?:\d+ mm from the liver|outside the image)))");
+    static const std::regex corners(
+        R"((image, which reaches from )(-?[\d.]+),(-?[\d.]+),(-?[\d.]+))"
+        R"(( to )(-?[\d.]+),(-?[\d.]+),(-?[\d.]+)$)");
+    text = std::regex_replace(text, seeds, "$1 $2 $3 $4");
+    return std::regex_replace(text, corners, "$1$2 $3 $4$5$6 $7 $8");
 }
 
 QString in_short(const std::vector<std::string>& warnings) {

@@ -243,8 +243,8 @@ void require_same_grid(const Grid& mask, const Grid& volume, const std::string& 
     };
     const std::string problem =
         mask.dims == volume.dims
-            ? "lies elsewhere in space than the CT"
-            : "has " + sizes(mask) + " voxels, but the CT has " + sizes(volume);
+            ? "the mask lies elsewhere in space than the CT"
+            : "the mask has " + sizes(mask) + " voxels, but the CT has " + sizes(volume);
     throw InputError(problem, place, "Choose a mask that was drawn on this CT");
 }
 

@@ -22,6 +22,13 @@ std::string text_of(const Vec3& position_mm) {
     return text;
 }
 
+// The option as the window knows its two fields by it.
+const char* option_of(const VesselSeed& seed) {
+    if (seed.system == VascularSystem::portal) return "--seed-mm X,Y,Z,portal";
+    if (seed.system == VascularSystem::hepatic) return "--seed-mm X,Y,Z,hepatic";
+    return "--seed-mm";
+}
+
 }  // namespace
 
 void require_seeds_in_image(const std::vector<VesselSeed>& seeds, const Grid& grid) {
@@ -32,7 +39,7 @@ void require_seeds_in_image(const std::vector<VesselSeed>& seeds, const Grid& gr
         throw InputError(text_of(seed.position_mm) +
                              " lies outside the image, which reaches from " + text_of(corner) +
                              " to " + text_of(opposite),
-                         "--seed-mm",
+                         option_of(seed),
                          "Give a place inside a vessel in patient space (LPS, mm); other programs "
                          "may show RAS: there change the sign of X and Y");
     }
@@ -50,10 +57,10 @@ void require_seeds_near_liver(const std::vector<VesselSeed>& seeds, const Mask& 
             if (nearest_mm <= seed_reach_mm) break;
         }
         if (nearest_mm <= seed_reach_mm) continue;
-        throw InputError(text_of(seed.position_mm) + " lies " +
-                             std::to_string(std::lround(nearest_mm)) + " mm from the liver of " +
-                             liver_place,
-                         "--seed-mm", "Give a place inside a vessel in or at the liver (LPS, mm)");
+        throw InputError(
+            text_of(seed.position_mm) + " lies " + std::to_string(std::lround(nearest_mm)) +
+                " mm from the liver of " + liver_place,
+            option_of(seed), "Give a place inside a vessel in or at the liver (LPS, mm)");
     }
 }
 

@@ -435,12 +435,14 @@ TEST(RequireSameGrid, NamesSizesOrPlace) {
     EXPECT_NO_THROW(require_same_grid(grid, grid, "m.nii"));
     Grid shifted = grid;
     shifted.origin_mm[0] += 0.1;
-    EXPECT_NE(refusal([&] { require_same_grid(shifted, grid, "m.nii"); }).find("elsewhere"),
-              std::string::npos);
+    EXPECT_NE(
+        refusal([&] { require_same_grid(shifted, grid, "m.nii"); }).find("the mask lies elsewhere"),
+        std::string::npos);
     Grid larger = grid;
     larger.dims[2] += 1;
-    EXPECT_NE(refusal([&] { require_same_grid(larger, grid, "m.nii"); }).find("13 x 11 x 10"),
-              std::string::npos);
+    const std::string sizes = refusal([&] { require_same_grid(larger, grid, "m.nii"); });
+    EXPECT_NE(sizes.find("the mask has "), std::string::npos) << "the window begins with it";
+    EXPECT_NE(sizes.find("13 x 11 x 10"), std::string::npos);
 }
 
 TEST(RequirePlausibleCt, RefusesWhatShowsNoPatient) {

@@ -49,7 +49,7 @@ TEST(ReconstructionLimits, ASeedMayLieAtTheImagesVeryBorder) {
     } catch (const InputError& error) {
         EXPECT_EQ(error.problem(),
                   "0,24,44.5 lies outside the image, which reaches from 10,20,40 to 17,30,52");
-        EXPECT_EQ(error.place(), "--seed-mm");
+        EXPECT_EQ(error.place(), "--seed-mm X,Y,Z,portal");
     }
 }
 
@@ -59,7 +59,7 @@ TEST(ReconstructionLimits, ASeedMayLieTenMillimetresFromTheLiver) {
     liver.at(6, 1, 1) = 1;
     const auto check = [&](double x) {
         require_seeds_near_liver(
-            {{Vec3(5, 1, 1), VascularSystem::portal}, {Vec3(x, 1, 1), VascularSystem::portal}},
+            {{Vec3(5, 1, 1), VascularSystem::portal}, {Vec3(x, 1, 1), VascularSystem::hepatic}},
             liver, "liver.nii");
     };
     EXPECT_NO_THROW(check(16.0));
@@ -70,6 +70,7 @@ TEST(ReconstructionLimits, ASeedMayLieTenMillimetresFromTheLiver) {
         FAIL();
     } catch (const InputError& error) {
         EXPECT_EQ(error.problem(), "18.4,1,1 lies 12 mm from the liver of liver.nii");
+        EXPECT_EQ(error.place(), "--seed-mm X,Y,Z,hepatic") << "the one that is wrong";
     }
 }
 

@@ -17,6 +17,7 @@
 #include "ui/message_bar.h"
 #include "ui/open_case_dialog.h"
 #include "ui/paths.h"
+#include "ui/patient_wizard.h"
 #include "ui/save_file_dialog.h"
 
 namespace hepatica {
@@ -221,6 +222,43 @@ TEST_F(NamedFiles, AreCasesCalledAsThePatientAndLieWhereTheyDo) {
     ASSERT_TRUE(testing::wait_for([this] { return !window_.busy(); }));
     window_.actions()[ActionId::save_case_as].trigger();
     EXPECT_EQ(proposed_place_, to_path(folder_.filePath("p.hep")));
+}
+
+class TypedReconstruction : public testing::FakeWindowTest {
+  protected:
+    void in_wizard(const std::function<void(PatientWizard&)>& act) {
+        QTimer::singleShot(0, &window_, [&act] {
+            act(dynamic_cast<PatientWizard&>(*QApplication::activeModalWidget()));
+        });
+        window_.actions()[ActionId::reconstruct].trigger();
+    }
+    // What the wizard offers, which is then cancelled.
+    QStringList offered() {
+        QStringList entries;
+        in_wizard([&](PatientWizard& wizard) {
+            entries = wizard.entries();
+            wizard.reject();
+        });
+        return entries;
+    }
+};
+
+// A mask of another CT is noticed only once both were read.
+TEST_F(TypedReconstruction, that_fails_is_offered_as_it_was_typed) {
+    const QStringList typed{"0", "/no/ct", "/no/liver", "/no/vessels", "140 260", "20 20 20", "1"};
+    in_wizard([&](PatientWizard& wizard) {
+        wizard.set_entries(typed);
+        wizard.findChild<QLineEdit*>("hepaticSeeds")->setText("1 2 3");
+        wizard.accept();
+    });
+    ASSERT_TRUE(testing::wait_for([this] { return !window_.busy(); }));
+    ASSERT_TRUE(window_.messages().text().contains("his is no image"));
+    QStringList expected = typed;
+    expected.back() = "1 2 3";
+    EXPECT_EQ(offered(), expected);
+    EXPECT_EQ(offered(), expected) << "a cancelled dialog changes nothing";
+    open_built_in();
+    EXPECT_EQ(offered().join(""), "0") << "the next patient begins with empty fields";
 }
 
 }  // namespace

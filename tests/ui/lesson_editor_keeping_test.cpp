@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A lesson that is being made is not lost: undo, its file, a copy to begin with, the end of the
 // program, and what a crash leaves behind.
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
@@ -17,6 +20,7 @@
 #include "core/base/error.h"
 #include "core/lesson/lesson_writer.h"
 #include "tests/ui/lesson_editor_test.h"
+#include "ui/lock_file.h"
 
 namespace hepatica {
 namespace {
@@ -92,6 +96,30 @@ TEST_F(LessonEditorTest, keeps_what_is_not_saved) {
     field<QLineEdit>("lessonName").setText("Mine");
     EXPECT_TRUE(wait_for([&] { return std::filesystem::exists(folder_.path() / "unsaved.json"); }));
     EXPECT_EQ(kept().name, "Mine");
+}
+
+// What it left is offered at once, however long the desktop takes to ask how it ended.
+TEST(LockFiles, of_a_killed_program_that_nobody_has_reaped_are_free) {
+    const QTemporaryDir folder;
+    const std::filesystem::path file = to_path(folder.filePath("lock"));
+    auto lock = lock_file(file);
+    ASSERT_TRUE(lock->tryLock(0));
+    EXPECT_FALSE(lock_file(file)->tryLock(0)) << "this program lives";
+    QFile written(folder.filePath("lock"));
+    ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+    const QByteArray own = written.readAll();
+    written.close();
+    lock.reset();
+    const pid_t child = fork();
+    if (child == 0) _exit(0);
+    ASSERT_GT(child, 0);
+    siginfo_t ended{};
+    ASSERT_EQ(waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOWAIT), 0);
+    ASSERT_TRUE(written.open(QIODevice::WriteOnly));
+    written.write(QByteArray::number(child) + own.mid(own.indexOf('\n')));
+    written.close();
+    EXPECT_TRUE(lock_file(file)->tryLock(0));
+    EXPECT_EQ(waitpid(child, nullptr, 0), child);
 }
 
 }  // namespace

@@ -9,8 +9,10 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QTableWidget>
+#include <atomic>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "core/lesson/attempts.h"
 #include "core/lesson/lesson_draft.h"
@@ -417,6 +419,53 @@ TEST_F(LessonWindowTest, leaving_says_nothing_where_the_lessons_patient_was_ther
     }
     window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
     EXPECT_EQ(window_.messages().text(), "");
+}
+
+// Opens the small patient as the built-in one, once he may come.
+class LessonMeanwhile : public testing::WindowTest {
+  protected:
+    LessonMeanwhile()
+        : WindowTest({[this](const OpenRequest&, Job& job) {
+                          ++openings_;
+                          while (held_) {
+                              job.throw_if_cancelled();
+                              std::this_thread::yield();
+                          }
+                          LoadedPatient loaded = play(test::small_patient(), job);
+                          loaded.title = built_in_title;
+                          return loaded;
+                      },
+                      [](const std::filesystem::path&, const PatientCase&) {}}) {}
+    ~LessonMeanwhile() override { held_ = false; }
+    void start_lesson() {
+        const std::string file = folder_.filePath("lesson.json").toStdString();
+        write_lesson(file, new_lesson());
+        ASSERT_TRUE(window_.lessons().start(file));
+    }
+    void open() {
+        window_.open(OpenRequest{true, {}});
+        ASSERT_TRUE(wait_for([this] { return openings_ > 0; }));
+    }
+
+    std::atomic<int> openings_ = 0;
+    std::atomic<bool> held_ = true;
+};
+
+TEST_F(LessonMeanwhile, waits_for_the_patient_who_is_on_his_way) {
+    open();
+    start_lesson();
+    held_ = false;
+    EXPECT_TRUE(wait_for([this] { return window_.lessons().playing() && !window_.busy(); }));
+    EXPECT_EQ(openings_, 1) << "begun again, it would take a minute more";
+}
+
+TEST_F(LessonMeanwhile, does_not_wait_for_one_who_was_cancelled) {
+    open();
+    window_.cancel_job();
+    start_lesson();
+    held_ = false;
+    EXPECT_TRUE(wait_for([this] { return window_.lessons().playing() && !window_.busy(); }));
+    EXPECT_EQ(openings_, 2);
 }
 
 TEST_F(LessonWindowTest, a_lesson_that_cannot_be_read_is_said_above_the_view) {

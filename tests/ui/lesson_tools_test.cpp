@@ -45,6 +45,19 @@ class LessonToolsTest : public testing::LessonWindowTest {
         });
     }
     bool enabled(const char* name) { return window_.findChild<QWidget*>(name)->isEnabled(); }
+    // Moves the pointer over vessels until one is highlighted; how many of its vertices are.
+    std::ptrdiff_t lit_by_pointing() {
+        const std::vector<std::uint8_t>& highlight = window_.view().scene().highlight();
+        const Frame& frame = window_.frame();
+        const int vertices = static_cast<int>(frame.positions_mm.size()) / 3;
+        for (int v = 0; highlight.empty() && v < vertices; v += 5) {
+            const QPoint place = on_widget(frame.place_mm(v));
+            QMouseEvent move(QEvent::MouseMove, place, window_.view().mapToGlobal(place),
+                             Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+            QApplication::sendEvent(&window_.view(), &move);
+        }
+        return std::ranges::count(highlight, std::uint8_t{1});
+    }
     LessonStanding standing() { return window_.lessons().standing(); }
     QAction& action(ActionId id) { return window_.actions()[id]; }
 };
@@ -131,8 +144,8 @@ TEST_F(LessonToolsTest, what_it_does_not_allow_cannot_be_chosen) {
         EXPECT_FALSE(enabled(control)) << control;
     QTest::keyClick(&window_, Qt::Key_4);
     EXPECT_FALSE(window_.view().mouse().hand().holds());
-    EXPECT_TRUE(window_.statusBar()->currentMessage().startsWith("The lesson does not allow this"))
-        << window_.statusBar()->currentMessage().toStdString();
+    EXPECT_EQ(window_.statusBar()->currentMessage().toStdString(),
+              "The lesson does not allow this: Probe");
     window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
     for (const ActionId id : {ActionId::sphere_tool, ActionId::cut_mode, ActionId::reset}) {
         EXPECT_TRUE(action(id).isEnabled());
@@ -222,20 +235,56 @@ TEST_F(LessonToolsTest, the_target_of_a_drug_is_seen_while_it_is_played) {
     EXPECT_TRUE(window_.view().scene().legend().target);
     // Pointing at a vessel, as to choose where to inject, adds a highlight and takes nothing away.
     const std::vector<std::uint8_t> target = window_.view().scene().target();
-    const std::vector<std::uint8_t>& highlight = window_.view().scene().highlight();
-    const Frame& frame = window_.frame();
-    for (int v = 0; highlight.empty() && v < static_cast<int>(target.size()); v += 5) {
-        const QPoint place = on_widget(frame.place_mm(v));
-        QMouseEvent move(QEvent::MouseMove, place, window_.view().mapToGlobal(place), Qt::NoButton,
-                         Qt::NoButton, Qt::NoModifier);
-        QApplication::sendEvent(&window_.view(), &move);
-    }
-    EXPECT_GT(std::ranges::count(highlight, std::uint8_t{1}), 0);
+    EXPECT_GT(lit_by_pointing(), 0);
     EXPECT_EQ(window_.view().scene().target(), target);
     EXPECT_TRUE(wait_for([&] { return in_front("Injection"); }));
     window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
     EXPECT_EQ(lit(), 0);
     EXPECT_FALSE(window_.view().scene().legend().target);
+}
+
+// The drag that turned the view before the verdict would ask of the scene what it has not.
+TEST_F(LessonToolsTest, what_does_not_move_is_not_pulled_after_the_verdict_either) {
+    Lesson lesson = new_lesson();
+    lesson.scene.deform.reset();
+    lesson.scene.flow.emplace();
+    lesson.tools = {LessonTool::inject};
+    lesson.limits = {{Quantity::time_s, -1, false, 0.2}};
+    lesson.steps[0].goal = {{Quantity::time_s, -1, true, 1000.0}};
+    begin(lesson);
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
+    wait_for_figures();
+    ASSERT_EQ(window_.view().mouse().mode(), MouseMode::pull);
+    const QPoint at = on_widget(window_.lessons().marks_in(window_.frame()).at(0).place_mm);
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, at);
+    EXPECT_FALSE(window_.view().mouse().pulling());
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, at);
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    EXPECT_TRUE(window_.view().mouse().may_pull()) << "free play moves";
+}
+
+// Just then one looks for what the drug has missed.
+TEST_F(LessonToolsTest, the_target_of_a_drug_is_seen_after_the_verdict) {
+    Lesson lesson = new_lesson();
+    lesson.scene.deform.reset();
+    lesson.scene.flow.emplace();
+    lesson.tools = {LessonTool::inject};
+    lesson.limits = {{Quantity::time_s, -1, false, 0.2}};
+    lesson.steps[0].goal = {{Quantity::time_s, -1, true, 1000.0}};
+    lesson.target.emplace();
+    lesson.target->share_of_longest_path = 0.5;
+    begin(lesson);
+    const std::vector<std::uint8_t> target = window_.view().scene().target();
+    EXPECT_GT(std::ranges::count(target, std::uint8_t{1}), 0);
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
+    wait_for_figures();
+    window_.view().scene().set_highlight({});
+    EXPECT_GT(lit_by_pointing(), 0);
+    EXPECT_EQ(window_.view().scene().target(), target);
+    EXPECT_TRUE(window_.view().scene().legend().target);
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    lit_by_pointing();
+    EXPECT_TRUE(window_.view().scene().target().empty()) << "free play wants no drug";
 }
 
 TEST_F(LessonToolsTest, a_slip_is_told_of_and_does_not_end_it) {

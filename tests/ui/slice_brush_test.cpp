@@ -159,6 +159,20 @@ TEST_F(BrushOnSlices, LeavesNoStrokeWhereNothingWasErased) {
     EXPECT_EQ(scene().systems().voxels, before_.voxels);
 }
 
+// Before the first stroke; the guidance tells of these keys.
+TEST_F(BrushOnSlices, IsSizedByKeysInTheListItWasTakenFrom) {
+    begin();
+    QTest::keyClick(&choice(), Qt::Key_Plus, Qt::ShiftModifier);
+    EXPECT_EQ(brush().radius_mm(), 4.5);
+    QTest::keyClick(&choice(), Qt::Key_Minus);
+    QTest::keyClick(&choice(), Qt::Key_Minus, Qt::KeypadModifier);
+    EXPECT_EQ(brush().radius_mm(), 3.5);
+    EXPECT_EQ(choice().currentIndex(), painting);
+    take(crosshair);
+    QTest::keyClick(&choice(), Qt::Key_Plus);
+    EXPECT_EQ(brush().radius_mm(), 3.5) << "it is put away";
+}
+
 // Smaller, a dab that erases, and back.
 TEST_F(BrushOnSlices, IsLedByKeys) {
     begin();

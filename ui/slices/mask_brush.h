@@ -32,7 +32,7 @@ class MaskBrush {
         // The last n strokes were taken back. A receiver that disagrees calls show() with them.
         std::function<void(std::size_t)> take_back = [](std::size_t) {};
     };
-    static constexpr double least_mm = 0.5, most_mm = 20.0;
+    static constexpr double least_mm = 0.5, most_mm = 20.0, step_mm = 0.5;
 
     // Called after every change of mode, radius or strokes.
     void on_change(std::function<void()> tell) { watchers_.add(std::move(tell)); }

@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
@@ -172,7 +173,20 @@ QWidget* SliceBar::click_choice() {
     connect(click_, &QComboBox::activated, this, [this](int index) { choose_click(index); });
     scene_.measurements().on_change([this] { follow_click(); });
     scene_.pen().on_change([this] { follow_click(); });
+    click_->installEventFilter(this);
     return click_;
+}
+
+// The list keeps the keyboard when a brush was taken from it; it has no use for + and -.
+bool SliceBar::eventFilter(QObject* watched, QEvent* event) {
+    if (watched != click_ || event->type() != QEvent::KeyPress || !scene_.brushing())
+        return QWidget::eventFilter(watched, event);
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key != Qt::Key_Plus && key != Qt::Key_Minus) return QWidget::eventFilter(watched, event);
+    MaskBrush& brush = scene_.brush();
+    brush.set_radius(brush.radius_mm() +
+                     (key == Qt::Key_Plus ? MaskBrush::step_mm : -MaskBrush::step_mm));
+    return true;
 }
 
 void SliceBar::choose_click(int index) {
@@ -265,7 +279,7 @@ void SliceBar::add_brush(QHBoxLayout& row) {
     radius_->setObjectName("brushRadius");
     radius_->setAccessibleName(Words::tr("Radius of the brush"));
     radius_->setToolTip(Words::tr("Radius of the ball that is led through the voxels"));
-    radius_->setSingleStep(0.5);
+    radius_->setSingleStep(MaskBrush::step_mm);
     remake_ = new QPushButton(Words::tr("Rebuild"));
     remake_->setObjectName("rebuildVessels");
     remake_->setToolTip(Words::tr(

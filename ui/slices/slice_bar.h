@@ -29,6 +29,9 @@ class SliceBar : public QWidget {
     // message.
     void say(const QString& text);
 
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;  // keys of the list
+
   private:
     void fill_presets();
     QWidget* opacity_slider();

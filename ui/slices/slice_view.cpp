@@ -371,7 +371,8 @@ void SliceView::brush_by_key(int key) {
     else if (key == Qt::Key_Delete || key == Qt::Key_Backspace)
         scene_.take_last_stroke_back();
     else if (key == Qt::Key_Plus || key == Qt::Key_Minus)
-        brush.set_radius(brush.radius_mm() + (key == Qt::Key_Plus ? 0.5 : -0.5));
+        brush.set_radius(brush.radius_mm() +
+                         (key == Qt::Key_Plus ? MaskBrush::step_mm : -MaskBrush::step_mm));
     else {
         say(scene_.put_brush_down(scene_.crosshair_mm()));
         say(scene_.lift_brush());

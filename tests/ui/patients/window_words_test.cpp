@@ -64,6 +64,17 @@ TEST(WindowWords, name_the_fields_in_failures) {
               "In File > Reconstruct with options, Series 2 reads the other one");
 }
 
+// As the fields take it: in German a comma is the decimal point.
+TEST(WindowWords, write_the_place_of_a_seed_as_it_is_typed) {
+    EXPECT_EQ(in_window_words("18.4,-1,1 lies 12 mm from the liver of /ct/1,2,3.nii"),
+              "18.4 -1 1 lies 12 mm from the liver of /ct/1,2,3.nii");
+    EXPECT_EQ(in_window_words(
+                  "0,24,44.5 lies outside the image, which reaches from 10,20,40 to 17,30,-52.5"),
+              "0 24 44.5 lies outside the image, which reaches from 10 20 40 to 17 30 -52.5");
+    EXPECT_EQ(in_window_words("--seed-mm X,Y,Z,portal"), "Portal vein seeds");
+    EXPECT_EQ(in_window_words("--seed-mm X,Y,Z,hepatic"), "Hepatic vein seeds");
+}
+
 TEST(WindowWords, OfManyWarningsTwoAreShown) {
     EXPECT_EQ(in_short({}), "");
     EXPECT_EQ(in_short({"a"}), "a");
