@@ -127,7 +127,8 @@ TEST(LessonTies, NameWhereACommandOfTheSetupActs) {
     for (const Command& command : {Command(GrabPoint{on_back}), Command(InjectDrug{on_back}),
                                    Command(AddTool{.point_mm = on_back})}) {
         nlohmann::ordered_json json = to_json(command);
-        json["do"] = json["command"];
+        const std::string name = json["command"];
+        json["do"] = name;
         json.erase("command");
         const std::string action = json.dump();
         Lesson lesson = lesson_of_a_case();
