@@ -9176,5 +9176,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>holds its voxels as text (BinaryData = False)</source>
         <translation>enthält seine Voxel als Text (BinaryData = False)</translation>
     </message>
+    <message>
+        <source>none; with less confidence: %1</source>
+        <translation>keine; mit weniger Sicherheit: %1</translation>
+    </message>
 </context>
 </TS>

@@ -195,12 +195,12 @@ bool CaseEditing::stands(const QString& doubt) const {
 
 void CaseEditing::show_bridges() {
     bridges_ = open_bridges(*workspace_.patient());
-    std::erase_if(bridges_,
-                  [this](const Bridge& bridge) { return bridge.confidence < least_confidence_; });
+    const std::size_t hidden = std::erase_if(
+        bridges_, [this](const Bridge& bridge) { return bridge.confidence < least_confidence_; });
     callbacks_.show_bridges(views_of(bridges_));
     QStringList bridges;
     for (const Bridge& bridge : bridges_) bridges << text_of(bridge);
-    panel_.show_bridges(bridges);
+    panel_.show_bridges(bridges, hidden);
 }
 
 void CaseEditing::accept_all() {

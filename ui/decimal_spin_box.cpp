@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/decimal_spin_box.h"
 
+#include <QDockWidget>
+#include <QKeyEvent>
+#include <QMainWindow>
+
 namespace hepatica {
 
 DecimalSpinBox::DecimalSpinBox(double lower, double upper, double value, int decimals,
@@ -15,6 +19,14 @@ DecimalSpinBox::DecimalSpinBox(double lower, double upper, double value, int dec
     setValue(value);
     if (!unit.isEmpty()) setSuffix(" " + unit);
     setKeyboardTracking(false);
+}
+
+void DecimalSpinBox::keyPressEvent(QKeyEvent* event) {
+    QDoubleSpinBox::keyPressEvent(event);
+    const bool ends = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    const bool beside_view = qobject_cast<QMainWindow*>(window()) != nullptr ||
+                             qobject_cast<QDockWidget*>(window()) != nullptr;  // a floating panel
+    if (ends && beside_view) clearFocus();
 }
 
 QString DecimalSpinBox::with_sign(QString text) const {

@@ -17,6 +17,10 @@ class DecimalSpinBox : public QDoubleSpinBox {
     QValidator::State validate(QString& text, int& position) const override;
     double valueFromText(const QString& text) const override;
 
+  protected:
+    // Beside the view, Enter ends the editing: keys pressed afterwards are those of the tools.
+    void keyPressEvent(QKeyEvent* event) override;
+
   private:
     QString with_sign(QString text) const;
 };

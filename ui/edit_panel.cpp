@@ -189,7 +189,7 @@ VascularSystem EditPanel::system() const {
     return system_numbered(system_->currentData().toInt()).value_or(VascularSystem::unknown);
 }
 
-void EditPanel::show_bridges(const QStringList& lines) {
+void EditPanel::show_bridges(const QStringList& lines, std::size_t hidden) {
     const QSignalBlocker quiet(bridges_);
     bridges_->clear();
     bridges_->addItems(lines);
@@ -197,7 +197,9 @@ void EditPanel::show_bridges(const QStringList& lines) {
     accept_->setEnabled(false);
     bridges_->setEnabled(!lines.isEmpty());
     accept_all_->setEnabled(!lines.isEmpty());
-    if (lines.isEmpty()) bridges_->addItem(Words::tr("none yet"));
+    if (lines.isEmpty())
+        bridges_->addItem(hidden > 0 ? Words::tr("none; with less confidence: %1").arg(hidden)
+                                     : Words::tr("none yet"));
 }
 
 void EditPanel::show_edits(const QStringList& lines, bool can_undo, bool can_redo) {

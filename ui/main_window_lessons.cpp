@@ -132,6 +132,8 @@ void MainWindow::use_for_lesson(std::unique_ptr<Simulation> simulation) {
     use(std::move(simulation));
     ruler_->hide_made(begins);
     if (!begins) return;
+    const std::optional<TearSpec>& tear = lessons_->running()->scene.tear;
+    tool_panel_->show_tear_factor(tear ? std::optional(tear->tear_factor) : std::nullopt);
     inject_->choose_drug(lessons_->running()->drug);
     // Behind the panel of an earlier tool, it would not be found.
     if (allows(lessons_->running()->tools, LessonTool::inject))

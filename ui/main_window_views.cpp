@@ -181,6 +181,10 @@ void MainWindow::connect_languages() {
 void MainWindow::speak(const QString& code) {
     settings_.set_language(code);
     const QString text = Words::tr("The language changes at the next start.");
+    if (language_of(code) == spoken_language()) {  // "System" and its language by name are one
+        if (messages_->text() == text) messages_->dismiss();
+        return;
+    }
     if (!begin_anew_) return messages_->show_notice(text);
     messages_->show_notice(text, Words::tr("Restart now"), [this] {
         begins_anew_ = true;

@@ -109,13 +109,15 @@ void PatientKeeper::look_first(const OpenRequest& request, std::function<void()>
     jobs_.replace(std::move(job));
 }
 
-QueuedJob PatientKeeper::opening_job(const OpenRequest& request) {
+QueuedJob PatientKeeper::opening_job(const OpenRequest& request, const std::string& name) {
     opens_built_in_ = request.built_in && !request.unsaved_copy && !request.left_edits;
     QueuedJob job;
     job.kind = JobKind::open;
     job.title =
         (request.built_in ? Words::tr("Opening the built-in patient")
-                          : Words::tr("Opening %1").arg(to_text(request.reconstruct.ct.filename())))
+                          : Words::tr("Opening %1")
+                                .arg(name.empty() ? to_text(request.reconstruct.ct.filename())
+                                                  : QString::fromStdString(name)))
             .toStdString();
     job.failed = [this, title = job.title](const Failure& failure) {
         opening_.reset();
@@ -130,8 +132,8 @@ QueuedJob PatientKeeper::opening_job(const OpenRequest& request) {
     return job;
 }
 
-void PatientKeeper::start_opening(const OpenRequest& request) {
-    QueuedJob job = opening_job(request);
+void PatientKeeper::start_opening(const OpenRequest& request, const std::string& name) {
+    QueuedJob job = opening_job(request, name);
     job.begin = [this, request]() -> BackgroundJob::Work {
         written_.clear();
         return
@@ -174,7 +176,7 @@ void PatientKeeper::choose_series(OpenRequest request,
         return screen_.not_opened();
     }
     request.reconstruct.series = *chosen;
-    start_opening(request);
+    start_opening(request, title_of_series(request.reconstruct.ct, series, *chosen));
 }
 
 // The former patient may have been corrected while this one was prepared.
@@ -490,11 +492,6 @@ void PatientKeeper::archive(const std::filesystem::path& ct, const std::filesyst
             };
     };
     add_writing(std::move(job));
-}
-
-void PatientKeeper::cancel() {
-    opens_built_in_ = false;
-    jobs_.cancel_running();
 }
 
 }  // namespace hepatica

@@ -127,7 +127,10 @@ class PatientKeeper {
     // Appends a job that does not change the patient.
     void add_job(QueuedJob job) { jobs_.add(std::move(job)); }
     // Cancels the running job; a correction is then taken back.
-    void cancel();
+    void cancel() {
+        opens_built_in_ = false;
+        jobs_.cancel_running();
+    }
 
     // Calls `go` once nothing can be lost: at once, or when everything is made and saved. Calls
     // `stay` if the user chooses to stay; drops `go` if saving or correcting fails. Only the newest
@@ -141,9 +144,10 @@ class PatientKeeper {
     void leave_if_safe(std::function<void()> go, std::function<void()> stay);
     void go_when_archived(std::function<void()> go, std::function<void()> stay);
     void look_first(const OpenRequest& request, std::function<void()> go);
-    // With its title and the reactions to failure and cancellation.
-    QueuedJob opening_job(const OpenRequest& request);
-    void start_opening(const OpenRequest& request);
+    // With its title and the reactions to failure and cancellation. `name`: of what is opened;
+    // empty: that of its file.
+    QueuedJob opening_job(const OpenRequest& request, const std::string& name = {});
+    void start_opening(const OpenRequest& request, const std::string& name = {});
     // Adds a callback that shows the CT on the UI thread while this opening is the newest.
     OpenRequest request_that_tells(OpenRequest request);
     void choose_series(OpenRequest request, const std::vector<SeriesDescription>& series);

@@ -255,8 +255,17 @@ void ToolPanel::begin_play(bool free) {
     show_tear(std::nullopt);
     asked_.reset();
     if (!free) return;
+    show_tear_factor(std::nullopt);
     if (wanted_contact_) callbacks_.use_contact(*wanted_contact_);
     if (wanted_tear_) callbacks_.use_tear(tear());
+}
+
+void ToolPanel::show_tear_factor(std::optional<double> of_lesson) {
+    const QSignalBlocker quiet(tear_factor_);
+    const double chosen = wanted_tear_factor_.value_or(tear_factor_->value());
+    wanted_tear_factor_.reset();
+    if (of_lesson) wanted_tear_factor_ = chosen;
+    tear_factor_->setValue(of_lesson.value_or(chosen));
 }
 
 void ToolPanel::allow_settings(bool allowed) {

@@ -44,6 +44,8 @@ class ToolPanel : public QWidget {
     // A simulation begins. In free play vessels touch and tear as the user chose; a lesson sets
     // that itself.
     void begin_play(bool free);
+    // Shows the tear factor of a lesson's scene until free play begins; none: as the user chose.
+    void show_tear_factor(std::optional<double> of_lesson);
     // Whether contact and tearing may be changed.
     void allow_settings(bool allowed);
     // The kind is empty if there is no tool. `line_help`: how lines are drawn, while the mouse
@@ -77,6 +79,7 @@ class ToolPanel : public QWidget {
     bool free_play_ = true;
     bool allowed_ = true;
     bool wanted_tear_ = false;                   // in free play
+    std::optional<double> wanted_tear_factor_;   // likewise, while a lesson's is shown
     std::optional<UseContact> wanted_contact_;   // likewise
     std::optional<UseContact> asked_;            // no frame shows it yet
     std::uint64_t asked_at_ = 0, shown_at_ = 0;  // steps of shown frames

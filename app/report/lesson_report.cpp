@@ -136,7 +136,9 @@ Json table_of_bounds(const std::vector<BoundStanding>& bounds,
                      const std::vector<std::string>& marks, FlowUnits units, bool judged) {
     Json rows = Json::array();
     for (const BoundStanding& bound : bounds) {
-        const QString was = value_words(bound, units);
+        // Its quantity may have been measured all along, see the table of measures.
+        const bool open = !judged && std::isnan(bound.value);
+        const QString was = open ? QString::fromUtf8("–") : value_words(bound, units);
         const QString kept = !judged ? Words::tr("not judged: the lesson did not reach its end")
                              : bound.kept ? Words::tr("yes")
                                           : Words::tr("no");

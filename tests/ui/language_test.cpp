@@ -275,6 +275,17 @@ TEST_F(LanguageChoice, IsKeptAndHoldsFromTheNextWindowOn) {
     use_language("en");
 }
 
+TEST_F(LanguageChoice, AsksForNoRestartForTheLanguageThatIsSpoken) {
+    const auto said = [this] { return window_.messages().text().contains("next start"); };
+    window_.findChild<QAction*>("language_en")->trigger();
+    EXPECT_EQ(settings_.language(), "en") << "whatever the system speaks later";
+    EXPECT_FALSE(said());
+    window_.findChild<QAction*>("language_de")->trigger();
+    EXPECT_TRUE(said());
+    window_.findChild<QAction*>("language_en")->trigger();
+    EXPECT_FALSE(said());
+}
+
 TEST_F(LanguageChoice, CanMakeTheWindowAnewWithItsPatient) {
     open_built_in();
     std::optional<OpenRequest> shown;

@@ -87,6 +87,8 @@ TEST_F(LessonToolsTest, it_begins_with_nothing_of_the_play_before) {
     window_.findChild<QCheckBox*>("vesselsTear")->click();
     ASSERT_TRUE(wait_for([&] { return window_.frame().tear.has_value(); }));
     wait_for_figures();
+    auto* factor = window_.findChild<QDoubleSpinBox*>("tearFactor");
+    factor->setValue(0.3);
     action(ActionId::sphere_tool).trigger();
     Lesson lesson = new_lesson();
     lesson.scene.tear.emplace();
@@ -97,10 +99,12 @@ TEST_F(LessonToolsTest, it_begins_with_nothing_of_the_play_before) {
         EXPECT_TRUE(standing().reasons.empty()) << standing().reasons.front();
         wait_for_figures();
         EXPECT_TRUE(window_.findChild<QCheckBox*>("vesselsTear")->isChecked());
+        EXPECT_EQ(factor->value(), 1.0) << "as its scene says";
     }
     // In free play vessels tear where the user wants it.
     window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
     EXPECT_TRUE(wait_for([&] { return window_.frame().tear.has_value(); }));
+    EXPECT_EQ(factor->value(), 0.3);
 }
 
 TEST_F(LessonToolsTest, a_scene_in_which_nothing_moves_is_told_of_no_tool) {

@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
 #include <QSlider>
 #include <QWheelEvent>
@@ -14,6 +15,7 @@
 
 #include "tests/ui/fake_window_test.h"
 #include "ui/curves_dock.h"
+#include "ui/edit_panel.h"
 #include "ui/elided_label.h"
 #include "ui/message_bar.h"
 #include "ui/plot_panel.h"
@@ -253,6 +255,22 @@ TEST(ProgressStripTest, cuts_no_words_before_its_bar_is_short) {
     QCoreApplication::processEvents();
     for (const auto* label : strip->findChildren<ElidedLabel*>())
         EXPECT_EQ(label->shown(), label->text()) << pictures.width();
+}
+
+// "None yet" would say that there is no gap at all.
+TEST(EditPanelTest, says_how_many_gaps_the_slider_hides) {
+    EditPanel panel;
+    const auto listed = [&panel] {
+        for (const auto* list : panel.findChildren<QListWidget*>())
+            if (list->accessibleName() == "Gaps that might be bridged")
+                return list->item(0)->text().toStdString();
+        return std::string();
+    };
+    EXPECT_EQ(listed(), "none yet");
+    panel.show_bridges({}, 3);
+    EXPECT_EQ(listed(), "none; with less confidence: 3");
+    panel.show_bridges({"63 %, 4.1 mm"}, 3);
+    EXPECT_EQ(listed(), "63 %, 4.1 mm");
 }
 
 }  // namespace

@@ -71,7 +71,8 @@ FakeWard::FakeWard() {
     screen.remake_painted = [this] { remake_painted(); };
     keeper_ = std::make_unique<PatientKeeper>(
         ways(), std::move(answers), std::move(screen),
-        JobQueue::Watcher{[](const std::string&) {}, [](const JobProgress&) {}, [] {}});
+        JobQueue::Watcher{[this](const std::string& title) { titles.push_back(title); },
+                          [](const JobProgress&) {}, [] {}});
 }
 
 bool FakeWard::finish() {

@@ -69,6 +69,7 @@ class FakeWard {
     int places_asked = 0;
     std::filesystem::path proposed;  // for a case, when it was asked last
     int series_asked = 0;
+    std::vector<std::string> titles;  // of jobs that were begun
     std::vector<std::string> failures;
     std::vector<std::string> said;
     std::vector<std::string> shown;  // titles of patients, one each time; "+" for a corrected one

@@ -343,6 +343,7 @@ TEST_F(Keeper, asks_once_which_of_several_series_is_meant_and_reads_that_one) {
     ASSERT_TRUE(ward.finish());
     EXPECT_EQ(ward.series_asked, 1);
     EXPECT_EQ(ward.shown.back(), "ct of two, series 2");
+    EXPECT_EQ(ward.titles.back(), "Opening ct of two 2") << "which of them is read";
     EXPECT_EQ(ward.workspace().series(), 2);
     ward.answer = UnsavedAnswer::discard;
     ward.open("ct");
