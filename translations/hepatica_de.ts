@@ -9180,5 +9180,13 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>none; with less confidence: %1</source>
         <translation>keine; mit weniger Sicherheit: %1</translation>
     </message>
+    <message>
+        <source>Open the report</source>
+        <translation>Bericht öffnen</translation>
+    </message>
+    <message>
+        <source>Dull pink: what an earlier injection had reached.</source>
+        <translation>Mattrosa: was eine frühere Injektion erreicht hatte.</translation>
+    </message>
 </context>
 </TS>

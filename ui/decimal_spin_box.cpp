@@ -26,7 +26,11 @@ void DecimalSpinBox::keyPressEvent(QKeyEvent* event) {
     const bool ends = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     const bool beside_view = qobject_cast<QMainWindow*>(window()) != nullptr ||
                              qobject_cast<QDockWidget*>(window()) != nullptr;  // a floating panel
-    if (ends && beside_view) clearFocus();
+    if (!ends || !beside_view) return;
+    clearFocus();  // where no view takes it
+    for (QWidget* at = parentWidget(); at != nullptr; at = at->parentWidget())
+        if (const auto* main = qobject_cast<QMainWindow*>(at))
+            if (auto* view = main->findChild<QWidget*>("view")) view->setFocus();
 }
 
 QString DecimalSpinBox::with_sign(QString text) const {

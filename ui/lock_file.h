@@ -32,8 +32,13 @@ inline std::unique_ptr<QLockFile> lock_file(const std::filesystem::path& file) {
     qint64 owner = 0;
     QString computer, program;
     if (lock->getLockInfo(&owner, &computer, &program) && computer == QSysInfo::machineHostName() &&
-        is_zombie(owner))
-        QFile::remove(to_text(file));  // QLockFile takes it for a running program
+        is_zombie(owner)) {
+        // QLockFile takes it for a running program's. Another program may be taking it just now.
+        QLockFile removing(to_text(file) + ".dead");
+        qint64 now = 0;
+        if (removing.tryLock(0) && lock->getLockInfo(&now, &computer, &program) && now == owner)
+            QFile::remove(to_text(file));
+    }
     return lock;
 }
 

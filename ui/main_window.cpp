@@ -190,6 +190,7 @@ void MainWindow::build_view() {
              if (patient_) lead_crosshair_to(frame().origin_of(pick.nearest_vertex));
          }},
         centre);
+    view_->setObjectName("view");
     give_focus_back_to(*view_);
     status_->on_warnings = [this] { tell_warnings(); };
     view_->on_picture([this](const PictureTime& time) { picture_shown(time); });

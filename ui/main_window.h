@@ -323,6 +323,7 @@ class MainWindow : public QMainWindow {
     std::uint64_t warnings_origin_ = 0;  // of the workspace, whose warnings they are
     QString report_program_;
     std::filesystem::path report_to_offer_;  // written while a patient was opened
+    bool report_waited_ = false;             // the next one that is offered did
     QString cuts_message_;                   // tells that cuts stay
     QString unfit_message_;                  // names lessons that no longer fit
     QString place_message_;                  // asks for a place of a lesson

@@ -96,7 +96,7 @@ void MainWindow::show_jobs() {
     } else {
         progress_->finish();
     }
-    // It waited for a patient, whose warnings would have taken its place.
+    // It waited for a patient.
     if (!report_to_offer_.empty() && !keeper_->jobs().holds(JobKind::open))
         offer_report(std::exchange(report_to_offer_, {}));
 }

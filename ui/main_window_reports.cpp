@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QStatusBar>
 #include <QUrl>
+#include <utility>
 
 #include "core/lesson/lesson_file.h"
 #include "ui/core_words.h"
@@ -61,12 +62,22 @@ void MainWindow::write_report_into(const std::filesystem::path& chosen,
 void MainWindow::offer_report(const std::filesystem::path& folder) {
     if (keeper_->jobs().holds(JobKind::open)) {
         report_to_offer_ = folder;  // show_jobs() offers it
+        report_waited_ = true;
         return;
     }
-    messages_->show_notice(
-        Words::tr("The report is in %1").arg(to_text(folder)), Words::tr("Open"), [folder] {
-            QDesktopServices::openUrl(QUrl::fromLocalFile(to_text(folder / "report.html")));
-        });
+    const auto show = [folder] {
+        QDesktopServices::openUrl(QUrl::fromLocalFile(to_text(folder / "report.html")));
+    };
+    const QString text = Words::tr("The report is in %1").arg(to_text(folder));
+    // Neither the warnings of a patient nor the failure of an opening give way to it.
+    if (std::exchange(report_waited_, false) && !messages_->text().isEmpty()) {
+        const bool warnings_stand = messages_->text() == warnings_text_;
+        if (warnings_stand) messages_->put_before(text);
+        messages_->offer_also(Words::tr("Open the report"), show);
+        if (warnings_stand) warnings_text_ = messages_->text();
+        return;
+    }
+    messages_->show_notice(text, Words::tr("Open"), show);
 }
 
 }  // namespace hepatica

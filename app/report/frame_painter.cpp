@@ -61,12 +61,12 @@ Colour colour_of(const Frame& frame, const FramePainting& how, int vertex) {
             return palette::drug(std::sqrt(arrival_s / std::max(drug.end_s, 1e-9)));
     }
     const auto shown = static_cast<std::size_t>(vertex);
-    if (drug.had_reached(shown)) return palette::reached_before();
     const bool open = frame.tear && frame.tear->rims && shown < frame.tear->rims->size();
     if (open && (*frame.tear->rims)[shown] != 0) return palette::torn;
     const auto origin = static_cast<std::size_t>(frame.origin_of(vertex));
-    const Colour own = palette::vessel_system(
+    const Colour of_system = palette::vessel_system(
         origin < how.systems.size() ? how.systems[origin] : VascularSystem::unknown);
+    const Colour own = drug.had_reached(shown) ? palette::reached_before() : of_system;
     const bool loaded = frame.tear && frame.tear->loads;
     return loaded ? palette::warning(own, value_at(*frame.tear->loads, frame, vertex, 0.0F)) : own;
 }

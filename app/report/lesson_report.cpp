@@ -300,7 +300,8 @@ QString legend_of_pictures(const Parts& parts) {
     QStringList sentences{Words::tr("From the front, without perspective.")};
     if (!parts.lesson.marks.empty()) sentences << Words::tr("Circles: the lesson's marks.");
     if (is_of_drug(parts))
-        sentences << Words::tr("Brown to yellow: what the drug has reached, the earliest darkest.");
+        sentences << Words::tr("Brown to yellow: what the drug has reached, the earliest darkest.")
+                  << Words::tr("Dull pink: what an earlier injection had reached.");
     return sentences.join(" ");
 }
 

@@ -183,8 +183,9 @@ class MadeFolder {
         const auto missing = [&](const fs::path& path) {
             return fs::symlink_status(path, error).type() == fs::file_type::not_found;
         };
-        for (fs::path at = without_trailing_slash(fs::absolute(folder)); missing(at);
-             at = at.parent_path())
+        const fs::path whole = fs::absolute(folder, error);
+        if (error) throw_unwritable(folder, error);
+        for (fs::path at = without_trailing_slash(whole); missing(at); at = at.parent_path())
             made_.push_back(at);
         error.clear();
         fs::create_directories(folder, error);

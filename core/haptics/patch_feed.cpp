@@ -114,7 +114,11 @@ void PatchFeed::fill(const DeformPart& part, double dt_s, LocalModel& model) {
     model.contacts.clear();
     model.compliance.resize(0, 0);
     model.tool = part.tool().has_value();
-    if (!model.tool) return;
+    if (!model.tool) {
+        split_version_ =
+            ~std::uint64_t{0};  // the body may be torn anew before there is a tool again
+        return;
+    }
     follow(part);
     model.tool_number = part.tools_added();
     const Tool& tool = *part.tool();

@@ -32,11 +32,16 @@ std::vector<CourseLine> standing_of(const Course& course, const std::filesystem:
     std::vector<CourseLine> lines;
     for (const CourseEntry& entry : course.lessons) {
         CourseLine line{lesson_named_by(entry.lesson, folder), "", entry.pass, 0, false};
-        line.title = find_lesson(line.lesson).name;
+        const Lesson lesson = find_lesson(line.lesson);
+        line.title = lesson.name;
+        // Who passed the lesson has met the marks that it has itself.
+        std::erase_if(line.pass, [&](const Predicate& mark) {
+            return std::ranges::find(lesson.pass, mark) != lesson.pass.end();
+        });
         for (const Attempt& attempt : attempts) {
             if (attempt.lesson != line.title) continue;
             ++line.attempts;
-            line.passed = line.passed || passes(attempt, entry.pass);
+            line.passed = line.passed || passes(attempt, line.pass);
         }
         lines.push_back(std::move(line));
     }

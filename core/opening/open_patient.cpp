@@ -209,6 +209,8 @@ OpenedPatient open_patient(const OpenRequest& request, Job& job) {
     const fs::path& path = request.reconstruct.ct;
     OpenedPatient opened;
     if (!request.built_in) require_there(path);
+    // First, so that nothing that was reconstructed is lost where it cannot be made.
+    const std::string title = title_of(request, job);
     if (request.built_in) {
         opened = built_in_patient(request.cache, job);
     } else if (request.unsaved_copy) {
@@ -232,7 +234,7 @@ OpenedPatient open_patient(const OpenRequest& request, Job& job) {
     if (request.left_edits) require_same(*opened.patient, *request.left_edits);
     if (request.left_edits) opened.kept_copy = request.left_edits->file;
     if (!request.lost.empty()) opened.warnings.insert(opened.warnings.begin(), request.lost);
-    opened.title = title_of(request, job);
+    opened.title = title;
     return opened;
 }
 

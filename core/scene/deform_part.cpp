@@ -302,6 +302,7 @@ void DeformPart::restore(const DeformCheckpoint& checkpoint,
     stepper_->restore(checkpoint.stepper);
     follow_tear();
     hold_ = checkpoint.hold;
+    ++tools_added_;  // the tool may be another one, at another place
 }
 
 std::uint64_t DeformPart::state_hash() const {

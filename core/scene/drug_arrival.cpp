@@ -74,7 +74,14 @@ double at_stumps_s(const VesselTree& tree, const ArrivalTimes& times, const Tree
     const int parent = tree.segments[tear.segment].parent;
     TreePoint before{tear.segment, tear.arclength_mm * (1.0 - 1e-9), 0.0};
     if (tear.arclength_mm <= 0.0 && parent >= 0) before = {parent, far_mm, 0.0};
-    return std::min(times.arrival_s(before), times.arrival_s(tear));
+    double first_s = std::min(times.arrival_s(before), times.arrival_s(tear));
+    // At the end of a trunk all its branches have come off: the other side is theirs.
+    if (tear.arclength_mm >= length_mm(tree.segments[tear.segment]))
+        for (std::size_t s = 0; s < tree.segments.size(); ++s)
+            if (tree.segments[s].parent == tear.segment)
+                first_s =
+                    std::min(first_s, times.arrival_s(TreePoint{static_cast<int>(s), 0.0, 0.0}));
+    return first_s;
 }
 
 }  // namespace

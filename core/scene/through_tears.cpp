@@ -204,21 +204,22 @@ std::vector<ThroughTear> through_tears(const VesselTree& tree, const Tearing& te
         const std::vector<int>& last = along[s].rbegin()->second;
         const int of_whole = pieces.most_whole(last);
         const int before = pieces.most_now(last, of_whole);
-        std::map<int, int> now;  // the piece of each branch
+        std::map<int, int> piece_of;  // the piece of each branch
         for (const int b : branches[s]) {
             const Sections& branch = along[static_cast<std::size_t>(b)];
             if (branch.empty()) continue;
             const int first = pieces.most_now(branch.begin()->second, of_whole);
-            if (first >= 0) now[b] = first;
+            if (first >= 0) piece_of[b] = first;
         }
         // Parted from the parent together, they go on feeding each other.
-        const bool one_piece = std::ranges::all_of(
-            now, [&](const auto& branch) { return branch.second == now.begin()->second; });
-        if (now.size() > 1 && one_piece && now.begin()->second != before) {
+        const bool one_piece = std::ranges::all_of(piece_of, [&](const auto& branch) {
+            return branch.second == piece_of.begin()->second;
+        });
+        if (piece_of.size() > 1 && one_piece && piece_of.begin()->second != before) {
             add(s, length_mm(tree.segments[s]));
             return;
         }
-        for (const auto& [b, piece] : now)
+        for (const auto& [b, piece] : piece_of)
             if (piece != before)
                 add(static_cast<std::size_t>(b),
                     along[static_cast<std::size_t>(b)].begin()->first * stretch_mm);

@@ -23,7 +23,7 @@ std::string text_of(const fs::path& file) {
 
 [[noreturn]] void become_program(const std::vector<std::string>& arguments, const fs::path& output,
                                  const fs::path& errors, const RunLimits& limits) {
-    setpgid(0, 0);
+    if (!limits.interrupt_at.empty()) setpgid(0, 0);
     if (std::freopen(output.c_str(), "w", stdout) == nullptr ||
         std::freopen(errors.c_str(), "w", stderr) == nullptr)
         _exit(127);

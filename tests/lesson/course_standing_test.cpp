@@ -47,6 +47,16 @@ TEST(CourseStanding, AMarkOfAMomentIsMetByWhatPassedItThen) {
     EXPECT_FALSE(passes(attempt, {gentle})) << "the lesson's own marks alone were met";
 }
 
+TEST(CourseStanding, AMarkThatTheLessonHasItselfIsMetByWhoPassedIt) {
+    const Lesson pull = find_lesson("gentle_pull");
+    ASSERT_FALSE(pull.pass.empty());
+    const Predicate gentle = no_more_than(Quantity::force_mn, 5.0);
+    std::vector<Predicate> marks = pull.pass;
+    marks.push_back(gentle);
+    const Course course{"c", {{"gentle_pull", marks}}};
+    EXPECT_EQ(standing_of(course, "", {}).at(0).pass, std::vector<Predicate>{gentle});
+}
+
 TEST(CourseStanding, CountsEachLessonsAttemptsAndOneThatPassedIsEnough) {
     Course course{"c", {{"gentle_pull", {no_more_than(Quantity::time_s, 10.0)}}, {"cut_line", {}}}};
     const std::string pull = find_lesson("gentle_pull").name;

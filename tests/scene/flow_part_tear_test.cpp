@@ -139,6 +139,19 @@ TEST(FlowPart, ADrugGoesToTheBranchesThatAreNotTorn) {
     }
 }
 
+// All branches came off the trunk together: what is injected into one of them leaks at their side.
+TEST(FlowPart, ADrugBehindATrunkThatIsTornOffComesToTheStump) {
+    const VesselTree& tree = test::small_patient()->tree;
+    const std::vector<int> kids = children(tree)[0];
+    ASSERT_EQ(kids.size(), 2u);
+    const ThroughTear tear{{0, length_mm(tree.segments[0]), 0.0}, 3.0};
+    Shown made(tree);
+    made.part.inject(
+        {.at = {kids[0], 0.5 * length_mm(tree.segments[kids[0]]), 0.0}, .tears = {tear}});
+    made.part.finish_injection();
+    EXPECT_TRUE(std::isfinite(made.part.arrival_at_stump_s(tear, -1)));
+}
+
 std::vector<std::uint8_t> reached_by(const DrugView& drug) {
     std::vector<std::uint8_t> reached;
     for (const float arrival_s : *drug.arrival_s) reached.push_back(arrival_s <= drug.time_s);

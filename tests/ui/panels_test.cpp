@@ -201,7 +201,6 @@ TEST(PlotTitles, AreWholeOrEndInAnEllipsisAndNeverOverlap) {
     }
 }
 
-// In German, at the least width that a whole window has for it.
 TEST(ProgressStripTest, names_the_other_jobs) {
     QWidget pictures;
     ProgressStrip strip([] {}, &pictures);
@@ -215,6 +214,7 @@ TEST(ProgressStripTest, names_the_other_jobs) {
     EXPECT_TRUE(says("at the same time: Writing the report"));
 }
 
+// In German, at the least width that a whole window has for it.
 TEST(ProgressStripTest, cuts_no_words_where_there_is_room_for_them) {
     QWidget pictures;
     pictures.resize(860, 400);

@@ -67,8 +67,6 @@ TEST(QualityPanel, SaysWhatWasSimplified) {
     EXPECT_TRUE(p.shows("Each step is solved directly; the last step was simplified"));
 }
 
-// Errors of two bodies are no one scale: the figure of a synthetic patient says nothing of this
-// one.
 // Now and then one is, while a vessel is torn; all below the sentence jumped and was squashed.
 TEST(QualityPanel, StaysInItsPlaceWhileStepsAreSimplified) {
     Panel p;
@@ -101,6 +99,8 @@ TEST(QualityPanel, StaysInItsPlaceWhileStepsAreSimplified) {
     scroll.takeWidget();
 }
 
+// Errors of two bodies are no one scale: the figure of a synthetic patient says nothing of this
+// one.
 TEST(QualityPanel, ShowsNoErrorThatWasMeasuredOnAnotherBody) {
     Panel p;
     FrameStatistics statistics;
