@@ -196,6 +196,7 @@ void PatientWizard::look_for_series() {
 void PatientWizard::offer(const std::vector<SeriesDescription>& series) {
     series_->clear();
     series_->setEnabled(true);
+    series_->setPlaceholderText({});  // with one, no series would be chosen
     for (const SeriesDescription& one : series) {
         QString text = Words::tr("%1: %2, %3 images")
                            .arg(QString::number(series_->count() + 1), name_in_list(one),

@@ -62,7 +62,8 @@ constexpr std::array elsewhere{
 const std::array no_sentences{
     std::regex("^(unsigned|signed|short|long) "),
     std::regex("NRRD0004|Segmentation_|Synthetic"),
-    std::regex("^(space|byte|data) (origin|directions|skip|file)$"),
+    std::regex("^(space|byte|line|data) (origin|directions|skip|file)$"),
+    std::regex("^--seed-mm X,Y,Z,(portal|hepatic)$"),  // window_words.cpp names its field
     std::regex("^\\\\nspace|^\\\\nkinds"),
     std::regex("^# |^\\\\n#"),
     std::regex("^%|as they lie$"),
