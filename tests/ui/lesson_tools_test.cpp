@@ -285,6 +285,7 @@ TEST_F(LessonToolsTest, the_target_of_a_drug_is_seen_after_the_verdict) {
     window_.view().scene().set_highlight({});
     EXPECT_GT(lit_by_pointing(), 0);
     EXPECT_EQ(window_.view().scene().target(), target);
+    window_.view().scene().set_highlight({});  // else the pointer lights all of it
     EXPECT_TRUE(window_.view().scene().legend().target);
     window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
     lit_by_pointing();
