@@ -24,16 +24,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
+Phantom phantom_of_two_systems(Job& job) {
+    PhantomOptions options;
+    options.dims = {88, 88, 64};
+    options.spacing_mm = Vec3(2.0, 2.0, 2.0);
+    options.generations = 3;
+    options.systems = 2;
+    return make_phantom(options, job);
+}
+
 class RemadeCaseTest : public testing::Test {
   protected:
     static void SetUpTestSuite() {
-        PhantomOptions options;
-        options.dims = {88, 88, 64};
-        options.spacing_mm = Vec3(2.0, 2.0, 2.0);
-        options.generations = 3;
-        options.systems = 2;
         Job job;
-        const Phantom phantom = make_phantom(options, job);
+        const Phantom phantom = phantom_of_two_systems(job);
         const fs::path folder = fs::path(testing::TempDir()) / "remade case";
         fs::create_directories(folder);
         write_nifti(folder / "ct.nii.gz", phantom.ct);
@@ -92,13 +96,8 @@ TEST_F(RemadeCaseTest, OfItsOwnVoxelsIsTheSameToTheBit) {
 
 // Systems are found in a mask of one number and kept in one of several: when it is remade as well.
 TEST(FromVoxelsOptions, OfAGivenMaskFindSystemsWhereTheReconstructionDid) {
-    PhantomOptions options;
-    options.dims = {88, 88, 64};
-    options.spacing_mm = Vec3(2.0, 2.0, 2.0);
-    options.generations = 3;
-    options.systems = 2;
     Job job;
-    const Phantom phantom = make_phantom(options, job);
+    const Phantom phantom = phantom_of_two_systems(job);
     const fs::path folder = fs::path(testing::TempDir()) / "remade of a given mask";
     fs::create_directories(folder);
     ReconstructOptions reconstruction;

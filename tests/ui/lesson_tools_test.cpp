@@ -25,6 +25,17 @@ namespace {
 
 using testing::wait_for;
 
+// Nothing moves, only a drug; judged after 0.2 s.
+Lesson soon_lost_without_motion() {
+    Lesson lesson = new_lesson();
+    lesson.scene.deform.reset();
+    lesson.scene.flow.emplace();
+    lesson.tools = {LessonTool::inject};
+    lesson.limits = {{Quantity::time_s, -1, false, 0.2}};
+    lesson.steps[0].goal = {{Quantity::time_s, -1, true, 1000.0}};
+    return lesson;
+}
+
 class LessonToolsTest : public testing::LessonWindowTest {
   protected:
     void begin(const Lesson& lesson) {
@@ -249,12 +260,7 @@ TEST_F(LessonToolsTest, the_target_of_a_drug_is_seen_while_it_is_played) {
 
 // The drag that turned the view before the verdict would ask of the scene what it has not.
 TEST_F(LessonToolsTest, what_does_not_move_is_not_pulled_after_the_verdict_either) {
-    Lesson lesson = new_lesson();
-    lesson.scene.deform.reset();
-    lesson.scene.flow.emplace();
-    lesson.tools = {LessonTool::inject};
-    lesson.limits = {{Quantity::time_s, -1, false, 0.2}};
-    lesson.steps[0].goal = {{Quantity::time_s, -1, true, 1000.0}};
+    Lesson lesson = soon_lost_without_motion();
     begin(lesson);
     ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
     wait_for_figures();
@@ -269,12 +275,7 @@ TEST_F(LessonToolsTest, what_does_not_move_is_not_pulled_after_the_verdict_eithe
 
 // Just then one looks for what the drug has missed.
 TEST_F(LessonToolsTest, the_target_of_a_drug_is_seen_after_the_verdict) {
-    Lesson lesson = new_lesson();
-    lesson.scene.deform.reset();
-    lesson.scene.flow.emplace();
-    lesson.tools = {LessonTool::inject};
-    lesson.limits = {{Quantity::time_s, -1, false, 0.2}};
-    lesson.steps[0].goal = {{Quantity::time_s, -1, true, 1000.0}};
+    Lesson lesson = soon_lost_without_motion();
     lesson.target.emplace();
     lesson.target->share_of_longest_path = 0.5;
     begin(lesson);
@@ -320,12 +321,7 @@ TEST_F(LessonToolsTest, where_nothing_may_be_pulled_a_drag_turns_the_view) {
 
 // The review shows the lesson's own body; free play after it another one.
 TEST_F(LessonToolsTest, its_mark_is_on_no_other_bodys_vessels) {
-    Lesson lesson = new_lesson();
-    lesson.scene.deform.reset();
-    lesson.scene.flow.emplace();
-    lesson.tools = {LessonTool::inject};
-    lesson.limits = {{Quantity::time_s, -1, false, 0.2}};
-    lesson.steps[0].goal = {{Quantity::time_s, -1, true, 1000.0}};
+    Lesson lesson = soon_lost_without_motion();
     begin(lesson);
     EXPECT_EQ(window_.view().scene().marks().size(), 1u);
     ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
