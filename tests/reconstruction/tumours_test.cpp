@@ -48,6 +48,7 @@ TEST(Tumours, AreNumberedByTheirSizeAndMarkedOnAnyGrid) {
     // Voxels whose middles lie in the tumour's, which fills 9.5 to 13.5 mm, and 3.5 to 11.5 mm.
     EXPECT_EQ(std::ranges::count(organs.voxels, 10), 8 * 8 * 15);
     EXPECT_EQ(std::ranges::count(organs.voxels, 11), 0);
+    EXPECT_EQ(organs.at(0, 0, 0), 1);
     Grid other = grid;
     other.spacing_mm = Vec3::Constant(2.0);
     EXPECT_THROW(read_tumours({folder / "first.nii.gz"}, other, warnings, job), InputError);
