@@ -32,7 +32,7 @@ void require_there(const fs::path& path) {
 PatientCase patient_of(VesselTree tree, Job& job) {
     PatientCase patient;
     job.begin_stage("Making the mesh");
-    patient.mesh = tetrahedralize(tree, MeshOptions{}, job);
+    patient.mesh = in_part(job, 0.0, 1.0, [&] { return tetrahedralize(tree, MeshOptions{}, job); });
     patient.surface = surface_of(patient.mesh).mesh;
     patient.tree = std::move(tree);
     return patient;

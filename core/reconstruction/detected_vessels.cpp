@@ -57,13 +57,16 @@ MeasuredLiver measure_liver(const Volume& ct, const SegmentationOptions& options
     }
     job.begin_stage("Resampling the liver");
     const double spacing = options.spacing_mm > 0.0 ? options.spacing_mm : default_spacing_mm;
-    result.frame =
-        make_liver_frame(ct, options.liver ? *options.liver : found.vessel_region, spacing, job);
+    result.frame = in_part(job, 0.0, 0.9, [&] {
+        return make_liver_frame(ct, options.liver ? *options.liver : found.vessel_region, spacing,
+                                job);
+    });
     const LiverFrame& frame = result.frame;
     result.liver_was_given = options.liver.has_value();
-    result.liver = options.liver
-                       ? frame.liver
-                       : resample(found.liver, frame.liver.grid, Interpolation::linear, job);
+    result.liver = in_part(job, 0.9, 1.0, [&] {
+        return options.liver ? frame.liver
+                             : resample(found.liver, frame.liver.grid, Interpolation::linear, job);
+    });
 
     job.begin_stage("Measuring the contrast");
     result.tissue = measure_tissue(frame.intensity, frame.liver, job);

@@ -81,7 +81,8 @@ Anatomy given_anatomy(const ReconstructOptions& options, const Grid& ct_grid,
     const Mask mask =
         read_given_vessels(*options.vessel_mask, options.vessel_labels, ct_grid, warnings, job);
     job.begin_stage("Smoothing the vessels");
-    anatomy.vessels = refine(mask, options.refinement_recursions, job);
+    anatomy.vessels =
+        in_part(job, 0.0, 0.5, [&] { return refine(mask, options.refinement_recursions, job); });
     return anatomy;
 }
 

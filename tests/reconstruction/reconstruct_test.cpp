@@ -14,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/image/volume_writer.h"
 #include "core/phantom/phantom.h"
+#include "tests/support/falls_of_progress.h"
 
 namespace hepatica {
 namespace {
@@ -94,6 +95,18 @@ TEST_F(SmallPatient, EveryStageLooksAtItsJobManyTimes) {
         many += looks.count >= 100 ? 1 : 0;
     }
     EXPECT_GE(many, 5);  // those that take long on a real patient
+}
+
+// Filters, fronts and searches report each from 0 to 1: of a stage they are parts.
+TEST_F(SmallPatient, TheProgressOfNoStageFallsBack) {
+    ReconstructOptions smoothed = options();
+    smoothed.refinement_recursions = 2;
+    Job job;
+    const test::FallsOfProgress falls(job);
+    reconstruct(smoothed, job);
+    std::string named;
+    for (const std::string& stage : falls.stages()) named += stage + "; ";
+    EXPECT_EQ(named, "");
 }
 
 bool says(const Reconstruction& made, const std::string& words) {

@@ -11,6 +11,7 @@
 #include "core/image/morphology.h"
 #include "core/segmentation/gaussian_refinement.h"
 #include "tests/reconstruction/noisy_patient.h"
+#include "tests/support/falls_of_progress.h"
 
 namespace hepatica {
 namespace {
@@ -158,6 +159,16 @@ TEST_F(Preview, RefusesWhatNoThresholdCanBe) {
     for (const double share : {0.74, 1.36, -1.0, std::numeric_limits<double>::quiet_NaN()})
         EXPECT_THROW(vessels({share, 0}), InputError) << share;
     for (const int recursions : {-1, 11}) EXPECT_THROW(vessels({1.0, recursions}), InputError);
+}
+
+TEST_F(Preview, ItsProgressNeverFallsBack) {
+    for (const double share : {0.8, 1.2}) {
+        Job job;
+        const test::FallsOfProgress falls(job);
+        preview_->vessels(present(), {share, 2}, gained, job);
+        EXPECT_TRUE(falls.stages().empty()) << share;
+        EXPECT_GT(falls.reports(), 10) << share;
+    }
 }
 
 TEST_F(Preview, HearsACancel) {
