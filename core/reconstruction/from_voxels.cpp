@@ -14,6 +14,7 @@
 #include "core/mesh/surface.h"
 #include "core/patient/liver_segments.h"
 #include "core/reconstruction/mask_of_tree.h"
+#include "core/reconstruction/plausible_skeleton.h"
 #include "core/skeleton/topology.h"
 #include "core/skeleton/unit_width_skeleton.h"
 #include "core/tree/tree_extraction.h"
@@ -103,6 +104,7 @@ VoxelChecks make_tree(const FromVoxelsOptions& options, const Volume& ct, Patien
     job.advance(1.0);
     job.begin_stage("Thinning to the skeleton");
     const Mask skeleton = thin(patient.mask, options.thinning, job);
+    if (options.find_systems) require_plausible_skeleton(skeleton, job);
     job.begin_stage("Making the skeleton one voxel wide");
     patient.skeleton = unit_width(skeleton, job);
     checks.skeleton = counts_of(patient.skeleton);
