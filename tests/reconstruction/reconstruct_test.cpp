@@ -151,6 +151,24 @@ TEST(Reconstruct, OpensALoopWithinOneSystemAndSaysSo) {
     fs::remove_all(folder);
 }
 
+// Whoever gives a wrong file need not wait until the vessels are found.
+TEST_F(SmallPatient, AMaskOfTumoursThatDoesNotFitIsRefusedBeforeTheLongWork) {
+    Mask other{Grid{{20, 20, 20}}};
+    other.voxels[0] = 1;
+    other.grid.origin_mm = Vec3(5000, 0, 0);
+    write_nifti(folder() / "other.nii.gz", other);
+    ReconstructOptions wrong = options();
+    wrong.tumour_masks = {folder() / "other.nii.gz"};
+    Job job;
+    try {
+        reconstruct(wrong, job);
+        FAIL() << "it lies five metres away";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.place(), (folder() / "other.nii.gz").string());
+    }
+    EXPECT_EQ(job.progress().stage_number, 2) << job.progress().stage;
+}
+
 // A seed beside every vessel says nothing; it must not name the vessel that happens to be nearest.
 TEST(Reconstruct, ASeedInNoVesselIsRefusedByItsPlace) {
     const fs::path folder = fs::path(testing::TempDir()) / "hepatica seed";
