@@ -124,9 +124,11 @@ Mask VesselPreview::vessels(const Mask& present, const ThresholdChoice& choice, 
         for_each_voxel(vessels.voxels.size(), job, [&](std::size_t i) {
             if (vessels.voxels[i] != 0 && goes(i)) vessels.voxels[i] = 0;
         });
+        // Crumbs are what is left of a piece; what was as small before was meant to be.
         const Mask whole = hysteresis(vessels, vessels, least_piece_mm3, job);
+        const Mask lessened = hysteresis(without(present, vessels, job), present, 0.0, job);
         for_each_voxel(vessels.voxels.size(), job, [&](std::size_t i) {
-            if (!whole.voxels[i]) vessels.voxels[i] = 0;
+            if (!whole.voxels[i] && lessened.voxels[i]) vessels.voxels[i] = 0;
         });
     }
     return choice.refinement_recursions > 0 ? refine(vessels, choice.refinement_recursions, job)

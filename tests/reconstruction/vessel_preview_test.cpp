@@ -134,6 +134,21 @@ TEST_F(Preview, WhatComesInAreVessels) {
         << right << " of " << all << ", by chance " << chance;
 }
 
+// A dab of the brush that is smaller than any crumb, where no vessel was ever found.
+TEST_F(Preview, KeepsADabThatItDoesNotDrop) {
+    Job job;
+    const Mask about = dilate(preview_->vessels(present(), {0.75, 0}, gained, job), 8.0, job);
+    Mask dabbed = present();
+    std::size_t dab = dabbed.voxels.size();
+    for (std::size_t i = 0; i < about.voxels.size() && dab == dabbed.voxels.size(); ++i)
+        if (!about.voxels[i]) dab = i;
+    ASSERT_LT(dab, dabbed.voxels.size());
+    dabbed.voxels[dab] = 3;
+    Mask expected = vessels({1.2, 0});
+    expected.voxels[dab] = 3;
+    EXPECT_EQ(vessels({1.2, 0}, dabbed).voxels, expected.voxels);
+}
+
 TEST_F(Preview, SmoothsAsTheReconstructionDoes) {
     Job job;
     EXPECT_EQ(vessels({1.0, 2}).voxels, refine(present(), 2, job).voxels);
