@@ -5146,6 +5146,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Geben Sie einen Ort in einem Gefäß im Patientenraum an (LPS, mm); andere Programme zeigen vielleicht RAS: Drehen Sie dort das Vorzeichen von X und Y um</translation>
     </message>
     <message>
+        <source>the window from %1 to %2 HU takes in the liver&apos;s own tissue, which has %3 HU</source>
+        <translation>Das Fenster von %1 bis %2 HU schließt das Gewebe der Leber selbst ein, das %3 HU hat</translation>
+    </message>
+    <message>
         <source>only %1 % of the liver lie between %2 and %3 HU and hang together as vessels do; the tissue itself has %4 HU</source>
         <translation>Nur %1 % der Leber liegen zwischen %2 und %3 HU und hängen wie Gefäße zusammen; das Gewebe selbst hat %4 HU</translation>
     </message>

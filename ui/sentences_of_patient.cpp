@@ -178,6 +178,7 @@ constexpr std::array sentences_patient{
     Words::id("Give a place inside a vessel in or at the liver (LPS, mm)"),
     Words::id("Give a place inside a vessel in patient space (LPS, mm); other programs may show "
               "RAS: there change the sign of X and Y"),
+    Words::id("the window from %1 to %2 HU takes in the liver's own tissue, which has %3 HU"),
     Words::id("only %1 % of the liver lie between %2 and %3 HU and hang together as vessels do; "
               "the tissue itself has %4 HU"),
     Words::id("The slices are %1 mm apart: thin branches may be broken or missing. Up to 1.5 mm is "

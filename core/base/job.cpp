@@ -2,6 +2,9 @@
 // The state of a job behind one mutex; cancellation by a stop token.
 #include "core/base/job.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/base/error.h"
 
 namespace hepatica {
@@ -34,6 +37,7 @@ void Job::begin_stage(const std::string& name) {
             finished_.push_back({progress_.stage, seconds_since(stage_start_)});
         progress_.stage = name;
         progress_.fraction = 0.0;
+        part_.reset();
         ++progress_.stage_number;
         stage_start_ = Clock::now();
     }
@@ -44,7 +48,13 @@ void Job::advance(double fraction) {
     throw_if_cancelled();
     {
         const std::scoped_lock lock(mutex_);
-        progress_.fraction = fraction;
+        // Threads of one loop may report in another order than they counted.
+        if (part_)
+            progress_.fraction =
+                std::max(progress_.fraction,
+                         std::lerp(part_->begin, part_->end, std::clamp(fraction, 0.0, 1.0)));
+        else
+            progress_.fraction = fraction;
     }
     notify(JobEvent::progress);
 }
@@ -59,6 +69,26 @@ std::vector<StageTime> Job::stage_times() const {
     std::vector<StageTime> times = finished_;
     if (progress_.stage_number > 0) times.push_back({progress_.stage, seconds_since(stage_start_)});
     return times;
+}
+
+JobPart::JobPart(Job& job, double begin, double end) : job_(job) {
+    job.throw_if_cancelled();
+    {
+        const std::scoped_lock lock(job.mutex_);
+        around_ = job.part_;
+        stage_number_ = job.progress_.stage_number;
+        const Job::Span whole = around_.value_or(Job::Span{});
+        const double from = std::lerp(whole.begin, whole.end, begin);
+        job.part_ = Job::Span{from, std::lerp(whole.begin, whole.end, end)};
+        // What came before a part of a whole stage may be a step that knew of no parts.
+        job.progress_.fraction = around_ ? std::max(job.progress_.fraction, from) : from;
+    }
+    job.notify(JobEvent::progress);
+}
+
+JobPart::~JobPart() {
+    const std::scoped_lock lock(job_.mutex_);
+    if (job_.progress_.stage_number == stage_number_) job_.part_ = around_;
 }
 
 }  // namespace hepatica

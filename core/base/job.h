@@ -6,6 +6,7 @@
 #include <chrono>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -37,8 +38,9 @@ class Job {
     void expect_stages(int count);
     // Ends the previous stage and starts this one. Throws Cancelled if the job is cancelled.
     void begin_stage(const std::string& name);
-    // Reports the share of the stage that is done. Throws Cancelled if the job is cancelled. Cheap
-    // enough for every slice or every few thousand voxels; call it at least every 0.1 s.
+    // Reports the share of the stage, or of the present JobPart, that is done. Throws Cancelled if
+    // the job is cancelled. Cheap enough for every slice or every few thousand voxels; call it at
+    // least every 0.1 s.
     void advance(double fraction);
 
     void cancel() { stop_.request_stop(); }
@@ -56,7 +58,14 @@ class Job {
     std::vector<StageTime> stage_times() const;
 
   private:
+    friend class JobPart;
     using Clock = std::chrono::steady_clock;
+
+    // In shares of the stage.
+    struct Span {
+        double begin = 0.0;
+        double end = 1.0;
+    };
 
     void notify(JobEvent event) const {
         if (observer_) observer_(event);
@@ -66,8 +75,34 @@ class Job {
     std::function<void(JobEvent)> observer_;
     mutable std::mutex mutex_;
     JobProgress progress_;
+    std::optional<Span> part_;  // what advance() fills; none: the whole stage
     std::vector<StageTime> finished_;
     Clock::time_point stage_start_{};
 };
+
+// The share from `begin` to `end` of the present stage, or of the part that encloses this one.
+// While it lives, advance() reports the share of this part that is done, so that a step need not
+// know what else the stage does, and what is reported never falls. The worker makes parts itself,
+// one in the other, never in a parallel loop. Begin no stage while one lives.
+class JobPart {
+  public:
+    // Reports the beginning. Throws Cancelled.
+    JobPart(Job& job, double begin, double end);
+    ~JobPart();
+    JobPart(const JobPart&) = delete;
+    JobPart& operator=(const JobPart&) = delete;
+
+  private:
+    Job& job_;
+    std::optional<Job::Span> around_;
+    int stage_number_ = 0;
+};
+
+// What work() returns; its progress is that of a JobPart.
+template <class Work>
+auto in_part(Job& job, double begin, double end, const Work& work) {
+    const JobPart part(job, begin, end);
+    return work();
+}
 
 }  // namespace hepatica

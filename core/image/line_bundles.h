@@ -68,11 +68,12 @@ class LineBundles {
 // Calls filter(line, filtered) for every bundle of `from` along the axis, in parallel, and stores
 // `filtered` in the same bundle of `to`, whose lines may have another length. make_filter() makes
 // one filter, with its scratch memory, per block of bundles. Reports the progress of this axis as
-// the axis-th third of the stage.
+// the axis-th third of the stage or its part.
 template <class MakeFilter>
 void filter_lines(FloatVolume& from, FloatVolume& to, int axis, Job& job,
                   const MakeFilter& make_filter) {
     const LineBundles sources(from, axis), targets(to, axis);
+    const JobPart part(job, axis / 3.0, (axis + 1) / 3.0);
     std::atomic<std::size_t> done{0};
     constexpr std::size_t block = 16;
     parallel_blocks(sources.count(), block, [&](std::size_t begin, std::size_t end) {
@@ -83,9 +84,8 @@ void filter_lines(FloatVolume& from, FloatVolume& to, int axis, Job& job,
             filter(line, filtered);
             targets.store(b, filtered);
         }
-        done += end - begin;
-        job.advance((axis + static_cast<double>(done) / static_cast<double>(sources.count())) /
-                    3.0);
+        const std::size_t until_now = done += end - begin;
+        job.advance(static_cast<double>(until_now) / static_cast<double>(sources.count()));
     });
 }
 

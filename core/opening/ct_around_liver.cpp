@@ -63,9 +63,10 @@ Volume ct_around_liver(const Volume& ct, const PatientCase& patient, const Mask&
     if (box.empty()) return {};
     FloatVolume part = to_float(crop(ct, box));
     job.throw_if_cancelled();
-    gaussian_smooth(part, Vec3::Constant(smoothing_mm), job);
-    const FloatVolume cubes =
-        resample(part, respaced(part.grid, cubes_for(part.grid)), Interpolation::cubic, job);
+    in_part(job, 0.0, 0.5, [&] { gaussian_smooth(part, Vec3::Constant(smoothing_mm), job); });
+    const FloatVolume cubes = in_part(job, 0.5, 1.0, [&] {
+        return resample(part, respaced(part.grid, cubes_for(part.grid)), Interpolation::cubic, job);
+    });
     Volume drawn(cubes.grid);
     for_each_voxel(cubes.voxels.size(), job, [&](std::size_t i) {
         drawn.voxels[i] = static_cast<std::int16_t>(

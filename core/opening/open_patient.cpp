@@ -24,15 +24,19 @@ namespace {
 namespace fs = std::filesystem;
 
 void require_there(const fs::path& path) {
-    if (!fs::exists(path))
-        throw InputError("there is no such file or folder", path.string(),
-                         "check the name, and that its disk is connected");
+    std::error_code failed;
+    if (fs::exists(path, failed)) return;
+    throw InputError(
+        failed ? "cannot be read (" + failed.message() + ")" : "there is no such file or folder",
+        path.string(),
+        failed ? "Check that it exists and may be read"
+               : "check the name, and that its disk is connected");
 }
 
 PatientCase patient_of(VesselTree tree, Job& job) {
     PatientCase patient;
     job.begin_stage("Making the mesh");
-    patient.mesh = tetrahedralize(tree, MeshOptions{}, job);
+    patient.mesh = in_part(job, 0.0, 1.0, [&] { return tetrahedralize(tree, MeshOptions{}, job); });
     patient.surface = surface_of(patient.mesh).mesh;
     patient.tree = std::move(tree);
     return patient;
@@ -89,6 +93,8 @@ OpenedPatient reconstructed(const ReconstructOptions& options, Job& job,
 }
 
 bool is_tree_file(const fs::path& path) {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) return false;  // of DICOM images, whatever its name
     const std::string extension = path.extension().string();
     return extension == ".vtp" || extension == ".swc" || extension == ".json";
 }
@@ -185,9 +191,10 @@ void look_at(const OpenRequest& request, Job& job) {
     if (request.built_in) return;
     const fs::path& path = request.reconstruct.ct;
     require_there(path);
+    std::error_code ignored;
     if (is_case(path)) {
         if (!is_case_archive(path)) read_case_header(path);
-    } else if (fs::is_directory(path)) {
+    } else if (fs::is_directory(path, ignored)) {
         list_series(path, job);
     } else if (is_tree_file(path)) {
         read_tree(path);

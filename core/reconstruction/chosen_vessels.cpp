@@ -22,11 +22,14 @@ constexpr double least_rise_hu = 1.0;  // least rise assumed for wide vessels, w
 
 MeasuredPieces measured_pieces(const DetectedVessels& found, const Vec3& ct_spacing_mm, Job& job) {
     const Mask& vessels = found.detection.vessels;
-    const Mask skeleton = unit_width(thin(vessels, ThinningMethod::queue, job), job);
-    job.advance(0.3);
+    const Mask lines =
+        in_part(job, 0.0, 0.15, [&] { return thin(vessels, ThinningMethod::queue, job); });
+    const Mask skeleton = in_part(job, 0.15, 0.3, [&] { return unit_width(lines, job); });
     MeasuredPieces measured{line_pieces(skeleton, vessels, longest_piece_mm), {}};
-    const double rise_hu = std::max(contrast_of(found, job).contrast_hu(), least_rise_hu);
-    job.advance(0.5);
+    const double contrast_hu =
+        in_part(job, 0.3, 0.5, [&] { return contrast_of(found, job).contrast_hu(); });
+    const double rise_hu = std::max(contrast_hu, least_rise_hu);
+    const JobPart rest(job, 0.5, 1.0);
     measured.features =
         piece_features(measured.pieces,
                        {*found.detection.evidence, found.frame.liver, ct_spacing_mm, rise_hu}, job);
@@ -36,8 +39,8 @@ MeasuredPieces measured_pieces(const DetectedVessels& found, const Vec3& ct_spac
 void keep_chosen(const LinkModel& model, const Vec3& ct_spacing_mm, DetectedVessels& found,
                  Job& job) {
     job.begin_stage("Choosing the vessels");
-    const MeasuredPieces measured = measured_pieces(found, ct_spacing_mm, job);
-    job.advance(0.8);
+    const MeasuredPieces measured =
+        in_part(job, 0.0, 0.8, [&] { return measured_pieces(found, ct_spacing_mm, job); });
     std::vector<double> shares;
     for (const PieceFeatures& features : measured.features)
         shares.push_back(model.forest.share_of_vessel(features));

@@ -29,6 +29,21 @@ constexpr double least_inner_share = 0.65;
 // The same for the liver that was found, which may lack a tenth of the organ.
 constexpr double least_liver_share = 0.3;
 
+constexpr const char* choose_a_window =
+    "Choose a window that reaches from between tissue and vessels to above the brightest vessel, "
+    "or give none.";
+
+// Half of the liver and more would be vessels: minutes go into such a tangle before it is refused.
+void require_window_beside_tissue(const std::pair<double, double>& window_hu,
+                                  double parenchyma_hu) {
+    const auto [low, high] = window_hu;
+    if (!(low < parenchyma_hu && parenchyma_hu < high)) return;
+    throw InputError("the window from " + fixed_text(low, 0) + " to " + fixed_text(high, 0) +
+                         " HU takes in the liver's own tissue, which has " +
+                         fixed_text(parenchyma_hu, 0) + " HU",
+                     "window", choose_a_window);
+}
+
 // The vessels away from the liver's border, where ribs, kidneys and heart show through.
 Mask within(const Mask& vessels, const Mask& interior) {
     Mask inner = vessels;
@@ -57,17 +72,23 @@ MeasuredLiver measure_liver(const Volume& ct, const SegmentationOptions& options
     }
     job.begin_stage("Resampling the liver");
     const double spacing = options.spacing_mm > 0.0 ? options.spacing_mm : default_spacing_mm;
-    result.frame =
-        make_liver_frame(ct, options.liver ? *options.liver : found.vessel_region, spacing, job);
+    result.frame = in_part(job, 0.0, 0.9, [&] {
+        return make_liver_frame(ct, options.liver ? *options.liver : found.vessel_region, spacing,
+                                job);
+    });
     const LiverFrame& frame = result.frame;
     result.liver_was_given = options.liver.has_value();
-    result.liver = options.liver
-                       ? frame.liver
-                       : resample(found.liver, frame.liver.grid, Interpolation::linear, job);
+    result.liver = in_part(job, 0.9, 1.0, [&] {
+        return options.liver ? frame.liver
+                             : resample(found.liver, frame.liver.grid, Interpolation::linear, job);
+    });
 
     job.begin_stage("Measuring the contrast");
     result.tissue = measure_tissue(frame.intensity, frame.liver, job);
-    if (options.window_hu) apply_window(frame, *options.window_hu, result.tissue);
+    if (options.window_hu) {
+        require_window_beside_tissue(*options.window_hu, result.tissue.parenchyma_hu);
+        apply_window(frame, *options.window_hu, result.tissue);
+    }
     return result;
 }
 
@@ -113,9 +134,7 @@ void require_contrast(const ContrastStatistics& measured, const DetectedVessels&
                              fixed_text(window_hu->second, 0) +
                              " HU and hang together as vessels do; the tissue itself has " +
                              fixed_text(measured.parenchyma_hu, 0) + " HU",
-                         "window",
-                         "Choose a window that reaches from between tissue and vessels to above "
-                         "the brightest vessel, or give none.");
+                         "window", choose_a_window);
     throw InputError(
         "the vessels do not stand out from the liver: the brightest structures cover " +
             fixed_text(100.0 * share, 2) + " % of it and rise " +

@@ -23,7 +23,8 @@ struct DetectedVessels : MeasuredLiver {
 };
 
 // Finds the liver where none is given, resamples it and measures its contrast. Begins three stages,
-// two where a liver is given. Throws InputError where no liver is found; Cancelled.
+// two where a liver is given. Throws InputError where no liver is found, or where the window holds
+// the intensity of the liver's own tissue; Cancelled.
 MeasuredLiver measure_liver(const Volume& ct, const SegmentationOptions& options, Job& job);
 
 // Removes connected pieces that lie mostly in the rim of the searched region or, where the liver

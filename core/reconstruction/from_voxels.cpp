@@ -14,6 +14,7 @@
 #include "core/mesh/surface.h"
 #include "core/patient/liver_segments.h"
 #include "core/reconstruction/mask_of_tree.h"
+#include "core/reconstruction/plausible_skeleton.h"
 #include "core/skeleton/topology.h"
 #include "core/skeleton/unit_width_skeleton.h"
 #include "core/tree/tree_extraction.h"
@@ -21,6 +22,9 @@
 namespace hepatica {
 
 namespace {
+
+// The liver's segments end the stage in which systems are told apart: its share before them.
+constexpr double segments_from = 0.6;
 
 // Holes inside a vessel are noise or clots and would become closed surfaces in the skeleton. A
 // filled voxel takes the system of the voxel before it in the row, which is filled or vessel.
@@ -70,8 +74,9 @@ void extract(const FromVoxelsOptions& options, const Volume& ct, PatientCase& pa
     tree_options.shorten_trunk = options.shorten_trunk;
     tree_options.bridging.confidence = options.bridge_confidence;
     job.begin_stage("Extracting the tree");
-    TreeExtraction extraction =
-        extract_tree_and_bridges(patient.skeleton, patient.mask, &ct, tree_options, job);
+    TreeExtraction extraction = in_part(job, 0.0, 1.0, [&] {
+        return extract_tree_and_bridges(patient.skeleton, patient.mask, &ct, tree_options, job);
+    });
     warn_of_left_out(extraction, tree_options, warnings);
     patient.tree = std::move(extraction.tree);
     patient.corrections = {};
@@ -82,8 +87,10 @@ void extract(const FromVoxelsOptions& options, const Volume& ct, PatientCase& pa
     patient.doubts->noise_hu = options.of_image.noise_hu;
     patient.doubts->coarsest_spacing_mm = options.of_image.coarsest_spacing_mm;
     job.begin_stage("Telling the systems apart");
-    follow_tree(patient.mask, patient.tree, tree_options.find_systems, job,
-                extraction.trunk_left_out);
+    in_part(job, 0.0, segments_from, [&] {
+        follow_tree(patient.mask, patient.tree, tree_options.find_systems, job,
+                    extraction.trunk_left_out);
+    });
 }
 
 }  // namespace
@@ -97,6 +104,7 @@ VoxelChecks make_tree(const FromVoxelsOptions& options, const Volume& ct, Patien
     job.advance(1.0);
     job.begin_stage("Thinning to the skeleton");
     const Mask skeleton = thin(patient.mask, options.thinning, job);
+    if (options.find_systems) require_plausible_skeleton(skeleton, job);
     job.begin_stage("Making the skeleton one voxel wide");
     patient.skeleton = unit_width(skeleton, job);
     checks.skeleton = counts_of(patient.skeleton);
@@ -107,13 +115,14 @@ VoxelChecks make_tree(const FromVoxelsOptions& options, const Volume& ct, Patien
 
 void make_body(const MeshOptions& options, PatientCase& patient, std::vector<std::string>& warnings,
                Job& job) {
-    label_segments(patient, job);
+    in_part(job, segments_from, 1.0, [&] { label_segments(patient, job); });
     patient.warnings = warnings;
     patient.warnings_of_image = 0;
     std::ranges::copy(sentences(patient.doubts, patient.tree), std::back_inserter(warnings));
     job.begin_stage("Meshing the vessels");
     std::vector<std::string> of_mesh;
-    patient.mesh = tetrahedralize(patient.tree, options, job, &of_mesh);
+    patient.mesh = in_part(job, 0.0, 1.0,
+                           [&] { return tetrahedralize(patient.tree, options, job, &of_mesh); });
     for (std::vector<std::string>* list : {&patient.warnings, &warnings})
         list->insert(list->end(), of_mesh.begin(), of_mesh.end());
     job.throw_if_cancelled();

@@ -56,14 +56,21 @@ Mask organs_of(const Mask& liver) {
     return organs;
 }
 
-// Marks the part of the given tumours that lies in the box of the liver.
-void mark_tumours(const ReconstructOptions& options, const Grid& ct_grid, Mask& organs,
-                  std::vector<std::string>& warnings, Job& job) {
-    if (options.tumour_masks.empty()) return;
-    if (organs.voxels.empty())
+// The given tumours, cut to the box around them; empty where none are given.
+Mask given_tumours(const ReconstructOptions& options, const Grid& ct_grid,
+                   std::vector<std::string>& warnings, Job& job) {
+    if (options.tumour_masks.empty()) return {};
+    // Where vessels are given no liver is looked for.
+    if (options.vessel_mask && !options.liver_mask)
         throw InputError("tumours are given without a liver", options.tumour_masks.front().string(),
                          "Give the liver, too (--liver-mask): blood reaches tumours through it");
     const Mask tumours = read_tumours(options.tumour_masks, ct_grid, warnings, job);
+    return crop(tumours, bounding_box(tumours));
+}
+
+// Marks the part of the tumours that lies in the box of the liver.
+void mark_tumours(const Mask& tumours, Mask& organs, std::vector<std::string>& warnings, Job& job) {
+    if (tumours.voxels.empty()) return;
     warn_of_tumours_outside(tumours, organs.grid, warnings, job);
     add_tumours(tumours, organs);
 }
@@ -81,7 +88,8 @@ Anatomy given_anatomy(const ReconstructOptions& options, const Grid& ct_grid,
     const Mask mask =
         read_given_vessels(*options.vessel_mask, options.vessel_labels, ct_grid, warnings, job);
     job.begin_stage("Smoothing the vessels");
-    anatomy.vessels = refine(mask, options.refinement_recursions, job);
+    anatomy.vessels =
+        in_part(job, 0.0, 0.5, [&] { return refine(mask, options.refinement_recursions, job); });
     return anatomy;
 }
 
@@ -136,14 +144,17 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     require_plausible_ct(ct, options.ct.string(), job);
     if (image_read) image_read(read);
     require_seeds_in_image(options.seeds, ct.grid);
-    patient.source = {options.name, digest_of(ct, job), ct.grid, parameters_json(options)};
+    const std::string digest = in_part(job, 1.0, 1.0, [&] { return digest_of(ct, job); });
+    patient.source = {options.name, digest, ct.grid, parameters_json(options)};
+    // A mask that does not fit is refused before the long work, too.
+    const Mask tumours = given_tumours(options, ct.grid, warnings, job);
 
     Anatomy anatomy = options.vessel_mask
                           ? given_anatomy(options, ct.grid, warnings, job)
                           : segmented_anatomy(options, std::move(model), ct, warnings, job);
     patient.mask = std::move(anatomy.vessels);
     patient.organs = std::move(anatomy.organs);
-    mark_tumours(options, ct.grid, patient.organs, warnings, job);
+    mark_tumours(tumours, patient.organs, warnings, job);
     require_seeds_in_vessels(patient.mask, options.seeds);
     keep_portal_trunk(anatomy.portal_trunk_mm, patient.source.parameters_json);
     if (options.vessel_mask)

@@ -68,11 +68,13 @@ VesselPreview::VesselPreview(const Volume& ct, const Mask& organs, Job& job) {
     if (!liver.voxels.empty()) options.liver = std::move(liver);
     liver_ = measure_liver(ct, options, job);
     job.begin_stage("Segmenting the vessels");
-    lines_ =
-        measure_lines(liver_.tissue, liver_.frame.liver, ct.grid.spacing_mm, least_line_share, job);
+    lines_ = in_part(job, 0.0, 0.9, [&] {
+        return measure_lines(liver_.tissue, liver_.frame.liver, ct.grid.spacing_mm,
+                             least_line_share, job);
+    });
     liver_.frame = {};
     liver_.tissue.excess = {};
-    usual_ = believed(1.0, job);
+    usual_ = in_part(job, 0.9, 1.0, [&] { return believed(1.0, job); });
 }
 
 Mask VesselPreview::believed(double line_share, Job& job) const {
@@ -108,6 +110,7 @@ Mask VesselPreview::lost_at(double line_share, Job& job) const {
 Mask VesselPreview::vessels(const Mask& present, const ThresholdChoice& choice, std::uint8_t gained,
                             Job& job) const {
     require_possible(choice);
+    const JobPart part(job, 0.0, 1.0);  // its steps report each from the beginning on
     Mask vessels = present;
     if (choice.line_share < 1.0) {
         const Mask more = gained_at(choice.line_share, present, job);
@@ -121,9 +124,11 @@ Mask VesselPreview::vessels(const Mask& present, const ThresholdChoice& choice, 
         for_each_voxel(vessels.voxels.size(), job, [&](std::size_t i) {
             if (vessels.voxels[i] != 0 && goes(i)) vessels.voxels[i] = 0;
         });
+        // Crumbs are what is left of a piece; what was as small before was meant to be.
         const Mask whole = hysteresis(vessels, vessels, least_piece_mm3, job);
+        const Mask lessened = hysteresis(without(present, vessels, job), present, 0.0, job);
         for_each_voxel(vessels.voxels.size(), job, [&](std::size_t i) {
-            if (!whole.voxels[i]) vessels.voxels[i] = 0;
+            if (!whole.voxels[i] && lessened.voxels[i]) vessels.voxels[i] = 0;
         });
     }
     return choice.refinement_recursions > 0 ? refine(vessels, choice.refinement_recursions, job)

@@ -40,9 +40,9 @@ class VesselPreview {
 
     // Returns `present` (not 0 where the case has vessels now, on any grid in the frame of the CT)
     // with the vessels that this choice adds, labelled `gained`, and without those that it drops;
-    // unchanged for the usual choice. Added vessels extend beyond the present walls; their own
-    // walls are not fitted. Takes a second or two. Throws InputError where the choice is out of
-    // range; Cancelled.
+    // unchanged for the usual choice. Of a piece that loses voxels no crumb below 20 mm^3 stays.
+    // Added vessels extend beyond the present walls; their own walls are not fitted. Takes a second
+    // or two. Throws InputError where the choice is out of range; Cancelled.
     Mask vessels(const Mask& present, const ThresholdChoice& choice, std::uint8_t gained,
                  Job& job) const;
 

@@ -15,6 +15,7 @@
 #include "core/image/morphology.h"
 #include "core/reconstruction/chosen_vessels.h"
 #include "core/reconstruction/detected_vessels.h"
+#include "core/reconstruction/plausible_skeleton.h"
 #include "core/reconstruction/round_lumen.h"
 #include "core/segmentation/gaussian_refinement.h"
 #include "core/segmentation/hilum_vessels.h"
@@ -75,24 +76,31 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
     DetectedVessels found = detect_in_liver(ct, options, model ? model->line_share : 1.0, job);
     if (model && found.detection.evidence) keep_chosen(*model, ct.grid.spacing_mm, found, job);
     found.detection.evidence.reset();
-    result.statistics = contrast_of(found, job);
+    result.statistics = in_part(job, 1.0, 1.0, [&] { return contrast_of(found, job); });
     require_contrast(result.statistics, found, options.window_hu);
     result.liver = std::move(found.liver);
 
     job.begin_stage("Drawing thin vessels");
-    const Mask skeleton =
-        unit_width(thin(found.detection.vessels, ThinningMethod::queue, job), job);
-    const VesselTree tree =
-        extract_tree(skeleton, found.detection.vessels, &ct, TreeOptions{}, job);
+    const Mask lines = in_part(
+        job, 0.0, 0.1, [&] { return thin(found.detection.vessels, ThinningMethod::queue, job); });
+    require_plausible_skeleton(lines, job);
+    const Mask skeleton = in_part(job, 0.1, 0.2, [&] { return unit_width(lines, job); });
+    const VesselTree tree = in_part(job, 0.2, 0.7, [&] {
+        return extract_tree(skeleton, found.detection.vessels, &ct, TreeOptions{}, job);
+    });
     if (options.method == SegmentationMethod::coherent &&
         result.statistics.contrast_hu() >= measurable_contrast * found.tissue.noise_hu)
         found.detection.vessels =
             with_thin_vessels_round(found.detection.vessels, skeleton, tree, job);
     job.advance(0.8);
-    result.trunk_mm = add_hilum(found.frame, tree, result.statistics, found.detection.vessels, job);
+    result.trunk_mm = in_part(job, 0.8, 1.0, [&] {
+        return add_hilum(found.frame, tree, result.statistics, found.detection.vessels, job);
+    });
 
     job.begin_stage("Refining the surface");
-    result.mask = refine(found.detection.vessels, options.refinement_recursions, job);
+    result.mask = in_part(job, 0.0, 0.5, [&] {
+        return refine(found.detection.vessels, options.refinement_recursions, job);
+    });
     result.centreline = std::move(found.detection.centreline);
     for (std::uint8_t& voxel : result.mask.voxels)
         if (voxel != 0) voxel = static_cast<std::uint8_t>(VascularSystem::unknown);

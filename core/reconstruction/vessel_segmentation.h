@@ -58,7 +58,8 @@ struct Segmentation {
 
 // Segments the vessels. Begins its own stages of the job. The same bytes for any number of threads.
 // Throws InputError where the CT shows no contrast between vessels and liver (with the measured
-// values), where no liver can be found, or where an option is outside its range; Cancelled.
+// values), where noise is taken for vessels (plausible_skeleton.h), where no liver can be found, or
+// where an option is outside its range; Cancelled.
 Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& options, Job& job);
 
 }  // namespace hepatica

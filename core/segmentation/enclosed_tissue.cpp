@@ -35,13 +35,21 @@ std::vector<Way> ways_of(const Grid& grid) {
 
 enum class End { organ, elsewhere, unseen };
 
-// Unseen is a ray that leaves the image and crosses slices: a scan often ends within the body along
-// z, where the rest of the organ may lie; within a slice it shows all of the body.
-End end_of(const Way& way, Index3 at, const FloatVolume& smooth, const Mask& organ) {
+// The axis of the grid that runs most along the body, whichever way the slices were stored.
+std::size_t body_axis(const Grid& grid) {
+    Eigen::Index axis = 0;
+    grid.direction.row(2).cwiseAbs().maxCoeff(&axis);
+    return static_cast<std::size_t>(axis);
+}
+
+// Unseen is a ray that leaves the image and also runs along the body: a scan often ends within the
+// body there, where the rest of the organ may lie; across it shows all of the body.
+End end_of(const Way& way, Index3 at, const FloatVolume& smooth, const Mask& organ,
+           std::size_t along_body) {
     for (int step = 0; step < way.steps; ++step) {
         for (std::size_t a = 0; a < 3; ++a) at[a] += way.step[a];
         if (!smooth.grid.contains(at[0], at[1], at[2]))
-            return way.step[2] != 0 ? End::unseen : End::elsewhere;
+            return way.step[along_body] != 0 ? End::unseen : End::elsewhere;
         if (organ.at(at[0], at[1], at[2]) != 0) return End::organ;
         const float hu = smooth.at(at[0], at[1], at[2]);
         if (hu < fat_below_hu || hu > tissue_to_hu) return End::elsewhere;
@@ -50,10 +58,10 @@ End end_of(const Way& way, Index3 at, const FloatVolume& smooth, const Mask& org
 }
 
 bool encloses(const Mask& organ, const FloatVolume& smooth, const Index3& at,
-              const std::vector<Way>& ways) {
+              const std::vector<Way>& ways, std::size_t along_body) {
     int seen = 0, reached = 0;
     for (const Way& way : ways) {
-        const End end = end_of(way, at, smooth, organ);
+        const End end = end_of(way, at, smooth, organ, along_body);
         if (end == End::unseen) continue;
         ++seen;
         if (end == End::organ) ++reached;
@@ -66,6 +74,7 @@ bool encloses(const Mask& organ, const FloatVolume& smooth, const Index3& at,
 Mask enclosed_tissue(const FloatVolume& smooth, const Mask& organ, Job& job) {
     const Grid& grid = smooth.grid;
     const std::vector<Way> ways = ways_of(grid);
+    const std::size_t along_body = body_axis(grid);
     Mask enclosed = organ;
     parallel_blocks(static_cast<std::size_t>(grid.dims[2]), 1, [&](std::size_t slice, std::size_t) {
         job.throw_if_cancelled();
@@ -74,7 +83,7 @@ Mask enclosed_tissue(const FloatVolume& smooth, const Mask& organ, Job& job) {
             for (int x = 0; x < grid.dims[0]; ++x) {
                 const float hu = smooth.at(x, y, z);
                 if (organ.at(x, y, z) == 0 && hu >= tissue_from_hu && hu <= tissue_to_hu &&
-                    encloses(organ, smooth, {x, y, z}, ways))
+                    encloses(organ, smooth, {x, y, z}, ways, along_body))
                     enclosed.at(x, y, z) = 1;
             }
     });

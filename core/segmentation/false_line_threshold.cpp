@@ -39,15 +39,14 @@ std::vector<std::size_t> histogram_of_lines(const FloatVolume& values, double de
 }  // namespace
 
 double false_line_threshold(const FloatVolume& values, double deviation, const Mask& liver,
-                            const Mask& where, const std::function<void()>& progress, Job& job) {
-    const std::vector<std::size_t> bright =
-        histogram_of_lines(values, deviation, liver, where, job);
-    progress();
+                            const Mask& where, Job& job) {
+    const std::vector<std::size_t> bright = in_part(
+        job, 0.0, 0.5, [&] { return histogram_of_lines(values, deviation, liver, where, job); });
     FloatVolume negative = copied_image(values, job);
     for_each_voxel(negative.voxels.size(), job,
                    [&](std::size_t i) { negative.voxels[i] = -negative.voxels[i]; });
-    const std::vector<std::size_t> dark =
-        histogram_of_lines(negative, deviation, liver, where, job);
+    const std::vector<std::size_t> dark = in_part(
+        job, 0.5, 1.0, [&] { return histogram_of_lines(negative, deviation, liver, where, job); });
     std::size_t bin = most_bins;
     double bright_above = 0.0, dark_above = 0.0;
     for (; bin > bins_per_deviation; --bin) {

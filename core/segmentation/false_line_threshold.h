@@ -5,8 +5,6 @@
 // after the target-decoy idea of Elias and Gygi (2007).
 #pragma once
 
-#include <functional>
-
 #include "core/base/job.h"
 #include "core/image/volume.h"
 
@@ -19,9 +17,8 @@ namespace hepatica {
 //   values: intensity minus that of the surroundings, so that broad dark regions are not lines
 //   deviation: > 0, of the noise; lines are sought where `values` rises or falls by more
 //   liver: lines are sought here; all images on the same grid, of cubic voxels
-//   progress: called once, when half of the work is done
 // Throws Cancelled.
 double false_line_threshold(const FloatVolume& values, double deviation, const Mask& liver,
-                            const Mask& where, const std::function<void()>& progress, Job& job);
+                            const Mask& where, Job& job);
 
 }  // namespace hepatica

@@ -90,6 +90,7 @@ FloatVolume line_coherence(const FloatVolume& values, const Mask& candidates,
     const Rays rays(grid, options);
     FloatVolume best = filled_image(grid, 0.0f, job);
     const float share = 1.0f / static_cast<float>(2 * rays.reach + 1);
+    const JobPart whole(job, 0.0, 1.0);  // threads report in another order than they count
     std::atomic<int> done{0};
     parallel_blocks(static_cast<std::size_t>(grid.dims[2]), 1, [&](std::size_t layer, std::size_t) {
         job.advance(static_cast<double>(done++) / grid.dims[2]);

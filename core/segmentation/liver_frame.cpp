@@ -95,20 +95,22 @@ LiverFrame make_liver_frame(const Volume& ct, const Mask& liver, double spacing_
         throw InputError("a working spacing of " + number_text(spacing_mm) + " mm was asked for",
                          "segmentation", "Use 0.3 to 1.5 mm.");
     FloatVolume part = part_of(ct, box_in(ct.grid, liver), job);
-    job.advance(0.1);
     Vec3 blur = Vec3::Zero();  // prevents aliasing where the cubes are coarser than the voxels
     for (Eigen::Index a = 0; a < 3; ++a) {
         const double ratio = spacing_mm / part.grid.spacing_mm[a];
         if (ratio > 1.01) blur[a] = 0.4 * part.grid.spacing_mm[a] * std::sqrt(ratio * ratio - 1.0);
     }
-    gaussian_smooth(part, blur, job);
+    in_part(job, 0.1, 0.3, [&] { gaussian_smooth(part, blur, job); });
     LiverFrame frame;
     const Grid cubes = respaced(part.grid, Vec3::Constant(spacing_mm));
     require_memory(bytes_of(cubes.dims[0], cubes.dims[1], cubes.dims[2], bytes_per_cube),
                    "liver mask");
-    frame.intensity = resample(part, cubes, Interpolation::linear, job);
+    frame.intensity =
+        in_part(job, 0.3, 0.5, [&] { return resample(part, cubes, Interpolation::linear, job); });
     part = FloatVolume();
-    frame.liver = close_liver(liver_on(cubes, liver, job), closing_mm, job);
+    const Mask resampled = in_part(job, 0.5, 0.6, [&] { return liver_on(cubes, liver, job); });
+    const JobPart rest(job, 0.6, 1.0);
+    frame.liver = close_liver(resampled, closing_mm, job);
     return frame;
 }
 

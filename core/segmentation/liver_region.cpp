@@ -105,17 +105,18 @@ BorderCost border_cost(const FloatVolume& smooth, const Parenchyma& tissue, cons
 
 // The liver around its core, all on one grid.
 Mask liver_about(const Mask& core, const FloatVolume& smooth, Job& job) {
-    const Mask seat = seat_of(core, job);
-    Parenchyma tissue = grow_parenchyma(smooth, seat, job);
-    job.advance(0.5);
-    const Mask neighbours =
-        neighbours_in(tissue.voxels, enclosed_tissue(smooth, tissue.voxels, job), seat, job);
+    const Mask seat = in_part(job, 0.0, 0.05, [&] { return seat_of(core, job); });
+    Parenchyma tissue = in_part(job, 0.05, 0.5, [&] { return grow_parenchyma(smooth, seat, job); });
+    const Mask neighbours = in_part(job, 0.5, 0.6, [&] {
+        return neighbours_in(tissue.voxels, enclosed_tissue(smooth, tissue.voxels, job), seat, job);
+    });
     remove(neighbours, tissue.voxels);
-    job.advance(0.6);
-    Mask liver = fit_border(border_cost(smooth, tissue, neighbours, job), tissue.voxels,
-                            border_iterations, job);
+    Mask liver = in_part(job, 0.6, 0.8, [&] {
+        return fit_border(border_cost(smooth, tissue, neighbours, job), tissue.voxels,
+                          border_iterations, job);
+    });
     liver = largest_components(liver, Connectivity::faces6);
-    job.advance(0.8);
+    const JobPart rest(job, 0.8, 1.0);
     unite(liver, enclosed_tissue(smooth, liver, job));
     return close_liver(liver, vessel_closing_mm, job);
 }
@@ -131,9 +132,9 @@ Mask close_liver(const Mask& liver, double radius_mm, Job& job) {
 FoundLiver find_liver(const Volume& ct, Job& job) {
     const FloatVolume coarse = coarsened(ct, job);
     FloatVolume smooth = coarse;
-    gaussian_smooth(smooth, Vec3::Constant(organ_smoothing_mm), job);
-    const SoftOrgan organ = largest_soft_organ(smooth, job);
-    job.advance(0.3);
+    in_part(job, 0.0, 0.1,
+            [&] { gaussian_smooth(smooth, Vec3::Constant(organ_smoothing_mm), job); });
+    const SoftOrgan organ = in_part(job, 0.1, 0.3, [&] { return largest_soft_organ(smooth, job); });
     if (organ.core_ml < smallest_core_ml)
         throw NoLiverFound("no liver was found: the largest soft organ between " +
                                std::to_string(static_cast<int>(soft_organ_from_hu)) + " and " +
@@ -142,11 +143,14 @@ FoundLiver find_liver(const Volume& ct, Job& job) {
                            "CT", "Check that the scan shows the liver, or give a liver mask.");
     const IndexBox box = grow_box(bounding_box(organ.core), coarse.grid, beyond_core_mm);
     FloatVolume near = crop(coarse, box);
-    gaussian_smooth(near, Vec3::Constant(border_smoothing_mm), job);
+    in_part(job, 0.3, 0.35,
+            [&] { gaussian_smooth(near, Vec3::Constant(border_smoothing_mm), job); });
     Mask liver(coarse.grid);
-    paste(liver_about(crop(organ.core, box), near, job), box.begin, liver);
-    require_surroundings_of_liver(surroundings_of(liver, smooth, job));
-    job.advance(0.9);
+    paste(in_part(job, 0.35, 0.85, [&] { return liver_about(crop(organ.core, box), near, job); }),
+          box.begin, liver);
+    require_surroundings_of_liver(
+        in_part(job, 0.85, 0.9, [&] { return surroundings_of(liver, smooth, job); }));
+    const JobPart rest(job, 0.9, 1.0);
     const Mask alike = close_liver(with_all_alike(organ, smooth, job), vessel_closing_mm, job);
     return {resample(liver, ct.grid, Interpolation::linear, job),
             resample(alike, ct.grid, Interpolation::linear, job)};

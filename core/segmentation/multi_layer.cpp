@@ -109,6 +109,8 @@ Detection detect_by_layers(const TissueContrast& tissue, const Mask& liver, Job&
         tissue.threshold_hu.value_or(spread.median + section_deviations * spread.deviation);
     Detection detection{Mask(liver.grid), Mask(liver.grid)};
     for (int z = 0; z < liver.grid.dims[2]; ++z) {
+        const auto share = [&](int done) { return 0.4 + 0.6 * done / liver.grid.dims[2]; };
+        const JobPart part(job, share(z), share(z + 1));
         const Mask sections = sections_of(smooth, liver, z, threshold);
         const FloatVolume distance = distance_from_boundary(sections, MarchingOrder::second, job);
         const Mask centreline = front_collisions(distance);
@@ -116,7 +118,7 @@ Detection detect_by_layers(const TissueContrast& tissue, const Mask& liver, Job&
                   detection.centreline.voxels.begin() +
                       static_cast<std::ptrdiff_t>(liver.grid.offset(0, 0, z)));
         assemble(centreline, distance, z, detection.vessels);
-        job.advance(0.4 + 0.6 * z / liver.grid.dims[2]);
+        job.advance(1.0);
     }
     detection.vessels = long_chains(detection.vessels, job);
     for (std::size_t i = 0; i < liver.voxels.size(); ++i)

@@ -142,7 +142,8 @@ Parenchyma grow_parenchyma(const FloatVolume& smooth, const Mask& seat, Job& job
     const double seat_hu = mean_in(smooth, seat);
     std::size_t before = 0;
     for (int round = 0; round < most_rounds; ++round) {
-        job.throw_if_cancelled();
+        const JobPart part(job, static_cast<double>(round) / most_rounds,
+                           static_cast<double>(round + 1) / most_rounds);
         measure_field(smooth, seat_hu, grown, job);
         grown.spread_hu = spread_of(smooth, grown);
         Mask next = without_necks(like_parenchyma(smooth, grown, seat_hu), seat, job);

@@ -141,6 +141,10 @@ SoftOrgan largest_soft_organ(const FloatVolume& smooth, Job& job) {
     SoftOrgan largest;
     const std::vector<TissueMode> modes = tissue_modes(smooth);
     for (std::size_t i = 0; i < modes.size(); ++i) {
+        const auto share = [&](std::size_t done) {
+            return static_cast<double>(done) / static_cast<double>(modes.size());
+        };
+        const JobPart part(job, share(i), share(i + 1));
         Mask core = largest_components(
             erode(band(smooth, modes[i].hu, modes[i].half_band_hu), neck_radius_mm, job),
             Connectivity::faces6);

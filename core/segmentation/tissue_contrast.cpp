@@ -127,9 +127,10 @@ RobustSpread robust_spread(const FloatVolume& values, const Mask& where, const J
 
 TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, Job& job) {
     FloatVolume smooth = copied_image(intensity, job);
-    gaussian_smooth(smooth, Vec3::Constant(noise_smoothing_mm), job);
+    in_part(job, 0.0, 0.1,
+            [&] { gaussian_smooth(smooth, Vec3::Constant(noise_smoothing_mm), job); });
     TissueContrast tissue;
-    tissue.interior = erode(liver, rim_mm, job);
+    tissue.interior = in_part(job, 0.1, 0.2, [&] { return erode(liver, rim_mm, job); });
     job.throw_if_cancelled();
     require_objects(liver, tissue.interior);
     RobustSpread spread = robust_spread(smooth, tissue.interior, job);
@@ -144,6 +145,8 @@ TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, J
         });
     };
     for (int round = 0; round < rounds; ++round) {
+        const auto share = [](int done) { return 0.2 + 0.8 * done / rounds; };
+        const JobPart part(job, share(round), share(round + 1));
         subtract(smooth);
         job.throw_if_cancelled();
         spread = robust_spread(rise, tissue.interior, job);
@@ -155,7 +158,7 @@ TissueContrast measure_tissue(const FloatVolume& intensity, const Mask& liver, J
                 [&](std::size_t i) { return liver.voxels[i] && std::abs(rise.voxels[i]) < limit; },
                 tissue.parenchyma_hu, job),
             intensity.grid, Interpolation::linear, job);
-        job.advance(static_cast<double>(round + 1) / rounds);
+        job.advance(1.0);
     }
     subtract(intensity);
     job.throw_if_cancelled();

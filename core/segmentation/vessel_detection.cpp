@@ -142,11 +142,9 @@ Mask grown_from(const Mask& lines, const Mask& weak, Job& job) {
         if (!weak.voxels[i]) strong.voxels[i] = 0;
     });
     strong = hysteresis(strong, strong, smallest_strong_mm3, job);
-    job.advance(0.65);
-    job.throw_if_cancelled();
+    job.advance(0.3);
     const Mask grown = grow_within(strong, weak, growth_mm);
-    job.advance(0.7);
-    job.throw_if_cancelled();
+    job.advance(0.6);
     return hysteresis(grown, grown, smallest_vessel_mm3, job);
 }
 
@@ -158,22 +156,24 @@ double share_of(double fine, double coarse, const Sampling& sampling) {
 MeasuredLines lines_of(const TissueContrast& tissue, const Mask& liver, LineEvidence evidence,
                        const Sampling& sampling, double line_share, Job& job) {
     const double deviation = evidence.deviation_hu;
-    const FloatVolume bright = clipped(tissue, deviation, line_sigma_mm, job);
-    FloatVolume standing_out = clipped(tissue, deviation, surroundings_sigma_mm, job);
+    const FloatVolume bright =
+        in_part(job, 0.0, 0.1, [&] { return clipped(tissue, deviation, line_sigma_mm, job); });
+    FloatVolume standing_out = in_part(
+        job, 0.1, 0.2, [&] { return clipped(tissue, deviation, surroundings_sigma_mm, job); });
     for_each_voxel(bright.voxels.size(), job, [&](std::size_t i) {
         standing_out.voxels[i] = bright.voxels[i] - standing_out.voxels[i];
     });
-    job.advance(0.2);
-    evidence.false_line_hu = false_line_threshold(
-        standing_out, deviation, liver, tissue.interior, [&] { job.advance(0.3); }, job);
-    job.advance(0.4);
+    evidence.false_line_hu = in_part(job, 0.2, 0.6, [&] {
+        return false_line_threshold(standing_out, deviation, liver, tissue.interior, job);
+    });
     MeasuredLines lines;
     lines.strong_share = share_of(strong_share, coarse_strong_share, sampling);
     lines.weak_share = share_of(weak_share, coarse_weak_share, sampling);
     const double weak_hu = lines.weak_share * line_share * evidence.false_line_hu;
     const Mask candidates =
         above(evidence.rise, std::min(candidate_deviations * deviation, weak_hu), liver);
-    lines.strength = line_coherence(bright, candidates, LineOptions{}, job);
+    lines.strength = in_part(
+        job, 0.6, 1.0, [&] { return line_coherence(bright, candidates, LineOptions{}, job); });
     lines.evidence = std::move(evidence);
     lines.liver = liver;
     return lines;
@@ -189,11 +189,12 @@ Mask tubular(const TissueContrast& tissue, const Mask& liver, const LineEvidence
              const Sampling& sampling, Job& job) {
     const double weak_hu =
         tissue.threshold_hu.value_or((weak_deviations - sampling.thick) * evidence.deviation_hu);
-    const Mask tubes =
-        above(vesselness(clipped(tissue, evidence.deviation_hu, 0.0, job), tube_sigmas_mm, job),
-              tubular_deviations * evidence.deviation_hu, liver);
-    job.advance(0.6);
-    return grown_from(tubes, above(evidence.rise, weak_hu, liver), job);
+    const FloatVolume response = in_part(job, 0.0, 0.8, [&] {
+        return vesselness(clipped(tissue, evidence.deviation_hu, 0.0, job), tube_sigmas_mm, job);
+    });
+    const Mask tubes = above(response, tubular_deviations * evidence.deviation_hu, liver);
+    return in_part(job, 0.8, 1.0,
+                   [&] { return grown_from(tubes, above(evidence.rise, weak_hu, liver), job); });
 }
 
 SurfaceOptions surface_for(const Sampling& sampling) {
@@ -229,9 +230,10 @@ void apply_window(const LiverFrame& frame, const std::pair<double, double>& wind
 MeasuredLines measure_lines(const TissueContrast& tissue, const Mask& liver,
                             const Vec3& ct_spacing_mm, double line_share, Job& job) {
     const Sampling sampling = sampling_of(ct_spacing_mm);
-    LineEvidence evidence = smoothed(tissue, job);
-    job.advance(0.1);
-    const Mask inner = erode(liver, dimmed_rim_mm * sampling.thick, job);
+    LineEvidence evidence = in_part(job, 0.0, 0.15, [&] { return smoothed(tissue, job); });
+    const Mask inner =
+        in_part(job, 0.15, 0.2, [&] { return erode(liver, dimmed_rim_mm * sampling.thick, job); });
+    const JobPart rest(job, 0.2, 1.0);
     return lines_of(tissue, inner, std::move(evidence), sampling, line_share, job);
 }
 
@@ -249,28 +251,29 @@ Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const 
     LineEvidence evidence;
     Mask vessels;
     if (options.method == SegmentationMethod::coherent && !tissue.threshold_hu) {
-        MeasuredLines lines = measure_lines(tissue, liver, ct_spacing_mm, options.line_share, job);
-        job.advance(0.6);
+        MeasuredLines lines = in_part(job, 0.0, 0.6, [&] {
+            return measure_lines(tissue, liver, ct_spacing_mm, options.line_share, job);
+        });
+        const JobPart part(job, 0.6, 0.75);
         vessels = believed_lines(lines, options.line_share, job);
         evidence = std::move(lines.evidence);
     } else {
-        evidence = smoothed(tissue, job);
-        job.advance(0.1);
-        const Mask inner = erode(liver, dimmed_rim_mm * sampling.thick, job);
+        evidence = in_part(job, 0.0, 0.1, [&] { return smoothed(tissue, job); });
+        const Mask inner = in_part(
+            job, 0.1, 0.15, [&] { return erode(liver, dimmed_rim_mm * sampling.thick, job); });
+        const JobPart part(job, 0.15, 0.75);
         vessels = options.method == SegmentationMethod::coherent
                       ? within_window(evidence.rise, *tissue.threshold_hu, inner, job)
                       : tubular(tissue, inner, evidence, sampling, job);
     }
-    job.advance(0.75);
-    job.throw_if_cancelled();
     FloatVolume wall = copied_image(tissue.excess, job);
-    gaussian_smooth(wall, Vec3::Constant(wall_sigma_mm), job);
-    job.advance(0.8);
-    job.throw_if_cancelled();
-    Mask fitted = fit_surface(wall, evidence.rise, vessels, liver, evidence.deviation_hu,
-                              surface_for(sampling), job);
-    job.advance(0.9);
-    const Mask skeleton = thin(vessels, ThinningMethod::queue, job);
+    in_part(job, 0.75, 0.8, [&] { gaussian_smooth(wall, Vec3::Constant(wall_sigma_mm), job); });
+    Mask fitted = in_part(job, 0.8, 0.9, [&] {
+        return fit_surface(wall, evidence.rise, vessels, liver, evidence.deviation_hu,
+                           surface_for(sampling), job);
+    });
+    const Mask skeleton =
+        in_part(job, 0.9, 1.0, [&] { return thin(vessels, ThinningMethod::queue, job); });
     job.throw_if_cancelled();
     rejoin(skeleton, kept_branch_mm, fitted, job);
     Detection found{std::move(fitted), Mask(), std::nullopt};

@@ -90,24 +90,28 @@ class Fronts {
   public:
     Fronts(const Mask& vessels, Job& job)
         : vessels_(vessels),
-          slowness_(slowness_in(vessels, job)),
+          slowness_(in_part(job, 0.0, 0.5, [&] { return slowness_in(vessels, job); })),
           steps_(neighbour_steps(vessels.grid)),
           time_(filled_image(vessels.grid, std::numeric_limits<double>::infinity(), job)),
           labels_(vessels.grid) {
-        for_each_voxel(vessels.voxels.size(), job, [&](std::size_t i) {
-            if (vessels.voxels[i] != 0) labels_.voxels[i] = unknown;
+        for_each_voxel_in_order(vessels.voxels.size(), job, [&](std::size_t i) {
+            if (vessels.voxels[i] == 0) return;
+            labels_.voxels[i] = unknown;
+            ++objects_;
         });
     }
 
     void start(std::size_t voxel, VascularSystem system) { arrive(voxel, 0.0, system); }
 
     Mask run(Job& job) {
+        const JobPart part(job, 0.5, 1.0);
         std::size_t settled = 0;
         while (!queue_.empty()) {
             const auto [time, voxel] = queue_.top();
             queue_.pop();
             if (time > time_.voxels[voxel]) continue;  // reached earlier by another path
-            if (++settled % 16384 == 0) job.throw_if_cancelled();
+            if (++settled % 16384 == 0)
+                job.advance(static_cast<double>(settled) / static_cast<double>(objects_));
             spread(voxel);
         }
         return std::move(labels_);
@@ -141,6 +145,7 @@ class Fronts {
     std::array<NeighbourStep, 26> steps_;
     Image<double> time_;
     Mask labels_;
+    std::size_t objects_ = 0;
     std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> queue_;
 };
 

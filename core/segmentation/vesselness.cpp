@@ -93,17 +93,19 @@ FloatVolume vesselness(const FloatVolume& intensity, const std::vector<double>& 
                                  number_text(s) + " mm",
                              "", "Resample the volume to one spacing first.");
     FloatVolume response(intensity.grid);
+    const auto count = static_cast<double>(sigmas_mm.size());
     double done = 0.0;
     for (const double sigma : sigmas_mm) {
         if (!(sigma >= 0.5 * h))
             throw InputError(
                 "a vesselness scale of " + number_text(sigma) + " mm is below half a voxel", "",
                 "Use scales of at least half the spacing.");
+        const JobPart part(job, done / count, (done + 1.0) / count);
         FloatVolume smooth = intensity;
         gaussian_smooth(smooth, Vec3::Constant(sigma), job);
         add_scale(smooth, static_cast<float>(sigma * sigma / (h * h)), response, job);
+        job.advance(1.0);
         done += 1.0;
-        job.advance(done / static_cast<double>(sigmas_mm.size()));
     }
     return response;
 }

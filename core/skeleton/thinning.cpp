@@ -10,6 +10,7 @@ namespace hepatica {
 Mask thin(const Mask& mask, ThinningMethod method, Job& job) {
     PaddedObject object(mask);
     if (object.empty()) return Mask(mask.grid);
+    const JobPart whole(job, 0.0, 1.0);  // a border that grows for a while takes nothing back
     if (method == ThinningMethod::parallel)
         thin_by_templates(object, job);
     else

@@ -195,8 +195,10 @@ UnitWidthStages unit_width_stages(const Mask& skeleton, Job& job) {
     Valence valence(object);
     // All regions are measured on the original skeleton, before any voxel is deleted.
     std::vector<CrowdedRegion> regions;
-    for (Voxels& crowded : valence.regions(voxels)) {
-        job.throw_if_cancelled();
+    std::vector<Voxels> crowded_regions = valence.regions(voxels);
+    const auto count = static_cast<double>(crowded_regions.size());
+    for (Voxels& crowded : crowded_regions) {
+        job.advance(0.5 * static_cast<double>(regions.size()) / count);
         CrowdedRegion region;
         region.exits = valence.exits(crowded);
         region.centre = valence.centre(crowded);
@@ -208,7 +210,7 @@ UnitWidthStages unit_width_stages(const Mask& skeleton, Job& job) {
         regions.push_back(std::move(region));
     }
     for (std::size_t i = 0; i < regions.size(); ++i) {
-        job.advance(static_cast<double>(i) / static_cast<double>(regions.size()));
+        job.advance(0.5 + 0.5 * static_cast<double>(i) / count);
         Voxels kept{regions[i].centre};
         for (const Voxels& path : regions[i].paths)
             kept.insert(kept.end(), path.begin(), path.end());

@@ -97,23 +97,15 @@ std::vector<VesselSeed> keepers_of(const TreeOptions& options, const VesselTree&
     return keepers;
 }
 
-// Noise taken for vessels makes a tangle that later steps cannot handle. The vessels of a liver in
-// a CT are about 5 to 20 m long in all.
-void require_plausible_length(const VesselGraph& graph) {
-    constexpr double longest_mm = 40000.0;
+double length_of_all_mm(const VesselGraph& graph) {
     double all_mm = 0.0;
     for (const VesselLink& link : graph.links) all_mm += length_mm(link);
-    if (all_mm > longest_mm)
-        throw InputError("the vessels found are " + fixed_text(all_mm / 1000.0, 0) +
-                             " m long together, more than a liver shows",
-                         "vessels",
-                         "Noise is taken for vessels: choose a higher threshold, or give a mask of "
-                         "the vessels");
+    return all_mm;
 }
 
 void grow_found_systems(VesselGraph graph, const Volume* ct, const TreeOptions& options,
                         const Job& job, TreeExtraction& result) {
-    require_plausible_length(graph);
+    require_plausible_length(length_of_all_mm(graph));
     result.systems = tell_systems_apart(
         graph, ct, {options.seeds, options.liver_mm, options.systems_before}, job);
     const AnatomicalAnchors& anchors = result.systems->anchors;
@@ -144,6 +136,15 @@ void grow_found_systems(VesselGraph graph, const Volume* ct, const TreeOptions& 
 }
 
 }  // namespace
+
+void require_plausible_length(double all_mm, double most_mm) {
+    if (all_mm <= most_mm) return;
+    throw InputError("the vessels found are " + fixed_text(all_mm / 1000.0, 0) +
+                         " m long together, more than a liver shows",
+                     "vessels",
+                     "Noise is taken for vessels: choose a higher threshold, or give a mask of the "
+                     "vessels");
+}
 
 TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessels, const Volume* ct,
                                         const TreeOptions& options, Job& job) {

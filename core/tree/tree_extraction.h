@@ -65,6 +65,11 @@ struct TreeExtraction {
 TreeExtraction extract_tree_and_bridges(const Mask& skeleton, const Mask& vessels, const Volume* ct,
                                         const TreeOptions& options, Job& job);
 
+// Throws InputError, of the place "vessels", where vessels are longer together than `most_mm`.
+// Noise taken for vessels makes a tangle that later steps cannot handle; the vessels of a liver in
+// a CT are about 5 to 20 m long in all.
+void require_plausible_length(double all_mm, double most_mm = 40000.0);
+
 // The tree alone.
 VesselTree extract_tree(const Mask& skeleton, const Mask& vessels, const Volume* ct,
                         const TreeOptions& options, Job& job);

@@ -42,6 +42,72 @@ TEST(Job, KeepsTheCountOfTheOutermostAnnouncement) {
     EXPECT_EQ(job.progress().stage_count, 5);
 }
 
+// A step reports from 0 to 1 and knows nothing of those before and after it.
+TEST(JobPart, TurnsTheProgressOfAStepIntoAShareOfTheStage) {
+    Job job;
+    job.begin_stage("smooth");
+    const auto said = [&] { return job.progress().fraction; };
+    {
+        const JobPart first(job, 0.0, 0.4);
+        job.advance(0.5);
+        EXPECT_DOUBLE_EQ(said(), 0.2);
+        job.advance(1.0);
+        EXPECT_DOUBLE_EQ(said(), 0.4);
+        job.advance(7.0);
+        EXPECT_DOUBLE_EQ(said(), 0.4);
+    }
+    {
+        const JobPart second(job, 0.5, 1.0);
+        EXPECT_DOUBLE_EQ(said(), 0.5) << "its beginning is told at once";
+        {
+            const JobPart inner(job, 0.0, 0.5);
+            job.advance(0.5);
+            EXPECT_DOUBLE_EQ(said(), 0.625);
+        }
+        job.advance(0.75);
+        EXPECT_DOUBLE_EQ(said(), 0.875);
+    }
+    job.advance(1.0);
+    EXPECT_DOUBLE_EQ(said(), 1.0);
+    job.advance(0.25);
+    EXPECT_DOUBLE_EQ(said(), 0.25) << "outside of parts the worker says what it likes";
+}
+
+// Two steps without parts of their own, and threads that report in another order.
+TEST(JobPart, NeverFalls) {
+    Job job;
+    job.begin_stage("smooth");
+    job.advance(1.0);  // by a step that knew of no parts
+    const JobPart part(job, 0.2, 0.6);
+    EXPECT_DOUBLE_EQ(job.progress().fraction, 0.2);
+    job.advance(0.75);
+    job.advance(0.25);
+    EXPECT_DOUBLE_EQ(job.progress().fraction, 0.5);
+    {
+        const JobPart inner(job, 0.0, 0.5);
+        EXPECT_DOUBLE_EQ(job.progress().fraction, 0.5);
+        job.advance(1.0);
+        EXPECT_DOUBLE_EQ(job.progress().fraction, 0.5);
+    }
+    job.advance(1.0);
+    EXPECT_DOUBLE_EQ(job.progress().fraction, 0.6);
+}
+
+TEST(JobPart, EndsWithItsStageAndHearsACancel) {
+    Job job;
+    job.begin_stage("smooth");
+    {
+        const JobPart part(job, 0.5, 1.0);
+        job.begin_stage("thin");
+        job.advance(0.5);
+        EXPECT_DOUBLE_EQ(job.progress().fraction, 0.5);
+    }
+    job.advance(0.25);
+    EXPECT_DOUBLE_EQ(job.progress().fraction, 0.25);
+    job.cancel();
+    EXPECT_THROW(JobPart(job, 0.0, 1.0), Cancelled);
+}
+
 TEST(Job, StopsTheWorkerAtItsNextReport) {
     Job job;
     bool stopped = false;

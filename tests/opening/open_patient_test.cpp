@@ -91,6 +91,33 @@ TEST_F(Opening, what_is_not_there_is_named) {
     }
 }
 
+// The system refuses to look at such a name, which says nothing of what is there.
+TEST_F(Opening, a_place_that_cannot_be_looked_at_is_named) {
+    OpenRequest request;
+    request.reconstruct.ct = folder_ / (std::string(300, 'n') + ".nii");
+    Job job;
+    for (const bool only_looked_at : {true, false}) {
+        try {
+            if (only_looked_at)
+                look_at(request, job);
+            else
+                open_patient(request, job);
+            FAIL();
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.place(), request.reconstruct.ct.string());
+            EXPECT_TRUE(error.problem().starts_with("cannot be read (")) << error.problem();
+        }
+    }
+}
+
+// A folder of images may bear the name of any file.
+TEST_F(Opening, a_folder_is_no_tree_whatever_its_name) {
+    fs::create_directory(folder_ / "scan.swc");
+    OpenRequest request;
+    request.reconstruct.ct = folder_ / "scan.swc";
+    EXPECT_EQ(opening_stage_count(request), stage_count(request.reconstruct));
+}
+
 std::vector<std::string> choice(const fs::path& path, int series = 0) {
     OpenRequest request;
     request.reconstruct.ct = path;

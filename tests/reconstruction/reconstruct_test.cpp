@@ -14,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/image/volume_writer.h"
 #include "core/phantom/phantom.h"
+#include "tests/support/falls_of_progress.h"
 
 namespace hepatica {
 namespace {
@@ -96,6 +97,18 @@ TEST_F(SmallPatient, EveryStageLooksAtItsJobManyTimes) {
     EXPECT_GE(many, 5);  // those that take long on a real patient
 }
 
+// Filters, fronts and searches report each from 0 to 1: of a stage they are parts.
+TEST_F(SmallPatient, TheProgressOfNoStageFallsBack) {
+    ReconstructOptions smoothed = options();
+    smoothed.refinement_recursions = 2;
+    Job job;
+    const test::FallsOfProgress falls(job);
+    reconstruct(smoothed, job);
+    std::string named;
+    for (const std::string& stage : falls.stages()) named += stage + "; ";
+    EXPECT_EQ(named, "");
+}
+
 bool says(const Reconstruction& made, const std::string& words) {
     return std::ranges::any_of(made.warnings, [&](const std::string& warning) {
         return warning.find(words) != std::string::npos;
@@ -136,6 +149,24 @@ TEST(Reconstruct, OpensALoopWithinOneSystemAndSaysSo) {
     options.vessel_mask = folder / "line.nii.gz";
     EXPECT_FALSE(says(reconstruct(options, job), "loop"));
     fs::remove_all(folder);
+}
+
+// Whoever gives a wrong file need not wait until the vessels are found.
+TEST_F(SmallPatient, AMaskOfTumoursThatDoesNotFitIsRefusedBeforeTheLongWork) {
+    Mask other{Grid{{20, 20, 20}}};
+    other.voxels[0] = 1;
+    other.grid.origin_mm = Vec3(5000, 0, 0);
+    write_nifti(folder() / "other.nii.gz", other);
+    ReconstructOptions wrong = options();
+    wrong.tumour_masks = {folder() / "other.nii.gz"};
+    Job job;
+    try {
+        reconstruct(wrong, job);
+        FAIL() << "it lies five metres away";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.place(), (folder() / "other.nii.gz").string());
+    }
+    EXPECT_EQ(job.progress().stage_number, 2) << job.progress().stage;
 }
 
 // A seed beside every vessel says nothing; it must not name the vessel that happens to be nearest.

@@ -9,7 +9,9 @@
 #include "core/image/volume_writer.h"
 #include "core/patient/patient_case.h"
 #include "core/reconstruction/built_in_patient.h"
+#include "core/reconstruction/from_voxels.h"
 #include "core/reconstruction/given_vessels.h"
+#include "core/reconstruction/plausible_skeleton.h"
 #include "core/reconstruction/reconstruct_parameters.h"
 #include "core/reconstruction/seed_checks.h"
 #include "core/reconstruction/tumours.h"
@@ -92,6 +94,49 @@ TEST(ReconstructionLimits, NoMoreThanEightLabelsAreListed) {
     EXPECT_TRUE(
         refusal_of({11, 12, 13, 14, 15, 16, 17, 18, 19})
             .starts_with("holds the labels 11, 12, 13, 14, 15, 16, 17, 18 and others, and 11 is"));
+}
+
+// Lines along x, as many voxels long, in every other row of every other slice.
+Mask lines_of(int rows, int voxels, double edge_mm) {
+    Grid grid;
+    grid.dims = {voxels + 2, 2 * rows + 1, 2 * rows + 1};
+    grid.spacing_mm = Vec3(2.0 * edge_mm, edge_mm, 3.0 * edge_mm);
+    Mask lines(grid);
+    for (int z = 0; z < rows; ++z)
+        for (int y = 0; y < rows; ++y)
+            for (int x = 0; x < voxels; ++x) lines.at(x + 1, 2 * y + 1, 2 * z + 1) = 1;
+    return lines;
+}
+
+// A hundred lines of 160 voxels of 5 mm at least are 80 m; pieces that are too short for a tree do
+// not count.
+TEST(ReconstructionLimits, ASkeletonMayBeEightyMetresLong) {
+    Job job;
+    Mask lines = lines_of(10, 160, 5.0);
+    EXPECT_NO_THROW(require_plausible_skeleton(lines, job));
+    EXPECT_NO_THROW(require_plausible_skeleton(Mask(lines.grid), job));
+    EXPECT_NO_THROW(require_plausible_skeleton(lines_of(90, 2, 5.0), job));
+    lines.at(0, 1, 1) = 1;
+    try {
+        require_plausible_skeleton(lines, job);
+        FAIL() << "five millimetres more";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problem(),
+                  "the vessels found are 80 m long together, more than a liver shows");
+        EXPECT_EQ(error.place(), "vessels");
+    }
+    EXPECT_THROW(require_plausible_skeleton(lines_of(90, 3, 5.0), job), InputError);
+}
+
+// Before paths are searched through its crossings, and long before a tree is made.
+TEST(ReconstructionLimits, NoiseTakenForVesselsIsRefusedOnceItIsThin) {
+    PatientCase patient;
+    patient.mask = lines_of(24, 160, 1.0);
+    const Volume ct(patient.mask.grid, 100);
+    std::vector<std::string> warnings;
+    Job job;
+    EXPECT_THROW(make_tree({}, ct, patient, warnings, job), InputError);
+    EXPECT_EQ(job.progress().stage, "Thinning to the skeleton");
 }
 
 TEST(ReconstructionLimits, GivenVesselsAreCutWithFiveMillimetresAround) {

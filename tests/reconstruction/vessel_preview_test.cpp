@@ -11,6 +11,7 @@
 #include "core/image/morphology.h"
 #include "core/segmentation/gaussian_refinement.h"
 #include "tests/reconstruction/noisy_patient.h"
+#include "tests/support/falls_of_progress.h"
 
 namespace hepatica {
 namespace {
@@ -133,6 +134,21 @@ TEST_F(Preview, WhatComesInAreVessels) {
         << right << " of " << all << ", by chance " << chance;
 }
 
+// A dab of the brush that is smaller than any crumb, where no vessel was ever found.
+TEST_F(Preview, KeepsADabThatItDoesNotDrop) {
+    Job job;
+    const Mask about = dilate(preview_->vessels(present(), {0.75, 0}, gained, job), 8.0, job);
+    Mask dabbed = present();
+    std::size_t dab = dabbed.voxels.size();
+    for (std::size_t i = 0; i < about.voxels.size() && dab == dabbed.voxels.size(); ++i)
+        if (!about.voxels[i]) dab = i;
+    ASSERT_LT(dab, dabbed.voxels.size());
+    dabbed.voxels[dab] = 3;
+    Mask expected = vessels({1.2, 0});
+    expected.voxels[dab] = 3;
+    EXPECT_EQ(vessels({1.2, 0}, dabbed).voxels, expected.voxels);
+}
+
 TEST_F(Preview, SmoothsAsTheReconstructionDoes) {
     Job job;
     EXPECT_EQ(vessels({1.0, 2}).voxels, refine(present(), 2, job).voxels);
@@ -158,6 +174,16 @@ TEST_F(Preview, RefusesWhatNoThresholdCanBe) {
     for (const double share : {0.74, 1.36, -1.0, std::numeric_limits<double>::quiet_NaN()})
         EXPECT_THROW(vessels({share, 0}), InputError) << share;
     for (const int recursions : {-1, 11}) EXPECT_THROW(vessels({1.0, recursions}), InputError);
+}
+
+TEST_F(Preview, ItsProgressNeverFallsBack) {
+    for (const double share : {0.8, 1.2}) {
+        Job job;
+        const test::FallsOfProgress falls(job);
+        preview_->vessels(present(), {share, 2}, gained, job);
+        EXPECT_TRUE(falls.stages().empty()) << share;
+        EXPECT_GT(falls.reports(), 10) << share;
+    }
 }
 
 TEST_F(Preview, HearsACancel) {

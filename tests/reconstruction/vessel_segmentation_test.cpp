@@ -90,6 +90,27 @@ TEST(VesselSegmentation, NamesTheWindowWhereItHoldsNoVessels) {
     }
 }
 
+// Half of the liver and more would be vessels, a tangle that takes minutes.
+TEST(VesselSegmentation, RefusesAWindowThatTakesInTheTissueBeforeItLooksForVessels) {
+    Job setup;
+    const Phantom phantom = make_phantom(small_phantom(), setup);
+    SegmentationOptions options;
+    options.liver = phantom.liver;
+    options.spacing_mm = 1.4;
+    options.window_hu = {90.0, 300.0};  // the tissue has 110 HU
+    Job job;
+    try {
+        segment_vessels(phantom.ct, options, job);
+        FAIL() << "tissue was taken for vessels";
+    } catch (const InputError& error) {
+        EXPECT_TRUE(error.problem().starts_with(
+            "the window from 90 to 300 HU takes in the liver's own tissue, which has 1"))
+            << error.problem();
+        EXPECT_EQ(error.place(), "window");
+    }
+    EXPECT_EQ(job.progress().stage, "Measuring the contrast");
+}
+
 TEST(VesselSegmentation, LeavesOutOtherOrgansWhereTheLiverIsNotGiven) {
     Job job;
     const Patient patient = phantom_patient(1, 1.0, job);

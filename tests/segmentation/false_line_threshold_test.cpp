@@ -48,8 +48,7 @@ void add_rods(FloatVolume& values, float height) {
 double noise_of_lines(const FloatVolume& values, double deviation) {
     Job job;
     const Mask all(values.grid, 1);
-    return false_line_threshold(
-        values, deviation, all, all, [] {}, job);
+    return false_line_threshold(values, deviation, all, all, job);
 }
 
 TEST(FalseLineThreshold, IsTheStrongestThereCanBeWhereAllLinesAreNoise) {
@@ -111,13 +110,10 @@ TEST(FalseLineThreshold, CountsOnlyWhereItIsTold) {
         for (int y = 0; y < 64; ++y)
             for (int x = 0; x < 32; ++x) left.at(x, y, z) = 1;
     Job job;
-    const double before = false_line_threshold(
-        values, 1.0, all, left, [] {}, job);
+    const double before = false_line_threshold(values, 1.0, all, left, job);
     for (int y = 0; y < 64; ++y)
         for (int z : {16, 32, 48}) values.at(60, y, z) -= 5.0f;
-    EXPECT_EQ(false_line_threshold(
-                  values, 1.0, all, left, [] {}, job),
-              before);
+    EXPECT_EQ(false_line_threshold(values, 1.0, all, left, job), before);
 }
 
 }  // namespace

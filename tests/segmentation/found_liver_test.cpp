@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/segmentation/liver_region.h"
 #include "tests/segmentation/random_abdomen.h"
+#include "tests/support/falls_of_progress.h"
 
 namespace hepatica::test {
 namespace {
@@ -68,6 +69,17 @@ TEST(FoundLiverInASlab, IsFoundToItsCutEnds) {
             random_abdomen({.seed = seed, .spacing_mm = {2, 2, 2.5}, .slab_mm = 45.0});
         EXPECT_GT(judged(body, find_liver(body.ct, job).liver).dice, 0.90) << seed;
     }
+}
+
+// Its many filters report each from the beginning on.
+TEST(FoundLiverProgress, RisesToTheEnd) {
+    const RandomAbdomen body = random_abdomen({.seed = 101, .spacing_mm = {3, 3, 3}});
+    Job job;
+    const FallsOfProgress falls(job);
+    find_liver(body.ct, job);
+    EXPECT_TRUE(falls.stages().empty());
+    EXPECT_GT(falls.reports(), 100);
+    EXPECT_NEAR(job.progress().fraction, 1.0, 1e-9);
 }
 
 TEST(FoundLiverOfAnyThreads, HasTheSameVoxels) {

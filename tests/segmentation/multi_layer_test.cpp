@@ -10,6 +10,7 @@
 #include <random>
 #include <vector>
 
+#include "tests/support/falls_of_progress.h"
 #include "tests/support/test_masks.h"
 
 namespace hepatica {
@@ -80,6 +81,29 @@ TEST(MultiLayer, ItsProgressRisesToItsEndAndNotBeyond) {
     EXPECT_EQ(said.front(), 0.0);
     EXPECT_GT(said.back(), 0.95);
     EXPECT_LE(said.back(), 1.0);
+}
+
+// The fronts of one layer that march through so many pixels report progress of their own.
+TEST(MultiLayer, ItsProgressDoesNotFallBackInAWideSection) {
+    Grid grid;
+    grid.dims = {200, 200, 3};
+    grid.spacing_mm = Vec3::Constant(0.8);
+    TissueContrast tissue;
+    tissue.excess = FloatVolume(grid, 50.0f);
+    tissue.interior = Mask(grid, 1);
+    tissue.noise_hu = 6.0;
+    tissue.threshold_hu = 20.0;
+    Mask liver(grid);
+    for (std::size_t i = 0; i < liver.voxels.size(); ++i) {
+        const auto [x, y, z] = grid.index_of(i);
+        liver.voxels[i] = std::min(x, y) > 10 && std::max(x, y) < 190;
+    }
+    Job job;
+    const test::FallsOfProgress falls(job);
+    detect_by_layers(tissue, liver, job);
+    EXPECT_TRUE(falls.stages().empty());
+    EXPECT_GT(falls.reports(), 9) << "three layers are smoothed, searched, and marched through";
+    EXPECT_NEAR(job.progress().fraction, 1.0, 1e-9);
 }
 
 // After the last layer the chains of all layers are looked for, in each of the liver's voxels.

@@ -241,6 +241,35 @@ TEST(EnclosedTissue, MayLieOpenToOneSideWhicheverItIsButNotToTwo) {
         }
 }
 
+// A body that the scan cuts off above, stored by axial slices and by coronal ones.
+TEST(EnclosedTissue, IsTheSameWhicheverWayTheSlicesWereStored) {
+    const Vec3 tumour(78, 60, 58), liver(60, 60, 55);
+    const auto found_in = [&](const Grid& grid) {
+        FloatVolume smooth(grid, -100.0f);
+        Mask organ(grid);
+        for (std::size_t i = 0; i < organ.voxels.size(); ++i) {
+            const auto [x, y, z] = grid.index_of(i);
+            const Vec3 p = grid.to_mm(x, y, z);
+            const bool in_tumour = in_ball(p, tumour, 22);
+            organ.voxels[i] = in_ball(p, liver, 40) && !in_tumour;
+            if (in_tumour) smooth.voxels[i] = 50.0f;
+            if (organ.voxels[i] != 0) smooth.voxels[i] = 110.0f;
+        }
+        Job job;
+        return enclosed_tissue(smooth, organ, job);
+    };
+    const Mask axial = found_in(grid_of(40, 40, 24, 3.0));
+    Grid across = grid_of(40, 24, 40, 3.0);
+    across.direction.col(1) = Vec3::UnitZ();
+    across.direction.col(2) = Vec3::UnitY();
+    const Mask coronal = found_in(across);
+    EXPECT_GT(std::count(axial.voxels.begin(), axial.voxels.end(), 1), 1000);
+    for (std::size_t i = 0; i < axial.voxels.size(); ++i) {
+        const auto [x, y, z] = axial.grid.index_of(i);
+        ASSERT_EQ(axial.voxels[i], coronal.at(x, z, y)) << x << " " << y << " " << z;
+    }
+}
+
 // As a vessel is: the thinnest width is that of organ and piece together.
 TEST(EnclosedTissue, MayBeThinBetweenWallsOfTheOrgan) {
     const Grid grid = grid_of(50, 50, 50, 3.0);

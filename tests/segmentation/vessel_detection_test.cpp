@@ -9,6 +9,7 @@
 #include <random>
 
 #include "core/base/error.h"
+#include "tests/support/falls_of_progress.h"
 #include "tests/support/test_masks.h"
 
 namespace hepatica {
@@ -62,6 +63,24 @@ TEST(DetectVessels, FindsThinVesselsInNoise) {
         EXPECT_GT(2.0 * both / (vessels + detected), 0.85) << static_cast<int>(method);
         EXPECT_LT(far, 0.03 * detected) << static_cast<int>(method);
     }
+}
+
+TEST(DetectVessels, ItsProgressNeverFallsBack) {
+    const LiverFrame frame = noisy_frame();
+    Job setup;
+    const TissueContrast tissue = measure_tissue(frame.intensity, frame.liver, setup);
+    TissueContrast in_window = tissue;
+    apply_window(frame, {140.0, 300.0}, in_window);
+    for (const auto method : {SegmentationMethod::coherent, SegmentationMethod::vesselness,
+                              SegmentationMethod::multi_layer})
+        for (const TissueContrast* contrast : {&tissue, &in_window}) {
+            Job job;
+            job.begin_stage("detect");
+            const test::FallsOfProgress falls(job);
+            detect_vessels(*contrast, frame.liver, Vec3::Constant(0.8), {.method = method}, job);
+            EXPECT_TRUE(falls.stages().empty()) << static_cast<int>(method);
+            EXPECT_NEAR(job.progress().fraction, 1.0, 1e-9) << static_cast<int>(method);
+        }
 }
 
 TEST(DetectVessels, FindsNothingInNoiseAlone) {
