@@ -25,6 +25,7 @@ namespace {
 
 constexpr double calls_per_radius_of_length = 2000.0;
 constexpr double longest_in_radii = 1e6;  // about 1e7 tetrahedra; a liver's vessels have 1e4 radii
+constexpr int most_counting_passes = 3;   // to find the sizes that give a number of tetrahedra
 constexpr double widest_minimum_mm = 50.0;  // of the least radius; wider than any vessel
 
 // Segments connected through nodes, links of loops included; sorted by smallest id.
@@ -138,13 +139,30 @@ struct WholeMesh {
     int unclosed = 0;  // components whose boundary is not a closed manifold
 };
 
+// Scales the sizes within their range; false where they are at its end and nothing changes.
+bool rescale(MeshOptions& options, double scale) {
+    bool changed = false;
+    for (double* size : {&options.facet_size_in_radii, &options.cell_size_in_radii}) {
+        const double before = *size;
+        *size = std::clamp(before * scale, finest_in_radii, coarsest_in_radii);
+        changed = changed || *size != before;
+    }
+    return changed;
+}
+
+// The progress before and after one of several passes.
+struct Part {
+    double from = 0.0, to = 1.0;
+};
+
 WholeMesh mesh_once(const VesselTree& tree, const std::vector<std::vector<int>>& components,
-                    const MeshOptions& options, Job& job) {
+                    const MeshOptions& options, const Part& part_of_all, Job& job) {
     std::vector<ManifoldMesh> parts(components.size());
     const double all_calls = expected_calls(tree, options);
     std::atomic<double> calls = 0.0;
     const auto on_calls = [&](int more) {
-        job.advance(std::min(0.99, calls.fetch_add(more) / all_calls));
+        const double done = std::min(0.99, calls.fetch_add(more) / all_calls);
+        job.advance(part_of_all.from + (part_of_all.to - part_of_all.from) * done);
     };
     parallel_blocks(components.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
@@ -165,19 +183,20 @@ TetMesh tetrahedralize(const VesselTree& tree, const MeshOptions& options, Job& 
     check(tree, options);
     const std::vector<std::vector<int>> components = connected_components(tree);
     MeshOptions sized = options;
-    // Few attempts suffice, because the number of tetrahedra is about a power of the size.
-    for (int attempt = 0; options.target_tetrahedra > 0 && attempt < 3; ++attempt) {
+    double done = 0.0;
+    // Few passes suffice, because the number of tetrahedra is about a power of the size.
+    for (int pass = 0; options.target_tetrahedra > 0 && pass < most_counting_passes; ++pass) {
         sized.optimise = false;
-        const std::size_t count = mesh_once(tree, components, sized, job).mesh.tetrahedra.size();
+        const double next = (pass + 1.0) / (most_counting_passes + 1.0);
+        const std::size_t count =
+            mesh_once(tree, components, sized, {done, next}, job).mesh.tetrahedra.size();
+        done = next;
         const double ratio =
             static_cast<double>(count) / static_cast<double>(options.target_tetrahedra);
-        if (ratio > 0.85 && ratio < 1.15) break;
-        const double scale = std::pow(ratio, 1.0 / 3.0);
-        for (double* size : {&sized.facet_size_in_radii, &sized.cell_size_in_radii})
-            *size = std::clamp(*size * scale, finest_in_radii, coarsest_in_radii);
+        if ((ratio > 0.85 && ratio < 1.15) || !rescale(sized, std::pow(ratio, 1.0 / 3.0))) break;
     }
     sized.optimise = options.optimise;
-    WholeMesh whole = mesh_once(tree, components, sized, job);
+    WholeMesh whole = mesh_once(tree, components, sized, {done, 1.0}, job);
     job.throw_if_cancelled();
     validate(whole.mesh);
     report_unclosed(whole.unclosed, static_cast<int>(components.size()), warnings);
