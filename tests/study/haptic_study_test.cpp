@@ -15,6 +15,7 @@ TEST(HapticStudy, FeelsAFullPatchWhileThePlayRuns) {
     HapticStudyOptions options;
     options.seconds = 0.5;
     const HapticStudy study = study_haptics(nullptr, options, job);
+    EXPECT_EQ(job.stage_times().size(), 2u);
     EXPECT_GT(study.periods, 10);
     EXPECT_GE(study.contacts_most, most_local_contacts);
     EXPECT_GT(study.full, 0.5);
