@@ -8,9 +8,9 @@
 #include <limits>
 #include <tuple>
 
+#include "core/accuracy/mask_on_grid.h"
 #include "core/base/error.h"
 #include "core/base/median.h"
-#include "core/image/filters.h"
 #include "core/skeleton/thinning.h"
 #include "core/skeleton/unit_width_skeleton.h"
 #include "core/tree/extraction/centreline.h"
@@ -182,10 +182,7 @@ int component_count(const VesselTree& tree) {
 }  // namespace
 
 double dice_of(const Mask& mask, const Mask& truth, Job& job) {
-    Mask judged = mask;
-    for (std::uint8_t& v : judged.voxels) v = v != 0;  // of any system
-    if (!same_grid(mask.grid, truth.grid))
-        judged = resample(judged, truth.grid, Interpolation::linear, job);
+    const Mask judged = mask_on_grid(mask, truth.grid, job);
     double both = 0.0, sum = 0.0;
     for (std::size_t i = 0; i < truth.voxels.size(); ++i) {
         both += truth.voxels[i] && judged.voxels[i];
@@ -200,6 +197,9 @@ Accuracy compare(const VesselTree& tree, const Mask& mask, const VesselTree& tru
         throw InputError("the true tree has no segments", "", "Give the tree that is the truth");
     if (std::ranges::all_of(truth_mask.voxels, [](auto v) { return v == 0; }))
         throw InputError("the true mask is empty", "", "Give the mask that is the truth");
+    if (mask.voxels.empty())
+        throw InputError("there is no mask to judge", "",
+                         "Give a case that was reconstructed from a CT, with its voxels");
     Accuracy accuracy;
     accuracy.voxel_mm = std::cbrt(truth_mask.grid.spacing_mm.prod());
     accuracy.dice = dice_of(mask, truth_mask, job);

@@ -61,12 +61,13 @@ struct Accuracy {
 };
 
 // Dice coefficient of the nonzero voxels on the truth's grid; 1 where both masks are empty. The
-// masks may lie on different grids in one frame. Throws Cancelled.
+// masks may lie on different grids in one frame; beyond its grid a mask is background. Throws
+// Cancelled.
 double dice_of(const Mask& mask, const Mask& truth, Job& job);
 
 // Compares a tree and its mask with the truth. The masks may lie on different grids in one frame.
-// Reports progress in the present stage. Throws InputError where the true tree or mask is empty;
-// Cancelled.
+// Reports progress in the present stage. Throws InputError where the true tree or mask is empty, or
+// `mask` has no grid, as in cases without voxels; Cancelled.
 Accuracy compare(const VesselTree& tree, const Mask& mask, const VesselTree& truth_tree,
                  const Mask& truth_mask, const AccuracyOptions& options, Job& job);
 

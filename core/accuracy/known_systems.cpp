@@ -26,6 +26,9 @@ void require_truths(std::span<const SystemTruth> truths, const Mask* liver, cons
             throw InputError("the true mask lies on another grid than the first one",
                              name_of(truth.system), "Give masks of one image");
     }
+    if (liver != nullptr && std::ranges::all_of(liver->voxels, [](auto v) { return v == 0; }))
+        throw InputError("the liver's mask is empty", "",
+                         "Give the mask of the liver, or leave it out");
     for (const Mask* organ : {liver, cava})
         if (organ != nullptr && !same_grid(organ->grid, grid))
             throw InputError("the organ's mask lies on another grid than the vessels'", "",

@@ -26,9 +26,9 @@ struct KnownSystem {
 };
 
 // Immutable after construction. The truths are one or more non-empty masks on one grid, which
-// `liver` and `cava` share; both may be null. The grid of judged() is that of the truths, cut to
-// the liver with a margin of 12 mm. The constructor throws InputError where that does not hold;
-// Cancelled.
+// `liver` and `cava` share; both may be null, and a given liver has a voxel. The grid of judged()
+// is that of the truths, cut to the liver with a margin of 12 mm. The constructor throws InputError
+// where that does not hold; Cancelled.
 class KnownSystems {
   public:
     KnownSystems(std::span<const SystemTruth> truths, const Mask* liver, const Mask* cava,

@@ -6,9 +6,9 @@
 #include <limits>
 #include <map>
 
+#include "core/accuracy/mask_on_grid.h"
 #include "core/accuracy/surface_dice.h"
 #include "core/base/disjoint_sets.h"
-#include "core/image/filters.h"
 
 namespace hepatica {
 
@@ -39,19 +39,6 @@ void set_lengths(SystemScore& score, const FoundLengths& of_truth, const FoundLe
         if (of_truth[i].all_mm > 0.0) size.length_recall = of_truth[i].share();
         if (of_tree[i].all_mm > 0.0) size.length_precision = of_tree[i].share();
     }
-}
-
-// A mask of 0 and 1 resampled to another grid, 0 outside its own.
-Mask looked_up(const Mask& mask, const Grid& grid, Job& job) {
-    if (same_grid(mask.grid, grid)) return mask;
-    Mask there = resample(mask, grid, Interpolation::linear, job);
-    const Mask everywhere(mask.grid, 1);
-    for (std::size_t i = 0; i < there.voxels.size(); ++i) {
-        if (there.voxels[i] == 0) continue;
-        const auto [x, y, z] = grid.index_of(i);
-        if (!holds(everywhere, grid.to_mm(x, y, z))) there.voxels[i] = 0;
-    }
-    return there;
 }
 
 // Root of the longest connected piece whose root carries the system.
@@ -139,6 +126,7 @@ class Judge {
     int breaks_of(const KnownSystem& known) const {
         const auto system = static_cast<std::uint8_t>(known.system);
         const std::vector<CentrelineSample>& truth = known.samples.samples;
+        if (truth.empty()) return 0;  // a mask without a line, such as a ball, has no pieces
         DisjointSets ours(line_.samples.size()), theirs(truth.size());
         for (const CentrelineStep& step : line_.steps)
             if (carried(step.from) == system && carried(step.to) == system)
@@ -193,7 +181,7 @@ class Judge {
         std::ranges::transform(mask_.voxels, ours.voxels.begin(), [&](std::uint8_t label) {
             return static_cast<std::uint8_t>(wanted(label));
         });
-        ours = looked_up(ours, lumen.grid, job_);
+        ours = mask_on_grid(ours, lumen.grid, job_);
         const Mask& judged = known_.judged();
         double both = 0.0, all = 0.0;
         for (std::size_t i = 0; i < ours.voxels.size(); ++i) {

@@ -62,7 +62,7 @@ struct SystemScores {
 // Scores a tree and its mask. The truths (one for each system), `liver` and `cava` share one grid;
 // `mask` holds numbers of systems on any grid and may be empty. `liver` and `cava` may be null:
 // without a liver the whole grid is judged, apart from the cava. Reports progress in the present
-// stage. Throws InputError where a truth is empty or a grid differs; Cancelled.
+// stage. Throws InputError where a truth or the liver is empty or a grid differs; Cancelled.
 SystemScores judge_systems(const VesselTree& tree, const Mask& mask,
                            std::span<const SystemTruth> truths, const Mask* liver, const Mask* cava,
                            const SystemScoreOptions& options, Job& job);

@@ -9,7 +9,7 @@ namespace hepatica {
 
 ManifoldMesh first_manifold(const std::function<TetMesh(double)>& mesher) {
     ManifoldMesh last;
-    for (const double scale : {1.0, 0.93, 0.86, 0.8}) {
+    for (const double scale : attempt_scales) {
         last.mesh = mesher(scale);
         last.is_manifold = is_closed_manifold(surface_of(last.mesh).mesh);
         if (last.is_manifold) break;

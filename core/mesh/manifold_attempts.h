@@ -5,6 +5,7 @@
 // no size does, the caller is told.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,13 +14,16 @@
 
 namespace hepatica {
 
+// Factors of the element sizes of the attempts, in their order; attempt_sizes() applies them.
+inline constexpr std::array attempt_scales{1.0, 0.93, 0.86, 0.8};
+
 struct ManifoldMesh {
     TetMesh mesh;
     bool is_manifold = true;  // false: no attempt gave one, and this is the last
 };
 
-// Calls mesher(scale) with element sizes scaled by 1, 0.93, 0.86 and 0.8 until the boundary is a
-// closed manifold. Exceptions of the mesher pass through.
+// Calls mesher(scale) with each of attempt_scales until the boundary is a closed manifold.
+// Exceptions of the mesher pass through.
 ManifoldMesh first_manifold(const std::function<TetMesh(double scale)>& mesher);
 
 // If `unclosed` of `all` bodies are not closed manifolds: adds a sentence for the user to

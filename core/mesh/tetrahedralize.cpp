@@ -3,7 +3,6 @@
 #include "core/mesh/tetrahedralize.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <functional>
@@ -15,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/number_text.h"
 #include "core/base/parallel.h"
+#include "core/mesh/attempt_sizes.h"
 #include "core/mesh/manifold_attempts.h"
 #include "core/mesh/refinement.h"
 #include "core/mesh/tube_field.h"
@@ -25,29 +25,8 @@ namespace {
 
 constexpr double calls_per_radius_of_length = 2000.0;
 constexpr double longest_in_radii = 1e6;  // about 1e7 tetrahedra; a liver's vessels have 1e4 radii
+constexpr int most_counting_passes = 3;   // to find the sizes that give a number of tetrahedra
 constexpr double widest_minimum_mm = 50.0;  // of the least radius; wider than any vessel
-constexpr double finest_in_radii = 0.3;
-// Above it cross-sections become triangles and tubes break.
-constexpr double coarsest_in_radii = 1.0;
-
-// A polyhedron inscribed in a tube has less volume than the tube. The tube is widened by this
-// factor, depending on the facet size in radii, so that the polyhedron has the right volume.
-// Measured on branching trees without compensation; the tests check the volume to a few per cent.
-double radius_factor(double facet_size_in_radii) {
-    constexpr std::array<std::pair<double, double>, 8> measured{{{0.3, 1.012},
-                                                                 {0.4, 1.020},
-                                                                 {0.5, 1.029},
-                                                                 {0.6, 1.041},
-                                                                 {0.7, 1.069},
-                                                                 {0.8, 1.099},
-                                                                 {0.9, 1.102},
-                                                                 {1.0, 1.103}}};
-    std::size_t i = 1;
-    while (i + 1 < measured.size() && measured[i].first < facet_size_in_radii) ++i;
-    const auto& [size_a, factor_a] = measured[i - 1];
-    const auto& [size_b, factor_b] = measured[i];
-    return factor_a + (factor_b - factor_a) * (facet_size_in_radii - size_a) / (size_b - size_a);
-}
 
 // Segments connected through nodes, links of loops included; sorted by smallest id.
 std::vector<std::vector<int>> connected_components(const VesselTree& tree) {
@@ -137,18 +116,22 @@ void sort_along(const TubeField& field, TetMesh& mesh, const std::function<void(
                              [](const auto& t) { return *std::ranges::min_element(t); });
 }
 
-ManifoldMesh mesh_component(const TubeField& field, const MeshOptions& options,
-                            const std::function<void(int)>& on_calls) {
-    ManifoldMesh made = first_manifold([&](double scale) {
-        const MeshRefinementOptions refinement{
-            std::max(finest_in_radii, scale * options.facet_size_in_radii),
-            std::max(finest_in_radii, scale * options.cell_size_in_radii), options.optimise};
-        TetMesh mesh = refine_tetrahedra(field, refinement, on_calls);
+// Every attempt has a field of its own, widened for its element size.
+ManifoldMesh mesh_component(const VesselTree& tree, const std::vector<int>& segments,
+                            const MeshOptions& options, const std::function<void(int)>& on_calls) {
+    return first_manifold([&](double scale) {
+        const AttemptSizes sizes =
+            attempt_sizes(options.facet_size_in_radii, options.cell_size_in_radii, scale);
+        TubeFieldOptions field_options;
+        field_options.radius_factor = sizes.radius_factor;
+        field_options.minimum_radius_mm = options.minimum_radius_mm;
+        const TubeField field(tree, segments, field_options);
+        TetMesh mesh = refine_tetrahedra(
+            field, {sizes.facet_in_radii, sizes.cell_in_radii, options.optimise}, on_calls);
         on_calls(0);
+        sort_along(field, mesh, on_calls);
         return mesh;
     });
-    sort_along(field, made.mesh, on_calls);
-    return made;
 }
 
 struct WholeMesh {
@@ -156,22 +139,34 @@ struct WholeMesh {
     int unclosed = 0;  // components whose boundary is not a closed manifold
 };
 
+// Scales the sizes within their range; false where they are at its end and nothing changes.
+bool rescale(MeshOptions& options, double scale) {
+    bool changed = false;
+    for (double* size : {&options.facet_size_in_radii, &options.cell_size_in_radii}) {
+        const double before = *size;
+        *size = std::clamp(before * scale, finest_in_radii, coarsest_in_radii);
+        changed = changed || *size != before;
+    }
+    return changed;
+}
+
+// The progress before and after one of several passes.
+struct Part {
+    double from = 0.0, to = 1.0;
+};
+
 WholeMesh mesh_once(const VesselTree& tree, const std::vector<std::vector<int>>& components,
-                    const MeshOptions& options, Job& job) {
+                    const MeshOptions& options, const Part& part_of_all, Job& job) {
     std::vector<ManifoldMesh> parts(components.size());
     const double all_calls = expected_calls(tree, options);
     std::atomic<double> calls = 0.0;
     const auto on_calls = [&](int more) {
-        job.advance(std::min(0.99, calls.fetch_add(more) / all_calls));
+        const double done = std::min(0.99, calls.fetch_add(more) / all_calls);
+        job.advance(part_of_all.from + (part_of_all.to - part_of_all.from) * done);
     };
     parallel_blocks(components.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            TubeFieldOptions field_options;
-            field_options.radius_factor = radius_factor(options.facet_size_in_radii);
-            field_options.minimum_radius_mm = options.minimum_radius_mm;
-            const TubeField field(tree, components[i], field_options);
-            parts[i] = mesh_component(field, options, on_calls);
-        }
+        for (std::size_t i = begin; i < end; ++i)
+            parts[i] = mesh_component(tree, components[i], options, on_calls);
     });
     WholeMesh whole;
     for (const ManifoldMesh& part : parts) {
@@ -188,19 +183,20 @@ TetMesh tetrahedralize(const VesselTree& tree, const MeshOptions& options, Job& 
     check(tree, options);
     const std::vector<std::vector<int>> components = connected_components(tree);
     MeshOptions sized = options;
-    // Few attempts suffice, because the number of tetrahedra is about a power of the size.
-    for (int attempt = 0; options.target_tetrahedra > 0 && attempt < 3; ++attempt) {
+    double done = 0.0;
+    // Few passes suffice, because the number of tetrahedra is about a power of the size.
+    for (int pass = 0; options.target_tetrahedra > 0 && pass < most_counting_passes; ++pass) {
         sized.optimise = false;
-        const std::size_t count = mesh_once(tree, components, sized, job).mesh.tetrahedra.size();
+        const double next = (pass + 1.0) / (most_counting_passes + 1.0);
+        const std::size_t count =
+            mesh_once(tree, components, sized, {done, next}, job).mesh.tetrahedra.size();
+        done = next;
         const double ratio =
             static_cast<double>(count) / static_cast<double>(options.target_tetrahedra);
-        if (ratio > 0.85 && ratio < 1.15) break;
-        const double scale = std::pow(ratio, 1.0 / 3.0);
-        for (double* size : {&sized.facet_size_in_radii, &sized.cell_size_in_radii})
-            *size = std::clamp(*size * scale, finest_in_radii, coarsest_in_radii);
+        if ((ratio > 0.85 && ratio < 1.15) || !rescale(sized, std::pow(ratio, 1.0 / 3.0))) break;
     }
     sized.optimise = options.optimise;
-    WholeMesh whole = mesh_once(tree, components, sized, job);
+    WholeMesh whole = mesh_once(tree, components, sized, {done, 1.0}, job);
     job.throw_if_cancelled();
     validate(whole.mesh);
     report_unclosed(whole.unclosed, static_cast<int>(components.size()), warnings);

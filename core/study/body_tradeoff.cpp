@@ -273,6 +273,7 @@ Tradeoff measure_body_tradeoff(const std::vector<BodyDescription>& meshes,
     const Scene scene(meshes);
     job.begin_stage("Measuring the reference");
     const Reference reference = measure_reference(scene, clock, options.budget_s, job);
+    require_movement(reference.motion);
     job.begin_stage("Measuring the settings");
     Tradeoff tradeoff;
     tradeoff.reference = reference.words;

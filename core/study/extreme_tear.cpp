@@ -191,8 +191,9 @@ std::vector<ExtremeCase> tear_cases(const Campaign& campaign) {
         char name[80];
         std::snprintf(name, sizeof name, "tear %d %s at %.3g mm/s, %d tetrahedra", t,
                       tear_plays[static_cast<std::size_t>(play)], speed, tetrahedra);
-        cases.push_back({name, [=, steps = campaign.steps](const ExtremeRun& how) mutable {
-                             return TearTrial(play, speed, random, tetrahedra).run(steps, how);
+        cases.push_back({name, [=, steps = campaign.steps](const ExtremeRun& how) {
+                             std::mt19937_64 own = random;  // a row may be run more than once
+                             return TearTrial(play, speed, own, tetrahedra).run(steps, how);
                          }});
     }
     return cases;

@@ -175,8 +175,9 @@ ExtremeCase on_patient(const TouchCampaign& campaign, int t, std::mt19937_64 ran
     const auto play = static_cast<Play>(turn % static_cast<std::size_t>(Play::knot));
     const double speed = random_speed_mm_per_s(random);
     return {name_of_trial(t, play, speed, body->mesh.tetrahedra.size()),
-            [=, steps = campaign.steps](const ExtremeRun& how) mutable {
-                return TouchTrial(play, speed, random, *body).run(steps, how);
+            [=, steps = campaign.steps](const ExtremeRun& how) {
+                std::mt19937_64 own = random;  // a row may be run more than once
+                return TouchTrial(play, speed, own, *body).run(steps, how);
             }};
 }
 
@@ -195,12 +196,12 @@ std::vector<ExtremeCase> touch_cases(const TouchCampaign& campaign) {
         const double speed = random_speed_mm_per_s(random);
         const int tetrahedra =
             static_cast<int>(uniform(random, 0.15, 1.0) * campaign.most_tetrahedra);
-        cases.push_back(
-            {name_of_trial(t, play, speed, static_cast<std::size_t>(tetrahedra)),
-             [=, steps = campaign.steps](const ExtremeRun& how) mutable {
-                 BodyDescription body = random_body(play, random, tetrahedra);
-                 return TouchTrial(play, speed, random, std::move(body)).run(steps, how);
-             }});
+        cases.push_back({name_of_trial(t, play, speed, static_cast<std::size_t>(tetrahedra)),
+                         [=, steps = campaign.steps](const ExtremeRun& how) {
+                             std::mt19937_64 own = random;  // a row may be run more than once
+                             BodyDescription body = random_body(play, own, tetrahedra);
+                             return TouchTrial(play, speed, own, std::move(body)).run(steps, how);
+                         }});
     }
     return cases;
 }

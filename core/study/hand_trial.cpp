@@ -14,6 +14,7 @@
 #include "core/scene/world_checkpoint.h"
 #include "core/session/command.h"
 #include "core/session/session.h"
+#include "core/study/job_within.h"
 #include "core/study/motion_file.h"
 
 namespace hepatica {
@@ -87,8 +88,8 @@ HandTrial::HandTrial(std::shared_ptr<const PatientCase> patient, const SceneSpec
       scene_(validated(scene)),
       watched_(std::make_unique<WatchedBackEnd>(region, back_end)),
       probes_({}, {}) {
-    Job building;  // separate job, because its stages are not the caller's
-    session_ = std::make_unique<Session>(patient_, scene_, building, watched_->back_end());
+    JobWithin building(job);
+    session_ = std::make_unique<Session>(patient_, scene_, building.job(), watched_->back_end());
     const DeformPart& deform = *session_->world().deform();
     setting_ = deform.setting();
     probes_ = CentrelineProbes(deform.body().skeleton.positions_mm, deform.body().mesh);
@@ -152,8 +153,8 @@ SceneSpec HandTrial::reference_scene(int substeps) const {
 }
 
 CentrelineMotion HandTrial::reference(const HandMotion& motion, int substeps, Job& job) const {
-    Job building;
-    Session session(patient_, reference_scene(substeps), building, whole_body_back_end());
+    JobWithin building(job);
+    Session session(patient_, reference_scene(substeps), building.job(), whole_body_back_end());
     CentrelineMotion moved;
     const auto commands = schedule(motion.script, patient_->tree, frame_s, motion.steps);
     for (std::size_t f = 0; f < commands.size(); ++f) {

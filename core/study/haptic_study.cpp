@@ -18,6 +18,7 @@
 #include "core/scene/deform_part.h"
 #include "core/scene/world.h"
 #include "core/session/session.h"
+#include "core/study/job_within.h"
 #include "core/study/timing.h"
 #include "core/study/vessel_body.h"
 
@@ -137,7 +138,8 @@ HapticStudy study_haptics(std::shared_ptr<const PatientCase> patient,
     SceneSpec spec = default_scene();
     spec.flow.reset();
     spec.contact = ContactSpec{.self = false};
-    Session session(patient, spec, job);
+    JobWithin building(job);
+    Session session(patient, spec, building.job());
     hold(session, patient->tree, job);
     job.begin_stage("Feeling");
     const auto device = std::make_shared<SimulatedDevice>(

@@ -10,6 +10,7 @@
 #include "core/deform/solvers/cholesky_solver.h"
 #include "core/deform/solvers/skeleton_preconditioner.h"
 #include "core/deform/step/assembly.h"
+#include "core/study/job_within.h"
 #include "core/study/timing.h"
 #include "core/study/vessel_body.h"
 
@@ -91,9 +92,10 @@ double slenderness_of(const VesselTree& tree) {
     return most;
 }
 
-std::vector<StudyCase> cases_of_patient(const VesselTree& patient, int tetrahedra) {
-    Job meshing;  // its stages are none of the caller's
-    const auto body = std::make_shared<BodyDescription>(body_of(patient, tetrahedra, meshing));
+std::vector<StudyCase> cases_of_patient(const VesselTree& patient, int tetrahedra, const Job& job) {
+    JobWithin meshing(job);
+    const auto body =
+        std::make_shared<BodyDescription>(body_of(patient, tetrahedra, meshing.job()));
     lay_along_x(*body);
     std::vector<StudyCase> cases;
     for (const double bend_rad : {0.0, 1.0})
@@ -213,15 +215,15 @@ IterationRow measure_iterations(const std::string& name, const BodyDescription& 
 
 std::vector<IterationRow> study_iterations(const IterationStudyOptions& options, Job& job) {
     std::vector<IterationRow> rows;
-    const std::vector<StudyCase> cases = options.tree.segments.empty()
-                                             ? cases_of(options.quick)
-                                             : cases_of_patient(options.tree, options.tetrahedra);
+    const std::vector<StudyCase> cases =
+        options.tree.segments.empty() ? cases_of(options.quick)
+                                      : cases_of_patient(options.tree, options.tetrahedra, job);
     job.expect_stages(static_cast<int>(cases.size()));
     for (const StudyCase& study : cases) {
         job.begin_stage(study.name + ", slenderness " +
                         std::to_string(static_cast<int>(study.slenderness)));
-        Job meshing;  // its stages are none of the caller's
-        const BodyDescription body = study.make(meshing);
+        JobWithin meshing(job);
+        const BodyDescription body = study.make(meshing.job());
         const StudySystem system = study_system(body, study.bend_rad);
         for (const auto kind : {LinearSolverKind::skeleton, LinearSolverKind::cholesky,
                                 LinearSolverKind::block_jacobi}) {

@@ -7,6 +7,7 @@
 #include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/live_stepper.h"
+#include "core/study/job_within.h"
 #include "core/study/pull_trial.h"
 #include "core/study/timing.h"
 #include "core/study/vessel_body.h"
@@ -49,10 +50,10 @@ Played play(Stepper& stepper, const BodyDescription& body, const RegionStudyOpti
 RegionRow measure(int generations, const RegionStudyOptions& options, Job& job) {
     const double root_radius =
         twig_radius_mm * std::pow(2.0, static_cast<double>(generations - 1) / 3.0);
-    Job meshing;  // its stages are none of the caller's
+    JobWithin meshing(job);
     const int branches = (1 << generations) - 1;
-    BodyDescription body =
-        body_of(study_tree(generations, root_radius), branches * tetrahedra_per_branch, meshing);
+    BodyDescription body = body_of(study_tree(generations, root_radius),
+                                   branches * tetrahedra_per_branch, meshing.job());
     body.tether_pa_per_mm2 = options.tether_pa_per_mm2;
     body.material.damping_ratio = 0.3;
     StepperOptions stepper_options;

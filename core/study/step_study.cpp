@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/deform/body/energy_ledger.h"
 #include "core/deform/stepper/cpu_stepper.h"
+#include "core/study/job_within.h"
 #include "core/study/timing.h"
 #include "core/study/vessel_body.h"
 
@@ -61,10 +62,10 @@ double largest_imbalance(const Run& run) {
 }  // namespace
 
 std::vector<StepRow> study_steps(const StepStudyOptions& options, Job& job) {
-    Job meshing;  // separate job, because its stages are not the caller's
+    JobWithin meshing(job);
     BodyDescription body =
         body_of(options.tree.segments.empty() ? study_tree(6, 6.0) : options.tree,
-                options.tetrahedra, meshing);
+                options.tetrahedra, meshing.job());
     body.material.damping_ratio = 0.3;
     body.tether_pa_per_mm2 = options.tether_pa_per_mm2;
     const int tip = furthest_vertex(body);

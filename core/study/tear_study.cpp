@@ -8,6 +8,7 @@
 #include "core/base/median.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/mesh/brick_mesh.h"
+#include "core/study/job_within.h"
 #include "core/study/timing.h"
 #include "core/study/vessel_body.h"
 #include "core/tear/tearing.h"
@@ -161,8 +162,8 @@ std::vector<int> nearest_joints(const Tearing& tearing, const Vec3& place_mm) {
 }
 
 BreakingRow measure_breaking(int tetrahedra, int tries, const Job& job) {
-    Job meshing;  // separate job, because its stages are not the caller's
-    BodyDescription body = body_of(study_tree(6, 6.0), tetrahedra, meshing);
+    JobWithin meshing(job);
+    BodyDescription body = body_of(study_tree(6, 6.0), tetrahedra, meshing.job());
     body.tether_pa_per_mm2 = 20.0;
     body.tear = TearLaw{.bare_limit = true};
     StepperOptions options;

@@ -164,12 +164,17 @@ TradeoffPoint measure_beam(BeamSpec spec, const Setting& setting, const BeamRefe
 
 }  // namespace
 
+bool is_measured(const TradeoffPoint& point) {
+    return point.not_measured.empty() && std::isfinite(point.frame_ms) && point.frame_ms > 0.0 &&
+           std::isfinite(point.error_relative);
+}
+
 void mark_front(Tradeoff& tradeoff) {
     std::vector<double> cost, error;
     std::vector<std::size_t> measured;
     for (std::size_t i = 0; i < tradeoff.points.size(); ++i) {
         const TradeoffPoint& point = tradeoff.points[i];
-        if (!point.not_measured.empty()) continue;
+        if (!is_measured(point)) continue;
         measured.push_back(i);
         cost.push_back(point.frame_ms);
         error.push_back(point.error_relative);

@@ -63,10 +63,14 @@ Tradeoff measure_beam_tradeoff(const TradeoffOptions& options, Job& job);
 // sizes. The reference is the motion of quadratic elements on meshes[0] with eight substeps a frame
 // where two fifths of the budget allow it, or else of linear ones with up to 32, computed on the
 // processor. With a device each setting is also measured there, except those that it leaves to the
-// processor. Begins three stages of the job. Throws InputError, Cancelled (after a substep at
-// most).
+// processor. Begins three stages of the job. Throws InputError, also where the pull moves nothing;
+// Cancelled (after a substep at most).
 Tradeoff measure_body_tradeoff(const std::vector<BodyDescription>& meshes,
                                const TradeoffOptions& options, Job& job);
+
+// Whether a point has a place in the plane of cost and error: it was measured, its error is finite
+// and its cost finite and above 0.
+bool is_measured(const TradeoffPoint& point);
 
 // Marks the Pareto front: the measured points that no other beats in both cost and error.
 void mark_front(Tradeoff& tradeoff);

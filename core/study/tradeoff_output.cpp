@@ -141,7 +141,7 @@ std::string svg_of(const Tradeoff& tradeoff, const std::string& error_name) {
     std::map<std::string, std::size_t> colour_of;
     bool meshes = false;
     for (const TradeoffPoint& p : tradeoff.points) {
-        if (!p.not_measured.empty()) continue;
+        if (!is_measured(p)) continue;
         measured.push_back(p);
         cost.push_back(p.frame_ms);
         error.push_back(std::max(p.error_relative, 1e-5));

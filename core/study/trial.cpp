@@ -51,6 +51,8 @@ bool Trial::check_energy(const StepReport& report) {
     started_ = true;
     stored_ = stored;
     const double in_step = std::abs(before) + energy_handled(e);
+    // Comparisons below let a value pass that is no number, and all steps after an infinite one.
+    if (!require(std::isfinite(in_step), "the ledger of energies is not finite")) return false;
     handled_ = std::max(handled_, in_step);
     // The energies left in a body at rest are rounding errors of those it had.
     const double size = std::max(in_step, rounding * handled_);

@@ -46,8 +46,9 @@ class Trial {
     // Requires that no vertex is further from its place than allowed.
     bool require_back_at(std::span<const Vec3> places_mm, double allowed_mm);
 
-    // Checks the energies of a step, as run() does: no more is stored than before plus what was put
-    // in, the ledger explains the rest, and the stored energy fell by the work of the forces.
+    // Checks the energies of a step, as run() does: all are finite, no more is stored than before
+    // plus what was put in, the ledger explains the rest, and the stored energy fell by the work of
+    // the forces.
     bool check_energy(const StepReport& report);
 
   private:

@@ -113,6 +113,30 @@ TEST(Accuracy, MaskOnAFinerGridIsComparedInSpace) {
     EXPECT_GT(a.cldice, 0.99);
 }
 
+// The case's image ends at y = 20 mm, where the trunk forks; the truth goes on. The voxels of its
+// last slice were repeated up to the end of the truth's grid.
+TEST(Accuracy, AMaskSaysNothingBeyondItsOwnGrid) {
+    const Mask truth = mask_of(forked_tree());
+    Mask part;
+    part.grid = truth.grid;
+    part.grid.dims[1] = 12 + 21;  // up to y = 20 mm
+    part.voxels.resize(part.grid.count());
+    double both = 0.0, ours = 0.0, theirs = 0.0;
+    for (std::size_t i = 0; i < part.voxels.size(); ++i) {
+        const auto [x, y, z] = part.grid.index_of(i);
+        part.voxels[i] = truth.at(x, y, z);
+        ours += part.voxels[i];
+    }
+    for (std::size_t i = 0; i < truth.voxels.size(); ++i) {
+        theirs += truth.voxels[i];
+        both += truth.grid.index_of(i)[1] < part.grid.dims[1] ? truth.voxels[i] : 0.0;
+    }
+    ASSERT_LT(both, theirs);
+    Job job;
+    EXPECT_NEAR(dice_of(part, truth, job), 2.0 * both / (ours + theirs), 1e-12);
+    EXPECT_EQ(dice_of(Mask(), truth, job), 0.0);
+}
+
 TEST(Accuracy, MissingAndInventedBranchesCostRecallAndPrecision) {
     VesselGraph graph = forked_graph();
     graph.links.resize(3);  // the second fork is missing
@@ -147,6 +171,11 @@ TEST(Accuracy, EmptyTreeScoresNothingAndEmptyTruthIsRefused) {
     EXPECT_THROW(compare(forked_tree(), mask_of(forked_tree()), VesselTree{},
                          mask_of(forked_tree()), {}, job),
                  InputError);
+}
+
+// A tree that was drawn by hand has no voxels; memory before them was read.
+TEST(Accuracy, ACaseWithoutVoxelsIsRefused) {
+    EXPECT_THROW(compared(forked_tree(), Mask()), InputError);
 }
 
 // The chain from a perfect mask: what extraction itself contributes to the error.

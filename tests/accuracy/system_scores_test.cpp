@@ -458,6 +458,21 @@ TEST(CentrelinesOfAMask, HaveNoSpurs) {
     EXPECT_EQ(centrelines_of(tube, job).segments.size(), 1u);
 }
 
+// The skeleton of a ball is one voxel, which has no line: its truth has a lumen and no centreline.
+TEST(SystemScores, ATruthWithoutALineHasNoBreaks) {
+    const VesselTree tree = directed(two_systems());
+    std::vector<SystemTruth> truth = truths();
+    truth[1].mask = test::mask_where(truth[1].mask.grid, [](const Vec3& p) {
+        return (p - Vec3(24, 30, 0)).norm() < 2.6;  // on the axis of the vein
+    });
+    Job job;
+    ASSERT_TRUE(centrelines_of(truth[1].mask, job).segments.empty());
+    const SystemScores s = judged(tree, truth);
+    EXPECT_EQ(s.breaks, 0);
+    EXPECT_EQ(s.systems[1].truth_length_mm, 0.0);
+    EXPECT_DOUBLE_EQ(s.systems[0].length_precision, 1.0);
+}
+
 TEST(SystemScores, WhatCannotBeJudgedIsRefused) {
     Job job;
     const VesselTree tree = directed(two_systems());
@@ -466,6 +481,13 @@ TEST(SystemScores, WhatCannotBeJudgedIsRefused) {
     const Mask small(test::cube_grid(8), 1);
     EXPECT_THROW(judge_systems(tree, {}, truth, &small, nullptr, {}, job), InputError);
     EXPECT_FALSE(judge_systems(tree, {}, truth, nullptr, nullptr, {}, job).systems[0].dice);
+    const Mask no_liver(truth[0].mask.grid);
+    try {
+        judge_systems(tree, {}, truth, &no_liver, nullptr, {}, job);
+        ADD_FAILURE() << "everything was judged nowhere";
+    } catch (const InputError& refusal) {
+        EXPECT_EQ(refusal.problem(), "the liver's mask is empty");
+    }
     truth[1].mask = small;
     EXPECT_THROW(judge_systems(tree, {}, truth, nullptr, nullptr, {}, job), InputError);
     truth[1].mask = Mask(truth[0].mask.grid);

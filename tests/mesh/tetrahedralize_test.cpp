@@ -156,6 +156,28 @@ TEST(Tetrahedralize, ComesNearTheNumberAskedFor) {
     EXPECT_NEAR(count / 8000.0, 1.0, 0.35);
 }
 
+// A number of tetrahedra takes several passes, each of which began at 0 again.
+TEST(Tetrahedralize, TellsProgressThatNeverGoesBack) {
+    for (const int target : {0, 2000}) {
+        Job job;
+        double before = 0.0;
+        int reports = 0;
+        job.observe([&](JobEvent event) {
+            if (event != JobEvent::progress) return;
+            const double now = job.progress().fraction;
+            EXPECT_GE(now, before) << target;
+            before = now;
+            ++reports;
+        });
+        MeshOptions options;
+        options.target_tetrahedra = target;
+        tetrahedralize(test::random_tree(3, 2), options, job);
+        EXPECT_GT(reports, 10) << target;
+        EXPECT_GT(before, 0.1) << target;
+        EXPECT_LE(before, 1.0) << target;
+    }
+}
+
 TEST(Tetrahedralize, StopsSoonAfterACancel) {
     const VesselTree tree = test::random_tree(3, 6);
     Job job;

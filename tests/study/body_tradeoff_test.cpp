@@ -108,6 +108,14 @@ TEST(BodyTradeoff, NamesWhatTheBudgetLeftOut) {
     EXPECT_GT(found.points.size(), 20u);
 }
 
+// No error is relative to a motion that is none.
+TEST(BodyTradeoff, RefusesABodyThatDoesNotMove) {
+    BodyDescription rigid = bar();
+    rigid.fixed.assign(rigid.mesh.vertices_mm.size(), 1);
+    Job job;
+    EXPECT_THROW(measure_body_tradeoff({rigid}, {}, job), InputError);
+}
+
 TEST(BodyTradeoff, EndsWhenItIsCancelled) {
     Job job;
     job.cancel();

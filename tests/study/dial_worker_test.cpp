@@ -67,15 +67,13 @@ TEST(DialWorker, MeasuresOnlyWhileNobodyPlays) {
 
 TEST(DialWorker, EndsWhileItWaitsAndWhileItMeasures) {
     Told told;
-    const auto start = std::chrono::steady_clock::now();
     { const DialWorker waiting(small_patient(), {}, told.tell()); }
     {
         DialWorker measuring(small_patient(), {}, told.tell());
         measuring.allow(true);
         ASSERT_TRUE(comes_to(measuring, DialWorker::State::measures));
     }
-    EXPECT_LT(std::chrono::steady_clock::now() - start, 10s);
-    EXPECT_EQ(told.count(), 0u);
+    EXPECT_EQ(told.count(), 0u);  // neither measured a setting to its end
 }
 
 TEST(DialWorker, MeasuresAllThatIsLeftAndNothingTwice) {

@@ -35,6 +35,20 @@ TEST(Extremes, HearAStopInEveryRowThatSteps) {
     }
 }
 
+// The second run of a row went on with the random numbers of the first.
+TEST(Extremes, ARowOfACampaignIsTheSameEveryTime) {
+    const auto drag =
+        touch_cases({.seed = 3, .trials = 5, .steps = 10, .most_tetrahedra = 700}).back();
+    const auto pull =
+        tear_cases({.seed = 5, .trials = 1, .steps = 10, .most_tetrahedra = 700}).front();
+    for (const ExtremeCase& extreme : {drag, pull}) {
+        const ExtremeRow first = extreme.run({}), again = extreme.run({});
+        EXPECT_GT(first.path_mm, 0.0) << extreme.name;
+        EXPECT_EQ(again.path_mm, first.path_mm) << extreme.name;
+        EXPECT_EQ(again.energy_made, first.energy_made) << extreme.name;
+    }
+}
+
 // A sample of the campaign: each kind of play twice, on small trees.
 TEST(Extremes, NothingPassesInASampleOfTouch) {
     Job job;

@@ -15,8 +15,8 @@ TEST(HapticStudy, FeelsAFullPatchWhileThePlayRuns) {
     HapticStudyOptions options;
     options.seconds = 0.5;
     const HapticStudy study = study_haptics(nullptr, options, job);
+    EXPECT_EQ(job.stage_times().size(), 2u);
     EXPECT_GT(study.periods, 10);
-    EXPECT_LE(study.periods, 510);
     EXPECT_GE(study.contacts_most, most_local_contacts);
     EXPECT_GT(study.full, 0.5);
     EXPECT_GE(study.in_time, 0.0);

@@ -80,6 +80,26 @@ TEST(MarkFront, TakesASinglePointAsTheBestAndNoneAsNone) {
     EXPECT_TRUE(none.points.empty());
 }
 
+// A motion that diverged has an error that is no number, or none that is finite: the first in order
+// was the front's best, and nothing could beat it.
+TEST(MarkFront, LeavesOutWhatHasNoPlaceInThePlane) {
+    const double nan = std::nan(""), infinite = HUGE_VAL;
+    Tradeoff tradeoff;
+    tradeoff.points = {point("spring", 0.5, nan), point("corotated", 0.6, infinite),
+                       point("corotated", infinite, 0.1), point("spring", 0.0, 0.1),
+                       point("corotated", 2.0, 0.2)};
+    mark_front(tradeoff);
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(tradeoff.points[i].on_front, i == 4) << i;
+    const fs::path folder = fs::path(testing::TempDir()) / "tradeoff_out_of_the_plane";
+    write_tradeoff(tradeoff, folder);
+    std::ostringstream picture;
+    picture << std::ifstream(folder / "tradeoff.svg").rdbuf();
+    fs::remove_all(folder);
+    EXPECT_EQ(picture.str().find("nan"), std::string::npos) << picture.str();
+    EXPECT_EQ(picture.str().find("inf"), std::string::npos) << picture.str();
+    EXPECT_NE(picture.str().find("corotated, 77 elements"), std::string::npos) << picture.str();
+}
+
 class TradeoffFiles : public testing::Test {
   protected:
     void SetUp() override { write_tradeoff(four_points(), folder_); }

@@ -104,6 +104,22 @@ TEST_F(TrialOfLedgers, JudgesEveryStepAlone) {
     EXPECT_FALSE(trial.check_energy(after_a_loss(0.0, -40.0)));  // 60 nJ, after 50
 }
 
+// Neither is larger or smaller than a bound, so that comparisons alone let them pass; after an
+// infinite energy whatever came passed.
+TEST_F(TrialOfLedgers, FailsWhereAnEnergyIsNotFinite) {
+    for (const double value : {std::nan(""), HUGE_VAL})
+        for (double EnergyLedger::*term :
+             {&EnergyLedger::kinetic, &EnergyLedger::elastic, &EnergyLedger::damping_loss}) {
+            ExtremeRow row;
+            Trial trial(*stepper_, row, {});
+            EXPECT_TRUE(trial.check_energy(of_100_nj()));
+            StepReport spoiled = of_100_nj();
+            spoiled.energy.*term = value;
+            EXPECT_FALSE(trial.check_energy(spoiled)) << value;
+            EXPECT_EQ(row.note, "the ledger of energies is not finite");
+        }
+}
+
 // At rest only rounding of the energies that once were is left: 1e-9 of the most handled passes.
 TEST_F(TrialOfLedgers, LetsABodyAtRestHaveTheRoundingOfItsEnergies) {
     Trial trial(*stepper_, row_, {});
