@@ -78,7 +78,10 @@ bool SceneView::show(const Frame& frame) {
     const bool pull_changed = parts_->grab.update(frame.grab);
     const bool tool_changed = parts_->tool.update(frame.tool);
     const bool obstacles_changed = parts_->obstacles.update(frame.obstacles);
-    if (obstacles_changed) parts_->fit_organs_to_obstacles();
+    if (obstacles_changed) {
+        parts_->fit_wall_to_liver();
+        parts_->fit_tumours_to_obstacles();
+    }
     const bool lines_changed = parts_->weak_lines.update(frame);
     const bool stem_changed =
         parts_->stem.update(frame.tool, frame.positions_mm, parts_->marks.shown(),
@@ -235,15 +238,15 @@ void SceneView::set_bridges(std::vector<BridgeView> bridges) {
 }
 void SceneView::set_liver(const TriangleMesh& surface) {
     parts_->liver.set_surface(surface);
-    parts_->fit_organs_to_obstacles();
+    parts_->fit_wall_to_liver();
 }
 void SceneView::set_liver_visible(bool visible) {
     parts_->liver.set_visible(visible);
-    parts_->fit_organs_to_obstacles();
+    parts_->fit_wall_to_liver();
 }
 void SceneView::set_tumours(const TriangleMesh& surface) {
-    parts_->tumours.set_surface(surface);
-    parts_->fit_organs_to_obstacles();
+    parts_->all_tumours = surface;
+    parts_->fit_tumours_to_obstacles();
 }
 void SceneView::set_volume(std::shared_ptr<const Volume> ct) {
     parts_->volume.show(std::move(ct));

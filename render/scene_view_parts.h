@@ -53,11 +53,11 @@ struct SceneView::Parts {
                 pixel_ratio * covered[0],
                 pixel_ratio * covered[1]};
     }
-    // Draws each thing once: a tumour as an obstacle where it is one, the liver's wall as an organ
-    // where the liver is shown.
-    void fit_organs_to_obstacles() {
-        obstacles.set_wall_visible(!liver.shows());
-        tumours.set_visible(!obstacles.has_solids());
+    // Draws each thing once: the liver's wall as an organ where the liver is shown, a tumour as an
+    // obstacle where it is one. One that was painted since is none yet.
+    void fit_wall_to_liver() { obstacles.set_wall_visible(!liver.shows()); }
+    void fit_tumours_to_obstacles() {
+        tumours.set_surface(obstacles.parts_beside_solids(all_tumours));
         legend.tumours = tumours.shows() || obstacles.has_solids();
     }
     void find_colours_shown() {
@@ -87,6 +87,7 @@ struct SceneView::Parts {
     TreeActor tree;
     GhostActor liver{liver_ghost};
     GhostActor tumours{tumour_ghost};
+    TriangleMesh all_tumours;  // obstacles among them
     ObstacleActors obstacles{*renderer};
     VolumeActor volume{*renderer};
     GrabActor grab;
