@@ -123,7 +123,7 @@ class SceneView {
     // The pixel at which a point of the patient appears.
     Pixel pixel_of(const Vec3& position_mm) const;
 
-    // The rectangle where the legend was drawn last.
+    // The rectangle where the legend was drawn last; empty where it was not.
     PictureBox legend_box() const;
     bool shows_caption() const;  // in the last picture
     // Boxes of the labels of measurements, in the last picture.
