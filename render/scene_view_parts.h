@@ -3,6 +3,7 @@
 // Included by scene_view.cpp alone.
 #pragma once
 
+#include <vtkCamera.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
@@ -59,6 +60,11 @@ struct SceneView::Parts {
     void fit_tumours_to_obstacles() {
         tumours.set_surface(obstacles.parts_beside_solids(all_tumours));
         legend.tumours = tumours.shows() || obstacles.has_solids();
+    }
+    // The way that the tool has to go. Returns true if the picture changed.
+    bool lead_stem() {
+        return stem.update(tool.shown(), tree.surface().positions_mm(), marks.shown(),
+                           Vec3(renderer->GetActiveCamera()->GetDirectionOfProjection()));
     }
     void find_colours_shown() {
         set_colours_shown(legend, systems, segments, drug);

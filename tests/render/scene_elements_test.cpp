@@ -227,7 +227,7 @@ TEST(LinesInThePicture, AreAsWideInPointsOnADenseScreen) {
         const auto wide = [&](double points) { return static_cast<float>(points * ratio); };
         pull.set_scale(0.1, ratio);
         crosshair.set_pixel_ratio(ratio);
-        stem.place(ratio);
+        stem.place(ratio, Vec3::UnitY());
         EXPECT_FLOAT_EQ(pull.line()->GetProperty()->GetLineWidth(), wide(2.0));
         EXPECT_FLOAT_EQ(crosshair.actor()->GetProperty()->GetLineWidth(), wide(1.5));
         EXPECT_FLOAT_EQ(line->GetProperty()->GetLineWidth(), wide(1.5));
@@ -429,6 +429,10 @@ TEST(ForceLabel, StaysWithinThePicture) {
         EXPECT_LE(label->right, 200.0);
         EXPECT_LE(label->top, 150.0);
         EXPECT_GT(label->right - label->left, 20.0) << "it says something";
+        tool.at_mm = tool.tip_mm = Vec3(at.x(), at.y(), 150.0);
+        actor.update(tool);
+        actor.set_scale(0.4, 1.0);
+        EXPECT_FALSE(actor.label_box()) << "behind the eye";
     }
     context.window().RemoveRenderer(renderer);
 }
