@@ -27,6 +27,10 @@ void SurfaceCanvas::finish() {
     if (disconnect(context(), nullptr, this, nullptr)) end();
 }
 
+void SurfaceCanvas::make_current() {
+    if (context() && QOpenGLContext::currentContext() != context()) makeCurrent();
+}
+
 void SurfaceCanvas::end() {
     makeCurrent();
     painter_.end();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/vtk_widget.h"
 
+#include <vtkCommand.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 
@@ -71,6 +72,8 @@ VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
       window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()),
       hover_(callbacks.hover) {
     window_->SetFrameBlitModeToNoBlit();
+    // VTK frees what is taken out of the scene at once, between pictures, too.
+    window_->AddObserver(vtkCommand::WindowMakeCurrentEvent, this, &VtkWidget::make_current);
     scene_ = std::make_unique<SceneView>(*window_);
     scene_->set_words([](const std::string& english) { return translated(english).toStdString(); });
     const std::function<void()> missed = callbacks.missed;
@@ -105,6 +108,10 @@ VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
 // The base class destroys the canvas later, when the painter's members are gone.
 VtkWidget::~VtkWidget() {
     canvas_->finish();
+}
+
+void VtkWidget::make_current() {
+    if (canvas_ != nullptr) canvas_->make_current();
 }
 
 CanvasPainter VtkWidget::painter() {

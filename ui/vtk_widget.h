@@ -88,6 +88,7 @@ class VtkWidget : public QWidget {
     void take_from_keys();
     void show_aim();
     bool software() const;
+    void make_current();
     CanvasPainter painter();
     void begin(QOpenGLContext& context);
     unsigned draw(const QSize& pixels);
