@@ -146,7 +146,7 @@ void SceneView::render(double pixel_ratio) {
     // While the scene moves the legend keeps its corner, unless a new view was chosen.
     parts_->annotations.update(
         parts_->picture_size(), eye, parts_->legend,
-        std::exchange(parts_->turned, false) || parts_->at_rest
+        std::exchange(parts_->turned, false) || (parts_->at_rest && !parts_->moving)
             ? [this](const std::vector<PictureBox>& boxes) { return vertices_within(boxes); }
             : Legend::Count());
     parts_->orientation.update(eye, parts_->picture_size());
@@ -333,6 +333,10 @@ void SceneView::set_smoothing(Smoothing smoothing) {
     parts_->volume.set_detail(smoothing == Smoothing::none    ? VolumeDetail::coarse
                               : smoothing == Smoothing::cheap ? VolumeDetail::fine
                                                               : VolumeDetail::best);
+}
+
+void SceneView::set_moving(bool moving) {
+    parts_->moving = moving;
 }
 
 // Counts only vertices in front of the eye.

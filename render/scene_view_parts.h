@@ -126,6 +126,7 @@ struct SceneView::Parts {
     bool annotated = true;
     bool warned = false;
     bool at_rest = true;        // pictures need not be fast
+    bool moving = false;        // whether fast or not
     bool looked = false;        // a camera was chosen for the present tree
     bool turned = false;        // a new view was chosen since the last picture
     double shown_aspect = 0.0;  // aspect for which the camera was chosen or adapted; 0: none

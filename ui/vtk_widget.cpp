@@ -94,7 +94,8 @@ VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
     rest_timer_.setSingleShot(true);
     rest_timer_.setInterval(200);
     connect(&rest_timer_, &QTimer::timeout, this, [this] {
-        scene_->set_smoothing(Smoothing::cheap);
+        scene_->set_moving(false);
+        if (software()) scene_->set_smoothing(Smoothing::cheap);
         canvas_->redraw();
     });
     soon_timer_.setSingleShot(true);
@@ -185,10 +186,9 @@ void VtkWidget::show_frame(const Frame& frame) {
 }
 
 void VtkWidget::draw_again() {
-    if (software()) {
-        scene_->set_smoothing(Smoothing::none);
-        rest_timer_.start();
-    }
+    scene_->set_moving(true);
+    if (software()) scene_->set_smoothing(Smoothing::none);
+    rest_timer_.start();
     canvas_->redraw();
 }
 
@@ -201,6 +201,7 @@ void VtkWidget::draw_soon() {
 
 QImage VtkWidget::picture() {
     scene_->set_smoothing(Smoothing::best);
+    scene_->set_moving(false);
     const QImage picture = canvas_->drawn();
     if (software()) scene_->set_smoothing(Smoothing::cheap);
     return picture;
