@@ -119,7 +119,8 @@ void Annotations::update(const PictureSize& size, vtkCamera& camera, const Legen
     write_caption(size);
     legend_.update(visible_ ? legend_rows(legend, words_) : std::vector<LegendRow>{},
                    {size.width, size.height, size.legend_point, caption_width(), size.covered_top,
-                    size.covered_bottom},
+                    size.covered_bottom, OrientationMarker::right_edge(size),
+                    size.covered_bottom + OrientationMarker::right_edge(size)},
                    look_, count);
     if (caption_->GetVisibility()) caption_->SetVisibility(has_room(*caption_, size));
     update_scale_bar(size, camera);
@@ -178,7 +179,7 @@ void Annotations::update_scale_bar(const PictureSize& size, vtkCamera& camera) {
     const double width = length_mm / mm_per_pixel;
     const double x = 0.5 * (size.width - width), y = size.covered_bottom + margin_pt * r;
     draw_scale_bar(x, y, width, r);
-    const std::string length = fixed_text(length_mm, length_mm < 1.0 ? 1 : 0);
+    const std::string length = fixed_text(length_mm, length_mm < 0.1 ? 2 : length_mm < 1.0 ? 1 : 0);
     // With perspective the bar's length holds only at the depth of the focal point. The label says
     // so, unless the picture is too narrow for it.
     for (const char* unit : {" mm at the depth of the view's centre", " mm"}) {

@@ -35,9 +35,9 @@ Vec3 nearest_to(const Vec3& point, const std::vector<float>& positions_mm) {
 }
 
 // Relative to the viewing direction.
-std::string way_to_mark(const MarkView& mark, double deeper_mm, double away_mm) {
+std::string way_to_mark(const std::string& number, double deeper_mm, double away_mm) {
     constexpr double hardly = 0.5;  // share of the whole distance
-    const std::string to = mark.number.empty() ? " to the mark" : " to mark " + mark.number;
+    const std::string to = number.empty() ? " to the mark" : " to mark " + number;
     if (std::abs(deeper_mm) < hardly * away_mm) return to;
     return to + (deeper_mm > 0.0 ? ", move deeper" : ", move nearer");
 }
@@ -77,8 +77,18 @@ DepthStem::~DepthStem() {
     renderer_.RemoveActor(line_);
 }
 
-void DepthStem::place(double pixel_ratio) {
+// With the decimals of the lesson's panel, so that no bound looks reached before it is.
+std::string DepthStem::words_of(const Vec3& forward) const {
+    const std::string away = fixed_text(away_mm_, mark_ ? 1 : 0) + " mm";
+    return mark_ ? away + way_to_mark(*mark_, (end_mm_ - tip_mm_).dot(forward), away_mm_) : away;
+}
+
+void DepthStem::place(double pixel_ratio, const Vec3& forward) {
     constexpr double beside_mark_points = 18.0;
+    if (const std::string now = words_of(forward); line_->GetVisibility() != 0 && now != text_) {
+        text_ = now;
+        label_.show(said(words_, text_), 0.5 * (tip_mm_ + end_mm_));
+    }
     line_->GetProperty()->SetLineWidth(static_cast<float>(1.5 * pixel_ratio));
     label_.place(pixel_ratio, beside_mark_points);
 }
@@ -100,13 +110,14 @@ bool DepthStem::update(const std::optional<ToolView>& tool, const std::vector<fl
     const bool shows = away_mm >= touching_mm && (mark != nullptr || away_mm <= farthest_mm);
     line_->SetVisibility(shows);
     if (!shows) return label_.show({}, {}) || shown;
-    // With the decimals of the lesson's panel, so that no bound looks reached before it is.
-    std::string text = fixed_text(away_mm, mark != nullptr ? 1 : 0) + " mm";
-    if (mark != nullptr) text += way_to_mark(*mark, (end - tool->tip_mm).dot(forward), away_mm);
-    if (shown && tool->tip_mm == tip_mm_ && end == end_mm_ && text == text_) return false;
-    text_ = text;
+    const bool moved = !shown || tool->tip_mm != tip_mm_ || end != end_mm_;
     tip_mm_ = tool->tip_mm;
     end_mm_ = end;
+    away_mm_ = away_mm;
+    mark_ = mark != nullptr ? std::optional(mark->number) : std::nullopt;
+    const std::string text = words_of(forward);
+    if (!moved && text == text_) return false;
+    text_ = text;
     ends_->SetPoint1(tip_mm_.data());
     ends_->SetPoint2(end_mm_.data());
     label_.show(said(words_, text_), 0.5 * (tip_mm_ + end_mm_));

@@ -33,23 +33,31 @@ class DepthStem {
 
     // Takes effect with the next update(); English by default.
     void set_words(PictureWords words) { words_ = std::move(words); }
-    // `positions_mm`: x, y, z of each vertex of the vessels. Costs one pass over them while a tool
-    // is present and no mark is waiting, and nothing without a tool. Only tools that touch nothing
-    // have a line. `forward`: unit vector into the picture, by which the label says whether a mark
-    // lies deeper or nearer. Returns true if the picture changed.
+    // `positions_mm`: x, y, z of each vertex of the vessels' surface. Costs one pass over them
+    // while a tool is present and no mark is waiting, and nothing without a tool. Only tools that
+    // touch nothing have a line. `forward`: unit vector into the picture, by which the label says
+    // whether a mark lies deeper or nearer. Returns true if the picture changed.
     bool update(const std::optional<ToolView>& tool, const std::vector<float>& positions_mm,
                 const std::vector<MarkView>& marks, const Vec3& forward);
-    // Places the number; call before each picture. It keeps clear of a mark straight behind the
-    // tool. `pixel_ratio`: size of one screen point in device pixels.
-    void place(double pixel_ratio);
+    // Places the number, and says anew whether the mark lies deeper, since the view may have been
+    // turned; call before each picture. The number keeps clear of a mark straight behind the tool.
+    // `pixel_ratio`: size of one screen point in device pixels.
+    void place(double pixel_ratio, const Vec3& forward);
+    // See FigureLabel.
+    void set_label_ground(const std::optional<Colour>& ground) { label_.set_ground(ground); }
 
   private:
+    std::string words_of(const Vec3& forward) const;
+
     vtkRenderer& renderer_;
     PictureWords words_;
     vtkSmartPointer<vtkLineSource> ends_;
     vtkSmartPointer<vtkActor> line_;
-    Vec3 tip_mm_ = Vec3::Zero(), end_mm_ = Vec3::Zero();  // as shown
-    std::string text_;                                    // as shown
+    // As shown:
+    Vec3 tip_mm_ = Vec3::Zero(), end_mm_ = Vec3::Zero();
+    std::optional<std::string> mark_;  // number of the mark at the end; none: no mark is there
+    double away_mm_ = 0.0;
+    std::string text_;
     FigureLabel label_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/figure_label.h"
 
+#include <vtkCamera.h>
 #include <vtkCoordinate.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
@@ -41,6 +42,11 @@ bool FigureLabel::show(const std::string& text, const Vec3& at_mm) {
 
 void FigureLabel::place(double pixel_ratio, double below_points) {
     if (shown_.empty()) return;
+    vtkCamera& camera = *renderer_.GetActiveCamera();
+    const Vec3 eye(camera.GetPosition()), forward(camera.GetDirectionOfProjection());
+    const bool before_eye = (at_mm_ - eye).dot(forward) > 0.0;
+    text_->SetVisibility(before_eye);
+    if (!before_eye) return;
     style_text(*text_->GetTextProperty(),
                static_cast<int>(std::lround(figure_text_size * pixel_ratio)), colour_);
     vtkNew<vtkCoordinate> point;
@@ -51,8 +57,15 @@ void FigureLabel::place(double pixel_ratio, double below_points) {
     stand_inside(*text_, renderer_, at[0] + away, at[1] - away);
 }
 
+void FigureLabel::set_ground(const std::optional<Colour>& ground) {
+    constexpr double opacity = 0.75;
+    vtkTextProperty& letters = *text_->GetTextProperty();
+    if (ground) letters.SetBackgroundColor((*ground)[0], (*ground)[1], (*ground)[2]);
+    letters.SetBackgroundOpacity(ground ? opacity : 0.0);
+}
+
 std::optional<PictureBox> FigureLabel::box() const {
-    if (shown_.empty()) return std::nullopt;
+    if (text_->GetVisibility() == 0) return std::nullopt;
     std::array<double, 2> size{};
     text_->GetSize(&renderer_, size.data());
     const double* place = text_->GetPosition();

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "render/text_style.h"
@@ -35,16 +36,40 @@ double height_of(const LegendRow& row) {
     return line + (row.colours.size() > 1 ? bar + gap + line : 0.0);
 }
 
-// Leaves out minor rows, the last first, while the legend is higher than half of the picture.
-std::vector<LegendRow> with_room(std::vector<LegendRow> rows, double half_pt) {
+double height_of(const std::vector<LegendRow>& rows) {
     double height = 0.0;
     for (const LegendRow& row : rows) height += height_of(row);
-    for (std::size_t r = rows.size(); r-- > 0 && height > half_pt;) {
-        if (!rows[r].minor) continue;
-        height -= height_of(rows[r]);
-        rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(r));
+    return height;
+}
+
+// Of at least one row, the one that is left out first: the last minor one, else the last.
+std::size_t least_of(const std::vector<LegendRow>& rows) {
+    for (std::size_t r = rows.size(); r-- > 0;)
+        if (rows[r].minor) return r;
+    return rows.size() - 1;
+}
+
+void leave_out_least(std::vector<LegendRow>& rows) {
+    rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(least_of(rows)));
+}
+
+// The rows without minor ones while they are higher than half of the picture, and without others
+// while they are higher than what is free of it.
+std::vector<LegendRow> with_room(std::vector<LegendRow> rows, const Legend::Room& room) {
+    const double picture_pt = room.height / room.point;
+    const double covered_pt = (room.covered_top + room.covered_bottom) / room.point;
+    const double free_pt = picture_pt - covered_pt - 2.0 * margin - line;
+    while (!rows.empty()) {
+        const double most_pt = rows[least_of(rows)].minor ? 0.5 * picture_pt : free_pt;
+        if (height_of(rows) <= std::min(most_pt, free_pt)) break;
+        leave_out_least(rows);
     }
     return rows;
+}
+
+// Smaller than half of a narrow window.
+bool is_small(const Legend::Room& room) {
+    return room.width < 300.0 * room.point || room.height < 200.0 * room.point;
 }
 
 // Where a legend of this size may lie: lower right, upper right, upper left; the orientation cube
@@ -57,8 +82,9 @@ std::vector<PictureBox> legend_corners(const Legend::Room& room, double width, d
     const bool beside_caption = room.caption + width + 3.0 * margin * r <= room.width;
     const double right_top = beside_caption ? top : below_caption;
     // In a narrow picture the legend goes above the scale bar.
-    const double foot =
-        room.covered_bottom + (room.width < 640.0 * r ? (margin + 36.0) * r : margin * r);
+    double foot = room.covered_bottom + (room.width < 640.0 * r ? (margin + 36.0) * r : margin * r);
+    // Above the cube where it would lie on it.
+    if (right - width < room.cube_right) foot = std::max(foot, room.cube_top + gap * r);
     return {{right - width, foot, right, foot + height},
             {right - width, right_top - height, right, right_top},
             {margin * r, below_caption - height, margin * r + width, below_caption}};
@@ -68,6 +94,7 @@ std::vector<PictureBox> legend_corners(const Legend::Room& room, double width, d
 
 Legend::Legend(vtkRenderer& renderer)
     : renderer_(renderer),
+      most_rows_(std::numeric_limits<std::size_t>::max()),
       points_(vtkSmartPointer<vtkPoints>::New()),
       quads_(vtkSmartPointer<vtkCellArray>::New()),
       colours_(vtkSmartPointer<vtkUnsignedCharArray>::New()),
@@ -192,6 +219,49 @@ std::vector<LegendRow> Legend::fitting(const std::vector<LegendRow>& rows, doubl
     return fitted;
 }
 
+// Letters shrink before anything is cut off.
+Legend::Layout Legend::laid_out(const std::vector<LegendRow>& rows, const Room& room) {
+    const double widest = room.width - 2.0 * margin * room.point;
+    Layout layout;
+    layout.rows = fitting(rows, widest, room.point);
+    const double needed = width_of(layout.rows, room.point);
+    layout.point = room.point * std::clamp(widest / std::max(needed, 1.0), least_shrunk, 1.0);
+    layout.corners = legend_corners(room, std::min(width_of(layout.rows, layout.point), widest),
+                                    height_of(layout.rows) * layout.point);
+    return layout;
+}
+
+Legend::Layout Legend::beside_vessels(std::vector<LegendRow> rows, const Room& room,
+                                      const Count& count) {
+    constexpr int hidden_share = 50;  // as a fraction of 1: of the vessels in the picture
+    if (!is_small(room))
+        most_rows_ = std::numeric_limits<std::size_t>::max();
+    else if (count)
+        most_rows_ = rows.size();
+    while (rows.size() > most_rows_) leave_out_least(rows);
+    Layout layout = laid_out(rows, room);
+    if (!count || !is_small(room)) return layout;
+    const int all = count({{0.0, 0.0, double(room.width), double(room.height)}})[0];
+    while (!rows.empty()) {
+        const std::vector<int> hidden = count(layout.corners);
+        if (hidden_share * *std::ranges::min_element(hidden) <= all) break;
+        leave_out_least(rows);
+        layout = laid_out(rows, room);
+    }
+    most_rows_ = rows.size();
+    return layout;
+}
+
+// Passing rows do not choose it.
+void Legend::choose_corner(const Layout& layout, const Room& room, const Count& count) {
+    std::vector<LegendRow> steady = layout.rows;
+    std::erase_if(steady, [](const LegendRow& row) { return row.passing; });
+    const std::vector<int> held = count(layout.corners);
+    corner_ = least_covered(
+        steady.size() == layout.rows.size() ? held : count(laid_out(steady, room).corners));
+    covers_ = held[corner_] > 0;
+}
+
 void Legend::update(const std::vector<LegendRow>& wanted, const Room& room, const ViewLook& look,
                     const Count& count) {
     points_->Reset();
@@ -199,38 +269,19 @@ void Legend::update(const std::vector<LegendRow>& wanted, const Room& room, cons
     colours_->Reset();
     texts_used_ = 0;
     ground_ = look.bottom;
-    const double widest = room.width - 2.0 * margin * room.point;
-    const std::vector<LegendRow> rows =
-        fitting(with_room(wanted, 0.5 * room.height / room.point), widest, room.point);
-    // Letters shrink before anything is cut off.
-    const double r = room.point;
-    const double needed = width_of(rows, r);
-    const double p = r * std::clamp(widest / std::max(needed, 1.0), least_shrunk, 1.0);
-    const auto corners_of = [&](const std::vector<LegendRow>& some) {
-        double height = 0.0;
-        for (const LegendRow& row : some) height += height_of(row) * p;
-        return legend_corners(room, std::min(width_of(some, p), widest), height);
-    };
-    if (!rows.empty()) {
-        const std::vector<PictureBox> corners = corners_of(rows);
-        const double width = corners[0].right - corners[0].left;
-        if (count) {
-            std::vector<LegendRow> steady = rows;
-            std::erase_if(steady, [](const LegendRow& row) { return row.passing; });
-            const std::vector<int> held = count(corners);
-            corner_ =
-                least_covered(steady.size() == rows.size() ? held : count(corners_of(steady)));
-            covers_ = held[corner_] > 0;
-        }
-        box_ = corners[corner_];
+    box_ = {};
+    const Layout layout = beside_vessels(with_room(wanted, room), room, count);
+    if (!layout.rows.empty()) {
+        if (count) choose_corner(layout, room, count);
+        box_ = layout.corners[corner_];
         double y = box_.top;
-        for (const LegendRow& row : rows) {
-            draw_row(row, box_.left, y, width, p, look);
-            y -= height_of(row) * p;
+        for (const LegendRow& row : layout.rows) {
+            draw_row(row, box_.left, y, box_.right - box_.left, layout.point, look);
+            y -= height_of(row) * layout.point;
         }
     }
     for (std::size_t t = texts_used_; t < texts_.size(); ++t) texts_[t]->SetVisibility(false);
-    actor_->SetVisibility(!rows.empty());
+    actor_->SetVisibility(!layout.rows.empty());
     points_->Modified();
     quads_->Modified();
     colours_->Modified();

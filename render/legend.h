@@ -2,7 +2,8 @@
 // Draws the legend (legend_rows.h) in the corner of the picture that covers the fewest vessels.
 // Letters have 16 points of the screen, which are 12 points of print; they shrink in thumbnails and
 // where a row would not fit. Minor rows are left out where the legend would be higher than half of
-// the picture.
+// the picture, and others where it would be higher than the picture. In a small picture as many are
+// left out, or all, as it takes to hide hardly any vessel.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -36,6 +37,8 @@ class Legend {
         double caption = 0.0;       // width of the caption in the upper left corner
         // Heights in pixels at the top and bottom that something else covers.
         double covered_top = 0.0, covered_bottom = 0.0;
+        // Upper right corner of the orientation cube in the lower left corner of the picture.
+        double cube_right = 0.0, cube_top = 0.0;
     };
     // The number of vessel vertices in each of the boxes.
     using Count = std::function<std::vector<int>(const std::vector<PictureBox>&)>;
@@ -45,9 +48,20 @@ class Legend {
     // the corner: it would change under the pointer.
     void update(const std::vector<LegendRow>& rows, const Room& room, const ViewLook& look,
                 const Count& count);
-    const PictureBox& box() const { return box_; }  // where it was drawn last
+    // Where it was drawn last; empty where it was not.
+    const PictureBox& box() const { return box_; }
 
   private:
+    // Rows as they are drawn: the size of a point for them, and the boxes that they may lie in.
+    struct Layout {
+        std::vector<LegendRow> rows;
+        double point = 1.0;
+        std::vector<PictureBox> corners;
+    };
+    Layout laid_out(const std::vector<LegendRow>& rows, const Room& room);
+    // The layout with as many rows as leave the vessels of a small picture visible.
+    Layout beside_vessels(std::vector<LegendRow> rows, const Room& room, const Count& count);
+    void choose_corner(const Layout& layout, const Room& room, const Count& count);
     void add_quad(const PictureBox& box, const Colour& colour);
     void write(const std::string& text, double x, double y, int justification, const Colour& colour,
                double size);
@@ -64,6 +78,7 @@ class Legend {
 
     vtkRenderer& renderer_;
     std::size_t corner_ = 0;
+    std::size_t most_rows_;  // that a small picture had room for when it was last counted
     PictureBox box_;
     vtkSmartPointer<vtkPoints> points_;
     vtkSmartPointer<vtkCellArray> quads_;

@@ -30,6 +30,10 @@ class ObstacleActors {
     // Draws only the part on the plane's positive side; null draws all.
     void set_clip(vtkPlane* plane);
     bool has_solids() const { return has_solids_; }
+    // The connected parts of a surface that lies at no solid everywhere: what was painted since
+    // the obstacles were made. A part within 4.5 mm of their vertices counts as one of them, since
+    // both surfaces are smoothed, each in its own way.
+    TriangleMesh parts_beside_solids(const TriangleMesh& surface) const;
 
   private:
     vtkRenderer& renderer_;

@@ -30,6 +30,10 @@ ViewRay Projection::ray_through(const Pixel& pixel) const {
     return {eye_mm_, direction.normalized()};
 }
 
+bool Projection::sees(const Vec3& position_mm) const {
+    return (position_mm - eye_mm_).dot(axes_.forward) > 0.0;
+}
+
 Pixel Projection::pixel_of(const Vec3& position_mm) const {
     const Vec3 offset = position_mm - eye_mm_;
     const double per_pixel = per_pixel_ * offset.dot(axes_.forward);

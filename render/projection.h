@@ -37,6 +37,8 @@ class Projection {
     Projection(vtkCamera& camera, int width, int height);
 
     ViewRay ray_through(const Pixel& pixel) const;
+    // Whether it lies before the eye; other points have no pixel.
+    bool sees(const Vec3& position_mm) const;
     Pixel pixel_of(const Vec3& position_mm) const;
     // The point under the pixel in the plane through `depth_mm` parallel to the picture.
     Vec3 point_at_depth(const Pixel& pixel, const Vec3& depth_mm) const;

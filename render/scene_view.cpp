@@ -74,15 +74,17 @@ SceneView::~SceneView() {
 }
 
 bool SceneView::show(const Frame& frame) {
+    const LegendContent explained = parts_->legend;
     const bool tree_changed = parts_->tree.update(frame);
     const bool pull_changed = parts_->grab.update(frame.grab);
     const bool tool_changed = parts_->tool.update(frame.tool);
     const bool obstacles_changed = parts_->obstacles.update(frame.obstacles);
-    if (obstacles_changed) parts_->fit_organs_to_obstacles();
+    if (obstacles_changed) {
+        parts_->fit_wall_to_liver();
+        parts_->fit_tumours_to_obstacles();
+    }
     const bool lines_changed = parts_->weak_lines.update(frame);
-    const bool stem_changed =
-        parts_->stem.update(frame.tool, frame.positions_mm, parts_->marks.shown(),
-                            Vec3(camera().GetDirectionOfProjection()));
+    const bool stem_changed = parts_->lead_stem();
     const GrabView pull = frame.grab.value_or(GrabView{});
     const std::string pull_force = said(parts_->words, force_text(pull.shown_un()));
     const bool force_changed = parts_->pull_force.show(pull_force, pull.target_mm);
@@ -96,7 +98,7 @@ bool SceneView::show(const Frame& frame) {
     if (!parts_->looked && !parts_->tree.surface().triangles().empty())
         look_from(ViewDirection::anterior);
     return tree_changed || pull_changed || tool_changed || obstacles_changed || lines_changed ||
-           stem_changed || force_changed || blood_changed;
+           stem_changed || force_changed || blood_changed || parts_->legend != explained;
 }
 
 void SceneView::render(double pixel_ratio) {
@@ -117,7 +119,7 @@ void SceneView::render(double pixel_ratio) {
         // The body lies around the focal point, or panning has moved it by no more than its size.
         parts_->marks.set_scale(per_pixel * pixel_ratio, pixel_ratio, 2.0 * reach);
         parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
-        parts_->stem.place(pixel_ratio);
+        parts_->stem.place(pixel_ratio, Vec3(eye.GetDirectionOfProjection()));
         parts_->pull_force.place(pixel_ratio);
         parts_->weak_lines.set_place(-Vec3(eye.GetDirectionOfProjection()),
                                      per_pixel * pixel_ratio);
@@ -126,11 +128,10 @@ void SceneView::render(double pixel_ratio) {
         parts_->tree.halo().set_background(parts_->look.top, parts_->look.bottom, height);
     }
     const MeasureMarks::Place place =
-        [this, eye_mm = Vec3(eye.GetPosition()), forward = Vec3(eye.GetDirectionOfProjection()),
-         height = parts_->picture_size().height](
+        [projection = parts_->projection(), height = parts_->picture_size().height](
             const Vec3& position_mm) -> std::optional<std::array<double, 2>> {
-        if ((position_mm - eye_mm).dot(forward) <= 0.0) return std::nullopt;
-        const Pixel pixel = pixel_of(position_mm);
+        if (!projection.sees(position_mm)) return std::nullopt;
+        const Pixel pixel = projection.pixel_of(position_mm);
         return std::array{pixel.x, height - pixel.y};
     };
     for (MeasureMarks* marks : {&parts_->stroke_rim, &parts_->stroke, &parts_->measures})
@@ -145,7 +146,7 @@ void SceneView::render(double pixel_ratio) {
     // While the scene moves the legend keeps its corner, unless a new view was chosen.
     parts_->annotations.update(
         parts_->picture_size(), eye, parts_->legend,
-        std::exchange(parts_->turned, false) || parts_->at_rest
+        std::exchange(parts_->turned, false) || (parts_->at_rest && !parts_->moving)
             ? [this](const std::vector<PictureBox>& boxes) { return vertices_within(boxes); }
             : Legend::Count());
     parts_->orientation.update(eye, parts_->picture_size());
@@ -206,7 +207,9 @@ bool SceneView::set_marks(std::vector<MarkView> marks) {
     };
     parts_->legend.places = any_place(false);
     parts_->legend.places_reached = any_place(true);
-    return parts_->marks.update(std::move(marks));
+    if (!parts_->marks.update(std::move(marks))) return false;
+    parts_->lead_stem();
+    return true;
 }
 
 const std::vector<MarkView>& SceneView::marks() const {
@@ -235,15 +238,15 @@ void SceneView::set_bridges(std::vector<BridgeView> bridges) {
 }
 void SceneView::set_liver(const TriangleMesh& surface) {
     parts_->liver.set_surface(surface);
-    parts_->fit_organs_to_obstacles();
+    parts_->fit_wall_to_liver();
 }
 void SceneView::set_liver_visible(bool visible) {
     parts_->liver.set_visible(visible);
-    parts_->fit_organs_to_obstacles();
+    parts_->fit_wall_to_liver();
 }
 void SceneView::set_tumours(const TriangleMesh& surface) {
-    parts_->tumours.set_surface(surface);
-    parts_->fit_organs_to_obstacles();
+    parts_->all_tumours = surface;
+    parts_->fit_tumours_to_obstacles();
 }
 void SceneView::set_volume(std::shared_ptr<const Volume> ct) {
     parts_->volume.show(std::move(ct));
@@ -279,6 +282,12 @@ void SceneView::set_look(const ViewLook& look) {
     parts_->measures.set_colours(look.measure, look.bottom);
     parts_->bridges.set_text_colour(look.text);
     parts_->marks.set_text_colour(look.text);
+    // Figures have the colours of tools and pulls, which are made for a dark picture.
+    const bool bright = look.bottom[0] + look.bottom[1] + look.bottom[2] > 1.5;
+    const std::optional<Colour> ground = bright ? std::optional(palette::rim) : std::nullopt;
+    parts_->tool.set_label_ground(ground);
+    parts_->stem.set_label_ground(ground);
+    parts_->pull_force.set_ground(ground);
 }
 
 void SceneView::set_words(const PictureWords& words) {
@@ -324,6 +333,10 @@ void SceneView::set_smoothing(Smoothing smoothing) {
     parts_->volume.set_detail(smoothing == Smoothing::none    ? VolumeDetail::coarse
                               : smoothing == Smoothing::cheap ? VolumeDetail::fine
                                                               : VolumeDetail::best);
+}
+
+void SceneView::set_moving(bool moving) {
+    parts_->moving = moving;
 }
 
 // Counts only vertices in front of the eye.
@@ -430,6 +443,7 @@ int SceneView::bridge_at(const Pixel& pixel, double reach) const {
     for (std::size_t b = 0; b < bridges.size(); ++b) {
         const std::vector<Vec3>& path = bridges[b].path_mm;
         for (std::size_t i = 1; i < path.size(); ++i) {
+            if (!projection.sees(path[i - 1]) || !projection.sees(path[i])) continue;
             const Pixel from = projection.pixel_of(path[i - 1]), to = projection.pixel_of(path[i]);
             const double distance =
                 distance_to_stretch({pixel.x, pixel.y}, {from.x, from.y}, {to.x, to.y});
@@ -463,6 +477,8 @@ void SceneView::show_whole() {
     const SurfaceGeometry& surface = parts_->tree.surface();
     if (surface.triangles().empty()) return;
     look_at_all(camera(), surface.lower_mm(), surface.upper_mm(), parts_->aspect());
+    parts_->turned = true;
+    parts_->shown_aspect = parts_->aspect();
 }
 
 }  // namespace hepatica

@@ -106,6 +106,9 @@ class SceneView {
     // Whether vessels that are near tearing are coloured, from the next frame on; off by default.
     void set_warnings_visible(bool visible);
     void set_smoothing(Smoothing smoothing);  // `best` by default
+    // While anything moves the legend keeps its corner, as it does with Smoothing::none; off by
+    // default.
+    void set_moving(bool moving);
 
     // Looks from a standard direction so that the whole tree of the last frame fits.
     void look_from(ViewDirection direction);
@@ -123,7 +126,7 @@ class SceneView {
     // The pixel at which a point of the patient appears.
     Pixel pixel_of(const Vec3& position_mm) const;
 
-    // The rectangle where the legend was drawn last.
+    // The rectangle where the legend was drawn last; empty where it was not.
     PictureBox legend_box() const;
     bool shows_caption() const;  // in the last picture
     // Boxes of the labels of measurements, in the last picture.

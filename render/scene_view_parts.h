@@ -3,6 +3,7 @@
 // Included by scene_view.cpp alone.
 #pragma once
 
+#include <vtkCamera.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
@@ -53,12 +54,17 @@ struct SceneView::Parts {
                 pixel_ratio * covered[0],
                 pixel_ratio * covered[1]};
     }
-    // Draws each thing once: a tumour as an obstacle where it is one, the liver's wall as an organ
-    // where the liver is shown.
-    void fit_organs_to_obstacles() {
-        obstacles.set_wall_visible(!liver.shows());
-        tumours.set_visible(!obstacles.has_solids());
+    // Draws each thing once: the liver's wall as an organ where the liver is shown, a tumour as an
+    // obstacle where it is one. One that was painted since is none yet.
+    void fit_wall_to_liver() { obstacles.set_wall_visible(!liver.shows()); }
+    void fit_tumours_to_obstacles() {
+        tumours.set_surface(obstacles.parts_beside_solids(all_tumours));
         legend.tumours = tumours.shows() || obstacles.has_solids();
+    }
+    // The way that the tool has to go. Returns true if the picture changed.
+    bool lead_stem() {
+        return stem.update(tool.shown(), tree.surface().positions_mm(), marks.shown(),
+                           Vec3(renderer->GetActiveCamera()->GetDirectionOfProjection()));
     }
     void find_colours_shown() {
         set_colours_shown(legend, systems, segments, drug);
@@ -87,6 +93,7 @@ struct SceneView::Parts {
     TreeActor tree;
     GhostActor liver{liver_ghost};
     GhostActor tumours{tumour_ghost};
+    TriangleMesh all_tumours;  // obstacles among them
     ObstacleActors obstacles{*renderer};
     VolumeActor volume{*renderer};
     GrabActor grab;
@@ -119,6 +126,7 @@ struct SceneView::Parts {
     bool annotated = true;
     bool warned = false;
     bool at_rest = true;        // pictures need not be fast
+    bool moving = false;        // whether fast or not
     bool looked = false;        // a camera was chosen for the present tree
     bool turned = false;        // a new view was chosen since the last picture
     double shown_aspect = 0.0;  // aspect for which the camera was chosen or adapted; 0: none

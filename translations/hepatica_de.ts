@@ -8781,6 +8781,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Tumor %1 (%L2 ml)</translation>
     </message>
     <message>
+        <source>This tumour reaches beyond the part of the CT about the liver that a case keeps (at %1): what lies outside of it is left out. Undo takes it back.</source>
+        <translation>Dieser Tumor reicht über den Teil des CTs um die Leber hinaus, den ein Fall behält (bei %1): Was außerhalb liegt, fällt weg. „Rückgängig“ nimmt ihn zurück.</translation>
+    </message>
+    <message>
         <source>This tumour lies outside the liver (at %1). Undo takes it back.</source>
         <translation>Dieser Tumor liegt außerhalb der Leber (bei %1). „Rückgängig“ nimmt ihn zurück.</translation>
     </message>

@@ -31,6 +31,9 @@ class Canvas {
     virtual QImage drawn() = 0;
     // To be called before the painter's members are destroyed.
     virtual void finish() = 0;
+    // Makes the context of the pictures current, where there is one, for who frees what it drew
+    // outside of the painter's callbacks: another context's objects have the same names.
+    virtual void make_current() = 0;
 };
 
 // Makes the canvas as a child of `view`, which owns and fills it; mouse events go to `view`. If no

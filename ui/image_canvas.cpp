@@ -25,6 +25,11 @@ void ImageCanvas::finish() {
     context_->context().doneCurrent();
 }
 
+void ImageCanvas::make_current() {
+    if (begun_ && QOpenGLContext::currentContext() != &context_->context())
+        context_->make_current();
+}
+
 void ImageCanvas::redraw() {
     stale_ = true;
     update();

@@ -21,6 +21,7 @@ class ImageCanvas : public QWidget, public Canvas {
     void redraw() override;
     QImage drawn() override;
     void finish() override;
+    void make_current() override;
 
   protected:
     void paintEvent(QPaintEvent* event) override;

@@ -140,11 +140,17 @@ void MainWindow::warn_of_stroke_outside(const BrushStroke& stroke) {
 }
 
 void MainWindow::warn_of_tumour_outside(const TreeEdit& edit) {
-    if (edit.kind != TreeEditKind::paint_tumour ||
-        !tumour_lies_outside(stroke_of(edit), view_layout_->slices().tumours().organs()))
-        return;
+    if (edit.kind != TreeEditKind::paint_tumour) return;
+    const SliceScene& slices = view_layout_->slices();
+    const Mask& organs = slices.tumours().organs();
+    const BrushStroke stroke = stroke_of(edit);
+    const bool cut = !slices.empty() && tumour_is_cut_off(stroke, organs.grid, slices.ct().grid);
+    if (!cut && !tumour_lies_outside(stroke, organs)) return;
     const QString text =
-        Words::tr("This tumour lies outside the liver (at %1). Undo takes it back.")
+        (cut ? Words::tr("This tumour reaches beyond the part of the CT about the liver that a "
+                         "case keeps (at %1): what lies outside of it is left out. Undo takes it "
+                         "back.")
+             : Words::tr("This tumour lies outside the liver (at %1). Undo takes it back."))
             .arg(patient_place(edit.path_mm.front()));
     log_->add_warning(Words::tr("Corrections"), text, [this, edit] {
         const Workspace::Edits& edits = keeper_->workspace().edits();

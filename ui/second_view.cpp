@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/second_view.h"
 
+#include <vtkCamera.h>
+
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ui/vtk_widget.h"
@@ -34,9 +38,7 @@ void SecondView::make_view(const std::vector<VascularSystem>& of_vertices, const
     view_->scene().set_vertex_systems(of_vertices);
     as_first_(*view_);
     view_->scene().set_caption(caption.toStdString());
-    view_->on_picture([this](const PictureTime&) {
-        if (first_.scene().look_as(view_->scene())) first_.draw_again();
-    });
+    view_->on_picture([this](const PictureTime&) { lead_first(); });
     layout()->addWidget(view_);
     show();
 }
@@ -66,11 +68,39 @@ void SecondView::set_drug_scale(double least_end_s) {
 void SecondView::clear() {
     delete view_;
     view_ = nullptr;
+    shared_.reset();
     hide();
 }
 
+SecondView::Sight SecondView::sight_of(VtkWidget& view) {
+    vtkCamera& eye = view.scene().camera();
+    Sight sight{};
+    auto next = sight.begin();
+    for (const double* vector : {eye.GetPosition(), eye.GetFocalPoint(), eye.GetViewUp()})
+        next = std::copy_n(vector, 3, next);
+    *next = eye.GetViewAngle();
+    return sight;
+}
+
+// A picture that comes late must not take back what the other view was turned since. VTK normalizes
+// vectors that it is given, which may change their last bit.
+bool SecondView::leads(VtkWidget& view) {
+    constexpr double rounding = 1e-9;
+    const Sight now = sight_of(view);
+    const bool same = shared_ && std::ranges::equal(now, *shared_, [](double a, double b) {
+                          return std::abs(a - b) <= rounding * std::max(1.0, std::abs(b));
+                      });
+    if (!same) shared_ = now;
+    return !same;
+}
+
+void SecondView::lead_first() {
+    if (leads(*view_) && first_.scene().look_as(view_->scene())) first_.draw_again();
+}
+
 void SecondView::follow_first() {
-    if (view_ != nullptr && view_->scene().look_as(first_.scene())) view_->draw_again();
+    if (view_ != nullptr && leads(first_) && view_->scene().look_as(first_.scene()))
+        view_->draw_again();
 }
 
 }  // namespace hepatica

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A second 3D view beside the first, with another play of the same patient. Both share the line of
-// sight: turning one turns the other.
+// sight: turning one turns the other, with its next picture.
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/vascular_system.h"
@@ -31,17 +33,25 @@ class SecondView : public QWidget {
     void set_drug_scale(double least_end_s);
     // Destroys the view and hides the widget.
     void clear();
-    // To be called after every picture of the first view.
+    // To be called after every picture of the first view. Follows it where it was turned since both
+    // had one line of sight.
     void follow_first();
     bool shown() const { return view_ != nullptr; }
     VtkWidget& view() { return *view_; }
 
   private:
+    // Position of the eye, focal point, direction of up, and angle.
+    using Sight = std::array<double, 10>;
+    static Sight sight_of(VtkWidget& view);
     void make_view(const std::vector<VascularSystem>& of_vertices, const QString& caption);
+    // True if the view was turned since both had one line of sight, which is then the view's.
+    bool leads(VtkWidget& view);
+    void lead_first();
 
     VtkWidget& first_;
     std::function<void(VtkWidget&)> as_first_;
     VtkWidget* view_ = nullptr;
+    std::optional<Sight> shared_;  // none: not yet
     double drug_scale_s_ = 0.0;
 };
 

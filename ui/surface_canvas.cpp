@@ -27,6 +27,10 @@ void SurfaceCanvas::finish() {
     if (disconnect(context(), nullptr, this, nullptr)) end();
 }
 
+void SurfaceCanvas::make_current() {
+    if (context() && QOpenGLContext::currentContext() != context()) makeCurrent();
+}
+
 void SurfaceCanvas::end() {
     makeCurrent();
     painter_.end();
@@ -59,7 +63,8 @@ void SurfaceCanvas::paintGL() {
     gl.glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(),
                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
     gl.glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-    awaits_swap_ = for_screen_;
+    // One that is only read does not take the place of one that is on its way to the screen.
+    awaits_swap_ = awaits_swap_ || for_screen_;
 }
 
 }  // namespace hepatica

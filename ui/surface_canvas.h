@@ -18,6 +18,7 @@ class SurfaceCanvas : public QOpenGLWidget, public Canvas {
     void redraw() override { update(); }
     QImage drawn() override;
     void finish() override;
+    void make_current() override;
 
   protected:
     void initializeGL() override;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/vtk_widget.h"
 
+#include <vtkCommand.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 
@@ -71,6 +72,8 @@ VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
       window_(vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New()),
       hover_(callbacks.hover) {
     window_->SetFrameBlitModeToNoBlit();
+    // VTK frees what is taken out of the scene at once, between pictures, too.
+    window_->AddObserver(vtkCommand::WindowMakeCurrentEvent, this, &VtkWidget::make_current);
     scene_ = std::make_unique<SceneView>(*window_);
     scene_->set_words([](const std::string& english) { return translated(english).toStdString(); });
     const std::function<void()> missed = callbacks.missed;
@@ -91,7 +94,8 @@ VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
     rest_timer_.setSingleShot(true);
     rest_timer_.setInterval(200);
     connect(&rest_timer_, &QTimer::timeout, this, [this] {
-        scene_->set_smoothing(Smoothing::cheap);
+        scene_->set_moving(false);
+        if (software()) scene_->set_smoothing(Smoothing::cheap);
         canvas_->redraw();
     });
     soon_timer_.setSingleShot(true);
@@ -105,6 +109,10 @@ VtkWidget::VtkWidget(MouseTool::Callbacks callbacks, QWidget* parent)
 // The base class destroys the canvas later, when the painter's members are gone.
 VtkWidget::~VtkWidget() {
     canvas_->finish();
+}
+
+void VtkWidget::make_current() {
+    if (canvas_ != nullptr) canvas_->make_current();
 }
 
 CanvasPainter VtkWidget::painter() {
@@ -178,10 +186,9 @@ void VtkWidget::show_frame(const Frame& frame) {
 }
 
 void VtkWidget::draw_again() {
-    if (software()) {
-        scene_->set_smoothing(Smoothing::none);
-        rest_timer_.start();
-    }
+    scene_->set_moving(true);
+    if (software()) scene_->set_smoothing(Smoothing::none);
+    rest_timer_.start();
     canvas_->redraw();
 }
 
@@ -194,6 +201,7 @@ void VtkWidget::draw_soon() {
 
 QImage VtkWidget::picture() {
     scene_->set_smoothing(Smoothing::best);
+    scene_->set_moving(false);
     const QImage picture = canvas_->drawn();
     if (software()) scene_->set_smoothing(Smoothing::cheap);
     return picture;

@@ -56,8 +56,9 @@ class VtkWidget : public QWidget {
 
     // Shows a newer frame; draws only if it looks different.
     void show_frame(const Frame& frame);
-    // To be called after any other change of scene or camera. Without a graphics card pictures are
-    // drawn without smoothing while they change, and smoothed when at rest.
+    // To be called after any other change of scene or camera. While pictures change, the legend
+    // keeps its corner, and without a graphics card they are drawn without smoothing; a last one
+    // follows when they are at rest.
     void draw_again();
     // As draw_again(), for changes led from the slices: without a graphics card only once they
     // rest, and some four times a second while they do not, so that the slices, which the user
@@ -88,6 +89,7 @@ class VtkWidget : public QWidget {
     void take_from_keys();
     void show_aim();
     bool software() const;
+    void make_current();
     CanvasPainter painter();
     void begin(QOpenGLContext& context);
     unsigned draw(const QSize& pixels);

@@ -5,7 +5,6 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -211,32 +210,18 @@ void PlayMeter::see_tear(const Frame& frame) {
     raise(metrics_.blood_lost_g, frame.tear->leaked_g - before_.leaked_g);
 }
 
-// What earlier injections have reached when another takes their place stays reached, until the drug
-// is taken out. Where the play goes back to an earlier injection, what was reached since does not
-// count, and where the drug is taken out, the next injection begins with nothing.
-const std::vector<char>& PlayMeter::reached_before(const DrugView& drug) {
-    const auto [mine, is_new] =
-        reached_before_.try_emplace(drug.injections, on_surface_.size(), char{0});
-    std::vector<char>& reached = mine->second;
-    const bool replaces = drug_.arrival_s != nullptr && drug_.injections < drug.injections;
-    if (!is_new || !replaces) return reached;
-    if (mine != reached_before_.begin()) reached = std::prev(mine)->second;
-    for (std::size_t i = 0; i < on_surface_.size(); ++i)
-        if ((*drug_.arrival_s)[on_surface_[i]] <= static_cast<float>(drug_.time_s)) reached[i] = 1;
-    return reached;
-}
-
-// Sorted at each change of the arrival times, so that each step costs two binary searches.
+// Sorted at each change of the arrival times, so that each step costs two binary searches. What
+// injections before this one have reached stays reached.
 void PlayMeter::take_arrivals(const DrugView& drug) {
     constexpr float at_once = -1.0f;
     target_arrivals_.clear();
     other_arrivals_.clear();
-    reached_before_.erase(reached_before_.upper_bound(drug.injections), reached_before_.end());
     if (!drug.arrival_s) return;
-    const std::vector<char>& reached = reached_before(drug);
-    for (std::size_t i = 0; i < on_surface_.size(); ++i)
+    for (std::size_t i = 0; i < on_surface_.size(); ++i) {
+        const auto vertex = static_cast<std::size_t>(on_surface_[i]);
         (in_target_[i] != 0 ? target_arrivals_ : other_arrivals_)
-            .push_back(reached[i] != 0 ? at_once : (*drug.arrival_s)[on_surface_[i]]);
+            .push_back(drug.had_reached(vertex) ? at_once : (*drug.arrival_s)[vertex]);
+    }
     std::ranges::sort(target_arrivals_);
     std::ranges::sort(other_arrivals_);
 }

@@ -3,7 +3,6 @@
 // the last bit. Wall time has no influence.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -57,7 +56,6 @@ class PlayMeter {
     void see_marks(const Frame& frame);
     void see_tear(const Frame& frame);
     void see_drug(const Frame& frame, const std::stop_token& stop);
-    const std::vector<char>& reached_before(const DrugView& drug);
     void take_arrivals(const DrugView& drug);
 
     std::shared_ptr<const PatientCase> patient_;
@@ -74,11 +72,8 @@ class PlayMeter {
     FeltForce felt_force_;
     std::optional<Vec3> tip_, hand_;  // of the frame before
     double since_touch_s_ = 1e9;
-    TearView before_;  // of the first frame
-    DrugView drug_;    // of the last frame
-    // Per injection so far, by DrugView::injections, and vertex of on_surface_: whether the drug of
-    // earlier ones is there.
-    std::map<int, std::vector<char>> reached_before_;
+    TearView before_;                                      // of the first frame
+    DrugView drug_;                                        // of the last frame
     std::vector<float> target_arrivals_, other_arrivals_;  // ascending
 };
 

@@ -186,19 +186,22 @@ TEST(PlayMeter, WhatWasApartBeforeTearingBeganIsNoPieceOff) {
 class DrugByThirds {
   public:
     DrugByThirds() { meter_.begin(rest_frame()); }
-    void show(int injection, std::size_t early, std::size_t late) {
+    // `before`: the thirds that injections before this one have reached.
+    void show(std::size_t early, std::size_t late, std::vector<std::size_t> before = {}) {
         auto times = std::make_shared<std::vector<float>>();
+        auto reached = std::make_shared<std::vector<std::uint8_t>>();
         for (std::size_t v = 0; v < small_patient()->mesh.vertices_mm.size(); ++v) {
             const std::size_t kind = ((v * 37) % 101) % 3;
             times->push_back(kind == early ? 1.0f : kind == late ? 5.0f : 1e9f);
+            reached->push_back(std::ranges::find(before, kind) != before.end() ? 1 : 0);
         }
-        take_out(injection);
+        take_out();
         frame_.drug.arrival_s = times;
+        if (!before.empty()) frame_.drug.reached_before = reached;
     }
-    void take_out(int injections_so_far) {
+    void take_out() {
         frame_.drug = {};
         frame_.drug.version = ++version_;
-        frame_.drug.injections = injections_so_far;
     }
     std::array<double, 2> filled_at(double time_s) {
         frame_.drug.time_s = time_s;
@@ -222,51 +225,55 @@ class DrugByThirds {
 constexpr std::array nowhere{0.0, 0.0};
 
 // What an injection has reached stays reached when another takes its place, until the drug is taken
-// out.
+// out. The frame says what that is, so that nothing else has to be known of the play before it.
 TEST(PlayMeter, WhatTheDrugHasReachedStaysReachedThroughAllInjections) {
     DrugByThirds play;
-    play.show(1, 0, 1);
+    play.show(0, 1);
     const auto first = play.filled_at(2.0);
     for (const double share : first) EXPECT_GT(share, 0.1);
-    play.show(2, 2, 1);
+    play.show(2, 1, {0});
     EXPECT_EQ(play.filled_at(0.5), first) << "the second has reached nothing yet";
     const auto both = play.filled_at(2.0);
     for (std::size_t i = 0; i < both.size(); ++i) EXPECT_GT(both[i], first[i] + 0.1);
-    play.take_out(2);
+    play.show(1, 0, {0, 2});
+    EXPECT_EQ(play.filled_at(0.5), both);
+    play.take_out();
     EXPECT_EQ(play.filled_at(0.0), nowhere) << "taken out";
     EXPECT_FALSE(play.meter().moment().drug_present);
-    play.show(3, 0, 1);
+    play.show(0, 1);
     EXPECT_EQ(play.filled_at(2.0), first) << "what was taken out does not count again";
+}
+
+TEST(PlayMeter, WhatWasReachedBeforeTheFirstFrameOfThePlayCounts) {
+    DrugByThirds whole, begun;
+    whole.show(0, 1);
+    const auto first = whole.filled_at(2.0);
+    begun.show(2, 1, {0});
+    EXPECT_EQ(begun.filled_at(0.5), first);
 }
 
 TEST(PlayMeter, WhereThePlayGoesBackTheDrugHasReachedWhatItHadThen) {
     DrugByThirds play;
-    play.show(1, 0, 1);
+    play.show(0, 1);
     const auto first = play.filled_at(2.0);
     EXPECT_GT(first[0], 0.1);
-    play.show(1, 0, 1);
+    play.show(0, 1);
     EXPECT_EQ(play.filled_at(0.5), nowhere) << "back before it had come anywhere";
-    play.show(2, 2, 1);
+    play.show(2, 1);
     EXPECT_EQ(play.filled_at(0.5), nowhere);
     EXPECT_GT(play.filled_at(2.0)[0], 0.1);
-    play.show(1, 0, 1);
+    play.show(0, 1);
     EXPECT_EQ(play.filled_at(2.0), first) << "the second is undone";
-    play.show(2, 2, 1);
-    EXPECT_EQ(play.filled_at(0.5), first);
-    play.take_out(2);
-    EXPECT_EQ(play.filled_at(0.0), nowhere);
-    play.show(2, 2, 1);
-    EXPECT_EQ(play.filled_at(0.5), first) << "that it was taken out is undone";
 }
 
 // A vertex that is split gives the drug's times a new version, too.
 TEST(PlayMeter, WhereTheDrugsClockIsSetBackASplitVertexKeepsNothingReached) {
     DrugByThirds play;
-    play.show(1, 0, 1);
+    play.show(0, 1);
     EXPECT_GT(play.filled_at(2.0)[0], 0.1);
     EXPECT_EQ(play.filled_at(0.5), nowhere);
     EXPECT_GT(play.filled_at(2.0)[0], 0.1);
-    play.show(1, 0, 1);
+    play.show(0, 1);
     EXPECT_EQ(play.filled_at(0.5), nowhere);
 }
 

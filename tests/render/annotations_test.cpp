@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 #include "render/osmesa_context.h"
 #include "render/scene_view.h"
@@ -73,6 +75,22 @@ TEST(Annotations, GiveTheScaleInLettersThatCanBeReadOrNone) {
         EXPECT_GE(height_of_scale(447, height), bar + height_of_capitals * annotation_letters_pt)
             << height;
     EXPECT_EQ(height_of_scale(130, 325), 0) << "the cube takes the room";
+}
+
+// At the nearest zoom in a tall picture.
+TEST(Annotations, GiveAShortScaleWithTheDecimalsThatItNeeds) {
+    OsmesaContext context(1000, 2400);
+    SceneView view(context.window());
+    std::vector<std::string> lengths;
+    view.set_words([&](const std::string& english) {
+        if (english.find(" mm") != std::string::npos) lengths.push_back(english);
+        return english;
+    });
+    view.show(testing::fake_frame());
+    view.zoom_by(1e6);
+    view.render();
+    ASSERT_FALSE(lengths.empty());
+    EXPECT_TRUE(lengths.front().starts_with("0.02 mm")) << lengths.front();
 }
 
 }  // namespace

@@ -316,6 +316,22 @@ TEST(LegendPlace, IsBesideTheVesselsHoweverTheyLie) {
     EXPECT_EQ(view.legend_box().bottom, at_first.bottom);
 }
 
+// With a graphics card pictures of what moves are as fine as others.
+TEST(LegendPlace, StaysWhileThePictureMovesHoweverFineItIs) {
+    OsmesaContext context(800, 600);
+    SceneView view(context.window());
+    view.show(fake_frame());
+    view.render();
+    const PictureBox at_first = view.legend_box();
+    view.set_moving(true);
+    view.drag_pan({400, 300}, {700, 560});
+    view.render();
+    EXPECT_EQ(view.legend_box().bottom, at_first.bottom);
+    view.set_moving(false);
+    view.render();
+    EXPECT_NE(view.legend_box().bottom, at_first.bottom);
+}
+
 TEST(LegendPlace, IsChosenAnewWhereOneLooksFromElsewhereWhileThePictureMoves) {
     constexpr int width = 800, height = 600;
     OsmesaContext context(width, height);

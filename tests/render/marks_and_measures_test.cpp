@@ -135,8 +135,8 @@ TEST_F(MarksAndMeasures, a_line_says_how_far_the_tool_is_from_the_mark_and_wheth
     frame.tool->parts = {{tip, tip - Vec3(0, 0, 20), 2.0}};
     frame.tool->tip_mm = frame.tool->at_mm = frame.tool->centre_mm = tip;
     const auto said = [&](const std::vector<MarkView>& marks) {
-        view_.set_marks(marks);
         last.clear();
+        view_.set_marks(marks);
         view_.show(frame);
         return last;
     };
@@ -156,6 +156,27 @@ TEST_F(MarksAndMeasures, a_line_says_how_far_the_tool_is_from_the_mark_and_wheth
     const Picture near_vessel = picture();
     said({{tip + 12.0 * axes.forward + 5.0 * axes.up, "", false}});
     EXPECT_FALSE(look_alike(picture(), near_vessel));
+}
+
+// While nothing moves but the marks and the view.
+TEST_F(MarksAndMeasures, the_way_to_a_mark_is_said_anew_for_other_marks_and_where_one_looks_from) {
+    std::string last;
+    view_.set_words([&](const std::string& english) {
+        if (english.find("mark") != std::string::npos) last = english;
+        return english;
+    });
+    Frame frame = fake_frame();
+    const Vec3 tip(40, 0, 20);
+    frame.tool.emplace();
+    frame.tool->parts = {{tip, tip - Vec3(0, 0, 20), 2.0}};
+    frame.tool->tip_mm = frame.tool->at_mm = frame.tool->centre_mm = tip;
+    view_.show(frame);
+    view_.set_marks({{tip + 12.0 * view_.axes().forward, "", false}});
+    EXPECT_EQ(last, "12.0 mm to the mark, move deeper");
+    picture();
+    view_.look_from(ViewDirection::posterior);
+    picture();
+    EXPECT_EQ(last, "12.0 mm to the mark, move nearer");
 }
 
 TEST_F(MarksAndMeasures, what_was_measured_and_its_value_are_seen) {

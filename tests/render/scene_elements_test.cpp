@@ -227,7 +227,7 @@ TEST(LinesInThePicture, AreAsWideInPointsOnADenseScreen) {
         const auto wide = [&](double points) { return static_cast<float>(points * ratio); };
         pull.set_scale(0.1, ratio);
         crosshair.set_pixel_ratio(ratio);
-        stem.place(ratio);
+        stem.place(ratio, Vec3::UnitY());
         EXPECT_FLOAT_EQ(pull.line()->GetProperty()->GetLineWidth(), wide(2.0));
         EXPECT_FLOAT_EQ(crosshair.actor()->GetProperty()->GetLineWidth(), wide(1.5));
         EXPECT_FLOAT_EQ(line->GetProperty()->GetLineWidth(), wide(1.5));
@@ -349,6 +349,28 @@ TEST_F(SceneElements, a_tumour_and_a_wall_in_the_way_are_each_seen) {
     EXPECT_EQ(picture_of(frame).rgb, none.rgb);
 }
 
+// It is no obstacle before the case is opened again.
+TEST_F(SceneElements, a_tumour_that_was_painted_since_is_seen_beside_those_in_the_way) {
+    const Frame frame = testing::frame_beside_obstacles();
+    const TriangleMesh known = frame.obstacles->all[0].surface;
+    TriangleMesh painted = testing::sphere(Vec3(-30, -20, -30), 9.0);
+    const auto first = static_cast<int>(painted.vertices_mm.size());
+    painted.vertices_mm.insert(painted.vertices_mm.end(), known.vertices_mm.begin(),
+                               known.vertices_mm.end());
+    for (const auto& [a, b, c] : known.triangles)
+        painted.triangles.push_back({first + a, first + b, first + c});
+    view_.set_tumours(known);
+    const Picture before = picture_of(frame);
+    view_.set_tumours(painted);
+    EXPECT_FALSE(look_alike(picture(), before));
+    // Also where the obstacles come later.
+    const Picture both = picture();
+    view_.show(fake_frame(0.3));
+    EXPECT_EQ(picture_of(frame).rgb, both.rgb);
+    view_.set_tumours(known);
+    EXPECT_EQ(picture().rgb, before.rgb) << "none is drawn twice";
+}
+
 // Cut open, both are.
 TEST_F(SceneElements, obstacles_are_cut_open_with_the_vessels) {
     view_.set_annotations_visible(false);
@@ -407,6 +429,10 @@ TEST(ForceLabel, StaysWithinThePicture) {
         EXPECT_LE(label->right, 200.0);
         EXPECT_LE(label->top, 150.0);
         EXPECT_GT(label->right - label->left, 20.0) << "it says something";
+        tool.at_mm = tool.tip_mm = Vec3(at.x(), at.y(), 150.0);
+        actor.update(tool);
+        actor.set_scale(0.4, 1.0);
+        EXPECT_FALSE(actor.label_box()) << "behind the eye";
     }
     context.window().RemoveRenderer(renderer);
 }

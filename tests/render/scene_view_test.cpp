@@ -250,5 +250,59 @@ TEST_F(SceneViewPicture, keeps_the_tree_in_sight_when_it_gets_narrow_and_comes_b
     EXPECT_NEAR(view_.camera().GetDistance(), before, 1e-9 * before);
 }
 
+TEST_F(SceneViewPicture, is_fitted_once_to_a_size_that_is_new) {
+    view_.show(fake_frame());
+    view_.render();
+    context_.window().SetSize(90, 240);
+    view_.show_whole();
+    const double chosen = view_.camera().GetDistance();
+    view_.render();
+    EXPECT_EQ(view_.camera().GetDistance(), chosen);
+}
+
+// Two plays side by side stand still when the second brings its scale.
+TEST_F(SceneViewPicture, is_drawn_anew_where_the_drugs_scale_alone_is_another) {
+    const Frame frame = fake_frame(0.0, 0.5);
+    EXPECT_TRUE(view_.show(frame));
+    EXPECT_FALSE(view_.show(frame));
+    view_.set_drug_scale(25.0);
+    EXPECT_TRUE(view_.show(frame));
+    EXPECT_FALSE(view_.show(frame));
+}
+
+TEST_F(SceneViewPicture, picks_no_gap_behind_the_eye) {
+    view_.show(fake_frame());
+    const ViewAxes axes = view_.axes();
+    const Vec3 eye = view_.ray_through({160, 120}).origin_mm;
+    const auto picked = [&](double away_mm) {
+        const Vec3 middle = eye + away_mm * axes.forward;
+        const Vec3 half = 5.0 * axes.right;
+        view_.set_bridges({{{Vec3(middle - half), Vec3(middle + half)}, "50 %", false}});
+        return view_.bridge_at({160, 120}, 4.0);
+    };
+    EXPECT_EQ(picked(40.0), 0);
+    EXPECT_EQ(picked(-40.0), -1);
+}
+
+// Letters in the colours of tools would hardly be seen there.
+TEST_F(SceneViewPicture, has_figures_on_dark_where_it_is_bright) {
+    view_.set_annotations_visible(false);
+    Frame frame = fake_frame();
+    frame.tool.emplace();
+    frame.tool->parts = {{Vec3(30, 0, -40), Vec3(30, 0, -40), 1.0}};
+    frame.tool->tip_mm = Vec3(30, 0, -40);
+    const auto dark_pixels = [&](bool says_how_far) {
+        frame.tool->touched = says_how_far ? std::vector<int>{} : std::vector{0};
+        view_.show(frame);
+        const Picture shown = picture();
+        int dark = 0;
+        for (std::size_t i = 0; i < shown.rgb.size(); i += 3)
+            dark += shown.rgb[i] < 90 && shown.rgb[i + 1] < 90 && shown.rgb[i + 2] < 90;
+        return dark;
+    };
+    view_.set_look(light_look);
+    EXPECT_GT(dark_pixels(true), dark_pixels(false) + 150);
+}
+
 }  // namespace
 }  // namespace hepatica

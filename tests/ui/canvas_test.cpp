@@ -4,12 +4,15 @@
 
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLFramebufferObject>
+#include <array>
 #include <memory>
+#include <optional>
 
 #include "tests/ui/window_test.h"
 #include "ui/hidden_context.h"
 #include "ui/image_canvas.h"
 #include "ui/surface_canvas.h"
+#include "ui/vtk_widget.h"
 
 namespace hepatica {
 namespace {
@@ -73,6 +76,55 @@ TEST_P(CanvasTest, BringsThePictureUprightOntoTheScreenAndEndsOnce) {
     canvas->finish();
     canvas->finish();
     EXPECT_EQ(halves.ended, 1);
+}
+
+// Of two views each frees its own: the names of what it drew are those of other things in the
+// other.
+TEST_P(CanvasTest, MakesItsOwnContextCurrentOnceItHasDrawn) {
+    TwoHalves first_halves, second_halves;
+    QWidget first_view, second_view;
+    const auto new_canvas = [](QWidget& view, TwoHalves& halves) -> Canvas* {
+        view.resize(200, 100);
+        if (GetParam())
+            return new ImageCanvas(view, std::make_unique<HiddenContext>(), halves.painter());
+        return new SurfaceCanvas(view, halves.painter());
+    };
+    Canvas* first = new_canvas(first_view, first_halves);
+    Canvas* second = new_canvas(second_view, second_halves);
+    for (QWidget* view : {&first_view, &second_view}) view->show();
+    first->make_current();  // before its first picture there is nothing to be freed
+    ASSERT_TRUE(wait_for([&] { return first_halves.shown >= 1 && second_halves.shown >= 1; }));
+    first->make_current();
+    const QOpenGLContext* of_first = QOpenGLContext::currentContext();
+    ASSERT_NE(of_first, nullptr);
+    second->make_current();
+    EXPECT_NE(QOpenGLContext::currentContext(), of_first);
+    first->make_current();
+    EXPECT_EQ(QOpenGLContext::currentContext(), of_first);
+    first->finish();
+    second->finish();
+}
+
+// A gap that is bridged while the other of two views drew last.
+TEST(TwoViews, FreeWhatIsTakenOutOfEachInItsOwnContext) {
+    const auto nothing = [] {
+        return MouseTool::Callbacks{[](const Command&) {},
+                                    [](const SurfacePick&) {},
+                                    [](const SurfacePick&) {},
+                                    [](const SurfacePick&) {},
+                                    [](int) {},
+                                    [](const SurfacePick&) { return Vec3(Vec3::Zero()); },
+                                    [](MouseMode, const std::optional<std::array<Vec3, 2>>&) {}};
+    };
+    VtkWidget first(nothing()), second(nothing());
+    first.scene().set_bridges({{{Vec3(-5, 0, 0), Vec3(5, 0, 0)}, "50 %", false}});
+    first.drawn();
+    const QOpenGLContext* of_first = QOpenGLContext::currentContext();
+    second.drawn();
+    if (of_first == nullptr || QOpenGLContext::currentContext() == of_first)
+        GTEST_SKIP() << "the views leave no context of their own";
+    first.scene().set_bridges({});
+    EXPECT_EQ(QOpenGLContext::currentContext(), of_first);
 }
 
 INSTANTIATE_TEST_SUITE_P(ImageAndSurface, CanvasTest, ::testing::Values(true, false));

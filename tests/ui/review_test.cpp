@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <algorithm>
+#include <cstdlib>
 
 #include "core/lesson/attempts.h"
 #include "core/lesson/lesson_writer.h"
@@ -265,6 +266,32 @@ TEST_F(ReviewWindowTest, another_recording_is_shown_beside_it_and_looks_the_same
     EXPECT_TRUE(wait_for([this] { return !dock().comparing(); }));
     EXPECT_TRUE(window_.messages().text().contains("another patient"));
     EXPECT_TRUE(dock().reviewing());
+}
+
+// The first view draws what it took over after the second was turned on: its picture takes nothing
+// back.
+TEST_F(ReviewWindowTest, what_is_beside_it_is_turned_as_freely) {
+    open_built_in();
+    look_back();
+    dock().compare(file_);
+    ASSERT_TRUE(wait_for([this] { return dock().complete() && window_.second_view().shown(); }));
+    SecondView& second = window_.second_view();
+    SceneView& first_scene = window_.view().scene();
+    SceneView& beside = second.view().scene();
+    ASSERT_TRUE(wait_for([&] {
+        window_.view().drawn();
+        second.follow_first();
+        second.view().drawn();
+        const bool side_by_side = std::abs(window_.view().width() - second.view().width()) < 20;
+        return side_by_side && !beside.look_as(first_scene);
+    }));
+    beside.turn_by(20.0, 0.0);
+    const Vec3 turned = beside.axes().forward;
+    second.follow_first();
+    EXPECT_EQ(beside.axes().forward, turned);
+    second.view().draw_again();
+    EXPECT_TRUE(wait_for([&] { return first_scene.axes().forward == turned; }));
+    EXPECT_EQ(beside.axes().forward, turned);
 }
 
 // The look and the mouse that were chosen before and are chosen meanwhile.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Vessels painted and erased in the slices by mouse and keys.
+#include "core/image/filters.h"
 #include "tests/ui/slices_test.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
@@ -32,6 +33,16 @@ class BrushOnSlices : public testing::SlicesTest {
         for (int k = 0; k < 60; ++k)
             for (int j = 0; j < 50; ++j)
                 for (int i = 30; i < 40; ++i) patient->organs.voxels[ct_.grid.offset(i, j, k)] = 1;
+        patient_ = patient;
+        begin();
+        ASSERT_TRUE(
+            testing::wait_for([this] { return !scene().tumours().organs().voxels.empty(); }));
+    }
+    // Of a patient whose case keeps organs in a box within the CT, which the liver fills.
+    void begin_with_a_box_about_the_liver() {
+        auto patient = std::make_shared<PatientCase>(*patient_);
+        patient->organs =
+            crop(Mask(ct_.grid, organ_label::liver), IndexBox{{10, 15, 20}, {30, 35, 40}});
         patient_ = patient;
         begin();
         ASSERT_TRUE(
@@ -296,6 +307,41 @@ TEST_F(BrushOnSlices, SaysThatATumourLiesOutsideTheLiverAndTakesItBack) {
     EXPECT_EQ(scene().tumours().tumours()[0].volume_ml, before_ml);
     EXPECT_TRUE(window_.log().as_text().contains("no longer so\tCorrections\tThis tumour lies"))
         << window_.log().as_text().toStdString();
+}
+
+// A case keeps 30 mm about the box, to row 44 of the CT's 50.
+TEST_F(BrushOnSlices, SaysThatATumourIsCutOffWhereACaseKeepsNone) {
+    begin_with_a_box_about_the_liver();
+    constexpr int painting_tumours = 8;
+    take(painting_tumours);
+    scene().set_crosshair(ct_.grid.to_mm(20, 36, 30));
+    QTest::keyClick(&axial(), Qt::Key_Return);
+    ASSERT_EQ(scene().tumours().tumours().size(), 1u);
+    EXPECT_EQ(window_.messages().text(), "") << "all of it is kept";
+    const double before_ml = scene().tumours().tumours()[0].volume_ml;
+    scene().set_crosshair(ct_.grid.to_mm(20, 44, 30));
+    QTest::keyClick(&axial(), Qt::Key_Return);
+    const QString notice = window_.messages().text();
+    EXPECT_TRUE(notice.contains("left out")) << notice.toStdString();
+    EXPECT_GT(scene().tumours().tumours()[0].volume_ml, before_ml) << "the other half";
+    QTest::mouseClick(window_.messages().findChild<QPushButton*>("offer"), Qt::LeftButton);
+    EXPECT_EQ(scene().tumours().tumours()[0].volume_ml, before_ml);
+    EXPECT_TRUE(window_.log().as_text().contains("no longer so\tCorrections\tThis tumour reaches"))
+        << window_.log().as_text().toStdString();
+}
+
+TEST(TumourIsCutOff, WhereTheCtGoesOnBeyondTheCanvas) {
+    const Grid ct{{60, 30, 30}};
+    const Grid canvas = crop(ct, IndexBox{{0, 0, 0}, {40, 30, 30}});
+    const auto cut = [&](double x) {
+        return tumour_is_cut_off({{Vec3(x, 15, 15)}, 4.0, false}, canvas, ct);
+    };
+    EXPECT_FALSE(cut(20.0));
+    EXPECT_FALSE(cut(35.0)) << "its last voxel is the canvas's";
+    EXPECT_TRUE(cut(36.0));
+    EXPECT_TRUE(cut(50.0));
+    EXPECT_FALSE(cut(1.0)) << "nothing is seen beyond the CT";
+    EXPECT_TRUE(tumour_is_cut_off({{Vec3(5, 15, 15), Vec3(50, 15, 15)}, 1.0, false}, canvas, ct));
 }
 
 TEST(TumourLiesOutside, OfTheLiverWhereNeitherLiverNorAnotherTumourIsNear) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/patient/painted_tumours.h"
 #include "core/patient/patient_case.h"
 
 namespace hepatica {
@@ -40,6 +41,20 @@ bool tumour_lies_outside(const BrushStroke& stroke, const Mask& organs) {
         if (near.voxels[v] == 1 && is_liver(organ)) return false;
     }
     return true;
+}
+
+bool tumour_is_cut_off(const BrushStroke& stroke, const Grid& canvas, const Grid& ct) {
+    if (!reaches_beyond(stroke, canvas)) return false;
+    bool cut = false;
+    sweep(stroke, ct, [&](std::size_t offset) {
+        if (cut) return;
+        const Index3 here = ct.index_of(offset);
+        const Vec3 at = canvas.to_index(ct.to_mm(here[0], here[1], here[2]));
+        for (int axis = 0; axis < 3; ++axis)
+            cut = cut || at[axis] < -0.75 ||
+                  at[axis] > canvas.dims[static_cast<std::size_t>(axis)] - 0.25;
+    });
+    return cut;
 }
 
 }  // namespace hepatica

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// In a small picture the legend gives way to the vessels, to the picture's edges and to the cube.
+#include <gtest/gtest.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <vector>
+
+#include "render/legend.h"
+#include "render/orientation_marker.h"
+#include "render/osmesa_context.h"
+#include "render/scene_view.h"
+#include "tests/render/fake_frame.h"
+
+namespace hepatica {
+namespace {
+
+// A legend in a picture whose vessels fill this box evenly.
+class LegendOverVessels {
+  public:
+    LegendOverVessels(int width, int height, const PictureBox& vessels)
+        : width_(width), height_(height), context_(width, height), legend_(*renderer_) {
+        context_.window().AddRenderer(renderer_);
+        for (double x = vessels.left; x <= vessels.right; x += 5.0)
+            for (double y = vessels.bottom; y <= vessels.top; y += 5.0) at_.push_back({x, y, x, y});
+    }
+    ~LegendOverVessels() { context_.window().RemoveRenderer(renderer_); }
+    LegendOverVessels(const LegendOverVessels&) = delete;
+    LegendOverVessels& operator=(const LegendOverVessels&) = delete;
+
+    PictureBox box_of(const LegendContent& content, double point, bool rests = true) {
+        const Legend::Count count = [this](const std::vector<PictureBox>& boxes) {
+            std::vector<int> within;
+            for (const PictureBox& box : boxes) within.push_back(within_box(box));
+            return within;
+        };
+        legend_.update(legend_rows(content), {width_, height_, point}, dark_look,
+                       rests ? count : Legend::Count());
+        return legend_.box();
+    }
+    double share_hidden() const {
+        return static_cast<double>(within_box(legend_.box())) / static_cast<double>(at_.size());
+    }
+
+  private:
+    int within_box(const PictureBox& box) const {
+        int count = 0;
+        for (const PictureBox& at : at_)
+            count += at.left >= box.left && at.left <= box.right && at.bottom >= box.bottom &&
+                     at.bottom <= box.top;
+        return count;
+    }
+
+    int width_, height_;
+    OsmesaContext context_;
+    vtkNew<vtkRenderer> renderer_;
+    Legend legend_;
+    std::vector<PictureBox> at_;
+};
+
+LegendContent drug_in_three_systems() {
+    LegendContent content;
+    content.systems = {VascularSystem::portal, VascularSystem::hepatic, VascularSystem::artery};
+    content.injected = true;
+    content.drug_time_s = 1.0;
+    content.drug_end_s = 30.0;
+    return content;
+}
+
+double height_of(const PictureBox& box) {
+    return box.top - box.bottom;
+}
+
+// A second view beside slices, of a patient who is as wide as it.
+TEST(SmallLegend, HasAsManyRowsAsHideHardlyAnyVessel) {
+    LegendOverVessels legend(217, 340, {30, 120, 190, 230});
+    const double drawn = height_of(legend.box_of(drug_in_three_systems(), 1.0));
+    EXPECT_LE(legend.share_hidden(), 0.02);
+    EXPECT_GT(drawn, 20.0) << "what there is room for";
+    EXPECT_EQ(height_of(legend.box_of(drug_in_three_systems(), 1.0, false)), drawn)
+        << "and no more while the picture moves";
+}
+
+TEST(SmallLegend, IsLeftOutWhereVesselsFillThePicture) {
+    LegendOverVessels legend(160, 120, {0, 0, 160, 120});
+    EXPECT_EQ(height_of(legend.box_of(drug_in_three_systems(), 0.75)), 0.0);
+}
+
+TEST(SmallLegend, OfAPictureThatIsNotSmallHasAllItsRows) {
+    LegendOverVessels legend(640, 480, {0, 0, 640, 480});
+    EXPECT_DOUBLE_EQ(height_of(legend.box_of(drug_in_three_systems(), 1.0)), 59.0 + 5.0 * 22.0);
+}
+
+TEST(SmallLegend, IsNoHigherThanThePicture) {
+    LegendOverVessels legend(320, 240, {});
+    LegendContent content = drug_in_three_systems();
+    content.tumours = content.target = content.gaps = content.torn = content.bleeds = true;
+    content.warned = content.reached_before = true;
+    content.segments = {2, 3, 4};
+    const PictureBox box = legend.box_of(content, 0.8);
+    EXPECT_GE(box.bottom, 0.0);
+    EXPECT_LE(box.top, 240.0);
+    EXPECT_GT(height_of(box), 120.0);
+}
+
+TEST(SmallLegend, LiesBesideTheOrientationCubeOrAboveIt) {
+    OsmesaContext context(300, 420);
+    SceneView view(context.window());
+    Frame frame = testing::fake_frame(0.1);
+    frame.drug.arrival_s =
+        std::make_shared<const std::vector<float>>(frame.positions_mm.size() / 3, 1.0f);
+    frame.drug.end_s = 100.0;
+    frame.drug.time_s = 24.0;
+    view.show(frame);
+    view.zoom_by(0.05);  // so that vessels push it nowhere
+    view.render();
+    constexpr double room = 420.0 / 600.0;
+    const double cube = OrientationMarker::right_edge({300, 420, room});
+    const PictureBox box = view.legend_box();
+    ASSERT_LT(box.top, 300.0) << "it is at the foot";
+    EXPECT_TRUE(box.left >= cube || box.bottom >= cube) << box.left << " " << box.bottom;
+}
+
+}  // namespace
+}  // namespace hepatica
