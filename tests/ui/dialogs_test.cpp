@@ -116,14 +116,39 @@ TEST_F(Wizard, offers_the_series_of_a_folder_that_holds_several) {
     wizard_.set_ct(to_text(both.parent_path() / "nothing"), 2);
     EXPECT_EQ(wizard_.options().series, 0);
     wizard_.set_ct(to_text(both), 2);
+    EXPECT_EQ(wizard_.options().series, 2) << "also before the folder was looked through";
+    EXPECT_EQ(wizard_.entries().value(0), "2");
     ASSERT_TRUE(testing::wait_for([&] { return series->count() == 2; }));
     EXPECT_EQ(wizard_.options().series, 2) << "the one that was read";
+    const QStringList entries = wizard_.entries();
+    wizard_.set_ct(to_text(both.parent_path() / "nothing"));
+    wizard_.set_entries(entries);
+    EXPECT_EQ(wizard_.options().series, 2) << "who asks for the same again reads the same";
+    ASSERT_TRUE(testing::wait_for([&] { return series->count() == 2; }));
     // Another folder, of one series, typed by hand.
     field("ct").setText(to_text(both / "one"));
     emit field("ct").editingFinished();
     EXPECT_EQ(wizard_.options().series, 0);
     ASSERT_TRUE(testing::wait_for([&] { return series->count() == 1; }));
     EXPECT_TRUE(series->isHidden());
+}
+
+// A name that is too long stands for every place that the system refuses to look at.
+TEST_F(Wizard, takes_a_place_that_cannot_be_looked_at) {
+    const QString place = "/" + QString("x").repeated(5000);
+    EXPECT_NO_THROW(wizard_.set_ct(place));
+    EXPECT_TRUE(wizard_.findChild<QComboBox*>("series")->isHidden());
+    EXPECT_EQ(wizard_.options().ct, to_path(place)) << "opening it says why it cannot be read";
+}
+
+TEST_F(Wizard, takes_blanks_around_the_name_of_a_file_and_quotes_numbers_as_they_were_typed) {
+    wizard_.set_ct("/data/ct");
+    field("liverMask").setText(" /data/liver.nii.gz ");
+    field("vesselMask").setText("  ");
+    EXPECT_EQ(wizard_.options().liver_mask, fs::path("/data/liver.nii.gz"));
+    EXPECT_FALSE(wizard_.options().vessel_mask);
+    field("window").setText("1,2,3");
+    EXPECT_EQ(complaint(), "Window: “1,2,3” is no number");
 }
 
 TEST_F(Wizard, names_the_field_that_makes_no_sense_and_stays_open) {
