@@ -1754,6 +1754,14 @@
         <translation>Bericht schreiben</translation>
     </message>
     <message>
+        <source>the program that writes the report ended without a word</source>
+        <translation>das Programm, das den Bericht schreibt, endete ohne ein Wort</translation>
+    </message>
+    <message>
+        <source>close other programs and write it again</source>
+        <translation>Schließen Sie andere Programme und schreiben Sie ihn noch einmal</translation>
+    </message>
+    <message>
         <source>the program could not be started again</source>
         <translation>das Programm ließ sich nicht noch einmal starten</translation>
     </message>
