@@ -164,6 +164,7 @@ class MainWindow : public QMainWindow {
     void show_corrections_with_slices();
     void warn_of_stroke_outside(const BrushStroke& stroke);
     void warn_of_tumour_outside(const TreeEdit& edit);
+    void say_not_the_last();
     void build_editing();
 
     // main_window_lessons.cpp: lessons and reviews.
