@@ -29,6 +29,7 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
+#include "ui/on_screen.h"
 #include "ui/open_case_dialog.h"
 #include "ui/paths.h"
 #include "ui/patient_wizard.h"
@@ -373,7 +374,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     lessons_->give_up();
     end_recording();
     review_->end();
-    settings_.set_window(saveGeometry(), saveState());
+    settings_.set_window(saveGeometry(), saveState(), unframed_place(*this));
     keeper_->end();
     recovery_->end();
     view_layout_->clear();

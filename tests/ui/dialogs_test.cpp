@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The wizard's fields, the dialog that saves a case, and what the window remembers of its layout.
+// The wizard's fields, and the dialogs that save a case and choose a series.
 #include <QComboBox>
-#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -461,38 +460,6 @@ TEST_F(ReadSeries, is_the_one_that_a_reconstruction_offers_first) {
         wait();
         EXPECT_EQ(offered_first(), series - 1);
     }
-}
-
-class Layout : public testing::FakeWindowTest {};
-
-TEST_F(Layout, comes_back_with_the_next_window) {
-    window_.resize(900, 640);
-    window_.findChild<QDockWidget*>("Simulation")->hide();
-    window_.addDockWidget(Qt::LeftDockWidgetArea, window_.findChild<QDockWidget*>("Injection"));
-    ASSERT_TRUE(window_.close());
-    MainWindow next(settings_, {}, answers());
-    next.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&next, testing::patience_ms));
-    EXPECT_EQ(next.size(), QSize(900, 640));
-    EXPECT_TRUE(next.findChild<QDockWidget*>("Simulation")->isHidden());
-    EXPECT_EQ(next.dockWidgetArea(next.findChild<QDockWidget*>("Injection")),
-              Qt::LeftDockWidgetArea);
-}
-
-TEST_F(Layout, safe_mode_begins_with_the_usual_one_and_changes_no_setting) {
-    window_.findChild<QDockWidget*>("Simulation")->hide();
-    ASSERT_TRUE(window_.close());
-    const QByteArray kept = settings_.window_layout();
-    ASSERT_FALSE(kept.isEmpty());
-    Settings safe(Settings::Mode::safe);
-    MainWindow next(safe, {}, answers());
-    next.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&next, testing::patience_ms));
-    EXPECT_FALSE(next.findChild<QDockWidget*>("Simulation")->isHidden());
-    next.findChild<QDockWidget*>("Injection")->hide();
-    ASSERT_TRUE(next.close());
-    EXPECT_TRUE(safe.window_layout().isEmpty());
-    EXPECT_EQ(settings_.window_layout(), kept);
 }
 
 }  // namespace
