@@ -22,6 +22,7 @@
 #include "ui/core_words.h"
 #include "ui/curves_dock.h"
 #include "ui/date_words.h"
+#include "ui/dial_keeper.h"
 #include "ui/file_name.h"
 #include "ui/lesson_dock.h"
 #include "ui/lesson_editor/lesson_editor.h"
@@ -107,6 +108,7 @@ void MainWindow::remember(const std::filesystem::path& path) {
     settings_.set_last_folder(to_text(path.parent_path()));
     if (!is_case(path)) return;
     settings_.set_case_folder(to_text(path.parent_path()));
+    if (path == workspace().folder()) dial_->case_was_written();
     library_->refresh();
 }
 
