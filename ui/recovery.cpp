@@ -159,6 +159,11 @@ Recovery::Recovery(fs::path folder, Write write, std::function<void(const Failur
     delay_.setSingleShot(true);
     delay_.setInterval(delay_ms);
     QObject::connect(&delay_, &QTimer::timeout, &delay_, [this] { this->write(); });
+    noted_.setSingleShot(true);
+    noted_.setInterval(delay_ms);
+    QObject::connect(&noted_, &QTimer::timeout, &noted_, [this] {
+        if (journal_ && newest_ && journal_->failed()) tell_of_journal(own_, newest_->noted);
+    });
 }
 
 Recovery::~Recovery() = default;
@@ -214,6 +219,7 @@ void Recovery::note(const Wanted& wanted) {
     if (!journal_) journal_ = std::make_unique<EditJournal>(own_ / journal_name);
     journal_->append(noted);
     if (journal_->failed()) tell_of_journal(own_, noted);
+    noted_.start();  // another thread writes this one
 }
 
 // Once: every change is noted.
@@ -239,6 +245,7 @@ void Recovery::forget_copies() {
 }
 
 void Recovery::forget_journal() {
+    noted_.stop();
     newest_.reset();
     if (!std::exchange(journal_, nullptr)) return;
     std::error_code ignored;

@@ -7,6 +7,7 @@
 #include <sys/resource.h>
 
 #include <QTemporaryDir>
+#include <QTest>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
@@ -230,6 +231,27 @@ TEST_F(JournalFile, RefusesMeasurementsThatAreDamaged) {
          {R"("keep_measured": 1, "add_measured": )" + none, R"("add_measured": )" + none,
           std::string(R"("keep_measured": 0, "add_measured": [])")})
         EXPECT_EQ(read_with(damaged), whole) << damaged;
+}
+
+// No copy of the case holds a stroke, and no later change tells of it.
+TEST_F(JournalFile, IsToldOfWhereItCouldNotTakeTheLastStroke) {
+    testing::need_event_loop();
+    OpenedPatient opened;
+    opened.title = "a.hep";
+    opened.folder = "/disk/a.hep";
+    opened.patient = test::small_patient();
+    Workspace workspace;
+    workspace.open(opened);
+    workspace.add_stroke({{Vec3(1, 0, 0), Vec3(1, 1, 0)}, 2.0, false});
+    std::vector<Failure> failures;
+    Recovery program(fs::path(temporary_.path().toStdString()) / "kept", write_case,
+                     [&](const Failure& one) { failures.push_back(one); });
+    {
+        const SmallDisk full(0);
+        program.follow(workspace);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !failures.empty(); }, 60000));
+    }
+    EXPECT_EQ(failures[0].problem, "corrections cannot be noted at once");
 }
 
 // A program was killed after it had taken over what another one had left.
