@@ -396,6 +396,13 @@ TEST_F(SavingCase, adds_the_ending_where_it_is_missing) {
     EXPECT_EQ(asked_, "");
 }
 
+// Saving says then what is wrong with it.
+TEST_F(SavingCase, takes_a_name_that_the_system_refuses_to_look_at) {
+    EXPECT_NO_THROW(typed(QString("x").repeated(300), false));
+    EXPECT_EQ(asked_, "");
+    EXPECT_EQ(refused_, "");
+}
+
 TEST_F(SavingCase, replaces_an_old_case_after_asking_and_never_without) {
     fs::create_directory(path("old.hep"));
     std::ofstream(path("old.hep") / "case.json") << "{}";
