@@ -15,10 +15,13 @@
 #include <stdexcept>
 
 #include "core/image/volume_writer.h"
+#include "core/lesson/lesson_draft.h"
+#include "core/lesson/lesson_writer.h"
 #include "core/patient/image_digest.h"
 #include "tests/patient/parted_patient.h"
 #include "tests/support/tube_ct.h"
 #include "tests/ui/window_test.h"
+#include "ui/lesson_dock.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
 #include "ui/slices/slice_view.h"
@@ -56,7 +59,6 @@ class Editing : public testing::WindowTest {
                       },
                       [this](const std::filesystem::path& path, const PatientCase& patient) {
                           write_case(path, patient);
-
                           saved_ = patient;
                       },
                       [this](std::shared_ptr<const PatientCase> patient, Job& job) {
@@ -371,6 +373,17 @@ TEST_F(Editing, a_vessel_is_drawn_as_wide_as_its_field_says) {
     EXPECT_EQ(pen.radius_mm(), 1.2) << "kept for the next one";
     radius.setValue(radius.minimum());
     EXPECT_EQ(pen.radius_mm(), std::nullopt);
+}
+
+// It would come in the middle of the lesson and be refused, and its places be gone.
+TEST_F(Editing, a_vessel_is_not_drawn_on_when_a_lesson_begins) {
+    point_out_the_tube();
+    child<QPushButton>("drawVessel").click();
+    write_lesson(to_path(folder_.filePath("any.json")), new_lesson());
+    window_.lessons().start(folder_.filePath("any.json").toStdString());
+    ASSERT_TRUE(testing::wait_for([&] { return window_.lessons().playing(); }));
+    EXPECT_FALSE(window_.view_layout().slices().pen().draws());
+    EXPECT_EQ(window_.view_layout().slices().pen().places_mm().size(), 3u);
 }
 
 TEST_F(Editing, an_edit_that_leaves_nothing_is_refused_and_the_patient_stays) {
