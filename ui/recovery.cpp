@@ -26,11 +26,20 @@ std::unique_ptr<QLockFile> lock_of(const fs::path& folder) {
     return lock_file(folder / lock_name);
 }
 
-// A title as the name of a case folder.
+// Shortened to so many bytes, between two letters.
+void shorten(std::string& text, std::size_t most) {
+    if (text.size() <= most) return;
+    while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0) == 0x80) --most;
+    text.resize(most);
+}
+
+// A title as the name of a case folder. File systems take 255 bytes, and a CT may have all of them.
 std::string case_name(std::string title) {
+    constexpr std::size_t longest = 200;
     for (const char* ending : {".hepz", ".hep"})
         if (title.ends_with(ending)) title.resize(title.size() - std::string_view(ending).size());
     std::ranges::replace(title, '/', '_');
+    shorten(title, longest);
     return (title.empty() || title.front() == '.' ? "case" + title : title) + ".hep";
 }
 
