@@ -4,7 +4,6 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
-#include <QFile>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
@@ -12,6 +11,7 @@
 #include <QStatusBar>
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 
 #include "core/image/volume_writer.h"
@@ -140,7 +140,6 @@ TEST_F(Editing, a_click_on_a_dashed_line_bridges_the_gap_and_can_be_undone) {
     EXPECT_GT(bridged_length_mm(saved_.tree), 5.0);
     EXPECT_EQ(saved_.corrections.edits.size(), 1u);
     EXPECT_FALSE(window_.isWindowModified());  // it has just been saved
-
     QAction& undo = window_.actions()[ActionId::undo_edit];
     QAction& redo = window_.actions()[ActionId::redo_edit];
     EXPECT_TRUE(undo.text().startsWith("&Undo: Gap bridged at")) << undo.text().toStdString();
@@ -440,7 +439,6 @@ TEST_F(Editing, a_case_from_disk_is_saved_as_another_with_its_voxels) {
     EXPECT_FALSE(window_.isWindowModified());
     click(test::last_gap[1]);
     EXPECT_TRUE(window_.isWindowModified());
-
     save_place_ = to_path(second);
     window_.actions()[ActionId::save_case_as].trigger();
     wait();
@@ -473,7 +471,6 @@ TEST_F(Editing, closing_asks_about_what_is_not_saved_and_waits_for_it) {
     EXPECT_EQ(questions_asked_, 1);
     EXPECT_TRUE(window_.isVisible());
     wait();
-
     unsaved_answer_ = UnsavedAnswer::save;
     save_place_ = to_path(folder_.filePath("p.hep"));
     EXPECT_FALSE(window_.close()) << "the case is being written";
@@ -488,11 +485,9 @@ TEST_F(Editing, a_file_that_cannot_be_read_is_found_out_before_anything_is_asked
     ASSERT_TRUE(window_.isWindowModified());
     const QString empty = folder_.filePath("empty");
     QDir().mkpath(empty);
-    QFile broken(folder_.filePath("broken.nii"));
-    ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
-    broken.write("this is no image");
-    broken.close();
-    for (const QString& path : {folder_.filePath("gone.nii"), empty, broken.fileName()}) {
+    const QString broken = folder_.filePath("broken.nii");
+    std::ofstream(to_path(broken)) << "this is no image";
+    for (const QString& path : {folder_.filePath("gone.nii"), empty, broken}) {
         window_.open(path);
         ASSERT_TRUE(testing::wait_for([this] { return !window_.busy(); }));
         EXPECT_EQ(questions_asked_, 0) << path.toStdString();
