@@ -1754,6 +1754,22 @@
         <translation>Bericht schreiben</translation>
     </message>
     <message>
+        <source>the program that writes the report ended without a word</source>
+        <translation>das Programm, das den Bericht schreibt, endete ohne ein Wort</translation>
+    </message>
+    <message>
+        <source>close other programs and write it again</source>
+        <translation>Schließen Sie andere Programme und schreiben Sie ihn noch einmal</translation>
+    </message>
+    <message>
+        <source>That stroke is not the last one any more: Undo takes the last step back</source>
+        <translation>Dieser Strich ist nicht mehr der letzte: Rückgängig nimmt den letzten Schritt zurück</translation>
+    </message>
+    <message>
+        <source>Wait until the corrections before it are made</source>
+        <translation>Warten Sie, bis die Korrekturen davor gemacht sind</translation>
+    </message>
+    <message>
         <source>the program could not be started again</source>
         <translation>das Programm ließ sich nicht noch einmal starten</translation>
     </message>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/background_job.h"
 
+#include <filesystem>
 #include <new>
 #include <utility>
 
@@ -16,6 +17,9 @@ Failure failure_of(const std::exception_ptr& error) {
     } catch (const Error& known) {
         return {in_window_words(known.problem()), in_window_words(known.place()),
                 in_window_words(known.remedy())};
+    } catch (const std::filesystem::filesystem_error& refused) {  // the system's own words
+        return {refused.code().message(), refused.path1().string(),
+                Words::id("Check that the folder exists, may be written and has free space")};
     } catch (const std::bad_alloc&) {
         return {Words::id("not enough memory"), "",
                 Words::id("close other programs, or use a smaller image")};

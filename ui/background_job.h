@@ -22,7 +22,8 @@ struct Failure {
     std::string remedy;
 };
 
-// The message of an exception; one that is no hepatica::Error counts as an internal error.
+// The message of an exception; one that is neither a hepatica::Error nor of the file system or the
+// memory counts as an internal error.
 Failure failure_of(const std::exception_ptr& error);
 
 // UI thread only. One object runs one job.

@@ -70,6 +70,38 @@ const VesselTree& as_reconstructed(const PatientCase& patient) {
     return patient.corrections.edits.empty() ? patient.tree : patient.corrections.extracted;
 }
 
+int root_of(int segment, const VesselTree& tree) {
+    int parent = segment;
+    while (parent >= 0) {
+        segment = parent;
+        parent = tree.segments[static_cast<std::size_t>(segment)].parent;
+    }
+    return segment;
+}
+
+// The root of the vessel of this system there; -1: there is none. As far away as an edit may name
+// a vessel: a rebuilding moves vessels a little.
+int root_there(const Vec3& place_mm, VascularSystem system, const VesselTree& tree) {
+    constexpr double reach_mm = 10.0;
+    const TreePoint at = nearest_point(tree, place_mm);
+    if (at.segment < 0 || at.distance_mm > reach_mm) return -1;
+    const bool is_of_system = tree.segments[static_cast<std::size_t>(at.segment)].system == system;
+    return is_of_system ? root_of(at.segment, tree) : -1;
+}
+
+// A place in each other tree of the system to which this edit gave a vessel. In the middle of its
+// first segment, because the begin may lie where vessels of other systems meet, too.
+std::vector<Vec3> other_trees(const TreeEdit& edit, const VesselTree& tree) {
+    const int own = root_there(edit.at_mm, edit.system, tree);
+    std::vector<Vec3> others;
+    for (const int root : roots(tree)) {
+        const VesselSegment& segment = tree.segments[static_cast<std::size_t>(root)];
+        if (root != own && segment.system == edit.system)
+            others.push_back(station_at(segment, 0.5 * length_mm(segment)).position_mm);
+    }
+    return others;
+}
+
 QString text_of(const BrushStroke& stroke, const VesselTree& tree) {
     return Words::tr("%1 at %2")
         .arg(stroke.erases ? Words::tr("Vessels erased (waits for Rebuild)")
@@ -115,6 +147,18 @@ QString text_of(const Bridge& bridge) {
 
 }  // namespace
 
+// Whether it still is a tree of its own, beside others of its system.
+bool CaseEditing::is_apart(const GivenApart& given, const VesselTree& tree) {
+    const int own = root_there(given.at_mm, given.system, tree);
+    bool has_others = false;
+    for (const Vec3& other : given.others_mm) {
+        const int root = root_there(other, given.system, tree);
+        if (root >= 0 && root == own) return false;
+        has_others |= root >= 0;
+    }
+    return own >= 0 && has_others;
+}
+
 CaseEditing::CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks callbacks)
     : panel_(panel), workspace_(workspace), callbacks_(std::move(callbacks)) {
     panel_.set_callbacks({[this](int bridge) { choose_bridge(bridge); },
@@ -158,16 +202,12 @@ QStringList CaseEditing::given_apart() {
         ++count[tree.segments[static_cast<std::size_t>(root)].system];
     const std::map<VascularSystem, int> before = std::exchange(roots_, count);
     const std::vector<TreeEdit> old = std::exchange(edits_, edits);
+    if (std::exchange(opening_, workspace_.opening()) != workspace_.opening()) apart_.clear();
+    for (GivenApart& given : apart_) given.still = is_apart(given, tree);
     QStringList list;
-    const std::vector<VesselNode>& nodes = as_reconstructed(*workspace_.patient()).nodes;
-    const Vec3 begin = nodes.empty() ? Vec3(Vec3::Zero()) : nodes.front().position_mm;
-    const bool same_patient = std::exchange(begin_mm_, begin) == begin;
-    std::erase_if(apart_, [&](const auto& said) {
-        const auto [system, trees] = said.second;
-        return !same_patient || count[system] < trees;
-    });
-    // After undoing, or with another patient, there is nothing to compare with.
-    if (!same_patient || edits.size() < old.size() ||
+    // After undoing, or with other vessels, there is nothing to compare with.
+    const bool same_vessels = std::exchange(origin_, workspace_.origin()) == workspace_.origin();
+    if (!same_vessels || edits.size() < old.size() ||
         !std::equal(old.begin(), old.end(), edits.begin()))
         return list;
     for (std::size_t i = old.size(); i < edits.size(); ++i) {
@@ -182,19 +222,35 @@ QStringList CaseEditing::given_apart() {
                 "it belongs to one of them, choose Link two vessels and click both.")
                 .arg(translated(title_of(system)));
         if (!list.contains(doubt)) list << doubt;
-        apart_[doubt] = {system, count[system]};
+        std::erase_if(apart_, [&](const GivenApart& given) {
+            return given.doubt == doubt && given.at_mm == edits[i].at_mm;
+        });
+        apart_.push_back({doubt, system, edits[i].at_mm, other_trees(edits[i], tree), true});
     }
     return list;
 }
 
 bool CaseEditing::stands(const QString& doubt) const {
-    return apart_.contains(doubt) || std::ranges::any_of(doubts_, [&](const std::string& one) {
-               return translated(one) == doubt;
-           });
+    return std::ranges::any_of(
+               apart_,
+               [&](const GivenApart& given) { return given.still && given.doubt == doubt; }) ||
+           std::ranges::any_of(doubts_,
+                               [&](const std::string& one) { return translated(one) == doubt; });
+}
+
+// Those that are undecided, also by corrections whose body is still being made.
+std::vector<Bridge> CaseEditing::undecided() const {
+    std::vector<Bridge> bridges = open_bridges(*workspace_.patient());
+    std::erase_if(bridges, [this](const Bridge& bridge) {
+        return std::ranges::find(workspace_.edits(), acceptance_of(bridge)) !=
+               workspace_.edits().end();
+    });
+    return bridges;
 }
 
 void CaseEditing::show_bridges() {
-    bridges_ = open_bridges(*workspace_.patient());
+    bridges_ = undecided();
+    bridges_listed_ = bridges_.size();
     const std::size_t hidden = std::erase_if(
         bridges_, [this](const Bridge& bridge) { return bridge.confidence < least_confidence_; });
     callbacks_.show_bridges(views_of(bridges_));
@@ -203,14 +259,26 @@ void CaseEditing::show_bridges() {
     panel_.show_bridges(bridges, hidden);
 }
 
+// Of the tree as it will be with all wanted corrections: two gaps may lead to one vessel.
 void CaseEditing::accept_all() {
     if (!workspace_.has_patient()) return;
-    for (const TreeEdit& edit : acceptances(*workspace_.patient(), least_confidence_))
-        callbacks_.add(edit);
+    PatientCase wanted;
+    wanted.tree = workspace_.patient()->tree;
+    wanted.corrections = workspace_.patient()->corrections;
+    if (workspace_.awaits_body()) {
+        try {
+            wanted = with_edited_tree(wanted, workspace_.edits());
+        } catch (const InputError&) {
+            return callbacks_.say(Words::tr("Wait until the corrections before it are made"));
+        }
+    }
+    for (const TreeEdit& edit : acceptances(wanted, least_confidence_)) callbacks_.add(edit);
 }
 
 void CaseEditing::update_panel() {
     if (!workspace_.has_patient()) return;
+    // Only then, because the list forgets which row is chosen.
+    if (undecided().size() != bridges_listed_) show_bridges();
     const VesselTree& tree = workspace_.patient()->tree;
     const QStringList edits = lines_of_history(workspace_, tree);
     const auto undo = workspace_.next_undo(), redo = workspace_.next_redo();

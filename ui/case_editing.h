@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QStringList>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -60,6 +61,16 @@ class CaseEditing {
     void stop_drawing() { drawing_.reset(); }
 
   private:
+    // A vessel that was given to a system and is a tree of its own there.
+    struct GivenApart {
+        QString doubt;  // what was said of it
+        VascularSystem system;
+        Vec3 at_mm;                   // where it was given
+        std::vector<Vec3> others_mm;  // in the system's other trees, as they were then
+        bool still = true;            // of the shown body
+    };
+    static bool is_apart(const GivenApart& given, const VesselTree& tree);
+
     void click_chosen();
     void begin_link(const std::optional<Vec3>& from_mm);
     void add_drawn(const TreeEdit& edit, const VesselPen::Answered& answered);
@@ -67,6 +78,7 @@ class CaseEditing {
     void accept_all();
     // Lists and draws the gaps that are undecided and have enough confidence.
     void show_bridges();
+    std::vector<Bridge> undecided() const;
     void warn_of_new_doubts();
     // A sentence for each system that was given a vessel which became a tree of its own there.
     QStringList given_apart();
@@ -74,16 +86,16 @@ class CaseEditing {
     EditPanel& panel_;
     const Workspace& workspace_;
     Callbacks callbacks_;
-    std::vector<Bridge> bridges_;  // shown in the panel, best first
+    std::vector<Bridge> bridges_;     // shown in the panel, best first
+    std::size_t bridges_listed_ = 0;  // how many were undecided then, with those of less confidence
     double least_confidence_ = 0.0;
     std::optional<Vec3> link_from_mm_;
-    std::vector<std::string> doubts_;      // of the shown body
-    int loops_ = 0;                        // number of loops among doubts_
-    std::vector<TreeEdit> edits_;          // of the shown body, like the two below
-    std::map<VascularSystem, int> roots_;  // number of trees
-    Vec3 begin_mm_ = Vec3::Zero();         // of the tree before the first correction
-    // What given_apart() said, with the trees that the system had then; fewer are joined since.
-    std::map<QString, std::pair<VascularSystem, int>> apart_;
+    std::vector<std::string> doubts_;         // of the shown body
+    int loops_ = 0;                           // number of loops among doubts_
+    std::vector<TreeEdit> edits_;             // of the shown body, like the two below
+    std::map<VascularSystem, int> roots_;     // number of trees
+    std::uint64_t origin_ = 0, opening_ = 0;  // of the workspace
+    std::vector<GivenApart> apart_;           // of this patient
     std::unique_ptr<BackgroundJob> drawing_;
 };
 

@@ -35,6 +35,9 @@ class DialKeeper {
     // The case that holds `body`; empty: none. If `body` is being measured, the points are stored
     // there.
     void keep_in(const std::filesystem::path& folder, const PatientCase* body);
+    // The case that holds the body was written anew, as it was opened: without what was measured
+    // since.
+    void case_was_written() { write(); }
     // While busy (somebody plays or another job runs), and for a second afterwards, nothing is
     // measured.
     void set_busy(bool busy);

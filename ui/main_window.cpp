@@ -140,6 +140,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     connect_languages();
     actions_->set_patient_shown(false);
     restoreGeometry(settings_.window_geometry());
+    restore_unframed(*this, settings_.unframed_window());
     restoreState(settings_.window_layout());
     resize_on_screen(*this, size());
     review_->hide();  // there is nothing to review yet

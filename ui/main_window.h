@@ -164,6 +164,7 @@ class MainWindow : public QMainWindow {
     void show_corrections_with_slices();
     void warn_of_stroke_outside(const BrushStroke& stroke);
     void warn_of_tumour_outside(const TreeEdit& edit);
+    void say_not_the_last();
     void build_editing();
 
     // main_window_lessons.cpp: lessons and reviews.
@@ -174,6 +175,7 @@ class MainWindow : public QMainWindow {
     // Begins a lesson's play with it; null: returns to free play.
     void use_for_lesson(std::unique_ptr<Simulation> simulation);
     void stop_after_lesson();
+    void stop_drawing_a_vessel();
     // The lesson of this file does not fit the corrected vessels.
     void tell_not_played(const std::filesystem::path& file, const Lesson& lesson,
                          const std::vector<std::string>& misfits);

@@ -22,6 +22,7 @@
 #include "ui/core_words.h"
 #include "ui/curves_dock.h"
 #include "ui/date_words.h"
+#include "ui/dial_keeper.h"
 #include "ui/file_name.h"
 #include "ui/lesson_dock.h"
 #include "ui/lesson_editor/lesson_editor.h"
@@ -29,6 +30,7 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
+#include "ui/on_screen.h"
 #include "ui/open_case_dialog.h"
 #include "ui/paths.h"
 #include "ui/patient_wizard.h"
@@ -106,6 +108,7 @@ void MainWindow::remember(const std::filesystem::path& path) {
     settings_.set_last_folder(to_text(path.parent_path()));
     if (!is_case(path)) return;
     settings_.set_case_folder(to_text(path.parent_path()));
+    if (path == workspace().folder()) dial_->case_was_written();
     library_->refresh();
 }
 
@@ -373,7 +376,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     lessons_->give_up();
     end_recording();
     review_->end();
-    settings_.set_window(saveGeometry(), saveState());
+    settings_.set_window(saveGeometry(), saveState(), unframed_place(*this));
     keeper_->end();
     recovery_->end();
     view_layout_->clear();

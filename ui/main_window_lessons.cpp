@@ -128,6 +128,7 @@ bool MainWindow::may_begin_lesson() {
 void MainWindow::use_for_lesson(std::unique_ptr<Simulation> simulation) {
     review_->end();
     const bool begins = simulation != nullptr;
+    if (begins) stop_drawing_a_vessel();
     if (begins) remember_recorded_patient();
     use(std::move(simulation));
     ruler_->hide_made(begins);
@@ -141,6 +142,12 @@ void MainWindow::use_for_lesson(std::unique_ptr<Simulation> simulation) {
     show_whole_from_the_front();
     light_up(TreePoint{});  // the target, where the lesson has one
     view_->setFocus();      // so that the keys of the tools reach the play
+}
+
+// It would change the patient during a lesson or a review.
+void MainWindow::stop_drawing_a_vessel() {
+    VesselPen& pen = view_layout_->slices().pen();
+    if (pen.draws()) pen.give_up();
 }
 
 // What runs on, such as a bleeding, would contradict the judgement and use the processor for
@@ -353,10 +360,8 @@ void MainWindow::build_review() {
         return back_ends->named(name);
     };
     ways.use = [this](std::unique_ptr<Simulation> simulation) {
-        // A vessel that is still being drawn would change the patient during the review.
-        VesselPen& pen = view_layout_->slices().pen();
-        if (simulation != nullptr && pen.draws()) pen.give_up();
         const bool leaves = simulation == nullptr;
+        if (!leaves) stop_drawing_a_vessel();
         lessons_->play_hidden(review_->file());
         use(std::move(simulation));
         if (leaves) ruler_->hide_made(false);  // the lesson's play is over, too

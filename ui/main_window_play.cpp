@@ -86,6 +86,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
         fits_->look(patient_->patient, keeper_->workspace().folder(),
                     to_path(settings_.library_folder()));
     } else {
+        unfit_message_.clear();  // was of the former patient
         fits_->patient_opened(patient_->patient->tree);
         lessons_->patient_shown(patient_->title == built_in_title, patient_->asked_for);
     }

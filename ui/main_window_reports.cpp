@@ -33,22 +33,22 @@ void MainWindow::write_report_into(const std::filesystem::path& chosen,
                                    const std::string& lesson) {
     ReportOrder order{recording,
                       QString::fromStdString(lesson),
-                      {},
+                      patient_->patient,
                       {},
                       flow_units_named(settings_.flow_units())};
-    const std::filesystem::path& patient = workspace().folder();
     const bool built_in = patient_->title == built_in_title;
-    if (!patient.empty() && !workspace().dirty()) order.patient = patient;
-    if (patient_->patient->source.name.empty() && (built_in || !patient.empty()))
+    if (patient_->patient->source.name.empty() && (built_in || !workspace().folder().empty()))
         order.patient_name = QFileInfo(QString::fromStdString(patient_->title)).completeBaseName();
-    const auto place = report_folder(chosen, translated(find_lesson(lesson).name),
-                                     QFileInfo(to_text(recording)).lastModified());
+    const QString called = translated(find_lesson(lesson).name);
     QueuedJob job;
     job.kind = JobKind::report;
     job.title = Words::tr("Writing the report").toStdString();
-    job.begin = [this, order, place]() -> BackgroundJob::Work {
+    job.begin = [this, order, chosen, called]() -> BackgroundJob::Work {
         const QString program =
             report_program_.isEmpty() ? QCoreApplication::applicationFilePath() : report_program_;
+        // Now that the reports before it are there, and have their folders.
+        const auto place =
+            report_folder(chosen, called, QFileInfo(to_text(order.recording)).lastModified());
         return [this, program, order, place](Job& job) -> std::function<void()> {
             order_report(program, order, place, job);
             return [this, place] { offer_report(place); };

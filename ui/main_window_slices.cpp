@@ -76,6 +76,7 @@ void MainWindow::build_slices(QWidget* parent) {
         for (std::size_t i = 0; i < strokes; ++i) keeper_->undo_tumour_stroke();
     };
     callbacks.paint_vessels = [this](const BrushStroke& stroke) {
+        dismiss_for_a_deed();
         keeper_->add_stroke(stroke);
         warn_of_stroke_outside(stroke);
     };
@@ -136,7 +137,12 @@ void MainWindow::warn_of_stroke_outside(const BrushStroke& stroke) {
         return std::ranges::find(keeper_->workspace().strokes(), stroke, &PendingStroke::stroke) !=
                keeper_->workspace().strokes().end();
     });
-    messages_->show_notice(text, Words::tr("Undo"), [this] { keeper_->take_strokes_back(1); });
+    messages_->show_notice(text, Words::tr("Undo"), [this, stroke] {
+        const std::vector<PendingStroke>& strokes = workspace().strokes();
+        if (!strokes.empty() && strokes.back().stroke == stroke)
+            return keeper_->take_strokes_back(1);
+        say_not_the_last();
+    });
 }
 
 void MainWindow::warn_of_tumour_outside(const TreeEdit& edit) {
@@ -156,7 +162,17 @@ void MainWindow::warn_of_tumour_outside(const TreeEdit& edit) {
         const Workspace::Edits& edits = keeper_->workspace().edits();
         return std::ranges::find(edits, edit) != edits.end();
     });
-    messages_->show_notice(text, Words::tr("Undo"), [this] { keeper_->undo_tumour_stroke(); });
+    messages_->show_notice(text, Words::tr("Undo"), [this, edit] {
+        const Workspace::Edits& edits = workspace().edits();
+        if (!edits.empty() && edits.back() == edit) return keeper_->undo_tumour_stroke();
+        say_not_the_last();
+    });
+}
+
+// The notice of a stroke may outlast it, and the last one is another.
+void MainWindow::say_not_the_last() {
+    statusBar()->showMessage(
+        Words::tr("That stroke is not the last one any more: Undo takes the last step back"), 8000);
 }
 
 // Shows the panel of corrections when clicks in the slices begin to correct.
@@ -198,7 +214,10 @@ void MainWindow::build_editing() {
             [this](const QString& text) {
                 for (const QString& line : text.split('\n'))
                     log_->add_warning(Words::tr("Corrections"), line,
-                                      [this, line] { return editing_->stands(line); });
+                                      [this, line, opening = workspace().opening()] {
+                                          return workspace().opening() == opening &&
+                                                 editing_->stands(line);
+                                      });
                 const bool warnings_stand =
                     !warnings_text_.isEmpty() && messages_->text() == warnings_text_;
                 if (!warnings_stand) return messages_->show_notice(text);

@@ -82,28 +82,32 @@ MessageLog::MessageLog(QWidget* parent) : QDialog(parent), list_(new QTreeWidget
 
 void MessageLog::add_warning(const QString& source, const QString& text,
                              std::function<bool()> holds) {
+    // What is said again is said of now: the one that is past stays past.
+    std::erase_if(standing_, [&](const Standing& other) {
+        return other.item->isDisabled() && other.item->text(3) == text;
+    });
     QTreeWidgetItem* item = add(Words::tr("Warning"), source, text);
-    if (holds) standing_.emplace_back(item, std::move(holds));
+    if (holds) standing_.push_back({item, std::move(holds)});
 }
 
 void MessageLog::settle_warning(const QString& text) {
     for (int row = 0; row < list_->topLevelItemCount(); ++row) {
         QTreeWidgetItem& item = *list_->topLevelItem(row);
-        if (item.text(1) == Words::tr("Warning") && item.text(3) == text) mark_as_past(item);
+        if (item.text(1) != Words::tr("Warning") || item.text(3) != text) continue;
+        mark(item, true);
+        std::erase_if(standing_, [&](const Standing& other) { return other.item == &item; });
     }
 }
 
 void MessageLog::settle() {
-    std::erase_if(standing_, [this](const auto& warning) {
-        const bool past = warning.first->isDisabled() || !warning.second();
-        if (past) mark_as_past(*warning.first);
-        return past;
-    });
+    for (const Standing& warning : standing_)
+        if (const bool past = !warning.holds(); past != warning.item->isDisabled())
+            mark(*warning.item, past);
 }
 
-void MessageLog::mark_as_past(QTreeWidgetItem& item) {
-    item.setText(1, Words::tr("Warning, no longer so"));
-    item.setDisabled(true);
+void MessageLog::mark(QTreeWidgetItem& item, bool past) {
+    item.setText(1, past ? Words::tr("Warning, no longer so") : Words::tr("Warning"));
+    item.setDisabled(past);
     offer_branch();
 }
 

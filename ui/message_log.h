@@ -6,7 +6,6 @@
 #include <QDialog>
 #include <QString>
 #include <functional>
-#include <utility>
 #include <vector>
 
 #include "ui/background_job.h"
@@ -23,12 +22,11 @@ class MessageLog : public QDialog {
     explicit MessageLog(QWidget* parent = nullptr);
 
     // `source`: the job or file that the message is about.
-    // `holds`: whether it is still so, asked by settle(). Without one only settle_warning() ends
-    // it.
+    // `holds`: whether it is so, asked by settle(). Without one only settle_warning() ends it.
     void add_warning(const QString& source, const QString& text, std::function<bool()> holds = {});
     // Marks the warnings of these words as past: a branch that they name may be another one now.
     void settle_warning(const QString& text);
-    // Marks those as past that hold no longer.
+    // Marks those as past that hold no longer, and those as present that hold again, as by Redo.
     void settle();
     // What happened for a moment and asks for nothing: it counts to no warnings.
     void add_note(const QString& source, const QString& text);
@@ -43,13 +41,17 @@ class MessageLog : public QDialog {
 
   private:
     QTreeWidgetItem* add(const QString& kind, const QString& source, const QString& text);
-    void mark_as_past(QTreeWidgetItem& item);
+    void mark(QTreeWidgetItem& item, bool past);
     void offer_branch();
     void show_branch_of(const QTreeWidgetItem* item) const;
 
     QTreeWidget* list_;
     QPushButton* show_branch_;
-    std::vector<std::pair<QTreeWidgetItem*, std::function<bool()>>> standing_;
+    struct Standing {
+        QTreeWidgetItem* item;
+        std::function<bool()> holds;
+    };
+    std::vector<Standing> standing_;  // those that were not said again since, and not settled
 };
 
 }  // namespace hepatica

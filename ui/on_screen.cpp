@@ -15,6 +15,16 @@ void resize_on_screen(QWidget& window, const QSize& wanted) {
     window.resize(wanted.boundedTo(window.screen()->availableSize() - QSize(0, title)));
 }
 
+QRect unframed_place(const QWidget& window) {
+    const bool fills = window.isMaximized() || window.isFullScreen();
+    return !fills && window.frameGeometry() == window.geometry() ? window.geometry() : QRect();
+}
+
+void restore_unframed(QWidget& window, const QRect& unframed) {
+    if (unframed.isValid() && window.screen()->availableGeometry().contains(unframed))
+        window.setGeometry(unframed);
+}
+
 void place_on_screen(QWidget& window, const QPoint& wanted, int title) {
     const QRect room = window.screen()->availableGeometry().adjusted(0, title, 0, 0);
     window.resize(window.size().boundedTo(room.size()));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QPoint>
+#include <QRect>
 #include <QSize>
 
 class QWidget;
@@ -11,6 +12,12 @@ namespace hepatica {
 
 // Resizes a window to the wanted size, limited to its screen.
 void resize_on_screen(QWidget& window, const QSize& wanted);
+// Where a shown window lies that has no frame; invalid where it has one, or fills the screen.
+QRect unframed_place(const QWidget& window);
+// Makes a window lie where restoreGeometry() would leave room for a title bar that it never had,
+// so that it would lie lower at the next start. No effect where `unframed`, see above, is not
+// wholly on the screen.
+void restore_unframed(QWidget& window, const QRect& unframed);
 // Moves the content of a shown window to the wanted place, or the nearest one at which it is
 // entirely on its screen and `title`, the height of a title bar, below the upper edge. Shrinks it
 // if needed, as far as its content allows.

@@ -12,6 +12,7 @@
 #include <QRegularExpression>
 #include <QVBoxLayout>
 #include <cmath>
+#include <system_error>
 #include <utility>
 
 #include "core/base/error.h"
@@ -44,9 +45,9 @@ void add_seeds(const QLineEdit& edit, const std::string& field, VascularSystem s
 std::vector<double> numbers_in(const QString& text, const std::string& field) {
     std::vector<double> numbers;
     const QRegularExpression separators("[\\s;]+");
-    for (QString part : text.split(separators, Qt::SkipEmptyParts)) {
+    for (const QString& part : text.split(separators, Qt::SkipEmptyParts)) {
         bool understood = false;
-        const double number = part.replace(',', '.').toDouble(&understood);
+        const double number = QString(part).replace(',', '.').toDouble(&understood);
         if (!understood || !std::isfinite(number)) {
             throw InputError(Words::tr("“%1” is no number").arg(part).toStdString(), field,
                              Words::id("separate numbers by blanks or semicolons"));
@@ -155,8 +156,7 @@ std::array<QLineEdit*, 6> PatientWizard::edits() const {
 }
 
 QStringList PatientWizard::entries() const {
-    const int series = series_->count() > 1 ? series_->currentIndex() + 1 : 0;
-    QStringList entries{QString::number(series)};
+    QStringList entries{QString::number(chosen_series())};
     for (const QLineEdit* edit : edits()) entries << edit->text();
     return entries;
 }
@@ -167,13 +167,21 @@ void PatientWizard::set_entries(const QStringList& entries) {
     set_ct(ct_->text(), entries.value(0).toInt());
 }
 
+// While the folder is still looked through, the one that was named for it counts.
+int PatientWizard::chosen_series() const {
+    if (series_->count() > 1) return series_->currentIndex() + 1;
+    const std::filesystem::path folder = to_path(ct_->text().trimmed());
+    return listing_ && folder == looked_in_ && folder == chosen_in_ ? chosen_ : 0;
+}
+
 void PatientWizard::look_for_series() {
     const std::filesystem::path folder = to_path(ct_->text().trimmed());
     // The field tells so whenever it loses the focus: the series chosen then stays.
     if (std::exchange(looked_in_, folder) == folder) return;
     listing_.reset();
     offer({});
-    if (!std::filesystem::is_directory(folder) || is_case(folder)) return;
+    std::error_code unreadable;  // then opening it will say why
+    if (!std::filesystem::is_directory(folder, unreadable) || is_case(folder)) return;
     // Thousands of files take a while; a field that is not there yet would be missed.
     series_->setPlaceholderText(Words::tr("Looking through the folder…"));
     series_->setEnabled(false);
@@ -218,9 +226,10 @@ ReconstructOptions PatientWizard::options() const {
                          Words::id("choose a DICOM folder or a volume file"));
     }
     options.ct = to_path(ct_->text().trimmed());
-    if (series_->count() > 1) options.series = series_->currentIndex() + 1;
-    if (!liver_mask_->text().isEmpty()) options.liver_mask = to_path(liver_mask_->text());
-    if (!vessel_mask_->text().isEmpty()) options.vessel_mask = to_path(vessel_mask_->text());
+    options.series = chosen_series();
+    for (const auto& [edit, mask] : {std::pair(liver_mask_, &options.liver_mask),
+                                     std::pair(vessel_mask_, &options.vessel_mask)})
+        if (const QString file = edit->text().trimmed(); !file.isEmpty()) *mask = to_path(file);
     const std::vector<double> window = numbers_in(window_->text(), Words::id("Window"));
     if (window.size() == 2 && window[0] < window[1]) {
         options.window_hu = {window[0], window[1]};

@@ -40,6 +40,7 @@ class PatientWizard : public QDialog {
 
   private:
     std::array<QLineEdit*, 6> edits() const;  // the CT first
+    int chosen_series() const;                // numbered from 1; 0: none was chosen
     QLineEdit* add_path(QFormLayout& form, const QString& label, bool folders_too);
     // Lists the series of the CT's folder in the background and offers them if there are several.
     void look_for_series();

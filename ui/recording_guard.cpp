@@ -35,11 +35,14 @@ fs::file_time_type time_of(const fs::path& file) {
 }  // namespace
 
 std::vector<fs::path> recordings_in(const fs::path& folder) {
-    std::vector<fs::path> recordings;
+    // Read once: one that is being written gets newer while the others are compared with it.
+    std::vector<std::pair<fs::file_time_type, fs::path>> found;
     std::error_code failed;
     for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed))
-        if (at->path().extension() == ending) recordings.push_back(at->path());
-    std::ranges::sort(recordings, std::greater(), time_of);
+        if (at->path().extension() == ending) found.emplace_back(time_of(at->path()), at->path());
+    std::ranges::sort(found, std::greater());
+    std::vector<fs::path> recordings;
+    for (auto& [time, recording] : found) recordings.push_back(std::move(recording));
     return recordings;
 }
 

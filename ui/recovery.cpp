@@ -26,11 +26,20 @@ std::unique_ptr<QLockFile> lock_of(const fs::path& folder) {
     return lock_file(folder / lock_name);
 }
 
-// A title as the name of a case folder.
+// Shortened to so many bytes, between two letters.
+void shorten(std::string& text, std::size_t most) {
+    if (text.size() <= most) return;
+    while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0) == 0x80) --most;
+    text.resize(most);
+}
+
+// A title as the name of a case folder. File systems take 255 bytes, and a CT may have all of them.
 std::string case_name(std::string title) {
+    constexpr std::size_t longest = 200;
     for (const char* ending : {".hepz", ".hep"})
         if (title.ends_with(ending)) title.resize(title.size() - std::string_view(ending).size());
     std::ranges::replace(title, '/', '_');
+    shorten(title, longest);
     return (title.empty() || title.front() == '.' ? "case" + title : title) + ".hep";
 }
 
@@ -159,6 +168,11 @@ Recovery::Recovery(fs::path folder, Write write, std::function<void(const Failur
     delay_.setSingleShot(true);
     delay_.setInterval(delay_ms);
     QObject::connect(&delay_, &QTimer::timeout, &delay_, [this] { this->write(); });
+    noted_.setSingleShot(true);
+    noted_.setInterval(delay_ms);
+    QObject::connect(&noted_, &QTimer::timeout, &noted_, [this] {
+        if (journal_ && newest_ && journal_->failed()) tell_of_journal(own_, newest_->noted);
+    });
 }
 
 Recovery::~Recovery() = default;
@@ -214,6 +228,7 @@ void Recovery::note(const Wanted& wanted) {
     if (!journal_) journal_ = std::make_unique<EditJournal>(own_ / journal_name);
     journal_->append(noted);
     if (journal_->failed()) tell_of_journal(own_, noted);
+    noted_.start();  // another thread writes this one
 }
 
 // Once: every change is noted.
@@ -239,6 +254,7 @@ void Recovery::forget_copies() {
 }
 
 void Recovery::forget_journal() {
+    noted_.stop();
     newest_.reset();
     if (!std::exchange(journal_, nullptr)) return;
     std::error_code ignored;

@@ -92,6 +92,7 @@ class Recovery {
     bool told_of_journal_ = false;
     bool needless_ = false;  // the copy being written is no longer needed
     QTimer delay_;
+    QTimer noted_;  // fires when the journal should have written the last change
     std::unique_ptr<BackgroundJob> job_;
 };
 

@@ -10,6 +10,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/base/temporary_folder.h"
 #include "core/lesson/attempts.h"
 #include "ui/file_name.h"
 #include "ui/language.h"
@@ -25,7 +26,8 @@ namespace {
 constexpr int patience_ms = 50;     // between two checks of the job, ms
 constexpr int after_the_play = 15;  // nice value of the process
 
-QStringList arguments_of(const ReportOrder& order, const fs::path& out) {
+// `patient`: the case of who was played; empty: it is searched for.
+QStringList arguments_of(const ReportOrder& order, const fs::path& patient, const fs::path& out) {
     QStringList arguments{"--report",   to_text(order.recording),
                           "--out",      to_text(out),
                           "--lesson",   order.lesson,
@@ -34,9 +36,19 @@ QStringList arguments_of(const ReportOrder& order, const fs::path& out) {
                           "--progress"};
     if (const std::string name = name_beside(order.recording); !name.empty())
         arguments << "--name" << QString::fromStdString(name);
-    if (!order.patient.empty()) arguments << "--patient" << to_text(order.patient);
+    if (!patient.empty()) arguments << "--patient" << to_text(patient);
     if (!order.patient_name.isEmpty()) arguments << "--patient-name" << order.patient_name;
     return arguments;
+}
+
+// Without the voxels that no play needs: organs may be obstacles.
+PatientCase light_copy(const PatientCase& patient) {
+    PatientCase light = patient;
+    light.organs = organs_of(patient);
+    for (Mask* voxels :
+         {&light.mask, &light.skeleton, &light.couinaud, &light.corrections.unpainted})
+        *voxels = {};
+    return light;
 }
 
 // Owns the process: kills it if it still runs at destruction.
@@ -106,11 +118,18 @@ fs::path report_folder(const fs::path& chosen, const QString& lesson, const QDat
 
 void order_report(const QString& program, const ReportOrder& order, const fs::path& folder,
                   Job& job) {
+    const TemporaryFolder beside;
+    const fs::path patient = order.patient ? beside.path() / "patient.hep" : fs::path();
+    if (order.patient) write_case(patient, light_copy(*order.patient));
     write_folder_atomically(folder, [&](const fs::path& unfinished) {
-        Running report(program, arguments_of(order, unfinished));
+        Running report(program, arguments_of(order, patient, unfinished));
         report.wait(job);
-        if (!report.succeeded())
-            throw InputError(report.errors(), to_text(folder).toStdString(), "");
+        if (report.succeeded()) return;
+        const std::string errors = report.errors();
+        if (!errors.empty()) throw InputError(errors, to_text(folder).toStdString(), "");
+        throw InputError(Words::id("the program that writes the report ended without a word"),
+                         to_text(folder).toStdString(),
+                         Words::id("close other programs and write it again"));
     });
 }
 

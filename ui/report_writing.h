@@ -6,7 +6,9 @@
 #include <QDateTime>
 #include <QString>
 #include <filesystem>
+#include <memory>
 
+#include "core/patient/patient_case.h"
 #include "ui/background_job.h"
 #include "ui/flow_units.h"
 
@@ -14,9 +16,11 @@ namespace hepatica {
 
 struct ReportOrder {
     std::filesystem::path recording;
-    QString lesson;                 // an id or a file
-    std::filesystem::path patient;  // a case; empty: it is searched for
-    QString patient_name;           // on the pages; empty: as in the case
+    QString lesson;  // an id or a file
+    // Who was played; null: his case is searched for. The process gets a copy: the case on disk may
+    // have been saved with other vessels since, or there is none.
+    std::shared_ptr<const PatientCase> patient{};
+    QString patient_name{};  // on the pages; empty: as in the case
     FlowUnits units = FlowUnits::computed;
 };
 

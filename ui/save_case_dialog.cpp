@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QLabel>
+#include <system_error>
 #include <utility>
 
 #include "core/patient/patient_case.h"
@@ -51,8 +52,8 @@ void SaveCaseDialog::accept() {
         if (may_replace_(to_text(folder.filename()))) done(QDialog::Accepted);
     } else if (QFileInfo(files.front()).isDir()) {
         setDirectory(files.front());
-    } else if (!std::filesystem::exists(folder)) {
-        done(QDialog::Accepted);
+    } else if (std::error_code unreadable; !std::filesystem::exists(folder, unreadable)) {
+        done(QDialog::Accepted);  // where it cannot be looked at, saving says why
     } else {
         refuse_(Words::tr("There is %1 already, and it is no case. Choose another name.")
                     .arg(to_text(folder.filename())));

@@ -19,6 +19,7 @@ const char* const recent_key = "recent_files";
 // Version of the layout: a state saved with other docks is not restored.
 const char* const layout_key = "window/layout_1";
 const char* const geometry_key = "window/geometry";
+const char* const unframed_key = "window/unframed";
 const char* const images_key = "images";
 const char* const folder_key = "last_folder";
 const char* const patients_key = "patients";
@@ -118,10 +119,16 @@ QByteArray Settings::window_layout() const {
     return store_ ? store_->value(layout_key).toByteArray() : QByteArray();
 }
 
-void Settings::set_window(const QByteArray& geometry, const QByteArray& layout) {
+QRect Settings::unframed_window() const {
+    return store_ ? store_->value(unframed_key).toRect() : QRect();
+}
+
+void Settings::set_window(const QByteArray& geometry, const QByteArray& layout,
+                          const QRect& unframed) {
     if (!store_) return;
     store_->setValue(geometry_key, geometry);
     store_->setValue(layout_key, layout);
+    store_->setValue(unframed_key, unframed);
 }
 
 QString Settings::place_of_image(const std::string& sha256) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QRect>
 #include <QString>
 #include <QStringList>
 #include <cstdint>
@@ -40,7 +41,10 @@ class Settings {
 
     QByteArray window_geometry() const;
     QByteArray window_layout() const;
-    void set_window(const QByteArray& geometry, const QByteArray& layout);
+    // Where the window lay if it had no frame, as without a window manager; else invalid.
+    QRect unframed_window() const;
+    void set_window(const QByteArray& geometry, const QByteArray& layout,
+                    const QRect& unframed = {});
 
     // Place from which the CT with this digest was last read; empty if unknown. Paths often contain
     // patients' names: they are stored here and never in a case. Of images, and of patients below,

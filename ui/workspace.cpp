@@ -130,15 +130,22 @@ void Workspace::show_body(std::shared_ptr<const PatientCase> patient) {
     if (awaits_body()) want(made_edits());
 }
 
+// Those of the wanted corrections that a rebuilding did not begin with, in their order: one that
+// had no body yet may stand before one that needs none.
+Workspace::Edits Workspace::added_since(const Edits& begun_with) const {
+    Edits added;
+    auto next = begun_with.begin();
+    for (const TreeEdit& edit : edits_)
+        next != begun_with.end() && *next == edit ? void(++next) : added.push_back(edit);
+    return next == begun_with.end() ? added : Edits();
+}
+
 void Workspace::show_remade(std::shared_ptr<const PatientCase> before,
                             std::shared_ptr<const PatientCase> patient, std::size_t strokes,
                             std::vector<std::string> warnings) {
-    const Edits& begun_with = before->corrections.edits;
     Edits wanted = patient->corrections.edits;
-    if (edits_.size() > begun_with.size() &&
-        std::equal(begun_with.begin(), begun_with.end(), edits_.begin()))
-        wanted.insert(wanted.end(), edits_.begin() + static_cast<std::ptrdiff_t>(begun_with.size()),
-                      edits_.end());
+    const Edits added = added_since(before->corrections.edits);
+    wanted.insert(wanted.end(), added.begin(), added.end());
     if (remade_.size() == most_remakings) remade_.erase(remade_.begin());
     remade_.push_back({std::move(before), patient->corrections.edits.size(), never_saved_,
                        strokes_.take_first(strokes, wanted.size()), std::move(warnings_)});

@@ -135,6 +135,7 @@ class Workspace {
     static constexpr std::size_t most_remakings = 5;
 
     void want(Edits edits);
+    Edits added_since(const Edits& begun_with) const;
 
     std::string title_;
     std::shared_ptr<const PatientCase> patient_;

@@ -25,10 +25,10 @@ struct RemadeCase {
 // numbers of systems, or painted_voxel, on any grid in the frame of `ct`, from which `patient`
 // (with its organs) was reconstructed. Systems are told apart anew, with the portal trunk where it
 // entered before, unless they were given. The patient's edits are applied again one by one; an edit
-// that is not possible on the new vessels is left out, and a warning says which and why. What was
-// painted is kept in the tree as if a seed lay in it; where it makes no centreline a warning says
-// so. Begins remade_stages stages. Throws InputError where no vessel is left that makes a tree;
-// Cancelled.
+// that is not possible on the new vessels is left out, and a warning says which and why. Gaps that
+// were refused are not offered again. What was painted is kept in the tree as if a seed lay in it;
+// where it makes no centreline a warning says so. Begins remade_stages stages. Throws InputError
+// where no vessel is left that makes a tree; Cancelled.
 RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Job& job);
 inline constexpr int remade_stages = 6;
 

@@ -94,6 +94,30 @@ TEST_F(RemadeCaseTest, OfItsOwnVoxelsIsTheSameToTheBit) {
     EXPECT_EQ(made.patient.source.image_sha256, patient_->source.image_sha256);
 }
 
+// Who has refused a gap is not asked about it again because something was painted elsewhere.
+TEST_F(RemadeCaseTest, AGapThatWasRefusedStaysRefused) {
+    ReconstructOptions careful;
+    careful.spacing_mm = 1.0;
+    careful.mesh.target_tetrahedra = 1500;
+    careful.bridge_confidence = 1.0;  // all gaps are only offered
+    PatientCase parted = *patient_;
+    parted.source.parameters_json = parameters_json(careful);
+    const auto longest = std::ranges::max_element(
+        parted.tree.segments, {}, [](const VesselSegment& one) { return length_mm(one); });
+    const Station middle = station_at(*longest, 0.5 * length_mm(*longest));
+    BrushStroke stroke;
+    stroke.radius_mm = middle.radius_mm + 2.0;
+    stroke.path_mm = {middle.position_mm};
+    apply(stroke, 0, parted.mask);
+    PatientCase asked = remade_of(parted.mask, parted).patient;
+    const auto open = open_bridges(asked);
+    ASSERT_FALSE(open.empty());
+    for (Bridge& bridge : asked.corrections.bridges) bridge.refused = !bridge.built;
+    const PatientCase again = remade_of(asked.mask, asked).patient;
+    ASSERT_EQ(again.corrections.bridges.size(), asked.corrections.bridges.size());
+    EXPECT_TRUE(open_bridges(again).empty());
+}
+
 // Systems are found in a mask of one number and kept in one of several: when it is remade as well.
 TEST(FromVoxelsOptions, OfAGivenMaskFindSystemsWhereTheReconstructionDid) {
     Job job;

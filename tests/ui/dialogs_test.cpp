@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The wizard's fields, the dialog that saves a case, and what the window remembers of its layout.
+// The wizard's fields, and the dialogs that save a case and choose a series.
 #include <QComboBox>
-#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -116,14 +115,39 @@ TEST_F(Wizard, offers_the_series_of_a_folder_that_holds_several) {
     wizard_.set_ct(to_text(both.parent_path() / "nothing"), 2);
     EXPECT_EQ(wizard_.options().series, 0);
     wizard_.set_ct(to_text(both), 2);
+    EXPECT_EQ(wizard_.options().series, 2) << "also before the folder was looked through";
+    EXPECT_EQ(wizard_.entries().value(0), "2");
     ASSERT_TRUE(testing::wait_for([&] { return series->count() == 2; }));
     EXPECT_EQ(wizard_.options().series, 2) << "the one that was read";
+    const QStringList entries = wizard_.entries();
+    wizard_.set_ct(to_text(both.parent_path() / "nothing"));
+    wizard_.set_entries(entries);
+    EXPECT_EQ(wizard_.options().series, 2) << "who asks for the same again reads the same";
+    ASSERT_TRUE(testing::wait_for([&] { return series->count() == 2; }));
     // Another folder, of one series, typed by hand.
     field("ct").setText(to_text(both / "one"));
     emit field("ct").editingFinished();
     EXPECT_EQ(wizard_.options().series, 0);
     ASSERT_TRUE(testing::wait_for([&] { return series->count() == 1; }));
     EXPECT_TRUE(series->isHidden());
+}
+
+// A name that is too long stands for every place that the system refuses to look at.
+TEST_F(Wizard, takes_a_place_that_cannot_be_looked_at) {
+    const QString place = "/" + QString("x").repeated(5000);
+    EXPECT_NO_THROW(wizard_.set_ct(place));
+    EXPECT_TRUE(wizard_.findChild<QComboBox*>("series")->isHidden());
+    EXPECT_EQ(wizard_.options().ct, to_path(place)) << "opening it says why it cannot be read";
+}
+
+TEST_F(Wizard, takes_blanks_around_the_name_of_a_file_and_quotes_numbers_as_they_were_typed) {
+    wizard_.set_ct("/data/ct");
+    field("liverMask").setText(" /data/liver.nii.gz ");
+    field("vesselMask").setText("  ");
+    EXPECT_EQ(wizard_.options().liver_mask, fs::path("/data/liver.nii.gz"));
+    EXPECT_FALSE(wizard_.options().vessel_mask);
+    field("window").setText("1,2,3");
+    EXPECT_EQ(complaint(), "Window: “1,2,3” is no number");
 }
 
 TEST_F(Wizard, names_the_field_that_makes_no_sense_and_stays_open) {
@@ -372,6 +396,13 @@ TEST_F(SavingCase, adds_the_ending_where_it_is_missing) {
     EXPECT_EQ(asked_, "");
 }
 
+// Saving says then what is wrong with it.
+TEST_F(SavingCase, takes_a_name_that_the_system_refuses_to_look_at) {
+    EXPECT_NO_THROW(typed(QString("x").repeated(300), false));
+    EXPECT_EQ(asked_, "");
+    EXPECT_EQ(refused_, "");
+}
+
 TEST_F(SavingCase, replaces_an_old_case_after_asking_and_never_without) {
     fs::create_directory(path("old.hep"));
     std::ofstream(path("old.hep") / "case.json") << "{}";
@@ -436,38 +467,6 @@ TEST_F(ReadSeries, is_the_one_that_a_reconstruction_offers_first) {
         wait();
         EXPECT_EQ(offered_first(), series - 1);
     }
-}
-
-class Layout : public testing::FakeWindowTest {};
-
-TEST_F(Layout, comes_back_with_the_next_window) {
-    window_.resize(900, 640);
-    window_.findChild<QDockWidget*>("Simulation")->hide();
-    window_.addDockWidget(Qt::LeftDockWidgetArea, window_.findChild<QDockWidget*>("Injection"));
-    ASSERT_TRUE(window_.close());
-    MainWindow next(settings_, {}, answers());
-    next.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&next, testing::patience_ms));
-    EXPECT_EQ(next.size(), QSize(900, 640));
-    EXPECT_TRUE(next.findChild<QDockWidget*>("Simulation")->isHidden());
-    EXPECT_EQ(next.dockWidgetArea(next.findChild<QDockWidget*>("Injection")),
-              Qt::LeftDockWidgetArea);
-}
-
-TEST_F(Layout, safe_mode_begins_with_the_usual_one_and_changes_no_setting) {
-    window_.findChild<QDockWidget*>("Simulation")->hide();
-    ASSERT_TRUE(window_.close());
-    const QByteArray kept = settings_.window_layout();
-    ASSERT_FALSE(kept.isEmpty());
-    Settings safe(Settings::Mode::safe);
-    MainWindow next(safe, {}, answers());
-    next.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&next, testing::patience_ms));
-    EXPECT_FALSE(next.findChild<QDockWidget*>("Simulation")->isHidden());
-    next.findChild<QDockWidget*>("Injection")->hide();
-    ASSERT_TRUE(next.close());
-    EXPECT_TRUE(safe.window_layout().isEmpty());
-    EXPECT_EQ(settings_.window_layout(), kept);
 }
 
 }  // namespace

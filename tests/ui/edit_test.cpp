@@ -4,7 +4,6 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
-#include <QFile>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
@@ -12,13 +11,17 @@
 #include <QStatusBar>
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 
 #include "core/image/volume_writer.h"
+#include "core/lesson/lesson_draft.h"
+#include "core/lesson/lesson_writer.h"
 #include "core/patient/image_digest.h"
 #include "tests/patient/parted_patient.h"
 #include "tests/support/tube_ct.h"
 #include "tests/ui/window_test.h"
+#include "ui/lesson_dock.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
 #include "ui/slices/slice_view.h"
@@ -56,7 +59,6 @@ class Editing : public testing::WindowTest {
                       },
                       [this](const std::filesystem::path& path, const PatientCase& patient) {
                           write_case(path, patient);
-
                           saved_ = patient;
                       },
                       [this](std::shared_ptr<const PatientCase> patient, Job& job) {
@@ -138,7 +140,6 @@ TEST_F(Editing, a_click_on_a_dashed_line_bridges_the_gap_and_can_be_undone) {
     EXPECT_GT(bridged_length_mm(saved_.tree), 5.0);
     EXPECT_EQ(saved_.corrections.edits.size(), 1u);
     EXPECT_FALSE(window_.isWindowModified());  // it has just been saved
-
     QAction& undo = window_.actions()[ActionId::undo_edit];
     QAction& redo = window_.actions()[ActionId::redo_edit];
     EXPECT_TRUE(undo.text().startsWith("&Undo: Gap bridged at")) << undo.text().toStdString();
@@ -373,6 +374,17 @@ TEST_F(Editing, a_vessel_is_drawn_as_wide_as_its_field_says) {
     EXPECT_EQ(pen.radius_mm(), std::nullopt);
 }
 
+// It would come in the middle of the lesson and be refused, and its places be gone.
+TEST_F(Editing, a_vessel_is_not_drawn_on_when_a_lesson_begins) {
+    point_out_the_tube();
+    child<QPushButton>("drawVessel").click();
+    write_lesson(to_path(folder_.filePath("any.json")), new_lesson());
+    window_.lessons().start(folder_.filePath("any.json").toStdString());
+    ASSERT_TRUE(testing::wait_for([&] { return window_.lessons().playing(); }));
+    EXPECT_FALSE(window_.view_layout().slices().pen().draws());
+    EXPECT_EQ(window_.view_layout().slices().pen().places_mm().size(), 3u);
+}
+
 TEST_F(Editing, an_edit_that_leaves_nothing_is_refused_and_the_patient_stays) {
     window_.actions()[ActionId::edit_mode].trigger();
     choose_tool("Delete a branch");
@@ -427,7 +439,6 @@ TEST_F(Editing, a_case_from_disk_is_saved_as_another_with_its_voxels) {
     EXPECT_FALSE(window_.isWindowModified());
     click(test::last_gap[1]);
     EXPECT_TRUE(window_.isWindowModified());
-
     save_place_ = to_path(second);
     window_.actions()[ActionId::save_case_as].trigger();
     wait();
@@ -460,7 +471,6 @@ TEST_F(Editing, closing_asks_about_what_is_not_saved_and_waits_for_it) {
     EXPECT_EQ(questions_asked_, 1);
     EXPECT_TRUE(window_.isVisible());
     wait();
-
     unsaved_answer_ = UnsavedAnswer::save;
     save_place_ = to_path(folder_.filePath("p.hep"));
     EXPECT_FALSE(window_.close()) << "the case is being written";
@@ -475,11 +485,9 @@ TEST_F(Editing, a_file_that_cannot_be_read_is_found_out_before_anything_is_asked
     ASSERT_TRUE(window_.isWindowModified());
     const QString empty = folder_.filePath("empty");
     QDir().mkpath(empty);
-    QFile broken(folder_.filePath("broken.nii"));
-    ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
-    broken.write("this is no image");
-    broken.close();
-    for (const QString& path : {folder_.filePath("gone.nii"), empty, broken.fileName()}) {
+    const QString broken = folder_.filePath("broken.nii");
+    std::ofstream(to_path(broken)) << "this is no image";
+    for (const QString& path : {folder_.filePath("gone.nii"), empty, broken}) {
         window_.open(path);
         ASSERT_TRUE(testing::wait_for([this] { return !window_.busy(); }));
         EXPECT_EQ(questions_asked_, 0) << path.toStdString();

@@ -11,6 +11,7 @@
 #include "core/tree/station.h"
 #include "tests/patient/parted_patient.h"
 #include "tests/ui/window_test.h"
+#include "ui/case_editing.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
 
@@ -99,6 +100,98 @@ TEST_F(GivenBranch, is_listed_with_its_new_system_alone) {
         if (list->accessibleName() == "Edits" && list->count() > 0) line = list->item(0)->text();
     EXPECT_TRUE(line.startsWith("Given to: hepatic veins at L 3")) << line.toStdString();
     EXPECT_TRUE(line.endsWith(" mm")) << line.toStdString();
+}
+
+// What the panel of corrections says and asks for, without a window.
+class CorrectedCase : public ::testing::Test {
+  protected:
+    CorrectedCase() {
+        CaseEditing::Callbacks callbacks;
+        callbacks.add = [this](const TreeEdit& edit) {
+            workspace_.add(edit);
+            editing_->update_panel();
+        };
+        callbacks.show_history = [](const QString&, const QString&) {};
+        callbacks.show_bridges = [this](const std::vector<BridgeView>& bridges) {
+            bridges_shown_ = bridges.size();
+        };
+        callbacks.say = [](const QString&) {};
+        callbacks.warn = [this](const QString& text) {
+            for (const QString& line : text.split('\n'))
+                if (line.contains("tree of its own")) warned_ << line;
+        };
+        editing_ = std::make_unique<CaseEditing>(panel_, workspace_, std::move(callbacks));
+        OpenedPatient opened;
+        opened.patient = std::make_shared<const PatientCase>(test::patient_with_bridges());
+        workspace_.open(opened);
+        editing_->show_body();
+    }
+    void make_body() {
+        workspace_.show_body(std::make_shared<const PatientCase>(
+            with_edited_tree(*workspace_.patient(), workspace_.edits())));
+        editing_->show_body();
+    }
+    void make(TreeEditKind kind, const Vec3& at_mm, const Vec3& to_mm = Vec3::Zero()) {
+        TreeEdit edit;
+        edit.kind = kind;
+        edit.at_mm = at_mm;
+        edit.to_mm = to_mm;
+        if (kind == TreeEditKind::reassign_system) edit.system = VascularSystem::hepatic;
+        workspace_.add(edit);
+        make_body();
+    }
+
+    EditPanel panel_;
+    Workspace workspace_;
+    std::unique_ptr<CaseEditing> editing_;
+    std::size_t bridges_shown_ = 0;
+    QStringList warned_;  // of vessels that were given
+    const Vec3 vessel_apart_{37, 54.5, 4}, left_branch_{-8.6, 28, 4.4};
+};
+
+TEST_F(CorrectedCase, AGivenVesselIsStillApartWhenTheVesselsAreRebuilt) {
+    make(TreeEditKind::reassign_system, vessel_apart_);
+    make(TreeEditKind::reassign_system, left_branch_);
+    ASSERT_EQ(warned_.size(), 1);
+    const QString doubt = warned_.front();
+    EXPECT_TRUE(editing_->stands(doubt));
+    const auto before = workspace_.patient();
+    PatientCase rebuilt = test::patient_with_bridges();
+    const Vec3 by_mm(0.4, 0.0, 0.0);  // other voxels, other centrelines
+    for (VesselNode& node : rebuilt.tree.nodes) node.position_mm += by_mm;
+    for (VesselSegment& segment : rebuilt.tree.segments)
+        for (Vec3& point : segment.points_mm) point += by_mm;
+    workspace_.show_remade(before, std::make_shared<const PatientCase>(
+                                       with_edited_tree(rebuilt, before->corrections.edits)));
+    editing_->show_body();
+    EXPECT_TRUE(editing_->stands(doubt));
+    EXPECT_EQ(warned_.size(), 1) << "it was said already";
+    make(TreeEditKind::add_link, left_branch_, vessel_apart_);
+    EXPECT_FALSE(editing_->stands(doubt));
+    workspace_.undo();
+    make_body();
+    EXPECT_TRUE(editing_->stands(doubt));
+    workspace_.take_back_remaking();
+    editing_->show_body();
+    EXPECT_TRUE(editing_->stands(doubt));
+    OpenedPatient another;
+    another.patient = std::make_shared<const PatientCase>(test::patient_with_bridges());
+    workspace_.open(another);
+    editing_->show_body();
+    EXPECT_FALSE(editing_->stands(doubt));
+}
+
+// Both gaps lead to the same vessel, and the body takes a while.
+TEST_F(CorrectedCase, AGapThatIsBeingBridgedIsBridgedOnce) {
+    ASSERT_EQ(bridges_shown_, 2u);
+    editing_->accept(0);
+    ASSERT_TRUE(workspace_.awaits_body());
+    EXPECT_EQ(bridges_shown_, 1u);
+    panel_.findChild<QPushButton*>("acceptAll")->click();
+    EXPECT_EQ(workspace_.edits().size(), 1u) << "it makes the other one needless";
+    workspace_.undo();
+    editing_->update_panel();
+    EXPECT_EQ(bridges_shown_, 2u);
 }
 
 }  // namespace

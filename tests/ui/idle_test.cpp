@@ -140,6 +140,21 @@ TEST_F(FakeIdle, a_frame_like_the_last_is_not_drawn) {
     EXPECT_TRUE(testing::wait_for([&] { return paintings.count > 0; }));
 }
 
+// What is posted is handled, timers do not fire: a picture of draw_again() is drawn then, one of
+// draw_soon() waits until the slices rest.
+TEST_F(FakeIdle, what_the_slices_change_waits_for_them) {
+    open_built_in();
+    Paintings paintings(window_.view());
+    ASSERT_TRUE(comes_to_rest(paintings));
+    paintings.count = 0;
+    window_.view().draw_soon();
+    QCoreApplication::sendPostedEvents();
+    EXPECT_EQ(paintings.count, 0);
+    window_.view().draw_again();
+    QCoreApplication::sendPostedEvents();
+    EXPECT_GT(paintings.count, 0) << "else this test would see none of either";
+}
+
 // Each change puts the picture off, but not for ever.
 TEST_F(FakeIdle, what_the_slices_change_is_drawn_though_they_never_rest) {
     open_built_in();

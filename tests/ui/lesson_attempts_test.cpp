@@ -242,6 +242,33 @@ TEST_F(LessonAttemptsTest, a_patient_is_opened_while_a_report_is_written) {
     EXPECT_EQ(window_.messages().findChild<QPushButton*>("offer")->text(), "Open");
 }
 
+// Who presses the button once more before the first is there gets two.
+TEST_F(LessonAttemptsTest, reports_that_wait_for_each_other_have_folders_of_their_own) {
+    namespace fs = std::filesystem;
+    play(short_lesson("Short"));
+    const fs::path go = to_path(folder_.filePath("go")), program = to_path(folder_.filePath("sh"));
+    const fs::path reports = to_path(folder_.filePath("reports"));
+    fs::create_directory(reports);
+    std::ofstream(program) << "#!/bin/sh\nuntil [ -e '" << go.string()
+                           << "' ]; do sleep 0.02; done\necho done > \"$4/report.html\"\n";
+    fs::permissions(program, fs::perms::owner_all);
+    window_.set_report_program(to_text(program));
+    QTimer answering;  // the question where to write it
+    QObject::connect(&answering, &QTimer::timeout, [&reports] {
+        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+        if (dialog == nullptr) return;
+        dialog->findChild<QLineEdit*>()->setText(to_text(reports));
+        QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
+    });
+    answering.start(20);
+    for (int time = 0; time < 2; ++time)
+        window_.lessons().findChild<QPushButton*>("lessonReport")->click();
+    answering.stop();
+    std::ofstream{go};
+    ASSERT_TRUE(wait_for([this] { return !window_.busy(); }));
+    EXPECT_EQ(std::distance(fs::directory_iterator(reports), fs::directory_iterator()), 2);
+}
+
 // Ctrl + Q is quickly pressed for Ctrl + W.
 TEST_F(LessonAttemptsTest, the_window_asks_before_it_closes_on_a_lesson_that_is_played) {
     lesson_may_end_ = false;

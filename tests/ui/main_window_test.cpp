@@ -12,6 +12,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScreen>
 #include <QSignalSpy>
 #include <QTimer>
 #include <filesystem>
@@ -250,6 +251,54 @@ TEST_F(Window, CurvesAndBranchesStandOneBehindTheOther) {
     QTest::keyClick(&window_, Qt::Key_F6);  // away
     ASSERT_TRUE(testing::wait_for([&] { return in_front(dock("Curves")); }));
     EXPECT_TRUE(dock("Branches").isHidden());
+}
+
+class Layout : public testing::FakeWindowTest {};
+
+TEST_F(Layout, comes_back_with_the_next_window) {
+    window_.resize(900, 640);
+    window_.findChild<QDockWidget*>("Simulation")->hide();
+    window_.addDockWidget(Qt::LeftDockWidgetArea, window_.findChild<QDockWidget*>("Injection"));
+    ASSERT_TRUE(window_.close());
+    MainWindow next(settings_, {}, answers());
+    next.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&next, testing::patience_ms));
+    EXPECT_EQ(next.size(), QSize(900, 640));
+    EXPECT_TRUE(next.findChild<QDockWidget*>("Simulation")->isHidden());
+    EXPECT_EQ(next.dockWidgetArea(next.findChild<QDockWidget*>("Injection")),
+              Qt::LeftDockWidgetArea);
+}
+
+// There is no window manager here, and so no title bar that would need room.
+TEST_F(Layout, lies_no_lower_at_the_next_start) {
+    const QRect place(window_.screen()->availableGeometry().topLeft(), QSize(900, 640));
+    window_.setGeometry(place);
+    ASSERT_TRUE(testing::wait_for([&] { return window_.frameGeometry() == place; }));
+    ASSERT_TRUE(window_.close());
+    for (int start = 0; start < 2; ++start) {
+        MainWindow next(settings_, {}, answers());
+        next.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&next, testing::patience_ms));
+        EXPECT_TRUE(testing::wait_for([&] { return next.frameGeometry() == place; }))
+            << next.frameGeometry().top() << " at start " << start;
+        ASSERT_TRUE(next.close());
+    }
+}
+
+TEST_F(Layout, safe_mode_begins_with_the_usual_one_and_changes_no_setting) {
+    window_.findChild<QDockWidget*>("Simulation")->hide();
+    ASSERT_TRUE(window_.close());
+    const QByteArray kept = settings_.window_layout();
+    ASSERT_FALSE(kept.isEmpty());
+    Settings safe(Settings::Mode::safe);
+    MainWindow next(safe, {}, answers());
+    next.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&next, testing::patience_ms));
+    EXPECT_FALSE(next.findChild<QDockWidget*>("Simulation")->isHidden());
+    next.findChild<QDockWidget*>("Injection")->hide();
+    ASSERT_TRUE(next.close());
+    EXPECT_TRUE(safe.window_layout().isEmpty());
+    EXPECT_EQ(settings_.window_layout(), kept);
 }
 
 }  // namespace

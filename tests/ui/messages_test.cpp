@@ -391,6 +391,28 @@ TEST(MessageLog, MarksAWarningAsPastOnceItHoldsNoLonger) {
     EXPECT_TRUE(log.as_text().contains("no longer so\tCorrections\tA loop is left"));
 }
 
+// As by Redo after Undo.
+TEST(MessageLog, AWarningThatHoldsAgainIsMarkedAsPastNoLonger) {
+    MessageLog log;
+    bool holds = true;
+    log.add_warning("Corrections", "A loop is left", [&holds] { return holds; });
+    log.add_warning("Corrections", "Branch 1 is an end", [] { return true; });
+    log.settle_warning("Branch 1 is an end");
+    for (const bool now : {false, true}) {
+        holds = now;
+        log.settle();
+        EXPECT_EQ(log.as_text().contains("no longer so\tCorrections\tA loop is left"), !now);
+    }
+    EXPECT_TRUE(log.as_text().contains("no longer so\tCorrections\tBranch 1")) << "for good";
+    // Said once more it is one message that stands, not two.
+    holds = false;
+    log.settle();
+    holds = true;
+    log.add_warning("Corrections", "A loop is left", [&holds] { return holds; });
+    log.settle();
+    EXPECT_EQ(log.as_text().count("no longer so\tCorrections\tA loop is left"), 1);
+}
+
 TEST_F(StandingWarnings, AreJoinedByWhatACorrectionMakesDoubtful) {
     window_.actions()[ActionId::edit_mode].trigger();
     auto* tools = window_.findChild<QComboBox*>("EditTool");

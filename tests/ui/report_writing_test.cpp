@@ -14,6 +14,7 @@
 
 #include "app/report/page_printer.h"
 #include "core/base/error.h"
+#include "tests/patient/parted_patient.h"
 #include "ui/paths.h"
 
 namespace hepatica {
@@ -81,6 +82,30 @@ TEST_F(ReportWriting, SaysWhyItFailedAndLeavesNothing) {
         EXPECT_EQ(error.problem(), "no room");
     }
     EXPECT_EQ(count(), 1u);
+}
+
+// As one does that the system ends for want of memory.
+TEST_F(ReportWriting, SaysSoWhereItEndedWithoutAWord) {
+    try {
+        order_report(program("exit 1"), {}, folder() / "report", job_);
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_TRUE(error.problem().find("without a word") != std::string::npos) << error.problem();
+        EXPECT_NE(error.remedy(), "");
+    }
+}
+
+// His case may have been saved with other vessels while it waited, or may never have been saved.
+TEST_F(ReportWriting, GivesTheProcessACopyOfWhoWasPlayed) {
+    const auto played = std::make_shared<const PatientCase>(test::patient_with_bridges());
+    const QString tool = program(
+        "while [ \"$1\" != --patient ]; do shift; done\n"
+        "cp -r \"$2\" '" +
+        (folder() / "given.hep").string() + "'");
+    ReportOrder order;
+    order.patient = played;
+    order_report(tool, order, folder() / "report", job_);
+    EXPECT_EQ(hash_of(read_case(folder() / "given.hep")), hash_of(*played));
 }
 
 TEST_F(ReportWriting, ACancelEndsTheProcessAndLeavesNothing) {

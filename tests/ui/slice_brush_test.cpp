@@ -288,6 +288,24 @@ TEST_F(BrushOnSlices, WarnsOfAStrokeFarOutsideTheLiverAndTakesItBack) {
         << window_.log().as_text().toStdString();
 }
 
+// The notice may outlast its stroke.
+TEST_F(BrushOnSlices, TakesBackNoOtherStrokeThanTheOneThatIsWarnedOf) {
+    begin_beside_a_liver();
+    scene().set_crosshair(ct_.grid.to_mm(29, 25, 30));
+    QTest::keyClick(&axial(), Qt::Key_Return);
+    stroke();
+    ASSERT_EQ(brush().strokes().size(), 2u);
+    ASSERT_TRUE(window_.messages().text().contains("outside the liver"));
+    QTest::keyClick(&axial(), Qt::Key_Z, Qt::ControlModifier);
+    ASSERT_EQ(brush().strokes().size(), 1u);
+    EXPECT_TRUE(window_.log().as_text().contains("no longer so"));
+    QTest::mouseClick(window_.messages().findChild<QPushButton*>("offer"), Qt::LeftButton);
+    EXPECT_EQ(brush().strokes().size(), 1u) << "the one beside the liver stays";
+    QTest::keyClick(&axial(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_EQ(brush().strokes().size(), 2u);
+    EXPECT_FALSE(window_.log().as_text().contains("no longer so")) << "it is so again";
+}
+
 TEST_F(BrushOnSlices, SaysThatATumourLiesOutsideTheLiverAndTakesItBack) {
     begin_beside_a_liver();
     constexpr int painting_tumours = 8;

@@ -43,6 +43,7 @@ class MaskBrush {
     void set_mode(BrushMode mode);  // the strokes stay
     BrushMode mode() const { return mode_; }
     void set_radius(double radius_mm);  // clamped to [least_mm, most_mm]
+    void resize(int steps) { set_radius(radius_mm_ + steps * step_mm); }  // by keys
     double radius_mm() const { return radius_mm_; }
 
     // begin() starts a stroke, lead_to() extends it and lift() ends it. No effect in mode `away`.

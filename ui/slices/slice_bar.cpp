@@ -183,9 +183,7 @@ bool SliceBar::eventFilter(QObject* watched, QEvent* event) {
         return QWidget::eventFilter(watched, event);
     const int key = static_cast<QKeyEvent*>(event)->key();
     if (key != Qt::Key_Plus && key != Qt::Key_Minus) return QWidget::eventFilter(watched, event);
-    MaskBrush& brush = scene_.brush();
-    brush.set_radius(brush.radius_mm() +
-                     (key == Qt::Key_Plus ? MaskBrush::step_mm : -MaskBrush::step_mm));
+    scene_.brush().resize(key == Qt::Key_Plus ? 1 : -1);
     return true;
 }
 

@@ -365,14 +365,12 @@ void SliceView::correct_by_key(int key) {
 }
 
 void SliceView::brush_by_key(int key) {
-    MaskBrush& brush = scene_.brush();
     if (key == Qt::Key_Escape)
         scene_.give_up_brush();
     else if (key == Qt::Key_Delete || key == Qt::Key_Backspace)
         scene_.take_last_stroke_back();
     else if (key == Qt::Key_Plus || key == Qt::Key_Minus)
-        brush.set_radius(brush.radius_mm() +
-                         (key == Qt::Key_Plus ? MaskBrush::step_mm : -MaskBrush::step_mm));
+        scene_.brush().resize(key == Qt::Key_Plus ? 1 : -1);
     else {
         say(scene_.put_brush_down(scene_.crosshair_mm()));
         say(scene_.lift_brush());

@@ -74,6 +74,20 @@ TEST_F(Dial, OfAPatientWhoIsNotSavedComesIntoTheCaseLater) {
     EXPECT_GE(measured_points(read_case_without_voxels(folder_)).size(), 1u);
 }
 
+// Saved once more without a change, it is written as it was opened.
+TEST_F(Dial, StaysInACaseThatIsWrittenAnew) {
+    const auto patient = saved_patient();
+    keeper_.show(patient);
+    keeper_.keep_in(folder_, patient.get());
+    keeper_.set_busy(false);
+    ASSERT_TRUE(wait_for_dials(1));
+    saved_patient();
+    ASSERT_TRUE(measured_points(read_case_without_voxels(folder_)).empty());
+    keeper_.keep_in(folder_, patient.get());
+    keeper_.case_was_written();
+    EXPECT_GE(measured_points(read_case_without_voxels(folder_)).size(), 1u);
+}
+
 TEST_F(Dial, OfAPatientWhoLeftIsNoLongerMeasured) {
     keeper_.show(small_patient());
     keeper_.set_busy(false);

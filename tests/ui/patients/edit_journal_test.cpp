@@ -7,11 +7,13 @@
 #include <sys/resource.h>
 
 #include <QTemporaryDir>
+#include <QTest>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <fstream>
 
+#include "core/base/quoted_name.h"
 #include "core/base/text_file.h"
 #include "tests/session/small_patient.h"
 #include "tests/ui/patients/fake_ward.h"
@@ -232,6 +234,27 @@ TEST_F(JournalFile, RefusesMeasurementsThatAreDamaged) {
         EXPECT_EQ(read_with(damaged), whole) << damaged;
 }
 
+// No copy of the case holds a stroke, and no later change tells of it.
+TEST_F(JournalFile, IsToldOfWhereItCouldNotTakeTheLastStroke) {
+    testing::need_event_loop();
+    OpenedPatient opened;
+    opened.title = "a.hep";
+    opened.folder = "/disk/a.hep";
+    opened.patient = test::small_patient();
+    Workspace workspace;
+    workspace.open(opened);
+    workspace.add_stroke({{Vec3(1, 0, 0), Vec3(1, 1, 0)}, 2.0, false});
+    std::vector<Failure> failures;
+    Recovery program(fs::path(temporary_.path().toStdString()) / "kept", write_case,
+                     [&](const Failure& one) { failures.push_back(one); });
+    {
+        const SmallDisk full(0);
+        program.follow(workspace);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !failures.empty(); }, 60000));
+    }
+    EXPECT_EQ(failures[0].problem, "corrections cannot be noted at once");
+}
+
 // A program was killed after it had taken over what another one had left.
 TEST_F(JournalFile, OfWorkThatANewerOneHoldsIsListedOnceAndGoesWithThat) {
     testing::need_event_loop();
@@ -262,6 +285,32 @@ TEST_F(JournalFile, OfWorkThatANewerOneHoldsIsListedOnceAndGoesWithThat) {
     workspace.saved("/data/anton.hep", workspace.edits(), {});
     recovery.follow(workspace);
     EXPECT_EQ(recovery.left_behind(), std::vector<fs::path>{other}) << "the first has gone, too";
+}
+
+// The name of a file may have 255 bytes, to which that of a case would add some.
+TEST(KeptCopy, IsMadeOfACtWithTheLongestName) {
+    testing::need_event_loop();
+    const QTemporaryDir temporary;
+    const fs::path folder = fs::path(temporary.path().toStdString()) / "kept";
+    OpenedPatient opened;
+    opened.title = "x";
+    for (int i = 0; i < 125; ++i) opened.title += "ä";
+    opened.title += ".nii";
+    opened.patient = test::small_patient();
+    opened.worth_saving = true;
+    Workspace workspace;
+    workspace.open(opened);
+    std::vector<Failure> failures;
+    const auto failed = [&](const Failure& one) { failures.push_back(one); };
+    {
+        Recovery crashed(folder, write_case, failed);
+        crashed.follow(workspace);
+        ASSERT_TRUE(QTest::qWaitFor([&] { return crashed.resting(); }, 60000));
+    }
+    EXPECT_TRUE(failures.empty());
+    const auto left = Recovery(folder, write_case, failed).left_behind();
+    ASSERT_EQ(left.size(), 1u);
+    EXPECT_TRUE(is_utf8(left[0].filename().string())) << "no letter is cut in two";
 }
 
 }  // namespace

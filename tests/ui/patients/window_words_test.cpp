@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
+#include <system_error>
 
 #include "core/base/error.h"
 #include "ui/background_job.h"
@@ -51,6 +52,16 @@ TEST(WindowWords, no_message_that_reaches_the_window_asks_for_an_option) {
         }
     }
     EXPECT_GT(worded, 4) << "the texts were not found";
+}
+
+// A folder that may not be written is no fault of the program that anybody should report.
+TEST(WindowWords, say_what_the_system_refused_and_where) {
+    const Failure failure = failure_of(std::make_exception_ptr(
+        fs::filesystem_error("cannot create directories", "/kept/here",
+                             std::make_error_code(std::errc::permission_denied))));
+    EXPECT_EQ(failure.problem, "Permission denied");
+    EXPECT_EQ(failure.place, "/kept/here");
+    EXPECT_EQ(failure.remedy, "Check that the folder exists, may be written and has free space");
 }
 
 TEST(WindowWords, name_the_fields_in_failures) {

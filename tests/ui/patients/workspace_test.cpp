@@ -75,6 +75,23 @@ TEST(Workspace, warnings_of_the_image_outlast_a_rebuilding_and_all_come_back_wit
     EXPECT_EQ(workspace.warnings(), opened.warnings);
 }
 
+// A rebuilding that is asked for once more takes the place of the first, and of corrections that
+// wait behind it.
+TEST(Workspace, a_correction_that_waits_for_a_rebuilding_outlasts_it_beside_a_tumour) {
+    Workspace workspace;
+    workspace.open(case_on_disk());
+    TreeEdit tumour = edit(2);
+    tumour.kind = TreeEditKind::paint_tumour;
+    workspace.add(edit(1));
+    workspace.add(tumour);
+    const Workspace::Edits begun_with = workspace.made_edits();
+    ASSERT_EQ(begun_with, Workspace::Edits{tumour});
+    workspace.add(edit(3));
+    workspace.show_remade(body_of(begun_with), body_of(begun_with));
+    EXPECT_EQ(workspace.edits(), (Workspace::Edits{tumour, edit(1), edit(3)}));
+    EXPECT_TRUE(workspace.awaits_body());
+}
+
 TEST(StandingWarnings, FollowWhatIsSaidOfTheVessels) {
     const std::vector<std::string> told{"a", "image", "b"};
     EXPECT_EQ(still_standing(told, {"a", "b"}, {"b", "c"}),
