@@ -8937,6 +8937,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Warnung, gilt nicht mehr</translation>
     </message>
     <message>
+        <source>%1 of the drug had not come out of the ends of the vessels by then: it counts as a dose neither in the target nor elsewhere.</source>
+        <translation>%1 des Wirkstoffs waren bis dahin nicht aus den Enden der Gefäße ausgetreten: Sie zählen als Dosis weder im Zielgebiet noch anderswo.</translation>
+    </message>
+    <message>
         <source>Tried from the lesson editor: it is not kept among the attempts.</source>
         <translation>Aus dem Lektionseditor ausprobiert: Der Versuch wird nicht aufbewahrt.</translation>
     </message>
