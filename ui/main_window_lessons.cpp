@@ -103,6 +103,9 @@ void MainWindow::build_lessons() {
         if (lesson_editor_) lesson_editor_->back_from_trying();
         offer_patient_from_before();
     };
+    ways.not_begun = [this] {
+        if (lesson_editor_) lesson_editor_->back_from_trying();
+    };
     ways.named = [this](const QString& name) { settings_.set_trainee(name); };
     ways.course_chosen = [this](const std::filesystem::path& file) {
         settings_.set_course(to_text(file));

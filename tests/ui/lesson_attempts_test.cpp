@@ -274,6 +274,49 @@ TEST_F(LessonAttemptsTest, closing_on_a_lesson_in_which_nothing_was_done_keeps_n
     EXPECT_TRUE(recordings_in(to_path(settings_.recordings_folder())).empty());
 }
 
+// The panel still shows the first lesson while the second one's patient is being opened.
+TEST_F(LessonAttemptsTest, to_begin_again_is_the_lesson_of_the_panel_and_none_that_waits) {
+    Lesson own = new_lesson();
+    own.name = "Own";
+    own.patient = folder_.filePath("own.hep").toStdString();
+    const std::string of_another = folder_.filePath("own.json").toStdString();
+    write_lesson(of_another, own);
+    window_.lessons().start(short_lesson("First"));
+    start_clock();
+    window_.lessons().start(of_another);
+    window_.lessons().findChild<QPushButton*>("lessonAttempts")->click();
+    AttemptsDialog& attempts = window_.lessons().attempts();
+    EXPECT_TRUE(attempts.findChild<QLabel*>("attemptsTitle")->text().contains("First"));
+    attempts.hide();
+    window_.lessons().findChild<QPushButton*>("lessonAgain")->click();
+    ASSERT_NE(window_.lessons().running(), nullptr);
+    EXPECT_EQ(window_.lessons().running()->name, "First") << "else on a patient who is not its own";
+    wait();
+    EXPECT_TRUE(wait_for([&] { return !window_.lessons().playing(); })) << "another is shown";
+}
+
+TEST_F(LessonAttemptsTest, a_try_that_cannot_begin_is_told_of) {
+    int not_begun = 0;
+    bool is_there = true;
+    LessonDock::Ways ways;
+    ways.patient = [&] { return is_there ? test::small_patient() : nullptr; };
+    ways.may_begin = [] { return false; };
+    ways.open_built_in = [] {};
+    ways.not_begun = [&] { ++not_begun; };
+    auto* dock = new LessonDock(std::move(ways), to_path(folder_.filePath("other")), &window_);
+    EXPECT_TRUE(dock->try_out(new_lesson()));
+    EXPECT_EQ(not_begun, 1);
+    is_there = false;
+    EXPECT_TRUE(dock->try_out(new_lesson()));
+    EXPECT_EQ(not_begun, 1) << "its patient is being opened";
+    dock->patient_not_shown();
+    EXPECT_EQ(not_begun, 2);
+    dock->patient_not_shown();
+    EXPECT_EQ(not_begun, 2) << "nothing waited for him";
+    EXPECT_FALSE(dock->playing());
+    delete dock;
+}
+
 TEST_F(LessonAttemptsTest, one_table_says_who_passed_what) {
     for (const auto& [file, name, time_s, passed] :
          {std::tuple("1.hrec", "Anna", 12.0, true), std::tuple("2.hrec", "Anna", 9.5, true),

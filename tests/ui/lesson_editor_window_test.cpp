@@ -164,5 +164,21 @@ TEST_F(LessonEditorWindowTest, a_lesson_is_tried_and_leaves_no_attempt) {
     EXPECT_EQ(editor().places().size(), 1u);
 }
 
+// Nothing of it would be kept, so nothing is lost.
+TEST_F(LessonEditorWindowTest, the_window_closes_on_a_lesson_that_is_tried_without_a_question) {
+    editor().show_editor();
+    click("lessonTry");
+    ASSERT_TRUE(wait_for([&] {
+        return window_.lessons().playing() && !window_.busy() && window_.frame().statistics.paused;
+    }));
+    window_.actions()[ActionId::pause_simulation].trigger();
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().standing().metrics.time_s > 0.0; }));
+    ASSERT_TRUE(window_.lessons().running() != nullptr);
+    EXPECT_FALSE(window_.lessons().begun());
+    EXPECT_TRUE(window_.close());
+    EXPECT_EQ(lesson_ends_asked_, 0);
+    EXPECT_TRUE(all_attempts(to_path(settings_.recordings_folder())).list.empty());
+}
+
 }  // namespace
 }  // namespace hepatica
