@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/session/script.h"
 #include "core/tree/station.h"
 #include "ui/core_words.h"
 #include "ui/curves_dock.h"
@@ -267,6 +268,20 @@ void MainWindow::allow_tools() {
     tool_panel_->allow_settings(settings);
 }
 
+// What the lesson wants a drug in, after its verdict too, or the one that is edited; empty where it
+// wants none.
+std::vector<std::uint8_t> MainWindow::target_of_lesson() const {
+    const VesselTree& tree = patient_->patient->tree;
+    const Lesson* played = lessons_->shown();
+    std::optional<Vec3> from_mm;
+    if (played != nullptr && played->target)
+        from_mm = position_of(*played->target, tree);
+    else if (lesson_editor_ && !lessons_->playing() && !review_->reviewing())
+        from_mm = lesson_editor_->target_mm();
+    if (!from_mm) return {};
+    return patient_->anatomy.downstream_of(nearest_point(tree, *from_mm));
+}
+
 LessonEditor& MainWindow::lesson_editor() {
     if (lesson_editor_ == nullptr) build_lesson_editor();
     return *lesson_editor_;
@@ -290,7 +305,10 @@ void MainWindow::build_lesson_editor() {
         if (view_->mouse().mode() == MouseMode::place) back_to_pulling();
     };
     ways.places_changed = [this] {
-        if (patient_ && show_marks()) view_->draw_again();
+        if (!patient_) return;
+        view_->scene().set_target(target_of_lesson());
+        show_marks();
+        view_->draw_again();
     };
     ways.try_out = [this](const Lesson& lesson) { return lessons_->try_out(lesson); };
     ways.which_file = [this]() -> std::optional<std::filesystem::path> {
