@@ -90,6 +90,18 @@ TEST_F(LessonAttemptsTest, nobody_is_named_who_gave_no_name) {
     EXPECT_EQ(kept().list[1].name, "Nr. 8");
 }
 
+// The list of attempts may stand open meanwhile.
+TEST_F(LessonAttemptsTest, a_name_that_is_given_outlasts_a_reference_that_is_ticked) {
+    play(short_lesson("First"));
+    window_.lessons().findChild<QPushButton*>("lessonAttempts")->click();
+    AttemptsDialog& dialog = window_.lessons().attempts();
+    type_name("Nr. 7");
+    dialog.findChild<QTableWidget*>("attempts")->item(0, 3)->setCheckState(Qt::Checked);
+    ASSERT_EQ(kept().list.size(), 1u);
+    EXPECT_TRUE(kept().list[0].reference);
+    EXPECT_EQ(kept().list[0].name, "Nr. 7");
+}
+
 TEST_F(LessonAttemptsTest, marks_of_a_course_belong_to_what_was_begun_from_it_alone) {
     const std::string file = short_lesson("First");
     const std::vector<Predicate> marks{{Quantity::path_mm, -1, false, 5.0}};
