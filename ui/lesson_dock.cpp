@@ -143,18 +143,20 @@ void LessonDock::ask_for_course() {
 }
 
 void LessonDock::show_course(const fs::path& file) {
+    bool was_read = false;
     try {
         const Course course = course_in(file);
+        was_read = true;
+        choose_course(file);  // also where a lesson of it is gone: Edit course mends that
         std::vector<Attempt> attempts = all_attempts(recordings_).list;
         if (!trainee_.empty())
             std::erase_if(attempts,
                           [this](const Attempt& attempt) { return attempt.name != trainee_; });
         course_->show_course(course.name, standing_of(course, file.parent_path(), attempts),
                              trainee_, file.empty());
-        choose_course(file);
     } catch (...) {
         // If the chosen course is gone, the built-in one takes its place.
-        if (file == course_file_) choose_course({});
+        if (!was_read && file == course_file_) choose_course({});
         ways_.failed(Words::tr("Open course"), std::current_exception());
     }
 }

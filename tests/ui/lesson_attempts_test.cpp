@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QScreen>
 #include <QTableWidget>
@@ -17,6 +18,7 @@
 #include "core/lesson/lesson_writer.h"
 #include "tests/ui/lesson_window_test.h"
 #include "ui/attempts_dialog.h"
+#include "ui/course_dialog.h"
 #include "ui/message_bar.h"
 #include "ui/recording_guard.h"
 #include "ui/review_dock.h"
@@ -327,6 +329,28 @@ TEST_F(LessonAttemptsTest, a_try_that_cannot_begin_is_told_of) {
     EXPECT_EQ(not_begun, 2) << "nothing waited for him";
     EXPECT_FALSE(dock->playing());
     delete dock;
+}
+
+// Who gave it up could not mend it: what is edited is the course that was chosen.
+TEST_F(LessonAttemptsTest, a_course_of_which_a_lesson_is_gone_stays_chosen_and_can_be_edited) {
+    const std::string course = folder_.filePath("course.json").toStdString();
+    std::ofstream(course) << R"({"format": "hepatica-course", "version": 1, "name": "Wards",
+        "lessons": [{"lesson": "gone.json"}, {"lesson": "look_around"}]})";
+    window_.lessons().show_course(course);
+    EXPECT_TRUE(window_.messages().text().contains("gone.json"));
+    EXPECT_EQ(settings_.course(), QString::fromStdString(course));
+    window_.lessons().show_course(course);
+    EXPECT_EQ(settings_.course(), QString::fromStdString(course))
+        << "however often it is asked for";
+    window_.lessons().edit_course();
+    auto* lessons = window_.findChild<QListWidget*>("courseLessons");
+    ASSERT_NE(lessons, nullptr);
+    ASSERT_EQ(lessons->count(), 2);
+    EXPECT_TRUE(lessons->item(0)->text().contains("cannot be read"));
+    lessons->setCurrentRow(0);
+    window_.findChild<QPushButton*>("courseRemove")->click();
+    window_.lessons().show_course(course);
+    EXPECT_EQ(window_.lessons().course().lines().size(), 1u);
 }
 
 TEST_F(LessonAttemptsTest, one_table_says_who_passed_what) {
