@@ -8947,6 +8947,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>enthält den Fall ohne seine Lektionen, die zu viele dafür sind</translation>
     </message>
     <message>
+        <source>cannot be set up: %1</source>
+        <translation>kann nicht eingerichtet werden: %1</translation>
+    </message>
+    <message>
+        <source>Change what the lesson sets up, or the parts of its scene</source>
+        <translation>Ändern Sie, was die Lektion einrichtet, oder die Teile ihrer Szene</translation>
+    </message>
+    <message>
         <source>Pass the files of the lessons on, to be put beside the case</source>
         <translation>Geben Sie die Dateien der Lektionen mit weiter; sie gehören neben den Fall</translation>
     </message>

@@ -136,12 +136,12 @@ void MainWindow::use_for_lesson(std::unique_ptr<Simulation> simulation) {
     use(std::move(simulation));
     ruler_->hide_made(begins);
     if (!begins) return;
-    const std::optional<TearSpec>& tear = lessons_->running()->scene.tear;
+    const Lesson& lesson = *lessons_->shown();
+    const std::optional<TearSpec>& tear = lesson.scene.tear;
     tool_panel_->show_tear_factor(tear ? std::optional(tear->tear_factor) : std::nullopt);
-    inject_->choose_drug(lessons_->running()->drug);
+    inject_->choose_drug(lesson.drug);
     // Behind the panel of an earlier tool, it would not be found.
-    if (allows(lessons_->running()->tools, LessonTool::inject))
-        findChild<QDockWidget*>("Injection")->raise();
+    if (allows(lesson.tools, LessonTool::inject)) findChild<QDockWidget*>("Injection")->raise();
     show_whole_from_the_front();
     light_up(TreePoint{});  // the target, where the lesson has one
     view_->setFocus();      // so that the keys of the tools reach the play

@@ -353,6 +353,22 @@ TEST_F(LessonAttemptsTest, a_course_of_which_a_lesson_is_gone_stays_chosen_and_c
     EXPECT_EQ(window_.lessons().course().lines().size(), 1u);
 }
 
+// As in a copy of the bleeding vessel whose vessels tear no more.
+TEST_F(LessonAttemptsTest, a_lesson_whose_setup_is_refused_does_not_begin_and_says_why) {
+    const std::string file = folder_.filePath("cut.json").toStdString();
+    std::ofstream(file) << R"({"format": "hepatica-lesson", "version": 1, "name": "Cut before",
+        "scene": {"name": "cut before", "deform": {}}, "tools": ["pull"],
+        "setup": [{"do": "blade", "from_mm": [-1, 0, 0], "to_mm": [1, 0, 0]}],
+        "steps": [{"text": "Hold it", "goal": [{"what": "holding", "at_least": 1}]}]})";
+    window_.lessons().start(file);
+    EXPECT_TRUE(wait_for([&] { return window_.messages().text().contains("nothing tears"); }))
+        << window_.messages().text().toStdString();
+    EXPECT_TRUE(window_.messages().text().contains("Cut before"));
+    EXPECT_FALSE(window_.lessons().playing());
+    EXPECT_TRUE(recordings_in(to_path(settings_.recordings_folder())).empty());
+    EXPECT_TRUE(kept().list.empty());
+}
+
 TEST_F(LessonAttemptsTest, one_table_says_who_passed_what) {
     for (const auto& [file, name, time_s, passed] :
          {std::tuple("1.hrec", "Anna", 12.0, true), std::tuple("2.hrec", "Anna", 9.5, true),
