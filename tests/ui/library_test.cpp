@@ -189,6 +189,14 @@ TEST(CaseShelf, TellsWhichLessonsFitTheirCaseNoMore) {
     EXPECT_TRUE(tree->topLevelItem(0)->child(1)->toolTip(0).contains("30 mm"));
 }
 
+TEST(CaseLessons, SaysWhatALessonIsForAsItsAuthorWroteIt) {
+    CaseLessons list([](const ShelvedLesson&) {});
+    const QString about = "Pull & hold \"it\" at 5 mm";
+    list.show_lessons({{"a.json", "A", about, ShelvedLesson::Patient::any, {}}}, true);
+    const auto* tree = list.findChild<QTreeWidget*>("caseLessons");
+    EXPECT_EQ(tree->topLevelItem(0)->child(0)->toolTip(0), about) << "no entities of HTML";
+}
+
 class LibraryTest : public testing::WindowTest {
   protected:
     LibraryTest()
