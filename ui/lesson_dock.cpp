@@ -237,6 +237,7 @@ bool LessonDock::read(const std::string& name) {
     }
     name_ = name;
     course_pass_.clear();
+    waits_ = false;  // for the patient of the lesson that was chosen before
     return true;
 }
 

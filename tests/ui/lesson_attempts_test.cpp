@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // After an attempt: whose it was where he gave a name, and the way to the next lesson.
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QLineEdit>
@@ -15,6 +16,7 @@
 
 #include "core/lesson/attempts.h"
 #include "core/lesson/lesson_draft.h"
+#include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_writer.h"
 #include "tests/ui/lesson_window_test.h"
 #include "ui/attempts_dialog.h"
@@ -307,6 +309,37 @@ TEST_F(LessonAttemptsTest, to_begin_again_is_the_lesson_of_the_panel_and_none_th
     EXPECT_EQ(window_.lessons().running()->name, "First") << "else on a patient who is not its own";
     wait();
     EXPECT_TRUE(wait_for([&] { return !window_.lessons().playing(); })) << "another is shown";
+}
+
+// The patient who is on his way is that of a lesson that was chosen before.
+TEST_F(LessonAttemptsTest, a_lesson_of_the_built_in_patient_begins_on_no_other_who_comes_later) {
+    std::unique_ptr<Simulation> shown;
+    LessonDock::Ways ways;
+    ways.patient = [] { return test::small_patient(); };
+    ways.use = [&](std::unique_ptr<Simulation> simulation) { shown = std::move(simulation); };
+    ways.open_case = [](const QString&) {};
+    ways.failed = [](const QString& doing, const std::exception_ptr&) {
+        ADD_FAILURE() << doing.toStdString();
+    };
+    auto* dock = new LessonDock(std::move(ways), to_path(folder_.filePath("other")), &window_);
+    Lesson own = new_lesson();
+    own.patient = folder_.filePath("own.hep").toStdString();
+    const std::string file = folder_.filePath("own.json").toStdString();
+    write_lesson(file, own);
+    ASSERT_EQ(find_lesson("gentle_pull").patient, "built-in");
+    dock->patient_shown(true, {});
+    dock->start(file);
+    EXPECT_FALSE(dock->playing()) << "it waits";
+    dock->start("gentle_pull");
+    ASSERT_TRUE(dock->playing());
+    dock->patient_shown(false, to_path(folder_.filePath("own.hep")));
+    QCoreApplication::processEvents();  // a lesson begins a turn of the loop later
+    EXPECT_FALSE(dock->playing());
+    dock->start(file);
+    dock->patient_shown(false, to_path(folder_.filePath("own.hep")));
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(dock->playing()) << "its own";
+    delete dock;
 }
 
 TEST_F(LessonAttemptsTest, a_try_that_cannot_begin_is_told_of) {
