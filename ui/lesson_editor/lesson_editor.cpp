@@ -212,10 +212,11 @@ void LessonEditor::show_state() {
 }
 
 void LessonEditor::patient_shown() {
-    if (!isVisible()) return;
-    show_page();  // offers the new patient
-    show_state();
-    ways_.places_changed();  // they lie on other vessels
+    if (isVisible()) {
+        show_page();  // offers the new patient
+        show_state();
+    }
+    if (isVisible() || aside_) ways_.places_changed();  // they lie on other vessels
 }
 
 void LessonEditor::tumours_changed() {
