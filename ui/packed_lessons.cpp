@@ -31,7 +31,7 @@ fs::path free_file(const fs::path& folder, const std::string& name) {
     const QString stem = as_file_name(QString::fromStdString(name), "lesson");
     fs::path file = folder / to_path(stem + ".json");
     for (int number = 2; fs::exists(file); ++number)
-        file = folder / to_path(QString("%1 %2.json").arg(stem).arg(number));
+        file = folder / to_path(QString("%1 %2.json").arg(stem, QString::number(number)));
     return file;
 }
 
