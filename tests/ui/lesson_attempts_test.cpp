@@ -313,10 +313,10 @@ TEST_F(LessonAttemptsTest, to_begin_again_is_the_lesson_of_the_panel_and_none_th
 
 // The patient who is on his way is that of a lesson that was chosen before.
 TEST_F(LessonAttemptsTest, a_lesson_of_the_built_in_patient_begins_on_no_other_who_comes_later) {
-    std::unique_ptr<Simulation> shown;
+    std::unique_ptr<Simulation> held;
     LessonDock::Ways ways;
     ways.patient = [] { return test::small_patient(); };
-    ways.use = [&](std::unique_ptr<Simulation> simulation) { shown = std::move(simulation); };
+    ways.use = [&](std::unique_ptr<Simulation> simulation) { held = std::move(simulation); };
     ways.open_case = [](const QString&) {};
     ways.failed = [](const QString& doing, const std::exception_ptr&) {
         ADD_FAILURE() << doing.toStdString();
