@@ -8952,13 +8952,43 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Saved: %1. The CT is not in it.</source>
         <translation>Gespeichert: %1. Das CT ist nicht darin.</translation>
     </message>
+    <message numerus="yes">
+        <source>Saved: %1. It holds the case and %n lesson(s) for this patient, not the CT.</source>
+        <translation>
+            <numerusform>Gespeichert: %1. Darin sind der Fall und %n Lektion für diesen Patienten, nicht aber das CT.</numerusform>
+            <numerusform>Gespeichert: %1. Darin sind der Fall und %n Lektionen für diesen Patienten, nicht aber das CT.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lesson(s) for this patient came with the case and lie beside it: %1</source>
+        <translation>
+            <numerusform>%n Lektion für diesen Patienten kam mit dem Fall und liegt neben ihm: %1</numerusform>
+            <numerusform>%n Lektionen für diesen Patienten kamen mit dem Fall und liegen neben ihm: %1</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Saved: %1. Neither the CT nor the lessons for this patient are in it: pass these files on, too, to be put beside the case: %2</source>
-        <translation>Gespeichert: %1. Weder das CT noch die Lektionen für diesen Patienten sind darin: Auch diese Dateien weitergeben; sie gehören neben den Fall: %2</translation>
+        <source>holds the case without its lessons, which are too many for it</source>
+        <translation>enthält den Fall ohne seine Lektionen, die zu viele dafür sind</translation>
+    </message>
+    <message>
+        <source>cannot be set up: %1</source>
+        <translation>kann nicht eingerichtet werden: %1</translation>
+    </message>
+    <message>
+        <source>Change what the lesson sets up, or the parts of its scene</source>
+        <translation>Ändern Sie, was die Lektion einrichtet, oder die Teile ihrer Szene</translation>
+    </message>
+    <message>
+        <source>Pass the files of the lessons on, to be put beside the case</source>
+        <translation>Geben Sie die Dateien der Lektionen mit weiter; sie gehören neben den Fall</translation>
     </message>
     <message>
         <source>Warning, no longer so</source>
         <translation>Warnung, gilt nicht mehr</translation>
+    </message>
+    <message>
+        <source>%1 of the drug had not come out of the ends of the vessels by then: it counts as a dose neither in the target nor elsewhere.</source>
+        <translation>%1 des Wirkstoffs waren bis dahin nicht aus den Enden der Gefäße ausgetreten: Sie zählen als Dosis weder im Zielgebiet noch anderswo.</translation>
     </message>
     <message>
         <source>Tried from the lesson editor: it is not kept among the attempts.</source>

@@ -122,5 +122,19 @@
             <numerusform>%n warnings</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Saved: %1. It holds the case and %n lesson(s) for this patient, not the CT.</source>
+        <translation>
+            <numerusform>Saved: %1. It holds the case and %n lesson for this patient, not the CT.</numerusform>
+            <numerusform>Saved: %1. It holds the case and %n lessons for this patient, not the CT.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lesson(s) for this patient came with the case and lie beside it: %1</source>
+        <translation>
+            <numerusform>%n lesson for this patient came with the case and lies beside it: %1</numerusform>
+            <numerusform>%n lessons for this patient came with the case and lie beside it: %1</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

@@ -310,7 +310,8 @@ void AttemptsDialog::mark(int row, bool is_reference) {
     if (attempt.reference == is_reference) return;
     attempt.reference = is_reference;
     try {
-        write_attempt(attempt);
+        // Who played it may have given his name since it was listed.
+        mark_reference(attempt.recording, is_reference);
     } catch (...) {
         attempt.reference = !is_reference;
         fill_table();

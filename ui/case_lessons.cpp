@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ui/core_words.h"
+#include "ui/plain_text.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -82,8 +83,7 @@ void CaseLessons::show_lessons(std::vector<ShelvedLesson> lessons, bool can_begi
         const bool fits = lesson.misfits.empty();
         auto* row = new QTreeWidgetItem(
             part, {fits ? lesson.name : Words::tr("⚠ %1 (no longer fits)").arg(lesson.name)});
-        row->setToolTip(0,
-                        (fits ? lesson.about : misfits_in_words(lesson.misfits)).toHtmlEscaped());
+        row->setToolTip(0, as_plain(fits ? lesson.about : misfits_in_words(lesson.misfits)));
         row->setData(0, Qt::UserRole, static_cast<int>(i));
     }
     if (lessons_.empty()) {

@@ -217,6 +217,10 @@ double InjectPanel::mass_flow_g_s() const {
     return std::clamp(g_s_of(flow_->value(), density_g_mm3()), least_g_s, most_g_s);
 }
 
+void InjectPanel::set_mass_flow(double g_s) {
+    flow_->setValue(units_ == FlowUnits::clinic ? ml_min_of(g_s, density_g_mm3()) : g_s);
+}
+
 // In clinical units the volume flow stays when the density changes, as with a pump.
 void InjectPanel::show_flow_range() {
     if (units_ == FlowUnits::computed) return flow_->setRange(least_g_s, most_g_s);
@@ -241,7 +245,7 @@ void InjectPanel::set_units(FlowUnits units) {
     flow_->setSuffix(clinic ? " mL/min" : " g/s");
     flow_->setSingleStep(clinic ? 10.0 : 0.5);
     show_flow_range();
-    flow_->setValue(clinic ? ml_min_of(chosen_g_s, density_g_mm3()) : chosen_g_s);
+    set_mass_flow(chosen_g_s);
     flow_label_->setText(clinic ? Words::tr("Volume flow") : Words::tr("Mass flow"));
     show_mass_flow();
     flow_->setToolTip(clinic ? Words::tr("Volume flow at the catheter's tip")
@@ -321,7 +325,7 @@ void InjectPanel::show_hover(const QString& text) {
 }
 
 void InjectPanel::begin_play(bool free) {
-    if (free) give_drug_back();
+    if (free) give_back();
     free_play_ = free;
     asked_speed_.reset();
     if (!free) return;
@@ -330,20 +334,23 @@ void InjectPanel::begin_play(bool free) {
 }
 
 void InjectPanel::choose_drug(const std::string& wanted) {
-    give_drug_back();
+    give_back();
+    before_lesson_ = {preset_->currentIndex(), model_->currentIndex(), void_fraction_->value(),
+                      mass_flow_g_s(), viscosity_->value()};
     for (std::size_t i = 0; i < presets.size(); ++i) {
         if (presets[i].second_phase != wanted) continue;
-        before_lesson_ = {preset_->currentIndex(), void_fraction_->value()};
-        preset_->setCurrentIndex(static_cast<int>(i));
-        return;
+        return preset_->setCurrentIndex(static_cast<int>(i));
     }
 }
 
-void InjectPanel::give_drug_back() {
+void InjectPanel::give_back() {
     const auto before = std::exchange(before_lesson_, std::nullopt);
     if (!before) return;
     preset_->setCurrentIndex(before->preset);
+    model_->setCurrentIndex(before->model);
     void_fraction_->setValue(before->void_fraction);
+    viscosity_->setValue(before->viscosity_mpa_s);
+    set_mass_flow(before->mass_flow_g_s);  // last: of this drug
 }
 
 void InjectPanel::allow_settings(bool allowed) {

@@ -40,17 +40,18 @@ class InjectPanel : public QWidget {
     // A simulation begins. In free play the user's chosen speed is sent to it; lessons and reviews
     // have a speed of their own.
     void begin_play(bool free);
-    // Chooses the first preset with this second phase, as a lesson asks for; unknown or empty:
-    // none. Free play and the next lesson begin with the drug chosen before.
+    // A lesson begins: chooses the first preset with this second phase, as it asks for; unknown or
+    // empty: none. Free play and the next lesson begin with the injection that was set before.
     void choose_drug(const std::string& second_phase);
     // Whether the drug's clock and speed may be set.
     void allow_settings(bool allowed);
 
   private:
     void choose_preset(int index);
-    void give_drug_back();         // the one from before a lesson
+    void give_back();              // what was set before a lesson
     double density_g_mm3() const;  // of the injected mixture
     double mass_flow_g_s() const;
+    void set_mass_flow(double g_s);
     void show_flow_range();
     void show_mass_flow();
     QWidget* make_settings();
@@ -84,11 +85,11 @@ class InjectPanel : public QWidget {
     std::optional<double> asked_time_s_;
     std::optional<double> asked_speed_;  // likewise for the speed field
     double chosen_speed_;                // by the user in free play
-    struct Drug {
-        int preset;
-        double void_fraction;
+    struct Chosen {
+        int preset, model;
+        double void_fraction, mass_flow_g_s, viscosity_mpa_s;
     };
-    std::optional<Drug> before_lesson_;  // while a lesson's drug is chosen
+    std::optional<Chosen> before_lesson_;  // while a lesson is played or looked back on
     bool free_play_ = true;
     bool settings_allowed_ = true;
 };

@@ -62,7 +62,7 @@ LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
     : QDockWidget(Words::tr("Lesson"), parent),
       ways_(std::move(ways)),
       recordings_(std::move(recordings)),
-      panel_(new LessonPanel({[this] { begin(); }, [this] { leave(); },
+      panel_(new LessonPanel({[this] { begin_again(); }, [this] { leave(); },
                               [this] {
                                   if (watch_) ways_.report(watch_->recording(), watched_name_);
                               },
@@ -143,18 +143,20 @@ void LessonDock::ask_for_course() {
 }
 
 void LessonDock::show_course(const fs::path& file) {
+    bool was_read = false;
     try {
         const Course course = course_in(file);
+        was_read = true;
+        choose_course(file);  // also where a lesson of it is gone: Edit course mends that
         std::vector<Attempt> attempts = all_attempts(recordings_).list;
         if (!trainee_.empty())
             std::erase_if(attempts,
                           [this](const Attempt& attempt) { return attempt.name != trainee_; });
         course_->show_course(course.name, standing_of(course, file.parent_path(), attempts),
                              trainee_, file.empty());
-        choose_course(file);
     } catch (...) {
         // If the chosen course is gone, the built-in one takes its place.
-        if (file == course_file_) choose_course({});
+        if (!was_read && file == course_file_) choose_course({});
         ways_.failed(Words::tr("Open course"), std::current_exception());
     }
 }
@@ -235,6 +237,7 @@ bool LessonDock::read(const std::string& name) {
     }
     name_ = name;
     course_pass_.clear();
+    waits_ = false;  // for the patient of the lesson that was chosen before
     return true;
 }
 
@@ -316,14 +319,28 @@ fs::path LessonDock::next_recording() const {
     return folder / (fs::path(name_).stem().string() + "-" + now.toStdString() + ".hrec");
 }
 
+void LessonDock::begin_again() {
+    if (!watch_) return;  // his patient is gone
+    lesson_ = watch_->lesson();
+    name_ = watched_name_;
+    course_pass_ = watched_course_pass_;
+    waits_ = false;
+    begin();
+}
+
 void LessonDock::begin() {
+    if (!try_to_begin()) ways_.not_begun();
+}
+
+bool LessonDock::try_to_begin() {
     const std::shared_ptr<const PatientCase> patient = ways_.patient();
-    if (!lesson_ || patient == nullptr || !ways_.may_begin()) return;
+    if (!lesson_ || patient == nullptr || !ways_.may_begin()) return false;
     // Whoever tries a lesson is about to make it fit.
     const bool tries = fs::path(name_).parent_path() == tried();
     if (const auto wrong = misfits(*lesson_, patient->tree); !wrong.empty() && !tries) {
         hide();
-        return ways_.unfit(name_, *lesson_, wrong);
+        ways_.unfit(name_, *lesson_, wrong);
+        return false;
     }
     give_up();  // the attempt before, unless it has ended
     try {
@@ -340,7 +357,8 @@ void LessonDock::begin() {
         on_screen_ = true;
         ways_.use(std::move(play.simulation));
     } catch (...) {
-        return ways_.failed(Words::tr("Begin the lesson"), std::current_exception());
+        ways_.failed(Words::tr("Begin the lesson"), std::current_exception());
+        return false;
     }
     find_next();
     panel_->set_trial(tries);
@@ -348,6 +366,7 @@ void LessonDock::begin() {
     show_figures();
     show();
     raise();
+    return true;
 }
 
 void LessonDock::leave() {
@@ -401,7 +420,7 @@ void LessonDock::show_figures() {
 // A name that is given after the end is also noted in the last attempt, unless that has one.
 void LessonDock::name_last_attempt() {
     if (!watch_ || !result_kept_ || trainee_.empty()) return;
-    if (watch_->recording().parent_path() == tried()) return;
+    if (is_trial()) return;
     try {
         if (!name_beside(watch_->recording()).empty()) return;
         name_attempt(watch_->recording(), trainee_);
@@ -429,7 +448,7 @@ void LessonDock::give_up() {
 
 void LessonDock::keep(const LessonStanding& standing) {
     result_kept_ = true;
-    if (watch_->recording().parent_path() == tried()) return;
+    if (is_trial()) return;
     const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
     try {
         Attempt attempt = attempt_of(watch_->recording(), watch_->lesson().name, standing,
@@ -443,10 +462,11 @@ void LessonDock::keep(const LessonStanding& standing) {
 }
 
 void LessonDock::show_attempts() {
-    if (!lesson_) return;
-    shown_name_ = name_;
-    attempts_->show_lesson(lesson_->name, recordings_, trainee_,
-                           recordings_without_result(recordings_, fs::path(name_).stem().string()));
+    if (!watch_) return;
+    shown_name_ = watched_name_;
+    const std::string stem = fs::path(shown_name_).stem().string();
+    attempts_->show_lesson(watch_->lesson().name, recordings_, trainee_,
+                           recordings_without_result(recordings_, stem));
 }
 
 // The panel would otherwise seem to describe the play that is shown instead.

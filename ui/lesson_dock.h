@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "core/lesson/course_standing.h"
 #include "core/patient/patient_case.h"
@@ -56,7 +57,8 @@ class LessonDock : public QDockWidget {
         std::function<void(const std::filesystem::path& file, const Lesson& lesson,
                            const std::vector<std::string>& misfits)>
             unfit;
-        std::function<void()> left;  // the lesson was left for free play
+        std::function<void()> left;               // the lesson was left for free play
+        std::function<void()> not_begun = [] {};  // a lesson cannot begin; told why already
         // See Settings::choose().
         std::function<QString(Settings::Kind, const Settings::Ask&)> choose =
             [](Settings::Kind, const Settings::Ask& ask) { return ask(QString()); };
@@ -101,7 +103,9 @@ class LessonDock : public QDockWidget {
     // The patient has other vessels: a running lesson ends.
     void patient_corrected();
     // The patient being opened will not come: no lesson waits for him any more.
-    void patient_not_shown() { waits_ = false; }
+    void patient_not_shown() {
+        if (std::exchange(waits_, false)) ways_.not_begun();
+    }
     bool playing() const { return watch_ != nullptr; }
     // The view shows the lesson's play, and no review or free play after it.
     bool shows_play() const { return playing() && on_screen_; }
@@ -109,8 +113,8 @@ class LessonDock : public QDockWidget {
     const Lesson* shown() const { return shows_play() ? &watch_->lesson() : nullptr; }
     // The lesson being played that has not ended; null: none.
     const Lesson* running() const;
-    // A lesson runs in which something was done.
-    bool begun() const { return running() != nullptr && !read_first_; }
+    // An attempt runs in which something was done. What is tried from the editor is none.
+    bool begun() const { return running() != nullptr && !read_first_ && !is_trial(); }
     // Of the lesson being played or ended. Requires playing().
     LessonStanding standing() const { return watch_->standing(); }
     bool recorded() const { return watch_->recorded(); }
@@ -145,9 +149,12 @@ class LessonDock : public QDockWidget {
     void drop_what_is_empty();  // deletes the recording of an attempt in which nothing was done
     bool clock_stands() const { return read_first_ || stands_at_end_; }
     void begin();
+    bool try_to_begin();
+    void begin_again();  // the lesson of the panel, whatever waits for its patient
     void leave();
     // Folder of lessons being tried and their recordings.
     std::filesystem::path tried() const { return recordings_ / "tried"; }
+    bool is_trial() const { return watch_->recording().parent_path() == tried(); }
     std::filesystem::path next_recording() const;
     void name_last_attempt();
     void keep_result();  // of an attempt that has ended, once

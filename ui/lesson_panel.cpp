@@ -266,6 +266,8 @@ void LessonPanel::show_end(const LessonStanding& standing) {
             .arg(said(Quantity::time_s, metrics.time_s), said(Quantity::path_mm, metrics.path_mm),
                  said(Quantity::peak_force_mn, metrics.peak_force_mn)) +
         "</p>";
+    if (const QString left = drug_on_its_way(standing, lesson_, units_); !left.isEmpty())
+        html += "<p>" + with_units_beside(left).toHtmlEscaped() + "</p>";
     if (trial_)
         html += "<p>" +
                 Words::tr("Tried from the lesson editor: it is not kept among the attempts.") +

@@ -1,12 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson_play.h"
 
+#include <system_error>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/session/session.h"
 #include "ui/simulation_thread.h"
+#include "ui/words.h"
 
 namespace hepatica {
+
+namespace {
+
+// A command of the setup was refused, which the session says in its frame: nobody could play that.
+[[noreturn]] void refuse_setup(const LessonWatch& watch, Session& session) {
+    std::error_code ignored;
+    std::filesystem::remove(watch.recording(), ignored);
+    session.update_frame();
+    const FrameStatistics& said = session.frame().statistics;
+    const bool is_refusal = !said.message.empty() && !said.message_of_solver;
+    const std::string why = is_refusal ? said.message : watch.standing().reasons.front();
+    throw InputError("cannot be set up: " + why, watch.lesson().name,
+                     Words::id("Change what the lesson sets up, or the parts of its scene"));
+}
+
+}  // namespace
 
 LessonWatch::LessonWatch(Lesson lesson, std::shared_ptr<const PatientCase> patient,
                          std::filesystem::path recording)
@@ -59,6 +78,8 @@ LessonPlay LessonPlay::begin(const Lesson& lesson, std::shared_ptr<const Patient
     for (const Command& command : play.watch->run_.setup()) session->post(command);
     if (lesson.scene.deform) session->post(SetAutomaticQuality{true});
     session->step(job);
+    if (play.watch->standing().outcome != LessonOutcome::running)
+        refuse_setup(*play.watch, *session);
     // The trainee reads the task first: time stands until he does something.
     session->post(SetPaused{true});
     play.simulation = std::make_unique<SimulationThread>(std::move(session));

@@ -53,7 +53,7 @@ struct LessonPlay {
 
     // Builds the scene, performs the setup and pauses; it pauses again at the verdict. The
     // recording is written while playing and is complete once the simulation is destroyed. Throws
-    // InputError and Cancelled.
+    // InputError, also where a command of the setup is refused, and Cancelled.
     static LessonPlay begin(const Lesson& lesson, std::shared_ptr<const PatientCase> patient,
                             const std::filesystem::path& recording, Job& job,
                             const DeformBackEnd& back_end = cpu_back_end());

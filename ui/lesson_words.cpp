@@ -9,6 +9,7 @@
 
 #include "core/base/units.h"
 #include "core/flow/fluid.h"
+#include "ui/core_words.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -68,6 +69,22 @@ bool is_count(Quantity quantity) {
     return quantity == Quantity::contacts || quantity == Quantity::joints_broken ||
            quantity == Quantity::pieces_off || quantity == Quantity::drug_present ||
            quantity == Quantity::holding;
+}
+
+bool is_dose(const Predicate& bound) {
+    return bound.quantity == Quantity::delivered_g || bound.quantity == Quantity::dose_target_g ||
+           bound.quantity == Quantity::dose_elsewhere_g || bound.quantity == Quantity::reflux_g ||
+           bound.quantity == Quantity::dose_target_share;
+}
+
+// Whether a bound of the lesson, or one that a course adds to it, is on a dose.
+bool judges_doses(const LessonStanding& standing, const Lesson& lesson) {
+    const auto is_of_dose = [](const BoundStanding& bound) { return is_dose(bound.predicate); };
+    return std::ranges::any_of(standing.pass, is_of_dose) ||
+           std::ranges::any_of(standing.limits, is_of_dose) ||
+           std::ranges::any_of(lesson.steps, [](const LessonStep& step) {
+               return std::ranges::any_of(step.goal, is_dose);
+           });
 }
 
 template <class Number>
@@ -168,6 +185,16 @@ std::vector<std::string> reasons_in(const LessonStanding& standing,
         say(mark, reason_of_pass_mark(mark, mark_names), "pass mark missed: ",
             ", but it is " + to_words_beside(mark.predicate, mark.value, units));
     return reasons;
+}
+
+QString drug_on_its_way(const LessonStanding& standing, const Lesson& lesson, FlowUnits units) {
+    constexpr double least_g = 0.01;  // two decimals are shown
+    const double on_its_way_g = standing.metrics.injected_g - standing.metrics.delivered_g;
+    if (!(on_its_way_g >= least_g) || !judges_doses(standing, lesson)) return {};
+    return Words::tr(
+               "%1 of the drug had not come out of the ends of the vessels by then: it counts as a "
+               "dose neither in the target nor elsewhere.")
+        .arg(translated(to_words(Quantity::injected_g, on_its_way_g, units)));
 }
 
 QString with_units_beside(QString text) {

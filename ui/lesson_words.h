@@ -36,6 +36,10 @@ std::string to_words(const Predicate& predicate, std::span<const std::string> ma
 std::vector<std::string> reasons_in(const LessonStanding& standing,
                                     std::span<const std::string> mark_names, FlowUnits units);
 
+// Of a lesson that judges doses: how much of the drug had not come out of the vessels when it
+// ended, which counts as no dose. Empty where the lesson judges none, or all of it had come out.
+QString drug_on_its_way(const LessonStanding& standing, const Lesson& lesson, FlowUnits units);
+
 // For plots over time: when the steps were reached, and when the attempt failed.
 std::vector<PlotEvent> plot_events_of(const LessonStanding& standing);
 

@@ -15,11 +15,14 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/lesson/lesson_file.h"
 #include "core/patient/patient_case.h"
 #include "ui/case_lessons.h"
 #include "ui/message_bar.h"
 #include "ui/on_screen.h"
+#include "ui/packed_lessons.h"
 #include "ui/paths.h"
+#include "ui/save_file_dialog.h"
 #include "ui/untinted_icon.h"
 #include "ui/words.h"
 
@@ -42,17 +45,21 @@ fs::path free_name(const fs::path& folder, const fs::path& name) {
     }
 }
 
-// Lessons are files of their own, and the CT is no part of a case.
-QString what_was_given(const ShelvedCase& one, const fs::path& to) {
-    QStringList files;
-    for (const ShelvedLesson& lesson : one.lessons)
-        if (lesson.patient == ShelvedLesson::Patient::this_case)
-            files << to_text(lesson.file.filename());
-    if (files.isEmpty()) return Words::tr("Saved: %1. The CT is not in it.").arg(to_text(to));
-    return Words::tr(
-               "Saved: %1. Neither the CT nor the lessons for this patient are in it: pass these "
-               "files on, too, to be put beside the case: %2")
-        .arg(to_text(to), files.join(", "));
+QString what_was_given(const fs::path& to, std::size_t lessons) {
+    if (lessons == 0) return Words::tr("Saved: %1. The CT is not in it.").arg(to_text(to));
+    return Words::tr("Saved: %1. It holds the case and %n lesson(s) for this patient, not the CT.",
+                     nullptr, static_cast<int>(lessons))
+        .arg(to_text(to));
+}
+
+// Empty where no lesson came with the case.
+QString what_came_with_it(const std::vector<fs::path>& lessons) {
+    if (lessons.empty()) return {};
+    QStringList names;
+    for (const fs::path& file : lessons) names << to_text(file.filename());
+    return Words::tr("%n lesson(s) for this patient came with the case and lie beside it: %1",
+                     nullptr, static_cast<int>(lessons.size()))
+        .arg(names.join(", "));
 }
 
 }  // namespace
@@ -150,10 +157,11 @@ void LibraryDialog::ask_what_to_take_in() {
 void LibraryDialog::ask_where_to_give() {
     const ShelvedCase* one = chosen();
     if (one == nullptr) return;
-    const QString to = QFileDialog::getSaveFileName(
-        this, Words::tr("Save as one file"), settings_.last_folder() + "/" + one->name + ".hepz",
-        Words::tr("Cases in one file (*.hepz)"));
-    if (!to.isEmpty()) give_away(to_path(to.endsWith(".hepz") ? to : to + ".hepz"));
+    const QString to = ask_where_to_save_file(*this, Words::tr("Save as one file"),
+                                              settings_.last_folder() + "/" + one->name + ".hepz",
+                                              Words::tr("Cases in one file (*.hepz)"));
+    if (to.isEmpty()) return;
+    give_away(to_path(to.endsWith(".hepz", Qt::CaseInsensitive) ? to : to + ".hepz"));
 }
 
 void LibraryDialog::begin(const ShelvedLesson& lesson) {
@@ -258,11 +266,12 @@ void LibraryDialog::show_chosen() {
                                    "patient here: File > Save case as."));
 }
 
-void LibraryDialog::copy(const fs::path& from, const fs::path& to, const QString& said) {
-    run(Words::tr("Copy the case"), [this, from, to, said](Job& job) -> std::function<void()> {
+void LibraryDialog::copy(const fs::path& from, const fs::path& to) {
+    run(Words::tr("Copy the case"), [this, from, to](Job& job) -> std::function<void()> {
         job.begin_stage(Words::id("Copying the case"));
+        const std::vector<Lesson> lessons = lessons_in_archive(from);
         write_case(to, read_case(from));
-        return [this, said] {
+        return [this, said = what_came_with_it(put_beside(lessons, to))] {
             reread_ = true;
             said_ = said;
         };
@@ -270,8 +279,23 @@ void LibraryDialog::copy(const fs::path& from, const fs::path& to, const QString
 }
 
 void LibraryDialog::give_away(const fs::path& to) {
-    if (const ShelvedCase* one = chosen(); one != nullptr && one->readable)
-        copy(one->place, to, what_was_given(*one, to));
+    const ShelvedCase* one = chosen();
+    if (one == nullptr || !one->readable) return;
+    std::vector<fs::path> files;
+    for (const ShelvedLesson& lesson : one->lessons)
+        if (lesson.patient == ShelvedLesson::Patient::this_case) files.push_back(lesson.file);
+    run(Words::tr("Copy the case"),
+        [this, from = one->place, to, files](Job& job) -> std::function<void()> {
+            job.begin_stage(Words::id("Copying the case"));
+            std::vector<Lesson> lessons = lessons_in_archive(from);
+            for (const fs::path& file : files) lessons.push_back(read_lesson(file));
+            write_case(to, read_case(from));
+            pack_lessons(lessons, to);
+            return [this, said = what_was_given(to, lessons.size())] {
+                reread_ = true;
+                said_ = said;
+            };
+        });
 }
 
 void LibraryDialog::take_in(const fs::path& from) {

@@ -44,10 +44,10 @@ class LibraryDialog : public QDialog {
     const std::vector<ShelvedCase>& cases() const { return cases_; }
     bool busy() const { return busy_; }
 
-    // Copies the chosen case to NAME.hep or NAME.hepz. Not while busy().
+    // Copies the chosen case with the lessons for it to NAME.hepz. Not while busy().
     void give_away(const std::filesystem::path& to);
-    // Copies a case into the folder under its own name; if there is one of that name, says so and
-    // offers to keep both. Not while busy().
+    // Copies a case into the folder under its own name, and the lessons in its file beside it; if
+    // there is a case of that name, says so and offers to keep both. Not while busy().
     void take_in(const std::filesystem::path& from);
     // What is said above the cases: failures, and a name that is taken.
     MessageBar& messages() { return *messages_; }
@@ -65,9 +65,7 @@ class LibraryDialog : public QDialog {
     void fill();
     void show_chosen();
     const ShelvedCase* chosen() const;
-    // `said`: told once it is copied; may be empty.
-    void copy(const std::filesystem::path& from, const std::filesystem::path& to,
-              const QString& said = {});
+    void copy(const std::filesystem::path& from, const std::filesystem::path& to);
     void run(const QString& doing, BackgroundJob::Work work);
 
     Settings& settings_;

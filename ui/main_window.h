@@ -183,6 +183,7 @@ class MainWindow : public QMainWindow {
     // Opens a lesson's own patient; when the lesson is left, the former patient is offered again.
     void open_for_lesson(const OpenRequest& request);
     void show_whole_from_the_front();
+    std::vector<std::uint8_t> target_of_lesson() const;
     // The shown patient, if he can be opened again.
     std::optional<OpenRequest> patient_from_where() const;
     void offer_patient_from_before();
@@ -257,7 +258,6 @@ class MainWindow : public QMainWindow {
     void colour_by_segments(const std::vector<std::uint8_t>& of_branches);
     void show_hover(const SurfacePick& pick);
     void light_up(const TreePoint& under_mouse);
-    std::vector<std::uint8_t> target_of_lesson() const;
     // Moves the slices' crosshair to a vertex of the body at rest; -1: no effect.
     void lead_crosshair_to(int vertex);
     void inject(const SurfacePick& pick);

@@ -344,9 +344,11 @@ void MainWindow::dropEvent(QDropEvent* event) {
 
 // The simulation is paused while the user is asked.
 bool MainWindow::may_end_lesson() {
+    const Lesson* lesson = lessons_->running();
+    if (lesson == nullptr) return true;  // judged since it was looked
     const bool runs = !frame().statistics.paused;
     if (runs) patient_->simulation->post(SetPaused{true});
-    const bool may = end_lesson_(lessons_->running()->name);
+    const bool may = end_lesson_(lesson->name);
     if (runs && !may) patient_->simulation->post(SetPaused{false});
     return may;
 }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/session/script.h"
 #include "core/tree/station.h"
 #include "ui/core_words.h"
 #include "ui/curves_dock.h"
@@ -103,6 +104,9 @@ void MainWindow::build_lessons() {
         if (lesson_editor_) lesson_editor_->back_from_trying();
         offer_patient_from_before();
     };
+    ways.not_begun = [this] {
+        if (lesson_editor_) lesson_editor_->back_from_trying();
+    };
     ways.named = [this](const QString& name) { settings_.set_trainee(name); };
     ways.course_chosen = [this](const std::filesystem::path& file) {
         settings_.set_course(to_text(file));
@@ -133,12 +137,12 @@ void MainWindow::use_for_lesson(std::unique_ptr<Simulation> simulation) {
     use(std::move(simulation));
     ruler_->hide_made(begins);
     if (!begins) return;
-    const std::optional<TearSpec>& tear = lessons_->running()->scene.tear;
+    const Lesson& lesson = *lessons_->shown();
+    const std::optional<TearSpec>& tear = lesson.scene.tear;
     tool_panel_->show_tear_factor(tear ? std::optional(tear->tear_factor) : std::nullopt);
-    inject_->choose_drug(lessons_->running()->drug);
+    inject_->choose_drug(lesson.drug);
     // Behind the panel of an earlier tool, it would not be found.
-    if (allows(lessons_->running()->tools, LessonTool::inject))
-        findChild<QDockWidget*>("Injection")->raise();
+    if (allows(lesson.tools, LessonTool::inject)) findChild<QDockWidget*>("Injection")->raise();
     show_whole_from_the_front();
     light_up(TreePoint{});  // the target, where the lesson has one
     view_->setFocus();      // so that the keys of the tools reach the play
@@ -271,6 +275,20 @@ void MainWindow::allow_tools() {
     tool_panel_->allow_settings(settings);
 }
 
+// What the lesson wants a drug in, after its verdict too, or the one that is edited; empty where it
+// wants none.
+std::vector<std::uint8_t> MainWindow::target_of_lesson() const {
+    const VesselTree& tree = patient_->patient->tree;
+    const Lesson* played = lessons_->shown();
+    std::optional<Vec3> from_mm;
+    if (played != nullptr && played->target)
+        from_mm = position_of(*played->target, tree);
+    else if (lesson_editor_ && !lessons_->playing() && !review_->reviewing())
+        from_mm = lesson_editor_->target_mm();
+    if (!from_mm) return {};
+    return patient_->anatomy.downstream_of(nearest_point(tree, *from_mm));
+}
+
 LessonEditor& MainWindow::lesson_editor() {
     if (lesson_editor_ == nullptr) build_lesson_editor();
     return *lesson_editor_;
@@ -294,7 +312,10 @@ void MainWindow::build_lesson_editor() {
         if (view_->mouse().mode() == MouseMode::place) back_to_pulling();
     };
     ways.places_changed = [this] {
-        if (patient_ && show_marks()) view_->draw_again();
+        if (!patient_) return;
+        view_->scene().set_target(target_of_lesson());
+        show_marks();
+        view_->draw_again();
     };
     ways.try_out = [this](const Lesson& lesson) { return lessons_->try_out(lesson); };
     ways.which_file = [this]() -> std::optional<std::filesystem::path> {

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "core/lesson/allowed_commands.h"
-#include "core/session/script.h"
 #include "ui/branch_dock.h"
 #include "ui/case_editing.h"
 #include "ui/core_words.h"
@@ -407,14 +406,6 @@ void MainWindow::light_up(const TreePoint& under_mouse) {
     scene.set_target(target_of_lesson());
     show_marks();
     view_->draw_again();
-}
-
-// What the lesson wants a drug in, after its verdict too; empty where it wants none.
-std::vector<std::uint8_t> MainWindow::target_of_lesson() const {
-    const Lesson* lesson = lessons_->shown();
-    if (lesson == nullptr || !lesson->target) return {};
-    const VesselTree& tree = patient_->patient->tree;
-    return patient_->anatomy.downstream_of(nearest_point(tree, position_of(*lesson->target, tree)));
 }
 
 void MainWindow::tear(MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fstream>
 #include <functional>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -25,6 +26,14 @@ fs::path mark_of(const fs::path& recording) {
 
 std::unique_ptr<QLockFile> recording_lock(const fs::path& recording) {
     return lock_file(recording.string() + ".lock");
+}
+
+// Attempts are called "LESSON-yyyyMMdd-HHmmss-zzz.hrec". Another lesson's name may begin like this
+// one's.
+bool is_called_after(const fs::path& recording, const std::string& lesson) {
+    constexpr std::size_t when = std::string_view("-yyyyMMdd-HHmmss-zzz").size();
+    const std::string stem = recording.stem().string();
+    return stem.size() == lesson.size() + when && stem.starts_with(lesson + "-");
 }
 
 fs::file_time_type time_of(const fs::path& file) {
@@ -80,7 +89,7 @@ std::vector<fs::path> recordings_without_result(const fs::path& folder, const st
     std::vector<fs::path> recordings = recordings_in(folder);
     std::erase_if(recordings, [&](const fs::path& recording) {
         std::error_code ignored;
-        return !recording.filename().string().starts_with(lesson + "-") ||
+        return !is_called_after(recording, lesson) ||
                fs::exists(result_file_of(recording), ignored) || is_being_recorded(recording);
     });
     std::ranges::reverse(recordings);

@@ -36,8 +36,8 @@ std::vector<std::filesystem::path> interrupted_recordings(const std::filesystem:
 // Removes the mark; the recording stays.
 void forget_interruption(const std::filesystem::path& recording);
 
-// The recordings whose name begins with `lesson`, without result and not being written, the oldest
-// first.
+// The recordings called after this lesson and the time, as the window calls those of attempts,
+// without result and not being written, the oldest first.
 std::vector<std::filesystem::path> recordings_without_result(const std::filesystem::path& folder,
                                                              const std::string& lesson);
 

@@ -57,6 +57,7 @@ constexpr std::array sentences_lesson{
     Words::id("%1 at most %2"),
     Words::id("limit broken: %1, but it was %2"),
     Words::id("pass mark missed: %1, but it is %2"),
+    Words::id("cannot be set up: %1"),
     Words::id("something was done before the lesson began"),
     Words::id("the play does not begin with what the lesson sets up"),
     Words::id("the simulation stopped by itself: play it again"),

@@ -283,6 +283,8 @@ void add_verdict(HtmlReport& page, const Parts& parts) {
                                                                      : Words::tr("NOT PASSED.")));
     for (const std::string& reason : reasons_in(standing, marks, units))
         page.add_paragraph(key(translated(reason)));
+    if (const QString left = drug_on_its_way(standing, parts.lesson, units); !left.isEmpty())
+        page.add_paragraph(key(left));
     if (!parts.lesson.about.empty()) page.add_paragraph(key(translated(parts.lesson.about)));
     page.add_heading(key(Words::tr("Steps")));
     page.add_table(table_of_steps(standing, parts.lesson, units));

@@ -158,11 +158,16 @@ std::vector<std::string> names_in(const std::vector<Attempt>& attempts) {
 
 namespace {
 
-// The result beside the recording; an empty attempt if there is none or it cannot be read.
-Attempt attempt_beside(const fs::path& recording) {
+// The result beside the recording.
+Attempt read_attempt(const fs::path& recording) {
     const fs::path file = result_file_of(recording);
+    return attempt_from(read_text_file(file, result_remedy), recording, file.string());
+}
+
+// An empty attempt if there is none or it cannot be read.
+Attempt attempt_beside(const fs::path& recording) {
     try {
-        return attempt_from(read_text_file(file, result_remedy), recording, file.string());
+        return read_attempt(recording);
     } catch (const InputError&) {
         return {};
     }
@@ -184,9 +189,14 @@ std::optional<Lesson> with_course_pass(std::optional<Lesson> lesson, const fs::p
 }
 
 void name_attempt(const fs::path& recording, const std::string& name) {
-    const fs::path file = result_file_of(recording);
-    Attempt attempt = attempt_from(read_text_file(file, result_remedy), recording, file.string());
+    Attempt attempt = read_attempt(recording);
     attempt.name = name;
+    write_attempt(attempt);
+}
+
+void mark_reference(const fs::path& recording, bool reference) {
+    Attempt attempt = read_attempt(recording);
+    attempt.reference = reference;
     write_attempt(attempt);
 }
 

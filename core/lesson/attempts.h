@@ -73,6 +73,10 @@ std::optional<Lesson> with_course_pass(std::optional<Lesson> lesson,
 // where it cannot be read or written.
 void name_attempt(const std::filesystem::path& recording, const std::string& name);
 
+// Makes the result beside this recording a reference for others, or no more. Throws InputError as
+// above.
+void mark_reference(const std::filesystem::path& recording, bool reference);
+
 // Range of a quantity over the reference attempts; nullopt where it is known of none.
 struct Band {
     double least = 0.0;

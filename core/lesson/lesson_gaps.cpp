@@ -48,7 +48,8 @@ class Finder {
 
     void look_at(const std::vector<Predicate>& bounds, const std::string& where) {
         for (const Predicate& bound : bounds)
-            if (words_of(bound.quantity).of_mark && bound.mark < 0)
+            if (words_of(bound.quantity).of_mark &&
+                static_cast<std::size_t>(bound.mark) >= marks_.size())  // -1 is beyond the end
                 gaps_.push_back(where + ": \"" + to_words(bound, marks_) +
                                 "\" has lost its mark. Choose another one, or remove the bound.");
     }

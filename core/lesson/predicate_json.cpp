@@ -62,8 +62,10 @@ nlohmann::ordered_json json_of(const std::vector<Predicate>& bounds,
     for (const Predicate& bound : bounds) {
         const QuantityWords& words = words_of(bound.quantity);
         Json json{{"what", words.name}};
-        if (words.of_mark && bound.mark >= 0)
-            json["mark"] = marks[static_cast<std::size_t>(bound.mark)];
+        // One that has lost its mark is written without it: see gaps_in().
+        if (const auto mark = static_cast<std::size_t>(bound.mark);
+            words.of_mark && mark < marks.size())
+            json["mark"] = marks[mark];
         json[bound.at_least ? "at_least" : "at_most"] = bound.bound;
         list.push_back(std::move(json));
     }

@@ -16,6 +16,8 @@ namespace hepatica {
 // InputError as LessonFields does, and for unknown quantities and marks.
 std::vector<Predicate> predicates_from(const LessonFields& fields, const char* key,
                                        const std::vector<std::string>& marks);
+// A bound whose mark is none of `marks` is written without one, which predicates_from() takes of
+// unfinished lessons alone.
 nlohmann::ordered_json json_of(const std::vector<Predicate>& bounds,
                                const std::vector<std::string>& marks);
 

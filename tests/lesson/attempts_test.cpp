@@ -197,5 +197,19 @@ TEST(Attempts, AreNamedAfterwards) {
     EXPECT_EQ(name_beside(recording), "");
 }
 
+TEST(Attempts, BecomeReferencesAndKeepWhatElseIsKnownOfThem) {
+    const TemporaryFolder folder;
+    const fs::path recording = folder.path() / "a.hrec";
+    EXPECT_THROW(mark_reference(recording, true), InputError) << "there is no result";
+    write_attempt(attempt_at(recording, "1", 5.0));
+    name_attempt(recording, "Anna");
+    mark_reference(recording, true);
+    EXPECT_EQ(name_beside(recording), "Anna");
+    EXPECT_TRUE(all_attempts(folder.path()).list.at(0).reference);
+    mark_reference(recording, false);
+    EXPECT_FALSE(all_attempts(folder.path()).list.at(0).reference);
+    EXPECT_EQ(all_attempts(folder.path()).list.at(0).value(Quantity::time_s), 5.0);
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -40,7 +40,11 @@ const OneGap one_gaps[] = {
     {[](Lesson& lesson) {
          lesson.steps[0].limits = {{Quantity::touch_mm, -1, false, 2.0}};
      },
-     "hold…\", limits: \"distance of the touch to no mark"}};
+     "hold…\", limits: \"distance of the touch to no mark"},
+    {[](Lesson& lesson) {
+         lesson.pass = {{Quantity::touch_mm, 1, false, 2.0}};  // the lesson has one mark
+     },
+     "Pass marks: \"distance of the touch to no mark"}};
 
 TEST(LessonGaps, NamesWhatKeepsALessonFromBeingReadAndNothingElse) {
     EXPECT_THAT(gaps_in(new_lesson()), IsEmpty());

@@ -127,5 +127,16 @@ TEST(CourseWriter, WritesWhatReadsAsTheSameCourse) {
     EXPECT_EQ(read_course(file), empty);
 }
 
+// As a bound of a lesson's mark may come into a course, whose file names no marks.
+TEST(LessonWriter, WritesABoundOfAMarkThatThereIsNotWithoutIt) {
+    const Course course{"One", {{"look_around", {{Quantity::moved_mm, 0, true, 2.0}}}}};
+    const Json written = Json::parse(text_of(course))["lessons"][0]["pass"][0];
+    EXPECT_EQ(written, (Json{{"what", "moved_mm"}, {"at_least", 2.0}}));
+    EXPECT_THROW(course_of(text_of(course), "course"), InputError) << "and nobody plays it";
+    Lesson lesson = new_lesson();
+    lesson.limits = {{Quantity::moved_mm, 7, false, 2.0}};
+    EXPECT_THROW(lesson_of(text_of(lesson), "lesson"), InputError);
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -7,6 +7,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSlider>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "core/lesson/lesson_file.h"
@@ -61,6 +62,47 @@ TEST(InjectPanel, GivesTheDrugFromBeforeALessonBack) {
     panel.choose_drug(drug);
     panel.choose_drug("");  // of a lesson that takes any
     EXPECT_EQ(offered().second_phase, before.second_phase);
+}
+
+// In any units; the lesson need not name a drug.
+TEST(InjectPanel, GivesTheFlowAndAllElseFromBeforeALessonBack) {
+    for (const FlowUnits units : {FlowUnits::computed, FlowUnits::clinic}) {
+        InjectPanel panel([](const Command&) {});
+        panel.set_units(units);
+        QDoubleSpinBox& flow = *panel.findChild<QDoubleSpinBox*>("flow");
+        flow.setValue(units == FlowUnits::computed ? 3.5 : 120.0);
+        const auto offered = [&] { return panel.injection_at(Vec3::Zero()); };
+        const InjectDrug before = offered();
+        const auto set_otherwise = [&] {
+            panel.findChild<QComboBox*>("drug")->setCurrentIndex(2);
+            flow.setValue(2.0 * flow.value());
+            for (auto* spin : panel.findChildren<QDoubleSpinBox*>())
+                if (spin->suffix().contains("mPa s")) spin->setValue(12.0);
+            for (auto* choice : panel.findChildren<QComboBox*>())
+                if (choice->findData("published") >= 0)
+                    choice->setCurrentIndex(choice->findData("published"));
+        };
+        const auto expect_as_before = [&](const char* when) {
+            EXPECT_EQ(to_json(Command(offered())), to_json(Command(before))) << when;
+        };
+        for (const char* drug : {"", "lipiodol"}) {
+            panel.begin_play(false);
+            panel.choose_drug("");
+            set_otherwise();
+            ASSERT_EQ(offered().pressure_model, "published");
+            ASSERT_TRUE(offered().drug_viscosity_pa_s.has_value());
+            panel.begin_play(false);  // looked back on
+            panel.choose_drug(drug);  // the next one
+            EXPECT_FALSE(offered().drug_viscosity_pa_s.has_value());
+            if (*drug == 0) expect_as_before("in the next lesson");
+            set_otherwise();
+            panel.begin_play(true);
+            expect_as_before("in free play");
+        }
+        set_otherwise();
+        panel.begin_play(true);
+        EXPECT_EQ(offered().pressure_model, "published") << "what was set in free play stays";
+    }
 }
 
 DrugView injected_drug() {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // After an attempt: whose it was where he gave a name, and the way to the next lesson.
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPushButton>
 #include <QScreen>
 #include <QTableWidget>
@@ -14,9 +16,11 @@
 
 #include "core/lesson/attempts.h"
 #include "core/lesson/lesson_draft.h"
+#include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_writer.h"
 #include "tests/ui/lesson_window_test.h"
 #include "ui/attempts_dialog.h"
+#include "ui/course_dialog.h"
 #include "ui/message_bar.h"
 #include "ui/recording_guard.h"
 #include "ui/review_dock.h"
@@ -88,6 +92,18 @@ TEST_F(LessonAttemptsTest, nobody_is_named_who_gave_no_name) {
     type_name("");
     EXPECT_EQ(settings_.trainee(), "");
     EXPECT_EQ(kept().list[1].name, "Nr. 8");
+}
+
+// The list of attempts may stand open meanwhile.
+TEST_F(LessonAttemptsTest, a_name_that_is_given_outlasts_a_reference_that_is_ticked) {
+    play(short_lesson("First"));
+    window_.lessons().findChild<QPushButton*>("lessonAttempts")->click();
+    AttemptsDialog& dialog = window_.lessons().attempts();
+    type_name("Nr. 7");
+    dialog.findChild<QTableWidget*>("attempts")->item(0, 3)->setCheckState(Qt::Checked);
+    ASSERT_EQ(kept().list.size(), 1u);
+    EXPECT_TRUE(kept().list[0].reference);
+    EXPECT_EQ(kept().list[0].name, "Nr. 7");
 }
 
 TEST_F(LessonAttemptsTest, marks_of_a_course_belong_to_what_was_begun_from_it_alone) {
@@ -299,6 +315,118 @@ TEST_F(LessonAttemptsTest, closing_on_a_lesson_in_which_nothing_was_done_keeps_n
     EXPECT_EQ(lesson_ends_asked_, 0);
     EXPECT_TRUE(kept().list.empty());
     EXPECT_TRUE(recordings_in(to_path(settings_.recordings_folder())).empty());
+}
+
+// The panel still shows the first lesson while the second one's patient is being opened.
+TEST_F(LessonAttemptsTest, to_begin_again_is_the_lesson_of_the_panel_and_none_that_waits) {
+    Lesson own = new_lesson();
+    own.name = "Own";
+    own.patient = folder_.filePath("own.hep").toStdString();
+    const std::string of_another = folder_.filePath("own.json").toStdString();
+    write_lesson(of_another, own);
+    window_.lessons().start(short_lesson("First"));
+    start_clock();
+    window_.lessons().start(of_another);
+    window_.lessons().findChild<QPushButton*>("lessonAttempts")->click();
+    AttemptsDialog& attempts = window_.lessons().attempts();
+    EXPECT_TRUE(attempts.findChild<QLabel*>("attemptsTitle")->text().contains("First"));
+    attempts.hide();
+    window_.lessons().findChild<QPushButton*>("lessonAgain")->click();
+    ASSERT_NE(window_.lessons().running(), nullptr);
+    EXPECT_EQ(window_.lessons().running()->name, "First") << "else on a patient who is not its own";
+    wait();
+    EXPECT_TRUE(wait_for([&] { return !window_.lessons().playing(); })) << "another is shown";
+}
+
+// The patient who is on his way is that of a lesson that was chosen before.
+TEST_F(LessonAttemptsTest, a_lesson_of_the_built_in_patient_begins_on_no_other_who_comes_later) {
+    std::unique_ptr<Simulation> held;
+    LessonDock::Ways ways;
+    ways.patient = [] { return test::small_patient(); };
+    ways.use = [&](std::unique_ptr<Simulation> simulation) { held = std::move(simulation); };
+    ways.open_case = [](const QString&) {};
+    ways.failed = [](const QString& doing, const std::exception_ptr&) {
+        ADD_FAILURE() << doing.toStdString();
+    };
+    auto* dock = new LessonDock(std::move(ways), to_path(folder_.filePath("other")), &window_);
+    Lesson own = new_lesson();
+    own.patient = folder_.filePath("own.hep").toStdString();
+    const std::string file = folder_.filePath("own.json").toStdString();
+    write_lesson(file, own);
+    ASSERT_EQ(find_lesson("gentle_pull").patient, "built-in");
+    dock->patient_shown(true, {});
+    dock->start(file);
+    EXPECT_FALSE(dock->playing()) << "it waits";
+    dock->start("gentle_pull");
+    ASSERT_TRUE(dock->playing());
+    dock->patient_shown(false, to_path(folder_.filePath("own.hep")));
+    QCoreApplication::processEvents();  // a lesson begins a turn of the loop later
+    EXPECT_FALSE(dock->playing());
+    dock->start(file);
+    dock->patient_shown(false, to_path(folder_.filePath("own.hep")));
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(dock->playing()) << "its own";
+    delete dock;
+}
+
+TEST_F(LessonAttemptsTest, a_try_that_cannot_begin_is_told_of) {
+    int not_begun = 0;
+    bool is_there = true;
+    LessonDock::Ways ways;
+    ways.patient = [&] { return is_there ? test::small_patient() : nullptr; };
+    ways.may_begin = [] { return false; };
+    ways.open_built_in = [] {};
+    ways.not_begun = [&] { ++not_begun; };
+    auto* dock = new LessonDock(std::move(ways), to_path(folder_.filePath("other")), &window_);
+    EXPECT_TRUE(dock->try_out(new_lesson()));
+    EXPECT_EQ(not_begun, 1);
+    is_there = false;
+    EXPECT_TRUE(dock->try_out(new_lesson()));
+    EXPECT_EQ(not_begun, 1) << "its patient is being opened";
+    dock->patient_not_shown();
+    EXPECT_EQ(not_begun, 2);
+    dock->patient_not_shown();
+    EXPECT_EQ(not_begun, 2) << "nothing waited for him";
+    EXPECT_FALSE(dock->playing());
+    delete dock;
+}
+
+// Who gave it up could not mend it: what is edited is the course that was chosen.
+TEST_F(LessonAttemptsTest, a_course_of_which_a_lesson_is_gone_stays_chosen_and_can_be_edited) {
+    const std::string course = folder_.filePath("course.json").toStdString();
+    std::ofstream(course) << R"({"format": "hepatica-course", "version": 1, "name": "Wards",
+        "lessons": [{"lesson": "gone.json"}, {"lesson": "look_around"}]})";
+    window_.lessons().show_course(course);
+    EXPECT_TRUE(window_.messages().text().contains("gone.json"));
+    EXPECT_EQ(settings_.course(), QString::fromStdString(course));
+    window_.lessons().show_course(course);
+    EXPECT_EQ(settings_.course(), QString::fromStdString(course))
+        << "however often it is asked for";
+    window_.lessons().edit_course();
+    auto* lessons = window_.findChild<QListWidget*>("courseLessons");
+    ASSERT_NE(lessons, nullptr);
+    ASSERT_EQ(lessons->count(), 2);
+    EXPECT_TRUE(lessons->item(0)->text().contains("cannot be read"));
+    lessons->setCurrentRow(0);
+    window_.findChild<QPushButton*>("courseRemove")->click();
+    window_.lessons().show_course(course);
+    EXPECT_EQ(window_.lessons().course().lines().size(), 1u);
+}
+
+// As in a copy of the bleeding vessel whose vessels tear no more.
+TEST_F(LessonAttemptsTest, a_lesson_whose_setup_is_refused_does_not_begin_and_says_why) {
+    const std::string file = folder_.filePath("cut.json").toStdString();
+    std::ofstream(file) << R"({"format": "hepatica-lesson", "version": 1, "name": "Cut before",
+        "scene": {"name": "cut before", "deform": {}}, "tools": ["pull"],
+        "setup": [{"do": "blade", "from_mm": [-1, 0, 0], "to_mm": [1, 0, 0]}],
+        "steps": [{"text": "Hold it", "goal": [{"what": "holding", "at_least": 1}]}]})";
+    window_.lessons().start(file);
+    EXPECT_TRUE(wait_for([&] { return window_.messages().text().contains("nothing tears"); }))
+        << window_.messages().text().toStdString();
+    EXPECT_TRUE(window_.messages().text().contains("Cut before"));
+    EXPECT_FALSE(window_.lessons().playing());
+    EXPECT_TRUE(recordings_in(to_path(settings_.recordings_folder())).empty());
+    EXPECT_TRUE(kept().list.empty());
 }
 
 TEST_F(LessonAttemptsTest, one_table_says_who_passed_what) {

@@ -85,6 +85,28 @@ TEST(LessonDocument, NamesAPatientAboveTheFileAsItDidBefore) {
     EXPECT_EQ(read_lesson(folder.path() / "lesson.json").patient, "cases/a.hep");
 }
 
+// The path in the first file means another place when it is read from the second one's folder.
+TEST(LessonDocument, NamesThePatientOfTheFileThatItWasSavedAsFromThereOn) {
+    const TemporaryFolder folder;
+    const std::filesystem::path first = folder.path() / "first", second = folder.path() / "second";
+    std::filesystem::create_directories(first);
+    std::filesystem::create_directories(second);
+    const std::string patient = (first / "a.hep").string();
+    Lesson lesson = new_lesson();
+    lesson.patient = "a.hep";
+    write_lesson(first / "lesson.json", lesson);
+    LessonDocument document({});
+    document.open(first / "lesson.json");
+    document.save(second / "lesson.json");
+    EXPECT_EQ(read_lesson(second / "lesson.json").patient, patient);
+    document.change("", [](Lesson& changed) { changed.name = "Other"; });
+    document.save(second / "lesson.json");
+    EXPECT_EQ(read_lesson(second / "lesson.json").patient, patient);
+    LessonDocument again({});
+    again.open(second / "lesson.json");
+    EXPECT_EQ(again.lesson().patient, patient);
+}
+
 TEST(LessonDocument, LeavesWhatIsNotSavedBehindUntilItIs) {
     const TemporaryFolder folder;
     const std::filesystem::path copy = folder.path() / "data" / "unsaved.json";

@@ -164,5 +164,47 @@ TEST_F(LessonEditorWindowTest, a_lesson_is_tried_and_leaves_no_attempt) {
     EXPECT_EQ(editor().places().size(), 1u);
 }
 
+// As in a play of the lesson; a ball alone does not say what lies beyond it.
+TEST_F(LessonEditorWindowTest, the_vessels_of_the_target_are_seen_while_it_is_chosen) {
+    const auto lit = [this] {
+        return std::ranges::count(window_.view().scene().target(), std::uint8_t{1});
+    };
+    editor().show_editor();
+    EXPECT_EQ(lit(), 0) << "no target";
+    editor().findChild<QTabWidget*>("lessonPages")->setCurrentIndex(1);
+    click("lessonAddTarget");
+    const auto beyond_half = lit();
+    EXPECT_GT(beyond_half, 0);
+    editor().findChild<QDoubleSpinBox*>("targetshare")->setValue(80.0);
+    EXPECT_GT(lit(), 0);
+    EXPECT_LT(lit(), beyond_half) << "less lies beyond it";
+    click("targetremove");
+    EXPECT_EQ(lit(), 0);
+    click("lessonUndo");
+    EXPECT_GT(lit(), 0);
+    editor().hide();
+    EXPECT_EQ(lit(), 0) << "nobody edits it";
+    editor().show_editor();
+    EXPECT_GT(lit(), 0);
+    open_built_in();
+    EXPECT_TRUE(wait_for([&] { return lit() > 0; })) << "of who is opened";
+}
+
+// Nothing of it would be kept, so nothing is lost.
+TEST_F(LessonEditorWindowTest, the_window_closes_on_a_lesson_that_is_tried_without_a_question) {
+    editor().show_editor();
+    click("lessonTry");
+    ASSERT_TRUE(wait_for([&] {
+        return window_.lessons().playing() && !window_.busy() && window_.frame().statistics.paused;
+    }));
+    window_.actions()[ActionId::pause_simulation].trigger();
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().standing().metrics.time_s > 0.0; }));
+    ASSERT_TRUE(window_.lessons().running() != nullptr);
+    EXPECT_FALSE(window_.lessons().begun());
+    EXPECT_TRUE(window_.close());
+    EXPECT_EQ(lesson_ends_asked_, 0);
+    EXPECT_TRUE(all_attempts(to_path(settings_.recordings_folder())).list.empty());
+}
+
 }  // namespace
 }  // namespace hepatica

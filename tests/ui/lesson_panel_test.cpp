@@ -203,5 +203,29 @@ TEST_F(LessonPanelTest, says_in_the_end_whether_it_is_passed_and_why_not) {
     EXPECT_TRUE(text("lessonEnd").contains("✓ Passed"));
 }
 
+// What is still in the vessels is judged by no bound, and where that is of a dose it is said.
+TEST_F(LessonPanelTest, says_in_the_end_how_much_of_the_drug_counts_as_no_dose) {
+    standing_.outcome = LessonOutcome::passed;
+    standing_.metrics.injected_g = 5.0;
+    standing_.metrics.delivered_g = 3.75;
+    panel_.show_standing(standing_);
+    EXPECT_FALSE(text("lessonEnd").contains("of the drug")) << "the lesson judges no dose";
+    Lesson lesson = two_steps();
+    lesson.steps[1].goal = {{Quantity::dose_target_g, -1, true, 3.0}};
+    panel_.begin(lesson);
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonEnd").contains("1.25\u202fg of the drug had not come out"))
+        << text("lessonEnd").toStdString();
+    standing_.metrics.delivered_g = 5.0;
+    panel_.show_standing(standing_);
+    EXPECT_FALSE(text("lessonEnd").contains("of the drug"));
+    // A mark that only a course asks for.
+    standing_.metrics.delivered_g = 3.75;
+    standing_.pass = {{{Quantity::dose_target_share, -1, true, 0.5}, 0.75, true}};
+    panel_.begin(two_steps());
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(text("lessonEnd").contains("1.25\u202fg of the drug"));
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -10,8 +10,10 @@
 #include "core/base/temporary_folder.h"
 #include "core/lesson/attempts.h"
 #include "core/lesson/lesson_draft.h"
+#include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_ties.h"
 #include "core/lesson/lesson_writer.h"
+#include "core/patient/case_archive.h"
 #include "core/session/recording_file.h"
 #include "tests/patient/parted_patient.h"
 #include "tests/session/new_session.h"
@@ -22,6 +24,7 @@
 #include "ui/lesson_dock.h"
 #include "ui/library_dialog.h"
 #include "ui/message_bar.h"
+#include "ui/packed_lessons.h"
 #include "ui/paths.h"
 
 namespace hepatica {
@@ -184,6 +187,14 @@ TEST(CaseShelf, TellsWhichLessonsFitTheirCaseNoMore) {
     EXPECT_EQ(tree->topLevelItem(0)->child(0)->text(0), "fits");
     EXPECT_TRUE(tree->topLevelItem(0)->child(1)->text(0).contains("moved (no longer fits)"));
     EXPECT_TRUE(tree->topLevelItem(0)->child(1)->toolTip(0).contains("30 mm"));
+}
+
+TEST(CaseLessons, SaysWhatALessonIsForAsItsAuthorWroteIt) {
+    CaseLessons list([](const ShelvedLesson&) {});
+    const QString about = "Pull & hold \"it\" at 5 mm";
+    list.show_lessons({{"a.json", "A", about, ShelvedLesson::Patient::any, {}}}, true);
+    const auto* tree = list.findChild<QTreeWidget*>("caseLessons");
+    EXPECT_EQ(tree->topLevelItem(0)->child(0)->toolTip(0), about) << "no entities of HTML";
 }
 
 class LibraryTest : public testing::WindowTest {
@@ -355,7 +366,7 @@ TEST_F(LibraryTest, gives_a_case_away_and_takes_one_in) {
     EXPECT_EQ(fs::last_write_time(cases_ / "gift.hep"), before);
 }
 
-// The file holds neither the CT nor lessons, which whoever passes the case on must know.
+// The file does not hold the CT, which whoever passes the case on must know.
 TEST_F(LibraryTest, says_what_a_case_in_one_file_does_not_hold) {
     open_library();
     const auto give = [this](const char* name) {
@@ -371,9 +382,46 @@ TEST_F(LibraryTest, says_what_a_case_in_one_file_does_not_hold) {
     dialog().open_library();
     ASSERT_TRUE(wait_for([this] { return !dialog().busy() && !dialog().cases().empty(); }));
     const QString with_lesson = give("with lesson.hepz");
-    EXPECT_TRUE(with_lesson.contains("Neither the CT nor the lessons"))
+    EXPECT_TRUE(with_lesson.contains("1 lesson for this patient, not the CT"))
         << with_lesson.toStdString();
-    EXPECT_TRUE(with_lesson.endsWith(": mine.json")) << with_lesson.toStdString();
+}
+
+// A lesson for the case comes along, tied to its vessels as it was, and is for the case that came.
+TEST_F(LibraryTest, gives_the_lessons_for_a_case_away_with_it) {
+    Lesson lesson = new_lesson();
+    lesson.name = "Of first";
+    lesson.patient = "first.hep";
+    tie(lesson, test::small_patient()->tree);
+    write_lesson(cases_ / "mine.json", lesson);
+    write_lesson_for(cases_ / "Of first.json", "Of anybody", "any");  // takes the name
+    open_library();
+    const fs::path file = to_path(folder_.filePath("gift.hepz"));
+    dialog().give_away(file);
+    ASSERT_TRUE(wait_for([&] { return fs::exists(file) && !dialog().busy(); }));
+    const std::vector<Lesson> packed = lessons_in_archive(file);
+    ASSERT_EQ(packed.size(), 1u);
+    EXPECT_EQ(packed[0].patient, ".") << "right beside the unpacked case, too";
+    EXPECT_EQ(hash_of(read_case(file)), hash_of(*test::small_patient()));
+    dialog().take_in(file);
+    ASSERT_TRUE(wait_for([this] { return dialog().cases().size() == 2 && !dialog().busy(); }));
+    EXPECT_TRUE(dialog().messages().text().contains("Of first 2.json"))
+        << dialog().messages().text().toStdString();
+    Lesson came = read_lesson(cases_ / "Of first 2.json");
+    EXPECT_EQ(came.patient, "gift.hep");
+    EXPECT_TRUE(is_tied(came));
+    came.patient = lesson.patient;
+    EXPECT_EQ(text_of(came), text_of(lesson));
+    using enum ShelvedLesson::Patient;
+    EXPECT_EQ(names_of(dialog().cases()[0].lessons, this_case), QStringList{"Of first"});
+    EXPECT_EQ(names_of(dialog().cases()[1].lessons, this_case), QStringList{"Of first"});
+    // From one file into another they come along, and a damaged one hinders nobody.
+    const TemporaryFolder unpacked;
+    unpack_case(file, unpacked.path());
+    std::ofstream(unpacked.path() / "lesson-2.json") << "{";
+    pack_case(unpacked.path(), file);
+    EXPECT_EQ(lessons_in_archive(file).size(), 1u);
+    EXPECT_THROW(pack_lessons(std::vector<Lesson>(41, lesson), file), InputError);
+    EXPECT_TRUE(lessons_in_archive(cases_ / "first.hep").empty()) << "a folder holds none";
 }
 
 // The bar of the main window lies behind the library.

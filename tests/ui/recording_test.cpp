@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/base/temporary_folder.h"
 #include "core/lesson/attempts.h"
 #include "core/session/recording_file.h"
 #include "core/session/replay.h"
@@ -132,6 +133,16 @@ TEST_F(RecordedWindow, a_lesson_that_a_crash_cut_off_is_offered_once_and_listed)
     EXPECT_EQ(table.item(0, 2)->text(), "interrupted");
     EXPECT_TRUE(dialog.findChild<QPushButton*>("attemptsLookBack")->isEnabled());
     EXPECT_EQ(facts_of(recordings_in(left)[0]).result, "interrupted");
+}
+
+TEST(RecordingGuard, TellsAttemptsFromThoseAtALessonWhoseNameBeginsAlike) {
+    const TemporaryFolder folder;
+    for (const char* name :
+         {"pull-20261128-120000-000", "pull-hard-20261128-120001-000", "pull-20261128-120002-000"})
+        std::ofstream(folder.path() / (std::string(name) + ".hrec")) << "{}";
+    EXPECT_EQ(recordings_without_result(folder.path(), "pull").size(), 2u);
+    EXPECT_EQ(recordings_without_result(folder.path(), "pull-hard").size(), 1u);
+    EXPECT_TRUE(recordings_without_result(folder.path(), "pul").empty());
 }
 
 TEST_F(RecordedWindow, a_lesson_that_was_left_is_no_crash) {

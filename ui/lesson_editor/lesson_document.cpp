@@ -119,6 +119,8 @@ void LessonDocument::save(const fs::path& file) {
         written.patient = beside(written.patient, place);
     write_lesson(place, written);
     file_ = place;
+    patient_in_file_ = written.patient;  // from here on that of this file, not of the one before
+    patient_path_ = lesson().patient;
     saved_text_ = text_of(lesson());
     left_behind_ = false;
     keep_copy();

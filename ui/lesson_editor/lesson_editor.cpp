@@ -40,6 +40,11 @@ void refuse_gaps(const Lesson& lesson, const char* what) {
         throw InputError(gaps.front(), what, Words::id("What is missing stands at its foot"));
 }
 
+Vec3 place_on(const VesselTree& tree, const ScriptPlace& place) {
+    return place.point_mm ? *place.point_mm
+                          : point_on_longest_path(tree, place.share_of_longest_path.value_or(0.0));
+}
+
 }  // namespace
 
 LessonEditor::LessonEditor(Ways ways, std::filesystem::path kept_copy, QWidget* parent)
@@ -207,9 +212,11 @@ void LessonEditor::show_state() {
 }
 
 void LessonEditor::patient_shown() {
-    if (!isVisible()) return;
-    show_page();  // offers the new patient
-    show_state();
+    if (isVisible()) {
+        show_page();  // offers the new patient
+        show_state();
+    }
+    if (isVisible() || aside_) ways_.places_changed();  // they lie on other vessels
 }
 
 void LessonEditor::tumours_changed() {
@@ -362,19 +369,25 @@ std::vector<TumourPlace> LessonEditor::targets() const {
     return targets;
 }
 
+std::shared_ptr<const PatientCase> LessonEditor::patient_of_places() const {
+    return isVisible() || aside_ ? ways_.patient() : nullptr;
+}
+
 std::vector<Vec3> LessonEditor::places() const {
     std::vector<Vec3> places;
-    const std::shared_ptr<const PatientCase> patient = ways_.patient();
-    if ((!isVisible() && !aside_) || patient == nullptr) return places;
-    const auto add = [&](const ScriptPlace& place) {
-        places.push_back(
-            place.point_mm
-                ? *place.point_mm
-                : point_on_longest_path(patient->tree, place.share_of_longest_path.value_or(0.0)));
-    };
-    for (const LessonMark& mark : document_.lesson().marks) add(mark.place);
-    if (document_.lesson().target) add(*document_.lesson().target);
+    const std::shared_ptr<const PatientCase> patient = patient_of_places();
+    if (patient == nullptr) return places;
+    for (const LessonMark& mark : document_.lesson().marks)
+        places.push_back(place_on(patient->tree, mark.place));
+    if (const auto target = target_mm()) places.push_back(*target);
     return places;
+}
+
+std::optional<Vec3> LessonEditor::target_mm() const {
+    const std::optional<ScriptPlace>& target = document_.lesson().target;
+    const std::shared_ptr<const PatientCase> patient = patient_of_places();
+    if (patient == nullptr || !target) return std::nullopt;
+    return place_on(patient->tree, *target);
 }
 
 void LessonEditor::hideEvent(QHideEvent* event) {

@@ -40,7 +40,7 @@ class LessonEditor : public QWidget {
         std::function<QString()> shown_patient;
         // Starts or stops sending the next click on a vessel to place_clicked().
         std::function<void()> ask_for_place, ask_no_more;
-        // places() has changed.
+        // places() or target_mm() has changed, or others are shown.
         std::function<void()> places_changed;
         // Plays the lesson, opening its patient if need be; back_from_trying() shows the editor
         // again. Returns false if cancelled.
@@ -71,6 +71,8 @@ class LessonEditor : public QWidget {
     // Marks and target on the shown patient's undeformed vessels, mm; empty while the editor is
     // hidden.
     std::vector<Vec3> places() const;
+    // Likewise where the target begins; nullopt also where there is none.
+    std::optional<Vec3> target_mm() const;
     void back_from_trying();
     // Another patient is shown, or his vessels have changed.
     void patient_shown();
@@ -100,6 +102,8 @@ class LessonEditor : public QWidget {
     std::shared_ptr<const PatientCase> own_patient() const;
     void accept_places();
     std::vector<TumourPlace> targets() const;
+    // The patient whose vessels the places are on; null where none are to be seen.
+    std::shared_ptr<const PatientCase> patient_of_places() const;
     void save(bool ask);
     void try_out();
     void take_what_is_typed();

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/packed_lessons.h"
+
+#include <system_error>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/temporary_folder.h"
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_writer.h"
+#include "core/patient/case_archive.h"
+#include "ui/file_name.h"
+#include "ui/paths.h"
+#include "ui/words.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t most_lessons = 40;  // an archive holds 64 files, of which a case needs some
+constexpr const char* of_its_folder = ".";
+
+fs::path file_of(const fs::path& folder, std::size_t number) {
+    return folder / ("lesson-" + std::to_string(number) + ".json");
+}
+
+// "Gentle pull.json" in the folder, or the first free name after it.
+fs::path free_file(const fs::path& folder, const std::string& name) {
+    const QString stem = as_file_name(QString::fromStdString(name), "lesson");
+    fs::path file = folder / to_path(stem + ".json");
+    for (int number = 2; fs::exists(file); ++number)
+        file = folder / to_path(QString("%1 %2.json").arg(stem, QString::number(number)));
+    return file;
+}
+
+}  // namespace
+
+std::vector<Lesson> lessons_in_archive(const fs::path& archive) {
+    std::vector<Lesson> lessons;
+    if (!is_case_archive(archive)) return lessons;
+    const TemporaryFolder folder;
+    unpack_case(archive, folder.path());
+    for (std::size_t number = 1; number <= most_lessons; ++number) {
+        std::error_code ignored;
+        if (!fs::exists(file_of(folder.path(), number), ignored)) continue;
+        try {
+            lessons.push_back(read_lesson(file_of(folder.path(), number)));
+        } catch (const InputError&) {
+            continue;  // the case is none the worse for it
+        }
+    }
+    return lessons;
+}
+
+void pack_lessons(const std::vector<Lesson>& lessons, const fs::path& archive) {
+    if (lessons.empty()) return;
+    if (lessons.size() > most_lessons)
+        throw InputError(Words::id("holds the case without its lessons, which are too many for it"),
+                         archive.string(),
+                         Words::id("Pass the files of the lessons on, to be put beside the case"));
+    const TemporaryFolder folder;
+    unpack_case(archive, folder.path());
+    for (std::size_t i = 0; i < lessons.size(); ++i) {
+        Lesson lesson = lessons[i];
+        lesson.patient = of_its_folder;
+        write_lesson(file_of(folder.path(), i + 1), lesson);
+    }
+    pack_case(folder.path(), archive);
+}
+
+std::vector<fs::path> put_beside(const std::vector<Lesson>& lessons, const fs::path& place) {
+    std::vector<fs::path> files;
+    for (Lesson lesson : lessons) {
+        lesson.patient = place.filename().string();
+        files.push_back(free_file(place.parent_path(), lesson.name));
+        write_lesson(files.back(), lesson);
+    }
+    return files;
+}
+
+}  // namespace hepatica
