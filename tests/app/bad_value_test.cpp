@@ -91,6 +91,28 @@ TEST(BadUsage, OfOptionsThatOthersLeaveWithoutEffect) {
     }
 }
 
+// As of a variable of the shell that is not set. Left out, --out would mean the case itself.
+TEST(BadUsage, OfAnEmptyValue) {
+    struct Call {
+        std::vector<std::string> words;
+        std::string named;
+    };
+    for (const auto& [words, named] :
+         {Call{{"edit", "x.hep", "--undo", "1", "--out", ""}, "--out"},
+          {{"remake", "x.hep", "--line-share", "0.8", "--out", ""}, "--out"},
+          {{"reconstruct", "ct", "--out", ""}, "--out"},
+          {{"reconstruct", "ct", "--out", "x.hep", "--liver-mask", ""}, "--liver-mask"},
+          {{"reconstruct", "ct", "--out", "x.hep", "--tumour-mask", ""}, "--tumour-mask"},
+          {{"inject", ""}, "CASE"},
+          {{"bench", "drag", "x.hep", "--script", ""}, "--script"}}) {
+        const Outcome run = run_cli(words);
+        EXPECT_EQ(run.exit_code, 2) << words[0] << " " << named << ": " << run.errors;
+        EXPECT_EQ(run.output, "");
+        EXPECT_NE(run.errors.find(named + ": is given an empty value"), std::string::npos)
+            << run.errors;
+    }
+}
+
 #ifdef HEPATICA_WINDOW_PROGRAM
 TEST(BadUsage, OfADrugThatNobodyWouldSee) {
     for (const auto& [words, named] :
