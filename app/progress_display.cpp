@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -21,6 +22,8 @@ void on_interrupt(int) {
     interrupted = 1;
 }
 
+constexpr std::array handled_signals{SIGINT, SIGTERM, SIGHUP};
+
 std::string counted(std::size_t number, int count, const std::string& stage) {
     std::string text = "[" + std::to_string(number);
     if (count > 0) text += "/" + std::to_string(count);
@@ -32,8 +35,10 @@ std::string counted(std::size_t number, int count, const std::string& stage) {
 ProgressDisplay::ProgressDisplay(Job& job, bool quiet)
     : job_(job), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {
     interrupted = 0;
-    std::signal(SIGINT, on_interrupt);
-    std::signal(SIGTERM, on_interrupt);
+    for (std::size_t i = 0; i < handled_signals.size(); ++i) {
+        handlers_before_[i] = std::signal(handled_signals[i], on_interrupt);
+        if (handlers_before_[i] == SIG_IGN) std::signal(handled_signals[i], SIG_IGN);
+    }
     thread_ = std::thread([this] { watch(); });
 }
 
@@ -44,8 +49,8 @@ ProgressDisplay::~ProgressDisplay() {
     }
     finish_.notify_one();
     thread_.join();
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    for (std::size_t i = 0; i < handled_signals.size(); ++i)
+        std::signal(handled_signals[i], handlers_before_[i]);
 }
 
 void ProgressDisplay::watch() {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shows a job's stages on standard error while it runs, and cancels it on Ctrl-C.
+// Shows a job's stages on standard error while it runs, and cancels it on Ctrl-C, when it is told
+// to end, or when its terminal is closed.
 #pragma once
 
+#include <array>
 #include <condition_variable>
 #include <cstddef>
 #include <mutex>
@@ -14,7 +16,8 @@ namespace hepatica {
 
 // Must live as long as the work. On a terminal one line is rewritten ten times a second; in a log
 // file each stage gets a line, even a very short one. Only one may exist at a time, because it owns
-// the handlers of SIGINT and SIGTERM.
+// the handlers of SIGINT, SIGTERM and SIGHUP. A signal that was ignored when it began stays
+// ignored: shells start background jobs without SIGINT, nohup without SIGHUP.
 class ProgressDisplay {
   public:
     ProgressDisplay(Job& job, bool quiet);
@@ -29,6 +32,7 @@ class ProgressDisplay {
     Job& job_;
     bool quiet_;
     bool terminal_;
+    std::array<void (*)(int), 3> handlers_before_{};
     bool line_open_ = false;
     std::size_t shown_stages_ = 0;
     bool finished_ = false;

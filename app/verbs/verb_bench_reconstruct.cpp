@@ -53,7 +53,9 @@ int status_of(pid_t child, const Job& job) {
 
 // Ctrl-C at a terminal reaches the child as well, which may end before this job is cancelled.
 bool was_interrupted(int status) {
-    if (WIFSIGNALED(status)) return WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM;
+    if (WIFSIGNALED(status))
+        return WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM ||
+               WTERMSIG(status) == SIGHUP;
     return WIFEXITED(status) && WEXITSTATUS(status) == exit_interrupted;
 }
 
