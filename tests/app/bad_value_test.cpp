@@ -83,7 +83,9 @@ TEST(BadUsage, OfOptionsThatOthersLeaveWithoutEffect) {
           {{"extremes", "--trials", "3"}, "--trials"},
           {{"bench", "tear", "--breaking", "2000", "--plot-force", "f.csv"}, "--plot-force"},
           {{"bench", "iterations", "--tetrahedra", "2000"}, "--case"},
-          {{"bench", "reconstruct", "ct", "--dims", "32,32,32"}, "--dims"}}) {
+          {{"bench", "reconstruct", "ct", "--dims", "32,32,32"}, "--dims"},
+          {{"bench", "reconstruct", "--liver-mask", "m"}, "--liver-mask"},
+          {{"bench", "reconstruct", "--vessel-mask", "m"}, "--vessel-mask"}}) {
         const Outcome run = run_cli(words);
         EXPECT_EQ(run.exit_code, 2) << words[0] << " " << named << ": " << run.errors;
         EXPECT_EQ(run.output, "");
