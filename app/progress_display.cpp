@@ -4,9 +4,7 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include <array>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -14,15 +12,6 @@
 namespace hepatica {
 
 namespace {
-
-// The only variable that the signal handler touches; the watching thread passes it on to the job.
-volatile std::sig_atomic_t interrupted = 0;
-
-void on_interrupt(int) {
-    interrupted = 1;
-}
-
-constexpr std::array handled_signals{SIGINT, SIGTERM, SIGHUP};
 
 std::string counted(std::size_t number, int count, const std::string& stage) {
     std::string text = "[" + std::to_string(number);
@@ -34,11 +23,6 @@ std::string counted(std::size_t number, int count, const std::string& stage) {
 
 ProgressDisplay::ProgressDisplay(Job& job, bool quiet)
     : job_(job), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {
-    interrupted = 0;
-    for (std::size_t i = 0; i < handled_signals.size(); ++i) {
-        handlers_before_[i] = std::signal(handled_signals[i], on_interrupt);
-        if (handlers_before_[i] == SIG_IGN) std::signal(handled_signals[i], SIG_IGN);
-    }
     thread_ = std::thread([this] { watch(); });
 }
 
@@ -49,15 +33,13 @@ ProgressDisplay::~ProgressDisplay() {
     }
     finish_.notify_one();
     thread_.join();
-    for (std::size_t i = 0; i < handled_signals.size(); ++i)
-        std::signal(handled_signals[i], handlers_before_[i]);
 }
 
 void ProgressDisplay::watch() {
     std::unique_lock lock(mutex_);
     while (!finished_) {
         finish_.wait_for(lock, std::chrono::milliseconds(100));
-        if (interrupted != 0) job_.cancel();
+        if (Interruption::came()) job_.cancel();
         if (!quiet_) show();
     }
     if (!quiet_ && !terminal_) show();  // the work may have ended before this thread began

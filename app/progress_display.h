@@ -3,21 +3,20 @@
 // to end, or when its terminal is closed.
 #pragma once
 
-#include <array>
 #include <condition_variable>
 #include <cstddef>
 #include <mutex>
 #include <string>
 #include <thread>
 
+#include "app/interruption.h"
 #include "core/base/job.h"
 
 namespace hepatica {
 
 // Must live as long as the work. On a terminal one line is rewritten ten times a second; in a log
 // file each stage gets a line, even a very short one. Only one may exist at a time, because it owns
-// the handlers of SIGINT, SIGTERM and SIGHUP. A signal that was ignored when it began stays
-// ignored: shells start background jobs without SIGINT, nohup without SIGHUP.
+// the handlers of signals (interruption.h).
 class ProgressDisplay {
   public:
     ProgressDisplay(Job& job, bool quiet);
@@ -32,7 +31,7 @@ class ProgressDisplay {
     Job& job_;
     bool quiet_;
     bool terminal_;
-    std::array<void (*)(int), 3> handlers_before_{};
+    Interruption interruption_;
     bool line_open_ = false;
     std::size_t shown_stages_ = 0;
     bool finished_ = false;

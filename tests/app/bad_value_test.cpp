@@ -130,6 +130,22 @@ TEST(BadUsage, OfADrugThatNobodyWouldSee) {
 }
 #endif
 
+#ifdef HEPATICA_WINDOW_PROGRAM
+// The window would open in another language than was asked for.
+TEST(BadUsage, OfWhatTheWindowHasNoUseFor) {
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"--language", "de"},
+          {"--out", "report"},
+          {"--progress"},
+          {"--json"},
+          {"case.hep", "--report", "play.hrec", "--out", "report"}}) {
+        const Outcome run = run_cli(words, {.program = HEPATICA_WINDOW_PROGRAM});
+        EXPECT_EQ(run.exit_code, 2) << words[0] << ": " << run.errors;
+        EXPECT_NE(run.errors.find(words[0]), std::string::npos) << run.errors;
+    }
+}
+#endif
+
 class BadValueOfInject : public test::Tour {};
 
 // Nothing would be injected, and a list of zeros says so to nobody.

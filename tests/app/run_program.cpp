@@ -54,7 +54,7 @@ Outcome run_cli(const std::vector<std::string>& arguments, const RunLimits& limi
     if (child == 0) become_program(arguments, output, errors, limits);
     int status = 0;
     if (!limits.interrupt_at.empty()) {
-        while (text_of(errors).find(limits.interrupt_at) == std::string::npos &&
+        while ((text_of(errors) + text_of(output)).find(limits.interrupt_at) == std::string::npos &&
                waitpid(child, &status, WNOHANG) == 0)
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         kill(-child, limits.signal);  // to all of its group, as a terminal does
