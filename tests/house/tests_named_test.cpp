@@ -39,7 +39,7 @@ std::vector<std::string> tests_in(const std::string& source) {
     static const std::regex test(R"(\b(TYPED_TEST|TEST_F|TEST_P|TEST)\(\s*(\w+)\s*,\s*(\w+)\s*\))");
     std::map<std::string, std::vector<std::string>> instances;
     for (const std::smatch& match : all_matches(source, instance))
-        instances[match[2]].push_back(match[1].length() > 0 ? match[1].str() + "/" : "");
+        instances[match[2].str()].push_back(match[1].length() > 0 ? match[1].str() + "/" : "");
     std::vector<std::string> names;
     for (const std::smatch& match : all_matches(source, test)) {
         const std::string kind = match[1], suite = match[2], name = match[3];
@@ -94,8 +94,8 @@ std::vector<Named> named_in(const std::string& document) {
         }
     };
     for (const std::smatch& match : all_matches(document, filter))
-        add(match[1], match[2].matched ? match[2] : match[3]);
-    for (const std::smatch& match : all_matches(document, quoted)) add("", match[1]);
+        add(match[1].str(), match[match[2].matched ? 2 : 3].str());
+    for (const std::smatch& match : all_matches(document, quoted)) add("", match[1].str());
     for (const std::smatch& match : all_matches(document, bare))
         if (const std::string text = match[1]; std::regex_search(text, like_a_test)) add("", text);
     return found;

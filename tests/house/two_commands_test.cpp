@@ -72,7 +72,8 @@ class TestWithoutTests : public testing::Test {
     void TearDown() override { fs::remove_all(folder_); }
 
     Answer answer(const std::string& words) const {
-        return run("'" + (folder_ / "test").string() + "' " + words);
+        return run("env -u DASHBOARD_TEST_FROM_CTEST '" + (folder_ / "test").string() + "' " +
+                   words);
     }
 
     const fs::path folder_ = fs::path(testing::TempDir()) / "test alone";
