@@ -282,8 +282,12 @@ void add_reconstruct(CommandLine& line) {
     verb.add_option("--name", options->reconstruct.name,
                     "What pictures and reports call the patient; nothing else names them");
     add_methods(verb, *options);
-    for (const char* of_segmenting : {"--method", "--window"})
+    for (const char* of_segmenting : {"--method", "--window", "--spacing-mm"})
         verb.get_option("--vessel-mask")->excludes(verb.get_option(of_segmenting));
+    // One value each time: they would take the CT for a further one.
+    for (const char* of_several :
+         {"--tumour-mask", "--liver-label", "--vessel-label", "--window", "--seed-mm"})
+        verb.get_option(of_several)->allow_extra_args(false);
     CLI::Option* batch = add_batch_options(verb, options->batch)->excludes(ct);
     for (const char* of_one : {"--series", "--name", "--vessel-mask", "--tumour-mask", "--seed-mm"})
         batch->excludes(verb.get_option(of_one));

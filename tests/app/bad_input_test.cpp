@@ -261,6 +261,20 @@ TEST_F(BadInput, ADamagedScriptCaseAndRecording) {
     }
 }
 
+// What follows an option's value is not taken for another one.
+TEST_F(BadInput, ACtAfterAnOptionIsTheCt) {
+    for (std::vector<std::string> arguments :
+         {std::vector<std::string>{"--seed-mm", "1,2,3"},
+          {"--window", "100,200"},
+          {"--tumour-mask", path("tumours")},
+          {"--liver-mask", path("liver"), "--liver-label", "5,6"},
+          {"--vessel-mask", path("vessels"), "--vessel-label", "1=portal,2=hepatic"}}) {
+        arguments.push_back(path("the CT"));
+        const Outcome run = refused(arguments);
+        EXPECT_NE(run.errors.find(path("the CT")), std::string::npos) << run.errors;
+    }
+}
+
 TEST_F(BadInput, WhatIsNotThereIsSaidNotToBeThere) {
     for (const std::vector<std::string>& arguments :
          {std::vector<std::string>{"render", path("no such.hep"), "--out", path("a.png")},
