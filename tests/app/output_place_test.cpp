@@ -110,6 +110,7 @@ TEST_F(OutputPlace, AFolderIsNoFileToWrite) {
                                            {"inject", path("p/truth_tree.vtp"), "--csv"}, ".csv"},
                                        {{"inject", path("p/truth_tree.vtp"), "--plot"}, ".csv"},
                                        {{"render", path("p.hep"), "--out"}, ".png"},
+                                       {{"export", path("p.hep"), "--out"}, ".seg.nrrd"},
                                        {{"train", "--volumes", "1", "--out"}, ".json"}}) {
         const std::string taken = path("folder" + ending);
         fs::create_directories(taken);
