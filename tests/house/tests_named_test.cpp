@@ -81,7 +81,8 @@ struct Named {
 // The patterns of filters, and those between backquotes that look like Suite.Test or stand between
 // quotation marks.
 std::vector<Named> named_in(const std::string& document) {
-    static const std::regex filter(R"((?:(\w+)_tests\s+)?--gtest_filter=(?:'([^']*)'|([^\s`']+)))");
+    static const std::regex filter(
+        R"((?:(\w+)_tests\s+)?--gtest_filter=(?:'([^']*)'|([^\s`')]+)))");
     static const std::regex quoted(R"(`'([\w*?/:.]*\*[\w*?/:.]*)'`)");
     static const std::regex bare(R"(`([\w*?/:.]+)`)");
     static const std::regex like_a_test(R"((^|[:*/])\*?[A-Z]\w*\*?\.(\*|[A-Z]))");
@@ -137,21 +138,32 @@ struct TestTree {
     }
 };
 
+// Expects that each test that the file names is there, and returns how many it names.
+int check(const TestTree& tree, const fs::path& file) {
+    const std::vector<Named> all = named_in(text_of(file));
+    for (const Named& named : all)
+        EXPECT_TRUE(tree.has(named))
+            << file << " names " << (named.program.empty() ? "" : named.program + "_tests with ")
+            << named.pattern << ", which matches no test";
+    return static_cast<int>(all.size());
+}
+
 TEST(TestsNamed, InDocumentsAreThere) {
     const TestTree tree;
     int checked = 0;
     for (const fs::path& folder : {source_root, source_root / "docs", source_root / "packaging"})
-        for (const auto& entry : fs::directory_iterator(folder)) {
-            if (entry.path().extension() != ".md") continue;
-            for (const Named& named : named_in(text_of(entry.path()))) {
-                ++checked;
-                EXPECT_TRUE(tree.has(named))
-                    << entry.path().filename() << " names "
-                    << (named.program.empty() ? "" : named.program + "_tests with ")
-                    << named.pattern << ", which matches no test";
-            }
-        }
+        for (const auto& entry : fs::directory_iterator(folder))
+            if (entry.path().extension() == ".md") checked += check(tree, entry.path());
     EXPECT_GT(checked, 100) << "no documents were found at " << source_root;
+}
+
+// What ctest and a script run by a filter of their own.
+TEST(TestsNamed, InListsAndScriptsAreThere) {
+    const TestTree tree;
+    int checked = check(tree, source_root / "scripts" / "gpu_check");
+    for (const auto& entry : fs::recursive_directory_iterator(source_root / "tests"))
+        if (entry.path().filename() == "CMakeLists.txt") checked += check(tree, entry.path());
+    EXPECT_GE(checked, 5);
 }
 
 TEST(TestsNamed, TheCheckItselfObjects) {
