@@ -35,20 +35,33 @@ int report(const Error& error, int code) {
     return code;
 }
 
-// Refuses NaN and infinity in the options of a verb that take numbers: they parse as numbers, but
-// comparisons with NaN are false, so range checks would miss it.
-void refuse_non_numbers(const CLI::App& app) {
-    for (const CLI::App* verb : app.get_subcommands()) refuse_non_numbers(*verb);
-    for (const CLI::Option* option : app.get_options()) {
-        if (option->get_type_name().find("FLOAT") == std::string::npos) continue;
+// NaN and infinity parse as numbers, but comparisons with NaN are false, so range checks would miss
+// it.
+void refuse_non_number(const CLI::Option& option, const std::string& value) {
+    if (option.get_type_name().find("FLOAT") == std::string::npos) return;
+    char* end = nullptr;
+    const double number = std::strtod(value.c_str(), &end);
+    if (*end == '\0' && !std::isfinite(number))
+        throw UsageError("\"" + value + "\" is no number that can be used", option.get_name(),
+                         "Give a finite number");
+}
+
+// An empty value, such as that of a variable of the shell that is not set, reads like an option
+// that was left out: with --out "" a verb would change the case that it was given.
+void refuse_nothing(const CLI::Option& option, const std::string& value) {
+    if (value.empty())
+        throw UsageError("is given an empty value", option.get_name(),
+                         "Give one, or leave the option out");
+}
+
+// Refuses values that no option of a verb can mean.
+void refuse_senseless_values(const CLI::App& app) {
+    for (const CLI::App* verb : app.get_subcommands()) refuse_senseless_values(*verb);
+    for (const CLI::Option* option : app.get_options())
         for (const std::string& value : option->results()) {
-            char* end = nullptr;
-            const double number = std::strtod(value.c_str(), &end);
-            if (*end == '\0' && !std::isfinite(number))
-                throw UsageError("\"" + value + "\" is no number that can be used",
-                                 option->get_name(), "Give a finite number");
+            refuse_nothing(*option, value);
+            refuse_non_number(*option, value);
         }
-    }
 }
 
 int report_usage(const CLI::App& program, int argc, const char* const* argv,
@@ -128,7 +141,7 @@ int CommandLine::run(int argc, const char* const* argv) {
     }
     set_up_log(quiet_);
     try {
-        refuse_non_numbers(program_);
+        refuse_senseless_values(program_);
     } catch (const UsageError& error) {
         return report(error, exit_bad_usage);
     }

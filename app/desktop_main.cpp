@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <clocale>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <functional>
 #include <memory>
@@ -61,6 +62,20 @@ struct Options {
     QString back_end;  // empty: the last choice
 };
 
+// Ends the program where an option is given that nothing would come of: it would be taken for what
+// the window does.
+void refuse_without_effect(const QCommandLineParser& parser) {
+    const auto refuse = [](const QString& option, const char* needed) {
+        std::fprintf(stderr, "hepatica: --%s is of no use without %s\n", qPrintable(option),
+                     needed);
+        std::exit(2);
+    };
+    for (const QCommandLineOption& option : hepatica::report_options())
+        if (parser.isSet(option)) refuse(option.names().first(), "--report RECORDING");
+    if (parser.isSet("json") && !parser.isSet("diagnose") && !parser.isSet("startup-report"))
+        refuse("json", "--diagnose, --startup-report or --report");
+}
+
 Options parse(const QCoreApplication& application) {
     using hepatica::report_options;
     QCommandLineParser parser;
@@ -81,8 +96,11 @@ Options parse(const QCoreApplication& application) {
     parser.addOptions({built_in, safe, report, quit, diagnose, json, back_end});
     parser.addOptions(report_options());
     parser.process(application);
+    refuse_without_effect(parser);
     for (const QString& more : parser.positionalArguments().mid(1))
         std::fprintf(stderr, "hepatica: opens one at a time, not %s as well\n", qPrintable(more));
+    if (parser.isSet(built_in) && !parser.positionalArguments().isEmpty())
+        std::fprintf(stderr, "hepatica: opens one at a time, not the built-in patient as well\n");
     return {parser.positionalArguments().value(0),
             parser.isSet(built_in),
             parser.isSet(safe),

@@ -100,6 +100,19 @@ void require_case_place(const fs::path& place) {
     if (!is_replaceable_case(place)) require_own_or_new(place, "case.json");
 }
 
+void require_replaceable_case(const fs::path& place) {
+    if (!is_replaceable_case(place)) return require_own_or_new(place, "case.json");
+    try {
+        const std::size_t edits = read_case_without_voxels(place).corrections.edits.size();
+        if (edits > 0)
+            spdlog::warn(
+                "{} holds corrections ({}), which a new case in its place will not have; Ctrl-C "
+                "leaves it as it is",
+                place.string(), edits);
+    } catch (const Error&) {  // nothing of it can be used
+    }
+}
+
 void require_png_name(const fs::path& file) {
     if (extension_of(file) == ".png") return;
     throw UsageError("a picture is written as PNG and not as \"" + extension_of(file) + "\"",

@@ -37,6 +37,10 @@ void require_case_name(const std::filesystem::path& place);
 // may be replaced. Throws as require_case_name(), require_writable() and require_own_or_new().
 void require_case_place(const std::filesystem::path& place);
 
+// Throws InputError where a case cannot take the place of what is there, and warns of the
+// corrections that an older case holds: they end with it. To be called before the long work.
+void require_replaceable_case(const std::filesystem::path& place);
+
 // Throws UsageError where `file` does not end in .png, in any case.
 void require_png_name(const std::filesystem::path& file);
 

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -13,13 +12,6 @@
 namespace hepatica {
 
 namespace {
-
-// The only variable that the signal handler touches; the watching thread passes it on to the job.
-volatile std::sig_atomic_t interrupted = 0;
-
-void on_interrupt(int) {
-    interrupted = 1;
-}
 
 std::string counted(std::size_t number, int count, const std::string& stage) {
     std::string text = "[" + std::to_string(number);
@@ -31,9 +23,6 @@ std::string counted(std::size_t number, int count, const std::string& stage) {
 
 ProgressDisplay::ProgressDisplay(Job& job, bool quiet)
     : job_(job), quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {
-    interrupted = 0;
-    std::signal(SIGINT, on_interrupt);
-    std::signal(SIGTERM, on_interrupt);
     thread_ = std::thread([this] { watch(); });
 }
 
@@ -44,15 +33,13 @@ ProgressDisplay::~ProgressDisplay() {
     }
     finish_.notify_one();
     thread_.join();
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
 }
 
 void ProgressDisplay::watch() {
     std::unique_lock lock(mutex_);
     while (!finished_) {
         finish_.wait_for(lock, std::chrono::milliseconds(100));
-        if (interrupted != 0) job_.cancel();
+        if (Interruption::came()) job_.cancel();
         if (!quiet_) show();
     }
     if (!quiet_ && !terminal_) show();  // the work may have ended before this thread began

@@ -13,6 +13,7 @@
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QEventLoop>
+#include <QFileInfo>
 #include <QMouseEvent>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -395,6 +396,29 @@ class WindowBench {
     Pictures pictures_;
 };
 
+struct Wishes {
+    QString path;
+    bool only_pull = false;
+    std::optional<QString> slices, volume;  // a CT
+};
+
+// Nothing where the words are none that the program knows.
+std::optional<Wishes> wishes_in(const QStringList& words) {
+    if (words.size() < 2 || words[1].startsWith("--")) return std::nullopt;
+    Wishes wishes;
+    wishes.path = words[1];
+    const QString option = words.value(2);
+    if (words.size() == 3 && option == "--only-pull")
+        wishes.only_pull = true;
+    else if (words.size() == 4 && option == "--slices")
+        wishes.slices = words[3];
+    else if (words.size() == 4 && option == "--volume")
+        wishes.volume = words[3];
+    else if (words.size() != 2)
+        return std::nullopt;
+    return wishes;
+}
+
 }  // namespace
 }  // namespace hepatica
 
@@ -403,18 +427,16 @@ int main(int argc, char** argv) {
     prepare_opengl();
     QApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C");
-    const bool only_pull = application.arguments().contains("--only-pull");
-    const auto place_after = [&](const char* option) -> std::optional<QString> {
-        const auto at = application.arguments().indexOf(option);
-        if (at < 1) return std::nullopt;
-        return application.arguments().value(at + 1);
-    };
-    const auto slices = place_after("--slices"), volume = place_after("--volume");
-    if (application.arguments().size() < 2 || slices == QString() || volume == QString()) {
+    const std::optional<Wishes> wishes = wishes_in(application.arguments());
+    if (!wishes) {
         std::fprintf(
             stderr,
             "usage: window_bench CASE|built-in [--only-pull | --slices CT | --volume CT]\n");
         return 2;
+    }
+    if (wishes->path != "built-in" && !QFileInfo::exists(wishes->path)) {
+        std::fprintf(stderr, "window_bench: %s does not exist\n", qPrintable(wishes->path));
+        return 1;
     }
     apply_theme(application);
     const QTemporaryDir folder;
@@ -425,29 +447,28 @@ int main(int argc, char** argv) {
     MainWindow window(settings, {load, write_case});
     window.resize(1280, 800);
     window.show();
-    const QString path = application.arguments().at(1);
-    if (path == "built-in")
+    if (wishes->path == "built-in")
         window.open(OpenRequest{true, {}});
     else
-        window.open(path);
+        window.open(wishes->path);
     if (!run_until([&] { return window.has_patient() && !window.busy(); })) return 1;
     run_for(2.0);
-    std::printf("%s, %s, view of %d x %d\n", qPrintable(path),
+    std::printf("%s, %s, view of %d x %d\n", qPrintable(wishes->path),
                 window.view().renderer_name().c_str(), window.view().width(),
                 window.view().height());
     WindowBench bench(window);
-    if (slices) return bench.scroll(to_path(*slices)) ? 0 : 1;
-    if (volume) return bench.volume(to_path(*volume)) ? 0 : 1;
-    if (!only_pull) {
+    if (wishes->slices) return bench.scroll(to_path(*wishes->slices)) ? 0 : 1;
+    if (wishes->volume) return bench.volume(to_path(*wishes->volume)) ? 0 : 1;
+    if (!wishes->only_pull) {
         bench.settle();
         bench.idle("before an injection");
         if (!bench.inject()) return 1;
         bench.idle("after it has run out");
     }
     bench.turn();
-    if (!only_pull && !bench.turn_with_a_probe()) return 1;
+    if (!wishes->only_pull && !bench.turn_with_a_probe()) return 1;
     bench.pull();
-    if (only_pull) return 0;
+    if (wishes->only_pull) return 0;
     if (!bench.cut()) return 1;
     run_for(idle_s);  // while the stump swings back
     bench.idle("while a cut vessel bleeds");

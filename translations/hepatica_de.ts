@@ -8304,6 +8304,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Nicht gezeichnet: Verlassen Sie erst die Lektion</translation>
     </message>
     <message>
+        <source>holds another play, and would be replaced</source>
+        <translation>enthält ein anderes Spiel und würde ersetzt</translation>
+    </message>
+    <message>
         <source>Drawing pictures and curves</source>
         <translation>Bilder und Kurven zeichnen</translation>
     </message>

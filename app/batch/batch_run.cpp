@@ -102,9 +102,22 @@ void require_masks(const std::vector<BatchInput>& inputs, const fs::path& liver_
                          "Call each mask like its scan: NAME.nii.gz belongs to the scan NAME");
 }
 
+// Among the scans OUT would be taken for one of them by the next call, and the shares of all jobs
+// would be others.
+void require_apart(const fs::path& out, const fs::path& scans) {
+    const auto whole = [](const fs::path& path) {
+        return fs::weakly_canonical(fs::absolute(path));
+    };
+    const fs::path below = whole(out).lexically_relative(whole(scans));
+    if (!below.empty() && *below.begin() != "..")
+        throw UsageError("lies among the scans of " + scans.string(), "--out " + out.string(),
+                         "Name a folder outside of them");
+}
+
 }  // namespace
 
 Json run_batch(const BatchOptions& options, Job& job) {
+    require_apart(options.out, options.folder);
     std::vector<BatchInput> all = batch_inputs(options.folder, options.liver_masks);
     require_masks(all, options.liver_masks);
     if (!options.keep_names) use_pseudonyms(all);

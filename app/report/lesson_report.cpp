@@ -395,10 +395,24 @@ void write_plots(Parts& parts, const fs::path& folder) {
     write_text_atomically(folder / "plots.csv", table);
 }
 
+// The copy of the recording must not take the place of another one: plays may be kept in the
+// folder.
+void require_no_other_recording(const ReportRequest& request) {
+    const fs::path copy = request.out / "recording.hrec";
+    std::error_code ignored;
+    const bool of_a_report = fs::exists(request.out / "report.html", ignored);
+    if (of_a_report || !fs::exists(copy, ignored) ||
+        fs::equivalent(copy, request.recording, ignored))
+        return;
+    throw InputError(Words::id("holds another play, and would be replaced"), copy.string(),
+                     Words::id("Choose another name, or take the file away"));
+}
+
 }  // namespace
 
 WrittenReport write_report(const ReportRequest& request, Job& job) {
     require_writable_folder(request.out);
+    require_no_other_recording(request);
     const Recording recording = read_recording(request.recording);
     const std::optional<Lesson> played = lesson_of_play(request, recording);
     const Lesson lesson = played.value_or(free_play(recording));

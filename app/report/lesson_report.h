@@ -31,7 +31,8 @@ struct WrittenReport {
 };
 
 // Writes report.html, report.pdf, metrics.csv, plots.csv, pictures and recording.hrec, all of them
-// or none. Needs a QApplication, but no display. Throws InputError, Cancelled.
+// or none. Needs a QApplication, but no display. Throws InputError, also where a recording.hrec is
+// there that is of no report; Cancelled.
 WrittenReport write_report(const ReportRequest& request, Job& job);
 
 }  // namespace hepatica

@@ -20,6 +20,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/atomic_write.h"
 #include "ui/paths.h"
 
 namespace hepatica {
@@ -163,10 +164,16 @@ void set_up(QPdfWriter& writer) {
 void print_pdf(const std::string& html, const fs::path& folder, const fs::path& file) {
     QTextDocument document;
     read_page(html, folder, document);
-    QPdfWriter writer(to_text(file));
-    set_up(writer);
-    keep_together(document, writer);
-    document.print(&writer);
+    // In memory, because the writer does not say whether the disk took what it wrote.
+    QBuffer made;
+    made.open(QIODevice::WriteOnly);
+    {
+        QPdfWriter writer(&made);
+        set_up(writer);
+        keep_together(document, writer);
+        document.print(&writer);
+    }
+    write_text_atomically(file, made.data().toStdString());
 }
 
 std::vector<PicturePages> pages_of_pictures(const std::string& html, const fs::path& folder) {

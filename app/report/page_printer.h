@@ -9,7 +9,8 @@
 
 namespace hepatica {
 
-// Writes a page's HTML, whose pictures are in the folder, as PDF. Needs a QGuiApplication.
+// Writes a page's HTML, whose pictures are in the folder, as PDF, atomically. Needs a
+// QGuiApplication. Throws InputError where it cannot be written.
 void print_pdf(const std::string& html, const std::filesystem::path& folder,
                const std::filesystem::path& file);
 

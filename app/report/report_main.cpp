@@ -16,6 +16,7 @@
 #include <string>
 #include <utility>
 
+#include "app/interruption.h"
 #include "app/report/lesson_report.h"
 #include "app/users_cache.h"
 #include "core/base/error.h"
@@ -122,6 +123,9 @@ int report_main(int argc, char** argv) {
     parser.addOption({"json", "Print one JSON object."});
     parser.addOptions(report_options());
     parser.process(application);
+    if (const QStringList more = parser.positionalArguments(); !more.isEmpty())
+        return refuse("beside --report nothing is opened: leave " + more[0].toStdString() + " out",
+                      2);
     if (!parser.isSet("out")) return refuse("--report needs --out DIR", 2);
     const FlowUnits units = flow_units_named(parser.value("units"));
     if (name_of(units) != parser.value("units")) return refuse("--units is computed or clinic", 2);
@@ -131,7 +135,11 @@ int report_main(int argc, char** argv) {
     use_language(language);
     return exit_code_of([&] {
         Job job;
-        if (parser.isSet("progress")) job.observe([&job](JobEvent) { print_progress(job); });
+        const Interruption interruption;
+        job.observe([&job, tells = parser.isSet("progress")](JobEvent) {
+            if (Interruption::came()) job.cancel();
+            if (tells) print_progress(job);
+        });
         print(write_report({.recording = to_path(parser.value("report")),
                             .out = to_path(parser.value("out")),
                             .lesson = parser.value("lesson").toStdString(),

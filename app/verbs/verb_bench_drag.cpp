@@ -171,6 +171,12 @@ void measure(const BenchDragChoices& options, const std::string& name,
 }
 
 Json run_bench_drag(const BenchDragChoices& options, Job& job) {
+    const std::vector<std::string> motions =
+        options.motions.empty() ? all_motions() : options.motions;
+    if (!options.script.empty() &&
+        std::ranges::find(motions, std::string("script")) == motions.end())
+        throw UsageError("is played by the motion \"script\" alone", "--script",
+                         "Give --motion script, too, or leave it out");
     if (!options.steps_csv.empty()) require_writable_file(options.steps_csv, ".csv");
     if (!options.references.empty()) {
         require_writable_folder(options.references);
@@ -178,8 +184,6 @@ Json run_bench_drag(const BenchDragChoices& options, Job& job) {
     }
     std::optional<ThreadLimit> limit;
     if (options.threads > 0) limit.emplace(options.threads);
-    const std::vector<std::string> motions =
-        options.motions.empty() ? all_motions() : options.motions;
     job.expect_stages(1 + static_cast<int>(motions.size()) * (options.no_error ? 1 : 2));
     job.begin_stage("Reading the case");
     const auto patient =
@@ -231,10 +235,12 @@ void add_bench_drag(CommandLine& line) {
                   "Put what it holds at once to where the hand is heard")
         ->needs(heard);
     verb.add_flag("--whole", options->whole, "Compute the whole body in every frame");
-    verb.add_flag("--no-error", options->no_error, "Leave out the reference, which takes minutes");
+    CLI::Option* no_error = verb.add_flag("--no-error", options->no_error,
+                                          "Leave out the reference, which takes minutes");
     verb.add_option("--references", options->references,
                     "Folder that keeps references for the next time; remove it when elements or "
-                    "potentials change");
+                    "potentials change")
+        ->excludes(no_error);
     verb.add_option("--steps-csv", options->steps_csv, "File to write, one line a frame");
     verb.add_option("--threads", options->threads, "At most so many threads")
         ->check(CLI::Range(1, 1024));

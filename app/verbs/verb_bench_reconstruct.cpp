@@ -53,7 +53,9 @@ int status_of(pid_t child, const Job& job) {
 
 // Ctrl-C at a terminal reaches the child as well, which may end before this job is cancelled.
 bool was_interrupted(int status) {
-    if (WIFSIGNALED(status)) return WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM;
+    if (WIFSIGNALED(status))
+        return WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM ||
+               WTERMSIG(status) == SIGHUP;
     return WIFEXITED(status) && WEXITSTATUS(status) == exit_interrupted;
 }
 
@@ -103,6 +105,7 @@ Json to_json(const WatchedStage& stage) {
 
 Json run_bench_reconstruct(BenchReconstructChoices options, Job& job) {
     require_writable_folder(options.out);
+    require_replaceable_case(options.out / "patient.hep");
     const bool synthetic = options.ct.empty();
     if (synthetic) {
         fs::create_directories(options.out);
@@ -156,8 +159,8 @@ void add_bench_reconstruct(CommandLine& line) {
                       [options](Job& job) { return run_bench_reconstruct(*options, job); });
     CLI::Option* ct =
         verb.add_option("ct", options->ct, "CT to reconstruct; without it a synthetic patient");
-    verb.add_option("--liver-mask", options->liver_mask, "As of reconstruct");
-    verb.add_option("--vessel-mask", options->vessel_mask, "As of reconstruct");
+    verb.add_option("--liver-mask", options->liver_mask, "As of reconstruct")->needs(ct);
+    verb.add_option("--vessel-mask", options->vessel_mask, "As of reconstruct")->needs(ct);
     verb.add_option("--dims", options->dims, "Voxels of the synthetic patient, x,y,z")
         ->capture_default_str();
     verb.add_option("--spacing", options->spacing, "Size of its voxels, x,y,z [mm]")

@@ -43,8 +43,12 @@ bool is_for_slicer(const ExportChoices& options) {
 
 Json run_export(const ExportChoices& options, Job& job) {
     const bool for_slicer = is_for_slicer(options);
-    require_writable(options.out);
-    if (!for_slicer) require_segmentation_place(options.out);
+    if (for_slicer) {
+        require_writable_file(options.out, ".nrrd");
+    } else {
+        require_writable(options.out);
+        require_segmentation_place(options.out);
+    }
     job.expect_stages(for_slicer ? 2 : 3);
     job.begin_stage("Reading the case");
     const PatientCase patient = read_case(options.patient);

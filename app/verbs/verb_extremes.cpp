@@ -52,7 +52,7 @@ std::shared_ptr<const BodyDescription> body_of_case(const std::string& place) {
 
 std::vector<ExtremeCase> cases_of(const ExtremesChoices& choices) {
     if (!choices.patients.empty() && choices.suite != "touch")
-        throw InputError("is for the suite of touch alone", "--case", "Give --suite touch, too");
+        throw UsageError("is for the suite of touch alone", "--case", "Give --suite touch, too");
     if (choices.suite == "stability") {
         for (const CLI::Option* option : choices.of_campaigns)
             if (option->count() > 0)

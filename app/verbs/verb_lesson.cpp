@@ -31,6 +31,7 @@ struct LessonChoices {
 };
 
 Json run_lesson(const LessonChoices& options, Job& job) {
+    require_different({options.recording, options.csv});
     if (!options.csv.empty()) require_writable_file(options.csv, ".csv");
     const Lesson lesson = *with_course_pass(find_lesson(options.lesson), options.recording);
     const Recording recording = read_recording(options.recording);

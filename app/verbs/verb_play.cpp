@@ -53,6 +53,12 @@ OpenRequest request_of(const PlayChoices& options) {
     return request;
 }
 
+// The case that a play leaves in its folder; empty where a case is played.
+fs::path case_of(const PlayChoices& options) {
+    if (options.patient.empty()) return options.out / "built_in_patient.hep";
+    return is_case(options.patient) ? fs::path() : options.out / "patient.hep";
+}
+
 // Stages: opening, the truth where known, building, playing, injecting.
 int stage_count_of(const OpenRequest& request) {
     constexpr int truth = 3, building_playing_injecting = 3;
@@ -63,8 +69,8 @@ int stage_count_of(const OpenRequest& request) {
 // Files and folders are not named, because their names may contain the patient's and reports are
 // passed on.
 std::string title_of(const PlayChoices& options, const PatientCase& patient) {
-    if (options.patient.empty()) return "the built-in patient";
     if (!options.name.empty()) return options.name;
+    if (options.patient.empty()) return "the built-in patient";
     return patient.source.name.empty() ? "a patient" : patient.source.name;
 }
 
@@ -110,13 +116,14 @@ void write_report(const fs::path& file, const std::string& title, const OpenedPa
 Json run_play(const PlayChoices& options, Job& job) {
     const fs::path report = options.out / "report.html";
     require_writable_folder(options.out);
+    const fs::path made = case_of(options);
+    if (!made.empty()) require_replaceable_case(made);
     const BackEndChoice back_end = choose_back_end(options.backend);
     const OpenRequest request = request_of(options);
     job.expect_stages(stage_count_of(request));
     const OpenedPatient opened = open_patient(request, job);
     for (const std::string& warning : opened.warnings) spdlog::warn("{}", warning);
-    if (request.built_in) write_case(options.out / "built_in_patient.hep", *opened.patient);
-    if (opened.worth_saving) write_case(options.out / "patient.hep", *opened.patient);
+    if (request.built_in || opened.worth_saving) write_case(made, *opened.patient);
     const Json accuracy = request.built_in ? accuracy_of_built_in(*opened.patient, job) : Json();
     HeadlessPlay played;
     write_files_atomically(options.out, [&](const fs::path& folder) {

@@ -143,27 +143,13 @@ Json run_many(const ReconstructChoices& options, Job& job) {
     return run_batch(batch, job);
 }
 
-// Corrections of an older case end with it, which is said before the long work.
-void warn_of_corrections(const fs::path& older) {
-    if (!is_replaceable_case(older)) return;
-    try {
-        if (const std::size_t edits = read_case_without_voxels(older).corrections.edits.size();
-            edits > 0)
-            spdlog::warn(
-                "{} holds corrections ({}), which the new case will not have; Ctrl-C leaves it as "
-                "it is",
-                older.string(), edits);
-    } catch (const Error&) {  // nothing of it can be used
-    }
-}
-
 Json run_reconstruct(ReconstructChoices options, Job& job) {
     parse(options);
     if (!options.batch.folder.empty()) return run_many(options, job);
     if (options.reconstruct.ct.empty())
         throw UsageError("no CT is given", "ct", "Name one, or a folder of CTs with --batch");
     require_case_place(options.out);
-    warn_of_corrections(options.out);
+    require_replaceable_case(options.out);
     job.expect_stages(stage_count(options.reconstruct) + 1);
     const Reconstruction made = reconstruct(options.reconstruct, job);
     job.begin_stage("Writing the case");
@@ -296,8 +282,12 @@ void add_reconstruct(CommandLine& line) {
     verb.add_option("--name", options->reconstruct.name,
                     "What pictures and reports call the patient; nothing else names them");
     add_methods(verb, *options);
-    for (const char* of_segmenting : {"--method", "--window"})
+    for (const char* of_segmenting : {"--method", "--window", "--spacing-mm"})
         verb.get_option("--vessel-mask")->excludes(verb.get_option(of_segmenting));
+    // One value each time: they would take the CT for a further one.
+    for (const char* of_several :
+         {"--tumour-mask", "--liver-label", "--vessel-label", "--window", "--seed-mm"})
+        verb.get_option(of_several)->allow_extra_args(false);
     CLI::Option* batch = add_batch_options(verb, options->batch)->excludes(ct);
     for (const char* of_one : {"--series", "--name", "--vessel-mask", "--tumour-mask", "--seed-mm"})
         batch->excludes(verb.get_option(of_one));

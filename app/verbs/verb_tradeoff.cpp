@@ -92,7 +92,7 @@ double cost_ratio(const Points& points, const TradeoffPoint& point) {
 
 Json run_contact_tradeoff(const TradeoffChoices& options, Job& job) {
     if (!options.patient.empty() || options.measure.quick)
-        throw InputError("measures two blocks", "--contact", "Leave CASE and --quick out");
+        throw UsageError("measures two blocks", "--contact", "Leave CASE and --quick out");
     job.expect_stages(2);
     const ContactTradeoff tradeoff = measure_contact_tradeoff({}, job);
     write_tradeoff(as_tradeoff(tradeoff), options.out);
@@ -112,7 +112,7 @@ Json run_contact_tradeoff(const TradeoffChoices& options, Job& job) {
 
 Json run_tear_tradeoff(const TradeoffChoices& options, Job& job) {
     if (!options.patient.empty() || options.measure.quick)
-        throw InputError("measures a bar", "--tear", "Leave CASE and --quick out");
+        throw UsageError("measures a bar", "--tear", "Leave CASE and --quick out");
     job.expect_stages(2);
     const TearTradeoff tradeoff = measure_tear_tradeoff({}, job);
     write_tradeoff(as_tradeoff(tradeoff), options.out, "error of the force over the pull");
@@ -141,7 +141,7 @@ Json run_tear_tradeoff(const TradeoffChoices& options, Job& job) {
 Json run_tradeoff(const TradeoffChoices& options, Job& job) {
     require_writable_folder(options.out);
     if (options.backend != "cpu" && options.patient.empty())
-        throw InputError("measures on a patient's body alone", "--backend",
+        throw UsageError("measures on a patient's body alone", "--backend",
                          "Give a CASE, or leave --backend out");
     if (options.contact) return run_contact_tradeoff(options, job);
     if (options.tear) return run_tear_tradeoff(options, job);

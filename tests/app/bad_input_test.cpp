@@ -3,6 +3,7 @@
 // that names the culprit, and no files left.
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -234,6 +235,17 @@ TEST_F(Reconstruction, InterruptedInAnyStageKeepsTheOlderCaseWhole) {
     EXPECT_GT(interrupted, 0);
 }
 
+// As by nohup, or of a job in a script's background: somebody else's Ctrl-C is not its own.
+TEST_F(Reconstruction, GoesOnThroughASignalThatItWasStartedToIgnore) {
+    for (const int number : {SIGINT, SIGHUP}) {
+        const Outcome run =
+            run_cli(arguments(), {.interrupt_at = "[1/", .signal = number, .ignored = true});
+        EXPECT_EQ(run.exit_code, 0) << number << ": " << run.errors;
+        EXPECT_TRUE(fs::exists(folder_ / "p.hep" / "case.json")) << number;
+        fs::remove_all(folder_ / "p.hep");
+    }
+}
+
 TEST_F(BadInput, ADamagedScriptCaseAndRecording) {
     std::ofstream(folder_ / "text") << "not JSON";
     for (const std::vector<std::string>& arguments :
@@ -246,6 +258,20 @@ TEST_F(BadInput, ADamagedScriptCaseAndRecording) {
         const Outcome run = run_cli(arguments);
         EXPECT_EQ(run.exit_code, 1) << arguments[0] << run.errors;
         EXPECT_EQ(run.output, "");
+    }
+}
+
+// What follows an option's value is not taken for another one.
+TEST_F(BadInput, ACtAfterAnOptionIsTheCt) {
+    for (std::vector<std::string> arguments :
+         {std::vector<std::string>{"--seed-mm", "1,2,3"},
+          {"--window", "100,200"},
+          {"--tumour-mask", path("tumours")},
+          {"--liver-mask", path("liver"), "--liver-label", "5,6"},
+          {"--vessel-mask", path("vessels"), "--vessel-label", "1=portal,2=hepatic"}}) {
+        arguments.push_back(path("the CT"));
+        const Outcome run = refused(arguments);
+        EXPECT_NE(run.errors.find(path("the CT")), std::string::npos) << run.errors;
     }
 }
 
@@ -283,6 +309,15 @@ TEST_F(BadInput, APhantomCancelledInAnyStageLeavesNothing) {
         EXPECT_TRUE(files().empty()) << stage;
     }
     EXPECT_GE(interrupted, 2);
+}
+
+// Killed at once it would leave its temporary folder.
+TEST_F(BadInput, APhantomWhoseTerminalIsClosedLeavesNothing) {
+    const Outcome run =
+        run_cli({"phantom", path("p"), "--dims", "256,256,160", "--spacing", "0.8,0.8,1.0"},
+                {.interrupt_at = "info: [2", .signal = SIGHUP});
+    EXPECT_EQ(run.exit_code, 130) << run.errors;
+    EXPECT_TRUE(files().empty());
 }
 
 TEST_F(BadInput, WhatIsNoNumber) {

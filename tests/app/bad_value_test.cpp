@@ -75,19 +75,51 @@ TEST(BadUsage, OfOptionsThatOthersLeaveWithoutEffect) {
            "--window"},
           {{"reconstruct", "ct", "--out", "x.hep", "--vessel-mask", "m", "--method", "vesselness"},
            "--method"},
+          {{"reconstruct", "ct", "--out", "x.hep", "--vessel-mask", "m", "--spacing-mm", "1"},
+           "--spacing-mm"},
+          {{"bench", "drag", "x.hep", "--motion", "pull", "--script", "s"}, "--script"},
+          {{"bench", "drag", "x.hep", "--no-error", "--references", "r"}, "--references"},
           {{"simulate", "x.hep", "--script", "s", "--quality", "1", "--automatic"}, "--automatic"},
           {{"tradeoff", "--out", "t", "--tear", "--budget", "5"}, "--budget"},
           {{"tradeoff", "--out", "t", "--contact", "--budget", "5"}, "--budget"},
           {{"tradeoff", "x.hep", "--out", "t", "--quick"}, "--quick"},
+          {{"tradeoff", "x.hep", "--out", "t", "--contact"}, "--contact"},
+          {{"tradeoff", "x.hep", "--out", "t", "--tear"}, "--tear"},
+          {{"tradeoff", "--out", "t", "--backend", "cuda-emulated"}, "--backend"},
+          {{"extremes", "--case", "x.hep"}, "--case"},
           {{"compare", "x.hep", "--truth-mask", "portal=m", "--tree-space", "ras"}, "--truth-tree"},
           {{"extremes", "--trials", "3"}, "--trials"},
           {{"bench", "tear", "--breaking", "2000", "--plot-force", "f.csv"}, "--plot-force"},
           {{"bench", "iterations", "--tetrahedra", "2000"}, "--case"},
-          {{"bench", "reconstruct", "ct", "--dims", "32,32,32"}, "--dims"}}) {
+          {{"bench", "reconstruct", "ct", "--dims", "32,32,32"}, "--dims"},
+          {{"bench", "reconstruct", "--liver-mask", "m"}, "--liver-mask"},
+          {{"bench", "reconstruct", "--vessel-mask", "m"}, "--vessel-mask"}}) {
         const Outcome run = run_cli(words);
         EXPECT_EQ(run.exit_code, 2) << words[0] << " " << named << ": " << run.errors;
         EXPECT_EQ(run.output, "");
         EXPECT_NE(run.errors.find(named), std::string::npos) << run.errors;
+    }
+}
+
+// As of a variable of the shell that is not set. Left out, --out would mean the case itself.
+TEST(BadUsage, OfAnEmptyValue) {
+    struct Call {
+        std::vector<std::string> words;
+        std::string named;
+    };
+    for (const auto& [words, named] :
+         {Call{{"edit", "x.hep", "--undo", "1", "--out", ""}, "--out"},
+          {{"remake", "x.hep", "--line-share", "0.8", "--out", ""}, "--out"},
+          {{"reconstruct", "ct", "--out", ""}, "--out"},
+          {{"reconstruct", "ct", "--out", "x.hep", "--liver-mask", ""}, "--liver-mask"},
+          {{"reconstruct", "ct", "--out", "x.hep", "--tumour-mask", ""}, "--tumour-mask"},
+          {{"inject", ""}, "CASE"},
+          {{"bench", "drag", "x.hep", "--script", ""}, "--script"}}) {
+        const Outcome run = run_cli(words);
+        EXPECT_EQ(run.exit_code, 2) << words[0] << " " << named << ": " << run.errors;
+        EXPECT_EQ(run.output, "");
+        EXPECT_NE(run.errors.find(named + ": is given an empty value"), std::string::npos)
+            << run.errors;
     }
 }
 
@@ -102,6 +134,22 @@ TEST(BadUsage, OfADrugThatNobodyWouldSee) {
         const Outcome run = run_cli(call);
         EXPECT_EQ(run.exit_code, 2) << words[0] << ": " << run.errors;
         EXPECT_NE(run.errors.find(named), std::string::npos) << run.errors;
+    }
+}
+#endif
+
+#ifdef HEPATICA_WINDOW_PROGRAM
+// The window would open in another language than was asked for.
+TEST(BadUsage, OfWhatTheWindowHasNoUseFor) {
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"--language", "de"},
+          {"--out", "report"},
+          {"--progress"},
+          {"--json"},
+          {"case.hep", "--report", "play.hrec", "--out", "report"}}) {
+        const Outcome run = run_cli(words, {.program = HEPATICA_WINDOW_PROGRAM});
+        EXPECT_EQ(run.exit_code, 2) << words[0] << ": " << run.errors;
+        EXPECT_NE(run.errors.find(words[0]), std::string::npos) << run.errors;
     }
 }
 #endif

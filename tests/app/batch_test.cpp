@@ -248,5 +248,18 @@ TEST_F(Batch, RefusesWhatMakesNoSense) {
     EXPECT_FALSE(fs::exists(root() / "out"));
 }
 
+// The next call would take it for a scan.
+TEST_F(Batch, DoesNotWriteAmongTheScans) {
+    for (const std::string out : {"scans", "scans/out", "livers/../scans/a/out"}) {
+        const Outcome run = run_cli(with_small_cases(
+            {"reconstruct", "--batch", path("scans/"), "--out", path(out), "--keep-names"}));
+        EXPECT_EQ(run.exit_code, 2) << out << ": " << run.errors;
+        EXPECT_NE(run.errors.find("lies among the scans"), std::string::npos) << run.errors;
+        EXPECT_EQ(run.errors.find("[1/"), std::string::npos) << run.errors;
+    }
+    for (const char* made : {"scans/out", "scans/a", "scans/batch.json"})
+        EXPECT_FALSE(fs::exists(root() / made)) << made;
+}
+
 }  // namespace
 }  // namespace hepatica

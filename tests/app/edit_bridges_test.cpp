@@ -86,6 +86,28 @@ TEST_F(EditBridges, ThatAReconstructionWouldLoseAreSaidBeforeIt) {
     EXPECT_EQ(read_case(case_).corrections.edits.size(), 1u);
 }
 
+// Nor by verbs that choose their case's name themselves.
+TEST_F(EditBridges, ThatAPlayOrABenchmarkWouldLoseAreSaidBeforeIt) {
+    EXPECT_EQ(states({"--accept", "2"}), (States{"needless", "accepted"}));
+    const fs::path folder = case_.parent_path() / "played before", older = folder / "patient.hep";
+    fs::create_directories(folder);
+    fs::copy(case_, older, fs::copy_options::recursive);
+    const std::string none = (case_ / "none.nii.gz").string();
+    std::vector<std::vector<std::string>> calls{{"bench", "reconstruct", none}};
+#ifdef HEPATICA_WINDOW_PROGRAM
+    calls.push_back({"play", none});
+#endif
+    for (std::vector<std::string> call : calls) {
+        call.insert(call.end(), {"--out", folder.string()});
+        const test::Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 1) << call[0];
+        EXPECT_NE(run.errors.find(older.string() + " holds corrections (1)"), std::string::npos)
+            << call[0] << ": " << run.errors;
+        EXPECT_EQ(read_case(older).corrections.edits.size(), 1u);
+    }
+    fs::remove_all(folder);
+}
+
 TEST_F(EditBridges, AreRefusedBelowAConfidence) {
     EXPECT_EQ(states({"--refuse-bridges", "0.2"}), (States{"open", "refused"}));
     EXPECT_EQ(answer({"edit", case_.string(), "--list"}).at("open_bridges").size(), 1u);

@@ -2,6 +2,7 @@
 // From a play to its score and its report, by the programs themselves.
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <regex>
@@ -140,6 +141,30 @@ TEST_F(LessonVerb, MakesAReportWithoutADisplay) {
     EXPECT_EQ(page.find(path("")), std::string::npos) << "a path may name the patient";
     for (const char* file : {"metrics.csv", "plots.csv", "picture_1.png", "plot_2.png"})
         EXPECT_TRUE(fs::exists(path(std::string("report/") + file))) << file;
+}
+
+TEST_F(LessonVerb, AReportDoesNotTakeThePlaceOfAnotherRecording) {
+    play(3.0);
+    fs::create_directories(path("plays"));
+    std::ofstream(path("plays/recording.hrec")) << "another play";
+    const Outcome run = report(
+        {"--report", path("play.hrec"), "--out", path("plays"), "--lesson", path("lesson.json")});
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_NE(run.errors.find("plays/recording.hrec"), std::string::npos) << run.errors;
+    EXPECT_EQ(contents_of(path("plays/recording.hrec")), "another play");
+    EXPECT_FALSE(fs::exists(path("plays/report.html")));
+}
+
+TEST_F(LessonVerb, AnInterruptedReportLeavesNothing) {
+    play(3.0);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        const Outcome cut = run_cli(
+            {"--report", path("play.hrec"), "--out", path("cut"), "--lesson", path("lesson.json"),
+             "--progress"},
+            {.interrupt_at = "\"stage\":", .signal = number, .program = HEPATICA_WINDOW_PROGRAM});
+        EXPECT_EQ(cut.exit_code, 130) << number << ": " << cut.errors;
+        EXPECT_FALSE(fs::exists(path("cut"))) << number;
+    }
 }
 
 // What a course asks for beside the lesson lies with the attempt, and the report judges by it.

@@ -110,6 +110,7 @@ TEST_F(OutputPlace, AFolderIsNoFileToWrite) {
                                            {"inject", path("p/truth_tree.vtp"), "--csv"}, ".csv"},
                                        {{"inject", path("p/truth_tree.vtp"), "--plot"}, ".csv"},
                                        {{"render", path("p.hep"), "--out"}, ".png"},
+                                       {{"export", path("p.hep"), "--out"}, ".seg.nrrd"},
                                        {{"train", "--volumes", "1", "--out"}, ".json"}}) {
         const std::string taken = path("folder" + ending);
         fs::create_directories(taken);
@@ -149,7 +150,11 @@ TEST_F(OutputPlace, TwoOutputsAreNotOneFile) {
     for (const std::vector<std::string>& call :
          {std::vector<std::string>{"inject", tree, "--csv", twice, "--lengths-csv", twice},
           {"inject", tree, "--csv", twice, "--plot", path("p/../twice.csv")},
-          {"embolize", tree, "--csv", twice, "--plot", twice}}) {
+          {"embolize", tree, "--csv", twice, "--plot", twice},
+          {"simulate", path("p.hep"), "--script", path("s"), "--record", path("x"), "--steps-csv",
+           path("x")},
+          {"simulate", path("p.hep"), "--script", path("s"), "--record", path("s")},
+          {"lesson", "gentle_pull", "--recording", path("play"), "--csv", path("play")}}) {
         const Outcome run = run_cli(call);
         EXPECT_EQ(run.exit_code, 2) << call[0] << ": " << run.errors;
         EXPECT_NE(run.errors.find("is named twice"), std::string::npos) << run.errors;

@@ -24,6 +24,8 @@ std::string text_of(const fs::path& file) {
 [[noreturn]] void become_program(const std::vector<std::string>& arguments, const fs::path& output,
                                  const fs::path& errors, const RunLimits& limits) {
     if (!limits.interrupt_at.empty()) setpgid(0, 0);
+    // Not as the test program was started: in the background of a script it would not hear Ctrl-C.
+    std::signal(limits.signal, limits.ignored ? SIG_IGN : SIG_DFL);
     if (std::freopen(output.c_str(), "w", stdout) == nullptr ||
         std::freopen(errors.c_str(), "w", stderr) == nullptr)
         _exit(127);
@@ -52,10 +54,10 @@ Outcome run_cli(const std::vector<std::string>& arguments, const RunLimits& limi
     if (child == 0) become_program(arguments, output, errors, limits);
     int status = 0;
     if (!limits.interrupt_at.empty()) {
-        while (text_of(errors).find(limits.interrupt_at) == std::string::npos &&
+        while ((text_of(errors) + text_of(output)).find(limits.interrupt_at) == std::string::npos &&
                waitpid(child, &status, WNOHANG) == 0)
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        kill(-child, SIGINT);  // to all of its group, as a terminal does
+        kill(-child, limits.signal);  // to all of its group, as a terminal does
     }
     waitpid(child, &status, 0);
     Outcome run;

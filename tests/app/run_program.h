@@ -2,6 +2,7 @@
 // Runs the real hepatica-cli and catches what it prints.
 #pragma once
 
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,7 +17,9 @@ struct Outcome {
 
 struct RunLimits {
     long file_bytes = -1;        // writes beyond it fail, as on a full disk
-    std::string interrupt_at{};  // Ctrl-C as soon as this stands in the log
+    std::string interrupt_at{};  // interrupted as soon as this is printed
+    int signal = SIGINT;         // by this signal: Ctrl-C, unless another one is named
+    bool ignored = false;        // which was ignored when the program began
     std::string program{};       // another one than hepatica-cli
 };
 

@@ -44,16 +44,15 @@ class Stages : public test::Tour {
 };
 
 TEST_F(Stages, OfAReconstructionComeAsAnnounced) {
-    const std::vector<std::string> small{"--tetrahedra", "3000",  "--spacing-mm",
-                                         "1.5",          "--out", path("r.hep")};
+    const std::vector<std::string> small{"--tetrahedra", "3000", "--out", path("r.hep")};
     for (std::vector<std::string> call :
          {std::vector<std::string>{"reconstruct", path("p/ct"), "--vessel-mask",
                                    path("p/truth_mask.nii.gz")},
-          {"reconstruct", path("p/ct"), "--liver-mask", path("p/liver.nii.gz"), "--seed-mm",
-           seed_in_vessel()},
-          {"reconstruct", path("p/ct"), "--liver-mask", path("p/liver.nii.gz"), "--model",
-           "shipped"},
-          {"reconstruct", path("p/ct")}}) {
+          {"reconstruct", path("p/ct"), "--liver-mask", path("p/liver.nii.gz"), "--spacing-mm",
+           "1.5", "--seed-mm", seed_in_vessel()},
+          {"reconstruct", path("p/ct"), "--liver-mask", path("p/liver.nii.gz"), "--spacing-mm",
+           "1.5", "--model", "shipped"},
+          {"reconstruct", path("p/ct"), "--spacing-mm", "1.5"}}) {
         call.insert(call.end(), small.begin(), small.end());
         expect_all_stages(call);
     }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 namespace hepatica {
@@ -49,6 +50,53 @@ TEST(TwoCommands, RefuseWhatTheyDoNotKnowBeforeTheyInstallAndBuild) {
         const Answer answer = run(program + wrong);
         EXPECT_NE(answer.status, 0) << wrong;
         EXPECT_TRUE(answer.output.starts_with("run: ")) << wrong << ": " << answer.output;
+    }
+}
+
+// With programs that install and build nothing in place of those of the tree.
+class TestWithoutTests : public testing::Test {
+  protected:
+    void SetUp() override {
+        fs::create_directories(folder_ / "scripts");
+        fs::copy_file(fs::path(HEPATICA_SOURCE_DIR) / "test", folder_ / "test");
+        for (const char* name : {"install_packages", "build"}) {
+            std::ofstream(folder_ / "scripts" / name) << "#!/bin/sh\n";
+            fs::permissions(folder_ / "scripts" / name, fs::perms::owner_all);
+        }
+        for (const char* preset : {"asan", "tsan", "release"}) {
+            fs::create_directories(folder_ / "build" / preset);
+            std::ofstream(folder_ / "build" / preset / "CTestTestfile.cmake")
+                << "add_test(room.Suite.Test true)\n";
+        }
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    Answer answer(const std::string& words) const {
+        return run("env -u DASHBOARD_TEST_FROM_CTEST '" + (folder_ / "test").string() + "' " +
+                   words);
+    }
+
+    const fs::path folder_ = fs::path(testing::TempDir()) / "test alone";
+};
+
+TEST_F(TestWithoutTests, FailsWhereNoTestIsCalledSo) {
+    EXPECT_EQ(answer("room").status, 0) << answer("room").output;
+    EXPECT_EQ(answer("--quick").status, 0) << answer("--quick").output;
+    EXPECT_EQ(answer("--quick room").status, 0) << answer("--quick room").output;
+    for (const char* wrong : {"rooom", "--quick rooom"})
+        EXPECT_NE(answer(wrong).status, 0) << wrong << ": " << answer(wrong).output;
+}
+
+// The rooms that run under the sanitizers are not here.
+TEST_F(TestWithoutTests, FailsWhereTheSanitizersHaveNothingToLookAt) {
+    EXPECT_NE(answer("").status, 0) << answer("").output;
+}
+
+TEST_F(TestWithoutTests, RefusesWhatItDoesNotKnow) {
+    for (const char* wrong : {"--quik", "room Suite", "--quick room Suite", "-R room", "''"}) {
+        const Answer refused = answer(wrong);
+        EXPECT_NE(refused.status, 0) << wrong;
+        EXPECT_TRUE(refused.output.starts_with("test: ")) << wrong << ": " << refused.output;
     }
 }
 

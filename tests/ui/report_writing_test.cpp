@@ -142,5 +142,16 @@ TEST_F(ReportWriting, APlotStaysOnOnePageWithItsCaption) {
     EXPECT_GE(pages, 1) << "there was an end of a page among them";
 }
 
+TEST_F(ReportWriting, APdfIsWholeOrSaidNotToBe) {
+    const std::string html = "<html><body><h1>Report</h1></body></html>";
+    const fs::path file = folder() / "report.pdf";
+    print_pdf(html, folder(), file);
+    std::ifstream in(file, std::ios::binary);
+    const std::string made{std::istreambuf_iterator<char>(in), {}};
+    EXPECT_TRUE(made.starts_with("%PDF-"));
+    EXPECT_NE(made.rfind("%%EOF"), std::string::npos);
+    EXPECT_THROW(print_pdf(html, folder(), file / "report.pdf"), InputError);
+}
+
 }  // namespace
 }  // namespace hepatica

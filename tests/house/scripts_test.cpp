@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The scripts, as far as they can be tried without building, installing or measuring anything.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "tests/support/shell.h"
+
+namespace hepatica {
+namespace {
+
+namespace fs = std::filesystem;
+using test::shell;
+using test::ShellAnswer;
+
+const fs::path scripts = fs::path(HEPATICA_SOURCE_DIR) / "scripts";
+
+bool says(const ShellAnswer& answer, const std::string& words) {
+    return answer.output.find(words) != std::string::npos;
+}
+
+// What the program would be called with by the job of this number in an array of jobs.
+ShellAnswer job(int number, int first, int last, int step, int count) {
+    const std::string slurm = "SLURM_ARRAY_TASK_";
+    return shell("env -i PATH=\"$PATH\" " + slurm + "ID=" + std::to_string(number) + " " + slurm +
+                 "MIN=" + std::to_string(first) + " " + slurm + "MAX=" + std::to_string(last) +
+                 " " + slurm + "STEP=" + std::to_string(step) + " " + slurm +
+                 "COUNT=" + std::to_string(count) + " HEPATICA_CLI=echo '" +
+                 (scripts / "batch_array").string() + "' scans out --refine 1");
+}
+
+TEST(BatchArray, SharesOfAnySeriesOfNumbersAreTheWhole) {
+    EXPECT_TRUE(says(job(7, 1, 20, 1, 20), "--task 7 --of 20 --refine 1")) << "--array=1-20";
+    EXPECT_TRUE(says(job(0, 0, 19, 1, 20), "--task 1 --of 20")) << "--array=0-19";
+    for (int share = 1; share <= 5; ++share)
+        EXPECT_TRUE(
+            says(job(2 * share - 1, 1, 9, 2, 5), "--task " + std::to_string(share) + " --of 5"))
+            << "--array=1-10:2";
+}
+
+TEST(BatchArray, RefusesAListOfNumbersThatTellsNoShare) {
+    for (const int number : {3, 7}) {
+        const ShellAnswer answer = job(number, 3, 7, 1, 2);
+        EXPECT_EQ(answer.exit_code, 2) << answer.output;
+        EXPECT_TRUE(says(answer, "--array=1-N")) << answer.output;
+    }
+}
+
+// A copy of one script, with nothing around it.
+class LonelyScript : public testing::Test {
+  protected:
+    void SetUp() override { fs::create_directories(folder_ / "scripts"); }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    ShellAnswer answer(const std::string& name, const std::string& words,
+                       const std::string& environment = "") const {
+        fs::copy_file(scripts / name, folder_ / "scripts" / name,
+                      fs::copy_options::overwrite_existing);
+        return shell(environment + " '" + (folder_ / "scripts" / name).string() + "' " + words);
+    }
+
+    const fs::path folder_ = fs::path(testing::TempDir()) / "script alone";
+};
+
+TEST_F(LonelyScript, OfTheFuzzersSaysHowTheyAreBuilt) {
+    const ShellAnswer unbuilt = answer("fuzz", "1");
+    EXPECT_NE(unbuilt.exit_code, 0);
+    EXPECT_TRUE(says(unbuilt, "scripts/build fuzz fuzz_trees")) << unbuilt.output;
+    EXPECT_FALSE(says(unbuilt, "Traceback")) << unbuilt.output;
+}
+
+TEST_F(LonelyScript, OfTheAccuracyEndsWithAWordWhereItFails) {
+    EXPECT_EQ(answer("measure_accuracy", "--help").exit_code, 0);
+    const ShellAnswer unbuilt = answer("measure_accuracy", "--seeds 1-1");
+    EXPECT_NE(unbuilt.exit_code, 0);
+    EXPECT_TRUE(says(unbuilt, "scripts/build release hepatica-cli")) << unbuilt.output;
+    const ShellAnswer failed = answer("measure_accuracy", "--seeds 1-1", "HEPATICA_CLI=false");
+    EXPECT_NE(failed.exit_code, 0);
+    EXPECT_TRUE(says(failed, "out/accuracy/log")) << failed.output;
+}
+
+TEST_F(LonelyScript, OfThePackagesSaysWhichSystemItIsFor) {
+    std::ofstream(folder_ / "scripts" / "packages.txt") << "a-package # of Debian\n";
+    const fs::path bin = folder_ / "bin";  // of a system without apt
+    fs::create_directories(bin);
+    for (const std::string tool : {"bash", "dirname", "sed"})
+        fs::create_symlink("/usr/bin/" + tool, bin / tool);
+    const ShellAnswer elsewhere = answer("install_packages", "", "PATH='" + bin.string() + "'");
+    EXPECT_EQ(elsewhere.exit_code, 1) << elsewhere.output;
+    EXPECT_TRUE(says(elsewhere, "Debian 12")) << elsewhere.output;
+    EXPECT_TRUE(says(elsewhere, "a-package")) << elsewhere.output;
+}
+
+}  // namespace
+}  // namespace hepatica
