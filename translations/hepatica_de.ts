@@ -5738,6 +5738,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>injiziert in Segment %1, das es nicht gibt</translation>
     </message>
     <message>
+        <source>bled from segment %1, which is not there</source>
+        <translation>blutete aus Segment %1, das es nicht gibt</translation>
+    </message>
+    <message>
         <source>speed of the drug</source>
         <translation>Tempo des Wirkstoffs</translation>
     </message>
@@ -5844,6 +5848,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>the stepper&apos;s bytes are not base64</source>
         <translation>die Bytes des Rechenschritts sind kein base64</translation>
+    </message>
+    <message>
+        <source>less than nothing bled</source>
+        <translation>es blutete weniger als nichts</translation>
     </message>
     <message>
         <source>The recording is damaged</source>

@@ -126,6 +126,7 @@ constexpr std::array sentences_play{
     Words::id("Give more than 0 g/s"),
     Words::id("Give 0 s or more"),
     Words::id("injects into segment %1, which is not there"),
+    Words::id("bled from segment %1, which is not there"),
     Words::id("speed of the drug"),
     Words::id("time of the drug"),
     Words::id("a small synthetic patient, corotated in 8 substeps a frame, solved exactly, pulled "
@@ -165,6 +166,7 @@ constexpr std::array sentences_play{
     Words::id("is of a scene with other parts"),
     Words::id("place on the tree"),
     Words::id("the stepper's bytes are not base64"),
+    Words::id("less than nothing bled"),
     Words::id("what was reached before is not told by 0 and 1"),
     Words::id("The recording is damaged"),
     Words::id("recording"),

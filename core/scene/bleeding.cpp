@@ -87,12 +87,13 @@ FlowConditions conditions_of(const VesselTree& tree, const RestingFlow& rest,
     return conditions;
 }
 
-// What was lost at each tear. One that grows may move along its vessel, and stays the same.
-std::vector<double> handed_over(const std::vector<double>& lost_g,
-                                const std::vector<ThroughTear>& from,
-                                const std::vector<ThroughTear>& to) {
+// The pools of these tears, then what lies elsewhere. A tear that grows may move along its vessel,
+// and stays the same.
+std::vector<BloodPool> handed_over(const std::vector<BloodPool>& from,
+                                   const std::vector<ThroughTear>& to) {
     constexpr double same_mm = 3.0;
-    std::vector<double> handed_g(to.size(), 0.0);
+    std::vector<BloodPool> pools;
+    for (const ThroughTear& tear : to) pools.push_back({.of = tear});
     std::vector<std::uint8_t> known(to.size(), 0), taken(from.size(), 0);
     for (const double within_mm : {0.0, same_mm}) {
         for (std::size_t i = 0; i < to.size(); ++i) {
@@ -100,18 +101,22 @@ std::vector<double> handed_over(const std::vector<double>& lost_g,
             double least_mm = within_mm;
             std::size_t nearest = from.size();
             for (std::size_t j = 0; j < from.size(); ++j) {
-                if (taken[j] != 0 || from[j].at.segment != to[i].at.segment) continue;
-                const double mm = std::abs(from[j].at.arclength_mm - to[i].at.arclength_mm);
+                const TreePoint& there = from[j].of.at;
+                if (taken[j] != 0 || there.segment != to[i].at.segment) continue;
+                const double mm = std::abs(there.arclength_mm - to[i].at.arclength_mm);
                 if (mm > least_mm) continue;
                 least_mm = mm;
                 nearest = j;
             }
             if (nearest == from.size()) continue;
             known[i] = taken[nearest] = 1;
-            handed_g[i] = lost_g[nearest];
+            pools[i].lost_g = from[nearest].lost_g;
+            pools[i].drug_g = from[nearest].drug_g;
         }
     }
-    return handed_g;
+    for (std::size_t j = 0; j < from.size(); ++j)
+        if (taken[j] == 0 && from[j].lost_g > 0.0) pools.push_back(from[j]);
+    return pools;
 }
 
 }  // namespace
@@ -121,7 +126,7 @@ Bleeding::Bleeding(const VesselTree& tree, const RestingFlow& rest) : tree_(tree
 void Bleeding::set_tears(const std::vector<ThroughTear>& tears) {
     constexpr auto area = &ThroughTear::area_mm2;
     if (tears == tears_ && std::ranges::equal(tears, tears_, {}, area, area)) return;
-    lost_g_ = handed_over(lost_g_, tears_, tears);
+    pools_ = handed_over(pools_, tears);
     tears_ = tears;
     if (tears_.empty()) squeezes_.clear();  // nobody says what presses while nothing is torn
     solve();
@@ -129,20 +134,32 @@ void Bleeding::set_tears(const std::vector<ThroughTear>& tears) {
 
 void Bleeding::step(double dt_s) {
     leaked_g_ += leak_g_s_ * dt_s;
-    for (std::size_t i = 0; i < lost_g_.size(); ++i) lost_g_[i] += leaks_g_s_[i] * dt_s;
+    for (std::size_t i = 0; i < tears_.size(); ++i) pools_[i].lost_g += leaks_g_s_[i] * dt_s;
+}
+
+void Bleeding::leak_drug(double drug_g, const std::vector<double>& shares) {
+    leaked_drug_g_ += drug_g;
+    for (std::size_t i = 0; i < std::min(shares.size(), tears_.size()); ++i)
+        pools_[i].drug_g += shares[i] * drug_g;
 }
 
 void Bleeding::set_leaked_g(double leaked_g) {
     leaked_g_ = leaked_g;
-    lost_g_.assign(tears_.size(), 0.0);
+    pools_ = handed_over({}, tears_);
+}
+
+void Bleeding::set_pools(const std::vector<BloodPool>& pools) {
+    pools_ = handed_over(pools, tears_);
 }
 
 std::vector<double> Bleeding::shares_of_loss() const {
-    const auto sum_of = [](const std::vector<double>& values) {
-        return std::accumulate(values.begin(), values.end(), 0.0);
-    };
-    std::vector<double> shares = sum_of(lost_g_) > 0.0 ? lost_g_ : leaks_g_s_;
-    const double sum = sum_of(shares);
+    std::vector<double> shares;
+    for (const BloodPool& pool : pools_) shares.push_back(pool.lost_g);
+    double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+    if (!(sum > 0.0)) {
+        shares = leaks_g_s_;
+        sum = leak_g_s_;
+    }
     for (double& share : shares) share = sum > 0.0 ? share / sum : 0.0;
     return shares;
 }

@@ -29,12 +29,20 @@ struct RestingFlow {
     double aorta_pa = 12700.0;
 };
 
+// Blood where it was lost, at what is open or was.
+struct BloodPool {
+    ThroughTear of;  // with its last opening
+    double lost_g = 0.0;
+    double drug_g = 0.0;  // of that
+};
+
 // Not thread-safe.
 class Bleeding {
   public:
     explicit Bleeding(const VesselTree& tree, const RestingFlow& rest = {});
 
-    // Costs a solution of the network where the tears are not those of the last call.
+    // Costs a solution of the network where the tears are not those of the last call. What bled at
+    // one that is no longer among them, as a side that has closed, stays there.
     void set_tears(const std::vector<ThroughTear>& tears);
     // Costs a solution of the network where an open share changes by more than two fifths, or a
     // place by more than a millimetre. Costs nothing while nothing is torn.
@@ -48,12 +56,18 @@ class Bleeding {
     const std::vector<ThroughTear>& tears() const { return tears_; }
     const std::vector<double>& leaks_g_s() const { return leaks_g_s_; }
     double leaked_g() const { return leaked_g_; }
-    // The share of leaked_g() that was lost at each of the tears; the sum is 1 where there are any
-    // and blood was lost. As the present losses, until the next step, where leaked_g() was set.
+    // One for each of the tears, in their order, then those where nothing is open any more. The sum
+    // is leaked_g(), unless that was set without its pools.
+    const std::vector<BloodPool>& pools() const { return pools_; }
+    // The share of leaked_g() that lies in each of the pools; the sum is 1 where there are any and
+    // blood was lost. As the present losses, until the next step, where no pool was set.
     std::vector<double> shares_of_loss() const;
+    // Sets the sum and empties the pools.
     void set_leaked_g(double leaked_g);
-    // Of leaked_g(), what is drug.
-    void leak_drug(double drug_g) { leaked_drug_g_ += drug_g; }
+    // What lies where, as after a restore.
+    void set_pools(const std::vector<BloodPool>& pools);
+    // Of leaked_g(), what is drug. Of it, this share is lost at each of the tears; none: nowhere.
+    void leak_drug(double drug_g, const std::vector<double>& shares);
     double leaked_drug_g() const { return leaked_drug_g_; }
     void set_leaked_drug_g(double leaked_g) { leaked_drug_g_ = leaked_g; }
 
@@ -74,7 +88,7 @@ class Bleeding {
     std::vector<ThroughTear> tears_;
     std::vector<Squeeze> squeezes_;
     std::vector<double> leaks_g_s_;
-    std::vector<double> lost_g_;  // at each of tears_, since leaked_g_ was set
+    std::vector<BloodPool> pools_;
     double leak_g_s_ = 0.0;
     double leaked_g_ = 0.0;
     double leaked_drug_g_ = 0.0;

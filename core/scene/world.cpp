@@ -145,7 +145,8 @@ StepReport World::step(const std::stop_token& stop) {
     press();
     if (bleeding_) {
         bleeding_->step(spec_.dt_s);
-        bleeding_->leak_drug(drug_leak_now().total_g_s * spec_.dt_s);
+        const DrugLeak drug = drug_leak_now();
+        bleeding_->leak_drug(drug.total_g_s * spec_.dt_s, drug.shares);
     }
     part_out("self-contact", {}, report.self_cost);
     part_out("obstacles", surfaces_of_obstacles_, report.obstacle_cost);
@@ -167,6 +168,8 @@ bool World::bleed() {
     const bool same = torn == searched_;
     if (same && torn_.sides.empty()) return false;
     if (!same) torn_ = deform_->torn_places(patient_->tree);
+    // Made whole, no vessel shows where it bled.
+    if (!same && searched_.joints_broken == 0) bleeding_->set_pools({});
     const std::vector<ThroughTear> before = bleeding_->tears();
     bleeding_->set_tears(open_tears(torn_, deform_->positions_mm()));
     return bleeding_->tears() != before;
@@ -184,6 +187,16 @@ void World::press() {
                            {.young_modulus_pa = deform_->body().material.young_modulus_pa});
 }
 
+// Where blood lies on the body as it is torn now.
+void World::find_pools() {
+    leaking_.clear();
+    if (!bleeding_ || !tear_view_.rims) return;
+    std::vector<ThroughTear> ends;
+    for (const BloodPool& pool : bleeding_->pools()) ends.push_back(pool.of);
+    leaking_ = leaking_vertices(patient_->tree, ends, tear_view_, patient_->mesh.vertices_mm,
+                                deform_->torn()->surface());
+}
+
 void World::follow_tear() {
     const bool parted = bleed();
     const TornTopology* torn = deform_ ? deform_->torn() : nullptr;
@@ -199,9 +212,7 @@ void World::follow_tear() {
     const auto rims_before = tear_view_.rims;
     if (torn != nullptr) deform_->show_tear(tear_view_);
     // A vessel may be torn through without a new rim: all of them were there before.
-    if (bleeding_ && tear_view_.rims && (tear_view_.rims != rims_before || parted))
-        leaking_ = leaking_vertices(patient_->tree, bleeding_->tears(), tear_view_,
-                                    patient_->mesh.vertices_mm, torn->surface());
+    if (tear_view_.rims != rims_before || parted) find_pools();
     if (!split) return;
     if (torn != nullptr)
         topology_->become({torn->parents().begin(), torn->parents().end()}, torn->surface());
@@ -254,14 +265,11 @@ DrugLeak World::drug_leak_now() const {
 }
 
 void World::show_leaks(TearView& tear, const std::vector<float>& positions_mm) const {
-    const DrugLeak drug = drug_leak_now();
     const std::vector<double> shares = bleeding_->shares_of_loss();
     for (std::size_t i = 0; i < std::min(leaking_.size(), shares.size()); ++i) {
         if (leaking_[i] < 0 || shares[i] <= 0.0) continue;
         const float* at = &positions_mm[3 * static_cast<std::size_t>(leaking_[i])];
-        tear.leaks.push_back(
-            {Vec3(at[0], at[1], at[2]), shares[i],
-             drug.shares.empty() ? 0.0 : drug.shares[i] * bleeding_->leaked_drug_g()});
+        tear.leaks.push_back({Vec3(at[0], at[1], at[2]), shares[i], bleeding_->pools()[i].drug_g});
     }
 }
 
@@ -301,6 +309,8 @@ WorldCheckpoint World::checkpoint() const {
     if (bleeding_) {
         checkpoint.leaked_g = bleeding_->leaked_g();
         checkpoint.leaked_drug_g = bleeding_->leaked_drug_g();
+        for (const BloodPool& pool : bleeding_->pools())
+            if (pool.lost_g > 0.0) checkpoint.pools.push_back(pool);
     }
     return checkpoint;
 }
@@ -310,6 +320,12 @@ void World::restore(const WorldCheckpoint& checkpoint) {
         checkpoint.flow.has_value() != (flow_ != nullptr))
         throw InputError("is of a scene with other parts", "checkpoint",
                          "Give a checkpoint of this scene");
+    for (const BloodPool& pool : checkpoint.pools)
+        if (pool.of.at.segment < 0 ||
+            static_cast<std::size_t>(pool.of.at.segment) >= patient_->tree.segments.size())
+            throw InputError(
+                "bled from segment " + std::to_string(pool.of.at.segment) + ", which is not there",
+                "checkpoint", "Give a checkpoint of the same patient");
     if (deform_) {
         const bool obstacles = checkpoint.deform->settings.obstacles;
         deform_->restore(*checkpoint.deform, obstacles ? known_obstacles() : nullptr);
@@ -321,6 +337,8 @@ void World::restore(const WorldCheckpoint& checkpoint) {
     if (bleeding_) {
         bleeding_->set_leaked_g(checkpoint.leaked_g);
         bleeding_->set_leaked_drug_g(checkpoint.leaked_drug_g);
+        bleeding_->set_pools(checkpoint.pools);
+        find_pools();
     }
     if (flow_) flow_->restore(*checkpoint.flow);
     time_s_ = checkpoint.time_s;

@@ -107,6 +107,7 @@ class World {
     void part_out(const std::string& name, const PartCost& before, const SelfCost& cost);
     bool bleed();  // whether other vessels are torn than before
     void press();
+    void find_pools();
     DrugLeak drug_leak_now() const;
     void show_leaks(TearView& tear, const std::vector<float>& positions_mm) const;
 
@@ -118,7 +119,7 @@ class World {
     std::unique_ptr<DeformPart> deform_;
     std::unique_ptr<FlowPart> flow_;
     std::unique_ptr<Bleeding> bleeding_;  // where the body can tear
-    std::vector<int> leaking_;            // a vertex at each of its tears, or -1
+    std::vector<int> leaking_;            // a vertex at each of its pools, or -1
     TornSoFar searched_;                  // when torn vessels were last searched for
     TornPlaces torn_;                     // what was found then
     std::vector<PartCost> parts_;

@@ -89,6 +89,33 @@ DeformCheckpoint deform_from(const Json& json) {
     return checkpoint;
 }
 
+Json to_json(const ThroughTear& tear) {
+    Json json{{"segment", tear.at.segment},
+              {"arclength_mm", tear.at.arclength_mm},
+              {"area_mm2", tear.area_mm2}};
+    if (tear.side) json["side"] = true;
+    return json;
+}
+
+ThroughTear tear_at_from(const Json& json) {
+    return {{whole_number<int>(json.at("segment")), json.at("arclength_mm").get<double>(), 0.0},
+            json.at("area_mm2").get<double>(),
+            json.value("side", false)};
+}
+
+Json to_json(const BloodPool& pool) {
+    Json json = to_json(pool.of);
+    json["lost_g"] = pool.lost_g;
+    if (pool.drug_g != 0.0) json["drug_g"] = pool.drug_g;
+    return json;
+}
+
+BloodPool pool_from(const Json& json) {
+    BloodPool pool{tear_at_from(json), json.at("lost_g").get<double>(), json.value("drug_g", 0.0)};
+    if (!(pool.lost_g >= 0.0 && pool.drug_g >= 0.0)) refuse("less than nothing bled");
+    return pool;
+}
+
 Json to_json(const Injection& injection) {
     Json json{{"segment", injection.at.segment},
               {"arclength_mm", injection.at.arclength_mm},
@@ -97,12 +124,7 @@ Json to_json(const Injection& injection) {
               {"second_phase", injection.second_phase},
               {"pressure_model", injection.pressure_model},
               {"drug_viscosity_pa_s", injection.drug_viscosity_pa_s}};
-    for (const ThroughTear& tear : injection.tears) {
-        json["tears"].push_back({{"segment", tear.at.segment},
-                                 {"arclength_mm", tear.at.arclength_mm},
-                                 {"area_mm2", tear.area_mm2}});
-        if (tear.side) json["tears"].back()["side"] = true;
-    }
+    for (const ThroughTear& tear : injection.tears) json["tears"].push_back(to_json(tear));
     return json;
 }
 
@@ -116,11 +138,7 @@ Injection injection_from(const Json& json) {
     injection.pressure_model = json.at("pressure_model").get<std::string>();
     injection.drug_viscosity_pa_s = json.at("drug_viscosity_pa_s").get<double>();
     if (!json.contains("tears")) return injection;
-    for (const Json& tear : json.at("tears"))
-        injection.tears.push_back(
-            {{whole_number<int>(tear.at("segment")), tear.at("arclength_mm").get<double>(), 0.0},
-             tear.at("area_mm2").get<double>(),
-             tear.value("side", false)});
+    for (const Json& tear : json.at("tears")) injection.tears.push_back(tear_at_from(tear));
     return injection;
 }
 
@@ -167,6 +185,7 @@ Json to_json(const WorldCheckpoint& checkpoint) {
     if (checkpoint.leaked_drug_g != 0.0) json["leaked_drug_g"] = checkpoint.leaked_drug_g;
     if (checkpoint.deform) json["deform"] = to_json(*checkpoint.deform);
     if (checkpoint.flow) json["flow"] = to_json(*checkpoint.flow);
+    for (const BloodPool& pool : checkpoint.pools) json["pools"].push_back(to_json(pool));
     return json;
 }
 
@@ -179,6 +198,8 @@ WorldCheckpoint world_checkpoint_from_json(const Json& json) {
             checkpoint.leaked_drug_g = json.at("leaked_drug_g").get<double>();
         if (json.contains("deform")) checkpoint.deform = deform_from(json.at("deform"));
         if (json.contains("flow")) checkpoint.flow = flow_from(json.at("flow"));
+        if (json.contains("pools"))
+            for (const Json& pool : json.at("pools")) checkpoint.pools.push_back(pool_from(pool));
         return checkpoint;
     } catch (const Json::exception& error) {
         refuse(json_problem(error));

@@ -5,7 +5,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <vector>
 
+#include "core/scene/bleeding.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
 
@@ -17,6 +19,7 @@ struct WorldCheckpoint {
     double leaked_drug_g = 0.0;              // of that
     std::optional<DeformCheckpoint> deform;  // where the scene has the part
     std::optional<FlowCheckpoint> flow;
+    std::vector<BloodPool> pools{};  // where leaked_g lies; empty: not known
 };
 
 // Numbers are exact to the last bit; the drug's arrival times are left out, because they follow

@@ -300,6 +300,88 @@ TEST(Bleeding, ATearThatMovesALittleKeepsWhatWasLostThere) {
     EXPECT_EQ(bleeding.shares_of_loss(), (std::vector{0.0, 1.0})) << "what is the same comes first";
 }
 
+double lying_g(const Bleeding& bleeding) {
+    double sum = 0.0;
+    for (const BloodPool& pool : bleeding.pools()) sum += pool.lost_g;
+    return sum;
+}
+
+// What has bled stays bled: a side that closes bleeds no more, and goes on where it opens again.
+TEST(Bleeding, OfASideThatHasClosedStaysWhereItWasLost) {
+    Bleeding bleeding(fork_of_two());
+    const ThroughTear side = open_side_of(1, 1.0), stump = half_way(2, 30.0);
+    bleeding.set_tears({side, stump});
+    bleeding.step(1.0);
+    const double lost_g = bleeding.pools()[0].lost_g;
+    EXPECT_EQ(lost_g, bleeding.leaks_g_s()[0]);
+    ASSERT_GT(lost_g, 0.0);
+    double last_g = bleeding.leaked_g();
+    const auto goes_on = [&] {
+        bleeding.step(0.5);
+        EXPECT_NEAR(bleeding.leaked_g(), last_g + 0.5 * bleeding.leak_g_s(), 1e-12 * last_g);
+        EXPECT_GE(bleeding.leaked_g(), last_g);
+        EXPECT_NEAR(lying_g(bleeding), bleeding.leaked_g(), 1e-12 * last_g);
+        last_g = bleeding.leaked_g();
+    };
+
+    bleeding.set_tears({stump});
+    EXPECT_EQ(bleeding.leaks_g_s().size(), 1u);
+    goes_on();
+    ASSERT_EQ(bleeding.pools().size(), 2u);
+    EXPECT_TRUE(bleeding.pools()[1].of == side) << "behind what is open";
+    EXPECT_EQ(bleeding.pools()[1].lost_g, lost_g);
+    const std::vector<double> shares = bleeding.shares_of_loss();
+    ASSERT_EQ(shares.size(), 2u);
+    EXPECT_NEAR(shares[1] * bleeding.leaked_g(), lost_g, 1e-12);
+
+    bleeding.set_tears({});
+    EXPECT_EQ(bleeding.leak_g_s(), 0.0);
+    goes_on();
+    EXPECT_EQ(bleeding.pools().size(), 2u);
+
+    bleeding.set_tears({side});
+    ASSERT_EQ(bleeding.pools().size(), 2u) << "it is the same side";
+    EXPECT_EQ(bleeding.pools()[0].lost_g, lost_g);
+    goes_on();
+    EXPECT_EQ(bleeding.pools()[0].lost_g, lost_g + 0.5 * bleeding.leaks_g_s()[0]);
+    bleeding.set_leaked_g(0.0);
+    ASSERT_EQ(bleeding.pools().size(), 1u) << "that of what is open";
+    EXPECT_EQ(bleeding.pools()[0].lost_g, 0.0);
+}
+
+TEST(Bleeding, NothingLiesWhereNothingHasBled) {
+    Bleeding bleeding(fork_of_two());
+    bleeding.set_tears({open_side_of(1, 1.0)});
+    bleeding.set_tears({});
+    EXPECT_TRUE(bleeding.pools().empty());
+}
+
+TEST(Bleeding, TheDrugThatHasLeakedStaysInItsPool) {
+    Bleeding bleeding(fork_of_two());
+    const ThroughTear side = open_side_of(1, 1.0), stump = half_way(2, 30.0);
+    bleeding.set_tears({side, stump});
+    bleeding.step(1.0);
+    bleeding.leak_drug(0.5, {0.25, 0.75});
+    bleeding.set_tears({stump});
+    bleeding.step(1.0);
+    bleeding.leak_drug(0.5, {1.0});
+    bleeding.leak_drug(0.0, {});
+    ASSERT_EQ(bleeding.pools().size(), 2u);
+    EXPECT_EQ(bleeding.pools()[0].drug_g, 0.875);
+    EXPECT_EQ(bleeding.pools()[1].drug_g, 0.125);
+    EXPECT_EQ(bleeding.leaked_drug_g(), 1.0);
+    Bleeding other(fork_of_two());
+    other.set_tears({stump});
+    other.set_leaked_g(bleeding.leaked_g());
+    other.set_pools(bleeding.pools());
+    ASSERT_EQ(other.pools().size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(other.pools()[i].lost_g, bleeding.pools()[i].lost_g);
+        EXPECT_EQ(other.pools()[i].drug_g, bleeding.pools()[i].drug_g);
+    }
+    EXPECT_EQ(other.shares_of_loss(), bleeding.shares_of_loss());
+}
+
 TEST(Bleeding, AddsUpOverTimeAndStopsWhereNothingIsTorn) {
     Bleeding bleeding(one_tube(VascularSystem::portal));
     bleeding.step(1.0);

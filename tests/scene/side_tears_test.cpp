@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 
+#include "core/scene/bleeding.h"
 #include "core/scene/origins_of.h"
 #include "tests/scene/cube_body.h"
 
@@ -160,6 +161,32 @@ TEST(SideTears, OpenWiderTheWiderTheyGape) {
     EXPECT_EQ(last, torn.sides[0].most_mm2);
     EXPECT_GT(changes, 10);
     EXPECT_LT(changes, 45) << "each is a solution of the flow";
+}
+
+// Pulled open, let go, and pulled open again.
+TEST(SideTears, ThatCloseKeepTheBloodThatTheyHaveLost) {
+    CutBar bar;
+    bar.cut_from_top(3);
+    const TornPlaces torn = bar.torn();
+    bar.tree.nodes = {{Vec3(0, 0, 0)}, {Vec3(30, 0, 0)}};
+    VesselSegment& vessel = bar.tree.segments[0];
+    vessel.proximal_node = 0;
+    vessel.distal_node = 1;
+    vessel.system = VascularSystem::portal;
+    Bleeding bleeding(bar.tree);
+    double last_g = 0.0;
+    for (const double wide_mm : {0.0, 0.05, 0.2, 0.05, 0.0, 0.0, 0.1}) {
+        bleeding.set_tears(open_tears(torn, bar.positions(3, wide_mm)));
+        EXPECT_EQ(bleeding.leak_g_s() > 0.0, wide_mm > 0.0) << wide_mm;
+        bleeding.step(0.1);
+        if (wide_mm > 0.0)
+            EXPECT_GT(bleeding.leaked_g(), last_g) << wide_mm;
+        else
+            EXPECT_EQ(bleeding.leaked_g(), last_g);
+        last_g = bleeding.leaked_g();
+        ASSERT_EQ(bleeding.pools().size(), last_g > 0.0 ? 1u : 0u) << wide_mm;
+        for (const BloodPool& pool : bleeding.pools()) EXPECT_NEAR(pool.lost_g, last_g, 1e-12);
+    }
 }
 
 TEST(SideTears, ThatGoOnToTheEndAreThroughTears) {

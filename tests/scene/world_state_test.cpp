@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -125,6 +126,50 @@ TEST(WorldState, GoesOnFromTheTextOfItsCheckpoint) {
     EXPECT_EQ(a.tear->leaked_g, b.tear->leaked_g);
     EXPECT_EQ(a.tear->leak_g_s, b.tear->leak_g_s);
     EXPECT_EQ(a.tool, b.tool);
+}
+
+// As that of a side that has closed.
+TEST(WorldState, BloodStaysWhereItWasLostAlsoAfterARestore) {
+    auto patient = std::make_shared<PatientCase>(*small_patient());
+    for (VesselSegment& segment : patient->tree.segments) segment.system = VascularSystem::portal;
+    Job job;
+    World one(patient, scene_of_everything(), job), other(patient, scene_of_everything(), job);
+    const auto& points = patient->tree.segments[0].points_mm;
+    const std::size_t m = points.size() / 2;
+    const Vec3 across = 15.0 * (points[m + 1] - points[m - 1]).unitOrthogonal();
+    one.deform()->cut(patient->tree, points[m] - across, points[m] + across);
+    one.step();
+    WorldCheckpoint kept = one.checkpoint();
+    ASSERT_GT(kept.leaked_g, 0.0);
+    double lying_g = 0.0;
+    for (const BloodPool& pool : kept.pools) lying_g += pool.lost_g;
+    EXPECT_NEAR(lying_g, kept.leaked_g, 1e-12);
+
+    const BloodPool closed{{{1, 0.0, 0.0}, 1.0, true}, kept.leaked_g, 0.25 * kept.leaked_g};
+    kept.pools.push_back(closed);
+    kept.leaked_g *= 2.0;
+    const std::string text = to_json(kept).dump();
+    other.restore(world_checkpoint_from_json(Json::parse(text)));
+    EXPECT_EQ(to_json(other.checkpoint()).dump(), text);
+    for (int k = 0; k < 2; ++k) {
+        Frame frame;
+        other.fill(frame);
+        ASSERT_EQ(frame.tear->leaks.size(), kept.pools.size()) << k;
+        const LeakView& leak = frame.tear->leaks.back();
+        EXPECT_NEAR(leak.share * frame.tear->leaked_g, closed.lost_g, 1e-12) << k;
+        EXPECT_EQ(leak.drug_g, closed.drug_g) << k;
+        other.step();
+    }
+    other.reset();
+    EXPECT_TRUE(other.checkpoint().pools.empty());
+
+    for (const int segment : {-1, static_cast<int>(patient->tree.segments.size())}) {
+        kept.pools.back().of.at.segment = segment;
+        EXPECT_THROW(other.restore(kept), InputError) << segment;
+    }
+    Json spoilt = Json::parse(text);
+    spoilt["pools"][0]["lost_g"] = -1.0;
+    EXPECT_THROW(world_checkpoint_from_json(spoilt), InputError);
 }
 
 // Whatever was torn before.
