@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/flow/flow_shares.h"
+#include "core/mesh/manifold_attempts.h"
 #include "ui/window_words.h"
 
 namespace hepatica {
@@ -21,6 +22,8 @@ std::vector<std::string> said_of_vessels(const PatientCase& patient) {
     std::vector<std::string> said = warnings_of_ends(patient.tree, flow_shares(patient.tree));
     for (std::string& doubt : sentences(patient.doubts, patient.tree))
         said.push_back(in_window_words(std::move(doubt)));
+    for (const std::string& warning : patient.warnings)
+        if (is_of_unclosed(warning)) said.push_back(in_window_words(warning));
     return said;
 }
 

@@ -10,7 +10,8 @@
 
 namespace hepatica {
 
-// All that is said of his vessels as they are: ends that take most of the flow, roots, doubts; in
+// All that is said of his vessels as they are: ends that take most of the flow, roots, doubts, a
+// body that meets itself; in
 // the words of the window. Empty without a tree.
 std::vector<std::string> said_of_vessels(const PatientCase& patient);
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -15,6 +16,7 @@
 #include "core/base/error.h"
 #include "core/base/patient_space.h"
 #include "core/base/text_file.h"
+#include "core/mesh/manifold_attempts.h"
 #include "core/opening/patient_image.h"
 #include "core/patient/corrections.h"
 #include "core/patient/painted_tumours.h"
@@ -217,6 +219,7 @@ Json tumours_of(const PatientCase& patient) {
 // What is odd about the tree, and of the new strokes which tumours are cut off.
 std::vector<std::string> warnings_of(const PatientCase& patient, std::size_t edits_before) {
     std::vector<std::string> warnings = sentences(std::nullopt, patient.tree);
+    std::ranges::copy_if(patient.warnings, std::back_inserter(warnings), is_of_unclosed);
     const std::vector<TreeEdit>& edits = patient.corrections.edits;
     const Grid canvas = tumour_canvas(patient).grid;
     for (std::size_t i = edits_before; i < edits.size(); ++i)

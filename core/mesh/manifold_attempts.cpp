@@ -7,6 +7,12 @@
 
 namespace hepatica {
 
+namespace {
+
+constexpr std::string_view beginning = "The mesh is not sound: ";
+
+}  // namespace
+
 ManifoldMesh first_manifold(const std::function<TetMesh(double)>& mesher) {
     ManifoldMesh last;
     for (const double scale : attempt_scales) {
@@ -27,8 +33,12 @@ void report_unclosed(int unclosed, int all, std::vector<std::string>* warnings) 
         "Branches that touch may be parted (hepatica-cli edit), or give another number of "
         "tetrahedra";
     if (warnings == nullptr) throw InputError(problem, "the mesh", remedy);
-    warnings->push_back("The mesh is not sound: " + problem +
+    warnings->push_back(std::string(beginning) + problem +
                         ". Forces pass through such places as through a hinge. " + remedy + ".");
+}
+
+bool is_of_unclosed(std::string_view warning) {
+    return warning.starts_with(beginning);
 }
 
 }  // namespace hepatica

@@ -8,6 +8,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/mesh/tet_mesh.h"
@@ -29,5 +30,8 @@ ManifoldMesh first_manifold(const std::function<TetMesh(double scale)>& mesher);
 // If `unclosed` of `all` bodies are not closed manifolds: adds a sentence for the user to
 // `warnings`, or throws InputError if that is null.
 void report_unclosed(int unclosed, int all, std::vector<std::string>* warnings);
+
+// Whether a warning is such a sentence: it holds for one mesh, and no longer for the next.
+bool is_of_unclosed(std::string_view warning);
 
 }  // namespace hepatica

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/json_number.h"
 #include "core/base/patient_space.h"
+#include "core/mesh/manifold_attempts.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"
 #include "core/patient/case_header.h"
@@ -189,11 +190,19 @@ PatientCase with_edits(const PatientCase& patient, const std::vector<TreeEdit>& 
     job.begin_stage("Meshing the vessels");
     if (same) return result;
     if (tree_edits(edits) != tree_edits(patient.corrections.edits)) {
-        result.mesh = tetrahedralize(result.tree, mesh_options_of(patient), job);
+        std::vector<std::string> of_mesh;
+        result.mesh = tetrahedralize(result.tree, mesh_options_of(patient), job, &of_mesh);
+        replace_warnings_of_mesh(of_mesh, result);
         result.surface = surface_of(result.mesh).mesh;
     }
     label_segments(result, job);
     return result;
+}
+
+void replace_warnings_of_mesh(const std::vector<std::string>& of_mesh, PatientCase& patient) {
+    std::erase_if(patient.warnings,
+                  [](const std::string& warning) { return is_of_unclosed(warning); });
+    patient.warnings.insert(patient.warnings.end(), of_mesh.begin(), of_mesh.end());
 }
 
 void note_rebuilding(const PatientCase& before, std::size_t strokes, PatientCase& after) {

@@ -49,10 +49,14 @@ PatientCase with_edited_tree(const PatientCase& patient, const std::vector<TreeE
 // The case with exactly these edits applied to the extracted tree. Mesh and surface are made anew
 // as `source.parameters_json` says, unless only tumour strokes differ. Where `patient` holds
 // voxels, its organs follow the strokes and the liver's segments are made anew. An unchanged list
-// changes nothing. `patient` itself stays as it is. Begins two stages. Throws InputError that names
-// an edit which is not possible (including a stroke that changes nothing), or where nothing of the
-// tree is left; Cancelled.
+// changes nothing. `patient` itself stays as it is. A body whose surface meets itself is warned of
+// in `warnings` of the result, and no longer where the new one does not. Begins two stages. Throws
+// InputError that names an edit which is not possible (including a stroke that changes nothing), or
+// where nothing of the tree is left; Cancelled.
 PatientCase with_edits(const PatientCase& patient, const std::vector<TreeEdit>& edits, Job& job);
+
+// Puts what tetrahedralize() warned of a new mesh in the place of what was said of the old one.
+void replace_warnings_of_mesh(const std::vector<std::string>& of_mesh, PatientCase& patient);
 
 // Records in `after` that the vessels were rebuilt from other voxels, with this number of strokes,
 // after the rebuildings of `before`.

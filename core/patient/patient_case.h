@@ -76,7 +76,8 @@ struct PatientCase {
     Corrections corrections;
     // Of the reconstruction, before any correction; none in cases of older programs.
     std::optional<Doubts> doubts;
-    // What the reconstruction warned of besides the doubts, in core's English sentences; the first
+    // What the reconstruction warned of besides the doubts, in core's English sentences, with what
+    // was said of the present mesh where the tree was corrected since; the first
     // `warnings_of_image` of them are of the image and hold for other vessels, too. Empty in cases
     // of older programs. Written to case.json without the names that they quote.
     std::vector<std::string> warnings;

@@ -7,9 +7,11 @@
 #include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/image/volume_reader.h"
+#include "core/mesh/manifold_attempts.h"
 #include "tests/patient/parted_patient.h"
 
 namespace hepatica {
@@ -135,6 +137,22 @@ TEST(Corrections, TakingAllEditsBackGivesTheCaseBeforeToTheByte) {
     EXPECT_EQ(hash_of(back), hash_of(patient));
     EXPECT_TRUE(back.corrections.extracted.segments.empty());
     EXPECT_EQ(open_bridges(back).size(), 2u);
+}
+
+// An edit of a case whose vessels touch was refused, which left no way to part them.
+TEST(Corrections, ABodyThatMeetsItselfIsWarnedOfAsLongAsItDoes) {
+    PatientCase patient = patient_with_bridges();
+    patient.warnings = {"of the image", "of the vessels"};
+    std::vector<std::string> of_mesh;
+    report_unclosed(1, 2, &of_mesh);
+    PatientCase touching = patient;
+    replace_warnings_of_mesh(of_mesh, touching);
+    replace_warnings_of_mesh(of_mesh, touching);
+    ASSERT_EQ(touching.warnings.size(), 3u);
+    EXPECT_EQ(touching.warnings.back(), of_mesh[0]);
+    Job job;
+    const PatientCase parted = with_edits(touching, {deletion_at(Vec3(5, 50, -4))}, job);
+    EXPECT_EQ(parted.warnings, patient.warnings);
 }
 
 TEST(Corrections, ACutShowsAGapBetweenTheSurfaces) {

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/mesh/manifold_attempts.h"
 #include "core/patient/painted_tumours.h"
+#include "tests/support/test_trees.h"
 #include "tests/ui/patients/fake_ward.h"
 #include "ui/standing_warnings.h"
 
@@ -98,6 +100,14 @@ TEST(StandingWarnings, FollowWhatIsSaidOfTheVessels) {
               (std::vector<std::string>{"c", "image", "b"}));
     EXPECT_EQ(still_standing(told, {}, {}), told);
     EXPECT_EQ(still_standing({}, {"never told"}, {"never told"}), std::vector<std::string>());
+}
+
+TEST(StandingWarnings, SayThatABodyMeetsItself) {
+    PatientCase patient;
+    patient.tree = test::forked_tree();
+    const std::size_t others = said_of_vessels(patient).size();
+    report_unclosed(1, 1, &patient.warnings);
+    EXPECT_EQ(said_of_vessels(patient).size(), others + 1);
 }
 
 // A journal of a program that noted none says nothing of measurements.
