@@ -97,6 +97,9 @@ class LessonDock : public QDockWidget {
     // Edits the course chosen last; of the built-in one a copy, at a place that the user chooses.
     void edit_course();
     void begin_new_course();
+    // Another patient, or other vessels of his, are about to be shown: the play ends, because its
+    // marks are vertices of these ones. patient_shown() or patient_corrected() follows.
+    void end_play();
     // Another patient is shown, who was opened from this place. A lesson that waited for him
     // begins; a running one ends.
     void patient_shown(bool built_in, const std::filesystem::path& asked_for);
@@ -145,7 +148,6 @@ class LessonDock : public QDockWidget {
     void choose_course(const std::filesystem::path& file);
     CourseEditor& course_editor();
     void open_case(const std::filesystem::path& place);
-    void end_play();            // when the patient is replaced
     void drop_what_is_empty();  // deletes the recording of an attempt in which nothing was done
     bool clock_stands() const { return read_first_ || stands_at_end_; }
     void begin();

@@ -50,6 +50,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     if (!corrected) scene.show(Frame{});
     if (!corrected) solver_said_.clear();
     curves_->clear();
+    lessons_->end_play();  // before the first of the new frames
     patient_ = std::move(patient);
     dial_->show(patient_->patient, back_ends_->for_play());
     hovered_vertex_ = -1;
@@ -57,6 +58,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     welcome_->hide();
     scene.set_highlight({});
     scene.set_target({});
+    scene.set_marks({});
     scene.set_vertex_systems(patient_->anatomy.vertex_systems());
     scene.set_vertex_segments({});
     ruler_->show_patient(patient_->patient);

@@ -12,7 +12,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "core/base/error.h"
@@ -305,7 +304,7 @@ void ReviewDock::compare(const fs::path& other) {
     if (other.empty() || !reviewing()) return show_progress({});
     const RecordingFacts first = facts_of(file_), facts = facts_of(other);
     side_by_side_ = headings_of(first, facts);
-    same_lesson_ = facts.lesson == first.lesson;
+    same_lesson_ = std::make_shared<std::atomic<bool>>(facts.lesson == first.lesson);
     other_tape_ = std::make_shared<ReviewTape>();
     compare_->setText(Words::tr("&No more beside it"));
     BackgroundJob::Callbacks callbacks;
@@ -320,12 +319,13 @@ void ReviewDock::compare(const fs::path& other) {
     };
     other_job_ = std::make_unique<BackgroundJob>(
         [file = other, lesson = lesson_, patient = ways_.patient(), tape = other_tape_,
-         back_end = ways_.back_end](Job& job) -> std::function<void()> {
+         same_lesson = same_lesson_, back_end = ways_.back_end](Job& job) -> std::function<void()> {
             const Recording recording = read_recording(file);
             if (hash_of(*patient) != recording.patient_hash)
                 throw InputError(Words::id("was played on another patient"), file.string(),
                                  Words::id("Choose a recording of the patient who is shown"));
             const bool same = lesson && is_same_scene(recording.scene, lesson->scene);
+            if (!same) *same_lesson = false;  // before the first of its frames
             review(recording, with_course_pass(same ? lesson : built_in_lesson_of(recording), file),
                    patient, *tape, job, back_end(recording.back_end));
             return [] {};
@@ -356,7 +356,7 @@ void ReviewDock::show_other() {
     if (frame == nullptr || frame == other_frame_) return;
     other_frame_ = frame;
     std::vector<MarkView> marks;
-    if (same_lesson_) marks = marks_in(*frame, *other_tape_);
+    if (*same_lesson_) marks = marks_in(*frame, *other_tape_);
     ways_.beside(frame, std::move(marks), side_by_side_[0], side_by_side_[1]);
 }
 

@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QTimer>
 #include <array>
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -139,7 +140,9 @@ class ReviewDock : public QDockWidget {
     std::filesystem::path file_;
     QString name_;                         // title of the recording
     std::array<QString, 2> side_by_side_;  // titles of both, while two are shown
-    bool same_lesson_ = false;             // the recording beside it has the same lesson and marks
+    // Whether the recording beside it has the same lesson, scene and so marks: known once it is
+    // read, on another thread. Not null while there is one.
+    std::shared_ptr<std::atomic<bool>> same_lesson_;
     std::shared_ptr<const Recording> recording_;
     std::optional<Lesson> lesson_;
     std::unique_ptr<const PlayMeter> places_;  // places of the marks; null: none on these vessels

@@ -2,6 +2,7 @@
 // After an attempt: whose it was where he gave a name, and the way to the next lesson.
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QEvent>
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QLineEdit>
@@ -12,7 +13,10 @@
 #include <QTimer>
 #include <algorithm>
 #include <fstream>
+#include <functional>
+#include <optional>
 #include <tuple>
+#include <utility>
 
 #include "core/lesson/attempts.h"
 #include "core/lesson/lesson_draft.h"
@@ -30,6 +34,19 @@ namespace hepatica {
 namespace {
 
 using testing::wait_for;
+
+// Looks at the moment at which a widget is hidden.
+class SeesHiding : public QObject {
+  public:
+    explicit SeesHiding(std::function<void()> see) : see_(std::move(see)) {}
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Hide) see_();
+        return QObject::eventFilter(watched, event);
+    }
+
+  private:
+    std::function<void()> see_;
+};
 
 class LessonAttemptsTest : public testing::LessonWindowTest {
   protected:
@@ -367,6 +384,21 @@ TEST_F(LessonAttemptsTest, a_lesson_of_the_built_in_patient_begins_on_no_other_w
     QCoreApplication::processEvents();
     EXPECT_TRUE(dock->playing()) << "its own";
     delete dock;
+}
+
+// The marks are vertices of the vessels that were played on: another body may have fewer.
+TEST_F(LessonAttemptsTest, no_mark_is_looked_for_on_the_vessels_of_who_comes_next) {
+    window_.lessons().start(lesson_file(R"({"what": "time_s", "at_least": 1000})"));
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().playing() && !window_.busy(); }));
+    ASSERT_TRUE(wait_for([&] { return window_.view().scene().marks().size() == 1; }));
+    std::optional<std::size_t> marks;
+    SeesHiding sees([&] { marks = window_.view().scene().marks().size(); });
+    window_.lessons().installEventFilter(&sees);
+    window_.open(folder_.filePath("other.hep"));
+    wait();
+    ASSERT_TRUE(marks.has_value()) << "the panel goes with the play";
+    EXPECT_EQ(*marks, 0u) << "his first frame was shown before";
+    window_.lessons().removeEventFilter(&sees);
 }
 
 TEST_F(LessonAttemptsTest, a_try_that_cannot_begin_is_told_of) {

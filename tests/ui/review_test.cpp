@@ -151,6 +151,40 @@ TEST_F(ReviewWindowTest, judges_by_the_pass_marks_of_the_course) {
     EXPECT_EQ(events().findItems("pass mark missed", Qt::MatchContains).size(), 1);
 }
 
+// An attempt from before the lesson was changed: its frames are of the surface alone, and the marks
+// are vertices of the body.
+TEST_F(ReviewWindowTest, what_is_beside_it_has_no_marks_of_another_scene) {
+    Lesson lesson;
+    lesson.name = "Pull";
+    lesson.scene = played().recording.scene;
+    lesson.tools = {LessonTool::pull};
+    lesson.marks = {{"the mark", {std::nullopt, 0.5}}};
+    lesson.steps = {{"Pull", "", {{Quantity::moved_mm, 0, true, 1000.0}}, 0.0, {}}};
+    const std::filesystem::path place = to_path(folder_.filePath("lesson.json"));
+    write_lesson(place, lesson);
+    SceneSpec without_motion = default_scene();
+    without_motion.deform.reset();
+    const auto session = test::new_session(without_motion);
+    const auto recording = test::keep_recording(*session);
+    test::play(*session, 20);
+    const std::filesystem::path other = to_path(folder_.filePath("other.hrec"));
+    write_recording(other, *recording);
+    for (const std::filesystem::path& of_one : {file_, other}) {
+        Attempt attempt;
+        attempt.recording = of_one;
+        attempt.lesson = lesson.name;
+        attempt.ended_at = "2026";
+        write_attempt(attempt);
+    }
+    open_built_in();
+    dock().open(file_, place.string());
+    ASSERT_TRUE(wait_for([this] { return dock().complete(); }));
+    EXPECT_EQ(dock().marks_in(window_.frame()).size(), 1u);
+    dock().compare(other);
+    ASSERT_TRUE(wait_for([this] { return dock().complete() && window_.second_view().shown(); }));
+    EXPECT_TRUE(window_.second_view().view().scene().marks().empty());
+}
+
 TEST_F(ReviewWindowTest, notes_lie_beside_the_recording) {
     open_built_in();
     look_back();
