@@ -8313,7 +8313,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>holds another play, and would be replaced</source>
-        <translation>enthält ein anderes Spiel und würde ersetzt</translation>
+        <translation>enthält eine andere Übung und würde ersetzt</translation>
     </message>
     <message>
         <source>Drawing pictures and curves</source>
