@@ -91,11 +91,23 @@ class Valence {
         return region[best];
     }
 
-    // Shortest path from `from` to `exit` through the region's voxels (A*, Euclidean step lengths
-    // in voxels, ties by voxel). Empty if the exit cannot be reached.
-    Voxels shortest_path(std::size_t from, std::size_t exit, const Voxels& region) const;
+    // Shortest paths from `from` to each exit through the region's voxels (A*, Euclidean step
+    // lengths in voxels, ties by voxel). Empty where an exit cannot be reached.
+    std::vector<Voxels> shortest_paths(std::size_t from, const Voxels& exits, const Voxels& region,
+                                       const Job& job) {
+        for (const std::size_t p : region) object_.mark(p);
+        std::vector<Voxels> paths;
+        for (const std::size_t exit : exits) {
+            job.throw_if_cancelled();  // in a skeleton of noise one region may hold most of it
+            paths.push_back(shortest_path(from, exit));
+        }
+        for (const std::size_t p : region) object_.unmark(p);
+        return paths;
+    }
 
   private:
+    Voxels shortest_path(std::size_t from, std::size_t exit) const;
+
     Voxels flood(std::size_t start) {
         Voxels found{start};
         object_.unmark(start);
@@ -114,7 +126,8 @@ class Valence {
     std::array<std::ptrdiff_t, 26> steps_;
 };
 
-Voxels Valence::shortest_path(std::size_t from, std::size_t exit, const Voxels& region) const {
+// Through marked voxels.
+Voxels Valence::shortest_path(std::size_t from, std::size_t exit) const {
     struct Reached {
         double length;
         std::size_t before;
@@ -127,9 +140,7 @@ Voxels Valence::shortest_path(std::size_t from, std::size_t exit, const Voxels& 
     const auto estimate = [&](std::size_t p) {
         return std::sqrt(squared_distance(object_.index_in_mask(p), goal));
     };
-    const auto allowed = [&](std::size_t q) {
-        return q == exit || (object_.contains(q) && std::ranges::binary_search(region, q));
-    };
+    const auto allowed = [&](std::size_t q) { return q == exit || object_.marked(q); };
     reached[from] = {0.0, from, false};
     open.emplace(estimate(from), from);
     while (!open.empty()) {
@@ -202,10 +213,7 @@ UnitWidthStages unit_width_stages(const Mask& skeleton, Job& job) {
         CrowdedRegion region;
         region.exits = valence.exits(crowded);
         region.centre = valence.centre(crowded);
-        for (const std::size_t exit : region.exits) {
-            job.throw_if_cancelled();  // in a skeleton of noise one region may hold most of it
-            region.paths.push_back(valence.shortest_path(region.centre, exit, crowded));
-        }
+        region.paths = valence.shortest_paths(region.centre, region.exits, crowded, job);
         region.voxels = std::move(crowded);
         regions.push_back(std::move(region));
     }

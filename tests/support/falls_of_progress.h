@@ -11,7 +11,7 @@
 
 namespace hepatica::test {
 
-// Observes the job, which must not outlive it.
+// Observes the job, which must report nothing once this is gone.
 class FallsOfProgress {
   public:
     explicit FallsOfProgress(Job& job) {
