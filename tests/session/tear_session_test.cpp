@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -218,7 +221,7 @@ TEST(TearSession, ADrugLeaksFromTheStumpThatItReaches) {
     EXPECT_EQ(session->world().bleeding()->leaked_drug_g(), 0.0);
 }
 
-// What was injected before the tear goes on as before; what is injected after it ends there.
+// What was injected before the tear ends there as well as what is injected after it.
 TEST(TearSession, AnInjectionKnowsWhatIsTornByThen) {
     const auto session = of_portal_veins();
     InjectDrug drug;
@@ -237,15 +240,49 @@ TEST(TearSession, AnInjectionKnowsWhatIsTornByThen) {
     };
     session->post(drug);
     session->step();
+    EXPECT_GT(reached_behind(), 100);
+    const int injections = session->world().flow()->drug().injections;
     session->post(blade());  // through the only vessel that supplies the others
     play(*session, 3);
     ASSERT_GT(session->world().bleeding()->leak_g_s(), 0.0);
-    EXPECT_GT(reached_behind(), 100);
+    EXPECT_EQ(reached_behind(), 0) << "it is not there yet";
+    EXPECT_EQ(session->world().flow()->drug().injections, injections);
+    EXPECT_GT(session->world().flow()->drug().time_s, 3.5 * frame_s) << "its clock ran on";
+    session->update_frame();
+    EXPECT_FALSE(session->frame().drug.injection->later_tears.empty());
     session->post(drug);
     session->step();
     EXPECT_EQ(reached_behind(), 0);
     session->update_frame();
     EXPECT_FALSE(session->frame().drug.injection->tears.empty());
+}
+
+// From the start and from a keyframe behind the tear, at which the drug runs.
+TEST(TearSession, ADrugThatATearStopsPlaysAgain) {
+    const auto session = of_portal_veins();
+    const auto recording = keep_recording(*session);
+    play(*session, 570);
+    InjectDrug drug;
+    drug.point_mm = small_patient()->tree.segments[0].points_mm.front();
+    drug.void_fraction = 0.0;
+    session->post(drug);
+    play(*session, 10);
+    session->post(blade());
+    play(*session, 40);  // over the keyframe at 600
+    session->post(RestoreSnapshot{});
+    play(*session, 5);
+    ASSERT_FALSE(session->world().flow()->checkpoint().injected->later.empty());
+    const auto patient = std::make_shared<const PatientCase>(session->world().patient());
+    const auto file = std::filesystem::path(testing::TempDir()) / "a_drug_that_a_tear_stops.hrec";
+    write_recording(file, *recording);
+    const Recording read = read_recording(file);
+    for (const std::uint64_t from : {std::uint64_t{0}, std::uint64_t{620}}) {
+        Job job;
+        const ReplayResult again = replay(read, patient, job, from);
+        EXPECT_FALSE(again.diverged_at) << *again.diverged_at;
+        EXPECT_EQ(again.state_hash, session->state_hash()) << "from " << from;
+        EXPECT_EQ(again.began_at > 0, from > 0);
+    }
 }
 
 // A body that sleeps goes on bleeding: what is lost is told as long as it is.
