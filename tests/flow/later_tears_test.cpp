@@ -16,7 +16,7 @@ namespace {
 
 using testing_flow::make_tree;
 
-constexpr double lumen_mm2 = 4.0 * std::numbers::pi;
+constexpr double tube_lumen_mm2 = 4.0 * std::numbers::pi;
 
 VesselSegment straight(const Vec3& from, const Vec3& to, int first, int last, int parent) {
     VesselSegment segment;
@@ -28,7 +28,7 @@ VesselSegment straight(const Vec3& from, const Vec3& to, int first, int last, in
     return segment;
 }
 
-VesselTree tube_of_40_mm() {
+VesselTree tube_to_tear() {
     VesselTree tree;
     tree.nodes = {{Vec3(0, 0, 0)}, {Vec3(40, 0, 0)}};
     tree.segments = {straight(Vec3(0, 0, 0), Vec3(40, 0, 0), 0, 1, -1)};
@@ -36,7 +36,7 @@ VesselTree tube_of_40_mm() {
 }
 
 // A trunk of 20 mm and two branches of 40 mm each, all of one radius.
-VesselTree fork() {
+VesselTree fork_with_equal_branches() {
     VesselTree tree;
     const std::array<Vec3, 4> nodes{Vec3(0, 0, 0), Vec3(20, 0, 0), Vec3(44, 32, 0),
                                     Vec3(44, -32, 0)};
@@ -55,12 +55,12 @@ InjectionOptions into_root() {
     return options;
 }
 
-LaterTears torn_at(double from_s, const TreePoint& at, double area_mm2 = lumen_mm2,
+LaterTears torn_at(double from_s, const TreePoint& at, double area_mm2 = tube_lumen_mm2,
                    bool side = false) {
     return {from_s, {at}, {area_mm2}, {static_cast<std::uint8_t>(side ? 1 : 0)}};
 }
 
-InjectionResult run(const VesselTree& tree, const InjectionOptions& options) {
+InjectionResult run_torn(const VesselTree& tree, const InjectionOptions& options) {
     Job job;
     InjectionResult result = inject(tree, options, job);
     EXPECT_LE(result.balance.error_relative(), 1e-11);
@@ -74,7 +74,7 @@ InjectionResult run(const VesselTree& tree, const InjectionOptions& options) {
 }
 
 double speed_mm_s(double mass_flow_g_s) {
-    return mass_flow_g_s / pure(blood()).density_g_mm3 / lumen_mm2;
+    return mass_flow_g_s / pure(blood()).density_g_mm3 / tube_lumen_mm2;
 }
 
 double arrival_s(const InjectionResult& result, int segment, double at_mm) {
@@ -88,7 +88,7 @@ TEST(LaterTears, EndTheWayOfTheDrugFromThenOn) {
     for (const double from_s : {0.05, 30.0 / speed}) {
         InjectionOptions options = into_root();
         options.later_tears = {torn_at(from_s, {0, 20.0, 0.0})};
-        const InjectionResult torn = run(tube_of_40_mm(), options);
+        const InjectionResult torn = run_torn(tube_to_tear(), options);
         const double reached_mm = std::max(20.0, from_s * speed);
         for (int mm = 1; mm < 40; mm += 2) {
             const double at_s = arrival_s(torn, 0, mm);
@@ -97,8 +97,8 @@ TEST(LaterTears, EndTheWayOfTheDrugFromThenOn) {
             else
                 EXPECT_TRUE(std::isinf(at_s)) << mm;
         }
-        EXPECT_NEAR(torn.balance.bled_mm3, lumen_mm2 * (0.5 * speed - reached_mm), 1e-6);
-        EXPECT_NEAR(torn.balance.inside_mm3, lumen_mm2 * reached_mm, 1e-6);
+        EXPECT_NEAR(torn.balance.bled_mm3, tube_lumen_mm2 * (0.5 * speed - reached_mm), 1e-6);
+        EXPECT_NEAR(torn.balance.inside_mm3, tube_lumen_mm2 * reached_mm, 1e-6);
         EXPECT_NEAR(torn.balance.left_mm3, 0.0, 1e-9);
     }
 }
@@ -109,7 +109,8 @@ TEST(LaterTears, FromTheStartAreThoseOfTheInjection) {
     first.tear_areas_mm2 = {3.0};
     first.tear_sides = {0};
     later.later_tears = {torn_at(0.0, {1, 10.0, 0.0}, 3.0)};
-    const InjectionResult a = run(fork(), first), b = run(fork(), later);
+    const InjectionResult a = run_torn(fork_with_equal_branches(), first),
+                          b = run_torn(fork_with_equal_branches(), later);
     for (int segment = 0; segment < 3; ++segment)
         for (double mm = 0.5; mm < 20.0; mm += 1.0) {
             const double expected = arrival_s(a, segment, mm), is = arrival_s(b, segment, mm);
@@ -124,11 +125,11 @@ TEST(LaterTears, FromTheStartAreThoseOfTheInjection) {
 // Half of the flow runs in each branch until one is torn; then what a solution of the torn network
 // says.
 TEST(LaterTears, GiveTheOtherBranchWhatTheTornNetworkSays) {
-    const VesselTree tree = fork();
+    const VesselTree tree = fork_with_equal_branches();
     const double speed = speed_mm_s(2.0), from_s = 20.0 / speed + 10.0 / (0.5 * speed);
     InjectionOptions options = into_root();
     options.later_tears = {torn_at(from_s, {1, 5.0, 0.0}, 1.0)};
-    const InjectionResult torn = run(tree, options);
+    const InjectionResult torn = run_torn(tree, options);
 
     FlowNetwork network = network_of(tree);
     const std::array<TreePoint, 1> at{TreePoint{1, 5.0, 0.0}};
@@ -137,7 +138,7 @@ TEST(LaterTears, GiveTheOtherBranchWhatTheTornNetworkSays) {
     conditions.torn_areas_mm2 = torn_areas_mm2(network, tear_all(network, at, areas));
     conditions.resident = pure(blood());
     conditions.inlets = {{0, InletKind::mass_flow, 2.0, conditions.resident}};
-    const double after = solve_flow(network, conditions).volume_flow_mm3_s[2] / lumen_mm2;
+    const double after = solve_flow(network, conditions).volume_flow_mm3_s[2] / tube_lumen_mm2;
     ASSERT_GT(std::abs(after - 0.5 * speed), 0.01 * speed);
     EXPECT_NEAR(arrival_s(torn, 2, 5.0), 20.0 / speed + 5.0 / (0.5 * speed), 1e-9);
     for (const double mm : {15.0, 25.0, 39.0})
@@ -152,16 +153,17 @@ TEST(LaterTears, OfASideSlowWhatIsBehindWhileItIsOpen) {
     const double opens_s = 25.0 / speed;
     InjectionOptions options = into_root();
     options.later_tears = {torn_at(opens_s, {0, 20.0, 0.0}, 3.0, true)};
-    const InjectionResult open = run(tube_of_40_mm(), options);
+    const InjectionResult open = run_torn(tube_to_tear(), options);
     EXPECT_NEAR(arrival_s(open, 0, 24.0), 24.0 / speed, 1e-9);
     const double slow = 5.0 / (arrival_s(open, 0, 30.0) - opens_s);
     EXPECT_LT(slow, 0.9 * speed);
     EXPECT_NEAR(arrival_s(open, 0, 35.0), opens_s + 10.0 / slow, 1e-7) << "steady";
     const double closes_s = opens_s + 5.0 / slow;
     options.later_tears.push_back({closes_s});
-    const InjectionResult closed = run(tube_of_40_mm(), options);
+    const InjectionResult closed = run_torn(tube_to_tear(), options);
     EXPECT_NEAR(arrival_s(closed, 0, 38.0), closes_s + 8.0 / speed, 1e-7);
-    EXPECT_NEAR(closed.balance.bled_mm3, lumen_mm2 * (speed - slow) * (closes_s - opens_s), 1e-5);
+    EXPECT_NEAR(closed.balance.bled_mm3, tube_lumen_mm2 * (speed - slow) * (closes_s - opens_s),
+                1e-5);
 }
 
 // The end of a vessel is torn off: what went through it until then counts as delivered, what comes
@@ -171,9 +173,9 @@ TEST(LaterTears, OfAnEndLeaveWhatItHasDelivered) {
     InjectionOptions options = into_root();
     const double from_s = 60.0 / speed;
     options.later_tears = {torn_at(from_s, {0, 40.0, 0.0})};
-    const InjectionResult torn = run(tube_of_40_mm(), options);
-    EXPECT_NEAR(torn.balance.left_mm3, 20.0 * lumen_mm2, 1e-6);
-    EXPECT_NEAR(torn.balance.bled_mm3, lumen_mm2 * (0.5 * speed - 60.0), 1e-6);
+    const InjectionResult torn = run_torn(tube_to_tear(), options);
+    EXPECT_NEAR(torn.balance.left_mm3, 20.0 * tube_lumen_mm2, 1e-6);
+    EXPECT_NEAR(torn.balance.bled_mm3, tube_lumen_mm2 * (0.5 * speed - 60.0), 1e-6);
     const InjectionSample& last = torn.series.back();
     ASSERT_EQ(last.outlet_mass_g.size(), 1u);
     EXPECT_NEAR(last.outlet_mass_g[0], last.delivered_g, 1e-9);
@@ -184,7 +186,7 @@ TEST(LaterTears, MayComeAfterTheCatheterIsClosed) {
     InjectionOptions options = into_root();
     options.injection_s = 0.1;
     options.later_tears = {torn_at(0.2, {0, 20.0, 0.0})};
-    const InjectionResult torn = run(tube_of_40_mm(), options);
+    const InjectionResult torn = run_torn(tube_to_tear(), options);
     EXPECT_NEAR(torn.series.back().injected_g, 0.2, 1e-9);
 }
 
@@ -209,7 +211,7 @@ TEST(LaterTears, LoseNothingOfADrugOfAnotherFluid) {
         }
         options.later_tears.push_back(later);
     }
-    const InjectionResult torn = run(tree, options);
+    const InjectionResult torn = run_torn(tree, options);
     EXPECT_GT(torn.balance.bled_mm3, 0.0);
     // Before the first tear it is the same front, to the tolerance of its steps.
     for (std::size_t i = 0; i < tree.segments.size(); ++i) {
@@ -225,12 +227,12 @@ TEST(LaterTears, AreRefusedOutOfOrderAndOfAnotherTree) {
     InjectionOptions options = into_root();
     for (const double second_s : {0.1, -1.0, std::nan("")}) {
         options.later_tears = {torn_at(0.2, {0, 20.0, 0.0}), torn_at(second_s, {0, 30.0, 0.0})};
-        EXPECT_THROW(inject(tube_of_40_mm(), options, job), InputError) << second_s;
+        EXPECT_THROW(inject(tube_to_tear(), options, job), InputError) << second_s;
     }
     options.later_tears = {torn_at(0.2, {1, 20.0, 0.0})};
-    EXPECT_THROW(inject(tube_of_40_mm(), options, job), InputError);
+    EXPECT_THROW(inject(tube_to_tear(), options, job), InputError);
     options.later_tears = {torn_at(0.2, {0, 20.0, 0.0}, 0.0)};
-    EXPECT_THROW(inject(tube_of_40_mm(), options, job), InputError) << "an opening of nothing";
+    EXPECT_THROW(inject(tube_to_tear(), options, job), InputError) << "an opening of nothing";
 }
 
 }  // namespace

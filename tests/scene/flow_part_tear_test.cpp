@@ -140,7 +140,7 @@ TEST(FlowPart, ADrugGoesToTheBranchesThatAreNotTorn) {
     }
 }
 
-const ThroughTear half_way{{0, 20.0, 0.0}, 4.0 * std::numbers::pi};
+const ThroughTear tear_at_20_mm{{0, 20.0, 0.0}, 4.0 * std::numbers::pi};
 
 // As from a file, which holds no times.
 void expect_the_same_from_its_text(FlowPart& part, const VesselTree& tree) {
@@ -152,7 +152,8 @@ void expect_the_same_from_its_text(FlowPart& part, const VesselTree& tree) {
     EXPECT_EQ(other.part.drug().end_s, part.drug().end_s);
     EXPECT_EQ(other.part.drug().computing, part.drug().computing);
     EXPECT_EQ(other.part.state_hash(), part.state_hash());
-    EXPECT_EQ(other.part.arrival_at_stump_s(half_way, -1), part.arrival_at_stump_s(half_way, -1));
+    EXPECT_EQ(other.part.arrival_at_stump_s(tear_at_20_mm, -1),
+              part.arrival_at_stump_s(tear_at_20_mm, -1));
 }
 
 // The vessel is torn at 20 mm while the drug is at 10 or at 30: what it has reached stays reached,
@@ -168,7 +169,7 @@ TEST(FlowPart, ADrugThatRunsEndsAtATear) {
         const double time_s = before.end_s * at_mm / 40.0;
         part.set_time(time_s);
         const std::uint64_t whole = part.state_hash();
-        part.follow_tears({half_way});
+        part.follow_tears({tear_at_20_mm});
         const DrugView& drug = part.drug();
         EXPECT_EQ(drug.time_s, time_s);
         EXPECT_EQ(drug.injections, before.injections) << "the same one";
@@ -184,7 +185,7 @@ TEST(FlowPart, ADrugThatRunsEndsAtATear) {
             else
                 EXPECT_TRUE(std::isinf((*drug.arrival_s)[k])) << mm;
         }
-        EXPECT_NEAR(part.arrival_at_stump_s(half_way, -1), usual[5], 1e-5 * usual[10]);
+        EXPECT_NEAR(part.arrival_at_stump_s(tear_at_20_mm, -1), usual[5], 1e-5 * usual[10]);
         expect_the_same_from_its_text(part, tree);
     }
 }
@@ -193,7 +194,7 @@ TEST(FlowPart, ADrugsFlowIsSolvedAnewWhereATearIsAnotherOne) {
     const VesselTree tree = tube_of_40_mm();
     Shown made(tree);
     FlowPart& part = made.part;
-    part.follow_tears({half_way});
+    part.follow_tears({tear_at_20_mm});
     EXPECT_FALSE(part.drug().injection) << "there is none";
     const ThroughTear side{{0, 20.0, 0.0}, 3.0, true};
     part.inject({.at = {0, 0.0, 0.0}, .tears = {side}});
@@ -217,9 +218,9 @@ TEST(FlowPart, ADrugsFlowIsSolvedAnewWhereATearIsAnotherOne) {
         EXPECT_NEAR((*part.drug().arrival_s)[k], usual[k], 1e-5 * usual[10])
             << "closed again before it began";
     part.play(false);
-    EXPECT_FALSE(changes({half_way})) << "the clock stands";
+    EXPECT_FALSE(changes({tear_at_20_mm})) << "the clock stands";
     part.play(true);
-    EXPECT_TRUE(changes({half_way}));
+    EXPECT_TRUE(changes({tear_at_20_mm}));
 }
 
 // Turned back to before the tear, it is another one that tears.
@@ -230,10 +231,10 @@ TEST(FlowPart, ATearAfterTheClockWasTurnedBackTakesThePlaceOfLaterOnes) {
     part.inject({.at = {0, 0.0, 0.0}});
     const double end_s = part.drug().end_s;
     part.set_time(0.75 * end_s);
-    part.follow_tears({half_way});
+    part.follow_tears({tear_at_20_mm});
     EXPECT_TRUE(std::isfinite((*part.drug().arrival_s)[7]));
     part.set_time(0.25 * end_s);
-    part.follow_tears({half_way});
+    part.follow_tears({tear_at_20_mm});
     EXPECT_TRUE(std::isfinite((*part.drug().arrival_s)[7])) << "it is the same tear";
     const ThroughTear before{{0, 15.0, 0.0}, 4.0 * std::numbers::pi};
     part.follow_tears({before});
@@ -249,13 +250,13 @@ TEST(FlowPart, ADrugOfAnotherFluidHearsOfATearToo) {
     Shown made(tree);
     FlowPart& part = made.part;
     part.inject(unlike_blood);
-    part.follow_tears({half_way});
+    part.follow_tears({tear_at_20_mm});
     part.finish_injection();
     const DrugView before = part.drug();
     EXPECT_EQ(*before.arrival_s, usual) << "it had not begun";
     const double time_s = 0.5 * usual[2];
     part.set_time(time_s);
-    part.follow_tears({half_way});
+    part.follow_tears({tear_at_20_mm});
     EXPECT_TRUE(part.computing());
     EXPECT_TRUE(part.drug().computing);
     EXPECT_NE(part.drug().version, before.version);
@@ -277,14 +278,14 @@ TEST(FlowPart, ADrugOfAnotherFluidHearsOfATearToo) {
             EXPECT_TRUE(std::isinf((*part.drug().arrival_s)[k])) << k;
     expect_the_same_from_its_text(part, tree);
     const std::uint64_t version = part.drug().version;
-    part.follow_tears({half_way});
+    part.follow_tears({tear_at_20_mm});
     EXPECT_EQ(part.drug().version, version) << "it knows";
 }
 
 TEST(FlowPart, LaterTearsOfAnotherTreeAreRefused) {
     Shown made(tube_of_40_mm());
     made.part.inject({.at = {0, 0.0, 0.0}});
-    made.part.follow_tears({half_way});
+    made.part.follow_tears({tear_at_20_mm});
     FlowCheckpoint kept = made.part.checkpoint();
     ASSERT_EQ(kept.injected->later.size(), 1u);
     kept.injected->later[0].tears[0].at.segment = 1;

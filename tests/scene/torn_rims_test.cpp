@@ -14,8 +14,8 @@
 namespace hepatica {
 namespace {
 
-struct CutBar {
-    CutBar() {
+struct BarCutAcross {
+    BarCutAcross() {
         for (int x = 0; x < 6; ++x)
             for (int y = 0; y < 3; ++y)
                 for (int z = 0; z < 3; ++z) body.add(x, y, 0, x + 0.5, z);
@@ -48,13 +48,13 @@ struct CutBar {
 };
 
 TEST(TornRims, OfAWholeBodyAreNone) {
-    const CutBar bar;
+    const BarCutAcross bar;
     EXPECT_EQ(bar.rims_above(0.0), 0);
 }
 
 // Both sides of the four vertices across the top; those below it still hang together.
 TEST(TornRims, OfACutPartOfTheWayAreTheEdgesThatHaveParted) {
-    CutBar bar;
+    BarCutAcross bar;
     bar.cut_from_top(1.0);
     ASSERT_EQ(bar.tearing->report().joints_broken, 0);
     ASSERT_EQ(bar.tearing->report().vertices_split, 4);
@@ -62,7 +62,7 @@ TEST(TornRims, OfACutPartOfTheWayAreTheEdgesThatHaveParted) {
 }
 
 TEST(TornRims, OfWhatTiesStillHoldAreNone) {
-    CutBar bar;
+    BarCutAcross bar;
     bar.cut_from_top(1.0);
     TearState tied = bar.tearing->state();
     std::ranges::fill(tied.most_mm, 0.5 * TearLaw{}.softening().opening_mm);
@@ -73,7 +73,7 @@ TEST(TornRims, OfWhatTiesStillHoldAreNone) {
 
 // One corner alone is no rim while nothing counts as torn.
 TEST(TornRims, OfASingleCornerAreNone) {
-    CutBar bar;
+    BarCutAcross bar;
     bar.cut_from_top(1.0);
     const std::vector<int> origins = origins_of(bar.tearing->topology());
     TearState tied = bar.tearing->state();
@@ -95,7 +95,7 @@ TEST(TornRims, OfASingleCornerAreNone) {
 }
 
 TEST(TornRims, OfADeeperCutAreAllThatHasComeApart) {
-    CutBar bar;
+    BarCutAcross bar;
     bar.cut_from_top(2.0);
     ASSERT_GT(bar.tearing->report().joints_broken, 0);
     EXPECT_EQ(bar.rims_above(2.0), 16);
