@@ -5542,6 +5542,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Zeit zwischen Werten in s</translation>
     </message>
     <message>
+        <source>time of a tear in s</source>
+        <translation>Zeit eines Risses in s</translation>
+    </message>
+    <message>
         <source>there is no pressure law called &apos;%1&apos;</source>
         <translation>es gibt kein Druckgesetz namens „%1“</translation>
     </message>

@@ -30,12 +30,15 @@ void CurvesDock::follow(std::shared_ptr<const PatientCase> patient, const DrugVi
         plots_->clear_injection();
     }
     if (!drug.injection || drug.injection == followed_) return;
-    const bool another = std::exchange(followed_, drug.injection) != nullptr;
+    // The same one is computed again where vessels tear.
+    const bool had_one = std::exchange(followed_, drug.injection) != nullptr;
+    if (std::exchange(injections_, drug.injections) != drug.injections || !had_one)
+        another_ = had_one;
     BackgroundJob::Callbacks callbacks;
     callbacks.failed = failed_;
     callbacks.ended = [this] { job_.reset(); };
     job_ = std::make_unique<BackgroundJob>(
-        [this, injection = drug.injection, end_s = drug.end_s, may_come, another,
+        [this, injection = drug.injection, end_s = drug.end_s, may_come, another = another_,
          patient = std::move(patient)](Job& job) -> std::function<void()> {
             InjectionCurves curves = injection_curves(patient->tree, *injection, end_s, job);
             // It has replaced those before it.

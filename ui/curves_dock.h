@@ -55,6 +55,8 @@ class CurvesDock : public QDockWidget {
     PlotPanel* plots_;
     // Injection whose curves were requested last.
     std::shared_ptr<const InjectionOptions> followed_;
+    int injections_ = 0;    // DrugView::injections of that
+    bool another_ = false;  // it has replaced one before it
     std::unique_ptr<BackgroundJob> job_;
     TearHistory tear_;
     bool comes_by_itself_ = true;

@@ -70,6 +70,7 @@ constexpr std::array sentences_play{
     Words::id("mass flow in g/s"),
     Words::id("terminal resistance in Pa s/mm3"),
     Words::id("time between samples in s"),
+    Words::id("time of a tear in s"),
     Words::id("there is no pressure law called '%1'"),
     Words::id("Choose one of: published, consistent, regime"),
     Words::id("distal radius in mm"),

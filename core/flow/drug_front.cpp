@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 
@@ -42,7 +43,8 @@ DrugFront::DrugFront(FlowNetwork network, FlowConditions conditions, int drug_in
     reached_from_distal_.resize(count);
     node_share_.resize(network_.node_count);
     node_surplus_.resize(network_.node_count);
-    outlet_mass_g_.assign(network_.outlet_nodes.size(), 0.0);
+    outlets_ = network_.outlet_nodes;
+    outlet_mass_g_.assign(outlets_.size(), 0.0);
     flow_ = std::make_unique<NetworkFlow>(network_, conditions_);
     flow_->solve();
     if (options_.injection_end_s == 0.0) end_injection();
@@ -203,8 +205,9 @@ void DrugFront::count(const Flows& flows, double duration_s) {
     const auto leaving = [&](int node) {
         return std::max(node_surplus_[node], 0.0) * duration_s * node_share_[node];
     };
-    for (std::size_t o = 0; o < network_.outlet_nodes.size(); ++o) {
-        const double volume = leaving(network_.outlet_nodes[o]);
+    // Nothing leaves at the node of an outlet that was torn off.
+    for (std::size_t o = 0; o < outlets_.size(); ++o) {
+        const double volume = leaving(outlets_[o]);
         left_mm3_ += volume;
         outlet_mass_g_[o] += volume * drug_.density_g_mm3;
     }
@@ -303,6 +306,24 @@ void DrugFront::end_injection() {
     options_.injection_end_s = std::numeric_limits<double>::infinity();
     conditions_.inlets.erase(conditions_.inlets.begin() + drug_inlet_);
     drug_inlet_ = -1;
+    begin_flow();
+}
+
+void DrugFront::rejoin(FlowNetwork network, FlowConditions conditions) {
+    assert(network.segments.size() == network_.segments.size());
+    assert(conditions.inlets.size() == conditions_.inlets.size());
+    flow_.reset();  // refers to the network
+    network_ = std::move(network);
+    conditions_ = std::move(conditions);
+    node_share_.assign(static_cast<std::size_t>(network_.node_count), 0.0);
+    node_surplus_.assign(static_cast<std::size_t>(network_.node_count), 0.0);
+    suggested_s_ = std::numeric_limits<double>::infinity();
+    begin_flow();
+    look_ahead();
+}
+
+// Of the network as it is now, with what fills it.
+void DrugFront::begin_flow() {
     flow_ = std::make_unique<NetworkFlow>(network_, conditions_);
     std::vector<int> filled;
     for (std::size_t i = 0; i < slugs_.size(); ++i)

@@ -64,6 +64,10 @@ class DrugFront {
     // One step towards a time, which the last such step meets exactly.
     FrontStep step_towards(double time_s);
     void advance_to(double time_s);
+    // From now on the same segments join other nodes, as where a vessel is torn, with other outlets
+    // and openings; what fills them stays. The conditions have the inlets that are still open, in
+    // their order. Throws what solve_flow throws; the front is then of no more use.
+    void rejoin(FlowNetwork network, FlowConditions conditions);
     // Whether the drug's inlet is still open.
     bool injecting() const { return drug_inlet_ >= 0; }
     // No boundary between drug and blood will move any more under the present conditions.
@@ -81,7 +85,7 @@ class DrugFront {
     // The drug in the first `volume_mm3` of the segment from its proximal node.
     double drug_up_to_mm3(int segment, double volume_mm3) const;
     DrugBalance balance() const;
-    // Drug that has left through each outlet, in g.
+    // Drug that has left through each outlet of the first network, in g.
     const std::vector<double>& outlet_mass_g() const { return outlet_mass_g_; }
     std::uint64_t steps() const { return steps_; }
 
@@ -115,6 +119,7 @@ class DrugFront {
     void refill(const std::vector<int>& segments);
     Flows predict(double& duration_s);
     void end_injection();
+    void begin_flow();
 
     FlowNetwork network_;
     FlowConditions conditions_;
@@ -130,6 +135,7 @@ class DrugFront {
     double negligible_mm3_s_ = 0.0;
     bool at_rest_ = false;
     double suggested_s_ = std::numeric_limits<double>::infinity();
+    std::vector<int> outlets_;  // nodes, of the first network
     std::vector<double> outlet_mass_g_;
     double injected_mm3_ = 0.0;
     double left_mm3_ = 0.0;

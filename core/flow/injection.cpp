@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <sstream>
+#include <utility>
 
 #include "core/base/error.h"
 
@@ -38,25 +40,49 @@ void validate_options(const InjectionOptions& options) {
         throw InputError(problem.str(), "injection", "Give a higher pressure, or a mass flow");
     }
     check("terminal resistance in Pa s/mm3", options.terminal_resistance_pa_s_mm3, 0.0, 1e12);
+    double last_s = 0.0;
+    for (const LaterTears& later : options.later_tears) {
+        check("time of a tear in s", later.from_s, last_s, 1e9);
+        last_s = later.from_s;
+    }
 }
 
-// Places the catheter and sets what drives the flow. The drug is inlet 0.
-void prepare(const VesselTree& tree, const InjectionOptions& options, InjectionResult& injection) {
-    const TreePoint tip = options.tip ? *options.tip : main_root(tree);
-    injection.network = network_of(tree, options.shape);
+// The vessels without tears, divided wherever something tears later, so that a tear joins the same
+// segments otherwise.
+FlowNetwork whole_network(const VesselTree& tree, const InjectionOptions& options,
+                          const TreePoint& tip) {
+    FlowNetwork network = network_of(tree, options.shape);
     if (tip.segment < 0 || tip.segment >= static_cast<int>(tree.segments.size()))
         throw InputError("there is no segment " + std::to_string(tip.segment), "injection",
                          "Choose a point on the vessel tree");
-    FlowNetwork& network = injection.network;
     for (const int closed : options.closed_segments) {
         if (closed < 0 || closed >= static_cast<int>(tree.segments.size()))
             throw InputError("there is no segment " + std::to_string(closed), "injection",
                              "Close a segment of the vessel tree");
         set_open(network, closed, false);
     }
-    FlowConditions& conditions = injection.conditions;
+    if (options.later_tears.empty()) return network;
+    for (const TreePoint& point : options.tears) divide(network, point);
+    for (const LaterTears& later : options.later_tears)
+        for (const TreePoint& point : later.tears) divide(network, point);
+    divide(network, tip);
+    return network;
+}
+
+struct DrivenNetwork {
+    FlowNetwork network;
+    FlowConditions conditions;
+    int tip_node = -1;
+};
+
+// Tears the vessels, places the catheter and sets what drives the flow. The drug is inlet 0.
+DrivenNetwork driven(const VesselTree& tree, const InjectionOptions& options,
+                     const FlowNetwork& whole, const TreePoint& tip, const Fluid& drug) {
+    DrivenNetwork made{whole, {}, -1};
+    FlowNetwork& network = made.network;
+    FlowConditions& conditions = made.conditions;
     tear_for(options, network, conditions);
-    injection.tip_node = place_catheter(network, tip, options.wedged);
+    made.tip_node = place_catheter(network, tip, options.wedged);
     conditions.law = options.law;
     conditions.resident = pure(options.liquid);
     conditions.outlet_pressure_pa = options.outlet_pressure_pa;
@@ -64,20 +90,50 @@ void prepare(const VesselTree& tree, const InjectionOptions& options, InjectionR
     if (options.terminal_resistance_pa_s_mm3 > 0.0)
         conditions.terminal_resistances =
             murray_terminal_resistances(network, options.terminal_resistance_pa_s_mm3);
-    injection.drug = drug_of(options);
     if (options.inlet_pressure_pa)
         conditions.inlets.push_back(
-            {injection.tip_node, InletKind::pressure, *options.inlet_pressure_pa, injection.drug});
+            {made.tip_node, InletKind::pressure, *options.inlet_pressure_pa, drug});
     else
         conditions.inlets.push_back(
-            {injection.tip_node, InletKind::mass_flow, options.mass_flow_g_s, injection.drug});
+            {made.tip_node, InletKind::mass_flow, options.mass_flow_g_s, drug});
     if (!options.wedged && options.blood_flow_g_s > 0.0) {
         int root = tip.segment;
         while (tree.segments[root].parent >= 0) root = tree.segments[root].parent;
         conditions.inlets.push_back({tree.segments[root].proximal_node, InletKind::mass_flow,
                                      options.blood_flow_g_s, conditions.resident});
     }
+    return made;
 }
+
+// Tears the vessels of a front when it is time.
+class LaterTearing {
+  public:
+    LaterTearing(const VesselTree& tree, const InjectionOptions& options, const FlowNetwork& whole,
+                 const TreePoint& tip, const Fluid& drug)
+        : tree_(tree), options_(options), whole_(whole), tip_(tip), drug_(drug) {}
+
+    // Infinity: nothing tears any more.
+    double next_s() const {
+        return next_ < options_.later_tears.size() ? options_.later_tears[next_].from_s
+                                                   : std::numeric_limits<double>::infinity();
+    }
+    void tear_what_is_due(DrugFront& front) {
+        const LaterTears* due = nullptr;
+        while (next_s() <= front.time_s()) due = &options_.later_tears[next_++];
+        if (due == nullptr) return;
+        DrivenNetwork now = driven(tree_, torn_later(options_, *due), whole_, tip_, drug_);
+        if (!front.injecting()) now.conditions.inlets.erase(now.conditions.inlets.begin());
+        front.rejoin(std::move(now.network), std::move(now.conditions));
+    }
+
+  private:
+    const VesselTree& tree_;
+    const InjectionOptions& options_;
+    const FlowNetwork& whole_;
+    const TreePoint tip_;
+    const Fluid drug_;
+    std::size_t next_ = 0;
+};
 
 // The drug in that part of a segment that belongs to the territory: of the segment of its point
 // only what lies downstream of it.
@@ -115,6 +171,7 @@ InjectionSample sample(const InjectionResult& injection, const DrugFront& front,
     s.injected_g = balance.injected_mm3 * density;
     s.inside_g = balance.inside_mm3 * density;
     s.delivered_g = balance.left_mm3 * density;
+    s.bled_g = balance.bled_mm3 * density;
     s.filled_fraction = tree_mm3 > 0.0 ? balance.inside_mm3 / tree_mm3 : 0.0;
     s.outlet_mass_g = front.outlet_mass_g();
     for (const Territory& territory : injection.territories)
@@ -129,6 +186,15 @@ InjectionSample sample(const InjectionResult& injection, const DrugFront& front,
 }
 
 }  // namespace
+
+InjectionOptions torn_later(const InjectionOptions& options, const LaterTears& later) {
+    InjectionOptions torn = options;
+    torn.tears = later.tears;
+    torn.tear_areas_mm2 = later.areas_mm2;
+    torn.tear_sides = later.sides;
+    torn.later_tears.clear();
+    return torn;
+}
 
 void tear_for(const InjectionOptions& options, FlowNetwork& network, FlowConditions& conditions) {
     assert(options.tear_sides.empty() ||
@@ -198,7 +264,14 @@ InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, 
     job.begin_stage("injection");
     validate_options(options);
     InjectionResult injection;
-    prepare(tree, options, injection);
+    const TreePoint tip = options.tip ? *options.tip : main_root(tree);
+    const FlowNetwork whole = whole_network(tree, options, tip);
+    injection.drug = drug_of(options);
+    DrivenNetwork start = driven(tree, options, whole, tip, injection.drug);
+    injection.network = std::move(start.network);
+    injection.conditions = std::move(start.conditions);
+    injection.tip_node = start.tip_node;
+    LaterTearing tearing(tree, options, whole, tip, injection.drug);
     FrontOptions front_options = options.front;
     front_options.injection_end_s = options.injection_s;
     DrugFront front(injection.network, injection.conditions, 0, front_options);
@@ -220,15 +293,18 @@ InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, 
         if (sampled) sampled(injection);
     };
     record();
+    tearing.tear_what_is_due(front);
     for (std::size_t k = 1; front.time_s() < until; ++k) {
         const double to = std::min(static_cast<double>(k) * interval, until);
         while (front.time_s() < to) {
-            front.step_towards(to);
+            front.step_towards(std::min(to, tearing.next_s()));
             job.throw_if_cancelled();
+            tearing.tear_what_is_due(front);
         }
         record();
         const bool injecting_for_ever = std::isinf(options.injection_s);
-        if (!options.until_s && front.at_rest() && (injecting_for_ever || !front.injecting()))
+        if (!options.until_s && front.at_rest() && std::isinf(tearing.next_s()) &&
+            (injecting_for_ever || !front.injecting()))
             break;
         job.advance(std::max(front.time_s() / until, injection.series.back().filled_fraction));
     }

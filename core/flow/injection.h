@@ -19,6 +19,14 @@ namespace hepatica {
 // In loops and between ends of equal pressure the blood hardly moves, and filling would never end.
 inline constexpr double longest_run_in_fillings = 10.0;
 
+// What is torn from a time on, in place of all that was before; as in InjectionOptions.
+struct LaterTears {
+    double from_s = 0.0;
+    std::vector<TreePoint> tears{};
+    std::vector<double> areas_mm2{};
+    std::vector<std::uint8_t> sides{};
+};
+
 struct InjectionOptions {
     // The catheter's tip; none: the root of the system with the largest volume (see main_root).
     std::optional<TreePoint> tip;
@@ -66,6 +74,9 @@ struct InjectionOptions {
     // Of each of `tears`, whether only the side is open and the vessel goes on (not 0); empty: none
     // is. As many as tears, which then have areas, or none.
     std::vector<std::uint8_t> tear_sides;
+    // What changes of `tears` during the run, ascending in time. The flow is solved anew at each
+    // change, and the front goes on from where it is.
+    std::vector<LaterTears> later_tears;
 };
 
 // The state at one moment.
@@ -80,10 +91,12 @@ struct InjectionSample {
     std::vector<double> outlet_mass_g;     // per outlet
     std::vector<double> territory_mass_g;  // inside the territory's vessels and through its outlets
     std::vector<float> filled_length_mm;   // per segment of the vessel tree; empty if not recorded
+    double bled_g = 0.0;                   // out of torn vessels
 };
 
 struct InjectionResult {
-    FlowNetwork network;  // with the catheter in place
+    // At the start, with the catheter in place. Later tears join the same segments otherwise.
+    FlowNetwork network;
     FlowConditions conditions;
     int tip_node = -1;
     Fluid drug;
@@ -103,6 +116,9 @@ struct InjectionResult {
 // is out of range or nothing can flow, and Cancelled.
 InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, Job& job,
                        const std::function<void(const InjectionResult&)>& sampled = {});
+
+// The options as they are from `later` on until the next change.
+InjectionOptions torn_later(const InjectionOptions& options, const LaterTears& later);
 
 // Tears the network at the options' tears and sets the openings in the conditions. Throws
 // InputError where there is no such segment.

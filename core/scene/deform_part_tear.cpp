@@ -11,6 +11,7 @@
 #include "core/deform/body/torn_body.h"
 #include "core/scene/cut_line.h"
 #include "core/scene/deform_part.h"
+#include "core/scene/torn_rims.h"
 #include "core/scene/vessel_direction.h"
 #include "core/tear/tearing.h"
 
@@ -19,23 +20,6 @@ namespace hepatica {
 namespace {
 
 constexpr double blade_radii = 1.3;  // reach of a blade to both sides of a vessel's axis
-
-// 1 for each vertex that has come apart from another one that it was split from or with, and is no
-// longer tied to it. All 0 until a joint has come apart completely, because only then the body
-// counts as torn.
-std::shared_ptr<const std::vector<std::uint8_t>> rims_of(const Tearing& tearing) {
-    auto rims = std::make_shared<std::vector<std::uint8_t>>(tearing.topology().vertex_count(), 0);
-    if (tearing.report().joints_broken == 0) return rims;
-    std::vector<std::array<int, 2>> bound = tearing.bound_pairs();
-    for (auto& [a, b] : bound)
-        if (a > b) std::swap(a, b);
-    std::ranges::sort(bound);
-    for (const std::array<int, 2>& pair : tearing.parted_pairs()) {
-        if (std::ranges::binary_search(bound, pair)) continue;
-        for (const int v : pair) (*rims)[v] = 1;
-    }
-    return rims;
-}
 
 }  // namespace
 
@@ -65,8 +49,13 @@ void DeformPart::set_tear(const std::optional<TearSpec>& tear) {
 
 void DeformPart::show_tear(TearView& view) const {
     const TearReport& report = stepper_->tearing()->report();
-    if (view.origins && (!view.rims || view.joints_broken != report.joints_broken))
-        view.rims = rims_of(*stepper_->tearing());
+    // Before the first joint breaks, corners come apart without any other sign.
+    const bool begins = report.joints_broken == 0 && report.joints_parted > 0;
+    if (view.origins && (!view.rims || begins || view.joints_broken != report.joints_broken)) {
+        std::vector<std::uint8_t> rims = torn_rims(*stepper_->tearing());
+        if (!view.rims || *view.rims != rims)
+            view.rims = std::make_shared<const std::vector<std::uint8_t>>(std::move(rims));
+    }
     view.joints_broken = report.joints_broken;
     view.pieces = report.pieces;
     view.entropy_nats = report.entropy_nats;

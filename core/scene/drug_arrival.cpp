@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/error.h"
 #include "core/base/median.h"
 #include "core/base/number_text.h"
@@ -34,9 +36,18 @@ Arrivals steady_arrivals(const VesselTree& tree, const InjectionOptions& options
     return {arrival_times(network, solution, {tip}), solution.mass_error_relative};
 }
 
-// Any other drug changes the splits at bifurcations as it advances.
+// How long the catheter takes to inject the volume of all vessels.
+double filling_s(const VesselTree& tree, const InjectionOptions& options) {
+    return volume_mm3(network_of(tree, options.shape)) * options.liquid.density_g_mm3 /
+           options.mass_flow_g_s;
+}
+
+// Any other drug changes the splits at bifurcations as it advances, and tears change them anyway.
 Arrivals stepped_arrivals(const VesselTree& tree, const InjectionOptions& options, Job& job) {
-    const InjectionResult result = inject(tree, options, job);
+    InjectionOptions run = options;
+    // The curves over time are not needed, and take longer than a front that does not change flows.
+    if (flows_like_blood(options)) run.step_s = std::clamp(filling_s(tree, options), 1e-9, 1e9);
+    const InjectionResult result = inject(tree, run, job);
     return {result.arrival,
             std::max({result.begin.mass_error_relative, result.end.mass_error_relative,
                       result.balance.error_relative()})};
@@ -51,12 +62,6 @@ double useful_end_s(const std::vector<float>& arrival_s) {
         if (time_s > 0.0f && std::isfinite(time_s)) reached.push_back(time_s);
     if (reached.empty()) return std::numeric_limits<double>::infinity();
     return 5.0 * static_cast<double>(median(std::move(reached)));
-}
-
-// How long the catheter takes to inject the volume of all vessels.
-double filling_s(const VesselTree& tree, const InjectionOptions& options) {
-    return volume_mm3(network_of(tree, options.shape)) * options.liquid.density_g_mm3 /
-           options.mass_flow_g_s;
 }
 
 // A tip within a radius of the place where a system is supplied means that place; otherwise only a
@@ -84,6 +89,16 @@ double at_stumps_s(const VesselTree& tree, const ArrivalTimes& times, const Tree
     return first_s;
 }
 
+LaterTears tears_for_flow(const TornSince& torn) {
+    LaterTears tears{.from_s = torn.from_s};
+    for (const ThroughTear& tear : torn.tears) {
+        tears.tears.push_back(tear.at);
+        tears.areas_mm2.push_back(tear.area_mm2);
+        tears.sides.push_back(tear.side ? 1 : 0);
+    }
+    return tears;
+}
+
 }  // namespace
 
 InjectionOptions injection_options(const Injection& injection, const VesselTree& tree) {
@@ -99,11 +114,12 @@ InjectionOptions injection_options(const Injection& injection, const VesselTree&
     options.void_fraction = injection.void_fraction;
     if (injection.drug_viscosity_pa_s != 0.0)
         options.drug_viscosity_pa_s = injection.drug_viscosity_pa_s;
-    for (const ThroughTear& tear : injection.tears) {
-        options.tears.push_back(tear.at);
-        options.tear_areas_mm2.push_back(tear.area_mm2);
-        options.tear_sides.push_back(tear.side ? 1 : 0);
-    }
+    LaterTears now = tears_for_flow({0.0, injection.tears});
+    options.tears = std::move(now.tears);
+    options.tear_areas_mm2 = std::move(now.areas_mm2);
+    options.tear_sides = std::move(now.sides);
+    for (const TornSince& later : injection.later)
+        options.later_tears.push_back(tears_for_flow(later));
     return options;
 }
 
@@ -113,25 +129,51 @@ bool flows_like_blood(const InjectionOptions& options) {
 
 DrugArrival drug_arrival(const VesselTree& tree, std::span<const TreePoint> places,
                          const InjectionOptions& options, Job& job) {
-    const Arrivals arrivals = flows_like_blood(options) ? steady_arrivals(tree, options)
-                                                        : stepped_arrivals(tree, options, job);
+    const bool steady = flows_like_blood(options) && options.later_tears.empty();
+    const Arrivals arrivals =
+        steady ? steady_arrivals(tree, options) : stepped_arrivals(tree, options, job);
     std::vector<float> arrival_s(places.size());
     for (std::size_t v = 0; v < places.size(); ++v)
         arrival_s[v] = static_cast<float>(arrivals.times.arrival_s(places[v]));
     DrugArrival arrival;
     arrival.mass_error_relative = arrivals.mass_error_relative;
-    for (const TreePoint& tear : options.tears)
+    const std::vector<TreePoint>& tears =
+        options.later_tears.empty() ? options.tears : options.later_tears.back().tears;
+    for (const TreePoint& tear : tears)
         arrival.at_tears_s.push_back(static_cast<float>(at_stumps_s(tree, arrivals.times, tear)));
     const bool leaks =
         std::ranges::any_of(arrival.at_tears_s, [](float time_s) { return std::isfinite(time_s); });
     arrival.end_s =
         std::min(useful_end_s(arrival_s), longest_run_in_fillings * filling_s(tree, options));
     if (!leaks) arrival.end_s = std::min(arrival.end_s, arrivals.times.end_s());
-    if (!(arrival.end_s > 0.0))
+    // Vessels that tear later may end it at once.
+    if (!(arrival.end_s > 0.0) && options.later_tears.empty())
         throw InputError("the drug would leave the vessels right where it is injected", "injection",
                          "Inject farther up the stream");
     arrival.arrival_s = std::make_shared<const std::vector<float>>(std::move(arrival_s));
     return arrival;
+}
+
+void cut_off(const VesselTree& tree, std::span<const TreePoint> places,
+             const InjectionOptions& options, const LaterTears& later,
+             std::vector<float>& arrival_s) {
+    FlowNetwork network = network_of(tree, options.shape);
+    FlowConditions unused;
+    tear_for(torn_later(options, later), network, unused);
+    const int tip = place_catheter(network, *options.tip, options.wedged);
+    DisjointSets joined(static_cast<std::size_t>(network.node_count));
+    for (const FlowSegment& s : network.segments)
+        if (s.open)
+            joined.unite(static_cast<std::uint32_t>(s.proximal_node),
+                         static_cast<std::uint32_t>(s.distal_node));
+    const std::uint32_t supplied = joined.root(static_cast<std::uint32_t>(tip));
+    for (std::size_t v = 0; v < std::min(places.size(), arrival_s.size()); ++v) {
+        if (!(static_cast<double>(arrival_s[v]) > later.from_s)) continue;
+        const auto segment = static_cast<std::size_t>(locate(network, places[v]).segment);
+        const int node = network.segments[segment].proximal_node;
+        if (joined.root(static_cast<std::uint32_t>(node)) != supplied)
+            arrival_s[v] = std::numeric_limits<float>::infinity();
+    }
 }
 
 }  // namespace hepatica

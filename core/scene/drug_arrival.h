@@ -2,7 +2,7 @@
 // The result of an injection: when the drug reaches each vertex that is shown. A drug that flows
 // like the blood that it displaces has the times of the closed form, in O(segments + vertices); any
 // other drug changes the splits at bifurcations as it advances and has those of the stepped front,
-// which take seconds for a large tree.
+// which take seconds for a large tree. Where vessels tear meanwhile, both have those of the front.
 #pragma once
 
 #include <memory>
@@ -18,6 +18,12 @@
 
 namespace hepatica {
 
+// What is torn from a time of the drug's clock on, in place of what was before.
+struct TornSince {
+    double from_s = 0.0;
+    std::vector<ThroughTear> tears{};
+};
+
 struct Injection {
     TreePoint at;                                                    // on the tree at rest
     double mass_flow_g_s = default_injection::mass_flow_g_s;         // > 0
@@ -27,6 +33,13 @@ struct Injection {
                                                                      // regime
     double drug_viscosity_pa_s = 0.0;                                // > 0; 0: that of the mixture
     std::vector<ThroughTear> tears{};  // of the vessels as they are injected
+    double least_end_s = 0.0;          // the drug's clock runs at least until then
+    std::vector<TornSince> later{};    // how they tear afterwards, ascending in time
+
+    // Those that are known last.
+    const std::vector<ThroughTear>& last_tears() const {
+        return later.empty() ? tears : later.back().tears;
+    }
 };
 
 // The options for core/flow/injection.h: a free tip, placed where the system is supplied if the
@@ -44,12 +57,18 @@ struct DrugArrival {
     double end_s = 0.0;
     // Largest imbalance of a node of the flow, relative to the injected flow.
     double mass_error_relative = 0.0;
-    std::vector<float> at_tears_s{};  // per tear of the injection: at either stump
+    std::vector<float> at_tears_s{};  // per last tear of the injection: at either stump
 };
 
 // `places` are the vertices' places on the tree. The same bits on any thread. Throws InputError
 // where nothing can flow or no vessel would be filled, and Cancelled.
 DrugArrival drug_arrival(const VesselTree& tree, std::span<const TreePoint> places,
                          const InjectionOptions& options, Job& job);
+
+// What is known of an injection at once when vessels tear: places that `later` cuts off from the
+// catheter are not reached after it. Their times become infinite.
+void cut_off(const VesselTree& tree, std::span<const TreePoint> places,
+             const InjectionOptions& options, const LaterTears& later,
+             std::vector<float>& arrival_s);
 
 }  // namespace hepatica

@@ -15,8 +15,8 @@ struct DrugLeak {
 };
 
 // `arrival_s` says per stump when the drug reaches it; `leaks_g_s` are the losses of blood there,
-// as many. An upper bound: the drug's times are those of the tree as it was torn when it was
-// injected, and no more leaks than is injected. Nothing while the drug's clock stands.
+// as many. An upper bound: all that bleeds there from then on, but no more than is injected.
+// Nothing while the drug's clock stands.
 DrugLeak drug_leak(const DrugView& drug, const std::vector<float>& arrival_s,
                    const std::vector<double>& leaks_g_s);
 

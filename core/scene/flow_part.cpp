@@ -28,6 +28,21 @@ bool inherit_shared(const BodyTopology& topology, bool changed,
     return true;
 }
 
+// Whether a drug's flow is hardly another one: openings between a half and twice.
+bool alike(const std::vector<ThroughTear>& a, const std::vector<ThroughTear>& b) {
+    return std::ranges::equal(a, b, [](const ThroughTear& one, const ThroughTear& other) {
+        const auto [least, most] = std::minmax(one.area_mm2, other.area_mm2);
+        return one == other && most < 2.0 * least;
+    });
+}
+
+// How many later tears both know, from the first on.
+std::size_t times_in_common(const Injection& a, const Injection& b) {
+    const auto ends =
+        std::ranges::mismatch(a.later, b.later, {}, &TornSince::from_s, &TornSince::from_s);
+    return static_cast<std::size_t>(ends.in1 - a.later.begin());
+}
+
 }  // namespace
 
 FlowPart::FlowPart(const VesselTree& tree, const std::vector<VertexPlace>& places,
@@ -63,29 +78,71 @@ void FlowPart::inject(const Injection& injection) {
     start(injection, std::move(arrival));
 }
 
+void FlowPart::follow_tears(const std::vector<ThroughTear>& tears) {
+    if (!injected_ || !drug_.playing || (run_ && !updating_)) return;
+    Injection now = updating_ ? run_->injection() : *injected_;
+    if (alike(now.last_tears(), tears)) return;
+    // Where the clock was turned back, what tore after it has not happened yet.
+    std::erase_if(now.later,
+                  [this](const TornSince& later) { return later.from_s >= drug_.time_s; });
+    now.later.push_back({drug_.time_s, tears});
+    now.least_end_s = drug_.end_s;
+    const InjectionOptions options = injection_options(now, tree_);
+    follow_topology();
+    if (flows_like_blood(options)) {
+        Job job;
+        return show(now, drug_arrival(tree_, *places_, options, job));
+    }
+    auto run = std::make_unique<InjectionRun>(tree_, places_, now);
+    end_run();
+    run_ = std::move(run);
+    updating_ = drug_.computing = true;
+    drug_.arrival_s = std::make_shared<const std::vector<float>>(
+        without_cut_off(*drug_.arrival_s, now, now.later.size() - 1));
+    ++drug_.version;
+}
+
+// Without what is cut off by the tears of the injection from this one on.
+std::vector<float> FlowPart::without_cut_off(std::vector<float> arrival_s,
+                                             const Injection& injection, std::size_t known) const {
+    const InjectionOptions options = injection_options(injection, tree_);
+    for (std::size_t k = known; k < options.later_tears.size(); ++k)
+        cut_off(tree_, *places_, options, options.later_tears[k], arrival_s);
+    return arrival_s;
+}
+
 void FlowPart::finish_injection(const std::stop_token& stop) {
     if (!run_) return;
     const std::unique_ptr<InjectionRun> run = std::move(run_);
+    const bool updates = std::exchange(updating_, false);
     drug_.computing = false;
     const std::stop_callback told(stop, [&run] { run->cancel(); });
     DrugArrival arrival = run->take();
     // The outcome does not depend on whether the run or the stop was faster.
     if (stop.stop_requested()) throw Cancelled();
-    start(run->injection(), std::move(arrival));
+    if (updates)
+        show(run->injection(), std::move(arrival));
+    else
+        start(run->injection(), std::move(arrival));
 }
 
 void FlowPart::start(const Injection& injection, DrugArrival arrival) {
     keep_reached();
+    ++drug_.injections;
+    drug_.time_s = 0.0;
+    drug_.playing = true;
+    show(injection, std::move(arrival));
+}
+
+// Clock and count are left as they are.
+void FlowPart::show(const Injection& injection, DrugArrival arrival) {
     injected_ = injection;
     mass_error_relative_ = arrival.mass_error_relative;
     at_tears_s_ = std::move(arrival.at_tears_s);
     drug_.arrival_s = std::move(arrival.arrival_s);
     drug_.injection = std::make_shared<const InjectionOptions>(injection_options(injection, tree_));
     ++drug_.version;
-    ++drug_.injections;
-    drug_.time_s = 0.0;
-    drug_.end_s = arrival.end_s;
-    drug_.playing = true;
+    drug_.end_s = std::max(arrival.end_s, injection.least_end_s);
     follow_topology();
 }
 
@@ -104,7 +161,7 @@ void FlowPart::keep_reached() {
 // A cancelled run may still be within a step of its front; it is not waited for here.
 void FlowPart::end_run() {
     drop_ended_runs();
-    drug_.computing = false;
+    drug_.computing = updating_ = false;
     if (!run_) return;
     run_->cancel();
     ended_.push_back(std::move(run_));
@@ -166,6 +223,7 @@ FlowCheckpoint FlowPart::checkpoint() const {
     FlowCheckpoint checkpoint;
     checkpoint.injected = injected_;
     if (run_) checkpoint.computing = run_->injection();
+    checkpoint.updating = updating_;
     checkpoint.time_s = drug_.time_s;
     checkpoint.playing = drug_.playing;
     checkpoint.speed = drug_.speed;
@@ -179,11 +237,17 @@ FlowCheckpoint FlowPart::checkpoint() const {
 void FlowPart::restore(const FlowCheckpoint& checkpoint) {
     require_place(checkpoint.injected);
     require_place(checkpoint.computing);
+    const bool updating = checkpoint.updating && checkpoint.injected && checkpoint.computing;
     DrugArrival arrival = checkpoint.arrival;
     if (checkpoint.injected && !arrival.arrival_s) {
         Job job;
         arrival =
             drug_arrival(tree_, *places_, injection_options(*checkpoint.injected, tree_), job);
+        arrival.end_s = std::max(arrival.end_s, checkpoint.injected->least_end_s);
+        if (updating)
+            arrival.arrival_s = std::make_shared<const std::vector<float>>(
+                without_cut_off(*arrival.arrival_s, *checkpoint.computing,
+                                times_in_common(*checkpoint.injected, *checkpoint.computing)));
     }
     std::unique_ptr<InjectionRun> run;
     if (checkpoint.computing)
@@ -192,6 +256,7 @@ void FlowPart::restore(const FlowCheckpoint& checkpoint) {
     set_speed(checkpoint.speed);
     end_run();
     run_ = std::move(run);
+    updating_ = updating;
     injected_ = checkpoint.injected;
     drug_.injection = checkpoint.options;
     if (checkpoint.injected && !drug_.injection)
@@ -212,7 +277,7 @@ void FlowPart::restore(const FlowCheckpoint& checkpoint) {
 float FlowPart::arrival_at_stump_s(const ThroughTear& tear, int vertex) const {
     if (injected_)
         for (std::size_t i = 0; i < at_tears_s_.size(); ++i)
-            if (injected_->tears[i] == tear) return at_tears_s_[i];
+            if (injected_->last_tears()[i] == tear) return at_tears_s_[i];
     // Vertices that were split off in this step have no arrival time yet.
     const bool known = vertex >= 0 && drug_.arrival_s &&
                        static_cast<std::size_t>(vertex) < drug_.arrival_s->size();
@@ -223,6 +288,8 @@ void FlowPart::require_place(const std::optional<Injection>& injection) const {
     if (!injection) return;
     require_segment(injection->at.segment);
     for (const ThroughTear& tear : injection->tears) require_segment(tear.at.segment);
+    for (const TornSince& later : injection->later)
+        for (const ThroughTear& tear : later.tears) require_segment(tear.at.segment);
 }
 
 void FlowPart::require_segment(int segment) const {
@@ -233,7 +300,15 @@ void FlowPart::require_segment(int segment) const {
 
 std::uint64_t FlowPart::state_hash() const {
     Hasher hasher;
-    const auto add = [&hasher](const Injection* injection) {
+    const auto add_tears = [&hasher](const std::vector<ThroughTear>& tears) {
+        for (const ThroughTear& tear : tears) {
+            const std::array<double, 2> cut{tear.at.arclength_mm, tear.area_mm2};
+            hasher.add_bytes(&tear.at.segment, sizeof tear.at.segment);
+            hasher.add(std::span<const double>(cut));
+            if (tear.side) hasher.add_bytes(&tear.side, sizeof tear.side);
+        }
+    };
+    const auto add = [&hasher, &add_tears](const Injection* injection) {
         const int segment = injection != nullptr ? injection->at.segment : -1;
         hasher.add_bytes(&segment, sizeof segment);
         if (injection == nullptr) return;
@@ -243,15 +318,16 @@ std::uint64_t FlowPart::state_hash() const {
         hasher.add(std::span<const double>(numbers));
         for (const std::string& name : {injection->second_phase, injection->pressure_model})
             hasher.add_bytes(name.c_str(), name.size() + 1);
-        for (const ThroughTear& tear : injection->tears) {
-            const std::array<double, 2> cut{tear.at.arclength_mm, tear.area_mm2};
-            hasher.add_bytes(&tear.at.segment, sizeof tear.at.segment);
-            hasher.add(std::span<const double>(cut));
-            if (tear.side) hasher.add_bytes(&tear.side, sizeof tear.side);
+        add_tears(injection->tears);
+        for (const TornSince& later : injection->later) {
+            const std::array<double, 2> since{later.from_s, injection->least_end_s};
+            hasher.add(std::span<const double>(since));
+            add_tears(later.tears);
         }
     };
     add(injected_ ? &*injected_ : nullptr);
     add(run_ ? &run_->injection() : nullptr);
+    if (updating_) hasher.add_bytes(&updating_, sizeof updating_);
     const std::array<double, 3> clock{drug_.time_s, drug_.speed, drug_.playing ? 1.0 : 0.0};
     hasher.add(std::span<const double>(clock));
     return hasher.value();

@@ -24,6 +24,7 @@ namespace hepatica {
 struct FlowCheckpoint {
     std::optional<Injection> injected;
     std::optional<Injection> computing;
+    bool updating = false;  // `computing` is `injected` as the vessels have torn since
     double time_s = 0.0;
     bool playing = false;
     double speed = 1.0;
@@ -44,20 +45,26 @@ class FlowPart {
     ~FlowPart();  // cancels what is being computed
 
     // The vessels are full of blood, which rests except for the injection; every outlet has the
-    // same pressure, and so has what is around the stumps of the injection's tears. What tears
-    // later changes nothing of it. A drug that flows like blood is there at once, in O(segments +
-    // vertices); any other is computed on a thread of its own, and the last injection stays until
-    // finish_injection(). Cancels what is being computed. Throws InputError for values out of range
-    // and then changes nothing.
+    // same pressure, and so has what is around the stumps of the injection's tears. A drug that
+    // flows like blood is there at once, in O(segments + vertices); any other is computed on a
+    // thread of its own, and the last injection stays until finish_injection(). Cancels what is
+    // being computed. Throws InputError for values out of range and then changes nothing.
     void inject(const Injection& injection);
+    // Tells what is torn now; call before each step. Where it is other than the injection knows, in
+    // other places or by a factor of two of an opening, the drug's flow is solved anew from this
+    // time on: at once where it flows like blood, in O(segments^2 + vertices). Any other drug is
+    // computed again as by inject(), until finish_injection() shown as before but for what is cut
+    // off from the catheter. Does nothing while the drug's clock stands, or another injection is
+    // being computed.
+    void follow_tears(const std::vector<ThroughTear>& tears);
     // Whether an injection is being computed; whether it is done, so that finish_injection() does
     // not wait.
     bool computing() const { return run_ != nullptr; }
     bool injection_ready() const { return run_ != nullptr && run_->ready(); }
     // Replaces the last injection by the computed one, for which it waits, and starts the drug's
-    // clock. Does nothing where none is being computed. Throws what the computation threw
-    // (InputError where nothing can flow; Cancelled soon after a stop is requested); the last
-    // injection then stays.
+    // clock, or lets it run on where vessels have torn since. Does nothing where none is being
+    // computed. Throws what the computation threw (InputError where nothing can flow; Cancelled
+    // soon after a stop is requested); the last injection then stays.
     void finish_injection(const std::stop_token& stop = {});
     // Removes the drug and cancels what is being computed.
     void remove_drug();
@@ -77,8 +84,8 @@ class FlowPart {
     std::uint64_t state_hash() const;
 
     const DrugView& drug() const { return drug_; }
-    // When the drug reaches a stump that a vertex lies at, -1 for none: as it was injected where
-    // the vessel was torn there by then, otherwise as the vertex. Infinity: never, or not known.
+    // When the drug reaches a stump that a vertex lies at, -1 for none: as computed for the stump
+    // where it is known, otherwise as the vertex. Infinity: never, or not known.
     float arrival_at_stump_s(const ThroughTear& tear, int vertex) const;
     // The place on the tree that a vertex belongs to.
     const TreePoint& place_of(int vertex) const { return (*places_)[vertex]; }
@@ -88,6 +95,9 @@ class FlowPart {
 
   private:
     void start(const Injection& injection, DrugArrival arrival);
+    void show(const Injection& injection, DrugArrival arrival);
+    std::vector<float> without_cut_off(std::vector<float> arrival_s, const Injection& injection,
+                                       std::size_t known) const;
     void keep_reached();
     void end_run();
     void drop_ended_runs();
@@ -103,8 +113,9 @@ class FlowPart {
     double mass_error_relative_ = 0.0;
     DrugView drug_;
     std::optional<Injection> injected_;               // what drug_ shows
-    std::vector<float> at_tears_s_;                   // per tear of injected_
+    std::vector<float> at_tears_s_;                   // per last tear of injected_
     std::unique_ptr<InjectionRun> run_;               // what will replace it
+    bool updating_ = false;                           // run_ is injected_ with more tears
     std::list<std::unique_ptr<InjectionRun>> ended_;  // cancelled, not yet finished
 };
 

@@ -140,7 +140,10 @@ StepReport World::step(const std::stop_token& stop) {
                 follow_tear();
             });
         else if (part.name == "flow")
-            part.frame_ms = milliseconds_of([&] { flow_->step(spec_.dt_s); });
+            part.frame_ms = milliseconds_of([&] {
+                flow_->follow_tears(bleeding_ ? bleeding_->tears() : std::vector<ThroughTear>{});
+                flow_->step(spec_.dt_s);
+            });
     }
     press();
     if (bleeding_) {

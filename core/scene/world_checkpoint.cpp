@@ -125,6 +125,12 @@ Json to_json(const Injection& injection) {
               {"pressure_model", injection.pressure_model},
               {"drug_viscosity_pa_s", injection.drug_viscosity_pa_s}};
     for (const ThroughTear& tear : injection.tears) json["tears"].push_back(to_json(tear));
+    if (injection.least_end_s != 0.0) json["least_end_s"] = injection.least_end_s;
+    for (const TornSince& later : injection.later) {
+        Json tears = Json::array();
+        for (const ThroughTear& tear : later.tears) tears.push_back(to_json(tear));
+        json["later"].push_back({{"from_s", later.from_s}, {"tears", std::move(tears)}});
+    }
     return json;
 }
 
@@ -137,8 +143,15 @@ Injection injection_from(const Json& json) {
     injection.second_phase = json.at("second_phase").get<std::string>();
     injection.pressure_model = json.at("pressure_model").get<std::string>();
     injection.drug_viscosity_pa_s = json.at("drug_viscosity_pa_s").get<double>();
-    if (!json.contains("tears")) return injection;
-    for (const Json& tear : json.at("tears")) injection.tears.push_back(tear_at_from(tear));
+    injection.least_end_s = json.value("least_end_s", 0.0);
+    if (json.contains("tears"))
+        for (const Json& tear : json.at("tears")) injection.tears.push_back(tear_at_from(tear));
+    if (json.contains("later"))
+        for (const Json& later : json.at("later")) {
+            TornSince since{.from_s = later.at("from_s").get<double>()};
+            for (const Json& tear : later.at("tears")) since.tears.push_back(tear_at_from(tear));
+            injection.later.push_back(std::move(since));
+        }
     return injection;
 }
 
@@ -148,6 +161,7 @@ Json to_json(const FlowCheckpoint& checkpoint) {
               {"speed", checkpoint.speed}};
     if (checkpoint.injected) json["injected"] = to_json(*checkpoint.injected);
     if (checkpoint.computing) json["computing"] = to_json(*checkpoint.computing);
+    if (checkpoint.updating) json["updating"] = true;
     if (checkpoint.reached_before) {
         std::string reached;
         for (const std::uint8_t yes : *checkpoint.reached_before) reached += yes != 0 ? '1' : '0';
@@ -171,6 +185,7 @@ FlowCheckpoint flow_from(const Json& json) {
     checkpoint.speed = json.at("speed").get<double>();
     if (json.contains("injected")) checkpoint.injected = injection_from(json.at("injected"));
     if (json.contains("computing")) checkpoint.computing = injection_from(json.at("computing"));
+    checkpoint.updating = json.value("updating", false);
     if (json.contains("reached_before"))
         checkpoint.reached_before =
             reached_from(json.at("reached_before").get_ref<const std::string&>());

@@ -113,9 +113,10 @@ struct InjectDrug {
     std::optional<double> drug_viscosity_pa_s{};  // > 0; otherwise the fluid's own
 };
 // Shows the injection that was computed on another thread and starts its clock; waits for the
-// computation. The session posts this command itself as soon as the computation ends; scripts and
-// replays post it at a fixed step, so that the result does not depend on the machine's speed. Does
-// nothing where nothing is being computed.
+// computation. Where it was computed again because vessels tore, its clock runs on. The session
+// posts this command itself as soon as the computation ends; scripts and replays post it at a fixed
+// step, so that the result does not depend on the machine's speed. Does nothing where nothing is
+// being computed.
 struct FinishInjection {};
 struct RemoveDrug {};
 struct PlayDrug {
