@@ -89,7 +89,7 @@ class Edit {
             throw InputError("both ends of the link lie at one point", place_text(edit.at_mm),
                              "Name two places that are not joined yet");
         add_path(from, to, system, edit.path_mm);
-        if (other_system != system) adopt(to, system, other_system);
+        share_system(from, system, to, other_system);
     }
 
     void remove_branch(const TreeEdit& edit) {
@@ -156,7 +156,7 @@ class Edit {
                              place_text(edit.path_mm.back()),
                              "End it before the other vessel's wall, or say first of which system "
                              "that vessel is");
-        adopt(drawn.to, drawn.system, drawn.system_at_to);
+        share_system(drawn.from, drawn.system, drawn.to, drawn.system_at_to);
     }
 
     VesselTree result() {
@@ -197,7 +197,17 @@ class Edit {
             {from, to, system, confidence_by_hand(system), curve.points_mm, curve.radii_mm});
     }
 
-    // A vessel that is linked to another takes the system of that one.
+    // The vessel at `to` takes the system of the one at `from`. Where that one's is unknown, it is
+    // the other way round: a piece without a system must not take that of a whole tree away.
+    void share_system(int from, VascularSystem system, int to, VascularSystem other_system) {
+        if (system == other_system) return;
+        if (system == VascularSystem::unknown)
+            adopt(from, other_system, system);
+        else
+            adopt(to, system, other_system);
+    }
+
+    // Gives `system` to the vessels of the old system that are connected to the node.
     void adopt(int node, VascularSystem system, VascularSystem old_system) {
         const auto at_node = links_of_nodes(graph_);
         std::vector<int> open{node};

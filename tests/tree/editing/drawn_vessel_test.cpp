@@ -166,6 +166,25 @@ TEST(DrawnVessel, JoinsTwoTreesAndTheSecondTakesTheSystemOfTheFirst) {
         EXPECT_EQ(segment.system, VascularSystem::portal);
 }
 
+// Drawn the other way, from the vessel of no system, it must not take that of the tree away.
+TEST(DrawnVessel, OutOfAVesselOfUnknownSystemTakesThatOfTheTreeItReaches) {
+    const VesselTree before = portal_tree_beside(VascularSystem::unknown);
+    const VesselTree after = edited(before, drawing_of(straight(Vec3(39, 10, 0), in_trunk, 1.0)));
+    validate(after);
+    ASSERT_EQ(roots(after).size(), 1u);
+    EXPECT_EQ(after.segments[static_cast<std::size_t>(roots(after).front())].points_mm.front(),
+              Vec3(0, 0, 0));  // the root of the portal tree
+    for (const VesselSegment& segment : after.segments)
+        EXPECT_EQ(segment.system, VascularSystem::portal);
+}
+
+// A tree with two equal points in a row is refused when its case is opened again.
+TEST(DrawnVessel, ThatTurnsBackBeforeItsEndHasNoPointTwice) {
+    const Centreline line{{Vec3(40, 0, 0), Vec3(43, 0, 0), Vec3(43.25, 0, 0), Vec3(43, 0, 0)},
+                          {1.0, 1.0, 1.0, 1.0}};
+    EXPECT_NO_THROW(validate(edited(forked_tree(), drawing_of(line))));
+}
+
 TEST(DrawnVessel, RefusesWhatIsThereAlready) {
     const VesselTree tree = forked_tree();
     const Vec3 along = (tree.nodes[1].position_mm - tree.nodes[0].position_mm).normalized();

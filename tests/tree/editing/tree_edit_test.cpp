@@ -210,6 +210,25 @@ TEST(TreeEdit, ALinkTakesTheSystemOfTheVesselItLeaves) {
     }
 }
 
+// A bridge may begin at the open end of a piece whose system nobody knows.
+TEST(TreeEdit, ALinkFromAVesselOfUnknownSystemLeavesTheOtherItsSystem) {
+    VesselGraph graph = forked_graph();
+    for (VesselLink& link : graph.links) link.system = VascularSystem::portal;
+    const int first = static_cast<int>(graph.nodes.size());
+    graph.nodes.push_back({Vec3(40, 0, 0), 2.0});
+    graph.nodes.push_back({Vec3(40, 30, 0), 2.0});
+    graph.links.push_back(straight_link(graph, first, first + 1, 2.0, 2.0));
+    TreeEdit link = edit_at(TreeEditKind::add_link, Vec3(40, 15, 0));
+    link.to_mm = on_trunk;
+    const VesselTree linked = edited(directed(graph), link);
+    validate(linked);
+    ASSERT_EQ(roots(linked).size(), 1u);
+    EXPECT_EQ(linked.segments[static_cast<std::size_t>(roots(linked).front())].points_mm.front(),
+              graph.nodes[0].position_mm);
+    for (const VesselSegment& segment : linked.segments)
+        EXPECT_EQ(segment.system, VascularSystem::portal);
+}
+
 TEST(TreeEdit, DeletingATreeTakesAllOfItAndNothingElse) {
     const VesselTree cut = edited(forked_tree(), edit_at(TreeEditKind::cut_link, on_right_branch));
     ASSERT_EQ(roots(cut).size(), 2u);
