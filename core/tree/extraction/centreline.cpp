@@ -133,6 +133,12 @@ Centreline resampled(const Centreline& curve, double step_mm) {
     }
     even.points_mm.front() = curve.points_mm.front();
     even.points_mm.back() = curve.points_mm.back();
+    // The last step, too, can end where it began; the end stays.
+    const std::size_t count = even.points_mm.size();
+    if (count > 2 && even.points_mm[count - 1] == even.points_mm[count - 2]) {
+        even.points_mm.erase(even.points_mm.end() - 2);
+        even.radii_mm.erase(even.radii_mm.end() - 2);
+    }
     return even;
 }
 

@@ -132,6 +132,17 @@ TEST(Resampled, ACurveThatTurnsBackOnItselfHasNoPointTwiceInARow) {
     }
 }
 
+TEST(Resampled, ACurveThatTurnsBackWithinItsLastStepHasNoPointTwiceInARow) {
+    const Centreline hook{{{0, 0, 0}, {3, 0, 0}, {3.25, 0, 0}, {3, 0, 0}}, {1.0, 1.0, 1.5, 2.0}};
+    const Centreline even = resampled(hook, 0.5);  // seven pieces, of which the last is no way
+    ASSERT_EQ(even.points_mm.size(), 7u);
+    ASSERT_EQ(even.radii_mm.size(), 7u);
+    EXPECT_EQ(even.points_mm.back(), hook.points_mm.back());
+    EXPECT_EQ(even.radii_mm.back(), 2.0);
+    for (std::size_t i = 1; i < even.points_mm.size(); ++i)
+        EXPECT_NE(even.points_mm[i], even.points_mm[i - 1]) << i;
+}
+
 TEST(Resampled, KeepsTheCurveAndItsEnds) {
     const std::vector<Vec3> points = uneven_curve();
     const Centreline even = resampled({points, std::vector<double>(points.size(), 1.0)}, 0.3);
