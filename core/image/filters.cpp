@@ -74,6 +74,7 @@ IndexBox bounding_box(const Mask& mask) {
 }
 
 IndexBox grow_box(const IndexBox& box, const Grid& grid, double margin_mm) {
+    if (box.empty()) return {};  // around nothing there is no margin
     IndexBox grown;
     for (int a = 0; a < 3; ++a) {
         const int margin = static_cast<int>(std::ceil(margin_mm / grid.spacing_mm[a]));

@@ -158,6 +158,8 @@ TEST(Paste, UndoesACrop) {
 TEST(BoundingBox, HoldsExactlyTheObject) {
     Mask mask(oblique_grid({10, 11, 12}, {1, 1, 2}));
     EXPECT_TRUE(bounding_box(mask).empty());
+    // More than half the grid, so that both borders would pass each other.
+    EXPECT_TRUE(grow_box(bounding_box(mask), mask.grid, 20.0).empty());
     mask.at(3, 4, 5) = 1;
     mask.at(7, 2, 9) = 1;
     const IndexBox box = bounding_box(mask);
