@@ -74,7 +74,8 @@ ByteStream::ByteStream(const std::filesystem::path& file, std::uint64_t offset, 
     : state_(std::make_unique<State>()) {
     state_->file = file;
     state_->encoding = encoding;
-    if (std::filesystem::is_directory(file))
+    std::error_code ignored;  // opening it says what is wrong
+    if (std::filesystem::is_directory(file, ignored))
         throw InputError("is a folder", file.string(), "Choose a file");
     state_->in.open(file, std::ios::binary);
     if (!state_->in)

@@ -18,6 +18,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "core/base/error.h"
@@ -280,6 +281,16 @@ void fill_slice(Volume& volume, const PlacedGrid& placed, const UprightStack& st
                 std::isnan(hu[i]) ? padding_value : clamped(hu[i]);
 }
 
+// False where there is nothing. Throws InputError where that cannot be looked up.
+bool is_folder(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::status_known(status))
+        throw InputError("cannot be opened (" + error.message() + ")", path.string(),
+                         "Check that it exists and may be read");
+    return fs::is_directory(status);
+}
+
 // Keeps GDCM from writing messages about damaged files to the terminal.
 void silence_gdcm() {
     gdcm::Trace::WarningOff();
@@ -298,14 +309,15 @@ std::vector<double> slice_hu(const DicomSlice& slice) {
 }
 
 DicomPlace dicom_place(const fs::path& path) {
-    if (fs::is_directory(path)) return {path, {}};
-    const fs::path file = fs::absolute(path);
+    if (is_folder(path)) return {path, {}};
+    std::error_code ignored;  // of a path of no letters
+    const fs::path file = fs::absolute(path, ignored);
     return {file.parent_path(), is_dicom_file(file) ? file : fs::path{}};
 }
 
 OrderedSeries find_series(const fs::path& path, int series, Job& job) {
     const DicomPlace place = dicom_place(path);
-    if (!fs::is_directory(path) && place.member.empty() &&
+    if (!is_folder(path) && place.member.empty() &&
         lower_case(path.filename().string()) != "dicomdir")
         throw InputError("is no DICOM image", path.string(),
                          "Give the DICOM folder of the CT, or a file in it");

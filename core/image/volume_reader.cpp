@@ -32,8 +32,11 @@ constexpr std::int16_t air_hu = -1024;
 
 void require_existing(const fs::path& path) {
     std::error_code error;
-    if (!fs::exists(path, error))
-        throw InputError("does not exist", path.string(), "Check the path");
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::status_known(status))  // a folder above it may not be entered, for example
+        throw InputError("cannot be opened (" + error.message() + ")", path.string(),
+                         "Check that it exists and may be read");
+    if (!fs::exists(status)) throw InputError("does not exist", path.string(), "Check the path");
 }
 
 // Sets each voxel marked in `missing` to the mean of its neighbours if at least half of them have
@@ -104,7 +107,8 @@ Volume read_volume_file(const fs::path& path, Job& job, ReadRemarks& remarks) {
 }
 
 bool is_dicom(const fs::path& path) {
-    return fs::is_directory(path) || lower_case(path.filename().string()) == "dicomdir" ||
+    std::error_code ignored;
+    return fs::is_directory(path, ignored) || lower_case(path.filename().string()) == "dicomdir" ||
            is_dicom_file(path);
 }
 

@@ -11,6 +11,7 @@
 #include <functional>
 
 #include "core/base/parallel.h"
+#include "core/image/dicom_reader.h"
 #include "core/image/dicom_slices.h"
 #include "core/image/volume_reader.h"
 #include "core/image/volume_writer.h"
@@ -109,6 +110,38 @@ class AsNobody {
   private:
     uid_t user_;
 };
+
+// Whether it exists is not known then, and no error of the file system may come through.
+TEST(Dicom, BelowAFolderThatMayNotBeEnteredIsRefusedWithTheReason) {
+    const DicomFolder folder;
+    fs::permissions(folder.path(), fs::perms::none);
+    std::vector<std::string> refusals;
+    {
+        const AsNobody nobody;
+        Job job;
+        for (const fs::path& path : {folder.slice(1), folder.path() / "series"}) {
+            refusals.push_back(refusal([&] { read_volume(path, job); }));
+            refusals.push_back(refusal([&] { find_series(path, 0, job); }));
+        }
+    }
+    fs::permissions(folder.path(), fs::perms::owner_all);
+    for (const std::string& refused : refusals)
+        EXPECT_NE(refused.find("cannot be opened (Permission denied)"), std::string::npos)
+            << refused;
+}
+
+// The same without permissions: no file system has such a name.
+TEST(Dicom, OfANameThatNoFileCanHaveIsRefusedWithTheReason) {
+    const fs::path path(std::string(300, 'x'));
+    Job job;
+    for (const std::string& refused :
+         {refusal([&] { read_volume(path, job); }), refusal([&] { read_mask(path, job); }),
+          refusal([&] { list_series(path, job); }), refusal([&] { find_series(path, 0, job); })})
+        EXPECT_NE(refused.find("cannot be opened (File name too long)"), std::string::npos)
+            << refused;
+    EXPECT_NE(refusal([&] { find_series({}, 0, job); }).find("is no DICOM image"),
+              std::string::npos);
+}
 
 // What a scan of the folder could not see is said; the rest is read.
 TEST(Dicom, NamesFoldersAndFilesThatMayNotBeRead) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <sstream>
+#include <system_error>
 
 #include "core/base/error.h"
 #include "core/base/patient_space.h"
@@ -85,8 +86,12 @@ void write_tree(const std::filesystem::path& file, const VesselTree& tree) {
 }
 
 VesselTree read_tree(const std::filesystem::path& file, const TreeFileFacts& facts) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored))
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (!std::filesystem::status_known(status))  // a folder above it may not be entered, say
+        throw InputError("cannot be opened (" + error.message() + ")", file.string(),
+                         "Check that it exists and may be read");
+    if (!std::filesystem::exists(status))
         throw InputError("does not exist", file.string(),
                          "Give a tree in a .vtp, .swc or .json file");
     const std::string extension = file.extension().string();

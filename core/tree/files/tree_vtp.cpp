@@ -24,6 +24,7 @@
 #include <numbers>
 #include <span>
 #include <string_view>
+#include <system_error>
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
@@ -348,7 +349,11 @@ void write_tree_vtp(const std::filesystem::path& file, const VesselTree& tree) {
 }
 
 VesselTree read_tree_vtp(const std::filesystem::path& file, const TreeFileFacts& facts) {
-    if (!std::filesystem::is_regular_file(file)) refuse(file, "there is no such file");
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (!std::filesystem::status_known(status))
+        refuse(file, "cannot be opened (" + error.message() + ")");
+    if (!std::filesystem::is_regular_file(status)) refuse(file, "there is no such file");
     Lines lines(file);
     const Vec3 signs = signs_to_lps(space_of(lines, facts, file));
     for (Vec3& point : lines.points_mm) point = signs.cwiseProduct(point);

@@ -454,6 +454,21 @@ TEST(TreeFiles, WithoutAVesselAreRefused) {
     }
 }
 
+// Whether there is such a file is not known then.
+TEST(TreeFiles, ThatCannotBeLookedUpAreRefusedWithTheReason) {
+    for (const char* extension : {".vtp", ".swc", ".json"}) {
+        const std::string refusal = refusal_of(scratch(std::string(300, 'x') + extension), {});
+        EXPECT_NE(refusal.find("cannot be opened (File name too long)"), std::string::npos)
+            << refusal;
+    }
+    try {
+        read_tree_vtp(scratch(std::string(300, 'x') + ".vtp"));
+        ADD_FAILURE() << "a file without a name was read";
+    } catch (const InputError& error) {
+        EXPECT_NE(error.problem().find("File name too long"), std::string::npos) << error.what();
+    }
+}
+
 TEST(TreeSwc, BadFilesAreRefused) {
     for (const char* text : {"", "1 1 0 0 0 1 -1\n", "1 1 0 0 zero 1 -1\n2 1 0 0 1 1 1\n",
                              "1 1 0 0 0 1 -1\n2 1 0 0 1 1 7\n", "1 1 0 0 0 1 -1\n1 1 0 0 1 1 1\n",
