@@ -113,7 +113,8 @@ struct Series {
     }
     bool is_projection() const {
         return holds_any(lower_case(first().image_type + first().description),
-                         {"mip", "mpr thick", "projection", "screen save", "dose"});
+                         {"mip", "mpr thick", "projection", "screen save", "dose report",
+                          "dose info", "dose record", "dose summary"});  // not "low dose"
     }
     bool is_soft() const { return !is_sharp_kernel(first().kernel, first().description); }
     Phase phase() const { return phase_of(first().description); }
@@ -283,14 +284,18 @@ std::string text_of(const Series& series) {
     return text.str();
 }
 
+bool holds_file(const Series& series, const fs::path& file) {
+    return !file.empty() &&
+           std::ranges::find(series.slices, file, &DicomSlice::file) != series.slices.end();
+}
+
 // The index in the list; nothing if there is no such series.
 std::optional<std::size_t> wished(const std::vector<Series>& all, const SeriesWish& wish) {
     const auto number = static_cast<std::size_t>(wish.number);
     if (wish.number != 0)
         return wish.number > 0 && number <= all.size() ? std::optional(number - 1) : std::nullopt;
-    for (std::size_t i = 0; !wish.member.empty() && i < all.size(); ++i)
-        if (std::ranges::find(all[i].slices, wish.member, &DicomSlice::file) != all[i].slices.end())
-            return i;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (holds_file(all[i], wish.member)) return i;
     return all.empty() ? std::nullopt : std::optional<std::size_t>(0);
 }
 
@@ -344,7 +349,8 @@ std::vector<DicomSlice> choose_series(std::vector<DicomSlice> slices, const Seri
         throw InputError("holds no CT series" + found, folder.string(),
                          "Choose the folder of a contrast-enhanced CT");
     }
-    const bool was_wished = wish.number != 0 || !wish.member.empty();
+    // The named file may be a scout, which belongs to no series that can be read.
+    const bool was_wished = wish.number != 0 || holds_file(all[*chosen], wish.member);
     remark_on_choice(all, *chosen, was_wished, remarks);
     return std::move(all[*chosen].slices);
 }

@@ -112,6 +112,35 @@ TEST(SeriesChoice, PrefersThePortalVenousPhaseAndThinSlices) {
     EXPECT_EQ(thickness.value_read(), 20);
 }
 
+// What a scanner writes of the dose is a picture of text, but a CT of low dose is a CT.
+TEST(SeriesChoice, TellsASeriesOfLowDoseFromAReportOfTheDose) {
+    Examination low;
+    low.add("abdomen low dose", 16, 60, 1.5, "B30f");
+    low.add("thorax", 20, 900, 1.5, "B70f");
+    EXPECT_EQ(low.value_read(), 60);
+
+    Examination report;
+    report.add("abdomen", 16, 60);
+    report.add("Dose Report", 20, 5);
+    EXPECT_EQ(report.value_read(), 60);
+}
+
+// Naming one of its files chooses a series; a scout belongs to none.
+TEST(SeriesChoice, IsNotAskedForByNamingAScout) {
+    Examination exam;
+    exam.add("portal", 16, 30);
+    exam.add("native", 16, 10);
+    exam.add("scout", 2, 5);
+    exam.edit("scout", image_type, "ORIGINAL\\PRIMARY\\LOCALIZER");
+    const fs::path named = exam.path() / "named.dcm";
+    fs::copy_file(exam.path() / "scout" / "slice_0001.dcm", named);
+    Job job;
+    ReadRemarks remarks;
+    EXPECT_EQ(read_volume(named, job, &remarks).voxels[0], 30);
+    EXPECT_TRUE(mentions(remarks, "because of its phase of the contrast")) << remarks.size();
+    EXPECT_FALSE(mentions(remarks, "as asked for"));
+}
+
 TEST(SeriesChoice, TakesSlicesOfATiltedGantryForAxial) {
     Examination exam;
     exam.add("sharp", 20, 900, 1.5, "B70f");
