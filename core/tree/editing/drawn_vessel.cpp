@@ -121,7 +121,12 @@ DrawnVessel add_drawn_vessel(VesselGraph& graph, const Centreline& drawn, Vascul
     VascularSystem at_from = system;
     result.from = node_at(drawn.points_mm.front(), radius_at_from, result.grows_out, at_from);
     result.to = node_at(drawn.points_mm.back(), radius_at_to, result.leads_in, result.system_at_to);
-    if (result.from == result.to) refuse_one_point(drawn);
+    const auto node_mm = [&](int node) {
+        return graph.nodes[static_cast<std::size_t>(node)].position_mm;
+    };
+    // Ends that touch nothing have a node each, and so has each of two systems that touch.
+    if (result.from == result.to || node_mm(result.from) == node_mm(result.to))
+        refuse_one_point(drawn);
     if (result.grows_out)
         result.system = at_from;
     else if (result.leads_in)
@@ -133,13 +138,9 @@ DrawnVessel add_drawn_vessel(VesselGraph& graph, const Centreline& drawn, Vascul
         curve.points_mm.push_back(point);
         curve.radii_mm.push_back(radius);
     };
-    const auto node_mm = [&](int node) {
-        return graph.nodes[static_cast<std::size_t>(node)].position_mm;
-    };
     add(node_mm(result.from), radius_at_from);
     for (std::size_t i = part.first; i < part.last; ++i) add(drawn.points_mm[i], part.radii_mm[i]);
     add(node_mm(result.to), radius_at_to);
-    if (curve.points_mm.size() < 2) refuse_one_point(drawn);
     const double narrowest = *std::ranges::min_element(curve.radii_mm);
     curve = resampled(curve, std::max(0.5 * narrowest, 0.5));
     graph.links.push_back({result.from, result.to, result.system,

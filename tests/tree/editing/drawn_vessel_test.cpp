@@ -208,6 +208,15 @@ TEST(DrawnVessel, IsRefusedWhereAllItsPointsAreOne) {
     }
 }
 
+// A short one would be a link of two points at one place, with which no case can be read again.
+TEST(DrawnVessel, IsRefusedWhereItEndsWhereItBegan) {
+    for (const double reach_mm : {0.3, 3.0}) {
+        const Centreline loop{{Vec3(40, 0, 0), Vec3(40 + reach_mm, 0, 0), Vec3(40, 0, 0)},
+                              {1.0, 1.0, 1.0}};
+        EXPECT_EQ(problem_of(forked_tree(), loop), "both ends of the vessel lie at one point");
+    }
+}
+
 TEST(DrawnVessel, IsTheSameAfterItsFile) {
     const TreeEdit drawn = drawing_of(straight(in_trunk, free_place, 1.2), VascularSystem::hepatic);
     const std::vector<TreeEdit> read = edits_from_json(edits_to_json({drawn}), "here");
