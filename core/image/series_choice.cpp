@@ -66,10 +66,11 @@ Phase phase_of(const std::string& description) {
     if (holds_any(name, {"non-contrast", "noncontrast", "non contrast", "without", "native",
                          "nativ", "plain", "unenhanced", "sans inj"}))
         return Phase::without_contrast;
+    if (holds_any(name, {"arteri", "artériel"})) return Phase::arterial;  // may be a late one
     if (holds_any(name, {"delay", "tardif", "equilib", "spät"}) ||
         std::ranges::count(words(name), "late") > 0)  // not "lateral"
         return Phase::late;
-    if (holds_any(name, {"arteri", "artériel", "angio", "early"})) return Phase::arterial;
+    if (holds_any(name, {"angio", "early"})) return Phase::arterial;
     return Phase::unknown;
 }
 

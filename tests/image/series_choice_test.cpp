@@ -112,6 +112,14 @@ TEST(SeriesChoice, PrefersThePortalVenousPhaseAndThinSlices) {
     EXPECT_EQ(thickness.value_read(), 20);
 }
 
+// A liver is scanned in the late arterial phase: its veins have no contrast yet.
+TEST(SeriesChoice, TakesALateArterialPhaseForArterial) {
+    Examination exam;
+    exam.add("late arterial", 20, 20);
+    exam.add("delayed", 16, 40);
+    EXPECT_EQ(exam.value_read(), 40);
+}
+
 // What a scanner writes of the dose is a picture of text, but a CT of low dose is a CT.
 TEST(SeriesChoice, TellsASeriesOfLowDoseFromAReportOfTheDose) {
     Examination low;
