@@ -139,6 +139,8 @@ void find_data(const Fields& fields, VoxelFile& file, const fs::path& path,
     std::string data = field(fields, "data file");
     if (data.empty()) data = field(fields, "datafile");
     if (data.empty()) {
+        // Without the blank line that ends it, the header itself would be read as voxels.
+        if (header_end == 0) reject_nrrd(path, "has a header without an end");
         file.data_file = path;
         file.data_offset = header_end;
     } else {
