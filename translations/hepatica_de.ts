@@ -6218,8 +6218,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Geben Sie zwei Punkte oder mehr in path_mm an und einen von radii_mm für jeden</translation>
     </message>
     <message>
-        <source>Give radii above 0 and up to 50 mm</source>
-        <translation>Geben Sie Radien über 0 und bis 50 mm an</translation>
+        <source>Give radii from 0.001 to 50 mm</source>
+        <translation>Geben Sie Radien von 0,001 bis 50 mm an</translation>
     </message>
     <message>
         <source>an edit</source>

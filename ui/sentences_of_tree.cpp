@@ -43,7 +43,7 @@ constexpr std::array sentences_tree{
     Words::id("a vessel is drawn by %1 points with %2 radii"),
     Words::id("a vessel is drawn with a radius of %1 mm"),
     Words::id("Give two points or more in path_mm, and one of radii_mm for each"),
-    Words::id("Give radii above 0 and up to 50 mm"),
+    Words::id("Give radii from 0.001 to 50 mm"),
     Words::id("an edit"),
     Words::id("the end of a link"),
     Words::id("a vessel"),

@@ -13,7 +13,8 @@ namespace hepatica {
 
 namespace {
 
-constexpr double widest_mm = 50.0;  // largest radius of a drawn vessel
+// Radii of a drawn vessel. The files of trees hold none that is smaller (tree_files.h).
+constexpr double narrowest_mm = 0.001, widest_mm = 50.0;
 
 constexpr std::pair<TreeEditKind, const char*> names[] = {
     {TreeEditKind::cut_link, "cut_link"},
@@ -61,9 +62,9 @@ void read_drawing(const nlohmann::json& value, const std::string& place, TreeEdi
                              " points with " + std::to_string(edit.radii_mm.size()) + " radii",
                          place, "Give two points or more in path_mm, and one of radii_mm for each");
     for (const double radius : edit.radii_mm)
-        if (!(radius > 0.0 && radius <= widest_mm))
+        if (!(radius >= narrowest_mm && radius <= widest_mm))
             throw InputError("a vessel is drawn with a radius of " + number_text(radius) + " mm",
-                             place, "Give radii above 0 and up to 50 mm");
+                             place, "Give radii from 0.001 to 50 mm");
     edit.at_mm = edit.path_mm.front();
     if (value.contains("system")) edit.system = system_from(value.at("system"), place);
 }

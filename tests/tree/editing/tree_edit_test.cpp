@@ -364,6 +364,18 @@ TEST(TreeEditJson, StrokesAtTumoursComeBackAndLeaveTheTree) {
     EXPECT_EQ(edited(VesselTree{}, dab).segments.size(), 0u) << "nor is one needed";
 }
 
+// With thinner vessels the tree of a case could be written, but not read again.
+TEST(TreeEditJson, ADrawnVesselIsNoThinnerThanFilesOfTreesHold) {
+    const auto text_of = [](const std::string& radius) {
+        return R"([{"edit":"draw_vessel","at_mm":[40,0,0],"path_mm":[[40,0,0],[50,0,0]],)"
+               R"("radii_mm":[1,)" +
+               radius + "]}]";
+    };
+    EXPECT_THROW(edits_from_json(text_of("0.0005"), ""), InputError);
+    EXPECT_EQ(edits_from_json(text_of("0.001"), "").at(0).radii_mm[1], 0.001);
+    EXPECT_EQ(edits_from_json(text_of("50"), "").at(0).radii_mm[1], 50.0);
+}
+
 TEST(TreeEditJson, WhatIsWrongIsNamedByTheNumberOfItsEdit) {
     const std::string good = R"({"edit":"cut_link","at_mm":[1,2,3]})";
     for (const char* bad :
