@@ -44,6 +44,18 @@ int refusals(const fs::path& file, const fs::path& to_read, std::size_t header_b
     return refused;
 }
 
+// Its text is long enough for the voxels that it claims.
+TEST(NrrdHeader, ThatIsCutBeforeItsEndIsNotReadAsVoxels) {
+    const TemporaryFolder folder;
+    write_bytes(folder / "cut.nrrd",
+                "NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\n"
+                "sizes: 4 4 4\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n"
+                "space origin: (0,0,0)\nencoding: raw\n");
+    Job job;
+    EXPECT_NE(refusal([&] { read_label_map(folder / "cut.nrrd", job); }).find("without an end"),
+              std::string::npos);
+}
+
 // Two voxels a side, marked or not, in a file of their own.
 TEST(NrrdHeader, WhoseDataBeginLaterIsRefused) {
     const TemporaryFolder folder;

@@ -362,18 +362,6 @@ TEST(BadHeader, WithoutASoundGeometryIsRefused) {
               std::string::npos);
 }
 
-// Its text is long enough for the voxels that it claims.
-TEST(BadData, OfAnNrrdFileThatEndsWithinItsHeaderIsNotItsText) {
-    const TemporaryFolder folder;
-    write_bytes(folder / "cut.nrrd",
-                "NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\n"
-                "sizes: 4 4 4\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n"
-                "space origin: (0,0,0)\nencoding: raw\n");
-    Job job;
-    EXPECT_NE(refusal([&] { read_label_map(folder / "cut.nrrd", job); }).find("without an end"),
-              std::string::npos);
-}
-
 TEST(BadData, CutShortOrDamagedAreRefused) {
     const TemporaryFolder folder;
     EXPECT_NE(NiftiFile(folder).cut(1000).refusal_of_volume().find("cannot hold"),

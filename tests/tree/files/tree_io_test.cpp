@@ -461,12 +461,7 @@ TEST(TreeFiles, ThatCannotBeLookedUpAreRefusedWithTheReason) {
         EXPECT_NE(refusal.find("cannot be opened (File name too long)"), std::string::npos)
             << refusal;
     }
-    try {
-        read_tree_vtp(scratch(std::string(300, 'x') + ".vtp"));
-        ADD_FAILURE() << "a file without a name was read";
-    } catch (const InputError& error) {
-        EXPECT_NE(error.problem().find("File name too long"), std::string::npos) << error.what();
-    }
+    EXPECT_THROW(read_tree_vtp(scratch(std::string(300, 'x') + ".vtp")), InputError);
 }
 
 TEST(TreeSwc, BadFilesAreRefused) {
