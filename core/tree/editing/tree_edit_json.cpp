@@ -14,7 +14,7 @@ namespace hepatica {
 namespace {
 
 // Radii of a drawn vessel. The files of trees hold none that is smaller (tree_files.h).
-constexpr double narrowest_mm = 0.001, widest_mm = 50.0;
+constexpr double thinnest_mm = 0.001, widest_mm = 50.0;
 
 constexpr std::pair<TreeEditKind, const char*> names[] = {
     {TreeEditKind::cut_link, "cut_link"},
@@ -62,7 +62,7 @@ void read_drawing(const nlohmann::json& value, const std::string& place, TreeEdi
                              " points with " + std::to_string(edit.radii_mm.size()) + " radii",
                          place, "Give two points or more in path_mm, and one of radii_mm for each");
     for (const double radius : edit.radii_mm)
-        if (!(radius >= narrowest_mm && radius <= widest_mm))
+        if (!(radius >= thinnest_mm && radius <= widest_mm))
             throw InputError("a vessel is drawn with a radius of " + number_text(radius) + " mm",
                              place, "Give radii from 0.001 to 50 mm");
     edit.at_mm = edit.path_mm.front();
