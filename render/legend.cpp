@@ -85,6 +85,8 @@ std::vector<PictureBox> legend_corners(const Legend::Room& room, double width, d
     double foot = room.covered_bottom + (room.width < 640.0 * r ? (margin + 36.0) * r : margin * r);
     // Above the cube where it would lie on it.
     if (right - width < room.cube_right) foot = std::max(foot, room.cube_top + gap * r);
+    // But never out of the picture.
+    foot = std::min(foot, std::max(room.covered_bottom, top - height));
     return {{right - width, foot, right, foot + height},
             {right - width, right_top - height, right, right_top},
             {margin * r, below_caption - height, margin * r + width, below_caption}};

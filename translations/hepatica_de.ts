@@ -1763,7 +1763,7 @@
     </message>
     <message>
         <source>That stroke is not the last one any more: Undo takes the last step back</source>
-        <translation>Dieser Strich ist nicht mehr der letzte: Rückgängig nimmt den letzten Schritt zurück</translation>
+        <translation>Dieser Strich ist nicht mehr der letzte: „Rückgängig“ nimmt den letzten Schritt zurück</translation>
     </message>
     <message>
         <source>Wait until the corrections before it are made</source>

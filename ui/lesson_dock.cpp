@@ -235,9 +235,12 @@ bool LessonDock::read(const std::string& name) {
         ways_.failed(Words::tr("Open lesson"), std::current_exception());
         return false;
     }
+    const bool gives_up_try = waits_ && fs::path(name_).parent_path() == tried() &&
+                              fs::path(name).parent_path() != tried();
     name_ = name;
     course_pass_.clear();
     waits_ = false;  // for the patient of the lesson that was chosen before
+    if (gives_up_try) ways_.not_begun();
     return true;
 }
 
@@ -275,9 +278,10 @@ void LessonDock::patient_shown(bool built_in, const fs::path& asked_for) {
     const bool fits = !waits_for_.empty() ? same_place(asked_for, waits_for_)
                                           : lesson_ && (lesson_->patient == "any" || built_in);
     // Later, when the patient is shown everywhere and the message that he is being opened is gone.
-    if (std::exchange(waits_, false) && fits)
-        return QTimer::singleShot(0, this, [this] { begin(); });
+    const bool waited = std::exchange(waits_, false);
+    if (waited && fits) return QTimer::singleShot(0, this, [this] { begin(); });
     hide();
+    if (waited) ways_.not_begun();
 }
 
 void LessonDock::patient_corrected() {
@@ -325,7 +329,7 @@ void LessonDock::begin_again() {
     name_ = watched_name_;
     course_pass_ = watched_course_pass_;
     waits_ = false;
-    begin();
+    try_to_begin();  // where it cannot, what is played goes on
 }
 
 void LessonDock::begin() {

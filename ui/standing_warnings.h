@@ -11,8 +11,7 @@
 namespace hepatica {
 
 // All that is said of his vessels as they are: ends that take most of the flow, roots, doubts, a
-// body that meets itself; in
-// the words of the window. Empty without a tree.
+// body that meets itself; in the words of the window. Empty without a tree.
 std::vector<std::string> said_of_vessels(const PatientCase& patient);
 
 // Of vessels that were made anew: ends that take most of the flow, and what their making warned of.

@@ -204,6 +204,7 @@ QImage VtkWidget::picture() {
     scene_->set_moving(false);
     const QImage picture = canvas_->drawn();
     if (software()) scene_->set_smoothing(Smoothing::cheap);
+    scene_->set_moving(rest_timer_.isActive());
     return picture;
 }
 

@@ -419,6 +419,14 @@ TEST_F(LessonAttemptsTest, a_try_that_cannot_begin_is_told_of) {
     EXPECT_EQ(not_begun, 2);
     dock->patient_not_shown();
     EXPECT_EQ(not_begun, 2) << "nothing waited for him";
+    Lesson of_built_in = new_lesson();
+    of_built_in.patient = "built-in";
+    EXPECT_TRUE(dock->try_out(of_built_in));
+    dock->patient_shown(false, "/another.hep");
+    EXPECT_EQ(not_begun, 3) << "another patient was opened meanwhile";
+    EXPECT_TRUE(dock->try_out(of_built_in));
+    EXPECT_TRUE(dock->start("look_around"));
+    EXPECT_EQ(not_begun, 4) << "another lesson was chosen meanwhile";
     EXPECT_FALSE(dock->playing());
     delete dock;
 }
