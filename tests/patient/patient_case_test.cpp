@@ -241,6 +241,19 @@ TEST_F(PatientCaseTest, WhoseRebuildingsHaveNoNumbersIsRefused) {
         }
 }
 
+// Writing such parameters by recursion would overflow the stack.
+TEST_F(PatientCaseTest, WhoseParametersNestWithoutEndIsRefused) {
+    write_case(case_, some_patient());
+    std::string header = text_of(case_ / case_file::header);
+    const std::string two = "\"refinement_recursions\": 2";
+    const std::size_t at = header.find(two);
+    ASSERT_NE(at, std::string::npos);
+    const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+    header.replace(at, two.size(), "\"refinement_recursions\": " + deep);
+    std::ofstream(case_ / case_file::header) << header;
+    EXPECT_NE(refusal(case_).find("nests lists and objects"), std::string::npos);
+}
+
 // Reading a process's memory from address 0 on fails.
 TEST_F(PatientCaseTest, WhoseHeaderFailsToBeReadIsRefusedByName) {
     if (!fs::exists("/proc/self/mem")) GTEST_SKIP() << "no file whose reading fails";
