@@ -243,8 +243,13 @@ Mask organs_of(const PatientCase& patient) {
     });
 }
 
+// A folder that is gone is not made anew: with a dial alone it would be no case, and none could be
+// saved there.
 void write_dial(const fs::path& place, const std::string& dial_json) {
     in_folder(place, [&](const fs::path& folder) {
+        if (!is_case(folder))
+            throw InputError("is not a patient's case: it holds no case.json", folder.string(),
+                             "Check the path: a case is a folder NAME.hep or one file NAME.hepz");
         write_text_atomically(folder / case_file::dial, dial_json);
         if (folder != place) pack_case(folder, place);
     });

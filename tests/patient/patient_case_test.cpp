@@ -223,6 +223,19 @@ TEST_F(PatientCaseTest, SaysWhichFileBesideItCannotBeRead) {
     }
 }
 
+// A case that is moved while its dial is measured leaves no folder that holds the dial alone.
+TEST_F(PatientCaseTest, ThatIsGoneGetsNoDial) {
+    write_case(case_, some_patient());
+    write_dial(case_, "{}");
+    EXPECT_EQ(text_of(case_ / case_file::dial), "{}");
+    const fs::path moved = folder_ / "moved.hep";
+    fs::rename(case_, moved);
+    EXPECT_THROW(write_dial(case_, R"({"front": 1})"), InputError);
+    EXPECT_FALSE(fs::exists(case_));
+    EXPECT_EQ(text_of(moved / case_file::dial), "{}");
+    EXPECT_NO_THROW(write_case(case_, some_patient()));
+}
+
 TEST_F(PatientCaseTest, WhoseRebuildingsHaveNoNumbersIsRefused) {
     PatientCase patient = some_patient();
     patient.corrections.rebuilt = {{0, 2}};
