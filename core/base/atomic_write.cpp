@@ -83,9 +83,12 @@ void exchange(const fs::path& fresh, const fs::path& old, std::error_code& error
 }
 
 // Who may read and write the old file or folder, and nobody else, may do so with what replaces it.
-// A folder that its owner may not write is left out: foreign files have to come back into it.
+// A folder that its owner may not write is left out: foreign files have to come back into it. What
+// its writer has closed to all others stays closed.
 void take_permissions(const fs::path& old, const fs::path& fresh) {
     std::error_code ignored;
+    constexpr fs::perms of_others = fs::perms::group_all | fs::perms::others_all;
+    if ((fs::status(fresh, ignored).permissions() & of_others) == fs::perms::none) return;
     const fs::file_status was = fs::status(old, ignored);
     const bool open_folder =
         fs::is_directory(was) && (was.permissions() & fs::perms::owner_all) == fs::perms::owner_all;

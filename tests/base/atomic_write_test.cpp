@@ -202,6 +202,12 @@ TEST_F(AtomicWrite, ShowsWhatItReplacesToNobodyElse) {
     fs::permissions(folder_ / "made", fs::perms::owner_all);
     write_text_atomically(folder_ / "a.txt", "new");
     EXPECT_EQ(permissions("a.txt"), own_file);
+    fs::permissions(folder_ / "a.txt", usual);
+    write_file_atomically(folder_ / "a.txt", [&](const fs::path& temporary) {
+        std::ofstream(temporary) << "new";
+        fs::permissions(temporary, own_file);
+    });
+    EXPECT_EQ(permissions("a.txt"), own_file) << "its writer closed it";
     write_files_atomically(folder_, [](const fs::path& temporary) {
         for (const char* name : {"b.txt", "d.txt"}) std::ofstream(temporary / name) << "new";
     });
