@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Waits until a written file is on the disk, for what must survive a power cut: a file that is
-// renamed into its place may else be found there without its content.
+// renamed into its place may otherwise be found there without its content.
 #pragma once
 
 #include <filesystem>

@@ -79,7 +79,7 @@ Score score(const Recording& recording, const Lesson& lesson,
                          "recording", "Another build of the program or another processor made it");
     run.end();
     Score scored{run.standing(), run.samples()};
-    // What was done before a recording that begins amid a play, it does not show.
+    // A recording that begins amid a play does not show what was done before.
     if (recording.begin && scored.standing.outcome == LessonOutcome::passed) {
         scored.standing.outcome = LessonOutcome::failed;
         scored.standing.reasons = {"something was done before the lesson began"};
