@@ -3258,6 +3258,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>ist ein Ordner</translation>
     </message>
     <message>
+        <source>nests lists and objects deeper than any file of this program</source>
+        <translation>verschachtelt Listen und Objekte tiefer als jede Datei dieses Programms</translation>
+    </message>
+    <message>
         <source>is empty</source>
         <translation>ist leer</translation>
     </message>

@@ -82,6 +82,19 @@ void exchange(const fs::path& fresh, const fs::path& old, std::error_code& error
     fs::rename(aside, error ? old : fresh, ignored);
 }
 
+// Who may read and write the old file or folder, and nobody else, may do so with what replaces it.
+// A folder that its owner may not write is left out: foreign files have to come back into it. What
+// its writer has closed to all others stays closed.
+void take_permissions(const fs::path& old, const fs::path& fresh) {
+    std::error_code ignored;
+    constexpr fs::perms of_others = fs::perms::group_all | fs::perms::others_all;
+    if ((fs::status(fresh, ignored).permissions() & of_others) == fs::perms::none) return;
+    const fs::file_status was = fs::status(old, ignored);
+    const bool open_folder =
+        fs::is_directory(was) && (was.permissions() & fs::perms::owner_all) == fs::perms::owner_all;
+    if (fs::is_regular_file(was) || open_folder) fs::permissions(fresh, was.permissions(), ignored);
+}
+
 void make_parent(const fs::path& target) {
     std::error_code error;
     fs::create_directories(fs::absolute(target).parent_path(), error);
@@ -96,6 +109,7 @@ void write_file_atomically(const fs::path& target,
     make_parent(file);
     const Temporary temporary(file);
     write(temporary.path());
+    take_permissions(file, temporary.path());
     std::error_code error;
     fs::rename(temporary.path(), file, error);
     if (error) throw_unwritable(target, error);
@@ -144,6 +158,7 @@ void replace_folder(const fs::path& target, const std::function<void(const fs::p
     error.clear();
     fs::create_directory(temporary.path(), error);
     if (error) throw_unwritable(target, error);
+    take_permissions(folder, temporary.path());
     write(temporary.path());
     const bool replaces = fs::exists(folder);
     if (replaces)  // rename() cannot replace a folder that is not empty
@@ -263,6 +278,7 @@ void write_files_atomically(const fs::path& folder,
         // A folder is never exchanged: what it holds would be removed with the temporary.
         move.replaces = fs::exists(move.target, error) && !fs::is_directory(move.target, error) &&
                         !fs::is_directory(file, error);
+        if (move.replaces) take_permissions(move.target, move.fresh);
         moves.push_back(move);
     }
     make_all(moves);

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/json_depth.h"
 
 namespace hepatica {
 
@@ -27,6 +28,13 @@ std::string why_unread() {
     return "cannot be read (" + std::generic_category().message(errno) + ")";
 }
 
+// Whether the text begins as a JSON list or object, perhaps after a byte order mark.
+bool looks_like_json(const std::string& text) {
+    constexpr const char* spaces_and_mark = " \t\r\n\xef\xbb\xbf";
+    const std::size_t first = text.find_first_not_of(spaces_and_mark);
+    return first != std::string::npos && (text[first] == '{' || text[first] == '[');
+}
+
 }  // namespace
 
 std::string read_text_file(const std::filesystem::path& file, const std::string& remedy) {
@@ -38,7 +46,11 @@ std::string read_text_file(const std::filesystem::path& file, const std::string&
     std::ifstream in(file, std::ios::binary);
     if (!in) throw InputError("cannot be read; check its permissions", file.string(), remedy);
     const std::uint64_t bytes = bytes_of(in);
-    return read_text_stream(in, bytes, file);
+    std::string text = read_text_stream(in, bytes, file);
+    if (looks_like_json(text) && nests_too_deep(text))
+        throw InputError("nests lists and objects deeper than any file of this program",
+                         file.string(), remedy);
+    return text;
 }
 
 std::string read_text_stream(std::istream& in, std::uint64_t least_bytes,

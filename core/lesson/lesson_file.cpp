@@ -100,12 +100,17 @@ std::vector<SetupTie> setup_ties_from(const LessonFields& fields) {
     return ties;
 }
 
+bool takes_time(const ScriptAction& action) {
+    const auto* move = action.command ? std::get_if<MoveGrab>(&*action.command) : nullptr;
+    return action.at_s != 0.0 || action.over_s != 0.0 || (move != nullptr && move->over_s);
+}
+
 // The setup is applied in one step, so that a recording shows it.
 Script setup_from(const LessonFields& fields) {
     const Json script{{"name", "setup"}, {"actions", fields.json()}};
     Script setup = script_of(script.dump(), fields.place());
     for (const ScriptAction& action : setup.actions)
-        if (action.at_s != 0.0 || action.over_s != 0.0)
+        if (takes_time(action))
             fields.refuse("does something over time",
                           "Leave out at_s and over_s: it is done before the first step");
     return setup;

@@ -7,13 +7,27 @@
 #include <utility>
 
 #include "core/lesson/allowed_commands.h"
+#include "core/session/session_inbox.h"
 
 namespace hepatica {
 
 namespace {
 
+// As a session takes them over: of consecutive moves only the newest, so that the recording, by
+// which the setup is checked, has no other.
 std::vector<Command> setup_of(const Lesson& lesson, const PatientCase& patient) {
-    return schedule(lesson.setup, patient.tree, lesson.scene.dt_s, 1).front();
+    const auto steps = schedule(lesson.setup, patient.tree, lesson.scene.dt_s, 1);
+    SessionInbox inbox;
+    for (const Command& command : steps.front()) inbox.post(command);
+    return inbox.take_commands();
+}
+
+// A choice on the dial is recorded as the setting that it led to.
+bool is_recorded_as(const Command& given, const Command& recorded) {
+    const bool of_dial = std::holds_alternative<SetQuality>(given) ||
+                         std::holds_alternative<SetAutomaticQuality>(given);
+    if (of_dial) return std::holds_alternative<UseSetting>(recorded);
+    return to_json(given) == to_json(recorded);
 }
 
 }  // namespace
@@ -59,7 +73,7 @@ void LessonRun::fail(const std::string& reason) {
 void LessonRun::check_setup(std::span<const Command> commands) {
     std::size_t done = 0;
     for (const Command& command : commands) {
-        if (done < setup_.size() && to_json(command) == to_json(setup_[done]))
+        if (done < setup_.size() && is_recorded_as(setup_[done], command))
             ++done;
         else if (!objection_to(command, Lesson{}).empty())
             fail("something was done before the lesson began");

@@ -78,7 +78,13 @@ Score score(const Recording& recording, const Lesson& lesson,
                              std::to_string(*result.diverged_at) + ", so that it cannot be scored",
                          "recording", "Another build of the program or another processor made it");
     run.end();
-    return {run.standing(), run.samples()};
+    Score scored{run.standing(), run.samples()};
+    // A recording that begins amid a play does not show what was done before.
+    if (recording.begin && scored.standing.outcome == LessonOutcome::passed) {
+        scored.standing.outcome = LessonOutcome::failed;
+        scored.standing.reasons = {"something was done before the lesson began"};
+    }
+    return scored;
 }
 
 }  // namespace hepatica

@@ -18,6 +18,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/base/flush_to_disk.h"
 
 namespace hepatica {
 
@@ -173,6 +174,7 @@ void pack_case(const fs::path& folder, const fs::path& archive) {
         for (const fs::path& file : sorted_files(folder))
             if (!pack_file(zip.get(), file)) refuse_to_write(archive);
         if (zipClose(zip.release(), nullptr) != ZIP_OK) refuse_to_write(archive);
+        flush_to_disk(temporary, archive);
     });
 }
 

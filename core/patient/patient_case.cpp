@@ -9,6 +9,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/base/flush_to_disk.h"
 #include "core/base/json_number.h"
 #include "core/base/json_problem.h"
 #include "core/base/temporary_folder.h"
@@ -200,6 +201,13 @@ void write_files(const fs::path& folder, const PatientCase& patient) {
     write_case_header(folder, patient);
 }
 
+// The older case is removed as soon as this one stands in its place, and after a power cut there
+// would be neither.
+void flush_files(const fs::path& folder, const fs::path& place) {
+    for (const fs::directory_entry& file : fs::directory_iterator(folder))
+        flush_to_disk(file.path(), place);
+}
+
 }  // namespace
 
 bool is_case(const fs::path& path) {
@@ -221,7 +229,11 @@ void write_case(const fs::path& place, const PatientCase& patient) {
                          "Give --out another name; only an older case is replaced");
     if (!is_archive_name(place) || fs::is_directory(place))
         return renew_folder_atomically(
-            place, [&](const fs::path& temporary) { write_files(temporary, patient); },
+            place,
+            [&](const fs::path& temporary) {
+                write_files(temporary, patient);
+                flush_files(temporary, place);
+            },
             is_of_a_case);
     const TemporaryFolder folder;
     write_files(folder.path(), patient);
@@ -243,8 +255,13 @@ Mask organs_of(const PatientCase& patient) {
     });
 }
 
+// A folder that is gone is not made anew: with a dial alone it would be no case, and none could be
+// saved there.
 void write_dial(const fs::path& place, const std::string& dial_json) {
     in_folder(place, [&](const fs::path& folder) {
+        if (!is_case(folder))
+            throw InputError("is not a patient's case: it holds no case.json", folder.string(),
+                             "Check the path: a case is a folder NAME.hep or one file NAME.hepz");
         write_text_atomically(folder / case_file::dial, dial_json);
         if (folder != place) pack_case(folder, place);
     });

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/base/json_depth.h"
 #include "core/base/json_number.h"
 #include "core/base/json_problem.h"
 
@@ -194,7 +195,7 @@ Recording read_recording(const std::filesystem::path& file) {
     int number = 0;
     for (std::string line; std::getline(in, line);) {
         const std::string place = file.string() + ", line " + std::to_string(++number);
-        const Json json = Json::parse(line, nullptr, false);
+        const Json json = nests_too_deep(line) ? Json() : Json::parse(line, nullptr, false);
         const bool damaged = json.is_discarded() || !json.is_object();
         const bool last = in.peek() == std::ifstream::traits_type::eof();
         if (damaged && last && number > 1) {

@@ -314,6 +314,8 @@ void Timetable::add(const ScriptAction& action) {
         put(first, injection);
         put(first, FinishInjection{});
     } else {
+        if (const auto* grab = std::get_if<GrabPoint>(&*action.command)) hand_mm_ = grab->point_mm;
+        if (const auto* led = std::get_if<MoveGrab>(&*action.command)) hand_mm_ = led->target_mm;
         put(first, *action.command);
     }
 }

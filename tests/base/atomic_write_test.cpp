@@ -189,6 +189,41 @@ TEST_F(AtomicWrite, WritesFilesThroughLinks) {
                   std::string(folder) == "out" ? 2 : 1);
 }
 
+// A patient's folder that was closed to others stays closed when it is saved.
+TEST_F(AtomicWrite, ShowsWhatItReplacesToNobodyElse) {
+    const auto permissions = [&](const char* name) {
+        return fs::status(folder_ / name).permissions();
+    };
+    constexpr fs::perms own_file = fs::perms::owner_read | fs::perms::owner_write;
+    for (const char* name : {"a.txt", "b.txt", "made/c.txt"})
+        write_text_atomically(folder_ / name, "old");
+    const fs::perms usual = permissions("b.txt");
+    for (const char* name : {"a.txt", "b.txt"}) fs::permissions(folder_ / name, own_file);
+    fs::permissions(folder_ / "made", fs::perms::owner_all);
+    write_text_atomically(folder_ / "a.txt", "new");
+    EXPECT_EQ(permissions("a.txt"), own_file);
+    fs::permissions(folder_ / "a.txt", usual);
+    write_file_atomically(folder_ / "a.txt", [&](const fs::path& temporary) {
+        std::ofstream(temporary) << "new";
+        fs::permissions(temporary, own_file);
+    });
+    EXPECT_EQ(permissions("a.txt"), own_file) << "its writer closed it";
+    write_files_atomically(folder_, [](const fs::path& temporary) {
+        for (const char* name : {"b.txt", "d.txt"}) std::ofstream(temporary / name) << "new";
+    });
+    EXPECT_EQ(permissions("b.txt"), own_file);
+    EXPECT_EQ(permissions("d.txt"), usual) << "nothing was there";
+    renew_folder_atomically(
+        folder_ / "made",
+        [](const fs::path& temporary) {
+            EXPECT_EQ(fs::status(temporary).permissions(), fs::perms::owner_all);
+            std::ofstream(temporary / "c.txt") << "new";
+        },
+        [](const fs::path&) { return true; });
+    EXPECT_EQ(permissions("made"), fs::perms::owner_all);
+    EXPECT_EQ(read(folder_ / "made" / "c.txt"), "new");
+}
+
 // A folder stands where the third of four files should go.
 TEST_F(AtomicWrite, PutsBackTheFilesBeforeOneThatCannotBeMoved) {
     write_text_atomically(folder_ / "a.txt", "old");

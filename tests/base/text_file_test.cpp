@@ -10,6 +10,7 @@
 #include <streambuf>
 
 #include "core/base/error.h"
+#include "core/base/json_depth.h"
 #include "core/base/temporary_folder.h"
 
 namespace hepatica {
@@ -113,6 +114,29 @@ TEST(TextFile, ThatDoesNotKnowItsSizeIsReadWhole) {
     const std::filesystem::path file = "/proc/self/stat";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
     EXPECT_FALSE(read_text_file(file, "").empty());
+}
+
+std::string nested(int deep) {
+    const auto count = static_cast<std::size_t>(deep);
+    return std::string(count, '[') + std::string(count, ']');
+}
+
+// Brackets in texts nest nothing; a quotation mark behind a backslash ends no text.
+TEST(TextFile, ThatNestsDeeperThanARecursionBearsIsRefused) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "a.json";
+    const std::string brackets(1000, '[');
+    for (const std::string& good : {nested(deepest_json), "[\"" + brackets + "\"]",
+                                    "{\"\\\"" + brackets + "\": 1}", "(" + brackets}) {
+        std::ofstream(file, std::ios::binary) << good;
+        EXPECT_EQ(read_text_file(file, "Give a letter"), good);
+    }
+    for (const std::string& bad : {nested(deepest_json + 1), "\xef\xbb\xbf \n" + brackets,
+                                   "{\"a\": " + brackets, "[\"\\\\\"," + brackets}) {
+        std::ofstream(file, std::ios::binary) << bad;
+        EXPECT_EQ(problem_of(file), "nests lists and objects deeper than any file of this program")
+            << bad;
+    }
 }
 
 }  // namespace

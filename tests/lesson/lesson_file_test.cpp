@@ -106,6 +106,8 @@ TEST(LessonFile, NamesThePlaceAndTheValueOfWhateverIsWrong) {
     EXPECT_THAT(refusal("/limits/0/mark", "here"), HasSubstr("does not need"));
     EXPECT_THAT(refusal("/setup/0/strength", 7), HasSubstr("strength"));
     EXPECT_THAT(refusal("/setup/0/at_s", 1), HasSubstr("over time"));
+    const Json slow = Json::parse(R"({"do": "move_grab", "target_mm": [1, 2, 3], "over_s": 0.5})");
+    EXPECT_THAT(refusal("/setup/0", slow), HasSubstr("over time"));
     EXPECT_EQ(refusal("/about", gone), "");
 }
 

@@ -192,6 +192,28 @@ TEST(LessonRun, BeginsWithWhatTheLessonSetsUp) {
     EXPECT_THAT(early.standing().reasons, ElementsAre(HasSubstr("before the lesson began")));
 }
 
+// A session applies the newest of consecutive moves alone and records the dial as a setting.
+TEST(LessonRun, BeginsWithASetupThatASessionRecordsInOtherWords) {
+    Lesson lesson = pull_lesson();
+    lesson.setup = script_of(R"({"actions": [
+        {"do": "grab", "where": {"share_of_longest_path": 0.5}},
+        {"do": "move", "by_mm": [1, 0, 0]}, {"do": "move", "by_mm": [0, 1, 0]},
+        {"do": "set_quality", "quality": 0.5}]})",
+                             "setup");
+    LessonRun run(lesson, small_patient());
+    ASSERT_EQ(run.setup().size(), 3u);
+    const Vec3 grabbed = std::get<GrabPoint>(run.setup()[0]).point_mm;
+    EXPECT_TRUE(std::get<MoveGrab>(run.setup()[1]).target_mm.isApprox(grabbed + Vec3(1, 1, 0)));
+    std::vector<Command> recorded = run.setup();
+    recorded[2] = UseSetting{};
+    run.see(recorded, rest_frame());
+    EXPECT_EQ(run.standing().outcome, LessonOutcome::running);
+    LessonRun without(lesson, small_patient());
+    recorded.pop_back();
+    without.see(recorded, rest_frame());
+    EXPECT_EQ(without.standing().outcome, LessonOutcome::failed);
+}
+
 // Without a frame between, in which nothing is held.
 TEST(LessonRun, NothingGoesTheWayToWhereAnotherToolOrGrabIsTaken) {
     Lesson lesson = plain_lesson();

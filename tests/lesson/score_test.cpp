@@ -140,6 +140,28 @@ TEST(Score, IsRefusedWhereThePlayWasAnother) {
     }
 }
 
+// The vessel is held already where this recording begins, and no clock ran while it was taken.
+TEST(Score, WhatBeginsAmidAPlayPassesNoLesson) {
+    Lesson lesson = small_lesson();
+    lesson.steps = {{"hold", "", {{Quantity::holding, -1, true, 1.0}}, 0.0, {}}};
+    Job job;
+    Session session(small_patient(), lesson.scene, job);
+    const auto& tree = small_patient()->tree;
+    session.post(GrabPoint{point_on_longest_path(tree, 0.5)});
+    for (int i = 0; i < 5; ++i) session.step();
+    Recording amid;
+    session.record_from_now([&amid](const Recording& start) -> Session::Keep {
+        amid = start;
+        return [&amid](RecordedStep step) { amid.steps.push_back(std::move(step)); };
+    });
+    for (int i = 0; i < 5; ++i) session.step();
+    ASSERT_TRUE(amid.begin);
+    const LessonStanding standing = score(amid, lesson, small_patient(), job).standing;
+    EXPECT_EQ(standing.step, 1u) << "its step was reached";
+    EXPECT_EQ(standing.outcome, LessonOutcome::failed);
+    EXPECT_THAT(standing.reasons, testing::ElementsAre(HasSubstr("before the lesson began")));
+}
+
 TEST(Score, WhatARecordingEndsBeforeIsNotReached) {
     const Played played = play(small_lesson(), small_play(), small_patient(), 10);
     EXPECT_EQ(played.standing.outcome, LessonOutcome::failed);

@@ -223,6 +223,19 @@ TEST_F(PatientCaseTest, SaysWhichFileBesideItCannotBeRead) {
     }
 }
 
+// A case that is moved while its dial is measured leaves no folder that holds the dial alone.
+TEST_F(PatientCaseTest, ThatIsGoneGetsNoDial) {
+    write_case(case_, some_patient());
+    write_dial(case_, "{}");
+    EXPECT_EQ(text_of(case_ / case_file::dial), "{}");
+    const fs::path moved = folder_ / "moved.hep";
+    fs::rename(case_, moved);
+    EXPECT_THROW(write_dial(case_, R"({"front": 1})"), InputError);
+    EXPECT_FALSE(fs::exists(case_));
+    EXPECT_EQ(text_of(moved / case_file::dial), "{}");
+    EXPECT_NO_THROW(write_case(case_, some_patient()));
+}
+
 TEST_F(PatientCaseTest, WhoseRebuildingsHaveNoNumbersIsRefused) {
     PatientCase patient = some_patient();
     patient.corrections.rebuilt = {{0, 2}};
@@ -239,6 +252,19 @@ TEST_F(PatientCaseTest, WhoseRebuildingsHaveNoNumbersIsRefused) {
             EXPECT_NE(refusal(case_).find("must be a whole number"), std::string::npos)
                 << key << refusal(case_);
         }
+}
+
+// Writing such parameters by recursion would overflow the stack.
+TEST_F(PatientCaseTest, WhoseParametersNestWithoutEndIsRefused) {
+    write_case(case_, some_patient());
+    std::string header = text_of(case_ / case_file::header);
+    const std::string two = "\"refinement_recursions\": 2";
+    const std::size_t at = header.find(two);
+    ASSERT_NE(at, std::string::npos);
+    const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+    header.replace(at, two.size(), "\"refinement_recursions\": " + deep);
+    std::ofstream(case_ / case_file::header) << header;
+    EXPECT_NE(refusal(case_).find("nests lists and objects"), std::string::npos);
 }
 
 // Reading a process's memory from address 0 on fails.

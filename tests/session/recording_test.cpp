@@ -257,6 +257,13 @@ TEST(RecordingFile, ADamagedLineInTheMiddleIsRefusedByItsNumber) {
     EXPECT_THAT(refusal_of(text + "{\"keyframe\": 4, \"played_steps\": 4, \"automatic\": false, "
                                   "\"world\": {}}\n"),
                 HasSubstr("line 6"));
+    // Telling of this vertex by recursion would overflow the stack.
+    const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+    EXPECT_THAT(refusal_of(text.substr(0, third) +
+                           "{\"hash\": \"0123456789abcdef\", \"commands\": [{\"command\": "
+                           "\"grab_vertex\", \"vertex\": " +
+                           deep + "}]}\n" + text.substr(third)),
+                HasSubstr("line 3"));
 }
 
 // Reading a process's memory from address 0 on fails: the file is not taken for an empty one, as

@@ -80,6 +80,20 @@ TEST(Schedule, SpreadsAMoveEvenlyAndGoesOnFromWhereTheHandIs) {
     for (const int idle : {0, 1, 7, 8, 9}) EXPECT_TRUE(commands[idle].empty()) << idle;
 }
 
+TEST(Schedule, GoesOnFromWhereAPlainCommandPutsTheHand) {
+    Script script;
+    ScriptAction grab = at(0.0, "grab_point"), led = at(0.2, "move_grab");
+    grab.command = GrabPoint{Vec3(25, 0, 0)};
+    led.command = MoveGrab{Vec3(30, 5, 0)};
+    ScriptAction first = at(0.1, "move"), second = at(0.3, "move");
+    first.by_mm = second.by_mm = Vec3(0, 0, 2);
+    script.actions = {grab, first, led, second};
+    const auto commands = schedule(script, two_trees(), 0.1, 4);
+    EXPECT_EQ(std::get<MoveGrab>(commands.at(1).at(0)).target_mm, Vec3(25, 0, 2));
+    EXPECT_EQ(std::get<MoveGrab>(commands.at(2).at(0)).target_mm, Vec3(30, 5, 0));
+    EXPECT_EQ(std::get<MoveGrab>(commands.at(3).at(0)).target_mm, Vec3(30, 5, 2));
+}
+
 TEST(Schedule, LeavesOutWhatComesAfterTheLastStep) {
     Script script;
     ScriptAction release = at(0.5, "release"), late = at(0.6, "release");
