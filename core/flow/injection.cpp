@@ -109,8 +109,13 @@ DrivenNetwork driven(const VesselTree& tree, const InjectionOptions& options,
 class LaterTearing {
   public:
     LaterTearing(const VesselTree& tree, const InjectionOptions& options, const FlowNetwork& whole,
-                 const TreePoint& tip, const Fluid& drug)
-        : tree_(tree), options_(options), whole_(whole), tip_(tip), drug_(drug) {}
+                 const TreePoint& tip, int tip_node, const Fluid& drug)
+        : tree_(tree),
+          options_(options),
+          whole_(whole),
+          tip_(tip),
+          tip_node_(tip_node),
+          drug_(drug) {}
 
     // Infinity: nothing tears any more.
     double next_s() const {
@@ -122,15 +127,19 @@ class LaterTearing {
         while (next_s() <= front.time_s()) due = &options_.later_tears[next_++];
         if (due == nullptr) return;
         DrivenNetwork now = driven(tree_, torn_later(options_, *due), whole_, tip_, drug_);
+        tip_node_ = now.tip_node;
         if (!front.injecting()) now.conditions.inlets.erase(now.conditions.inlets.begin());
         front.rejoin(std::move(now.network), std::move(now.conditions));
     }
+    // Of the network as it is torn now.
+    int tip_node() const { return tip_node_; }
 
   private:
     const VesselTree& tree_;
     const InjectionOptions& options_;
     const FlowNetwork& whole_;
     const TreePoint tip_;
+    int tip_node_;
     const Fluid drug_;
     std::size_t next_ = 0;
 };
@@ -160,13 +169,13 @@ double territory_mass_g(const InjectionResult& injection, const DrugFront& front
     return mass;
 }
 
-InjectionSample sample(const InjectionResult& injection, const DrugFront& front, double tree_mm3,
-                       std::size_t tree_segments, bool filled_lengths) {
+InjectionSample sample(const InjectionResult& injection, const DrugFront& front, int tip_node,
+                       double tree_mm3, std::size_t tree_segments, bool filled_lengths) {
     const double density = injection.drug.density_g_mm3;
     const DrugBalance balance = front.balance();
     InjectionSample s;
     s.time_s = front.time_s();
-    s.inlet_pressure_pa = front.flow().total_pressure_pa[injection.tip_node];
+    s.inlet_pressure_pa = front.flow().total_pressure_pa[tip_node];
     s.inlet_flow_g_s = front.injecting() ? front.flow().inlet_flow_mm3_s[0] * density : 0.0;
     s.injected_g = balance.injected_mm3 * density;
     s.inside_g = balance.inside_mm3 * density;
@@ -271,7 +280,7 @@ InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, 
     injection.network = std::move(start.network);
     injection.conditions = std::move(start.conditions);
     injection.tip_node = start.tip_node;
-    LaterTearing tearing(tree, options, whole, tip, injection.drug);
+    LaterTearing tearing(tree, options, whole, tip, injection.tip_node, injection.drug);
     FrontOptions front_options = options.front;
     front_options.injection_end_s = options.injection_s;
     DrugFront front(injection.network, injection.conditions, 0, front_options);
@@ -288,8 +297,8 @@ InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, 
     double interval = options.step_s.value_or(filling_s / 100.0);
     interval = interval > 0.0 ? std::max(interval, until / most_samples) : until;
     const auto record = [&] {
-        injection.series.push_back(sample(injection, front, tree_mm3, tree.segments.size(),
-                                          options.record_filled_lengths));
+        injection.series.push_back(sample(injection, front, tearing.tip_node(), tree_mm3,
+                                          tree.segments.size(), options.record_filled_lengths));
         if (sampled) sampled(injection);
     };
     record();

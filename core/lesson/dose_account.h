@@ -74,9 +74,9 @@ class DoseAccount {
     DoseAccount(const VesselTree& tree, const std::optional<TargetRegion>& target)
         : tree_(tree), target_(target) {}
 
-    // Call with every frame. Takes no time, unless the drug's clock has leapt ahead: then it waits
-    // for the curve, or throws Cancelled soon after a stop is requested. Throws InputError where an
-    // injection cannot flow.
+    // Call with every frame. Takes no time, unless the drug's clock has leapt ahead or vessels have
+    // torn since, when the curve is computed anew up to now: then it waits for it, or throws
+    // Cancelled soon after a stop is requested. Throws InputError where an injection cannot flow.
     void see(const DrugView& drug, const std::stop_token& stop = {});
     Dose total() const;
 

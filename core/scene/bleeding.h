@@ -57,7 +57,7 @@ class Bleeding {
     const std::vector<double>& leaks_g_s() const { return leaks_g_s_; }
     double leaked_g() const { return leaked_g_; }
     // One for each of the tears, in their order, then those where nothing is open any more. The sum
-    // is leaked_g(), unless that was set without its pools.
+    // is leaked_g(), unless that was set without its pools or they were emptied.
     const std::vector<BloodPool>& pools() const { return pools_; }
     // The share of leaked_g() that lies in each of the pools; the sum is 1 where there are any and
     // blood was lost. As the present losses, until the next step, where no pool was set.

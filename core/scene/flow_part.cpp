@@ -28,6 +28,10 @@ bool inherit_shared(const BodyTopology& topology, bool changed,
     return true;
 }
 
+// The opening of a side that swings changes in every frame: what changes sooner than this share of
+// the drug's run after the last change is taken together with what follows it.
+constexpr double least_share_between_tears = 0.01;
+
 // Whether a drug's flow is hardly another one: openings between a half and twice.
 bool alike(const std::vector<ThroughTear>& a, const std::vector<ThroughTear>& b) {
     return std::ranges::equal(a, b, [](const ThroughTear& one, const ThroughTear& other) {
@@ -80,8 +84,14 @@ void FlowPart::inject(const Injection& injection) {
 
 void FlowPart::follow_tears(const std::vector<ThroughTear>& tears) {
     if (!injected_ || !drug_.playing || (run_ && !updating_)) return;
-    Injection now = updating_ ? run_->injection() : *injected_;
-    if (alike(now.last_tears(), tears)) return;
+    if (drug_.time_s >= drug_.end_s) return;
+    const Injection& known = updating_ ? run_->injection() : *injected_;
+    if (alike(known.last_tears(), tears)) return;
+    if (!known.later.empty()) {
+        const double since_s = drug_.time_s - known.later.back().from_s;
+        if (since_s > 0.0 && since_s < least_share_between_tears * drug_.end_s) return;
+    }
+    Injection now = known;
     // Where the clock was turned back, what tore after it has not happened yet.
     std::erase_if(now.later,
                   [this](const TornSince& later) { return later.from_s >= drug_.time_s; });
@@ -91,7 +101,11 @@ void FlowPart::follow_tears(const std::vector<ThroughTear>& tears) {
     follow_topology();
     if (flows_like_blood(options)) {
         Job job;
-        return show(now, drug_arrival(tree_, *places_, options, job));
+        try {
+            return show(now, drug_arrival(tree_, *places_, options, job));
+        } catch (const InputError&) {
+            return play(false);
+        }
     }
     auto run = std::make_unique<InjectionRun>(tree_, places_, now);
     end_run();
@@ -117,7 +131,14 @@ void FlowPart::finish_injection(const std::stop_token& stop) {
     const bool updates = std::exchange(updating_, false);
     drug_.computing = false;
     const std::stop_callback told(stop, [&run] { run->cancel(); });
-    DrugArrival arrival = run->take();
+    DrugArrival arrival;
+    try {
+        arrival = run->take();
+    } catch (const InputError&) {
+        // Otherwise the same would be begun again in the next step.
+        if (updates) play(false);
+        throw;
+    }
     // The outcome does not depend on whether the run or the stop was faster.
     if (stop.stop_requested()) throw Cancelled();
     if (updates)

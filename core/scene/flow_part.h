@@ -52,10 +52,11 @@ class FlowPart {
     void inject(const Injection& injection);
     // Tells what is torn now; call before each step. Where it is other than the injection knows, in
     // other places or by a factor of two of an opening, the drug's flow is solved anew from this
-    // time on: at once where it flows like blood, in O(segments^2 + vertices). Any other drug is
-    // computed again as by inject(), until finish_injection() shown as before but for what is cut
-    // off from the catheter. Does nothing while the drug's clock stands, or another injection is
-    // being computed.
+    // time on: at once where it flows like blood, in O(segments^2 + vertices) for each change that
+    // the injection knows; changes within a hundredth of the drug's run are taken together, so that
+    // there are few. Any other drug is computed again as by inject(), until finish_injection()
+    // shown as before but for what is cut off from the catheter. Where no flow is found, the drug's
+    // clock stops. Does nothing while it stands, or another injection is being computed.
     void follow_tears(const std::vector<ThroughTear>& tears);
     // Whether an injection is being computed; whether it is done, so that finish_injection() does
     // not wait.
@@ -64,7 +65,8 @@ class FlowPart {
     // Replaces the last injection by the computed one, for which it waits, and starts the drug's
     // clock, or lets it run on where vessels have torn since. Does nothing where none is being
     // computed. Throws what the computation threw (InputError where nothing can flow; Cancelled
-    // soon after a stop is requested); the last injection then stays.
+    // soon after a stop is requested); the last injection then stays, and where vessels have torn
+    // since, an InputError stops its clock.
     void finish_injection(const std::stop_token& stop = {});
     // Removes the drug and cancels what is being computed.
     void remove_drug();

@@ -166,6 +166,22 @@ TEST(LaterTears, OfASideSlowWhatIsBehindWhileItIsOpen) {
                 1e-5);
 }
 
+// Nodes have other numbers where fewer vessels are torn than at first.
+TEST(LaterTears, ThatHaveClosedLeaveThePressureOfTheTip) {
+    InjectionOptions whole = into_root();
+    whole.tip = TreePoint{1, 0.0, 0.0};
+    InjectionOptions closes = whole;
+    closes.tears = {{1, 0.0, 0.0}};
+    closes.tear_areas_mm2 = {tube_lumen_mm2};
+    closes.tear_sides = {0};
+    closes.later_tears = {LaterTears{.from_s = 0.2}};
+    const VesselTree tree = fork_with_equal_branches();
+    const InjectionResult expected = run_torn(tree, whole), is = run_torn(tree, closes);
+    const double pressure_pa = expected.series.back().inlet_pressure_pa;
+    EXPECT_GT(std::abs(is.series.front().inlet_pressure_pa - pressure_pa), 0.01 * pressure_pa);
+    EXPECT_NEAR(is.series.back().inlet_pressure_pa, pressure_pa, 1e-6 * pressure_pa);
+}
+
 // The end of a vessel is torn off: what went through it until then counts as delivered, what comes
 // afterwards does not.
 TEST(LaterTears, OfAnEndLeaveWhatItHasDelivered) {

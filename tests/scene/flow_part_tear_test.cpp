@@ -223,6 +223,26 @@ TEST(FlowPart, ADrugsFlowIsSolvedAnewWhereATearIsAnotherOne) {
     EXPECT_TRUE(changes({tear_at_20_mm}));
 }
 
+// A side that swings opens and closes at every frame; each change makes the front's whole run anew.
+TEST(FlowPart, ChangesOfTearsThatAreCloseTogetherAreTakenTogether) {
+    const VesselTree tree = tube_of_40_mm();
+    Shown made(tree);
+    FlowPart& part = made.part;
+    part.inject({.at = {0, 0.0, 0.0}});
+    const double end_s = part.drug().end_s;
+    const std::vector<ThroughTear> open{{{0, 30.0, 0.0}, 3.0, true}};
+    for (int frame = 0; frame < 400; ++frame) {
+        part.set_time(end_s * (0.5 + 1e-4 * frame));
+        part.follow_tears(frame % 2 == 0 ? open : std::vector<ThroughTear>{});
+    }
+    const auto& later = part.drug().injection->later_tears;
+    EXPECT_GE(later.size(), 2u);
+    EXPECT_LE(later.size(), 5u);
+    part.set_time(0.9 * end_s);
+    part.follow_tears({tear_at_20_mm});
+    EXPECT_EQ(part.drug().injection->later_tears.back().from_s, 0.9 * end_s);
+}
+
 // Turned back to before the tear, it is another one that tears.
 TEST(FlowPart, ATearAfterTheClockWasTurnedBackTakesThePlaceOfLaterOnes) {
     const VesselTree tree = tube_of_40_mm();
