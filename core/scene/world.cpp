@@ -136,6 +136,10 @@ StepReport World::step(const std::stop_token& stop) {
     for (PartCost& part : parts_) {
         if (part.name == "deform")
             part.frame_ms = milliseconds_of([&] {
+                // A setting that was changed since has a stepper of its own, which counts its
+                // versions anew and could come to the number of the last one.
+                const TornTopology* torn = deform_->torn();
+                if (torn != nullptr && torn->version() != torn_version_) follow_tear();
                 report = deform_->step(spec_.dt_s, stop);
                 follow_tear();
             });
@@ -335,6 +339,9 @@ void World::restore(const WorldCheckpoint& checkpoint) {
         list_contact();
     }
     searched_ = {};
+    // Other settings make another stepper, which counts its versions anew: the one that is restored
+    // may have the number of the one before. Version 1 is always the whole body.
+    if (torn_version_ != 1) torn_version_ = 0;
     follow_tear();
     press();
     if (bleeding_) {

@@ -3,6 +3,7 @@
 // takes all of it elsewhere, and what is refused changes nothing of it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -189,6 +190,49 @@ TEST(WorldState, ARestoredTearHasItsOwnVertices) {
     EXPECT_NE(p.body.rest_positions_mm(), rest_mm);
     p.body.restore(checkpoint);
     EXPECT_EQ(p.body.rest_positions_mm(), rest_mm);
+}
+
+// A changed setting makes another stepper, whose versions begin anew: what is shown is of the
+// present body though its version may have the number of the one before.
+TEST(WorldState, WhatIsShownIsOfThePresentTearWhateverItsVersion) {
+    Played p;
+    const auto expect_own = [&](const char* when) {
+        EXPECT_EQ(p.world.topology().vertex_count(), p.world.vertex_count()) << when;
+        Frame frame;
+        p.world.fill(frame);
+        int highest = 0;
+        for (const auto& triangle : *frame.surface)
+            highest = std::max({highest, triangle[0], triangle[1], triangle[2]});
+        EXPECT_LT(static_cast<std::size_t>(highest), p.world.vertex_count()) << when;
+        ASSERT_TRUE(frame.tear);
+        if (frame.tear->origins)
+            EXPECT_EQ(frame.tear->origins->size(), p.world.vertex_count()) << when;
+    };
+    const auto cut_through = [&](int segment) {
+        const Vec3 at = middle_of(p.tree, segment);
+        p.body.cut(p.tree, at - Vec3(15, 1, 0), at + Vec3(15, 1, 0));
+        p.world.follow_tear();
+    };
+    const WorldCheckpoint whole = p.world.checkpoint();
+    p.body.set_touchable(false);
+    p.world.follow_tear();
+    cut_through(1);
+    expect_own("cut");
+    p.world.restore(whole);  // with tools again
+    expect_own("whole again");
+    EXPECT_EQ(p.world.vertex_count(), small_patient()->mesh.vertices_mm.size());
+
+    Played q;
+    q.body.set_touchable(false);
+    q.world.follow_tear();
+    const Vec3 at = middle_of(q.tree, 1), other = middle_of(q.tree, 0);
+    q.body.cut(q.tree, at - Vec3(15, 1, 0), at + Vec3(15, 1, 0));
+    q.world.follow_tear();
+    // As the governor changes the setting, which tells the world nothing; then something tears.
+    q.body.set_touchable(true);
+    q.body.cut_line(q.tree, other, other, 0.0);
+    q.world.step();
+    EXPECT_EQ(q.world.topology().vertex_count(), q.world.vertex_count());
 }
 
 TEST(WorldState, AResetTakesEverythingBackButTheClock) {
