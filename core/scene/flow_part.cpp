@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <string>
@@ -40,6 +41,19 @@ bool alike(const std::vector<ThroughTear>& a, const std::vector<ThroughTear>& b)
     });
 }
 
+// The places of the body before anything was split, which come first. Split vertices have their
+// parents' times; counted as vertices of their own, they would move the end of the drug's clock, so
+// that it depended on what was torn when the injection was computed.
+std::shared_ptr<const std::vector<TreePoint>> of_whole_body(const std::vector<TreePoint>& places,
+                                                            const BodyTopology& topology) {
+    std::size_t whole = 0;
+    while (whole < std::min(places.size(), topology.vertex_count()) &&
+           topology.parent(static_cast<int>(whole)) == static_cast<int>(whole))
+        ++whole;
+    return std::make_shared<const std::vector<TreePoint>>(
+        places.begin(), places.begin() + static_cast<std::ptrdiff_t>(whole));
+}
+
 // How many later tears both know, from the first on.
 std::size_t times_in_common(const Injection& a, const Injection& b) {
     const auto ends =
@@ -70,14 +84,15 @@ FlowPart::~FlowPart() {
 void FlowPart::inject(const Injection& injection) {
     const InjectionOptions options = injection_options(injection, tree_);
     if (!flows_like_blood(options)) {
-        auto run = std::make_unique<InjectionRun>(tree_, places_, injection);
+        auto run =
+            std::make_unique<InjectionRun>(tree_, of_whole_body(*places_, topology_), injection);
         end_run();
         run_ = std::move(run);
         drug_.computing = true;
         return;
     }
     Job job;
-    DrugArrival arrival = drug_arrival(tree_, *places_, options, job);
+    DrugArrival arrival = drug_arrival(tree_, *of_whole_body(*places_, topology_), options, job);
     end_run();
     start(injection, std::move(arrival));
 }
@@ -102,12 +117,13 @@ void FlowPart::follow_tears(const std::vector<ThroughTear>& tears) {
     if (flows_like_blood(options)) {
         Job job;
         try {
-            return show(now, drug_arrival(tree_, *places_, options, job));
+            return show(now,
+                        drug_arrival(tree_, *of_whole_body(*places_, topology_), options, job));
         } catch (const InputError&) {
             return play(false);
         }
     }
-    auto run = std::make_unique<InjectionRun>(tree_, places_, now);
+    auto run = std::make_unique<InjectionRun>(tree_, of_whole_body(*places_, topology_), now);
     end_run();
     run_ = std::move(run);
     updating_ = drug_.computing = true;
@@ -262,8 +278,8 @@ void FlowPart::restore(const FlowCheckpoint& checkpoint) {
     DrugArrival arrival = checkpoint.arrival;
     if (checkpoint.injected && !arrival.arrival_s) {
         Job job;
-        arrival =
-            drug_arrival(tree_, *places_, injection_options(*checkpoint.injected, tree_), job);
+        arrival = drug_arrival(tree_, *of_whole_body(*places_, topology_),
+                               injection_options(*checkpoint.injected, tree_), job);
         arrival.end_s = std::max(arrival.end_s, checkpoint.injected->least_end_s);
         if (updating)
             arrival.arrival_s = std::make_shared<const std::vector<float>>(
@@ -272,7 +288,8 @@ void FlowPart::restore(const FlowCheckpoint& checkpoint) {
     }
     std::unique_ptr<InjectionRun> run;
     if (checkpoint.computing)
-        run = std::make_unique<InjectionRun>(tree_, places_, *checkpoint.computing);
+        run = std::make_unique<InjectionRun>(tree_, of_whole_body(*places_, topology_),
+                                             *checkpoint.computing);
     set_time(checkpoint.time_s);
     set_speed(checkpoint.speed);
     end_run();

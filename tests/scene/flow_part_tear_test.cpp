@@ -71,6 +71,34 @@ TEST(FlowPart, VerticesOfAnotherTearHaveTheirOwnParentsPlaceAndTime) {
     }
 }
 
+// A keyframe in a file holds no end, and may be read where less or more is torn than where the
+// drug was injected.
+TEST(FlowPart, SplitVerticesDoNotMoveTheEndOfTheClock) {
+    const VesselTree tree = tube_of_40_mm();
+    const std::vector<VertexPlace> places{
+        {{0, 4.0, 0.0}, 1.0}, {{0, 4.0, 0.0}, 1.0}, {{0, 4.0, 0.0}, 1.0}, {{0, 40.0, 0.0}, 1.0}};
+    for (const Injection& injection : {Injection{.at = {0, 0.0, 0.0}}, unlike_blood}) {
+        BodyTopology whole(places.size(), {}), torn(places.size(), {});
+        FlowPart one(tree, places, {}, whole), other(tree, places, {}, torn);
+        torn.split(std::vector<int>{3, 3, 3, 3, 3}, {{0, 1, 2}});
+        other.step(0.1);
+        for (FlowPart* part : {&one, &other}) {
+            part->inject(injection);
+            part->finish_injection();
+        }
+        const double end_s = one.drug().end_s;
+        EXPECT_LT(end_s, one.drug().arrival_s->back()) << "that of most vertices";
+        EXPECT_EQ(other.drug().end_s, end_s);
+        ASSERT_EQ(other.drug().arrival_s->size(), torn.vertex_count());
+        EXPECT_EQ(other.drug().arrival_s->back(), one.drug().arrival_s->back());
+        WorldCheckpoint kept;
+        kept.flow = one.checkpoint();
+        other.restore(*world_checkpoint_from_json(to_json(kept)).flow);
+        EXPECT_EQ(other.drug().end_s, end_s);
+        EXPECT_EQ(other.drug().arrival_s->size(), torn.vertex_count());
+    }
+}
+
 // Behind the tear there is none of it; before it nothing has changed.
 TEST(FlowPart, ADrugEndsAtTheTearOfATube) {
     const VesselTree tree = tube_of_40_mm();
