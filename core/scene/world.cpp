@@ -194,14 +194,14 @@ void World::press() {
                            {.young_modulus_pa = deform_->body().material.young_modulus_pa});
 }
 
-// Where blood lies on the body as it is torn now.
+// Where blood lies on the body as topology_ has it.
 void World::find_pools() {
     leaking_.clear();
     if (!bleeding_ || !tear_view_.rims) return;
     std::vector<ThroughTear> ends;
     for (const BloodPool& pool : bleeding_->pools()) ends.push_back(pool.of);
     leaking_ = leaking_vertices(patient_->tree, ends, tear_view_, patient_->mesh.vertices_mm,
-                                deform_->torn()->surface());
+                                *topology_->triangles());
 }
 
 void World::follow_tear() {
@@ -212,22 +212,20 @@ void World::follow_tear() {
     if (split) {
         tear_view_ = {};
         leaking_.clear();
-        if (torn != nullptr)
+        if (torn != nullptr) {
+            topology_->become({torn->parents().begin(), torn->parents().end()}, torn->surface());
             tear_view_.origins = std::make_shared<const std::vector<int>>(origins_of(*torn));
+        } else {
+            std::vector<int> whole(patient_->mesh.vertices_mm.size());
+            std::iota(whole.begin(), whole.end(), 0);
+            topology_->become(std::move(whole), boundary_triangles(patient_->mesh));
+        }
     }
     // Split vertices come apart later: the rims may change without a split.
     const auto rims_before = tear_view_.rims;
     if (torn != nullptr) deform_->show_tear(tear_view_);
     // A vessel may be torn through without a new rim: all of them were there before.
     if (tear_view_.rims != rims_before || parted) find_pools();
-    if (!split) return;
-    if (torn != nullptr)
-        topology_->become({torn->parents().begin(), torn->parents().end()}, torn->surface());
-    else {
-        std::vector<int> whole(patient_->mesh.vertices_mm.size());
-        std::iota(whole.begin(), whole.end(), 0);
-        topology_->become(std::move(whole), boundary_triangles(patient_->mesh));
-    }
 }
 
 void World::reset() {

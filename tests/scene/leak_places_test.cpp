@@ -67,5 +67,22 @@ TEST(LeakPlaces, AreOnTheNearestRimWhereNoneIsNear) {
     EXPECT_EQ(tube.leaking({}), -1);
 }
 
+// Several are looked for at once; each has what it has alone.
+TEST(LeakPlaces, OfSeveralTearsAreThoseOfEach) {
+    TornTube tube({5.0, 9.0, 11.0, 20.0, 29.0, 31.0});
+    std::vector<std::uint8_t> marks(tube.rest_mm.size(), 0);
+    for (const std::size_t corner : {3u, 8u, 13u, 14u, 15u}) marks[corner] = 1;
+    tube.view.rims = std::make_shared<const std::vector<std::uint8_t>>(marks);
+    std::vector<ThroughTear> tears;
+    for (const double at_mm : {10.0, 30.0, 21.0, 39.0})
+        tears.push_back({{0, at_mm, 0.0}, 4.0 * 3.14159});
+    const std::vector<int> all =
+        leaking_vertices(tube.tree, tears, tube.view, tube.rest_mm, tube.triangles);
+    EXPECT_EQ(all, (std::vector<int>{3, 13, 13, 15})) << "corners that are on a rim, and no others";
+    for (std::size_t i = 0; i < tears.size(); ++i)
+        EXPECT_EQ(leaking_vertices(tube.tree, {tears[i]}, tube.view, tube.rest_mm, tube.triangles),
+                  std::vector<int>{all[i]});
+}
+
 }  // namespace
 }  // namespace hepatica
