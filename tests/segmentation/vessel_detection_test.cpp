@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -73,7 +74,8 @@ TEST(DetectVessels, ItsProgressNeverFallsBack) {
     apply_window(frame, {140.0, 300.0}, in_window);
     for (const auto method : {SegmentationMethod::coherent, SegmentationMethod::vesselness,
                               SegmentationMethod::multi_layer})
-        for (const TissueContrast* contrast : {&tissue, &in_window}) {
+        for (const TissueContrast* contrast :
+             std::array<const TissueContrast*, 2>{&tissue, &in_window}) {
             Job job;
             job.begin_stage("detect");
             const test::FallsOfProgress falls(job);
