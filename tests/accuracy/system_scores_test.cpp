@@ -458,12 +458,16 @@ TEST(CentrelinesOfAMask, HaveNoSpurs) {
     EXPECT_EQ(centrelines_of(tube, job).segments.size(), 1u);
 }
 
-// The skeleton of a ball is one voxel, which has no line: its truth has a lumen and no centreline.
+// One voxel has no line: its truth has a lumen and no centreline.
 TEST(SystemScores, ATruthWithoutALineHasNoBreaks) {
     const VesselTree tree = directed(two_systems());
     std::vector<SystemTruth> truth = truths();
-    truth[1].mask = test::mask_where(truth[1].mask.grid, [](const Vec3& p) {
-        return (p - Vec3(24, 30, 0)).norm() < 2.6;  // on the axis of the vein
+    const Grid& grid = truth[1].mask.grid;
+    const Vec3 inside = grid.to_index(Vec3(24, 30, 0)).array().round();
+    const Vec3 on_axis_of_vein = grid.to_mm(inside);
+    const double half_mm = 0.5 * grid.spacing_mm.minCoeff();
+    truth[1].mask = test::mask_where(Grid(grid), [&](const Vec3& p) {
+        return (p - on_axis_of_vein).cwiseAbs().maxCoeff() < half_mm;
     });
     Job job;
     ASSERT_TRUE(centrelines_of(truth[1].mask, job).segments.empty());

@@ -205,8 +205,9 @@ TEST(WorldState, WhatIsShownIsOfThePresentTearWhateverItsVersion) {
             highest = std::max({highest, triangle[0], triangle[1], triangle[2]});
         EXPECT_LT(static_cast<std::size_t>(highest), p.world.vertex_count()) << when;
         ASSERT_TRUE(frame.tear);
-        if (frame.tear->origins)
+        if (frame.tear->origins) {
             EXPECT_EQ(frame.tear->origins->size(), p.world.vertex_count()) << when;
+        }
     };
     const auto cut_through = [&](int segment) {
         const Vec3 at = middle_of(p.tree, segment);
