@@ -402,13 +402,13 @@ TEST_F(Tour, TradeoffListsADeviceBesideTheProcessor) {
     EXPECT_EQ(points.size(), 2u);
     EXPECT_EQ(points["cpu"], points["cuda-emulated"]);
     const Outcome beam = run_cli({"tradeoff", "--out", path("beam"), "--backend", "cuda-emulated"});
-    EXPECT_EQ(beam.exit_code, 1);
+    EXPECT_EQ(beam.exit_code, 2);
     EXPECT_NE(beam.errors.find("Give a CASE"), std::string::npos) << beam.errors;
 }
 
 TEST_F(Tour, TradeoffOfATearTakesNoPatientAndNoContact) {
     const Outcome patient = run_cli({"tradeoff", path("p.hep"), "--out", path("torn"), "--tear"});
-    EXPECT_EQ(patient.exit_code, 1);
+    EXPECT_EQ(patient.exit_code, 2);
     EXPECT_NE(patient.errors.find("Leave CASE and --quick out"), std::string::npos)
         << patient.errors;
     const Outcome both = run_cli({"tradeoff", "--out", path("torn"), "--tear", "--contact"});
