@@ -258,14 +258,15 @@ TEST_F(SceneElements, each_annotation_is_seen) {
     view_.set_caption("Patient");
     const Picture full = picture_of(fake_frame(1.0, 0.5));
     EXPECT_NEAR(view_.legend_box().top - view_.legend_box().bottom, 0.8 * 125.0, 1e-9);
+    const std::vector<Box> elements{
+        of_legend("legend's title", 0, 22),       of_legend("legend's colours", 22, 32),
+        of_legend("legend's ticks", 37, 59),      of_legend("legend's axis", 59, 81),
+        of_legend("legend's front", 81, 103),     of_legend("legend's system", 103, 125),
+        Box{"scale's label", 140, 214, 180, 223}, Box{"scale's bar", 118, 223, 189, 232},
+        Box{"orientation", 10, 190, 50, 230},     Box{"caption", 5, 5, 80, 25}};
     view_.set_annotations_visible(false);
     const Picture bare = picture();
-    for (const Box& box :
-         {of_legend("legend's title", 0, 22), of_legend("legend's colours", 22, 32),
-          of_legend("legend's ticks", 37, 59), of_legend("legend's axis", 59, 81),
-          of_legend("legend's front", 81, 103), of_legend("legend's system", 103, 125),
-          Box{"scale's label", 140, 214, 180, 223}, Box{"scale's bar", 118, 223, 189, 232},
-          Box{"orientation", 10, 190, 50, 230}, Box{"caption", 5, 5, 80, 25}}) {
+    for (const Box& box : elements) {
         const Picture without = with_box_of(bare, box, full);
         EXPECT_FALSE(look_alike(without, full))
             << box.element << ": " << worst_tile_difference(without, full);
