@@ -113,9 +113,10 @@ struct Series {
         return !first().has_geometry || std::abs(first().normal().z()) > least_axial_cosine;
     }
     bool is_projection() const {
+        // A dose alone is none: so are series of a low dose called.
         return holds_any(lower_case(first().image_type + first().description),
                          {"mip", "mpr thick", "projection", "screen save", "dose report",
-                          "dose info", "dose record", "dose summary"});  // not "low dose"
+                          "dose info", "dose record", "dose summary"});
     }
     bool is_soft() const { return !is_sharp_kernel(first().kernel, first().description); }
     Phase phase() const { return phase_of(first().description); }

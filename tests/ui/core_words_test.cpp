@@ -69,6 +69,7 @@ const std::array no_sentences{
     std::regex("^%|as they lie$"),
     std::regex("^no UID$"),
     std::regex("^(mpr thick|pv phase|sans inj|non contrast|no contrast|screen save)$"),
+    std::regex("^dose (report|info|record|summary)$"),
 };
 
 std::string text_of(const fs::path& file) {

@@ -87,18 +87,6 @@ TEST_F(LessonFit, who_corrects_is_told_which_lesson_fits_no_more_and_of_undo_tha
     EXPECT_TRUE(wait_for([&] { return window_.messages().text().isEmpty(); }));
 }
 
-// The words are those that were told of him before he was opened once more.
-TEST_F(LessonFit, who_corrects_a_patient_that_is_opened_again_is_told_again) {
-    save_lesson(on_loose_piece);
-    for (int time = 0; time < 2; ++time) {
-        delete_loose_piece();
-        EXPECT_TRUE(wait_for([&] { return told("1 lesson for this patient fits"); })) << time;
-        window_.open(to_text(case_));  // without saving
-        wait();
-        EXPECT_FALSE(told("fits"));
-    }
-}
-
 // The vessels would arrive in the middle of the play, and end it without a verdict.
 TEST_F(LessonFit, none_begins_while_the_vessels_are_corrected) {
     const fs::path file = to_path(folder_.filePath("any.json"));
