@@ -12,6 +12,7 @@
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_ties.h"
 #include "core/lesson/lesson_writer.h"
+#include "core/patient/patient_case.h"
 #include "tests/patient/parted_patient.h"
 #include "tests/ui/window_test.h"
 #include "ui/lesson_dock.h"
@@ -85,6 +86,21 @@ TEST_F(LessonFit, who_corrects_is_told_which_lesson_fits_no_more_and_of_undo_tha
     window_.actions()[ActionId::undo_edit].trigger();
     wait();
     EXPECT_TRUE(wait_for([&] { return window_.messages().text().isEmpty(); }));
+}
+
+// The words are those that were told of him before he was opened once more.
+TEST_F(LessonFit, who_corrects_a_patient_that_is_opened_again_is_told_again) {
+    fs::remove(case_);
+    write_case(case_, test::patient_with_bridges());  // who has unsaved work opens no empty folder
+    save_lesson(on_loose_piece);
+    for (int time = 0; time < 2; ++time) {
+        delete_loose_piece();
+        EXPECT_TRUE(wait_for([&] { return told("1 lesson for this patient fits"); })) << time;
+        window_.open(to_text(case_));  // without saving
+        wait();
+        EXPECT_FALSE(told("fits"));
+        ASSERT_EQ(roots(window_.workspace().patient()->tree).size(), 2u);
+    }
 }
 
 // The vessels would arrive in the middle of the play, and end it without a verdict.
