@@ -3,8 +3,10 @@
 // counts the costs. Kernels of one machine run one after another. Not thread-safe.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 
 #include "gpu/kernels/kernel.h"
 #include "gpu/kernels/kernel_list.h"
@@ -21,24 +23,26 @@ struct Traffic {
     std::size_t copied_bytes = 0;
 };
 
-template <class Kernel>
-class Runs {
-  public:
-    virtual ~Runs() = default;
-    virtual void run(const Kernel& kernel) = 0;
-};
+namespace detail {
 
-template <class List>
-class RunsAll;
-template <class... Kernel>
-class RunsAll<KernelList<Kernel...>> : public Runs<Kernel>... {
-  public:
-    using Runs<Kernel>::run...;
-};
+template <class Kernel, class... List>
+constexpr std::size_t position_in(KernelList<List...>) {
+    std::size_t position = 0;
+    static_cast<void>(((std::is_same_v<Kernel, List> || (++position, false)) || ...));
+    return position;
+}
+template <class... List>
+constexpr std::size_t size_of(KernelList<List...>) {
+    return sizeof...(List);
+}
+
+}  // namespace detail
 
 // Functions that allocate, copy or launch throw DeviceError where the device fails.
-class Machine : public RunsAll<AllKernels> {
+class Machine {
   public:
+    virtual ~Machine() = default;
+
     virtual std::string name() const = 0;
 
     // Allocates zero-initialised memory.
@@ -76,12 +80,14 @@ class Machine : public RunsAll<AllKernels> {
     // Kernels without blocks do nothing.
     template <class Kernel>
     void launch(const Kernel& kernel) {
+        constexpr std::size_t position = detail::position_in<Kernel>(AllKernels());
+        static_assert(position < detail::size_of(AllKernels()), "a kernel that is in no list");
         if (kernel.blocks() == 0) return;
         ++traffic_.launches;
         traffic_.barriers += kernel.phases() - 1;
         if constexpr (has_end<Kernel>) traffic_.barriers += kernel.end_phases();
         traffic_.kernel_bytes += kernel.bytes();
-        static_cast<Runs<Kernel>&>(*this).run(kernel);
+        run(position, &kernel);
     }
     template <class Item>
     void for_each(const Item& item) {
@@ -92,6 +98,8 @@ class Machine : public RunsAll<AllKernels> {
     std::size_t held_bytes() const { return held_bytes_; }
 
   private:
+    // Runs the kernel of that position in AllKernels.
+    virtual void run(std::size_t position, const void* kernel) = 0;
     virtual void* take(std::size_t bytes) = 0;
     virtual void give_back(void* memory) noexcept = 0;
     virtual void copy_in(void* to, const void* from, std::size_t bytes) = 0;
@@ -108,24 +116,23 @@ class Machine : public RunsAll<AllKernels> {
     std::size_t held_bytes_ = 0;
 };
 
-namespace detail {
-
-// Overrides run() for every kernel of a list by Self::execute(kernel).
-template <class Self, class List>
-class RunEach;
+// A machine whose member template execute(kernel) runs any kernel. One table of functions, and not
+// a virtual function per kernel: the compiler takes minutes to find their overriders.
 template <class Self>
-class RunEach<Self, KernelList<>> : public Machine {};
-template <class Self, class Kernel, class... Rest>
-class RunEach<Self, KernelList<Kernel, Rest...>> : public RunEach<Self, KernelList<Rest...>> {
-  public:
-    using RunEach<Self, KernelList<Rest...>>::run;
-    void run(const Kernel& kernel) override { static_cast<Self&>(*this).execute(kernel); }
+class MachineBy : public Machine {
+  private:
+    void run(std::size_t position, const void* kernel) final {
+        static constexpr auto executions = executions_of(AllKernels());
+        executions[position](static_cast<Self&>(*this), kernel);
+    }
+
+    using Execution = void (*)(Self&, const void*);
+    template <class... Kernel>
+    static constexpr std::array<Execution, sizeof...(Kernel)> executions_of(KernelList<Kernel...>) {
+        return {[](Self& machine, const void* kernel) {
+            machine.execute(*static_cast<const Kernel*>(kernel));
+        }...};
+    }
 };
-
-}  // namespace detail
-
-// A machine whose member template execute(kernel) runs any kernel.
-template <class Self>
-using MachineBy = detail::RunEach<Self, AllKernels>;
 
 }  // namespace hepatica::gpu
