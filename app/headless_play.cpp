@@ -34,6 +34,7 @@ class Player {
 
     void step(int count) {
         for (int i = 0; i < count; ++i) {
+            session_.finish_injection();
             times_.add(session_.step(job_));
             job_.throw_if_cancelled();
         }

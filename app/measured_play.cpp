@@ -168,6 +168,7 @@ MeasuredPlay measure_play(Session& session, const std::vector<std::vector<Comman
     DeformPart* deform = session.world().deform();
     std::string setting;
     for (const std::vector<Command>& now : commands) {
+        session.finish_injection();
         for (const Command& command : now) session.post(command);
         const FrameTimer timer;
         const SessionStep step = session.step(job);

@@ -98,7 +98,7 @@ void FlowPart::inject(const Injection& injection) {
 }
 
 void FlowPart::follow_tears(const std::vector<ThroughTear>& tears) {
-    if (!injected_ || !drug_.playing || (run_ && !updating_)) return;
+    if (!injected_ || !drug_.playing || (run_ && !updating_) || steps_left_ > 0) return;
     if (drug_.time_s >= drug_.end_s) return;
     const Injection& known = updating_ ? run_->injection() : *injected_;
     if (alike(known.last_tears(), tears)) return;
@@ -114,22 +114,22 @@ void FlowPart::follow_tears(const std::vector<ThroughTear>& tears) {
     now.least_end_s = drug_.end_s;
     const InjectionOptions options = injection_options(now, tree_);
     follow_topology();
-    if (flows_like_blood(options)) {
-        Job job;
-        try {
-            return show(now,
-                        drug_arrival(tree_, *of_whole_body(*places_, topology_), options, job));
-        } catch (const InputError&) {
-            return play(false);
-        }
-    }
     auto run = std::make_unique<InjectionRun>(tree_, of_whole_body(*places_, topology_), now);
     end_run();
     run_ = std::move(run);
     updating_ = drug_.computing = true;
+    if (flows_like_blood(options)) steps_left_ = steps_to_update();
     drug_.arrival_s = std::make_shared<const std::vector<float>>(
         without_cut_off(*drug_.arrival_s, now, now.later.size() - 1));
     ++drug_.version;
+}
+
+// 0.1 s of steps for 500 segments, through which a front runs in half of that (see
+// docs/tearing.md); its work grows with their square.
+int FlowPart::steps_to_update() const {
+    constexpr double least = 6.0, of_segments = 500.0;
+    const double share = static_cast<double>(tree_.segments.size()) / of_segments;
+    return static_cast<int>(std::ceil(least * std::max(1.0, share * share)));
 }
 
 // Without what is cut off by the tears of the injection from this one on.
@@ -146,6 +146,7 @@ void FlowPart::finish_injection(const std::stop_token& stop) {
     const std::unique_ptr<InjectionRun> run = std::move(run_);
     const bool updates = std::exchange(updating_, false);
     drug_.computing = false;
+    steps_left_ = 0;
     const std::stop_callback told(stop, [&run] { run->cancel(); });
     DrugArrival arrival;
     try {
@@ -199,6 +200,7 @@ void FlowPart::keep_reached() {
 void FlowPart::end_run() {
     drop_ended_runs();
     drug_.computing = updating_ = false;
+    steps_left_ = 0;
     if (!run_) return;
     run_->cancel();
     ended_.push_back(std::move(run_));
@@ -249,6 +251,7 @@ void FlowPart::set_speed(double factor) {
 void FlowPart::step(double dt_s) {
     follow_topology();
     drop_ended_runs();
+    show_what_is_due();
     if (!drug_.playing) return;
     const double next_s = drug_.time_s + drug_.speed * dt_s;
     drug_.playing = next_s < drug_.end_s;
@@ -256,11 +259,21 @@ void FlowPart::step(double dt_s) {
     drug_.time_s = drug_.playing ? next_s : std::max(drug_.time_s, drug_.end_s);
 }
 
+void FlowPart::show_what_is_due() {
+    if (steps_left_ == 0 || --steps_left_ > 0) return;
+    try {
+        finish_injection();
+    } catch (const InputError&) {
+        // The clock stands now: nothing flows any more.
+    }
+}
+
 FlowCheckpoint FlowPart::checkpoint() const {
     FlowCheckpoint checkpoint;
     checkpoint.injected = injected_;
     if (run_) checkpoint.computing = run_->injection();
     checkpoint.updating = updating_;
+    checkpoint.steps_left = steps_left_;
     checkpoint.time_s = drug_.time_s;
     checkpoint.playing = drug_.playing;
     checkpoint.speed = drug_.speed;
@@ -295,6 +308,7 @@ void FlowPart::restore(const FlowCheckpoint& checkpoint) {
     end_run();
     run_ = std::move(run);
     updating_ = updating;
+    steps_left_ = updating ? checkpoint.steps_left : 0;
     injected_ = checkpoint.injected;
     drug_.injection = checkpoint.options;
     if (checkpoint.injected && !drug_.injection)
@@ -366,6 +380,7 @@ std::uint64_t FlowPart::state_hash() const {
     add(injected_ ? &*injected_ : nullptr);
     add(run_ ? &run_->injection() : nullptr);
     if (updating_) hasher.add_bytes(&updating_, sizeof updating_);
+    if (steps_left_ > 0) hasher.add_bytes(&steps_left_, sizeof steps_left_);
     const std::array<double, 3> clock{drug_.time_s, drug_.speed, drug_.playing ? 1.0 : 0.0};
     hasher.add(std::span<const double>(clock));
     return hasher.value();

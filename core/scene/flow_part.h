@@ -25,6 +25,7 @@ struct FlowCheckpoint {
     std::optional<Injection> injected;
     std::optional<Injection> computing;
     bool updating = false;  // `computing` is `injected` as the vessels have torn since
+    int steps_left = 0;     // until `computing` is shown; 0: when it is finished
     double time_s = 0.0;
     bool playing = false;
     double speed = 1.0;
@@ -51,17 +52,22 @@ class FlowPart {
     // being computed. Throws InputError for values out of range and then changes nothing.
     void inject(const Injection& injection);
     // Tells what is torn now; call before each step. Where it is other than the injection knows, in
-    // other places or by a factor of two of an opening, the drug's flow is solved anew from this
-    // time on: at once where it flows like blood, in O(segments^2 + vertices) for each change that
-    // the injection knows; changes within a hundredth of the drug's run are taken together, so that
-    // there are few. Any other drug is computed again as by inject(), until finish_injection()
-    // shown as before but for what is cut off from the catheter. Where no flow is found, the drug's
+    // other places or by a factor of two of an opening, the drug's flow is computed anew from this
+    // time on, on a thread of its own in O(segments^2 + vertices) for each change that the
+    // injection knows; changes within a hundredth of the drug's run are taken together, so that
+    // there are few. Until then the drug is shown as before but for what is cut off from the
+    // catheter. The flow of a drug that flows like blood is shown by the step() that is
+    // steps_to_update() later, whatever the machine's speed, and what tears until then is taken up
+    // afterwards; that of any other drug by finish_injection(). Where no flow is found, the drug's
     // clock stops. Does nothing while it stands, or another injection is being computed.
     void follow_tears(const std::vector<ThroughTear>& tears);
-    // Whether an injection is being computed; whether it is done, so that finish_injection() does
-    // not wait.
+    // Enough steps for the front of a drug that flows like blood to run through the tree meanwhile.
+    int steps_to_update() const;
+    // Whether an injection is being computed; whether it waits for finish_injection(), which then
+    // does not wait where it is ready.
     bool computing() const { return run_ != nullptr; }
-    bool injection_ready() const { return run_ != nullptr && run_->ready(); }
+    bool waits_for_finish() const { return run_ != nullptr && steps_left_ == 0; }
+    bool injection_ready() const { return waits_for_finish() && run_->ready(); }
     // Replaces the last injection by the computed one, for which it waits, and starts the drug's
     // clock, or lets it run on where vessels have torn since. Does nothing where none is being
     // computed. Throws what the computation threw (InputError where nothing can flow; Cancelled
@@ -74,6 +80,7 @@ class FlowPart {
     void play(bool playing) { drug_.playing = playing && drug_.arrival_s != nullptr; }
     void set_time(double time_s);   // >= 0, otherwise InputError
     void set_speed(double factor);  // > 0, otherwise InputError
+    // Waits where the flow after a tear is due and not yet computed.
     void step(double dt_s);
 
     FlowCheckpoint checkpoint() const;
@@ -101,6 +108,7 @@ class FlowPart {
     std::vector<float> without_cut_off(std::vector<float> arrival_s, const Injection& injection,
                                        std::size_t known) const;
     void keep_reached();
+    void show_what_is_due();
     void end_run();
     void drop_ended_runs();
     void follow_topology();
@@ -118,6 +126,7 @@ class FlowPart {
     std::vector<float> at_tears_s_;                   // per last tear of injected_
     std::unique_ptr<InjectionRun> run_;               // what will replace it
     bool updating_ = false;                           // run_ is injected_ with more tears
+    int steps_left_ = 0;                              // as in FlowCheckpoint
     std::list<std::unique_ptr<InjectionRun>> ended_;  // cancelled, not yet finished
 };
 

@@ -162,6 +162,7 @@ Json to_json(const FlowCheckpoint& checkpoint) {
     if (checkpoint.injected) json["injected"] = to_json(*checkpoint.injected);
     if (checkpoint.computing) json["computing"] = to_json(*checkpoint.computing);
     if (checkpoint.updating) json["updating"] = true;
+    if (checkpoint.steps_left > 0) json["steps_left"] = checkpoint.steps_left;
     if (checkpoint.reached_before) {
         std::string reached;
         for (const std::uint8_t yes : *checkpoint.reached_before) reached += yes != 0 ? '1' : '0';
@@ -186,6 +187,10 @@ FlowCheckpoint flow_from(const Json& json) {
     if (json.contains("injected")) checkpoint.injected = injection_from(json.at("injected"));
     if (json.contains("computing")) checkpoint.computing = injection_from(json.at("computing"));
     checkpoint.updating = json.value("updating", false);
+    if (json.contains("steps_left")) {
+        checkpoint.steps_left = whole_number<int>(json.at("steps_left"));
+        if (checkpoint.steps_left < 0) refuse("steps_left is below 0");
+    }
     if (json.contains("reached_before"))
         checkpoint.reached_before =
             reached_from(json.at("reached_before").get_ref<const std::string&>());

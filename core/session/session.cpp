@@ -317,6 +317,10 @@ bool Session::rests_after(const SessionStep& done) const {
     return still && !(flow != nullptr && flow->drug().playing);
 }
 
+void Session::finish_injection() {
+    if (world_->flow() != nullptr && world_->flow()->waits_for_finish()) post(FinishInjection{});
+}
+
 void Session::finish_ready_injection() {
     if (world_->flow() == nullptr || !world_->flow()->injection_ready()) return;
     inbox_.post_first(FinishInjection{});  // queued commands may start another injection

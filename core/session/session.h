@@ -113,6 +113,9 @@ class Session {
     SessionStep step(const std::stop_token& stop = {});
     // The same, stopped by a cancel of the job: then throws Cancelled.
     SessionStep step(const Job& job);
+    // Call before each step() where run() does not run: an injection that has to be computed again
+    // because vessels have torn is then shown by that step, which waits for it.
+    void finish_injection();
     // Steps at the scene's rate until a stop is requested, which ends the present step: see step().
     // Where a step takes longer than its period, simulated time falls behind wall time and is not
     // caught up; real_time_factor of the frames says by how much it is slower. Where further steps

@@ -198,6 +198,7 @@ TEST(FlowPart, ADrugThatRunsEndsAtATear) {
         part.set_time(time_s);
         const std::uint64_t whole = part.state_hash();
         part.follow_tears({tear_at_20_mm});
+        part.finish_injection();
         const DrugView& drug = part.drug();
         EXPECT_EQ(drug.time_s, time_s);
         EXPECT_EQ(drug.injections, before.injections) << "the same one";
@@ -229,6 +230,7 @@ TEST(FlowPart, ADrugsFlowIsSolvedAnewWhereATearIsAnotherOne) {
     const auto changes = [&](const std::vector<ThroughTear>& tears) {
         const std::uint64_t version = part.drug().version;
         part.follow_tears(tears);
+        part.finish_injection();
         return part.drug().version != version;
     };
     EXPECT_FALSE(changes({side}));
@@ -262,12 +264,14 @@ TEST(FlowPart, ChangesOfTearsThatAreCloseTogetherAreTakenTogether) {
     for (int frame = 0; frame < 400; ++frame) {
         part.set_time(end_s * (0.5 + 1e-4 * frame));
         part.follow_tears(frame % 2 == 0 ? open : std::vector<ThroughTear>{});
+        part.finish_injection();
     }
     const auto& later = part.drug().injection->later_tears;
     EXPECT_GE(later.size(), 2u);
     EXPECT_LE(later.size(), 5u);
     part.set_time(0.9 * end_s);
     part.follow_tears({tear_at_20_mm});
+    part.finish_injection();
     EXPECT_EQ(part.drug().injection->later_tears.back().from_s, 0.9 * end_s);
 }
 
@@ -280,12 +284,14 @@ TEST(FlowPart, ATearAfterTheClockWasTurnedBackTakesThePlaceOfLaterOnes) {
     const double end_s = part.drug().end_s;
     part.set_time(0.75 * end_s);
     part.follow_tears({tear_at_20_mm});
+    part.finish_injection();
     EXPECT_TRUE(std::isfinite((*part.drug().arrival_s)[7]));
     part.set_time(0.25 * end_s);
     part.follow_tears({tear_at_20_mm});
     EXPECT_TRUE(std::isfinite((*part.drug().arrival_s)[7])) << "it is the same tear";
     const ThroughTear before{{0, 15.0, 0.0}, 4.0 * std::numbers::pi};
     part.follow_tears({before});
+    part.finish_injection();
     ASSERT_EQ(part.drug().injection->later_tears.size(), 1u);
     EXPECT_TRUE(std::isfinite((*part.drug().arrival_s)[3]));
     EXPECT_TRUE(std::isinf((*part.drug().arrival_s)[4]));
@@ -330,10 +336,59 @@ TEST(FlowPart, ADrugOfAnotherFluidHearsOfATearToo) {
     EXPECT_EQ(part.drug().version, version) << "it knows";
 }
 
+// Whenever the computation ends, so that the same commands give the same bits.
+TEST(FlowPart, TheFlowAfterATearIsShownAFixedNumberOfStepsLater) {
+    const VesselTree tree = tube_of_40_mm();
+    Shown made(tree), restored(tree);
+    FlowPart& part = made.part;
+    part.inject({.at = {0, 0.0, 0.0}});
+    const double begin_s = 0.25 * part.drug().end_s, dt_s = 1e-3 * part.drug().end_s;
+    part.set_time(begin_s);
+    part.follow_tears({tear_at_20_mm});
+    ASSERT_EQ(part.steps_to_update(), 6);
+    for (int left = 6; left > 0; --left) {
+        SCOPED_TRACE(left);
+        EXPECT_TRUE(part.computing());
+        EXPECT_FALSE(part.waits_for_finish()) << "nobody else shows it";
+        EXPECT_TRUE(part.drug().injection->later_tears.empty());
+        EXPECT_TRUE(std::isinf((*part.drug().arrival_s)[5])) << "cut off at once";
+        FlowCheckpoint kept = part.checkpoint();
+        EXPECT_EQ(kept.steps_left, left);
+        expect_the_same_from_its_text(part, tree);
+        ++kept.steps_left;
+        restored.part.restore(kept);
+        EXPECT_NE(restored.part.state_hash(), part.state_hash());
+        const std::uint64_t version = part.drug().version;
+        part.follow_tears({{{0, 30.0, 0.0}, 3.0, true}});
+        EXPECT_EQ(part.drug().version, version) << "what tears until then waits";
+        part.step(dt_s);
+        restored.part.step(dt_s);
+    }
+    EXPECT_FALSE(part.computing());
+    EXPECT_NEAR(part.drug().time_s, begin_s + 6.0 * dt_s, 1e-9 * begin_s) << "the clock ran on";
+    ASSERT_EQ(part.drug().injection->later_tears.size(), 1u);
+    EXPECT_EQ(part.drug().injection->later_tears[0].from_s, begin_s);
+    EXPECT_TRUE(restored.part.computing()) << "it was given one step more";
+    restored.part.step(0.0);
+    EXPECT_EQ(*restored.part.drug().arrival_s, *part.drug().arrival_s);
+    part.follow_tears({{{0, 30.0, 0.0}, 3.0, true}});
+    EXPECT_FALSE(part.computing()) << "taken together within a hundredth of the run";
+    part.set_time(begin_s + 0.02 * part.drug().end_s);
+    part.follow_tears({{{0, 30.0, 0.0}, 3.0, true}});
+    EXPECT_TRUE(part.computing());
+}
+
+TEST(FlowPart, TheStepsUntilATearIsKnownGrowAsTheFrontsWorkDoes) {
+    VesselTree tree = tube_of_40_mm();
+    tree.segments.resize(1000, tree.segments.front());
+    EXPECT_EQ(Shown(tree).part.steps_to_update(), 24);
+}
+
 TEST(FlowPart, LaterTearsOfAnotherTreeAreRefused) {
     Shown made(tube_of_40_mm());
     made.part.inject({.at = {0, 0.0, 0.0}});
     made.part.follow_tears({tear_at_20_mm});
+    made.part.finish_injection();
     FlowCheckpoint kept = made.part.checkpoint();
     ASSERT_EQ(kept.injected->later.size(), 1u);
     kept.injected->later[0].tears[0].at.segment = 1;

@@ -80,11 +80,11 @@ TEST(TearSession, AnInjectionKnowsWhatIsTornByThen) {
     EXPECT_GT(reached_behind(), 100);
     const int injections = session->world().flow()->drug().injections;
     session->post(blade());  // through the only vessel that supplies the others
-    play(*session, 3);
+    play(*session, 12);
     ASSERT_GT(session->world().bleeding()->leak_g_s(), 0.0);
     EXPECT_EQ(reached_behind(), 0) << "it is not there yet";
     EXPECT_EQ(session->world().flow()->drug().injections, injections);
-    EXPECT_GT(session->world().flow()->drug().time_s, 3.5 * frame_s) << "its clock ran on";
+    EXPECT_GT(session->world().flow()->drug().time_s, 12.5 * frame_s) << "its clock ran on";
     session->update_frame();
     EXPECT_FALSE(session->frame().drug.injection->later_tears.empty());
     session->post(drug);
@@ -92,6 +92,28 @@ TEST(TearSession, AnInjectionKnowsWhatIsTornByThen) {
     EXPECT_EQ(reached_behind(), 0);
     session->update_frame();
     EXPECT_FALSE(session->frame().drug.injection->tears.empty());
+}
+
+// As it is done where no window looks after ready injections.
+TEST(TearSession, ADrugUnlikeBloodHearsOfATearWhereSomebodyAsks) {
+    for (const bool asked : {false, true}) {
+        const auto session = of_portal_veins();
+        InjectDrug drug;
+        drug.point_mm = small_patient()->tree.segments[0].points_mm.front();
+        drug.void_fraction = 0.3;
+        session->post(drug);
+        session->post(FinishInjection{});
+        session->step();
+        session->post(blade());
+        for (int i = 0; i < 12; ++i) {
+            if (asked) session->finish_injection();
+            session->step();
+        }
+        ASSERT_GT(session->world().bleeding()->leak_g_s(), 0.0);
+        EXPECT_EQ(session->world().flow()->waits_for_finish(), !asked);
+        session->update_frame();
+        EXPECT_EQ(session->frame().drug.injection->later_tears.empty(), !asked);
+    }
 }
 
 // From the start and from a keyframe behind the tear, at which the drug runs.
