@@ -48,6 +48,11 @@ if(HEPATICA_UNITY)
     set(CMAKE_UNITY_BUILD ON)
     set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
     list(APPEND HEPATICA_COMPILE_OPTIONS -Wno-shadow)
+    # GCC then collects its garbage from 1 GB on: 44 s of processor time for eight files of tests and not 48, for a
+    # quarter of a gigabyte more.
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        add_compile_options($<$<COMPILE_LANGUAGE:CXX>:--param=ggc-min-heapsize=1000000>)
+    endif()
 endif()
 
 # Clang words its warnings otherwise than gcc, which every other preset is built with.

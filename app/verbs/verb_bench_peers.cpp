@@ -25,7 +25,7 @@ struct Beam {
 
 constexpr std::array<Beam, 3> beams{
     {{{20, 3, 3}, 10.811}, {{35, 7, 7}, 13.759}, {{60, 12, 12}, 14.534}}};
-constexpr double length_mm = 200.0;
+constexpr double beam_length_mm = 200.0;
 constexpr double dt_s = 0.01;
 constexpr int steps_per_turn = 10;
 
@@ -39,12 +39,12 @@ struct PeerOptions {
 
 BodyDescription beam_body(const Beam& beam) {
     BodyDescription body;
-    body.mesh = kuhn_brick(Vec3(length_mm, 40.0, 40.0), beam.cells);
+    body.mesh = kuhn_brick(Vec3(beam_length_mm, 40.0, 40.0), beam.cells);
     body.material = {
         .young_modulus_pa = 1e6, .poisson_ratio = 0.3, .density_g_mm3 = 1e-3, .damping_ratio = 0.0};
     for (const Vec3& x : body.mesh.vertices_mm) body.fixed.push_back(x.x() < 1e-9 ? 1 : 0);
     const SkeletonPolyline line{
-        {Vec3(0.0, 20.0, 20.0), Vec3(length_mm, 20.0, 20.0)}, {20.0, 20.0}, -1};
+        {Vec3(0.0, 20.0, 20.0), Vec3(beam_length_mm, 20.0, 20.0)}, {20.0, 20.0}, -1};
     body.skeleton = resample(std::span(&line, 1));
     return body;
 }
@@ -54,7 +54,7 @@ double sag_mm(const BodyDescription& body, std::span<const Vec3> positions_mm) {
     double sum = 0.0;
     int count = 0;
     for (std::size_t v = 0; v < positions_mm.size(); ++v) {
-        if (body.mesh.vertices_mm[v].x() < length_mm - 1e-6) continue;
+        if (body.mesh.vertices_mm[v].x() < beam_length_mm - 1e-6) continue;
         sum += body.mesh.vertices_mm[v].z() - positions_mm[v].z();
         ++count;
     }
