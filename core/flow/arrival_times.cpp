@@ -70,6 +70,7 @@ double ArrivalTimes::last_s(int segment) const {
     const auto& down = from_distal_[segment];
     if (up.empty() || down.empty())
         return std::max(at_volume(segment, 0.0), at_volume(segment, volume));
+    if (down.front().volume_mm3 - up.back().volume_mm3 > 1e-9 * volume) return never;
     double low = 0.0;
     double high = volume;
     for (int i = 0; i < 100; ++i) {

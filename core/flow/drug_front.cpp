@@ -14,6 +14,7 @@ namespace hepatica {
 namespace {
 
 constexpr double same_share = 1e-12;    // smaller differences of shares are rounding
+constexpr double same_time = 1e-9;      // of the time: smaller differences are rounding
 constexpr double empty_volume = 1e-13;  // of a segment's volume: such a piece has left
 constexpr double resting_flow = 1e-14;  // of the total inflow: rounding of the solution
 constexpr int most_rejections = 20;
@@ -214,37 +215,57 @@ void DrugFront::count(const Flows& flows, double duration_s) {
     for (const int node : network_.torn_nodes) bled_mm3_ += leaving(node);
 }
 
-void DrugFront::note_arrivals(const Flows& flows, double begin_s) {
+// What the flow has brought from the other end before it turned is behind `limit` and does not
+// count.
+std::optional<double> DrugFront::leading_edge_mm3(int id, bool forwards, double limit) const {
     const double threshold = std::max(same_share, options_.concentration_tolerance);
+    const double sliver = 10.0 * empty_volume * volume_mm3_[id];
+    const Slugs& slugs = slugs_[id];
+    double untouched = 0.0;  // from the far end on
+    for (std::size_t i = 0; i < slugs.size(); ++i) {
+        const Slug& slug = forwards ? slugs[slugs.size() - 1 - i] : slugs[i];
+        const double edge = forwards ? volume_mm3_[id] - untouched : untouched;
+        untouched += slug.volume_mm3;
+        const double counts = forwards ? std::min(edge, limit) - (volume_mm3_[id] - untouched)
+                                       : untouched - std::max(edge, limit);
+        if (slug.share > threshold && counts > sliver) return edge;
+    }
+    return std::nullopt;
+}
+
+void DrugFront::note_arrivals(const Flows& flows, double begin_s) {
     for (const int id : touched_) {
-        const bool forwards = flows.segment_mm3_s[id] > 0.0;
+        const double flow = flows.segment_mm3_s[id], begin = flow > 0.0 ? 0.0 : volume_mm3_[id];
+        const bool forwards = flow > 0.0;
         auto& knots = forwards ? reached_from_proximal_[id] : reached_from_distal_[id];
-        const Slugs& slugs = slugs_[id];
-        // The drug has advanced up to the blood without drug at the far end.
-        double untouched = 0.0;
-        for (std::size_t i = 0; i < slugs.size(); ++i) {
-            const Slug& slug = forwards ? slugs[slugs.size() - 1 - i] : slugs[i];
-            if (slug.share > threshold) break;
-            untouched += slug.volume_mm3;
-        }
-        const double advanced = std::max(volume_mm3_[id] - untouched, 0.0);
-        const double position = forwards ? advanced : volume_mm3_[id] - advanced;
-        if (knots.empty()) {
-            if (advanced <= 0.0) continue;
-            knots.push_back({forwards ? 0.0 : volume_mm3_[id], begin_s});
-        }
+        const auto& other = forwards ? reached_from_distal_[id] : reached_from_proximal_[id];
+        const double limit = other.empty() ? volume_mm3_[id] - begin : other.back().volume_mm3;
+        const std::optional<double> edge = leading_edge_mm3(id, forwards, limit);
+        if (!edge) continue;
+        // When the edge passed a place in this step; most begin where the last one ended.
+        const auto passed_s = [&](double volume_mm3) {
+            const double at_s = time_s_ - std::abs(*edge - volume_mm3) / std::abs(flow);
+            return at_s - begin_s > same_time * time_s_ ? at_s : begin_s;
+        };
+        if (knots.empty()) knots.push_back({begin, passed_s(begin)});
+        const double position = forwards ? std::min(*edge, limit) : std::max(*edge, limit);
         if (std::abs(position - knots.back().volume_mm3) <= empty_volume * volume_mm3_[id])
             continue;
         if (forwards != (position > knots.back().volume_mm3)) continue;
+        // The flow had stopped or turned meanwhile.
+        const double on_s = passed_s(knots.back().volume_mm3);
+        if (on_s - knots.back().time_s > same_time * time_s_)
+            knots.push_back({knots.back().volume_mm3, on_s});
+        const double now_s = position == *edge ? time_s_ : passed_s(position);
         // While the flow is steady the last knot moves along; a change of speed starts a new one.
         if (knots.size() > 1) {
             const auto& a = knots[knots.size() - 2];
             const auto& b = knots.back();
             const double expected = a.time_s + (b.time_s - a.time_s) * (position - a.volume_mm3) /
                                                    (b.volume_mm3 - a.volume_mm3);
-            if (std::abs(expected - time_s_) <= 1e-12 * time_s_) knots.pop_back();
+            if (std::abs(expected - now_s) <= 1e-12 * now_s) knots.pop_back();
         }
-        knots.push_back({position, time_s_});
+        knots.push_back({position, now_s});
     }
 }
 

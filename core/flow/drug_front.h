@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/flow/arrival_times.h"
@@ -115,6 +116,8 @@ class DrugFront {
     void move(const Flows& flows, double duration_s, std::vector<Saved>* saved);
     void push(int segment, double volume_mm3, bool from_proximal, double share);
     void count(const Flows& flows, double duration_s);
+    // Up to where, from the proximal node, the drug that comes with the flow has filled a segment.
+    std::optional<double> leading_edge_mm3(int segment, bool forwards, double limit) const;
     void note_arrivals(const Flows& flows, double begin_s);
     void refill(const std::vector<int>& segments);
     Flows predict(double& duration_s);

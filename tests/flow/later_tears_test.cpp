@@ -122,6 +122,20 @@ TEST(LaterTears, FromTheStartAreThoseOfTheInjection) {
     EXPECT_NEAR(a.balance.bled_mm3, b.balance.bled_mm3, 1e-6);
 }
 
+// The drug waits 10 mm into the branch until the tear is closed, and then goes on from there.
+TEST(LaterTears, StopADrugThatGoesOnWhenTheyCloseAgain) {
+    const double speed = speed_mm_s(2.0), branch = 0.5 * speed;
+    const double torn_s = 20.0 / speed + 10.0 / branch, closed_s = torn_s + 0.05;
+    InjectionOptions options = into_root();
+    options.until_s = 1.0;
+    options.later_tears = {torn_at(torn_s, {1, 5.0, 0.0}), {.from_s = closed_s}};
+    const InjectionResult torn = run_torn(fork_with_equal_branches(), options);
+    for (int mm = 1; mm < 40; mm += 2) {
+        const double usual_s = 20.0 / speed + mm / branch;
+        EXPECT_NEAR(arrival_s(torn, 1, mm), mm < 10 ? usual_s : usual_s + 0.05, 1e-9) << mm;
+    }
+}
+
 // Half of the flow runs in each branch until one is torn; then what a solution of the torn network
 // says.
 TEST(LaterTears, GiveTheOtherBranchWhatTheTornNetworkSays) {
