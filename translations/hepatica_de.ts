@@ -2065,6 +2065,10 @@
         <translation>Die Korrektur wurde zurückgenommen</translation>
     </message>
     <message>
+        <source>The window closes as soon as the report is written. Cancel closes it without the report.</source>
+        <translation>Das Fenster schließt sich, sobald der Bericht geschrieben ist. „Abbrechen“ schließt es ohne den Bericht.</translation>
+    </message>
+    <message>
         <source>Rebuilding the vessels</source>
         <translation>Die Gefäße werden neu gebaut</translation>
     </message>
