@@ -8991,8 +8991,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         </translation>
     </message>
     <message>
-        <source>holds the case without its lessons, which are too many for it</source>
-        <translation>enthält den Fall ohne seine Lektionen, die zu viele dafür sind</translation>
+        <source>cannot hold all lessons for this patient: they are more than 40</source>
+        <translation>kann nicht alle Lektionen für diesen Patienten aufnehmen: Es sind mehr als 40</translation>
     </message>
     <message>
         <source>cannot be set up: %1</source>
@@ -9003,8 +9003,19 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Ändern Sie, was die Lektion einrichtet, oder die Teile ihrer Szene</translation>
     </message>
     <message>
-        <source>Pass the files of the lessons on, to be put beside the case</source>
-        <translation>Geben Sie die Dateien der Lektionen mit weiter; sie gehören neben den Fall</translation>
+        <source>Put lessons that are not needed into another folder</source>
+        <translation>Legen Sie Lektionen, die nicht gebraucht werden, in einen anderen Ordner</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lesson(s) for this patient are in his file: %1. To play them, take the case into the library.</source>
+        <translation>
+            <numerusform>%n Lektion für diesen Patienten liegt in seiner Datei: %1. Um sie zu üben, übernehmen Sie den Fall in die Bibliothek.</numerusform>
+            <numerusform>%n Lektionen für diesen Patienten liegen in seiner Datei: %1. Um sie zu üben, übernehmen Sie den Fall in die Bibliothek.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take it into the library</source>
+        <translation>In die Bibliothek übernehmen</translation>
     </message>
     <message>
         <source>Warning, no longer so</source>
