@@ -400,6 +400,7 @@ BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder) 
             workspace_.saved(folder, edits, measured);
             written_.insert(folder);
             screen_.remember(folder);
+            screen_.case_written(folder);
             screen_.changed();
             const QString text = workspace_.strokes().empty()
                                      ? Words::tr("Saved %1")

@@ -82,6 +82,9 @@ class PatientKeeper {
             [](const std::shared_ptr<const Volume>&) {};
         // This file was opened or saved and can be opened again.
         std::function<void(const std::filesystem::path&)> remember;
+        // A case was written there.
+        std::function<void(const std::filesystem::path&)> case_written =
+            [](const std::filesystem::path&) {};
         // Should call remake() with the voxels and the pending strokes; may refuse.
         std::function<void()> remake_painted = [] {};
     };
