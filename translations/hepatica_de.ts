@@ -5162,12 +5162,12 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>%1 liegt %2 mm von der Leber von %3 entfernt</translation>
     </message>
     <message>
-        <source>Give a place inside a vessel in or at the liver (LPS, mm)</source>
-        <translation>Geben Sie einen Ort in einem Gefäß in oder an der Leber an (LPS, mm)</translation>
+        <source>Give a place inside a vessel in or at the liver, in mm to the patient&apos;s left, back and head (LPS)</source>
+        <translation>Geben Sie einen Ort in einem Gefäß in oder an der Leber an, in mm nach links, hinten und kopfwärts vom Patienten aus (LPS)</translation>
     </message>
     <message>
-        <source>Give a place inside a vessel in patient space (LPS, mm); other programs may show RAS: there change the sign of X and Y</source>
-        <translation>Geben Sie einen Ort in einem Gefäß im Patientenraum an (LPS, mm); andere Programme zeigen vielleicht RAS: Drehen Sie dort das Vorzeichen von X und Y um</translation>
+        <source>Give a place inside a vessel, in mm to the patient&apos;s left, back and head (LPS); other programs may show RAS: there change the sign of X and Y</source>
+        <translation>Geben Sie einen Ort in einem Gefäß an, in mm nach links, hinten und kopfwärts vom Patienten aus (LPS); andere Programme zeigen vielleicht RAS: Drehen Sie dort das Vorzeichen von X und Y um</translation>
     </message>
     <message>
         <source>the window from %1 to %2 HU takes in the liver&apos;s own tissue, which has %3 HU</source>
@@ -9068,6 +9068,34 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>at %1</source>
         <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>%1 mm left</source>
+        <translation>%1 mm links</translation>
+    </message>
+    <message>
+        <source>%1 mm right</source>
+        <translation>%1 mm rechts</translation>
+    </message>
+    <message>
+        <source>%1 mm back</source>
+        <translation>%1 mm hinten</translation>
+    </message>
+    <message>
+        <source>%1 mm front</source>
+        <translation>%1 mm vorn</translation>
+    </message>
+    <message>
+        <source>%1 mm headwards</source>
+        <translation>%1 mm kopfwärts</translation>
+    </message>
+    <message>
+        <source>%1 mm feetwards</source>
+        <translation>%1 mm fußwärts</translation>
+    </message>
+    <message>
+        <source>From the origin of the CT: %1</source>
+        <translation>Vom Ursprung des CTs aus: %1</translation>
     </message>
     <message>
         <source>liver segment %1</source>
