@@ -2065,6 +2065,10 @@
         <translation>Die Korrektur wurde zurückgenommen</translation>
     </message>
     <message>
+        <source>The window closes as soon as the report is written. Cancel closes it without the report.</source>
+        <translation>Das Fenster schließt sich, sobald der Bericht geschrieben ist. „Abbrechen“ schließt es ohne den Bericht.</translation>
+    </message>
+    <message>
         <source>Rebuilding the vessels</source>
         <translation>Die Gefäße werden neu gebaut</translation>
     </message>
@@ -5158,12 +5162,12 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>%1 liegt %2 mm von der Leber von %3 entfernt</translation>
     </message>
     <message>
-        <source>Give a place inside a vessel in or at the liver (LPS, mm)</source>
-        <translation>Geben Sie einen Ort in einem Gefäß in oder an der Leber an (LPS, mm)</translation>
+        <source>Give a place inside a vessel in or at the liver, in mm to the patient&apos;s left, back and head (LPS)</source>
+        <translation>Geben Sie einen Ort in einem Gefäß in oder an der Leber an, in mm nach links, hinten und kopfwärts vom Patienten aus (LPS)</translation>
     </message>
     <message>
-        <source>Give a place inside a vessel in patient space (LPS, mm); other programs may show RAS: there change the sign of X and Y</source>
-        <translation>Geben Sie einen Ort in einem Gefäß im Patientenraum an (LPS, mm); andere Programme zeigen vielleicht RAS: Drehen Sie dort das Vorzeichen von X und Y um</translation>
+        <source>Give a place inside a vessel, in mm to the patient&apos;s left, back and head (LPS); other programs may show RAS: there change the sign of X and Y</source>
+        <translation>Geben Sie einen Ort in einem Gefäß an, in mm nach links, hinten und kopfwärts vom Patienten aus (LPS); andere Programme zeigen vielleicht RAS: Drehen Sie dort das Vorzeichen von X und Y um</translation>
     </message>
     <message>
         <source>the window from %1 to %2 HU takes in the liver&apos;s own tissue, which has %3 HU</source>
@@ -8987,8 +8991,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         </translation>
     </message>
     <message>
-        <source>holds the case without its lessons, which are too many for it</source>
-        <translation>enthält den Fall ohne seine Lektionen, die zu viele dafür sind</translation>
+        <source>cannot hold all lessons for this patient: they are more than 40</source>
+        <translation>kann nicht alle Lektionen für diesen Patienten aufnehmen: Es sind mehr als 40</translation>
     </message>
     <message>
         <source>cannot be set up: %1</source>
@@ -8999,8 +9003,19 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Ändern Sie, was die Lektion einrichtet, oder die Teile ihrer Szene</translation>
     </message>
     <message>
-        <source>Pass the files of the lessons on, to be put beside the case</source>
-        <translation>Geben Sie die Dateien der Lektionen mit weiter; sie gehören neben den Fall</translation>
+        <source>Put lessons that are not needed into another folder</source>
+        <translation>Legen Sie Lektionen, die nicht gebraucht werden, in einen anderen Ordner</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lesson(s) for this patient are in his file: %1. To play them, take the case into the library.</source>
+        <translation>
+            <numerusform>%n Lektion für diesen Patienten liegt in seiner Datei: %1. Um sie zu üben, übernehmen Sie den Fall in die Bibliothek.</numerusform>
+            <numerusform>%n Lektionen für diesen Patienten liegen in seiner Datei: %1. Um sie zu üben, übernehmen Sie den Fall in die Bibliothek.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take it into the library</source>
+        <translation>In die Bibliothek übernehmen</translation>
     </message>
     <message>
         <source>Warning, no longer so</source>
@@ -9053,6 +9068,34 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>at %1</source>
         <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>%1 mm left</source>
+        <translation>%1 mm links</translation>
+    </message>
+    <message>
+        <source>%1 mm right</source>
+        <translation>%1 mm rechts</translation>
+    </message>
+    <message>
+        <source>%1 mm back</source>
+        <translation>%1 mm hinten</translation>
+    </message>
+    <message>
+        <source>%1 mm front</source>
+        <translation>%1 mm vorn</translation>
+    </message>
+    <message>
+        <source>%1 mm headwards</source>
+        <translation>%1 mm kopfwärts</translation>
+    </message>
+    <message>
+        <source>%1 mm feetwards</source>
+        <translation>%1 mm fußwärts</translation>
+    </message>
+    <message>
+        <source>From the origin of the CT: %1</source>
+        <translation>Vom Ursprung des CTs aus: %1</translation>
     </message>
     <message>
         <source>liver segment %1</source>

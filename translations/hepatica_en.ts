@@ -136,5 +136,12 @@
             <numerusform>%n lessons for this patient came with the case and lie beside it: %1</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n lesson(s) for this patient are in his file: %1. To play them, take the case into the library.</source>
+        <translation>
+            <numerusform>%n lesson for this patient is in his file: %1. To play it, take the case into the library.</numerusform>
+            <numerusform>%n lessons for this patient are in his file: %1. To play them, take the case into the library.</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

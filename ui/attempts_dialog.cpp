@@ -162,7 +162,7 @@ void AttemptsDialog::widen_to_table() {
     if (needed > width()) resize_on_screen(*this, {needed, height()});
 }
 
-void AttemptsDialog::show_lesson(const std::string& lesson, const std::filesystem::path& folder,
+void AttemptsDialog::show_lesson(const LessonKey& lesson, const std::filesystem::path& folder,
                                  const std::string& name,
                                  std::vector<std::filesystem::path> interrupted) {
     lesson_ = lesson;
@@ -209,7 +209,7 @@ void AttemptsDialog::show_attempts() {
                        "<b>%1</b>: %n attempt(s). Tick those of an instructor: they are the band "
                        "in the learning curve.",
                        nullptr, static_cast<int>(count))
-                       .arg(translated(lesson_).toHtmlEscaped());
+                       .arg(translated(lesson_.name).toHtmlEscaped());
     for (const std::string& words : attempts_.passed_over)
         text += "<br>" + Words::tr("Left out: %1").arg(translated(words).toHtmlEscaped());
     title_->setText(text);

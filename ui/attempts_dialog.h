@@ -39,7 +39,7 @@ class AttemptsDialog : public QDialog {
     // Reads the attempts again and shows those of `name` if there are any, else all; the newest is
     // selected. `interrupted` are recordings without a result: they follow the others in the table
     // and are left out of the curve.
-    void show_lesson(const std::string& lesson, const std::filesystem::path& folder,
+    void show_lesson(const LessonKey& lesson, const std::filesystem::path& folder,
                      const std::string& name = {},
                      std::vector<std::filesystem::path> interrupted = {});
     // Of table and curve; a saved table has those of the computation.
@@ -61,7 +61,7 @@ class AttemptsDialog : public QDialog {
     Ways ways_;
     Attempts attempts_;
     std::vector<std::filesystem::path> interrupted_;
-    std::string lesson_;
+    LessonKey lesson_;
     std::filesystem::path folder_;
     FlowUnits units_ = FlowUnits::computed;
     bool named_ = false;                // any attempt has a name

@@ -457,6 +457,7 @@ void LessonDock::keep(const LessonStanding& standing) {
     try {
         Attempt attempt = attempt_of(watch_->recording(), watch_->lesson().name, standing,
                                      now.toStdString(), watched_course_pass_);
+        attempt.lesson_id = watch_->lesson().id;
         attempt.name = trainee_;
         write_attempt(attempt);
         ways_.kept();
@@ -469,7 +470,7 @@ void LessonDock::show_attempts() {
     if (!watch_) return;
     shown_name_ = watched_name_;
     const std::string stem = fs::path(shown_name_).stem().string();
-    attempts_->show_lesson(watch_->lesson().name, recordings_, trainee_,
+    attempts_->show_lesson({watch_->lesson().id, watch_->lesson().name}, recordings_, trainee_,
                            recordings_without_result(recordings_, stem));
 }
 

@@ -177,6 +177,11 @@ void LibraryDialog::open_library() {
     refresh();
 }
 
+void LibraryDialog::open_and_take_in(const fs::path& from) {
+    to_take_ = from;
+    open_library();
+}
+
 void LibraryDialog::refresh() {
     if (!isVisible()) return;
     if (busy_)
@@ -193,13 +198,16 @@ void LibraryDialog::choose_folder() {
     read_folder();
 }
 
-void LibraryDialog::run(const QString& doing, BackgroundJob::Work work) {
+void LibraryDialog::run(const QString& doing, BackgroundJob::Work work, bool copies) {
     job_.reset();
     messages_->dismiss();
     BackgroundJob::Callbacks callbacks;
-    callbacks.failed = [this, doing](const Failure& failure) {
+    callbacks.failed = [this, doing, copies](const Failure& failure) {
         messages_->show_failure(failure);  // the main window's lies behind this one
         ways_.failed(doing, failure);
+        if (!copies) return;
+        reread_ = true;  // some of it may be there
+        failed_ = failure;
     };
     callbacks.ended = [this] {
         if (std::exchange(reread_, false))
@@ -207,6 +215,9 @@ void LibraryDialog::run(const QString& doing, BackgroundJob::Work work) {
         busy_ = false;
         show_chosen();
         if (!said_.isEmpty()) messages_->show_notice(std::exchange(said_, {}));
+        if (failed_) messages_->show_failure(*std::exchange(failed_, std::nullopt));
+        if (!to_take_.empty())
+            QTimer::singleShot(0, this, [this] { take_in(std::exchange(to_take_, {})); });
     };
     busy_ = true;
     show_chosen();
@@ -267,15 +278,18 @@ void LibraryDialog::show_chosen() {
 }
 
 void LibraryDialog::copy(const fs::path& from, const fs::path& to) {
-    run(Words::tr("Copy the case"), [this, from, to](Job& job) -> std::function<void()> {
-        job.begin_stage(Words::id("Copying the case"));
-        const std::vector<Lesson> lessons = lessons_in_archive(from);
-        write_case(to, read_case(from));
-        return [this, said = what_came_with_it(put_beside(lessons, to))] {
-            reread_ = true;
-            said_ = said;
-        };
-    });
+    run(
+        Words::tr("Copy the case"),
+        [this, from, to](Job& job) -> std::function<void()> {
+            job.begin_stage(Words::id("Copying the case"));
+            const std::vector<Lesson> lessons = lessons_in_archive(from);
+            write_case(to, read_case(from));
+            return [this, said = what_came_with_it(put_beside(lessons, to))] {
+                reread_ = true;
+                said_ = said;
+            };
+        },
+        true);
 }
 
 void LibraryDialog::give_away(const fs::path& to) {
@@ -284,18 +298,19 @@ void LibraryDialog::give_away(const fs::path& to) {
     std::vector<fs::path> files;
     for (const ShelvedLesson& lesson : one->lessons)
         if (lesson.patient == ShelvedLesson::Patient::this_case) files.push_back(lesson.file);
-    run(Words::tr("Copy the case"),
+    run(
+        Words::tr("Copy the case"),
         [this, from = one->place, to, files](Job& job) -> std::function<void()> {
             job.begin_stage(Words::id("Copying the case"));
             std::vector<Lesson> lessons = lessons_in_archive(from);
             for (const fs::path& file : files) lessons.push_back(read_lesson(file));
-            write_case(to, read_case(from));
-            pack_lessons(lessons, to);
+            write_with_lessons(to, read_case(from), lessons);
             return [this, said = what_was_given(to, lessons.size())] {
                 reread_ = true;
                 said_ = said;
             };
-        });
+        },
+        true);
 }
 
 void LibraryDialog::take_in(const fs::path& from) {

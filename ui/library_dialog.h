@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ui/background_job.h"
@@ -49,6 +50,8 @@ class LibraryDialog : public QDialog {
     // Copies a case into the folder under its own name, and the lessons in its file beside it; if
     // there is a case of that name, says so and offers to keep both. Not while busy().
     void take_in(const std::filesystem::path& from);
+    // Reads the folder again, shows the dialog and then takes the case in.
+    void open_and_take_in(const std::filesystem::path& from);
     // What is said above the cases: failures, and a name that is taken.
     MessageBar& messages() { return *messages_; }
 
@@ -66,16 +69,19 @@ class LibraryDialog : public QDialog {
     void show_chosen();
     const ShelvedCase* chosen() const;
     void copy(const std::filesystem::path& from, const std::filesystem::path& to);
-    void run(const QString& doing, BackgroundJob::Work work);
+    // `copies`: it writes a case, so that the folder is read again also where it fails.
+    void run(const QString& doing, BackgroundJob::Work work, bool copies = false);
 
     Settings& settings_;
     Ways ways_;
     std::vector<ShelvedCase> cases_;
     std::unique_ptr<BackgroundJob> job_;
     bool busy_ = false;
-    bool reread_ = false;           // read the folder when the job has ended
-    QString said_;                  // to be told when the folder was read again
-    std::filesystem::path chosen_;  // chosen again after the folder was read
+    bool reread_ = false;            // read the folder when the job has ended
+    QString said_;                   // to be told when the folder was read again
+    std::optional<Failure> failed_;  // likewise
+    std::filesystem::path to_take_;  // to be taken in when the folder was read again
+    std::filesystem::path chosen_;   // chosen again after the folder was read
     QLabel* folder_ = nullptr;
     QListWidget* list_ = nullptr;
     MessageBar* messages_ = nullptr;

@@ -303,6 +303,10 @@ void MainWindow::make_keeper(Patients patients, PatientKeeper::Questions questio
         statusBar()->showMessage(QString::fromStdString(text), 6000);
     };
     screen.remember = [this](const std::filesystem::path& path) { remember(path); };
+    screen.case_written = [this](const std::filesystem::path& place) {
+        if (place == workspace().folder()) dial_->case_was_written();
+        library_->refresh();
+    };
     screen.remake_painted = [this] { view_layout_->remake_painted(); };
     screen.image_read = [this](std::shared_ptr<const Volume> ct) { show_image(std::move(ct)); };
     screen.not_opened = [this] {

@@ -188,6 +188,7 @@ class MainWindow : public QMainWindow {
     std::optional<OpenRequest> patient_from_where() const;
     void offer_patient_from_before();
     // These lessons no longer fit the corrected vessels.
+    void tell_packed_lessons();
     void tell_unfit(const std::vector<ShelvedLesson>& lessons);
     // Disables what the lesson being played does not allow.
     void allow_tools();

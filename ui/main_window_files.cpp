@@ -106,10 +106,7 @@ void MainWindow::show_jobs() {
 void MainWindow::remember(const std::filesystem::path& path) {
     settings_.add_recent_file(to_text(path));
     settings_.set_last_folder(to_text(path.parent_path()));
-    if (!is_case(path)) return;
-    settings_.set_case_folder(to_text(path.parent_path()));
-    if (path == workspace().folder()) dial_->case_was_written();
-    library_->refresh();
+    if (is_case(path)) settings_.set_case_folder(to_text(path.parent_path()));
 }
 
 void MainWindow::fail(const QString& doing, const Failure& failure) {

@@ -220,6 +220,26 @@ void MainWindow::offer_patient_from_before() {
         Words::tr("Open %1").arg(name), [this, before] { open(*before); });
 }
 
+// A lesson of a packed case has no file of its own until it is taken into the library.
+void MainWindow::tell_packed_lessons() {
+    if (patient_->packed_lessons.empty()) return;
+    QStringList names;
+    for (const std::string& name : patient_->packed_lessons) names << QString::fromStdString(name);
+    const QString text =
+        Words::tr(
+            "%n lesson(s) for this patient are in his file: %1. To play them, take the case "
+            "into the library.",
+            nullptr, static_cast<int>(names.size()))
+            .arg(names.join(", "));
+    const QString button = Words::tr("Take it into the library");
+    const auto take_in = [this, file = patient_->asked_for] { library_->open_and_take_in(file); };
+    if (messages_->text().isEmpty()) return messages_->show_notice(text, button, take_in);
+    const bool warnings_stand = messages_->text() == warnings_text_;
+    messages_->put_before(text);
+    messages_->offer_also(button, take_in);
+    if (warnings_stand) warnings_text_ = messages_->text();
+}
+
 void MainWindow::tell_unfit(const std::vector<ShelvedLesson>& lessons) {
     if (lessons.empty()) {
         if (!unfit_message_.isEmpty()) log_->settle_warning(unfit_message_);

@@ -82,6 +82,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
                             keeper_->workspace().folder());
     show_warnings(corrected);
     tell_lost_diameters(lost, said_before);
+    if (!corrected) tell_packed_lessons();
     if (corrected) {
         lessons_->patient_corrected();
         fits_->look(patient_->patient, keeper_->workspace().folder(),

@@ -56,7 +56,7 @@ void MainWindow::write_report_into(const std::filesystem::path& chosen,
     };
     job.failed = [this](const Failure& failure) { fail(Words::tr("Write the report"), failure); };
     job.cancelled = [this] { statusBar()->showMessage(Words::tr("Cancelled"), 6000); };
-    keeper_->add_job(std::move(job));
+    keeper_->add_report(std::move(job));
 }
 
 void MainWindow::offer_report(const std::filesystem::path& folder) {

@@ -132,7 +132,7 @@ void MainWindow::warn_of_stroke_outside(const BrushStroke& stroke) {
     const QString text = Words::tr(
                              "This stroke lies far outside the liver (at %1), and Rebuild "
                              "would make a vessel of it. Undo takes it back.")
-                             .arg(patient_place(stroke.path_mm.front()));
+                             .arg(patient_place_in_words(stroke.path_mm.front()));
     log_->add_warning(Words::tr("Corrections"), text, [this, stroke] {
         return std::ranges::find(keeper_->workspace().strokes(), stroke, &PendingStroke::stroke) !=
                keeper_->workspace().strokes().end();
@@ -157,7 +157,7 @@ void MainWindow::warn_of_tumour_outside(const TreeEdit& edit) {
                          "case keeps (at %1): what lies outside of it is left out. Undo takes it "
                          "back.")
              : Words::tr("This tumour lies outside the liver (at %1). Undo takes it back."))
-            .arg(patient_place(edit.path_mm.front()));
+            .arg(patient_place_in_words(edit.path_mm.front()));
     log_->add_warning(Words::tr("Corrections"), text, [this, edit] {
         const Workspace::Edits& edits = keeper_->workspace().edits();
         return std::ranges::find(edits, edit) != edits.end();

@@ -4,7 +4,9 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/base/flush_to_disk.h"
 #include "core/base/temporary_folder.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_writer.h"
@@ -35,7 +37,21 @@ fs::path free_file(const fs::path& folder, const std::string& name) {
     return file;
 }
 
+void require_room_for(const std::vector<Lesson>& lessons, const fs::path& archive) {
+    if (lessons.size() > most_lessons)
+        throw InputError(
+            Words::id("cannot hold all lessons for this patient: they are more than 40"),
+            archive.string(), Words::id("Put lessons that are not needed into another folder"));
+}
+
 }  // namespace
+
+bool holds_lessons(const fs::path& archive) {
+    if (!is_case_archive(archive)) return false;
+    for (std::size_t number = 1; number <= most_lessons; ++number)
+        if (archive_holds(archive, file_of({}, number).c_str())) return true;
+    return false;
+}
 
 std::vector<Lesson> lessons_in_archive(const fs::path& archive) {
     std::vector<Lesson> lessons;
@@ -56,10 +72,7 @@ std::vector<Lesson> lessons_in_archive(const fs::path& archive) {
 
 void pack_lessons(const std::vector<Lesson>& lessons, const fs::path& archive) {
     if (lessons.empty()) return;
-    if (lessons.size() > most_lessons)
-        throw InputError(Words::id("holds the case without its lessons, which are too many for it"),
-                         archive.string(),
-                         Words::id("Pass the files of the lessons on, to be put beside the case"));
+    require_room_for(lessons, archive);
     const TemporaryFolder folder;
     unpack_case(archive, folder.path());
     for (std::size_t i = 0; i < lessons.size(); ++i) {
@@ -68,6 +81,21 @@ void pack_lessons(const std::vector<Lesson>& lessons, const fs::path& archive) {
         write_lesson(file_of(folder.path(), i + 1), lesson);
     }
     pack_case(folder.path(), archive);
+}
+
+void write_with_lessons(const fs::path& archive, const PatientCase& patient,
+                        const std::vector<Lesson>& lessons) {
+    require_room_for(lessons, archive);
+    if (fs::exists(archive) && !is_replaceable_case(archive))
+        return write_case(archive, patient);  // which refuses it
+    const TemporaryFolder folder;
+    const fs::path made = folder.path() / "case.hepz";
+    write_case(made, patient);
+    pack_lessons(lessons, made);
+    write_file_atomically(archive, [&](const fs::path& temporary) {
+        fs::copy_file(made, temporary, fs::copy_options::overwrite_existing);
+        flush_to_disk(temporary, archive);
+    });
 }
 
 std::vector<fs::path> put_beside(const std::vector<Lesson>& lessons, const fs::path& place) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/lesson/lesson.h"
+#include "core/patient/patient_case.h"
 
 namespace hepatica {
 
@@ -16,9 +17,18 @@ namespace hepatica {
 // Throws InputError where the archive cannot be read.
 std::vector<Lesson> lessons_in_archive(const std::filesystem::path& archive);
 
+// Whether the archive holds a lesson, readable or not.
+bool holds_lessons(const std::filesystem::path& archive);
+
 // Adds the lessons to an archive of their case that holds none. Throws InputError where a lesson is
 // unfinished, there are more than 40, or the archive cannot be written.
 void pack_lessons(const std::vector<Lesson>& lessons, const std::filesystem::path& archive);
+
+// Writes the case and the lessons into one file, of which an older one, with its lessons, is
+// replaced atomically. Throws InputError as write_case() and pack_lessons(); the older one then
+// stays as it was.
+void write_with_lessons(const std::filesystem::path& archive, const PatientCase& patient,
+                        const std::vector<Lesson>& lessons);
 
 // Writes the lessons beside the case at `place` as lessons for it, called as they say; a name that
 // is taken gets a number. Returns the files. Throws InputError where one cannot be written.

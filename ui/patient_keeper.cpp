@@ -27,71 +27,10 @@ PatientKeeper::PatientKeeper(Ways ways, Questions questions, Screen screen,
                  go_on();
              }}) {}
 
-void PatientKeeper::leave(std::function<void()> go, std::function<void()> stay) {
-    discarded_version_.reset();
-    dropped_strokes_.reset();
-    leave_if_safe(std::move(go), std::move(stay));
-}
-
-void PatientKeeper::leave_if_safe(std::function<void()> go, std::function<void()> stay) {
-    go_ = nullptr;
-    if (!jobs_.holds(JobKind::save)) {
-        bool stays = false;
-        if (!strokes_let_go([&stays] { stays = true; }))
-            return stays ? stay() : wait_to_go(std::move(go), std::move(stay));
-        if (!workspace_.dirty() || discarded_version_ == workspace_.version())
-            return go_when_archived(std::move(go), std::move(stay));
-        const UnsavedAnswer answer = questions_.unsaved(workspace_.title());
-        if (answer == UnsavedAnswer::cancel) return stay();
-        if (answer == UnsavedAnswer::discard) {
-            discarded_version_ = workspace_.version();
-            return go_when_archived(std::move(go), std::move(stay));
-        }
-        if (!save()) return stay();
-    }
-    wait_to_go(std::move(go), std::move(stay));
-}
-
-void PatientKeeper::wait_to_go(std::function<void()> go, std::function<void()> stay) {
-    go_ = std::move(go);
-    stay_ = std::move(stay);
-}
-
-bool PatientKeeper::strokes_let_go(const std::function<void()>& stay) {
-    if (workspace_.strokes().empty() || dropped_strokes_ == workspace_.strokes_version())
-        return true;
-    switch (questions_.strokes(workspace_.title(), workspace_.strokes().size())) {
-        case StrokesAnswer::drop:
-            dropped_strokes_ = workspace_.strokes_version();
-            return true;
-        case StrokesAnswer::rebuild:
-            if (!jobs_.holds(JobKind::remake)) screen_.remake_painted();
-            // When that has ended, go_on() continues.
-            if (jobs_.holds(JobKind::remake)) return false;
-            break;
-        case StrokesAnswer::cancel:
-            break;
-    }
-    stay();
-    return false;
-}
-
-void PatientKeeper::go_when_archived(std::function<void()> go, std::function<void()> stay) {
-    if (!jobs_.holds(JobKind::archive)) return go();
-    wait_to_go(std::move(go), std::move(stay));
-}
-
-// After a save or rebuild: asks again about later corrections.
-void PatientKeeper::go_on() {
-    if (go_ && !jobs_.holds(JobKind::save) && !jobs_.holds(JobKind::archive) &&
-        !jobs_.holds(JobKind::remake))
-        leave_if_safe(std::exchange(go_, nullptr), stay_);
-}
-
 void PatientKeeper::open(const OpenRequest& request) {
     const OpenRequest wanted = with_absolute_paths(request);
     const auto go = [this, wanted] {
-        leave([this, wanted] { start_opening(wanted); }, screen_.not_opened);
+        leave_patient([this, wanted] { start_opening(wanted); }, screen_.not_opened);
     };
     const bool asks = workspace_.dirty() || !workspace_.strokes().empty();
     asks ? look_first(wanted, go) : go();
@@ -194,6 +133,7 @@ void PatientKeeper::arrived(const OpenRequest& request,
         screen_.show(std::move(*loaded), false);
         correct();
     };
+    ends_ = false;
     leave_if_safe(show, screen_.not_opened);
 }
 
@@ -460,6 +400,7 @@ BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder) 
             workspace_.saved(folder, edits, measured);
             written_.insert(folder);
             screen_.remember(folder);
+            screen_.case_written(folder);
             screen_.changed();
             const QString text = workspace_.strokes().empty()
                                      ? Words::tr("Saved %1")

@@ -82,6 +82,9 @@ class PatientKeeper {
             [](const std::shared_ptr<const Volume>&) {};
         // This file was opened or saved and can be opened again.
         std::function<void(const std::filesystem::path&)> remember;
+        // A case was written there.
+        std::function<void(const std::filesystem::path&)> case_written =
+            [](const std::filesystem::path&) {};
         // Should call remake() with the voxels and the pending strokes; may refuse.
         std::function<void()> remake_painted = [] {};
     };
@@ -124,25 +127,30 @@ class PatientKeeper {
     // Writes a DICOM segmentation of the CT in this folder; calls `written` when done.
     void archive(const std::filesystem::path& ct, const std::filesystem::path& file,
                  std::function<void()> written);
-    // Appends a job that does not change the patient.
-    void add_job(QueuedJob job) { jobs_.add(std::move(job)); }
+    // Appends the writing of a report. If it fails while the program waits for it to end, the
+    // program does not end.
+    void add_report(QueuedJob job);
     // Cancels the running job; a correction is then taken back.
     void cancel() {
         opens_built_in_ = false;
         jobs_.cancel_running();
     }
 
-    // Calls `go` once nothing can be lost: at once, or when everything is made and saved. Calls
-    // `stay` if the user chooses to stay; drops `go` if saving or correcting fails. Only the newest
-    // `go` counts.
+    // For the end of the program: calls `go` once nothing can be lost: at once, or when everything
+    // is made and saved and no report is being written any more. Calls `stay` if the user chooses
+    // to stay or a report fails; drops `go` if saving or correcting fails. Only the newest `go`
+    // counts.
     void leave(
         std::function<void()> go, std::function<void()> stay = [] {});
     // Cancels all jobs and waits for the running one; a case being written is finished.
     void end() { jobs_.clear(); }
 
   private:
+    // As leave(), for another patient, who needs no report to be written before.
+    void leave_patient(std::function<void()> go, std::function<void()> stay);
     void leave_if_safe(std::function<void()> go, std::function<void()> stay);
     void go_when_archived(std::function<void()> go, std::function<void()> stay);
+    void go_when_reported(const std::function<void()>& go, const std::function<void()>& stay);
     void look_first(const OpenRequest& request, std::function<void()> go);
     // With its title and the reactions to failure and cancellation. `name`: of what is opened;
     // empty: that of its file.
@@ -176,7 +184,8 @@ class PatientKeeper {
     Questions questions_;
     Screen screen_;
     Workspace workspace_;
-    std::function<void()> go_, stay_;  // waiting for a save to end
+    std::function<void()> go_, stay_;  // waiting for a save, a rebuild or a report to end
+    bool ends_ = false;                // whether the newest `go` ends the program
     // Version of the workspace whose changes the user discarded.
     std::optional<std::uint64_t> discarded_version_;
     std::optional<std::uint64_t> dropped_strokes_;  // likewise, strokes_version()

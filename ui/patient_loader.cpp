@@ -6,11 +6,22 @@
 #include "core/flow/flow_shares.h"
 #include "core/scene/measured_dial.h"
 #include "core/session/session.h"
+#include "ui/packed_lessons.h"
 #include "ui/simulation_thread.h"
 #include "ui/window_words.h"
 #include "ui/words.h"
 
 namespace hepatica {
+namespace {
+
+std::vector<std::string> names_of_lessons_in(const std::filesystem::path& place) {
+    std::vector<std::string> names;
+    if (!holds_lessons(place)) return names;
+    for (const Lesson& lesson : lessons_in_archive(place)) names.push_back(lesson.name);
+    return names;
+}
+
+}  // namespace
 
 LoadedPatient play(std::shared_ptr<const PatientCase> patient, Job& job) {
     return play_with(cpu_back_end(), std::move(patient), job);
@@ -43,6 +54,8 @@ LoadedPatient load_patient(const OpenRequest& request, Job& job, const DeformBac
     const auto of_ends = warnings_of_ends(opened.patient->tree, loaded.flow_shares);
     opened.warnings.insert(opened.warnings.begin(), of_ends.begin(), of_ends.end());
     static_cast<OpenedPatient&>(loaded) = std::move(opened);
+    if (!request.built_in && !request.unsaved_copy)
+        loaded.packed_lessons = names_of_lessons_in(request.reconstruct.ct);
     return loaded;
 }
 

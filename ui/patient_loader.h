@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/opening/open_patient.h"
@@ -15,7 +16,9 @@ namespace hepatica {
 
 struct LoadedPatient : OpenedPatient {
     SurfaceAnatomy anatomy;
-    std::filesystem::path asked_for{};       // what was opened; empty: built-in or a correction
+    std::filesystem::path asked_for{};  // what was opened; empty: built-in or a correction
+    // Names of the lessons for him that lie in the file he was read from, see packed_lessons.h.
+    std::vector<std::string> packed_lessons{};
     std::vector<double> flow_shares;         // per segment, see flow_shares.h; may be empty
     std::unique_ptr<Simulation> simulation;  // running
 };

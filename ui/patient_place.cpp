@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/patient_place.h"
 
+#include <QLocale>
+#include <QStringList>
 #include <cmath>
+
+#include "ui/words.h"
 
 namespace hepatica {
 namespace {
@@ -12,12 +16,25 @@ QString along(double mm, int decimals, QChar positive, QChar negative) {
         .arg(std::abs(mm), 0, 'f', decimals);
 }
 
+QString in_words(double mm, int decimals, const QString& positive, const QString& negative) {
+    return (mm < 0.0 ? negative : positive).arg(QLocale().toString(std::abs(mm), 'f', decimals));
+}
+
 }  // namespace
 
 QString patient_place(const Vec3& position_mm, int decimals) {
     return QString("%1  %2  %3 mm")
         .arg(along(position_mm.x(), decimals, 'L', 'R'), along(position_mm.y(), decimals, 'P', 'A'),
              along(position_mm.z(), decimals, 'H', 'F'));
+}
+
+QString patient_place_in_words(const Vec3& position_mm, int decimals) {
+    return QStringList{
+        in_words(position_mm.x(), decimals, Words::tr("%1 mm left"), Words::tr("%1 mm right")),
+        in_words(position_mm.y(), decimals, Words::tr("%1 mm back"), Words::tr("%1 mm front")),
+        in_words(position_mm.z(), decimals, Words::tr("%1 mm headwards"),
+                 Words::tr("%1 mm feetwards"))}
+        .join(", ");
 }
 
 }  // namespace hepatica

@@ -12,4 +12,7 @@ namespace hepatica {
 // "L 12  P 40  H 155 mm" for no decimals; the decimal separator is that of the language.
 QString patient_place(const Vec3& position_mm, int decimals = 0);
 
+// "12 mm left, 40 mm back, 155 mm headwards", for sentences: not everybody knows the letters.
+QString patient_place_in_words(const Vec3& position_mm, int decimals = 0);
+
 }  // namespace hepatica

@@ -41,13 +41,24 @@ QStringList arguments_of(const ReportOrder& order, const fs::path& patient, cons
     return arguments;
 }
 
-// Without the voxels that no play needs: organs may be obstacles.
+// Without the voxels that no play needs: organs may be obstacles. The others are not even copied,
+// since they may be hundreds of megabytes.
 PatientCase light_copy(const PatientCase& patient) {
-    PatientCase light = patient;
+    PatientCase light;
+    light.source = patient.source;
     light.organs = organs_of(patient);
-    for (Mask* voxels :
-         {&light.mask, &light.skeleton, &light.couinaud, &light.corrections.unpainted})
-        *voxels = {};
+    light.tree = patient.tree;
+    light.surface = patient.surface;
+    light.mesh = patient.mesh;
+    light.corrections.bridges = patient.corrections.bridges;
+    light.corrections.edits = patient.corrections.edits;
+    light.corrections.extracted = patient.corrections.extracted;
+    light.corrections.rebuilt = patient.corrections.rebuilt;
+    light.doubts = patient.doubts;
+    light.warnings = patient.warnings;
+    light.warnings_of_image = patient.warnings_of_image;
+    light.dial_json = patient.dial_json;
+    light.measured = patient.measured;
     return light;
 }
 

@@ -175,9 +175,12 @@ constexpr std::array sentences_patient{
     Words::id("no vessel is left that is long enough for a tree"),
     Words::id("%1 lies outside the image, which reaches from %2 to %3"),
     Words::id("%1 lies %2 mm from the liver of %3"),
-    Words::id("Give a place inside a vessel in or at the liver (LPS, mm)"),
-    Words::id("Give a place inside a vessel in patient space (LPS, mm); other programs may show "
-              "RAS: there change the sign of X and Y"),
+    Words::id(
+        "Give a place inside a vessel in or at the liver, in mm to the patient's left, back and "
+        "head (LPS)"),
+    Words::id(
+        "Give a place inside a vessel, in mm to the patient's left, back and head (LPS); other "
+        "programs may show RAS: there change the sign of X and Y"),
     Words::id("the window from %1 to %2 HU takes in the liver's own tissue, which has %3 HU"),
     Words::id("only %1 % of the liver lie between %2 and %3 HU and hang together as vessels do; "
               "the tissue itself has %4 HU"),

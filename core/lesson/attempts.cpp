@@ -81,6 +81,7 @@ void write_attempt(const Attempt& attempt) {
               {"lesson", attempt.lesson},       {"ended_at", attempt.ended_at},
               {"passed", attempt.passed},       {"reasons", attempt.reasons},
               {"reference", attempt.reference}, {"metrics", metrics}};
+    if (!attempt.lesson_id.empty()) json["lesson_id"] = attempt.lesson_id;
     if (!attempt.name.empty()) json["name"] = attempt.name;
     if (!attempt.course_pass.empty()) {
         json["course_pass"] = json_of(attempt.course_pass, {});
@@ -94,11 +95,12 @@ Attempt attempt_from(const std::string& text, const fs::path& recording, const s
     if (json.is_discarded()) throw InputError("is not JSON", place, result_remedy);
     const LessonFields fields(json, place, "");
     fields.know({"format", "version", "lesson", "ended_at", "passed", "reasons", "reference",
-                 "metrics", "name", "course_pass", "passed_lesson"});
+                 "metrics", "name", "lesson_id", "course_pass", "passed_lesson"});
     fields.require_format(result_format, result_remedy);
     Attempt attempt;
     attempt.recording = recording;
     attempt.lesson = fields.need("lesson").text();
+    if (fields.has("lesson_id")) attempt.lesson_id = fields.need("lesson_id").text();
     if (fields.has("name")) attempt.name = fields.need("name").text();
     attempt.ended_at = fields.need("ended_at").text();
     attempt.passed = truth_from(fields.need("passed"));
@@ -141,9 +143,15 @@ Attempts all_attempts(const fs::path& folder) {
     return found;
 }
 
-Attempts attempts_at(const std::string& lesson, const fs::path& folder) {
+bool is_at(const Attempt& attempt, const LessonKey& lesson) {
+    if (attempt.lesson_id.empty())
+        return attempt.lesson == lesson.name || attempt.lesson == lesson.id;
+    return attempt.lesson_id == (lesson.id.empty() ? lesson.name : lesson.id);
+}
+
+Attempts attempts_at(const LessonKey& lesson, const fs::path& folder) {
     Attempts found = all_attempts(folder);
-    std::erase_if(found.list, [&](const Attempt& attempt) { return attempt.lesson != lesson; });
+    std::erase_if(found.list, [&](const Attempt& attempt) { return !is_at(attempt, lesson); });
     return found;
 }
 

@@ -6,7 +6,7 @@
 //    "reference": false, "metrics": {"time_s": 12.5, ..., "dose_target_share": null}}
 // "name" is added if the trainee gave a name or a number. Attempts begun from a course with its own
 // pass marks also have "course_pass": [{"what": "time_s", "at_most": 60}] and "passed_lesson", the
-// verdict without them.
+// verdict without them. "lesson_id" is added if the lesson has an id.
 #pragma once
 
 #include <array>
@@ -33,6 +33,7 @@ struct Attempt {
     std::vector<std::string> reasons;            // why it failed
     bool reference = false;                      // a reference for others, such as an instructor's
     std::array<double, metric_count> metrics{};  // by Quantity; NaN: unknown
+    std::string lesson_id{};                     // id of the lesson; empty: its name says which
 
     double value(Quantity quantity) const { return metrics[static_cast<std::size_t>(quantity)]; }
 };
@@ -57,8 +58,15 @@ struct Attempts {
 };
 // All attempts with results in this folder; empty if it cannot be read.
 Attempts all_attempts(const std::filesystem::path& folder);
-// Those at the lesson with this name.
-Attempts attempts_at(const std::string& lesson, const std::filesystem::path& folder);
+// What tells a lesson from others. The name counts for attempts that know no id, as those of older
+// programs, and so does an id that was made of the name that the lesson had then.
+struct LessonKey {
+    std::string id;  // may be empty
+    std::string name;
+};
+bool is_at(const Attempt& attempt, const LessonKey& lesson);
+// Those at this lesson.
+Attempts attempts_at(const LessonKey& lesson, const std::filesystem::path& folder);
 
 // The distinct non-empty names, sorted bytewise.
 std::vector<std::string> names_in(const std::vector<Attempt>& attempts);

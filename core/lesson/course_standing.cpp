@@ -34,12 +34,13 @@ std::vector<CourseLine> standing_of(const Course& course, const std::filesystem:
         CourseLine line{lesson_named_by(entry.lesson, folder), "", entry.pass, 0, false};
         const Lesson lesson = find_lesson(line.lesson);
         line.title = lesson.name;
+        line.id = lesson.id;
         // Who passed the lesson has met the marks that it has itself.
         std::erase_if(line.pass, [&](const Predicate& mark) {
             return std::ranges::find(lesson.pass, mark) != lesson.pass.end();
         });
         for (const Attempt& attempt : attempts) {
-            if (attempt.lesson != line.title) continue;
+            if (!is_at(attempt, {line.id, line.title})) continue;
             ++line.attempts;
             line.passed = line.passed || passes(attempt, line.pass);
         }

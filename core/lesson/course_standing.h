@@ -18,6 +18,7 @@ struct CourseLine {
     std::vector<Predicate> pass;  // the course's, in addition to the lesson's
     int attempts = 0;
     bool passed = false;
+    std::string id{};  // of the lesson, see LessonKey; may be empty
 };
 
 // The lesson of a course's entry, as find_lesson() takes it: the id of a built-in lesson, or the

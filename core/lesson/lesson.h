@@ -75,6 +75,8 @@ struct Lesson {
     std::vector<LessonStep> steps;  // in order; not empty
     std::vector<Predicate> limits;  // during the whole lesson
     std::vector<Predicate> pass;    // at the end
+    // Tells it from other lessons, whatever it is called; empty: its name does.
+    std::string id{};
 
     std::vector<std::string> mark_names() const;
 };

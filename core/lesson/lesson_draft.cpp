@@ -2,6 +2,10 @@
 #include "core/lesson/lesson_draft.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <random>
+
+#include "core/base/hash.h"
 
 namespace hepatica {
 
@@ -16,6 +20,11 @@ void forget(std::vector<Predicate>& bounds, int mark) {
 }
 
 }  // namespace
+
+std::string new_lesson_id() {
+    std::random_device random;
+    return to_hex(std::uint64_t{random()} << 32U | random());
+}
 
 LessonStep new_step() {
     LessonStep step;

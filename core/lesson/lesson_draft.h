@@ -2,12 +2,17 @@
 // What the lesson editor starts from, and its edits that change more than one value.
 #pragma once
 
+#include <string>
+
 #include "core/lesson/lesson.h"
 
 namespace hepatica {
 
 // A complete lesson on any patient: a gentle pull at a mark in the middle of the longest path.
 Lesson new_lesson();
+
+// A new id for a lesson, by chance.
+std::string new_lesson_id();
 
 // A valid step: wait for 5 s.
 LessonStep new_step();

@@ -29,11 +29,12 @@ std::vector<std::pair<std::string, LessonFields>> LessonFields::entries() const 
     return found;
 }
 
-void LessonFields::know(std::initializer_list<const char*> keys) const {
+void LessonFields::know(std::initializer_list<const char*> keys, const char* by_program) const {
     std::string known;
     for (const char* key : keys) known += (known.empty() ? "" : ", ") + std::string(key);
     for (const auto& [key, field] : entries())
-        if (std::ranges::find(keys, key) == keys.end())
+        if (std::ranges::find(keys, key) == keys.end() &&
+            (by_program == nullptr || key != by_program))
             field.refuse("is not known", "Choose from " + known);
 }
 

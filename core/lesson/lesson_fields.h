@@ -32,8 +32,9 @@ class LessonFields {
     bool has(const char* key) const;
     LessonFields need(const char* key) const;
     std::vector<std::pair<std::string, LessonFields>> entries() const;
-    // Throws for any other key, so that a misspelt one is not ignored.
-    void know(std::initializer_list<const char*> keys) const;
+    // Throws for any other key, so that a misspelt one is not ignored. `by_program`: one that is
+    // read, too, but that no person is to write, so that nobody is told to choose it.
+    void know(std::initializer_list<const char*> keys, const char* by_program = nullptr) const;
 
     // Throws unless the file has {"format": `format`, "version": 1}.
     void require_format(const char* format, const char* remedy) const;

@@ -137,9 +137,11 @@ std::string drug_from(const LessonFields& drug) {
 Lesson lesson_from(const LessonFields& fields) {
     fields.require_format("hepatica-lesson", lesson_remedy);
     fields.know({"format", "version", "name", "about", "patient", "scene", "setup", "setup_tied",
-                 "tools", "marks", "drug", "target", "steps", "limits", "pass"});
+                 "tools", "marks", "drug", "target", "steps", "limits", "pass"},
+                "id");
     Lesson lesson;
     lesson.name = fields.need("name").text();
+    if (fields.has("id")) lesson.id = fields.need("id").text();
     if (fields.has("about")) lesson.about = fields.need("about").text();
     if (fields.has("patient")) lesson.patient = fields.need("patient").text();
     lesson.scene = scene_of(fields.need("scene"));
@@ -234,7 +236,10 @@ std::optional<BuiltInLesson> built_in_lesson(const std::string& id) {
 
 Lesson find_lesson(const std::string& name) {
     const std::optional<BuiltInLesson> built_in = built_in_lesson(name);
-    return built_in ? lesson_of(built_in->text, name) : read_lesson(name);
+    if (!built_in) return read_lesson(name);
+    Lesson lesson = lesson_of(built_in->text, name);
+    lesson.id = name;
+    return lesson;
 }
 
 }  // namespace hepatica

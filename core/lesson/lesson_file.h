@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads lessons and courses from JSON. docs/lessons.md explains the keys; assets/lessons has
 // examples.
-//   {"format": "hepatica-lesson", "version": 1, "name": ..., "about": ..., "patient": "built-in",
+//   {"format": "hepatica-lesson", "version": 1, "name": ..., "id": ..., "about": ..., "patient":
+//   "built-in",
 //    "scene": {...}, "setup": [script actions], "tools": ["pull"],
 //    "marks": {"the mark": {"share_of_longest_path": 0.5}}, "target": {"point_mm": [1, 2, 3]},
 //    "steps": [{"text": ..., "hint": ..., "hold_s": 2, "goal": [
@@ -55,7 +56,8 @@ std::vector<BuiltInLesson> built_in_lessons();
 std::optional<BuiltInLesson> built_in_lesson(const std::string& id);
 const char* built_in_course();
 
-// Reads a lesson by the id of a built-in one or by its file. Throws InputError as above.
+// Reads a lesson by the id of a built-in one, which is then its id, or by its file. Throws
+// InputError as above.
 Lesson find_lesson(const std::string& name);
 
 }  // namespace hepatica

@@ -67,6 +67,7 @@ Json step_json(const LessonStep& step, const std::vector<std::string>& marks) {
 std::string text_of(const Lesson& lesson) {
     const std::vector<std::string> marks = lesson.mark_names();
     Json json{{"format", "hepatica-lesson"}, {"version", 1}, {"name", lesson.name}};
+    if (!lesson.id.empty()) json["id"] = lesson.id;
     if (!lesson.about.empty()) json["about"] = lesson.about;
     json["patient"] = lesson.patient;
     json["scene"] = to_json(lesson.scene);

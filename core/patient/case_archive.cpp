@@ -26,7 +26,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t most_files = 64;
 constexpr std::uint64_t most_bytes = std::uint64_t{4} << 30U;
 constexpr std::uint64_t free_bytes = std::uint64_t{16} << 20U;
 constexpr std::uint64_t most_expansion = 100;
@@ -108,7 +107,8 @@ class Unpacking {
             refuse(archive_, "holds a file whose name no file of a case has: \"" + name + "\"");
         if ((info.flag & 1U) != 0) refuse(archive_, "is encrypted");
         if (!names_.insert(name).second) refuse(archive_, "holds " + name + " twice");
-        if (names_.size() > most_files) refuse(archive_, "holds more files than a case can");
+        if (names_.size() > most_files_of_archive)
+            refuse(archive_, "holds more files than a case can");
         return name;
     }
 

@@ -9,9 +9,12 @@
 // Sizes are counted while unpacking, whatever the archive claims.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 
 namespace hepatica {
+
+inline constexpr std::size_t most_files_of_archive = 64;
 
 // Whether the name is that of an archive: ends in .hepz, in any case. The file need not exist.
 bool is_archive_name(const std::filesystem::path& place);

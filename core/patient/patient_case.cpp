@@ -2,6 +2,7 @@
 // Reads and writes the files of a case, in a folder or unpacked from an archive.
 #include "core/patient/patient_case.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -208,6 +209,30 @@ void flush_files(const fs::path& folder, const fs::path& place) {
         flush_to_disk(file.path(), place);
 }
 
+// Whether the older case is of the same CT; false where this program cannot read its header.
+bool is_of_same_image(const fs::path& folder, const PatientCase& patient) {
+    try {
+        return read_case_header(folder).source.image_sha256 == patient.source.image_sha256;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+// Takes over what an archive holds besides the files of the case, as many as an archive may hold.
+void keep_foreign_files(const fs::path& archive, const PatientCase& patient,
+                        const fs::path& folder) {
+    if (!is_case_archive(archive)) return;
+    const TemporaryFolder before;
+    unpack_case(archive, before.path());
+    if (!is_of_same_image(before.path(), patient)) return;
+    std::vector<fs::path> foreign;
+    for (const fs::directory_entry& entry : fs::directory_iterator(before.path()))
+        if (!is_of_a_case(entry.path().filename())) foreign.push_back(entry.path());
+    std::ranges::sort(foreign);
+    foreign.resize(std::min(foreign.size(), most_files_of_archive - case_file::all.size()));
+    for (const fs::path& file : foreign) fs::copy_file(file, folder / file.filename());
+}
+
 }  // namespace
 
 bool is_case(const fs::path& path) {
@@ -237,6 +262,7 @@ void write_case(const fs::path& place, const PatientCase& patient) {
             is_of_a_case);
     const TemporaryFolder folder;
     write_files(folder.path(), patient);
+    keep_foreign_files(place, patient, folder.path());
     pack_case(folder.path(), place);
 }
 

@@ -102,8 +102,9 @@ bool is_replaceable_case(const std::filesystem::path& place);
 bool is_of_a_case(const std::filesystem::path& file);
 
 // Writes the case atomically, as one file where the place is named NAME.hepz, and replaces an older
-// case there. Other files in its folder stay. Throws InputError where the place holds something
-// else, cannot be written, or the disk is full.
+// case there. Other files in its folder stay; those in its archive, such as lessons, stay where it
+// is of the same CT. Throws InputError where the place holds something else, cannot be written, or
+// the disk is full.
 void write_case(const std::filesystem::path& place, const PatientCase& patient);
 
 // Reads and checks a case of this format or an older one. Throws InputError with the reason where

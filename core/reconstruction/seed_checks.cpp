@@ -40,8 +40,8 @@ void require_seeds_in_image(const std::vector<VesselSeed>& seeds, const Grid& gr
                              " lies outside the image, which reaches from " + text_of(corner) +
                              " to " + text_of(opposite),
                          option_of(seed),
-                         "Give a place inside a vessel in patient space (LPS, mm); other programs "
-                         "may show RAS: there change the sign of X and Y");
+                         "Give a place inside a vessel, in mm to the patient's left, back and head "
+                         "(LPS); other programs may show RAS: there change the sign of X and Y");
     }
 }
 
@@ -57,10 +57,13 @@ void require_seeds_near_liver(const std::vector<VesselSeed>& seeds, const Mask& 
             if (nearest_mm <= seed_reach_mm) break;
         }
         if (nearest_mm <= seed_reach_mm) continue;
-        throw InputError(
-            text_of(seed.position_mm) + " lies " + std::to_string(std::lround(nearest_mm)) +
-                " mm from the liver of " + liver_place,
-            option_of(seed), "Give a place inside a vessel in or at the liver (LPS, mm)");
+        throw InputError(text_of(seed.position_mm) + " lies " +
+                             std::to_string(std::lround(nearest_mm)) + " mm from the liver of " +
+                             liver_place,
+                         option_of(seed),
+                         "Give a place inside a vessel in or at the liver, in mm to the patient's "
+                         "left, back and "
+                         "head (LPS)");
     }
 }
 

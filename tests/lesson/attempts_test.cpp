@@ -39,7 +39,7 @@ TEST(Attempts, ComeBackInTheOrderOfTimeEachLessonsForItself) {
     other.lesson = "Another";
     write_attempt(other);
     std::ofstream(folder.path() / "d.result.json") << "{";
-    const Attempts found = attempts_at("Gentle pull", folder.path());
+    const Attempts found = attempts_at({"", "Gentle pull"}, folder.path());
     ASSERT_EQ(found.list.size(), 2u);
     EXPECT_EQ(found.list[0].recording, folder.path() / "z.hrec");
     EXPECT_TRUE(found.list[0].passed);
@@ -52,7 +52,32 @@ TEST(Attempts, ComeBackInTheOrderOfTimeEachLessonsForItself) {
     EXPECT_EQ(found.list[1].reasons.back(), "später");
     ASSERT_EQ(found.passed_over.size(), 1u);
     EXPECT_THAT(found.passed_over[0], HasSubstr("d.result.json is not JSON"));
-    EXPECT_TRUE(attempts_at("Gentle pull", folder.path() / "none").list.empty());
+    EXPECT_TRUE(attempts_at({"", "Gentle pull"}, folder.path() / "none").list.empty());
+}
+
+// Lessons of the same name are not mixed, and one that is renamed keeps its attempts; those of
+// older programs know a name alone.
+TEST(Attempts, BelongToTheLessonWhoseIdTheyKnow) {
+    const TemporaryFolder folder;
+    Attempt mine = attempt_at(folder.path() / "a.hrec", "1", 1.0);
+    mine.lesson_id = "mine";
+    write_attempt(mine);
+    Attempt other = attempt_at(folder.path() / "b.hrec", "2", 2.0);
+    other.lesson_id = "other";
+    write_attempt(other);
+    write_attempt(attempt_at(folder.path() / "c.hrec", "3", 3.0));
+    const auto times_at = [&](const LessonKey& lesson) {
+        std::vector<double> times;
+        for (const Attempt& attempt : attempts_at(lesson, folder.path()).list)
+            times.push_back(attempt.value(Quantity::time_s));
+        return times;
+    };
+    EXPECT_EQ(times_at({"mine", "Gentle pull"}), (std::vector<double>{1.0, 3.0}));
+    EXPECT_EQ(times_at({"other", "Gentle pull"}), (std::vector<double>{2.0, 3.0}));
+    EXPECT_EQ(times_at({"mine", "Renamed"}), std::vector<double>{1.0});
+    EXPECT_EQ(times_at({"", "Gentle pull"}), std::vector<double>{3.0});
+    EXPECT_EQ(times_at({"Gentle pull", "Renamed"}), std::vector<double>{3.0})
+        << "an older lesson has its former name as its id";
 }
 
 TEST(Attempts, NameWhoGaveANameAndNobodyElse) {

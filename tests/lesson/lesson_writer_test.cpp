@@ -51,7 +51,7 @@ TEST(LessonWriter, WritesEveryLessonOfTheProgramAsItWas) {
 // No key of the format is at its default here.
 TEST(LessonWriter, WritesEverySettingThatAFileCanName) {
     const Json before = Json::parse(R"({
-        "format": "hepatica-lesson", "version": 1, "name": "All", "about": "Why",
+        "format": "hepatica-lesson", "version": 1, "name": "All", "id": "1f", "about": "Why",
         "patient": "../cases/a.hep",
         "scene": {"name": "s", "dt_s": 0.004,
             "deform": {"material": "hepatic vein", "fixed": "all", "quality": 0.25,

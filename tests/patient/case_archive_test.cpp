@@ -122,6 +122,25 @@ TEST_F(CaseArchive, ReplacesAnOlderCaseAndNothingElse) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), 2) << "something is left";
 }
 
+// Such as the lessons for the patient; another patient's are none for this one.
+TEST_F(CaseArchive, KeepsWhatLiesBesideTheSameCase) {
+    PatientCase patient = test::some_patient();
+    const TemporaryFolder unpacked;
+    write_case(in("p.hepz"), patient);
+    unpack_case(in("p.hepz"), unpacked.path());
+    write_bytes(unpacked.path() / "lesson-1.json", "a lesson");
+    pack_case(unpacked.path(), in("p.hepz"));
+    patient.source.name = "Corrected";
+    write_case(in("p.hepz"), patient);
+    EXPECT_EQ(read_case(in("p.hepz")).source.name, "Corrected");
+    const TemporaryFolder again;
+    unpack_case(in("p.hepz"), again.path());
+    EXPECT_EQ(bytes_of(again.path() / "lesson-1.json"), "a lesson");
+    patient.source.image_sha256 = std::string(64, 'b');
+    write_case(in("p.hepz"), patient);
+    EXPECT_FALSE(archive_holds(in("p.hepz"), "lesson-1.json"));
+}
+
 TEST_F(CaseArchive, WithNamesThatClimbOutIsRefused) {
     const std::vector<std::string> names{
         "../evil", "../../evil", in("evil").string(), "a/b", "a/", "..", ".", ".hidden", "a\\\\b",

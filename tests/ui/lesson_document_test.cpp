@@ -47,6 +47,44 @@ TEST(LessonDocument, UndoesWhatWasTypedInOneFieldAtOnce) {
     EXPECT_EQ(document.lesson().name, "Pull") << "typing after a redo is a change of its own";
 }
 
+// By it attempts find their lesson.
+TEST(LessonDocument, GivesALessonAnIdThatARenamingKeepsAndACopyDoesNot) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "a.json", copy = folder.path() / "b.json";
+    LessonDocument document({});
+    document.save(file);
+    const std::string id = read_lesson(file).id;
+    EXPECT_NE(id, "");
+    EXPECT_FALSE(document.dirty());
+    document.change("name", [](Lesson& lesson) { lesson.name = "Renamed"; });
+    document.save(file);
+    EXPECT_EQ(read_lesson(file).id, id);
+    document.undo();
+    document.save(file);
+    EXPECT_EQ(read_lesson(file).id, id);
+    document.save(copy);
+    EXPECT_NE(read_lesson(copy).id, id);
+    EXPECT_FALSE(document.dirty());
+    LessonDocument again({});
+    again.open(file);
+    EXPECT_FALSE(again.dirty());
+    again.save(file);
+    EXPECT_EQ(read_lesson(file).id, id);
+}
+
+TEST(LessonDocument, KnowsAnOlderLessonByTheNameOfItsAttempts) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "a.json";
+    write_lesson(file, new_lesson());
+    LessonDocument document({});
+    document.open(file);
+    document.save(file);
+    EXPECT_EQ(read_lesson(file).id, "");
+    document.change("name", [](Lesson& lesson) { lesson.name = "Renamed"; });
+    document.save(file);
+    EXPECT_EQ(read_lesson(file).id, new_lesson().name);
+}
+
 TEST(LessonDocument, NamesAPatientBelowTheFileRelativeToIt) {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder.path() / "lesson.json";

@@ -80,7 +80,7 @@ TEST_F(LessonWindowTest, a_trainee_takes_hold_lets_go_and_has_the_score_of_the_r
     auto& table = *dialog.findChild<QTableWidget*>("attempts");
     table.item(0, 3)->setCheckState(Qt::Checked);
     EXPECT_EQ(dialog.chart().curves.size(), 2u) << "the band of one reference";
-    EXPECT_TRUE(attempts_at("Take hold", recording.parent_path()).list[0].reference);
+    EXPECT_TRUE(attempts_at({"", "Take hold"}, recording.parent_path()).list[0].reference);
     dialog.findChild<QPushButton*>("attemptsLookBack")->click();
     EXPECT_TRUE(dialog.isHidden());
     EXPECT_TRUE(wait_for([&] { return window_.review().complete(); }));

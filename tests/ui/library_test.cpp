@@ -202,7 +202,9 @@ class LibraryTest : public testing::WindowTest {
     LibraryTest()
         : WindowTest({[this](const OpenRequest& request, Job& job) {
                           opened_ = request.reconstruct.ct;
-                          return play(test::small_patient(), job);
+                          LoadedPatient loaded = play(test::small_patient(), job);
+                          loaded.packed_lessons = packed_;
+                          return loaded;
                       },
                       [](const fs::path&, const PatientCase&) {}}),
           cases_(to_path(folder_.filePath("cases"))) {
@@ -214,6 +216,13 @@ class LibraryTest : public testing::WindowTest {
     void open_library() {
         window_.actions()[ActionId::open_library].trigger();
         ASSERT_TRUE(wait_for([this] { return !dialog().busy() && !dialog().cases().empty(); }));
+    }
+    // The chosen case in one file of this name.
+    fs::path given_away(const char* name) {
+        const fs::path file = to_path(folder_.filePath(name));
+        dialog().give_away(file);
+        EXPECT_TRUE(wait_for([&] { return fs::exists(file) && !dialog().busy(); }));
+        return file;
     }
     QTreeWidget& lessons() { return *dialog().findChild<QTreeWidget*>("caseLessons"); }
     QPushButton& begin_button() { return *dialog().findChild<QPushButton*>("caseLessonBegin"); }
@@ -238,6 +247,7 @@ class LibraryTest : public testing::WindowTest {
     }
 
     fs::path cases_, opened_;
+    std::vector<std::string> packed_;  // lessons in the file of who is opened
 };
 
 // A chosen one is not tinted with the colour of choice, which in high contrast is not a vessel's.
@@ -344,9 +354,7 @@ TEST_F(LibraryTest, is_read_again_when_an_attempt_has_ended) {
 
 TEST_F(LibraryTest, gives_a_case_away_and_takes_one_in) {
     open_library();
-    const fs::path file = to_path(folder_.filePath("gift.hepz"));
-    dialog().give_away(file);
-    ASSERT_TRUE(wait_for([&] { return fs::exists(file) && !dialog().busy(); }));
+    const fs::path file = given_away("gift.hepz");
     dialog().take_in(file);
     ASSERT_TRUE(wait_for([this] { return dialog().cases().size() == 2 && !dialog().busy(); }));
     EXPECT_EQ(hash_of(read_case(cases_ / "gift.hep")), hash_of(*test::small_patient()));
@@ -369,19 +377,15 @@ TEST_F(LibraryTest, gives_a_case_away_and_takes_one_in) {
 // The file does not hold the CT, which whoever passes the case on must know.
 TEST_F(LibraryTest, says_what_a_case_in_one_file_does_not_hold) {
     open_library();
-    const auto give = [this](const char* name) {
-        const fs::path file = to_path(folder_.filePath(name));
-        dialog().give_away(file);
-        EXPECT_TRUE(wait_for([&] { return fs::exists(file) && !dialog().busy(); }));
-        return dialog().messages().text();
-    };
-    const QString alone = give("alone.hepz");
+    given_away("alone.hepz");
+    const QString alone = dialog().messages().text();
     EXPECT_TRUE(alone.contains("alone.hepz. The CT is not in it")) << alone.toStdString();
     write_lesson_for(cases_ / "mine.json", "Of first", "first.hep");
     write_lesson_for(cases_ / "other.json", "Of anybody", "any");
     dialog().open_library();
     ASSERT_TRUE(wait_for([this] { return !dialog().busy() && !dialog().cases().empty(); }));
-    const QString with_lesson = give("with lesson.hepz");
+    given_away("with lesson.hepz");
+    const QString with_lesson = dialog().messages().text();
     EXPECT_TRUE(with_lesson.contains("1 lesson for this patient, not the CT"))
         << with_lesson.toStdString();
 }
@@ -395,9 +399,7 @@ TEST_F(LibraryTest, gives_the_lessons_for_a_case_away_with_it) {
     write_lesson(cases_ / "mine.json", lesson);
     write_lesson_for(cases_ / "Of first.json", "Of anybody", "any");  // takes the name
     open_library();
-    const fs::path file = to_path(folder_.filePath("gift.hepz"));
-    dialog().give_away(file);
-    ASSERT_TRUE(wait_for([&] { return fs::exists(file) && !dialog().busy(); }));
+    const fs::path file = given_away("gift.hepz");
     const std::vector<Lesson> packed = lessons_in_archive(file);
     ASSERT_EQ(packed.size(), 1u);
     EXPECT_EQ(packed[0].patient, ".") << "right beside the unpacked case, too";
@@ -422,6 +424,49 @@ TEST_F(LibraryTest, gives_the_lessons_for_a_case_away_with_it) {
     EXPECT_EQ(lessons_in_archive(file).size(), 1u);
     EXPECT_THROW(pack_lessons(std::vector<Lesson>(41, lesson), file), InputError);
     EXPECT_TRUE(lessons_in_archive(cases_ / "first.hep").empty()) << "a folder holds none";
+}
+
+TEST_F(LibraryTest, tells_of_the_lessons_in_a_file_that_is_opened) {
+    write_lesson_for(cases_ / "mine.json", "Of first", "first.hep");
+    open_library();
+    const fs::path file = given_away("gift.hepz");
+    OpenRequest request;
+    request.reconstruct.ct = file;
+    Job job;
+    packed_ = testing::load_for_processor(request, job).packed_lessons;
+    EXPECT_EQ(packed_, std::vector<std::string>{"Of first"});
+    window_.open(to_text(file));
+    wait();
+    EXPECT_TRUE(window_.messages().text().contains("1 lesson for this patient is in his file: Of"))
+        << window_.messages().text().toStdString();
+    window_.messages().findChild<QPushButton*>("offer")->click();
+    ASSERT_TRUE(wait_for([this] { return dialog().cases().size() == 2 && !dialog().busy(); }));
+    EXPECT_TRUE(fs::exists(cases_ / "Of first.json"));
+}
+
+// Whoever waits for the file would otherwise have lost the one before.
+TEST_F(LibraryTest, keeps_the_file_that_cannot_be_replaced_whole) {
+    for (int number = 0; number <= 40; ++number)
+        write_lesson_for(cases_ / (std::to_string(number) + ".json"), "Of first", "first.hep");
+    open_library();
+    const fs::path file = to_path(folder_.filePath("gift.hepz"));
+    write_case(file, test::patient_with_bridges());
+    dialog().give_away(file);
+    ASSERT_TRUE(wait_for([this] { return !dialog().busy(); }));
+    EXPECT_TRUE(dialog().messages().text().contains("they are more than 40"))
+        << dialog().messages().text().toStdString();
+    EXPECT_EQ(hash_of(read_case(file)), hash_of(test::patient_with_bridges()));
+}
+
+// Its second part, the lesson, cannot be written.
+TEST_F(LibraryTest, lists_a_case_of_which_a_part_was_taken_in) {
+    write_lesson_for(cases_ / "mine.json", "Of first", "first.hep");
+    open_library();
+    const fs::path file = given_away("gift.hepz");
+    fs::create_symlink("Of first.json", cases_ / "Of first.json");
+    dialog().take_in(file);
+    ASSERT_TRUE(wait_for([this] { return dialog().cases().size() == 2 && !dialog().busy(); }));
+    EXPECT_FALSE(dialog().messages().isHidden()) << "why a part is missing is still to be read";
 }
 
 // The bar of the main window lies behind the library.

@@ -127,7 +127,7 @@ TEST_F(RecordedWindow, a_lesson_that_a_crash_cut_off_is_offered_once_and_listed)
     AttemptsDialog dialog(
         {[](const fs::path&) {}, [](const std::string&) {}, [](const std::exception_ptr&) {}},
         nullptr);
-    dialog.show_lesson("Endless", left, "", recordings_without_result(left, "endless"));
+    dialog.show_lesson({"", "Endless"}, left, "", recordings_without_result(left, "endless"));
     const auto& table = *dialog.findChild<QTableWidget*>("attempts");
     ASSERT_EQ(table.rowCount(), 1);
     EXPECT_EQ(table.item(0, 2)->text(), "interrupted");
@@ -172,7 +172,7 @@ TEST_F(RecordedWindow, attempts_are_in_the_units_that_were_chosen) {
     AttemptsDialog dialog(
         {[](const fs::path&) {}, [](const std::string&) {}, [](const std::exception_ptr&) {}},
         nullptr);
-    dialog.show_lesson("Cut", folder);
+    dialog.show_lesson({"", "Cut"}, folder);
     const auto& table = *dialog.findChild<QTableWidget*>("attempts");
     const auto cell_of = [&](const QString& head) {
         for (int column = 0; column < table.columnCount(); ++column)

@@ -108,6 +108,40 @@ TEST_F(ReportWriting, GivesTheProcessACopyOfWhoWasPlayed) {
     EXPECT_EQ(hash_of(read_case(folder() / "given.hep")), hash_of(*played));
 }
 
+// Of the voxels only the organs, which may be obstacles, and all of the rest.
+TEST_F(ReportWriting, GivesTheProcessALightCopy) {
+    PatientCase played = test::patient_with_bridges();
+    Grid grid;
+    grid.dims = {6, 5, 4};
+    for (Mask* voxels : {&played.mask, &played.skeleton, &played.organs}) *voxels = Mask(grid, 1);
+    played.source.name = "Nr. 7";
+    played.doubts = doubts_of(played.tree);
+    played.warnings = {"of the image", "of the vessels"};
+    played.warnings_of_image = 1;
+    played.measured = {
+        KeptMeasurement{MeasurementKind::distance, {Vec3(1, 2, 3), Vec3(4, 5, 6)}, {}}};
+    played.corrections.rebuilt = {Rebuilding{0, 2}};
+    const QString tool = program(
+        "while [ \"$1\" != --patient ]; do shift; done\n"
+        "cp -r \"$2\" '" +
+        (folder() / "given.hep").string() + "'");
+    ReportOrder order;
+    order.patient = std::make_shared<const PatientCase>(played);
+    order_report(tool, order, folder() / "report", job_);
+    const PatientCase given = read_case(folder() / "given.hep");
+    EXPECT_TRUE(given.mask.voxels.empty() && given.skeleton.voxels.empty());
+    EXPECT_EQ(given.organs.voxels, played.organs.voxels);
+    EXPECT_EQ(hash_of(given), hash_of(played));
+    EXPECT_EQ(given.source.name, played.source.name);
+    EXPECT_EQ(given.surface.triangles, played.surface.triangles);
+    EXPECT_EQ(given.corrections.bridges.size(), played.corrections.bridges.size());
+    EXPECT_EQ(given.corrections.rebuilt, played.corrections.rebuilt);
+    EXPECT_TRUE(given.doubts.has_value());
+    EXPECT_EQ(given.warnings, played.warnings);
+    EXPECT_EQ(given.warnings_of_image, 1u);
+    EXPECT_EQ(given.measured, played.measured);
+}
+
 TEST_F(ReportWriting, ACancelEndsTheProcessAndLeavesNothing) {
     const QString tool = program(
         "echo half > \"$4/report.html\"\n"

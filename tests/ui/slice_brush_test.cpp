@@ -319,6 +319,8 @@ TEST_F(BrushOnSlices, SaysThatATumourLiesOutsideTheLiverAndTakesItBack) {
     QTest::keyClick(&axial(), Qt::Key_Return);
     const QString notice = window_.messages().text();
     EXPECT_TRUE(notice.contains("tumour lies outside the liver")) << notice.toStdString();
+    EXPECT_TRUE(notice.contains(" mm headwards)") || notice.contains(" mm feetwards)"))
+        << "in words: " << notice.toStdString();
     EXPECT_GT(scene().tumours().tumours()[0].volume_ml, before_ml) << "it is not forbidden";
     QTest::mouseClick(window_.messages().findChild<QPushButton*>("offer"), Qt::LeftButton);
     ASSERT_EQ(scene().tumours().tumours().size(), 1u);

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/text_file.h"
 #include "core/lesson/draft_file.h"
+#include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_writer.h"
 #include "ui/lesson_editor/new_parts.h"
@@ -56,7 +57,22 @@ void LessonDocument::forget_states(Lesson lesson) {
     left_behind_ = false;
 }
 
+// In all states, so that undo does not take it away.
+void LessonDocument::give_id(const std::string& id) {
+    for (Lesson& state : states_) state.id = id;
+    saved_text_ = text_of(lesson());
+}
+
+// A lesson in another file is another one, and keeps its attempts apart. An older one without an id
+// is known by the name that its attempts have.
+std::string LessonDocument::id_in(const fs::path& file) const {
+    if (file != file_) return new_lesson_id();
+    const bool renamed = lesson().name != states_.front().name;
+    return lesson().id.empty() && renamed ? states_.front().name : lesson().id;
+}
+
 void LessonDocument::begin(Lesson lesson) {
+    lesson.id.clear();  // of whose copy this is
     saved_text_ = text_of(lesson);
     forget_states(std::move(lesson));
     file_.clear();
@@ -70,8 +86,9 @@ void LessonDocument::open(const fs::path& file) {
     const std::string in_file = lesson.patient;
     if (is_path(lesson.patient))
         lesson.patient = (place.parent_path() / lesson.patient).lexically_normal().string();
-    const std::string path = lesson.patient;
+    const std::string path = lesson.patient, id = lesson.id;
     begin(std::move(lesson));
+    give_id(id);
     file_ = place;
     patient_in_file_ = in_file;
     patient_path_ = path;
@@ -117,11 +134,12 @@ void LessonDocument::save(const fs::path& file) {
         written.patient = patient_in_file_;
     else if (is_path(written.patient))
         written.patient = beside(written.patient, place);
+    written.id = id_in(place);
     write_lesson(place, written);
+    give_id(written.id);
     file_ = place;
     patient_in_file_ = written.patient;  // from here on that of this file, not of the one before
     patient_path_ = lesson().patient;
-    saved_text_ = text_of(lesson());
     left_behind_ = false;
     keep_copy();
 }

@@ -57,6 +57,8 @@ class LessonDocument {
 
   private:
     void forget_states(Lesson lesson);
+    void give_id(const std::string& id);
+    std::string id_in(const std::filesystem::path& file) const;
 
     std::filesystem::path kept_copy_;
     std::filesystem::path file_;

@@ -28,7 +28,10 @@ Vec3 rounded(const Vec3& place_mm) {
 }
 
 QLabel* text_of_point(const Vec3& at) {
-    return new QLabel(Words::tr("at %1").arg(patient_place(at, 1)));
+    auto* label = new QLabel(Words::tr("at %1").arg(patient_place(at, 1)));
+    label->setToolTip(
+        Words::tr("From the origin of the CT: %1").arg(patient_place_in_words(at, 1)));
+    return label;
 }
 
 QLabel* quiet(const QString& text) {

@@ -68,6 +68,9 @@ FakeWard::FakeWard() {
         if (on_word) on_word();
     };
     screen.remember = [](const std::filesystem::path&) {};
+    screen.case_written = [this](const std::filesystem::path& place) {
+        written.push_back(place.filename().string());
+    };
     screen.remake_painted = [this] { remake_painted(); };
     keeper_ = std::make_unique<PatientKeeper>(
         ways(), std::move(answers), std::move(screen),

@@ -65,6 +65,7 @@ class FakeWard {
     std::optional<int> series;
     bool left = false;
     std::vector<std::string> archived;  // "CT to FILE with corrections"
+    std::vector<std::string> written;   // cases
     int questions = 0;
     int places_asked = 0;
     std::filesystem::path proposed;  // for a case, when it was asked last
