@@ -57,6 +57,7 @@ struct Session::Apply {
         session.hand_.stay();
     }
     void operator()(const MoveGrab& c) const;
+    void operator()(const ShiftGrab& c) const;
     void operator()(const ReleaseGrab&) const { deform().release(); }
 
     // The tool.
@@ -119,6 +120,11 @@ void Session::Apply::operator()(const MoveGrab& c) const {
     }
     const double over_s = checked_time_of_move(*c.over_s);
     if (deform().holding()) session.hand_.lead_to(c.target_mm, over_s);
+}
+
+void Session::Apply::operator()(const ShiftGrab& c) const {
+    if (deform().holding()) deform().move_grab(deform().hand_mm() + c.by_mm);
+    session.hand_.stay();
 }
 
 void Session::Apply::operator()(const MoveTool& c) const {
