@@ -3258,6 +3258,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>ist ein Ordner</translation>
     </message>
     <message>
+        <source>is a pipe, a socket or a device, not a file</source>
+        <translation>ist eine Pipe, ein Socket oder ein Gerät, keine Datei</translation>
+    </message>
+    <message>
         <source>nests lists and objects deeper than any file of this program</source>
         <translation>verschachtelt Listen und Objekte tiefer als jede Datei dieses Programms</translation>
     </message>
