@@ -42,5 +42,11 @@ TEST(TreeJson, WhosePointsEndBesideTheirNodesIsRefused) {
               "has a segment 1 whose points end 2 mm away from its node " + std::to_string(distal));
 }
 
+TEST(TreeJson, MayBeNamedInCapitals) {
+    const auto file = std::filesystem::path(testing::TempDir()) / "HEPATICA_FORK.JSON";
+    write_tree(file, test::forked_tree());
+    test::expect_equal(read_tree(file), test::forked_tree());
+}
+
 }  // namespace
 }  // namespace hepatica
