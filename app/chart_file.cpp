@@ -7,6 +7,7 @@
 #include "core/base/atomic_write.h"
 #include "core/base/csv_cell.h"
 #include "core/base/error.h"
+#include "core/base/file_extension.h"
 #ifdef HEPATICA_HAS_RENDER
 #include "render/offscreen_picture.h"
 #endif
@@ -35,7 +36,7 @@ std::string rows_of(const Chart& chart) {
 }  // namespace
 
 void require_chart_file(const std::filesystem::path& file) {
-    const std::string extension = file.extension().string();
+    const std::string extension = extension_of(file);
     if (extension == ".csv") return;
     if (extension != ".png")
         throw UsageError("cannot draw a plot as '" + extension + "'", file.string(),
@@ -48,7 +49,7 @@ void require_chart_file(const std::filesystem::path& file) {
 
 void write_chart(const std::filesystem::path& file, const Chart& chart) {
     require_chart_file(file);
-    if (file.extension() == ".csv") {
+    if (extension_of(file) == ".csv") {
         write_text_atomically(file, rows_of(chart));
         return;
     }

@@ -18,13 +18,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "app/interruption.h"
 #include "core/base/job.h"
 
 namespace hepatica {
 
 using Json = nlohmann::ordered_json;
-
-inline constexpr int exit_interrupted = 130;
 
 class CommandLine {
   public:

@@ -4,13 +4,12 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <string>
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/file_extension.h"
 #include "core/patient/patient_case.h"
 
 namespace hepatica {
@@ -23,11 +22,9 @@ fs::path without_trailing_slash(const fs::path& path) {
     return path.has_filename() ? path : path.parent_path();
 }
 
-std::string extension_of(const fs::path& path) {
-    std::string extension = without_trailing_slash(path).extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
+// Of a folder's name with a slash at its end, too.
+std::string ending_of(const fs::path& path) {
+    return extension_of(without_trailing_slash(path));
 }
 
 }  // namespace
@@ -57,7 +54,7 @@ void require_writable(const fs::path& place) {
 }
 
 void require_writable_file(const fs::path& file, const std::string& ending) {
-    if (const std::string named = extension_of(file); !named.empty() && named != ending)
+    if (const std::string named = ending_of(file); !named.empty() && named != ending)
         throw UsageError("a \"" + ending + "\" file is written, and not a \"" + named + "\" file",
                          file.string(), "Name a file that ends in " + ending);
     if (std::error_code ignored; fs::is_directory(file, ignored))
@@ -87,7 +84,7 @@ void require_empty_or_new(const fs::path& folder) {
 }
 
 void require_case_name(const fs::path& place) {
-    const std::string extension = extension_of(place);
+    const std::string extension = ending_of(place);
     if (extension.empty() || extension == ".hep" || extension == ".hepz") return;
     const std::string name = without_trailing_slash(place).stem().string();
     throw UsageError("a case is a folder and not a \"" + extension + "\" file", place.string(),
@@ -114,8 +111,8 @@ void require_replaceable_case(const fs::path& place) {
 }
 
 void require_png_name(const fs::path& file) {
-    if (extension_of(file) == ".png") return;
-    throw UsageError("a picture is written as PNG and not as \"" + extension_of(file) + "\"",
+    if (ending_of(file) == ".png") return;
+    throw UsageError("a picture is written as PNG and not as \"" + ending_of(file) + "\"",
                      file.string(), "Name a file that ends in .png");
 }
 

@@ -3262,6 +3262,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>ist ein Ordner</translation>
     </message>
     <message>
+        <source>is a pipe, a socket or a device, not a file</source>
+        <translation>ist eine Pipe, ein Socket oder ein Gerät, keine Datei</translation>
+    </message>
+    <message>
         <source>nests lists and objects deeper than any file of this program</source>
         <translation>verschachtelt Listen und Objekte tiefer als jede Datei dieses Programms</translation>
     </message>
@@ -6642,6 +6646,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>beginnt nicht, wo sein Vorgänger endet</translation>
     </message>
     <message>
+        <source>has a segment %1 whose points end %2 mm away from its node %3</source>
+        <translation>hat ein Segment %1, dessen Punkte %2 mm neben seinem Knoten %3 enden</translation>
+    </message>
+    <message>
+        <source>Let its first and last point be the positions of its nodes</source>
+        <translation>Lassen Sie den ersten und letzten Punkt auf den Knoten liegen</translation>
+    </message>
+    <message>
         <source>has a confidence outside 0 to 1</source>
         <translation>hat eine Sicherheit außerhalb von 0 bis 1</translation>
     </message>
@@ -6688,6 +6700,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>is not closed at the edge between vertices %1 and %2</source>
         <translation>ist an der Kante zwischen den Ecken %1 und %2 nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>has a triangle with vertex %1 twice</source>
+        <translation>hat ein Dreieck, das Eckpunkt %1 zweimal nennt</translation>
     </message>
     <message>
         <source>The mesh is damaged; reconstruct the patient again</source>

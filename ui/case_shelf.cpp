@@ -34,6 +34,8 @@ constexpr double thinnest_points = 1.2;
 using AttemptsOfPatients = std::map<std::string, std::vector<Attempt>>;
 
 std::string patient_of(const fs::path& recording) {
+    std::error_code unreadable;
+    if (!fs::is_regular_file(recording, unreadable)) return {};
     std::ifstream in(recording);
     std::string header;
     std::getline(in, header);

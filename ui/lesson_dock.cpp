@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/file_extension.h"
 #include "core/lesson/allowed_commands.h"
 #include "core/lesson/attempts.h"
 #include "core/lesson/course_results.h"
@@ -307,7 +308,7 @@ bool LessonDock::try_out(const Lesson& lesson) {
     try {
         fs::create_directories(tried());
         for (const auto& entry : fs::directory_iterator(tried()))
-            if (entry.path().extension() == ".hrec") fs::remove(entry.path());
+            if (extension_of(entry.path()) == ".hrec") fs::remove(entry.path());
         write_lesson(file, lesson);
     } catch (...) {
         ways_.failed(Words::tr("Try the lesson"), std::current_exception());

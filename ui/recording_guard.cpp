@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/file_extension.h"
 #include "core/lesson/attempts.h"
 #include "ui/lock_file.h"
 
@@ -48,7 +49,7 @@ std::vector<fs::path> recordings_in(const fs::path& folder) {
     std::vector<std::pair<fs::file_time_type, fs::path>> found;
     std::error_code failed;
     for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed))
-        if (at->path().extension() == ending) found.emplace_back(time_of(at->path()), at->path());
+        if (extension_of(at->path()) == ending) found.emplace_back(time_of(at->path()), at->path());
     std::ranges::sort(found, std::greater());
     std::vector<fs::path> recordings;
     for (auto& [time, recording] : found) recordings.push_back(std::move(recording));

@@ -11,6 +11,7 @@ namespace {
 // Movements of a hand or tool that does not exist in a review.
 bool is_movement(const Command& command) {
     return std::holds_alternative<MoveGrab>(command) ||
+           std::holds_alternative<ShiftGrab>(command) ||
            std::holds_alternative<ReleaseGrab>(command) ||
            std::holds_alternative<MoveTool>(command) ||
            std::holds_alternative<ShiftTool>(command) ||

@@ -49,6 +49,7 @@ constexpr std::array sentences_common{
     Words::id("Free some space there, or set TMPDIR to a folder with more"),
     Words::id("does not exist"),
     Words::id("is a folder"),
+    Words::id("is a pipe, a socket or a device, not a file"),
     Words::id("nests lists and objects deeper than any file of this program"),
     Words::id("is empty"),
     Words::id("is missing"),

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/file_extension.h"
 #include "core/base/text_file.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_ties.h"
@@ -68,7 +69,7 @@ std::vector<ShelvedLesson> lessons_in(const fs::path& folder, Job& job) {
     std::error_code failed;
     for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
          entry.increment(failed))
-        if (entry->path().extension() == ".json") files.push_back(entry->path());
+        if (extension_of(entry->path()) == ".json") files.push_back(entry->path());
     if (failed && failed != std::errc::no_such_file_or_directory)
         throw InputError("cannot be read (" + failed.message() + ")", folder.string(),
                          Words::id("Choose another folder"));

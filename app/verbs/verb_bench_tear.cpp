@@ -8,6 +8,7 @@
 #include "app/chart_file.h"
 #include "app/output_place.h"
 #include "app/verbs/verbs.h"
+#include "core/base/file_extension.h"
 #include "core/study/tear_study.h"
 
 namespace hepatica {
@@ -84,7 +85,7 @@ void require_writable_plots(const TearPlots& plots) {
     for (const auto& file : {plots.entropy, plots.force})
         if (!file.empty()) {
             require_chart_file(file);
-            require_writable_file(file, file.extension().string());
+            require_writable_file(file, extension_of(file));
         }
 }
 

@@ -10,6 +10,7 @@
 #include "app/verbs/flow_options.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/file_extension.h"
 #include "core/base/units.h"
 #include "core/flow/flow_export.h"
 
@@ -72,7 +73,7 @@ Json run_embolize(EmbolizeChoices options, Job& job) {
     if (!options.csv.empty()) require_writable_file(options.csv, ".csv");
     if (!options.plot.empty()) {
         require_chart_file(options.plot);
-        require_writable_file(options.plot, options.plot.extension().string());
+        require_writable_file(options.plot, extension_of(options.plot));
     }
     job.expect_stages(2);
     job.begin_stage("reading the tree");

@@ -7,6 +7,7 @@
 #include "app/output_place.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/file_extension.h"
 #include "core/image/header_text.h"
 #include "core/image/segmentation_writer.h"
 #include "core/opening/case_segmentation.h"
@@ -29,7 +30,7 @@ bool is_for_slicer(const ExportChoices& options) {
         throw UsageError("does not end in .seg.nrrd, by which 3D Slicer knows a segmentation",
                          options.out.string(), "Choose such a name, or one that ends in .dcm");
     // DICOM files are often without an ending.
-    const std::string ending = lower_case(options.out.extension().string());
+    const std::string ending = extension_of(options.out);
     if (!for_slicer && !ending.empty() && ending != ".dcm" && ending != ".dicom")
         throw UsageError("a segmentation is not written as a \"" + ending + "\" file",
                          options.out.string(), "Choose a name that ends in .dcm or .seg.nrrd");

@@ -15,6 +15,7 @@
 #include "app/verbs/injection_summary.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
+#include "core/base/file_extension.h"
 #include "core/flow/flow_export.h"
 #include "core/flow/flow_shares.h"
 #include "core/flow/injection.h"
@@ -136,7 +137,7 @@ Json run_inject(InjectChoices options, Job& job) {
     if (!options.svzerod.empty()) require_writable_file(options.svzerod, ".json");
     if (!options.plot.empty()) {
         require_chart_file(options.plot);
-        require_writable_file(options.plot, options.plot.extension().string());
+        require_writable_file(options.plot, extension_of(options.plot));
     }
     InjectionOptions& injection = options.injection;
     if (!options.as_published) options.fluid.require_use_of_phase();

@@ -3,18 +3,16 @@
 #include "core/base/file_blocks.h"
 
 #include <fstream>
-#include <system_error>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/regular_file.h"
 
 namespace hepatica {
 
 void for_each_block(const std::filesystem::path& file,
                     const std::function<void(std::span<const std::byte>)>& visit) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored))
-        throw InputError("is a folder", file.string(), "Choose a file");
+    require_regular_file(file);
     std::ifstream in(file, std::ios::binary);
     if (!in) throw InputError("cannot be read", file.string(), "Check that it exists");
     std::vector<char> block(1 << 16);

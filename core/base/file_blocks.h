@@ -10,7 +10,8 @@
 namespace hepatica {
 
 // Calls visit(bytes) for one block after the other; the bytes are valid during the call. Throws
-// InputError, naming the file, if it is a folder, cannot be opened or cannot be read to its end.
+// InputError, naming the file, if it is no regular file, cannot be opened or cannot be read to its
+// end.
 void for_each_block(const std::filesystem::path& file,
                     const std::function<void(std::span<const std::byte>)>& visit);
 

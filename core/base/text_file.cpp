@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json_depth.h"
+#include "core/base/regular_file.h"
 
 namespace hepatica {
 
@@ -41,8 +42,7 @@ std::string read_text_file(const std::filesystem::path& file, const std::string&
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
         throw InputError("does not exist", file.string(), remedy);
-    if (std::filesystem::is_directory(file, ignored))
-        throw InputError("is a folder", file.string(), remedy);
+    require_regular_file(file, remedy);
     std::ifstream in(file, std::ios::binary);
     if (!in) throw InputError("cannot be read; check its permissions", file.string(), remedy);
     const std::uint64_t bytes = bytes_of(in);

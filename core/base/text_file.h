@@ -9,8 +9,8 @@
 
 namespace hepatica {
 
-// The content of the file. Throws InputError, naming the file, if it does not exist, is a folder,
-// cannot be opened or cannot be read to its end; `remedy` says what should have been given.
+// The content of the file. Throws InputError, naming the file, if it does not exist, is no regular
+// file, cannot be opened or cannot be read to its end; `remedy` says what should have been given.
 // Thread-safe.
 std::string read_text_file(const std::filesystem::path& file, const std::string& remedy);
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/regular_file.h"
 #include "core/image/memory_limit.h"
 
 namespace hepatica {
@@ -74,9 +75,7 @@ ByteStream::ByteStream(const std::filesystem::path& file, std::uint64_t offset, 
     : state_(std::make_unique<State>()) {
     state_->file = file;
     state_->encoding = encoding;
-    std::error_code ignored;  // opening it says what is wrong
-    if (std::filesystem::is_directory(file, ignored))
-        throw InputError("is a folder", file.string(), "Choose a file");
+    require_regular_file(file);
     state_->in.open(file, std::ios::binary);
     if (!state_->in)
         throw InputError(

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 
 #include "core/base/error.h"
 #include "core/image/byte_stream.h"
@@ -330,6 +331,8 @@ int DicomHeader::unsigned_short(std::uint16_t group, std::uint16_t element, int 
 }
 
 bool is_dicom_file(const fs::path& file) {
+    std::error_code ignored;
+    if (fs::is_other(fs::status(file, ignored))) return false;  // opening a pipe may wait for ever
     std::ifstream in(file, std::ios::binary);
     std::array<char, 132> head{};
     in.read(head.data(), head.size());

@@ -100,12 +100,12 @@ void PlayEvents::note(PlayEventKind kind, std::string text) {
 
 std::vector<PlayEvent> PlayEvents::see(double at_s, std::span<const Command> commands,
                                        const Frame& frame, const LessonStanding* standing) {
-    at_s_ = at_s;
+    const double before_s = std::exchange(at_s_, at_s);
     found_.clear();
     by_blade_ = false;
     if (!begun_ && frame.tear) tear_ = *frame.tear;  // tears before the first step are no events
     see_commands(commands, frame);
-    see_contact(frame);
+    see_contact(frame, before_s);
     see_whether_it_tears(frame);
     see_trouble(frame);
     if (standing != nullptr) see_lesson(*standing);
@@ -125,9 +125,9 @@ void PlayEvents::see_commands(std::span<const Command> commands, const Frame& fr
     held_ = frame.grab.has_value();
 }
 
-void PlayEvents::see_contact(const Frame& frame) {
+void PlayEvents::see_contact(const Frame& frame, double before_s) {
     if (!frame.tool || frame.tool->touched.empty()) return;
-    if (at_s_ - touched_s_ >= PlayMeter::same_contact_s) note(PlayEventKind::tool, "Touched");
+    if (PlayMeter::begins_contact(before_s - touched_s_)) note(PlayEventKind::tool, "Touched");
     touched_s_ = at_s_;
 }
 

@@ -53,7 +53,7 @@ class PlayEvents {
 
   private:
     void see_commands(std::span<const Command> commands, const Frame& frame);
-    void see_contact(const Frame& frame);
+    void see_contact(const Frame& frame, double before_s);  // the time of the frame before
     void see_whether_it_tears(const Frame& frame);
     void see_tear(const TearView& now);
     void see_trouble(const Frame& frame);

@@ -172,7 +172,7 @@ void PlayMeter::see_contact(const Frame& frame) {
         since_touch_s_ += dt_s_;
         return;
     }
-    if (since_touch_s_ >= same_contact_s) ++metrics_.contacts;
+    if (begins_contact(since_touch_s_)) ++metrics_.contacts;
     since_touch_s_ = 0.0;
     metrics_.contact_s += dt_s_;
 }

@@ -45,6 +45,9 @@ class PlayMeter {
 
     // Contacts with a shorter gap in s count as one.
     static constexpr double same_contact_s = 0.1;
+    // Whether a tool that touches after nothing was touched for so long begins a contact. Times are
+    // sums of steps, which round.
+    static bool begins_contact(double free_s) { return free_s >= same_contact_s - 1e-9; }
     // Forces are means over this time, the integral excepted: a hand is judged by what it would
     // feel, not by the jump of a single step.
     static constexpr double felt_over_s = FeltForce::over_s;

@@ -37,6 +37,9 @@ void validate_closed(const TriangleMesh& surface) {
             if (a < 0 || a >= vertices)
                 throw InputError("names vertex " + std::to_string(a) + ", which does not exist",
                                  "surface", "Reconstruct the patient again");
+            if (a == b)
+                throw InputError("has a triangle with vertex " + std::to_string(a) + " twice",
+                                 "surface", "Reconstruct the patient again");
             forward.emplace_back(a, b);
             backward.emplace_back(b, a);
         }

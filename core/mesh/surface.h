@@ -19,8 +19,9 @@ BodySurface surface_of(const TetMesh& body);
 // around each vertex form one fan. Indices must be valid.
 bool is_closed_manifold(const TriangleMesh& surface);
 
-// Throws InputError, naming the edge, if the surface is not closed and consistently oriented, or if
-// an index is invalid. A surface that touches itself along an edge counts as closed.
+// Throws InputError, naming the edge, if the surface is not closed and consistently oriented, if a
+// triangle names a vertex twice, or if an index is invalid. A surface that touches itself along an
+// edge counts as closed.
 void validate_closed(const TriangleMesh& surface);
 
 }  // namespace hepatica

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/file_extension.h"
 #include "core/base/temporary_folder.h"
 #include "core/image/image_look.h"
 #include "core/mesh/surface.h"
@@ -95,7 +96,7 @@ OpenedPatient reconstructed(const ReconstructOptions& options, Job& job,
 bool is_tree_file(const fs::path& path) {
     std::error_code ignored;
     if (fs::is_directory(path, ignored)) return false;  // of DICOM images, whatever its name
-    const std::string extension = path.extension().string();
+    const std::string extension = extension_of(path);
     return extension == ".vtp" || extension == ".swc" || extension == ".json";
 }
 

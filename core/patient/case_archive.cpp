@@ -18,6 +18,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/base/file_extension.h"
 #include "core/base/flush_to_disk.h"
 
 namespace hepatica {
@@ -147,10 +148,7 @@ bool pack_file(void* zip, const fs::path& file) {
 }  // namespace
 
 bool is_archive_name(const fs::path& place) {
-    std::string extension = place.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".hepz";
+    return extension_of(place) == ".hepz";
 }
 
 bool is_case_archive(const fs::path& place) {

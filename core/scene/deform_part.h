@@ -93,8 +93,9 @@ class DeformPart {
     std::uint64_t tools_added() const { return tools_added_; }
     std::optional<ToolView> tool_view() const;
 
-    // Sets how the body tears; none: it does not, and is made whole. Throws InputError for values
-    // out of range, and where the present setting's elements or solver cannot tear.
+    // Sets how the body tears; none: it does not, and is made whole; a hand that holds a vertex of
+    // a tear, which vanishes, opens. Throws InputError for values out of range, and where the
+    // present setting's elements or solver cannot tear.
     void set_tear(const std::optional<TearSpec>& tear);
     bool tears() const { return tear_.has_value(); }
     TornSoFar torn_so_far() const;  // of a body that tears

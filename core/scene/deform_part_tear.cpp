@@ -40,7 +40,9 @@ void DeformPart::set_tear(const std::optional<TearSpec>& tear) {
     body.tear = law_of(tear);
     validate(body, setting_.model, setting_.order);
     if (!tear) {
-        release();  // the hand may hold a vertex that vanishes
+        const auto whole = static_cast<int>(body_.mesh.vertices_mm.size());
+        const auto vanishes = [whole](int vertex) { return vertex >= whole; };
+        if (hold_ && std::ranges::any_of(hold_->vertices, vanishes)) release();
         mend();
     }
     rebuild(std::move(body), setting_);

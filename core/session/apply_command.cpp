@@ -57,6 +57,7 @@ struct Session::Apply {
         session.hand_.stay();
     }
     void operator()(const MoveGrab& c) const;
+    void operator()(const ShiftGrab& c) const;
     void operator()(const ReleaseGrab&) const { deform().release(); }
 
     // The tool.
@@ -70,7 +71,10 @@ struct Session::Apply {
     void operator()(const TurnTool& c) const { deform().turn_tool(c.by_rad); }
     void operator()(const CloseForceps& c) const { deform().close_jaws(checked_share(c.share)); }
     void operator()(const OpenForceps& c) const { deform().open_jaws(checked_share(c.share)); }
-    void operator()(const UseTools& c) const { deform().set_touchable(c.on); }
+    void operator()(const UseTools& c) const {
+        deform().set_touchable(c.on);
+        session.dial_.forget_costs();
+    }
     void operator()(const UseContact& c) const;
 
     // Tearing.
@@ -99,7 +103,10 @@ struct Session::Apply {
     // The body and what acts on it.
     void operator()(const SetGravity& c) const { deform().set_gravity(c.gravity_mm_per_s2); }
     void operator()(const SetTether& c) const { deform().set_tether(c.pa_per_mm2); }
-    void operator()(const SetWall& c) const { deform().set_wall(c.wall_mm); }
+    void operator()(const SetWall& c) const {
+        deform().set_wall(c.wall_mm);
+        session.dial_.forget_costs();
+    }
 
     // The dial.
     void operator()(const SetQuality& c) const;
@@ -119,6 +126,11 @@ void Session::Apply::operator()(const MoveGrab& c) const {
     }
     const double over_s = checked_time_of_move(*c.over_s);
     if (deform().holding()) session.hand_.lead_to(c.target_mm, over_s);
+}
+
+void Session::Apply::operator()(const ShiftGrab& c) const {
+    if (deform().holding()) deform().move_grab(deform().hand_mm() + c.by_mm);
+    session.hand_.stay();
 }
 
 void Session::Apply::operator()(const MoveTool& c) const {
@@ -150,6 +162,7 @@ void Session::Apply::operator()(const UseContact& c) const {
     deform();
     if (!world.use_contact(c.self, c.obstacles, c.friction))
         session.message_ = "This case knows neither liver nor tumours: nothing stands in the way";
+    session.dial_.forget_costs();
     session.last_good_ = std::make_shared<const Keyframe>(session.keyframe());
 }
 

@@ -32,6 +32,10 @@ void fields(MoveGrab& c, Visitor& v) {
     v("over_s", c.over_s);
 }
 template <class Visitor>
+void fields(ShiftGrab& c, Visitor& v) {
+    v("by_mm", c.by_mm);
+}
+template <class Visitor>
 void fields(ReleaseGrab&, Visitor&) {}
 template <class Visitor>
 void fields(AddTool& c, Visitor& v) {
@@ -159,7 +163,7 @@ constexpr std::array<const char*, std::variant_size_v<Command>> names{
     "use_setting",    "set_wall",      "finish_injection", "add_tool",
     "move_tool",      "shift_tool",    "remove_tool",      "turn_tool",
     "use_tools",      "close_forceps", "open_forceps",     "cut_line",
-    "blade",          "use_tear",      "use_contact"};
+    "blade",          "use_tear",      "use_contact",      "shift_grab"};
 
 struct Writer {
     Json& json;

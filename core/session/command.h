@@ -31,6 +31,11 @@ struct MoveGrab {
     std::optional<double> over_s{};  // > 0, at most longest_move_s
 };
 inline constexpr double longest_move_s = 1.0;
+// Shifts the hand from where it is, for scripts that do not know the place of a grabbed vertex.
+// Does nothing where nothing is grabbed.
+struct ShiftGrab {
+    Vec3 by_mm = Vec3::Zero();
+};
 struct ReleaseGrab {};
 
 // Brings a tool towards the point from outside until it is about to touch something. Replaces the
@@ -170,7 +175,7 @@ using Command =
                  SetDrugTime, SetDrugSpeed, SetGravity, SetTether, SetQuality, SetPaused,
                  ResetWorld, RestoreSnapshot, SetAutomaticQuality, UseSetting, SetWall,
                  FinishInjection, AddTool, MoveTool, ShiftTool, RemoveTool, TurnTool, UseTools,
-                 CloseForceps, OpenForceps, CutLine, Blade, UseTear, UseContact>;
+                 CloseForceps, OpenForceps, CutLine, Blade, UseTear, UseContact, ShiftGrab>;
 
 // {"command": "grab_point", "point_mm": [1, 2, 3]}, and back; numbers are exact to the last bit.
 // Reading throws InputError that names the command and the field that is missing or out of range.

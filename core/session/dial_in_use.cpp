@@ -45,7 +45,7 @@ void DialInUse::use(std::size_t point, DeformPart& deform) {
 bool DialInUse::take(QualityDial dial, DeformPart* deform, double budget_ms) {
     const std::optional<double> turned = quality();
     dial_ = std::move(dial);
-    governor_ = governor_of(dial_);
+    forget_costs();
     if (deform == nullptr) return false;
     follow(*deform);
     if (point_ || !turned) return false;
@@ -60,7 +60,12 @@ void DialInUse::turn(double quality, DeformPart& deform) {
 
 void DialInUse::turn_automatically(double budget_ms, DeformPart& deform) {
     automatic_ = true;
+    forget_costs();
     use(governor_.start(budget_ms), deform);
+}
+
+void DialInUse::forget_costs() {
+    governor_ = governor_of(dial_);
 }
 
 bool DialInUse::govern(double step_ms, double budget_ms, DeformPart* deform) {

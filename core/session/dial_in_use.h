@@ -34,8 +34,12 @@ class DialInUse {
     bool take(QualityDial dial, DeformPart* deform, double budget_ms);
     // Ends automatic quality. `quality` from 0 to 1.
     void turn(double quality, DeformPart& deform);
-    // Begins automatic quality with the most accurate setting that fits the budget.
+    // Begins automatic quality with the most accurate setting that fits the budget, whatever frames
+    // cost when it was automatic before.
     void turn_automatically(double budget_ms, DeformPart& deform);
+    // After a change of the body: what its steps cost before, and which settings were too slow,
+    // says nothing of it any more.
+    void forget_costs();
     // Automatic quality after a step at this cost: returns whether it chose another setting.
     bool govern(double step_ms, double budget_ms, DeformPart* deform);
 

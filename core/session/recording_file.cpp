@@ -10,6 +10,7 @@
 #include "core/base/json_depth.h"
 #include "core/base/json_number.h"
 #include "core/base/json_problem.h"
+#include "core/base/regular_file.h"
 
 namespace hepatica {
 
@@ -188,9 +189,9 @@ Recording read_recording(const std::filesystem::path& file) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
         throw InputError("does not exist", file.string(), "Give a recording");
+    require_regular_file(file, "Give a recording");
     std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file))
-        throw InputError("cannot be read", file.string(), "Give a recording");
+    if (!in) throw InputError("cannot be read", file.string(), "Give a recording");
     Recording recording;
     int number = 0;
     for (std::string line; std::getline(in, line);) {

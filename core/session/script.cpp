@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <utility>
+#include <variant>
 
 #include "core/base/error.h"
 #include "core/base/json_problem.h"
@@ -242,16 +243,20 @@ class Timetable {
     const VesselTree& tree_;
     double dt_s_;
     std::vector<std::vector<Command>> commands_;
-    Vec3 hand_mm_ = Vec3::Zero();
+    std::optional<Vec3> hand_mm_;  // none: only the play knows it, as of a grabbed vertex
 };
 
 void Timetable::move_hand(const ScriptAction& action) {
     const long moves = length_of(action);
     for (long i = 1; i <= moves; ++i) {
         const double share = static_cast<double>(i) / static_cast<double>(moves);
-        put(step_at(action.at_s) + i - 1, MoveGrab{hand_mm_ + share * action.by_mm});
+        const long step = step_at(action.at_s) + i - 1;
+        if (hand_mm_)
+            put(step, MoveGrab{*hand_mm_ + share * action.by_mm});
+        else
+            put(step, ShiftGrab{action.by_mm / static_cast<double>(moves)});
     }
-    hand_mm_ += action.by_mm;
+    if (hand_mm_) *hand_mm_ += action.by_mm;
 }
 
 void Timetable::lead_tool(const ScriptAction& action) {
@@ -290,7 +295,7 @@ void Timetable::add(const ScriptAction& action) {
     const long first = step_at(action.at_s);
     if (action.what == "grab") {
         hand_mm_ = position_of(action.place, tree_);
-        put(first, GrabPoint{hand_mm_});
+        put(first, GrabPoint{*hand_mm_});
     } else if (action.what == "move") {
         move_hand(action);
     } else if (action.what == "tool") {
@@ -316,6 +321,9 @@ void Timetable::add(const ScriptAction& action) {
     } else {
         if (const auto* grab = std::get_if<GrabPoint>(&*action.command)) hand_mm_ = grab->point_mm;
         if (const auto* led = std::get_if<MoveGrab>(&*action.command)) hand_mm_ = led->target_mm;
+        if (std::holds_alternative<GrabVertex>(*action.command)) hand_mm_.reset();
+        const auto* shift = std::get_if<ShiftGrab>(&*action.command);
+        if (shift != nullptr && hand_mm_) *hand_mm_ += shift->by_mm;
         put(first, *action.command);
     }
 }

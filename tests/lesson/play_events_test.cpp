@@ -5,6 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/lesson/play_meter.h"
+#include "tests/lesson/frames.h"
+
 namespace hepatica {
 namespace {
 
@@ -57,16 +60,38 @@ TEST_F(PlayEventsTest, AToolTouchesAndAShortBreakIsTheSameTouch) {
     EXPECT_THAT(see(), ElementsAre("Touched"));
     frame_.tool->touched.clear();
     EXPECT_THAT(see(), IsEmpty());
-    frame_.tool->touched = {4};
-    EXPECT_THAT(see(), ElementsAre("Touched")) << "0.12 s later";
-    EXPECT_THAT(see(), IsEmpty()) << "it goes on";
-    frame_.tool->touched.clear();
-    now_s_ -= 0.03;
     EXPECT_THAT(see(), IsEmpty());
     frame_.tool->touched = {4};
-    EXPECT_THAT(see(), IsEmpty()) << "0.09 s after it touched last";
+    EXPECT_THAT(see(), ElementsAre("Touched")) << "free for 0.12 s";
+    EXPECT_THAT(see(), IsEmpty()) << "it goes on";
+    frame_.tool->touched.clear();
+    EXPECT_THAT(see(), IsEmpty());
+    frame_.tool->touched = {4};
+    EXPECT_THAT(see(), IsEmpty()) << "free for 0.06 s";
     frame_.tool.reset();
     EXPECT_THAT(see({RemoveTool{}}), ElementsAre("Tool put away"));
+}
+
+// The time line of a review shows the contacts that the lesson counted.
+TEST(PlayEventsAndMeter, CountTheSameContacts) {
+    Lesson lesson = test::plain_lesson();
+    lesson.scene.dt_s = 1.0 / 60.0;
+    for (int apart = 4; apart <= 8; ++apart) {
+        PlayMeter meter(lesson, test::small_patient());
+        meter.begin(test::rest_frame());
+        PlayEvents events;
+        double now_s = 0.0;
+        int noted = 0;
+        for (int frame = 0; frame <= apart + 1; ++frame) {
+            const Frame seen = test::touching(frame == 0 || frame == apart + 1);
+            now_s += lesson.scene.dt_s;
+            meter.see(seen);
+            for (const PlayEvent& event : events.see(now_s, {}, seen, nullptr))
+                noted += event.text == "Touched" ? 1 : 0;
+        }
+        EXPECT_EQ(noted, apart < 6 ? 1 : 2) << apart;
+        EXPECT_EQ(meter.metrics().contacts, noted) << apart;
+    }
 }
 
 TEST_F(PlayEventsTest, EveryToolHasItsName) {

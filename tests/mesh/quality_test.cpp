@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -201,6 +202,21 @@ TEST(Surface, RefusesTrianglesThatNameNoVertexOrTurnTheOtherWay) {
     std::swap(surface.triangles[5][0], surface.triangles[5][1]);
     EXPECT_THROW(validate_closed(surface), InputError);
     EXPECT_FALSE(is_closed_manifold(surface));
+}
+
+// Its edges cancel out: from a to a, and there and back between a and b.
+TEST(Surface, RefusesATriangleThatNamesAVertexTwice) {
+    for (const std::array<int, 3>& flat :
+         {std::array{2, 2, 5}, std::array{5, 2, 2}, std::array{2, 5, 2}, std::array{2, 2, 2}}) {
+        TriangleMesh surface = surface_of(cube()).mesh;
+        surface.triangles.push_back(flat);
+        try {
+            validate_closed(surface);
+            ADD_FAILURE() << flat[0] << " " << flat[1] << " " << flat[2] << " is taken";
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.problem(), "has a triangle with vertex 2 twice");
+        }
+    }
 }
 
 TEST(Surface, KeepsOnlyVerticesOfTheBoundary) {

@@ -27,6 +27,7 @@ std::vector<Command> one_of_each() {
     return {GrabPoint{Vec3(odd, -1e-300, 1e300)},
             GrabVertex{42},
             MoveGrab{Vec3(1.0 / 3.0, 2, 3)},
+            ShiftGrab{Vec3(1, odd, 3)},
             ReleaseGrab{},
             InjectDrug{Vec3(1, 2, 3), odd, 0.25, "lipiodol", "published", 1e-3},
             InjectDrug{},

@@ -150,6 +150,26 @@ TEST(DialInUse, GoesDownWhereFramesAreLateAndUpWhereTheyAreInTimeAgain) {
     EXPECT_TRUE(dial.automatic());
 }
 
+// What was too slow is barred for two seconds, but only of the same body and play.
+TEST(DialInUse, ForgetsTheCostsOfAnotherBodyAndOfAnEarlierTime) {
+    for (const bool another_body : {true, false}) {
+        DeformPart part = part_in_substeps(1);
+        DialInUse dial(dial_of_three());
+        dial.turn_automatically(ten_ms, part);
+        ASSERT_LT(frames_until_chosen(dial, part, 16.0, 500), 10);
+        ASSERT_EQ(part.setting().substeps, 2);
+        if (another_body) {
+            dial.forget_costs();
+        } else {
+            dial.turn(0.5, part);
+            dial.turn_automatically(5.0, part);
+        }
+        ASSERT_EQ(part.setting().substeps, 2);
+        EXPECT_LT(frames_until_chosen(dial, part, 3.0, 500), 100) << another_body;
+        EXPECT_EQ(part.setting().substeps, 4);
+    }
+}
+
 TEST(DialInUse, ChoosesNothingWithoutABodyOrForASettingThatItLacks) {
     DeformPart part = part_in_substeps(3);
     DialInUse dial(dial_of_three());

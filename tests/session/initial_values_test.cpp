@@ -23,6 +23,7 @@ TEST(SessionInitialFigures, AreThoseRecorded) {
     HEPATICA_ADD_INITIAL(figures, MoveGrab);
     HEPATICA_ADD_INITIAL(figures, AddTool);
     HEPATICA_ADD_INITIAL(figures, MoveTool);
+    HEPATICA_ADD_INITIAL(figures, ShiftGrab);
     HEPATICA_ADD_INITIAL(figures, ShiftTool);
     HEPATICA_ADD_INITIAL(figures, TurnTool);
     HEPATICA_ADD_INITIAL(figures, CloseForceps);

@@ -81,6 +81,20 @@ TEST(LedHand, ANewPlaceTakesTheRestOfTheWayFromWhereItIs) {
     EXPECT_EQ(hand_of(*session), begin);
 }
 
+TEST(LedHand, IsShiftedFromTheVertexThatItGrabbed) {
+    const auto session = new_session();
+    session->post(ShiftGrab{Vec3(0, 0, 1)});  // holds nothing
+    session->step();
+    EXPECT_FALSE(session->world().deform()->holding());
+    session->post(GrabVertex{0});
+    session->step();
+    const Vec3 begin = hand_of(*session);
+    session->post(ShiftGrab{Vec3(0, 0, 1)});
+    session->post(ShiftGrab{Vec3(2, 0, 0)});
+    session->step();
+    EXPECT_LT((hand_of(*session) - begin - Vec3(2, 0, 1)).norm(), 1e-9);
+}
+
 TEST(LedHand, StopsWhereItIsWhenItLetsGoOrTakesAnew) {
     Vec3 begin;
     const auto session = holding(begin);

@@ -94,6 +94,24 @@ TEST(Schedule, GoesOnFromWhereAPlainCommandPutsTheHand) {
     EXPECT_EQ(std::get<MoveGrab>(commands.at(3).at(0)).target_mm, Vec3(30, 5, 2));
 }
 
+// Where a grabbed vertex is, only the play knows; once it led from the origin of space.
+TEST(Schedule, ShiftsAHandThatHoldsAVertex) {
+    Script script;
+    ScriptAction grab = at(0.0, "grab_vertex"), move = at(0.1, "move");
+    grab.command = GrabVertex{7};
+    move.by_mm = Vec3(0, 0, 6);
+    move.over_s = 0.2;
+    ScriptAction led = at(0.3, "move_grab"), after = at(0.4, "move");
+    led.command = MoveGrab{Vec3(30, 5, 0)};
+    after.by_mm = Vec3(1, 0, 0);
+    script.actions = {grab, move, led, after};
+    const auto commands = schedule(script, two_trees(), 0.1, 5);
+    EXPECT_EQ(std::get<GrabVertex>(commands.at(0).at(0)).vertex, 7);
+    for (const int step : {1, 2})
+        EXPECT_EQ(std::get<ShiftGrab>(commands.at(step).at(0)).by_mm, Vec3(0, 0, 3)) << step;
+    EXPECT_EQ(std::get<MoveGrab>(commands.at(4).at(0)).target_mm, Vec3(31, 5, 0));
+}
+
 TEST(Schedule, LeavesOutWhatComesAfterTheLastStep) {
     Script script;
     ScriptAction release = at(0.5, "release"), late = at(0.6, "release");

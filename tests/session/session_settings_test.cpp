@@ -240,6 +240,21 @@ TEST(Session, AnotherTearFactorKeepsTheStopOfTheScene) {
     EXPECT_EQ(tear->vertex_budget, 7);
 }
 
+TEST(Session, TheHandHoldsOnWhereTearingEnds) {
+    SceneSpec spec = default_scene();
+    spec.tear.emplace();
+    const auto session = new_session(spec);
+    const Vec3 place = middle_of(small_patient()->tree, 1);
+    session->post(GrabPoint{place});
+    session->step();
+    session->post(UseTear{false, 1.0});
+    session->step();
+    ASSERT_TRUE(session->world().deform()->holding());
+    EXPECT_EQ(session->world().deform()->hand_mm(), place);
+    session->update_frame();
+    EXPECT_TRUE(session->frame().grab.has_value());
+}
+
 // The vertices that a tear made vanish with it, and with them what the hand held.
 TEST(Session, TearingEndsWhileTheHandHoldsWhatItMade) {
     SceneSpec spec = default_scene();

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/base/file_extension.h"
 #include "core/base/patient_space.h"
 #include "core/base/text_file.h"
 #include "core/tree/files/tree_files.h"
@@ -78,7 +79,7 @@ void require_no_contradiction(const std::filesystem::path& file, const TreeFileF
 }  // namespace
 
 void write_tree(const std::filesystem::path& file, const VesselTree& tree) {
-    const std::string extension = file.extension().string();
+    const std::string extension = extension_of(file);
     if (extension == ".vtp") return write_tree_vtp(file, tree);
     if (extension == ".swc") return write_tree_swc(file, tree);
     if (extension == ".json") return write_tree_json(file, tree);
@@ -94,7 +95,7 @@ VesselTree read_tree(const std::filesystem::path& file, const TreeFileFacts& fac
     if (!std::filesystem::exists(status))
         throw InputError("does not exist", file.string(),
                          "Give a tree in a .vtp, .swc or .json file");
-    const std::string extension = file.extension().string();
+    const std::string extension = extension_of(file);
     if (extension == ".vtp") return read_tree_vtp(file, facts);
     if (extension != ".swc" && extension != ".json") refuse_extension(file);
     require_no_contradiction(file, facts, extension == ".json");

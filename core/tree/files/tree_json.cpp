@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads and writes trees as JSON.
-#include "core/base/json_number.h"
-#include "core/tree/files/tree_io.h"
+#include "core/tree/files/tree_json.h"
+
+#include <string>
+#include <utility>
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/base/json_number.h"
 #include "core/base/json_problem.h"
+#include "core/base/number_text.h"
 #include "core/tree/files/tree_files.h"
-#include "core/tree/files/tree_json.h"
+#include "core/tree/files/tree_io.h"
 
 namespace hepatica {
 
@@ -35,6 +39,25 @@ VesselNode node_from(const nlohmann::json& value, const std::filesystem::path& f
     const VesselNode node{vec3_from(value.at("position_mm")), value.at("radius_mm").get<double>()};
     require_plausible_radius(node.radius_mm, "a node", file.string());
     return node;
+}
+
+// Other formats hold each place once; this one may contradict itself. A tenth of a millimetre is
+// left to files whose numbers were rounded.
+void require_ends_at_nodes(const VesselTree& tree, const std::filesystem::path& file) {
+    constexpr double most_mm = 0.1;
+    for (std::size_t s = 0; s < tree.segments.size(); ++s) {
+        const VesselSegment& segment = tree.segments[s];
+        for (const auto& [point_mm, node] :
+             {std::pair(segment.points_mm.front(), segment.proximal_node),
+              std::pair(segment.points_mm.back(), segment.distal_node)}) {
+            const double apart_mm = (point_mm - tree.nodes[node].position_mm).norm();
+            if (apart_mm <= most_mm) continue;
+            throw InputError(
+                "has a segment " + std::to_string(s) + " whose points end " +
+                    number_text(apart_mm) + " mm away from its node " + std::to_string(node),
+                file.string(), "Let its first and last point be the positions of its nodes");
+        }
+    }
 }
 
 }  // namespace
@@ -95,6 +118,7 @@ VesselTree read_tree_json(const std::filesystem::path& file) {
     }
     require_unambiguous_systems(unnamed_systems, file);
     validate_from_file(tree, file);
+    require_ends_at_nodes(tree, file);
     return tree;
 }
 

@@ -353,7 +353,7 @@ VesselTree read_tree_vtp(const std::filesystem::path& file, const TreeFileFacts&
     const std::filesystem::file_status status = std::filesystem::status(file, error);
     if (!std::filesystem::status_known(status))
         refuse(file, "cannot be opened (" + error.message() + ")");
-    if (!std::filesystem::is_regular_file(status)) refuse(file, "there is no such file");
+    if (!std::filesystem::exists(status)) refuse(file, "there is no such file");
     Lines lines(file);
     const Vec3 signs = signs_to_lps(space_of(lines, facts, file));
     for (Vec3& point : lines.points_mm) point = signs.cwiseProduct(point);
