@@ -362,8 +362,11 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     in_close_event_ = true;
     if (!may_close_) {
+        const bool ended = lessons_->begun();
         keeper_->leave(
-            [this] {
+            [this, ended, stay] {
+                // One that was begun while a report was waited for is asked about as well.
+                if (!ended && lessons_->begun() && !may_end_lesson()) return stay();
                 may_close_ = true;
                 if (!in_close_event_) close();
             },

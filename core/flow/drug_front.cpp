@@ -258,7 +258,7 @@ void DrugFront::note_arrivals(const Flows& flows, double begin_s) {
             knots.push_back({knots.back().volume_mm3, on_s});
         const double now_s = position == *edge ? time_s_ : passed_s(position);
         // While the flow is steady the last knot moves along; a change of speed starts a new one.
-        if (knots.size() > 1) {
+        if (knots.size() > 1 && knots[knots.size() - 2].volume_mm3 != knots.back().volume_mm3) {
             const auto& a = knots[knots.size() - 2];
             const auto& b = knots.back();
             const double expected = a.time_s + (b.time_s - a.time_s) * (position - a.volume_mm3) /

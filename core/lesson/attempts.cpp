@@ -143,9 +143,13 @@ Attempts all_attempts(const fs::path& folder) {
     return found;
 }
 
+std::string id_of_former_name(const std::string& name) {
+    return "name:" + name;
+}
+
 bool is_at(const Attempt& attempt, const LessonKey& lesson) {
     if (attempt.lesson_id.empty())
-        return attempt.lesson == lesson.name || attempt.lesson == lesson.id;
+        return attempt.lesson == lesson.name || id_of_former_name(attempt.lesson) == lesson.id;
     return attempt.lesson_id == (lesson.id.empty() ? lesson.name : lesson.id);
 }
 

@@ -52,6 +52,10 @@ void write_attempt(const Attempt& attempt);
 Attempt attempt_from(const std::string& text, const std::filesystem::path& recording,
                      const std::string& place);
 
+// The id of a lesson without one that is given another name: attempts without an id that were at a
+// lesson of this name are at it.
+std::string id_of_former_name(const std::string& name);
+
 struct Attempts {
     std::vector<Attempt> list;             // sorted by time
     std::vector<std::string> passed_over;  // unreadable files, with the reason in words

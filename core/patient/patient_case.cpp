@@ -209,10 +209,13 @@ void flush_files(const fs::path& folder, const fs::path& place) {
         flush_to_disk(file.path(), place);
 }
 
-// Whether the older case is of the same CT; false where this program cannot read its header.
-bool is_of_same_image(const fs::path& folder, const PatientCase& patient) {
+// Whether the older case is of the same CT, or where there is none, of the same vessels; false
+// where this program cannot read its header.
+bool is_of_same_patient(const fs::path& folder, const PatientCase& patient) {
     try {
-        return read_case_header(folder).source.image_sha256 == patient.source.image_sha256;
+        const std::string& image = patient.source.image_sha256;
+        if (read_case_header(folder).source.image_sha256 != image) return false;
+        return !image.empty() || hash_of_extracted(read_case(folder)) == hash_of_extracted(patient);
     } catch (const InputError&) {
         return false;
     }
@@ -223,8 +226,12 @@ void keep_foreign_files(const fs::path& archive, const PatientCase& patient,
                         const fs::path& folder) {
     if (!is_case_archive(archive)) return;
     const TemporaryFolder before;
-    unpack_case(archive, before.path());
-    if (!is_of_same_image(before.path(), patient)) return;
+    try {
+        unpack_case(archive, before.path());
+    } catch (const InputError&) {
+        return;  // nothing can be read of what is replaced
+    }
+    if (!is_of_same_patient(before.path(), patient)) return;
     std::vector<fs::path> foreign;
     for (const fs::directory_entry& entry : fs::directory_iterator(before.path()))
         if (!is_of_a_case(entry.path().filename())) foreign.push_back(entry.path());

@@ -254,7 +254,8 @@ void FlowPart::step(double dt_s) {
     show_what_is_due();
     if (!drug_.playing) return;
     const double next_s = drug_.time_s + drug_.speed * dt_s;
-    drug_.playing = next_s < drug_.end_s;
+    // The flow that is still to be shown may end later.
+    drug_.playing = next_s < drug_.end_s || steps_left_ > 0;
     // A time beyond the end that was set by hand is kept.
     drug_.time_s = drug_.playing ? next_s : std::max(drug_.time_s, drug_.end_s);
 }

@@ -308,8 +308,9 @@ SessionStep Session::step(const Job& job) {
 
 bool Session::rests_after(const SessionStep& done) const {
     const FlowPart* flow = world_->flow();
-    if (failed_ || (flow != nullptr && flow->computing())) return false;
+    if (failed_ || (flow != nullptr && flow->waits_for_finish())) return false;
     if (done.paused) return true;
+    if (flow != nullptr && flow->computing()) return false;  // shown some steps later
     if (watch_ || hand_.underway() || led_tool_.underway()) return false;
     const Bleeding* bleeding = world_->bleeding();
     if (bleeding != nullptr && bleeding->leak_g_s() > 0.0) return false;
@@ -318,7 +319,9 @@ bool Session::rests_after(const SessionStep& done) const {
 }
 
 void Session::finish_injection() {
-    if (world_->flow() != nullptr && world_->flow()->waits_for_finish()) post(FinishInjection{});
+    const FlowPart* flow = world_->flow();
+    if (flow != nullptr && flow->waits_for_finish() && flow->checkpoint().updating)
+        inbox_.post_first(FinishInjection{});
 }
 
 void Session::finish_ready_injection() {

@@ -14,6 +14,8 @@ namespace {
 
 // Ends by 0 where both signals were only heard.
 [[noreturn]] void send(int first, int second) {
+    // A shell that starts a program in the background has it ignore them.
+    for (const int number : {first, second}) std::signal(number, SIG_DFL);
     const Interruption interruption;
     if (Interruption::came()) std::_Exit(1);
     std::raise(first);

@@ -141,6 +141,36 @@ TEST_F(CaseArchive, KeepsWhatLiesBesideTheSameCase) {
     EXPECT_FALSE(archive_holds(in("p.hepz"), "lesson-1.json"));
 }
 
+// Otherwise the work that is to be saved would be lost.
+TEST_F(CaseArchive, ThatIsDamagedIsReplaced) {
+    write_case(in("p.hepz"), test::some_patient());
+    std::string bytes = bytes_of(in("p.hepz"));
+    const TemporaryFolder unpacked;
+    for (std::size_t at = bytes.size() / 2; at < bytes.size() / 2 + 64; ++at) bytes[at] ^= '\x55';
+    write_bytes(in("p.hepz"), bytes);
+    ASSERT_THROW(unpack_case(in("p.hepz"), unpacked.path()), InputError);
+    ASSERT_TRUE(is_replaceable_case(in("p.hepz")));
+    write_case(in("p.hepz"), test::some_patient());
+    EXPECT_EQ(read_case(in("p.hepz")).source.name, test::some_patient().source.name);
+}
+
+// As those that come from a tree, not from a CT.
+TEST_F(CaseArchive, KeepsNothingOfAnotherPatientWithoutACt) {
+    PatientCase patient = test::some_patient();
+    patient.source.image_sha256.clear();
+    patient.corrections = {};
+    const TemporaryFolder unpacked;
+    write_case(in("p.hepz"), patient);
+    unpack_case(in("p.hepz"), unpacked.path());
+    write_bytes(unpacked.path() / "lesson-1.json", "a lesson");
+    pack_case(unpacked.path(), in("p.hepz"));
+    write_case(in("p.hepz"), patient);
+    EXPECT_TRUE(archive_holds(in("p.hepz"), "lesson-1.json"));
+    patient.tree.segments.front().radii_mm.front() += 0.5;
+    write_case(in("p.hepz"), patient);
+    EXPECT_FALSE(archive_holds(in("p.hepz"), "lesson-1.json"));
+}
+
 TEST_F(CaseArchive, WithNamesThatClimbOutIsRefused) {
     const std::vector<std::string> names{
         "../evil", "../../evil", in("evil").string(), "a/b", "a/", "..", ".", ".hidden", "a\\\\b",

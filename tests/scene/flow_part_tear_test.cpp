@@ -378,6 +378,25 @@ TEST(FlowPart, TheFlowAfterATearIsShownAFixedNumberOfStepsLater) {
     EXPECT_TRUE(part.computing());
 }
 
+// Its flow may end later than the one that is shown.
+TEST(FlowPart, TheClockRunsOnUntilTheFlowAfterATearIsShown) {
+    Shown made(tube_of_40_mm());
+    FlowPart& part = made.part;
+    part.inject({.at = {0, 0.0, 0.0}});
+    const double dt_s = 1e-3 * part.drug().end_s;
+    part.set_time(part.drug().end_s - 2.0 * dt_s);
+    part.follow_tears({{{0, 30.0, 0.0}, 3.0, true}});
+    for (int left = part.steps_to_update(); left > 1; --left) {
+        part.step(dt_s);
+        EXPECT_TRUE(part.drug().playing) << left;
+    }
+    const double time_s = part.drug().time_s;
+    EXPECT_GT(time_s, part.drug().end_s);
+    part.step(dt_s);
+    EXPECT_EQ(part.drug().injection->later_tears.size(), 1u);
+    EXPECT_EQ(part.drug().playing, part.drug().time_s < part.drug().end_s);
+}
+
 TEST(FlowPart, TheStepsUntilATearIsKnownGrowAsTheFrontsWorkDoes) {
     VesselTree tree = tube_of_40_mm();
     tree.segments.resize(1000, tree.segments.front());

@@ -94,6 +94,28 @@ TEST(TearSession, AnInjectionKnowsWhatIsTornByThen) {
     EXPECT_FALSE(session->frame().drug.injection->tears.empty());
 }
 
+// A paused world makes no steps, after which the flow behind the tear would be shown.
+TEST(TearSession, APauseBeforeTheFlowAfterATearIsShownIsRest) {
+    const auto session = of_portal_veins();
+    InjectDrug drug;
+    drug.point_mm = small_patient()->tree.segments[0].points_mm.front();
+    drug.void_fraction = 0.0;
+    session->post(drug);
+    session->step();
+    session->post(blade());
+    for (int i = 0; i < 12 && !session->world().flow()->computing(); ++i) session->step();
+    ASSERT_TRUE(session->world().flow()->computing());
+    session->post(SetPaused{true});
+    session->step();
+    session->step();
+    session->update_frame();
+    EXPECT_TRUE(session->frame().statistics.resting);
+    EXPECT_TRUE(session->world().flow()->computing());
+    session->post(SetPaused{false});
+    play(*session, 8);
+    EXPECT_FALSE(session->world().flow()->computing());
+}
+
 // As it is done where no window looks after ready injections.
 TEST(TearSession, ADrugUnlikeBloodHearsOfATearWhereSomebodyAsks) {
     for (const bool asked : {false, true}) {

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/temporary_folder.h"
 #include "core/base/text_file.h"
+#include "core/lesson/attempts.h"
 #include "core/lesson/draft_file.h"
 #include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_file.h"
@@ -82,7 +83,24 @@ TEST(LessonDocument, KnowsAnOlderLessonByTheNameOfItsAttempts) {
     EXPECT_EQ(read_lesson(file).id, "");
     document.change("name", [](Lesson& lesson) { lesson.name = "Renamed"; });
     document.save(file);
-    EXPECT_EQ(read_lesson(file).id, new_lesson().name);
+    EXPECT_EQ(read_lesson(file).id, id_of_former_name(new_lesson().name));
+}
+
+// The program ended between the renaming and the save.
+TEST(LessonDocument, KnowsAnOlderLessonThatWasRenamedBeforeACrash) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "a.json", kept = folder.path() / "kept";
+    write_lesson(file, new_lesson());
+    {
+        LessonDocument document(kept);
+        document.open(file);
+        document.change("name", [](Lesson& lesson) { lesson.name = "Renamed"; });
+        document.keep_copy();
+    }
+    LessonDocument recovered(kept);
+    ASSERT_TRUE(recovered.left_behind());
+    recovered.save(file);
+    EXPECT_EQ(read_lesson(file).id, id_of_former_name(new_lesson().name));
 }
 
 TEST(LessonDocument, NamesAPatientBelowTheFileRelativeToIt) {

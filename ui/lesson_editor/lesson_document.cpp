@@ -6,6 +6,7 @@
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "core/base/text_file.h"
+#include "core/lesson/attempts.h"
 #include "core/lesson/draft_file.h"
 #include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_file.h"
@@ -63,12 +64,22 @@ void LessonDocument::give_id(const std::string& id) {
     saved_text_ = text_of(lesson());
 }
 
+// What is edited may have been renamed before the program ended without saving it.
+std::string LessonDocument::name_in_file() const {
+    try {
+        return read_lesson(file_).name;
+    } catch (const InputError&) {
+        return states_.front().name;
+    }
+}
+
 // A lesson in another file is another one, and keeps its attempts apart. An older one without an id
 // is known by the name that its attempts have.
 std::string LessonDocument::id_in(const fs::path& file) const {
     if (file != file_) return new_lesson_id();
-    const bool renamed = lesson().name != states_.front().name;
-    return lesson().id.empty() && renamed ? states_.front().name : lesson().id;
+    if (!lesson().id.empty()) return lesson().id;
+    const std::string before = name_in_file();
+    return lesson().name != before ? id_of_former_name(before) : "";
 }
 
 void LessonDocument::begin(Lesson lesson) {

@@ -58,6 +58,7 @@ class LessonDocument {
   private:
     void forget_states(Lesson lesson);
     void give_id(const std::string& id);
+    std::string name_in_file() const;
     std::string id_in(const std::filesystem::path& file) const;
 
     std::filesystem::path kept_copy_;
