@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/world_checkpoint.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -187,10 +188,8 @@ FlowCheckpoint flow_from(const Json& json) {
     if (json.contains("injected")) checkpoint.injected = injection_from(json.at("injected"));
     if (json.contains("computing")) checkpoint.computing = injection_from(json.at("computing"));
     checkpoint.updating = json.value("updating", false);
-    if (json.contains("steps_left")) {
-        checkpoint.steps_left = whole_number<int>(json.at("steps_left"));
-        if (checkpoint.steps_left < 0) refuse("steps_left is below 0");
-    }
+    if (json.contains("steps_left"))
+        checkpoint.steps_left = std::max(whole_number<int>(json.at("steps_left")), 0);
     if (json.contains("reached_before"))
         checkpoint.reached_before =
             reached_from(json.at("reached_before").get_ref<const std::string&>());
