@@ -2,7 +2,8 @@
 // Hears Ctrl-C (SIGINT), the wish that the program should end (SIGTERM), and that its terminal was
 // closed (SIGHUP), so that a job can be cancelled and leaves nothing half done. A second Ctrl-C
 // ends the program at once: some work does not look whether it is cancelled. Files appear whole or
-// not at all even then; temporary ones may stay.
+// not at all even then; temporary ones may stay, with what lay beside the files of a case that was
+// just being replaced.
 #pragma once
 
 #include <array>

@@ -67,6 +67,8 @@ class FlowPart {
     // does not wait where it is ready.
     bool computing() const { return run_ != nullptr; }
     bool waits_for_finish() const { return run_ != nullptr && steps_left_ == 0; }
+    // The same where it is the one that is shown, after a tear.
+    bool update_waits() const { return updating_ && waits_for_finish(); }
     bool injection_ready() const { return waits_for_finish() && run_->ready(); }
     // Replaces the last injection by the computed one, for which it waits, and starts the drug's
     // clock, or lets it run on where vessels have torn since. Does nothing where none is being

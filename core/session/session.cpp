@@ -319,8 +319,7 @@ bool Session::rests_after(const SessionStep& done) const {
 }
 
 void Session::finish_injection() {
-    const FlowPart* flow = world_->flow();
-    if (flow != nullptr && flow->waits_for_finish() && flow->checkpoint().updating)
+    if (world_->flow() != nullptr && world_->flow()->update_waits())
         inbox_.post_first(FinishInjection{});
 }
 
