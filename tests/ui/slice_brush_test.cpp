@@ -280,7 +280,7 @@ TEST_F(BrushOnSlices, WarnsOfAStrokeFarOutsideTheLiverAndTakesItBack) {
     ASSERT_EQ(brush().strokes().size(), 2u);
     const QString warning = window_.messages().text();
     EXPECT_TRUE(warning.contains("outside the liver")) << warning.toStdString();
-    EXPECT_TRUE(warning.contains("R 30")) << "and where: " << warning.toStdString();
+    EXPECT_TRUE(warning.contains("(at 30 mm right, ")) << "and where: " << warning.toStdString();
     EXPECT_FALSE(window_.log().as_text().contains("no longer so"));
     QTest::mouseClick(window_.messages().findChild<QPushButton*>("offer"), Qt::LeftButton);
     EXPECT_EQ(brush().strokes().size(), 1u);
