@@ -1913,8 +1913,8 @@
         <translation>Ziehen Sie eine Linie quer über ein Gefäß: Dort reißt es unter Zug</translation>
     </message>
     <message>
-        <source>The mouse leads the tool, the wheel moves it in depth</source>
-        <translation>Die Maus führt das Werkzeug, das Mausrad bewegt es in die Tiefe</translation>
+        <source>The mouse leads the tool, the wheel moves it in depth, a click brings it to a vessel</source>
+        <translation>Die Maus führt das Werkzeug, das Mausrad bewegt es in die Tiefe, ein Klick bringt es an ein Gefäß</translation>
     </message>
     <message>
         <source>Reading the CT</source>
@@ -2849,8 +2849,8 @@
         <translation>Nehmen Sie ein Werkzeug aus der Leiste über der Ansicht.</translation>
     </message>
     <message>
-        <source>The mouse leads its tip, the wheel moves it in depth (Ctrl + wheel zooms), T and Shift + T turn it, C closes and opens forceps. Esc puts it away.</source>
-        <translation>Die Maus führt seine Spitze, das Mausrad bewegt es in die Tiefe (Strg + Mausrad vergrößert), T und Umschalt + T drehen es, C schließt und öffnet die Pinzette. Esc legt es weg.</translation>
+        <source>The mouse leads its tip, the wheel moves it in depth (Ctrl + wheel zooms), a click brings it to a vessel, T and Shift + T turn it, C closes and opens forceps. Esc puts it away.</source>
+        <translation>Die Maus führt seine Spitze, das Mausrad bewegt es in die Tiefe (Strg + Mausrad vergrößert), ein Klick bringt es an ein Gefäß, T und Umschalt + T drehen es, C schließt und öffnet die Pinzette. Esc legt es weg.</translation>
     </message>
     <message>
         <source>no tool</source>

@@ -475,7 +475,8 @@ QString MainWindow::guidance_of(MouseMode mode) const {
            : mode == MouseMode::cut     ? Words::tr("Draw a line across a vessel to cut it")
            : mode == MouseMode::weaken
                ? Words::tr("Draw a line across a vessel: it tears there when pulled")
-               : Words::tr("The mouse leads the tool, the wheel moves it in depth");
+               : Words::tr("The mouse leads the tool, the wheel moves it in depth, a click brings "
+                           "it to a vessel");
 }
 
 // Also if a lesson forbids pulling; then a drag does nothing to the vessels.

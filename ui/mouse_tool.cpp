@@ -114,8 +114,11 @@ void MouseTool::release(const Pixel& at) {
     const bool points = pulling() && !dragged_;
     const bool tried_to_pull = action_ == Action::orbit && mode_ == MouseMode::pull && may_pull() &&
                                !dragged_ && pressed_left_;
+    const bool brings_tool = action_ == Action::orbit && mode_ == MouseMode::tool && !dragged_ &&
+                             pressed_left_;
     if (action_ == Action::draw) callbacks_.drawn(mode_, stroke_to(at));
     cancel();
+    if (brings_tool) hand_.click(at);
     if (clicked_) click_at(at);
     if (points) callbacks_.pointed(pulled_);
     if (tried_to_pull && is_near_miss(at)) callbacks_.missed();

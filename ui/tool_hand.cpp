@@ -126,6 +126,14 @@ void ToolHand::press(const Pixel& at) {
     if (!kind_.empty() && !seen_) bring_to(at);
 }
 
+void ToolHand::click(const Pixel& at) {
+    if (!seen_ || closed_) return;
+    const SurfacePick pick = view_.pick(at);
+    if (pick.triangle < 0) return;
+    const double away_mm = (pick.position_mm - seen_->tip_mm).dot(view_.axes().forward);
+    if (std::abs(away_mm) > 2.0 * size_.radius_mm) bring(pick.position_mm, way_at(at));
+}
+
 void ToolHand::shift_depth(double steps) {
     if (!seen_) return;
     depth_mm_ += steps * std::max(least_notch_mm, 0.5 * size_.radius_mm) * view_.axes().forward;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Leads a tool by the mouse, without any toolkit. The tool appears at the mouse; then its tip
 // follows the mouse in a plane parallel to the picture, which the wheel moves in depth; a new depth
-// is reached smoothly, by the play's time and without a timer. Obstacles stop it until there is
+// is reached smoothly, by the play's time and without a timer. A click on a vessel brings it there. Obstacles stop it until there is
 // room. The scene prepares for tools when the first is taken and releases that when the last is put
 // away.
 #pragma once
@@ -55,6 +55,9 @@ class ToolHand {
     void move(const Pixel& at);
     // Requests a tool that was refused once more.
     void press(const Pixel& at);
+    // A click on a vessel that lies in front of the tool or behind it brings the tool there anew.
+    // Closed jaws stay where they are, because they would let go.
+    void click(const Pixel& at);
     // By notches of the wheel, > 0 away from the user.
     void shift_depth(double steps);
     // In the plane of the picture, counterclockwise.

@@ -287,8 +287,8 @@ void ToolPanel::show_kind(const std::string& kind, const QString& line_help) {
         : kind.empty()
             ? Words::tr("Take a tool from the bar above the view.")
             : Words::tr("The mouse leads its tip, the wheel moves it in depth (Ctrl + wheel "
-                        "zooms), T and Shift + T turn it, C closes and opens forceps. Esc puts it "
-                        "away."));
+                        "zooms), a click brings it to a vessel, T and Shift + T turn it, C closes "
+                        "and opens forceps. Esc puts it away."));
 }
 
 void ToolPanel::show_force(const std::optional<ToolView>& tool,

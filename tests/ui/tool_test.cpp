@@ -227,6 +227,34 @@ TEST_F(ToolInHand, drags_turn_the_view_and_leave_it_where_it_is) {
     EXPECT_EQ(count<InjectDrug>(), 0u);
 }
 
+TEST_F(ToolInHand, a_click_on_a_vessel_brings_it_there_from_another_depth) {
+    take(Qt::Key_6);
+    const auto click = [this] {
+        QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_trunk());
+        paint();
+    };
+    click();
+    EXPECT_EQ(count<AddTool>(), 1u) << "it is there already";
+    const Vec3 tip = window_.frame().tool->tip_mm;
+    for (const int notches : {20, -20}) {
+        turn_wheel(notches);
+        paint();
+        ASSERT_GT((window_.frame().tool->tip_mm - tip).norm(), 15.0);
+        const std::size_t tools = count<AddTool>();
+        click();
+        ASSERT_EQ(count<AddTool>(), tools + 1);
+        EXPECT_LT((commands_of_type<AddTool>().back().point_mm - tip).norm(), 1e-6);
+    }
+    turn_wheel(20);
+    paint();
+    const std::size_t tools = count<AddTool>();
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, QPoint(4, 4));
+    EXPECT_EQ(count<AddTool>(), tools) << "no vessel there";
+    QTest::keyClick(&window_, Qt::Key_C);
+    click();
+    EXPECT_EQ(count<AddTool>(), tools) << "closed jaws would let go";
+}
+
 TEST_F(ToolInHand, its_radius_is_set_in_the_panel) {
     take(Qt::Key_4);
     const Vec3 tip = window_.frame().tool->tip_mm;
