@@ -43,8 +43,6 @@ class DepthStem {
     // turned; call before each picture. The number keeps clear of a mark straight behind the tool.
     // `pixel_ratio`: size of one screen point in device pixels.
     void place(double pixel_ratio, const Vec3& forward);
-    // See FigureLabel.
-    void set_label_ground(const std::optional<Colour>& ground) { label_.set_ground(ground); }
 
   private:
     std::string words_of(const Vec3& forward) const;

@@ -16,6 +16,7 @@ namespace hepatica {
 namespace {
 
 constexpr int figure_text_size = 13;
+constexpr double ground_opacity = 0.75;
 
 }  // namespace
 
@@ -23,6 +24,9 @@ FigureLabel::FigureLabel(vtkRenderer& renderer, const Colour& colour)
     : renderer_(renderer), colour_(colour), text_(vtkSmartPointer<vtkTextActor>::New()) {
     text_->GetPositionCoordinate()->SetCoordinateSystemToDisplay();
     text_->SetVisibility(false);
+    vtkTextProperty& letters = *text_->GetTextProperty();
+    letters.SetBackgroundColor(palette::rim[0], palette::rim[1], palette::rim[2]);
+    letters.SetBackgroundOpacity(ground_opacity);
     renderer_.AddActor(text_);
 }
 
@@ -55,13 +59,6 @@ void FigureLabel::place(double pixel_ratio, double below_points) {
     const double* at = point->GetComputedDoubleDisplayValue(&renderer_);
     const double away = below_points * pixel_ratio;
     stand_inside(*text_, renderer_, at[0] + away, at[1] - away);
-}
-
-void FigureLabel::set_ground(const std::optional<Colour>& ground) {
-    constexpr double opacity = 0.75;
-    vtkTextProperty& letters = *text_->GetTextProperty();
-    if (ground) letters.SetBackgroundColor((*ground)[0], (*ground)[1], (*ground)[2]);
-    letters.SetBackgroundOpacity(ground ? opacity : 0.0);
 }
 
 std::optional<PictureBox> FigureLabel::box() const {

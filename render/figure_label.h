@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A number with its unit beside a point of the patient. It is drawn over everything else and kept
-// within the picture.
+// A number with its unit beside a point of the patient. It is drawn over everything else, on a dark
+// ground that sets it off from vessels and from bright pictures, and kept within the picture.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -33,8 +33,6 @@ class FigureLabel {
     void place(double pixel_ratio, double below_points = 0.0);
     // The label's rectangle in the picture in pixels; none where it is not shown.
     std::optional<PictureBox> box() const;
-    // Background of the letters, for pictures that are as bright as they are; none: transparent.
-    void set_ground(const std::optional<Colour>& ground);
 
   private:
     vtkRenderer& renderer_;

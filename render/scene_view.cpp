@@ -282,12 +282,6 @@ void SceneView::set_look(const ViewLook& look) {
     parts_->measures.set_colours(look.measure, look.bottom);
     parts_->bridges.set_text_colour(look.text);
     parts_->marks.set_text_colour(look.text);
-    // Figures have the colours of tools and pulls, which are made for a dark picture.
-    const bool bright = look.bottom[0] + look.bottom[1] + look.bottom[2] > 1.5;
-    const std::optional<Colour> ground = bright ? std::optional(palette::rim) : std::nullopt;
-    parts_->tool.set_label_ground(ground);
-    parts_->stem.set_label_ground(ground);
-    parts_->pull_force.set_ground(ground);
 }
 
 void SceneView::set_words(const PictureWords& words) {

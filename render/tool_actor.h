@@ -41,8 +41,6 @@ class ToolActor {
     // `pixel_ratio`: pixels of a point.
     void set_scale(double mm_per_point, double pixel_ratio);
     const std::optional<ToolView>& shown() const { return shown_; }
-    // See FigureLabel.
-    void set_label_ground(const std::optional<Colour>& ground) { label_.set_ground(ground); }
     // The label's rectangle in the picture in pixels; none where it is not shown.
     std::optional<PictureBox> label_box() const { return label_.box(); }
 

@@ -209,8 +209,9 @@ void MainWindow::show_workspace() {
 
 void MainWindow::keep_dial() {
     const Workspace& workspace = keeper_->workspace();
-    dial_->keep_in(workspace.dirty() ? std::filesystem::path() : workspace.folder(),
-                   workspace.patient().get());
+    const std::filesystem::path& place =
+        workspace.folder().empty() ? patient_->cached_case : workspace.folder();
+    dial_->keep_in(workspace.dirty() ? std::filesystem::path() : place, workspace.patient().get());
 }
 
 void MainWindow::show_caption(const QString& text) {
@@ -475,8 +476,9 @@ QString MainWindow::guidance_of(MouseMode mode) const {
            : mode == MouseMode::cut     ? Words::tr("Draw a line across a vessel to cut it")
            : mode == MouseMode::weaken
                ? Words::tr("Draw a line across a vessel: it tears there when pulled")
-               : Words::tr("The mouse leads the tool, the wheel moves it in depth, a click brings "
-                           "it to a vessel");
+               : Words::tr(
+                     "The mouse leads the tool, the wheel moves it in depth, a click brings "
+                     "it to a vessel");
 }
 
 // Also if a lesson forbids pulling; then a drag does nothing to the vessels.

@@ -115,8 +115,11 @@ void MessageLog::offer_branch() {
     show_branch_->setEnabled(branch_of(list_->currentItem()).has_value());
 }
 
-void MessageLog::show_branch_of(const QTreeWidgetItem* item) const {
-    if (const std::optional<int> branch = branch_of(item); branch && on_branch) on_branch(*branch);
+void MessageLog::show_branch_of(const QTreeWidgetItem* item) {
+    const std::optional<int> branch = branch_of(item);
+    if (!branch || !on_branch) return;
+    hide();  // it would lie over the branch
+    on_branch(*branch);
 }
 
 void MessageLog::add_note(const QString& source, const QString& text) {

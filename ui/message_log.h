@@ -43,7 +43,7 @@ class MessageLog : public QDialog {
     QTreeWidgetItem* add(const QString& kind, const QString& source, const QString& text);
     void mark(QTreeWidgetItem& item, bool past);
     void offer_branch();
-    void show_branch_of(const QTreeWidgetItem* item) const;
+    void show_branch_of(const QTreeWidgetItem* item);
 
     QTreeWidget* list_;
     QPushButton* show_branch_;

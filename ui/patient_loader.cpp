@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/flow/flow_shares.h"
 #include "core/scene/measured_dial.h"
 #include "core/session/session.h"
@@ -19,6 +20,18 @@ std::vector<std::string> names_of_lessons_in(const std::filesystem::path& place)
     if (!holds_lessons(place)) return names;
     for (const Lesson& lesson : lessons_in_archive(place)) names.push_back(lesson.name);
     return names;
+}
+
+// A dial in the cache is no part of a case that anybody saved: where it is damaged, it is measured
+// again.
+void forget_damaged_dial(OpenedPatient& opened) {
+    try {
+        measured_points(*opened.patient);
+    } catch (const InputError&) {
+        auto patient = std::make_shared<PatientCase>(*opened.patient);
+        patient->dial_json.clear();
+        opened.patient = std::move(patient);
+    }
 }
 
 }  // namespace
@@ -46,6 +59,7 @@ LoadedPatient load_patient(const OpenRequest& request, Job& job, const DeformBac
     OpenedPatient opened = open_patient(request, job);
     for (auto* list : {&opened.warnings, &opened.warnings_of_image})
         for (std::string& warning : *list) warning = in_window_words(std::move(warning));
+    if (!opened.cached_case.empty()) forget_damaged_dial(opened);
     LoadedPatient loaded = play_with(back_end, opened.patient, job);
     if (std::string words = words_on_left_out(back_end, measured_points(*opened.patient));
         !words.empty())

@@ -277,7 +277,7 @@ void Settings::set_volume_look(const VolumeLook& look) {
 }
 
 QString Settings::library_folder() const {
-    return store_ ? store_->value(library_key, last_folder()).toString() : last_folder();
+    return store_ ? store_->value(library_key, case_folder()).toString() : case_folder();
 }
 
 void Settings::set_library_folder(const QString& folder) {

@@ -64,7 +64,7 @@ class Settings {
     // Folder for copies of unsaved work; empty in safe mode.
     QString recovery_folder() const;
 
-    // Folder of the library; last_folder() if none was chosen.
+    // Folder of the library; case_folder() if none was chosen.
     QString library_folder() const;
     void set_library_folder(const QString& folder);
 

@@ -83,6 +83,10 @@ bool holds_patient(const BuiltInCache& cache) {
     return kept_case_digest(cache).has_value();
 }
 
+fs::path case_of(const BuiltInCache& cache) {
+    return holds_patient(cache) ? entry_of(cache) / case_name : fs::path();
+}
+
 std::optional<PatientCase> patient_of(const BuiltInCache& cache) {
     try {
         const std::optional<std::string> digest = kept_case_digest(cache);

@@ -22,6 +22,9 @@ struct BuiltInCache {
 bool holds_patient(const BuiltInCache& cache);
 // Reads the entry. None where there is no entry of this program or where it is damaged.
 std::optional<PatientCase> patient_of(const BuiltInCache& cache);
+// The case of the entry, in which what is measured of the patient may be kept. Empty where there is
+// no entry of this program.
+std::filesystem::path case_of(const BuiltInCache& cache);
 // Replaces the entry atomically; several programs may do so at once. Failures to write are ignored.
 void keep(const BuiltInCache& cache, const PatientCase& patient);
 

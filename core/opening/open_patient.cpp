@@ -71,6 +71,7 @@ OpenedPatient built_in_patient(const BuiltInCache& cache, Job& job) {
         job.begin_stage("Reading the built-in patient");
         if (std::optional<PatientCase> kept = patient_of(cache)) {
             opened.patient = std::make_shared<const PatientCase>(*std::move(kept));
+            opened.cached_case = case_of(cache);
             return opened;
         }
     }
@@ -82,6 +83,7 @@ OpenedPatient built_in_patient(const BuiltInCache& cache, Job& job) {
     made.warnings_of_image = made.patient.warnings_of_image = 0;
     opened = opened_from(std::move(made));
     keep(cache, *opened.patient);
+    opened.cached_case = case_of(cache);
     return opened;
 }
 

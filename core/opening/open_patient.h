@@ -54,6 +54,8 @@ struct OpenedPatient {
     std::shared_ptr<const PatientCase> patient;
     std::filesystem::path folder;  // the case on disk, which also holds the voxels; empty: none
     std::filesystem::path image;   // the CT of a reconstruction made just now; else empty
+    // Of the built-in patient: his case in the cache, for what is measured of him; else empty.
+    std::filesystem::path cached_case{};
     // The case that was read; empty: none.
     std::filesystem::path read_from{};
     // The unsaved work it was opened with: a case, or a file of edits; else empty.

@@ -149,6 +149,20 @@ TEST_F(BuiltInCacheTest, opening_takes_the_patient_from_there_in_one_stage) {
     EXPECT_EQ(job.stage_times().size(), 1u);
 }
 
+TEST_F(BuiltInCacheTest, what_was_measured_is_found_again_and_has_no_part_in_the_label) {
+    const fs::path place = case_of(cache_);
+    ASSERT_TRUE(fs::is_directory(place));
+    write(place / "dial.json", "{\"a\": 1}");
+    const std::optional<PatientCase> found = patient_of(cache_);
+    expect_whole(found);
+    EXPECT_EQ(found->dial_json, "{\"a\": 1}");
+    Job job;
+    EXPECT_EQ(open_patient({.built_in = true, .reconstruct = {}, .cache = cache_}, job).cached_case,
+              place);
+    EXPECT_TRUE(case_of({cache_.folder, "0.1.0 abd"}).empty()) << "of another program";
+    EXPECT_TRUE(case_of({{}, "0.1.0 abc"}).empty());
+}
+
 // It sets out to make the patient: nobody waits for that here.
 TEST_F(BuiltInCacheTest, opening_makes_anew_what_is_damaged) {
     write(cache_.folder / "built_in_patient" / "patient.hep" / "case.json", "{}");

@@ -8,6 +8,7 @@
 #include "core/study/dial_study.h"
 #include "tests/session/small_patient.h"
 #include "tests/ui/fake_window_test.h"
+#include "ui/paths.h"
 
 namespace hepatica {
 namespace {
@@ -58,10 +59,18 @@ bool comes_to_rest(const Paintings& paintings) {
 class Idle : public testing::WindowTest {
   protected:
     Idle()
-        : WindowTest({[](const OpenRequest&, Job& job) { return play(patient_with_a_dial(), job); },
-                      write_case}) {
+        : WindowTest({[this](const OpenRequest&, Job& job) {
+                          LoadedPatient loaded = play(patient_with_a_dial(), job);
+                          loaded.cached_case = cached_;
+                          return loaded;
+                      },
+                      write_case}),
+          cached_(to_path(folder_.filePath("cached.hep"))) {
+        write_case(cached_, *test::small_patient());
         open_built_in();
     }
+
+    const std::filesystem::path cached_;
 
     void expect_rest() {
         ASSERT_TRUE(testing::wait_for([this] { return window_.frame().statistics.resting; }));
@@ -77,6 +86,12 @@ class Idle : public testing::WindowTest {
         }));
     }
 };
+
+// At every start it would be measured again, half a minute on all cores.
+TEST_F(Idle, the_dial_of_the_built_in_patient_is_kept_with_him) {
+    EXPECT_EQ(measured_points(read_case_without_voxels(cached_)).size(),
+              measured_points(*patient_with_a_dial()).size());
+}
 
 TEST_F(Idle, before_an_injection_and_after_it_has_run_out) {
     expect_rest();

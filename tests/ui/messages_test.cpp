@@ -165,8 +165,10 @@ TEST_F(Messages, lead_to_the_branch_that_they_name) {
     list->setCurrentItem(list->topLevelItem(2));
     EXPECT_FALSE(show->isEnabled()) << "it names none";
     list->setCurrentItem(list->topLevelItem(1));
+    window_.log().show();
     show->click();
     EXPECT_EQ(table->item(table->currentRow(), 0)->text(), "2");
+    EXPECT_FALSE(window_.log().isVisible()) << "it would lie over the branch";
     window_.log().settle_warning("Branch 2 is one, too");
     EXPECT_FALSE(show->isEnabled()) << "another branch may have its number now";
     emit label->linkActivated("branch:999");  // of a patient before

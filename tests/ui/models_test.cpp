@@ -99,6 +99,8 @@ TEST(Settings, remember_the_course_the_folder_of_cases_and_what_vessels_touch) {
         Settings again(file);
         EXPECT_EQ(again.course(), "/courses/wards.json");
         EXPECT_EQ(again.case_folder(), folder.path());
+        again.set_last_folder("/where/a/ct/lies");
+        EXPECT_EQ(again.library_folder(), folder.path()) << "cases lie there, not beside a CT";
         ASSERT_TRUE(again.contact());
         EXPECT_TRUE(again.contact()->self);
         EXPECT_FALSE(again.contact()->obstacles);

@@ -7,10 +7,14 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/base/atomic_write.h"
+#include "core/opening/built_in_cache.h"
+#include "core/patient/case_header.h"
 #include "core/scene/measured_dial.h"
 #include "core/study/dial_study.h"
 #include "tests/session/small_patient.h"
 #include "tests/ui/patients/fake_ward.h"
+#include "ui/patient_loader.h"
 
 namespace hepatica {
 namespace {
@@ -60,6 +64,17 @@ TEST_F(Dial, IsMeasuredWhileNobodyPlaysAndKeptWithTheCase) {
     later.show(std::make_shared<const PatientCase>(read));
     later.set_busy(false);
     EXPECT_FALSE(later.has_work());
+}
+
+TEST_F(Dial, InTheCacheThatIsDamagedIsMeasuredAgain) {
+    const BuiltInCache cache{folder_.parent_path() / "cache", "a program"};
+    keep(cache, *small_patient());
+    write_text_atomically(case_of(cache) / case_file::dial, "{\"format\": ");
+    Job job;
+    const LoadedPatient loaded =
+        load_patient({.built_in = true, .reconstruct = {}, .cache = cache}, job);
+    EXPECT_EQ(loaded.cached_case, case_of(cache));
+    EXPECT_TRUE(measured_points(*loaded.patient).empty());
 }
 
 TEST_F(Dial, OfAPatientWhoIsNotSavedComesIntoTheCaseLater) {
