@@ -26,9 +26,9 @@ function(hepatica_ctest prefix)
         TEST_FILTER "-${together}" PROPERTIES LABELS "${CTEST_LABELS}" TIMEOUT 300)
 endfunction()
 
-# Tests are compiled at -Og, in half of the time that -O3 takes.
+# Tests are compiled at -O1, in two thirds of the time: of what they test, they compile hardly more than copies of structs.
 function(hepatica_compile_quickly target)
-    target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-Og>)
+    target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANGUAGE:CXX>>:-O1>)
 endfunction()
 
 # hepatica_tests(NAME [AS_SHIPPED] SOURCES a_test.cpp ... [OF_THREADS b_test.cpp ...] [LINK target ...]
