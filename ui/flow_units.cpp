@@ -4,6 +4,8 @@
 #include <string>
 
 #include "core/base/units.h"
+#include "core/flow/fluid.h"
+#include "ui/words.h"
 
 namespace hepatica {
 
@@ -21,6 +23,12 @@ double ml_min_of(double mass_flow_g_s, double density_g_mm3) {
 
 double g_s_of(double volume_flow_ml_min, double density_g_mm3) {
     return volume_flow_ml_min * units::millilitre_per_minute * density_g_mm3;
+}
+
+QString leak_text(double leak_g_s, FlowUnits units) {
+    return units == FlowUnits::computed
+               ? Words::tr("%L1 g/s").arg(leak_g_s, 0, 'f', 1)
+               : Words::tr("%L1 mL/min").arg(ml_min_of(leak_g_s, blood().density_g_mm3), 0, 'f', 0);
 }
 
 Chart in_units(Chart chart, FlowUnits units) {

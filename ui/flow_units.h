@@ -22,6 +22,9 @@ FlowUnits flow_units_named(const QString& name);
 double ml_min_of(double mass_flow_g_s, double density_g_mm3);
 double g_s_of(double volume_flow_ml_min, double density_g_mm3);
 
+// How fast blood is lost, with its unit; `leak_g_s` >= 0.
+QString leak_text(double leak_g_s, FlowUnits units);
+
 // Converts a chart whose label says that its values are in Pa; returns any other unchanged.
 Chart in_units(Chart chart, FlowUnits units);
 

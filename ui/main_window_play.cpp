@@ -298,6 +298,7 @@ void MainWindow::show_figures() {
     if (!patient_) return status_->clear_statistics();
     const Frame& frame = patient_->simulation->frame();
     status_->show_statistics(frame.statistics);
+    status_->show_bleeding(frame.tear, flow_units_named(settings_.flow_units()));
     quality_->show_statistics(frame.statistics);
     tool_panel_->show_force(frame.tool, frame.grab);
     tool_panel_->show_contact(frame);

@@ -10,10 +10,18 @@
 #include "ui/words.h"
 
 namespace hepatica {
+namespace {
+
+QString red_dot() {
+    return QStringLiteral("<span style='color:#e5484d'>●</span> ");
+}
+
+}  // namespace
 
 StatusLine::StatusLine(QStatusBar& bar)
     : warnings_(new QToolButton(&bar)),
       recording_(new QLabel(&bar)),
+      bleeding_(new QLabel(&bar)),
       step_(new QLabel(&bar)),
       real_time_(new QLabel(&bar)),
       error_(new QLabel(&bar)),
@@ -21,8 +29,11 @@ StatusLine::StatusLine(QStatusBar& bar)
       renderer_(new QLabel(&bar)) {
     recording_->setObjectName("recording");
     recording_->setTextFormat(Qt::RichText);
-    recording_->setText("<span style='color:#e5484d'>●</span> " + Words::tr("Recording"));
+    recording_->setText(red_dot() + Words::tr("Recording"));
     recording_->setToolTip(Words::tr("The play is recorded; F5 ends that"));
+    bleeding_->setObjectName("bleeding");
+    bleeding_->setTextFormat(Qt::RichText);
+    bleeding_->setToolTip(Words::tr("What torn vessels lose now; the panel Tool says the sum"));
     step_->setObjectName("step");
     error_->setObjectName("expectedError");
     step_->setToolTip(Words::tr("Wall time of one step of the simulation"));
@@ -38,11 +49,12 @@ StatusLine::StatusLine(QStatusBar& bar)
     warnings_->setMaximumHeight(step_->sizeHint().height());  // the bar is as high as without it
     bar.addPermanentWidget(warnings_);
     warnings_->hide();
-    for (QLabel* label : {recording_, step_, real_time_, error_, picture_, renderer_}) {
+    for (QLabel* label : {recording_, bleeding_, step_, real_time_, error_, picture_, renderer_}) {
         label->setContentsMargins(8, 0, 8, 0);
         bar.addPermanentWidget(label);
     }
     recording_->hide();
+    bleeding_->hide();
 }
 
 void StatusLine::show_statistics(const FrameStatistics& statistics) {
@@ -71,6 +83,15 @@ void StatusLine::show_renderer(const std::string& name) {
 
 void StatusLine::clear_statistics() {
     for (QLabel* label : {step_, real_time_, error_}) label->clear();
+    bleeding_->hide();
+}
+
+void StatusLine::show_bleeding(const std::optional<TearView>& tear, FlowUnits units) {
+    const bool bleeds = tear && tear->leak_g_s > 0.0;
+    bleeding_->setVisible(bleeds);
+    if (bleeds)
+        bleeding_->setText(red_dot() +
+                           Words::tr("bleeds %1").arg(leak_text(tear->leak_g_s, units)));
 }
 
 void StatusLine::show_warnings(std::size_t warnings) {

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures at the window's foot: step time, real-time factor, expected error, picture time and
-// renderer. The caller updates them at most four times a second, so that they are readable. UI
+// Figures at the window's foot: bleeding, step time, real-time factor, expected error, picture time
+// and renderer. The caller updates them at most four times a second, so that they are readable. UI
 // thread only.
 #pragma once
 
 #include <QStatusBar>
 #include <cstddef>
 #include <functional>
+#include <optional>
 
 #include "core/scene/frame.h"
+#include "ui/flow_units.h"
 
 class QLabel;
 class QToolButton;
@@ -23,6 +25,8 @@ class StatusLine {
     void show_picture_time(double ms);
     void show_renderer(const std::string& name);
     void clear_statistics();
+    // Seen wherever the panels stand; nothing where nothing bleeds.
+    void show_bleeding(const std::optional<TearView>& tear, FlowUnits units);
     // A red dot while a play is being recorded.
     void show_recording(bool recording);
     // How many warnings of the patient hold; a click on them is on_warnings().
@@ -32,6 +36,7 @@ class StatusLine {
   private:
     QToolButton* warnings_;
     QLabel* recording_;
+    QLabel* bleeding_;
     QLabel* step_;
     QLabel* real_time_;
     QLabel* error_;

@@ -6,12 +6,14 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QStatusBar>
 
 #include "core/flow/fluid.h"
 #include "tests/ui/fake_window_test.h"
 #include "ui/curves_dock.h"
 #include "ui/inject_panel.h"
 #include "ui/plot_panel.h"
+#include "ui/status_line.h"
 #include "ui/tool_panel.h"
 
 namespace hepatica {
@@ -201,6 +203,27 @@ TEST(ToolPanel, SaysLittleBloodToTheTenthOfAGramAsALessonDoes) {
     for (const QLabel* label : panel.findChildren<QLabel*>())
         said = said || label->text().contains("bleeds 6.7 g/s, 0.1 g so far");
     EXPECT_TRUE(said);
+}
+
+// The panel that says so may be folded or below another one.
+TEST(StatusLine, SaysWhatIsLostWhileItBleeds) {
+    QStatusBar bar;
+    StatusLine line(bar);
+    const auto* label = bar.findChild<QLabel*>("bleeding");
+    TearView tear;
+    line.show_bleeding(tear, FlowUnits::computed);
+    EXPECT_TRUE(label->isHidden());
+    tear.leak_g_s = 2.12;
+    line.show_bleeding(tear, FlowUnits::computed);
+    EXPECT_FALSE(label->isHidden());
+    EXPECT_TRUE(label->text().endsWith("bleeds 2.1 g/s")) << label->text().toStdString();
+    line.show_bleeding(tear, FlowUnits::clinic);
+    EXPECT_TRUE(label->text().endsWith("bleeds 120 mL/min")) << label->text().toStdString();
+    line.show_bleeding(std::nullopt, FlowUnits::clinic);
+    EXPECT_TRUE(label->isHidden());
+    line.show_bleeding(tear, FlowUnits::clinic);
+    line.clear_statistics();
+    EXPECT_TRUE(label->isHidden()) << "no patient is shown";
 }
 
 }  // namespace
