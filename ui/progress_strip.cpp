@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QProgressBar>
 #include <QPushButton>
+#include <algorithm>
 #include <utility>
 
 #include "ui/core_words.h"
@@ -11,6 +12,16 @@
 #include "ui/words.h"
 
 namespace hepatica {
+namespace {
+
+// Of the whole job where its stages are announced, each as long as another; else of the stage.
+double share_of_job(const JobProgress& progress) {
+    if (progress.stage_count <= 0 || progress.stage_number <= 0) return progress.fraction;
+    const int stages = std::max(progress.stage_number, progress.stage_count);
+    return (progress.stage_number - 1 + progress.fraction) / stages;
+}
+
+}  // namespace
 
 ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* pictures)
     : OverlayBar(Qt::BottomEdge, pictures),
@@ -66,7 +77,7 @@ void ProgressStrip::update_progress(const JobProgress& progress) {
     }
     stage_->setText(stage);
     bar_->setRange(0, 1000);
-    bar_->setValue(static_cast<int>(1000.0 * progress.fraction));
+    bar_->setValue(static_cast<int>(1000.0 * share_of_job(progress)));
 }
 
 void ProgressStrip::say_cancelling() {

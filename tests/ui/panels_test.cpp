@@ -8,6 +8,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
 #include <QWheelEvent>
@@ -215,6 +216,21 @@ TEST(ProgressStripTest, names_the_other_jobs) {
 }
 
 // In German, at the least width that a whole window has for it.
+TEST(ProgressStripTest, its_bar_is_of_the_whole_job) {
+    QWidget pictures;
+    ProgressStrip strip([] {}, &pictures);
+    strip.start("Opening");
+    const auto shown = [&strip](const JobProgress& progress) {
+        strip.update_progress(progress);
+        return strip.findChild<QProgressBar*>()->value();
+    };
+    EXPECT_EQ(shown({"Reading", 0.5, 1, 4}), 125);
+    EXPECT_EQ(shown({"Reading", 1.0, 1, 4}), shown({"Meshing", 0.0, 2, 4})) << "it never falls";
+    EXPECT_EQ(shown({"Meshing", 1.0, 4, 4}), 1000);
+    EXPECT_EQ(shown({"Once more", 0.5, 5, 4}), 900) << "more stages than were announced";
+    EXPECT_EQ(shown({"Alone", 0.5, 1, 0}), 500) << "nobody said how many there are";
+}
+
 TEST(ProgressStripTest, cuts_no_words_where_there_is_room_for_them) {
     QWidget pictures;
     pictures.resize(860, 400);
