@@ -2605,14 +2605,6 @@
         <translation>Klicken Sie vom Anfang des Gefäßes an ihm entlang</translation>
     </message>
     <message>
-        <source>Click on along the vessel</source>
-        <translation>Klicken Sie weiter am Gefäß entlang</translation>
-    </message>
-    <message>
-        <source>Click on along the vessel, or draw it (Enter)</source>
-        <translation>Klicken Sie weiter, oder zeichnen Sie es (Eingabetaste)</translation>
-    </message>
-    <message>
         <source>Draw it</source>
         <translation>Zeichnen</translation>
     </message>
@@ -6942,10 +6934,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Tumor radieren</translation>
     </message>
     <message>
-        <source>Distance: two clicks. Angle: three, its vertex second. Diameter: a click on a vessel, at whose centreline it is taken, with the stenosis against the vessel beside. Draw a vessel: clicks along one that is missing, in any slices, from where its blood comes in; Enter draws it. Delete takes the last away, Escape ends it. Correct: a click on a vessel does what the panel of corrections says. Paint, erase: a drag leads a ball through the vessels&apos; voxels; Rebuild makes the vessels anew of them. A tumour changes no vessel: it needs no Rebuild</source>
-        <translation>Abstand: zwei Klicks. Winkel: drei, der zweite ist der Scheitel. Durchmesser: ein Klick auf ein Gefäß, an dessen Mittellinie er gemessen wird, mit der Stenose gegen das Gefäß daneben. Gefäß zeichnen: Klicks entlang eines fehlenden Gefäßes, in beliebigen Schichten, von dort an, wo sein Blut eintritt; die Eingabetaste zeichnet es. Entf nimmt den letzten weg, Esc beendet es. Korrigieren: Ein Klick auf ein Gefäß tut, was das Bedienfeld der Korrekturen sagt. Malen, radieren: Ziehen führt eine Kugel durch die Voxel der Gefäße; Neu bauen macht die Gefäße daraus neu. Ein Tumor ändert kein Gefäß: Er braucht kein Neubauen</translation>
-    </message>
-    <message>
         <source>Drag over what is tumour (+ and - size the brush)</source>
         <translation>Ziehen Sie über den Tumor (+, -: Größe)</translation>
     </message>
@@ -9320,6 +9308,22 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Dull pink: what an earlier injection had reached.</source>
         <translation>Mattrosa: was eine frühere Injektion erreicht hatte.</translation>
+    </message>
+    <message>
+        <source>Last point</source>
+        <translation>Letzter Punkt</translation>
+    </message>
+    <message>
+        <source>Distance: two clicks. Angle: three, its vertex second. Diameter: a click on a vessel, at whose centreline it is taken, with the stenosis against the vessel beside. Draw a vessel: clicks along one that is missing, in any slices, from where its blood comes in; Enter draws it. Delete or Undo takes the last away, Escape all. Correct: a click on a vessel does what the panel of corrections says. Paint, erase: a drag leads a ball through the vessels&apos; voxels; Rebuild makes the vessels anew of them. A tumour changes no vessel: it needs no Rebuild</source>
+        <translation>Abstand: zwei Klicks. Winkel: drei, der zweite ist der Scheitel. Durchmesser: ein Klick auf ein Gefäß, an dessen Mittellinie er gemessen wird, mit der Stenose gegen das Gefäß daneben. Gefäß zeichnen: Klicks entlang eines fehlenden Gefäßes, in beliebigen Schichten, von dort an, wo sein Blut eintritt; die Eingabetaste zeichnet es. Entf oder Rückgängig nimmt den letzten weg, Esc alle. Korrigieren: Ein Klick auf ein Gefäß tut, was das Bedienfeld der Korrekturen sagt. Malen, radieren: Ziehen führt eine Kugel durch die Voxel der Gefäße; Neu bauen macht die Gefäße daraus neu. Ein Tumor ändert kein Gefäß: Er braucht kein Neubauen</translation>
+    </message>
+    <message>
+        <source>Click on along the vessel. Backspace or Ctrl+Z: one back</source>
+        <translation>Weiter am Gefäß entlang klicken. Rücktaste, Strg+Z: einer weg</translation>
+    </message>
+    <message>
+        <source>Click on, or draw it (Enter). Backspace or Ctrl+Z: one back. Esc: all</source>
+        <translation>Weiter klicken oder zeichnen (Eingabetaste). Rücktaste, Strg+Z: einer weg. Esc: alle</translation>
     </message>
 </context>
 </TS>

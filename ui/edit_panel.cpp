@@ -64,7 +64,8 @@ EditPanel::EditPanel(QWidget* parent) : QWidget(parent) {
     column->addWidget(state_);
     column->addStretch(1);
     show_bridges({});
-    show_edits({}, false, false);
+    show_edits({});
+    show_history(false, false);
 }
 
 QWidget* EditPanel::make_tools() {
@@ -202,11 +203,14 @@ void EditPanel::show_bridges(const QStringList& lines, std::size_t hidden) {
                                      : Words::tr("none yet"));
 }
 
-void EditPanel::show_edits(const QStringList& lines, bool can_undo, bool can_redo) {
+void EditPanel::show_edits(const QStringList& lines) {
     edits_->clear();
     edits_->addItems(lines);
     for (int row = 0; row < edits_->count(); ++row) edits_->item(row)->setToolTip(lines[row]);
     edits_->scrollToBottom();
+}
+
+void EditPanel::show_history(bool can_undo, bool can_redo) {
     undo_->setEnabled(can_undo);
     redo_->setEnabled(can_redo);
 }

@@ -403,7 +403,7 @@ void MainWindow::connect_play() {
     actions_->on(ActionId::pull_mode, [this] { set_mouse_mode(MouseMode::pull); });
     actions_->on(ActionId::inject_mode, [this] { set_mouse_mode(MouseMode::inject); });
     actions_->on(ActionId::edit_mode, [this] { set_mouse_mode(MouseMode::edit); });
-    actions_->on(ActionId::undo_edit, [this] { keeper_->undo(); });
+    actions_->on(ActionId::undo_edit, [this] { undo(); });
     actions_->on(ActionId::redo_edit, [this] { keeper_->redo(); });
     (*actions_)[ActionId::pull_mode].setChecked(true);
     actions_->on(ActionId::play_pause, [this] { inject_->toggle_playing(); });
