@@ -34,11 +34,12 @@ constexpr std::array<EditTool, 7> tools{{
      Words::id("Click any branch of it; all that hangs on its root goes")},
     {TreeEditKind::set_root, Words::id("Set the root"),
      Words::id("Click near the end where blood comes in")},
-    {TreeEditKind::reassign_system, Words::id("Give to a system"),
-     Words::id("Click a branch; all that hangs on it goes with it")},
-    {TreeEditKind::seed_system, Words::id("Name a vessel's system"),
-     Words::id("Click a vessel; all that belongs with it takes the system below, however far it "
-               "reaches")},
+    {TreeEditKind::reassign_system, Words::id("Set a branch's system"),
+     Words::id("Click a branch; it and what hangs on it take the system below. What it hangs on "
+               "keeps its own")},
+    {TreeEditKind::seed_system, Words::id("Set a whole vessel's system"),
+     Words::id("Click anywhere on a vessel; what hangs on it takes the system below, and towards "
+               "the root as much as belongs with it")},
 }};
 
 QListWidget* make_list(QWidget* parent, const QString& name) {
