@@ -13,6 +13,7 @@
 
 #include "ui/branch_links.h"
 #include "ui/core_words.h"
+#include "ui/patient_place.h"
 #include "ui/window_words.h"
 #include "ui/words.h"
 
