@@ -979,22 +979,6 @@
         <translation>Klicken Sie nahe dem Ende, an dem Blut eintritt</translation>
     </message>
     <message>
-        <source>Give to a system</source>
-        <translation>Einem System zuordnen</translation>
-    </message>
-    <message>
-        <source>Click a branch; all that hangs on it goes with it</source>
-        <translation>Klicken Sie auf einen Ast; alles, was daran hängt, geht mit</translation>
-    </message>
-    <message>
-        <source>Name a vessel&apos;s system</source>
-        <translation>System eines Gefäßes nennen</translation>
-    </message>
-    <message>
-        <source>Click a vessel; all that belongs with it takes the system below, however far it reaches</source>
-        <translation>Klicken Sie auf ein Gefäß; alles, was dazugehört, nimmt das System unten an, so weit es reicht</translation>
-    </message>
-    <message>
         <source>A click in Edit mode</source>
         <translation>Ein Klick im Modus Bearbeiten</translation>
     </message>
@@ -2605,14 +2589,6 @@
         <translation>Klicken Sie vom Anfang des Gefäßes an ihm entlang</translation>
     </message>
     <message>
-        <source>Click on along the vessel</source>
-        <translation>Klicken Sie weiter am Gefäß entlang</translation>
-    </message>
-    <message>
-        <source>Click on along the vessel, or draw it (Enter)</source>
-        <translation>Klicken Sie weiter, oder zeichnen Sie es (Eingabetaste)</translation>
-    </message>
-    <message>
         <source>Draw it</source>
         <translation>Zeichnen</translation>
     </message>
@@ -3888,14 +3864,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Choose the folder of a contrast-enhanced CT</source>
         <translation>Wählen Sie den Ordner eines CTs mit Kontrastmittel</translation>
-    </message>
-    <message>
-        <source>Read %1 and left out %2 because %3. On the command line --series %4 reads the other one, and so does naming one of its files</source>
-        <translation>Gelesen wurde %1, ausgelassen %2: %3. Die andere liest Datei &gt; Mit Optionen rekonstruieren, Serie %4, oder wenn man eine ihrer Dateien wählt</translation>
-    </message>
-    <message>
-        <source>Read %1 and left out %2 as asked for. On the command line --series %3 reads the other one, and so does naming one of its files</source>
-        <translation>Gelesen wurde wie verlangt %1, ausgelassen %2. Die andere liest Datei &gt; Mit Optionen rekonstruieren, Serie %3, oder wenn man eine ihrer Dateien wählt</translation>
     </message>
     <message>
         <source>Left out %1 scout images</source>
@@ -6942,10 +6910,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Tumor radieren</translation>
     </message>
     <message>
-        <source>Distance: two clicks. Angle: three, its vertex second. Diameter: a click on a vessel, at whose centreline it is taken, with the stenosis against the vessel beside. Draw a vessel: clicks along one that is missing, in any slices, from where its blood comes in; Enter draws it. Delete takes the last away, Escape ends it. Correct: a click on a vessel does what the panel of corrections says. Paint, erase: a drag leads a ball through the vessels&apos; voxels; Rebuild makes the vessels anew of them. A tumour changes no vessel: it needs no Rebuild</source>
-        <translation>Abstand: zwei Klicks. Winkel: drei, der zweite ist der Scheitel. Durchmesser: ein Klick auf ein Gefäß, an dessen Mittellinie er gemessen wird, mit der Stenose gegen das Gefäß daneben. Gefäß zeichnen: Klicks entlang eines fehlenden Gefäßes, in beliebigen Schichten, von dort an, wo sein Blut eintritt; die Eingabetaste zeichnet es. Entf nimmt den letzten weg, Esc beendet es. Korrigieren: Ein Klick auf ein Gefäß tut, was das Bedienfeld der Korrekturen sagt. Malen, radieren: Ziehen führt eine Kugel durch die Voxel der Gefäße; Neu bauen macht die Gefäße daraus neu. Ein Tumor ändert kein Gefäß: Er braucht kein Neubauen</translation>
-    </message>
-    <message>
         <source>Drag over what is tumour (+ and - size the brush)</source>
         <translation>Ziehen Sie über den Tumor (+, -: Größe)</translation>
     </message>
@@ -9320,6 +9284,50 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Dull pink: what an earlier injection had reached.</source>
         <translation>Mattrosa: was eine frühere Injektion erreicht hatte.</translation>
+    </message>
+    <message>
+        <source>Last point</source>
+        <translation>Letzter Punkt</translation>
+    </message>
+    <message>
+        <source>Distance: two clicks. Angle: three, its vertex second. Diameter: a click on a vessel, at whose centreline it is taken, with the stenosis against the vessel beside. Draw a vessel: clicks along one that is missing, in any slices, from where its blood comes in; Enter draws it. Delete or Undo takes the last away, Escape all. Correct: a click on a vessel does what the panel of corrections says. Paint, erase: a drag leads a ball through the vessels&apos; voxels; Rebuild makes the vessels anew of them. A tumour changes no vessel: it needs no Rebuild</source>
+        <translation>Abstand: zwei Klicks. Winkel: drei, der zweite ist der Scheitel. Durchmesser: ein Klick auf ein Gefäß, an dessen Mittellinie er gemessen wird, mit der Stenose gegen das Gefäß daneben. Gefäß zeichnen: Klicks entlang eines fehlenden Gefäßes, in beliebigen Schichten, von dort an, wo sein Blut eintritt; die Eingabetaste zeichnet es. Entf oder Rückgängig nimmt den letzten weg, Esc alle. Korrigieren: Ein Klick auf ein Gefäß tut, was das Bedienfeld der Korrekturen sagt. Malen, radieren: Ziehen führt eine Kugel durch die Voxel der Gefäße; Neu bauen macht die Gefäße daraus neu. Ein Tumor ändert kein Gefäß: Er braucht kein Neubauen</translation>
+    </message>
+    <message>
+        <source>Click on along the vessel. Backspace or Ctrl+Z: one back</source>
+        <translation>Weiter am Gefäß entlang klicken. Rücktaste, Strg+Z: einer weg</translation>
+    </message>
+    <message>
+        <source>Click on, or draw it (Enter). Backspace or Ctrl+Z: one back. Esc: all</source>
+        <translation>Weiter klicken oder zeichnen (Eingabetaste). Rücktaste, Strg+Z: einer weg. Esc: alle</translation>
+    </message>
+    <message>
+        <source>Set a branch&apos;s system</source>
+        <translation>System eines Astes setzen</translation>
+    </message>
+    <message>
+        <source>Click a branch; it and what hangs on it take the system below. What it hangs on keeps its own</source>
+        <translation>Klicken Sie auf einen Ast; er und was an ihm hängt nehmen das System unten an. Woran er hängt, behält seines</translation>
+    </message>
+    <message>
+        <source>Set a whole vessel&apos;s system</source>
+        <translation>System des ganzen Gefäßes setzen</translation>
+    </message>
+    <message>
+        <source>Click anywhere on a vessel; what hangs on it takes the system below, and towards the root as much as belongs with it</source>
+        <translation>Klicken Sie irgendwo auf ein Gefäß; was an ihm hängt, nimmt das System unten an, und zur Wurzel hin so viel, wie dazugehört</translation>
+    </message>
+    <message>
+        <source>Read %1 and left out %2 because %3. On the command line --series %4 reads the one that was left out.</source>
+        <translation>Gelesen wurde %1, ausgelassen %2: %3. Die ausgelassene liest Datei &gt; Mit Optionen rekonstruieren, Serie %4.</translation>
+    </message>
+    <message>
+        <source>Read %1 and left out %2 as asked for. On the command line --series %3 reads the one that was left out.</source>
+        <translation>Gelesen wurde wie verlangt %1, ausgelassen %2. Die ausgelassene liest Datei &gt; Mit Optionen rekonstruieren, Serie %3.</translation>
+    </message>
+    <message>
+        <source>Read %1 and left out %2 others as asked for, the best of them %3. On the command line --series %4 reads that one, and other numbers read the others.</source>
+        <translation>Gelesen wurde wie verlangt %1, ausgelassen wurden %2 andere. Die beste davon, %3, liest Datei &gt; Mit Optionen rekonstruieren, Serie %4; andere Nummern lesen die anderen.</translation>
     </message>
 </context>
 </TS>

@@ -280,11 +280,8 @@ void CaseEditing::update_panel() {
     // Only then, because the list forgets which row is chosen.
     if (undecided().size() != bridges_listed_) show_bridges();
     const VesselTree& tree = workspace_.patient()->tree;
-    const QStringList edits = lines_of_history(workspace_, tree);
-    const auto undo = workspace_.next_undo(), redo = workspace_.next_redo();
-    panel_.show_edits(edits, undo.has_value(), redo.has_value());
-    callbacks_.show_history(undo ? text_of(*undo, tree) : QString(),
-                            redo ? text_of(*redo, tree) : QString());
+    panel_.show_edits(lines_of_history(workspace_, tree));
+    show_history();
     QStringList state;
     if (workspace_.awaits_body())
         state << Words::tr(
@@ -297,6 +294,19 @@ void CaseEditing::update_panel() {
                      .arg(bridged_length_mm(as_reconstructed(patient)), 0, 'f', 1);
     for (const std::string& doubt : doubts_) state << "⚠ " + translated(doubt);
     panel_.show_state(state.join("\n"));
+}
+
+void CaseEditing::show_history() {
+    if (!workspace_.has_patient()) return;
+    const VesselTree& tree = workspace_.patient()->tree;
+    QString undo = Words::tr("Last point"), redo;
+    if (!callbacks_.points_wait()) {
+        const auto last = workspace_.next_undo(), next = workspace_.next_redo();
+        undo = last ? text_of(*last, tree) : QString();
+        redo = next ? text_of(*next, tree) : QString();
+    }
+    panel_.show_history(!undo.isEmpty(), !redo.isEmpty());
+    callbacks_.show_history(undo, redo);
 }
 
 void CaseEditing::choose_bridge(int bridge) {

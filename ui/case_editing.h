@@ -29,6 +29,8 @@ class CaseEditing {
         std::function<void()> redo;
         // What undo and redo would change, in words; empty: nothing.
         std::function<void(const QString& undo, const QString& redo)> show_history;
+        // Whether undo takes back a point in the slices, before any correction; redo waits then.
+        std::function<bool()> points_wait;
         std::function<void(std::vector<BridgeView>)> show_bridges;
         std::function<void(const QString&)> say;
         std::function<void(const Failure&)> not_drawn;
@@ -42,6 +44,8 @@ class CaseEditing {
     void show_body();
     // The list of corrections has changed.
     void update_panel();
+    // What undo would change may be another step now.
+    void show_history();
 
     // A click on a vessel in edit mode.
     void click(const TreePoint& point);

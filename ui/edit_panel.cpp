@@ -34,11 +34,12 @@ constexpr std::array<EditTool, 7> tools{{
      Words::id("Click any branch of it; all that hangs on its root goes")},
     {TreeEditKind::set_root, Words::id("Set the root"),
      Words::id("Click near the end where blood comes in")},
-    {TreeEditKind::reassign_system, Words::id("Give to a system"),
-     Words::id("Click a branch; all that hangs on it goes with it")},
-    {TreeEditKind::seed_system, Words::id("Name a vessel's system"),
-     Words::id("Click a vessel; all that belongs with it takes the system below, however far it "
-               "reaches")},
+    {TreeEditKind::reassign_system, Words::id("Set a branch's system"),
+     Words::id("Click a branch; it and what hangs on it take the system below. What it hangs on "
+               "keeps its own")},
+    {TreeEditKind::seed_system, Words::id("Set a whole vessel's system"),
+     Words::id("Click anywhere on a vessel; what hangs on it takes the system below, and towards "
+               "the root as much as belongs with it")},
 }};
 
 QListWidget* make_list(QWidget* parent, const QString& name) {
@@ -64,7 +65,8 @@ EditPanel::EditPanel(QWidget* parent) : QWidget(parent) {
     column->addWidget(state_);
     column->addStretch(1);
     show_bridges({});
-    show_edits({}, false, false);
+    show_edits({});
+    show_history(false, false);
 }
 
 QWidget* EditPanel::make_tools() {
@@ -202,11 +204,14 @@ void EditPanel::show_bridges(const QStringList& lines, std::size_t hidden) {
                                      : Words::tr("none yet"));
 }
 
-void EditPanel::show_edits(const QStringList& lines, bool can_undo, bool can_redo) {
+void EditPanel::show_edits(const QStringList& lines) {
     edits_->clear();
     edits_->addItems(lines);
     for (int row = 0; row < edits_->count(); ++row) edits_->item(row)->setToolTip(lines[row]);
     edits_->scrollToBottom();
+}
+
+void EditPanel::show_history(bool can_undo, bool can_redo) {
     undo_->setEnabled(can_undo);
     redo_->setEnabled(can_redo);
 }

@@ -41,7 +41,8 @@ class EditPanel : public QWidget {
     // Lists of gaps, best first, and of corrections, oldest first; and a text below them.
     // `hidden`: how many gaps have less confidence than is asked for.
     void show_bridges(const QStringList& lines, std::size_t hidden = 0);
-    void show_edits(const QStringList& lines, bool can_undo, bool can_redo);
+    void show_edits(const QStringList& lines);
+    void show_history(bool can_undo, bool can_redo);
     void show_state(const QString& text);
 
   private:

@@ -26,6 +26,7 @@
 #include "ui/curves_dock.h"
 #include "ui/dial_keeper.h"
 #include "ui/edit_panel.h"
+#include "ui/elided_status_bar.h"
 #include "ui/fit_keeper.h"
 #include "ui/focus_of_view.h"
 #include "ui/help_dialogs.h"
@@ -114,6 +115,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     setAcceptDrops(true);
     resize_on_screen(*this, {1280, 820});
     actions_ = std::make_unique<Actions>(*this, *menuBar());
+    setStatusBar(new ElidedStatusBar(this));
     status_ = std::make_unique<StatusLine>(*statusBar());
     build_view();
     build_panels();
@@ -403,7 +405,7 @@ void MainWindow::connect_play() {
     actions_->on(ActionId::pull_mode, [this] { set_mouse_mode(MouseMode::pull); });
     actions_->on(ActionId::inject_mode, [this] { set_mouse_mode(MouseMode::inject); });
     actions_->on(ActionId::edit_mode, [this] { set_mouse_mode(MouseMode::edit); });
-    actions_->on(ActionId::undo_edit, [this] { keeper_->undo(); });
+    actions_->on(ActionId::undo_edit, [this] { undo(); });
     actions_->on(ActionId::redo_edit, [this] { keeper_->redo(); });
     (*actions_)[ActionId::pull_mode].setChecked(true);
     actions_->on(ActionId::play_pause, [this] { inject_->toggle_playing(); });

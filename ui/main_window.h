@@ -165,6 +165,8 @@ class MainWindow : public QMainWindow {
     void warn_of_stroke_outside(const BrushStroke& stroke);
     void warn_of_tumour_outside(const TreeEdit& edit);
     void say_not_the_last();
+    void follow_points();
+    void undo();
     void build_editing();
 
     // main_window_lessons.cpp: lessons and reviews.
@@ -328,6 +330,7 @@ class MainWindow : public QMainWindow {
     std::filesystem::path report_to_offer_;  // written while a patient was opened
     bool report_waited_ = false;             // the next one that is offered did
     QString cuts_message_;                   // tells that cuts stay
+    QString not_drawn_message_;              // the last one, of a vessel drawn in the slices
     QString unfit_message_;                  // names lessons that no longer fit
     QString place_message_;                  // asks for a place of a lesson
     // Of the last reconstruction asked for, until a patient is shown: it may fail.

@@ -94,6 +94,7 @@ void MainWindow::build_slices(QWidget* parent) {
     };
     view_layout_ = new ViewLayout(view_, settings_, std::move(callbacks), parent);
     show_corrections_with_slices();
+    follow_points();
 }
 
 // Lessons and reviews need the patient unchanged.
@@ -187,6 +188,27 @@ void MainWindow::show_corrections_with_slices() {
     });
 }
 
+// Why a vessel was not drawn goes with its places.
+void MainWindow::follow_points() {
+    SliceScene& slices = view_layout_->slices();
+    const auto show_history = [this] {
+        if (editing_) editing_->show_history();
+    };
+    slices.measurements().on_change(show_history);
+    slices.pen().on_change([this, &slices, show_history] {
+        show_history();
+        if (slices.pen().places_mm().empty() && !not_drawn_message_.isEmpty() &&
+            messages_->text() == not_drawn_message_)
+            messages_->dismiss();
+    });
+}
+
+// Points that wait in the slices were set after the last correction.
+void MainWindow::undo() {
+    SliceScene& slices = view_layout_->slices();
+    slices.points_wait() ? slices.take_last_point_back() : keeper_->undo();
+}
+
 void MainWindow::build_editing() {
     editing_ = std::make_unique<CaseEditing>(
         *edit_panel_, keeper_->workspace(),
@@ -197,7 +219,7 @@ void MainWindow::build_editing() {
                 keeper_->add(edit);
             },
             [this] {
-                if (may_correct(not_in_review)) keeper_->undo();
+                if (view_layout_->slices().points_wait() || may_correct(not_in_review)) undo();
             },
             [this] {
                 if (may_correct(not_in_review)) keeper_->redo();
@@ -205,12 +227,16 @@ void MainWindow::build_editing() {
             [this](const QString& undo, const QString& redo) {
                 actions_->show_history(undo, redo);
             },
+            [this] { return view_layout_->slices().points_wait(); },
             [this](std::vector<BridgeView> bridges) {
                 view_->scene().set_bridges(std::move(bridges));
                 view_->draw_again();
             },
             [this](const QString& text) { statusBar()->showMessage(text, 8000); },
-            [this](const Failure& failure) { fail(Words::tr("Drawing a vessel"), failure); },
+            [this](const Failure& failure) {
+                fail(Words::tr("Drawing a vessel"), failure);
+                not_drawn_message_ = messages_->text();
+            },
             [this](const QString& text) {
                 for (const QString& line : text.split('\n'))
                     log_->add_warning(Words::tr("Corrections"), line,

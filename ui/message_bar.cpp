@@ -13,6 +13,7 @@
 
 #include "ui/branch_links.h"
 #include "ui/core_words.h"
+#include "ui/patient_place.h"
 #include "ui/window_words.h"
 #include "ui/words.h"
 
@@ -65,7 +66,8 @@ QStringList lines_of(const Failure& failure) {
     if (!problem.isEmpty()) problem[0] = problem[0].toUpper();
     QStringList lines{problem};
     if (!failure.place.empty() && !names_its_place(failure))
-        lines << Words::tr("in %1").arg(translated(failure.place));
+        lines << (position_of(failure.place) ? Words::tr("at %1") : Words::tr("in %1"))
+                     .arg(place_in_words(failure));
     if (!failure.remedy.empty()) lines << translated(failure.remedy);
     return lines;
 }

@@ -129,7 +129,7 @@ void MessageLog::add_note(const QString& source, const QString& text) {
 void MessageLog::add_failure(const QString& source, const Failure& failure) {
     QString text = translated(failure.problem);
     if (!failure.place.empty() && !names_its_place(failure))
-        text.prepend(translated(failure.place) + ": ");
+        text.prepend(place_in_words(failure) + ": ");
     if (!failure.remedy.empty()) text += ". " + translated(failure.remedy);
     add(Words::tr("Failure"), source, text);
 }

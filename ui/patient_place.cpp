@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QStringList>
 #include <cmath>
+#include <regex>
 
 #include "ui/words.h"
 
@@ -35,6 +36,17 @@ QString patient_place_in_words(const Vec3& position_mm, int decimals) {
         in_words(position_mm.z(), decimals, Words::tr("%1 mm headwards"),
                  Words::tr("%1 mm feetwards"))}
         .join(", ");
+}
+
+std::optional<Vec3> position_of(const std::string& place) {
+    static const std::regex tenths(R"((-?\d+\.\d), (-?\d+\.\d), (-?\d+\.\d) mm)");
+    std::smatch found;
+    if (!std::regex_match(place, found, tenths)) return std::nullopt;
+    Vec3 position_mm;
+    for (int axis = 0; axis < 3; ++axis)
+        position_mm[axis] =
+            QString::fromStdString(found[static_cast<std::size_t>(axis) + 1]).toDouble();
+    return position_mm;
 }
 
 }  // namespace hepatica

@@ -165,10 +165,12 @@ constexpr std::array sentences_image{
     Words::id("holds no CT series%1"),
     Words::id("holds no CT series"),
     Words::id("Choose the folder of a contrast-enhanced CT"),
-    Words::id("Read %1 and left out %2 because %3. On the command line --series %4 reads the other "
-              "one, and so does naming one of its files"),
-    Words::id("Read %1 and left out %2 as asked for. On the command line --series %3 reads the "
-              "other one, and so does naming one of its files"),
+    Words::id("Read %1 and left out %2 because %3. On the command line --series %4 reads the one "
+              "that was left out."),
+    Words::id("Read %1 and left out %2 as asked for. On the command line --series %3 reads the one "
+              "that was left out."),
+    Words::id("Read %1 and left out %2 others as asked for, the best of them %3. On the command "
+              "line --series %4 reads that one, and other numbers read the others."),
     Words::id("Left out %1 scout images"),
     Words::id("Left out %1"),
     Words::id("%1 (%2, %3 images, %4 mm apart, kernel %5, %6)"),

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ui/core_words.h"
+#include "ui/patient_place.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -105,6 +106,11 @@ QString in_short(const std::vector<std::string>& warnings) {
 bool names_its_place(const Failure& failure) {
     return failure.place.find('/') != std::string::npos &&
            failure.problem.find(failure.place) != std::string::npos;
+}
+
+QString place_in_words(const Failure& failure) {
+    const std::optional<Vec3> position_mm = position_of(failure.place);
+    return position_mm ? patient_place_in_words(*position_mm) : translated(failure.place);
 }
 
 QString in_one_sentence(const Failure& failure) {

@@ -21,6 +21,10 @@ QString in_short(const std::vector<std::string>& warnings);
 // Whether the problem already contains its place, a file path, which then need not be repeated.
 bool names_its_place(const Failure& failure);
 
+// The place of a failure as the user knows it; a position in the patient as
+// patient_place_in_words() says it.
+QString place_in_words(const Failure& failure);
+
 // Problem and remedy as one sentence in the language of the window.
 QString in_one_sentence(const Failure& failure);
 

@@ -303,6 +303,7 @@ std::optional<std::size_t> wished(const std::vector<Series>& all, const SeriesWi
 
 void remark_on_choice(const std::vector<Series>& all, std::size_t chosen, bool was_wished,
                       ReadRemarks& remarks) {
+    const auto others = std::ranges::count_if(all, &Series::is_ct) - 1;
     bool told = false;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (i == chosen) continue;
@@ -310,13 +311,20 @@ void remark_on_choice(const std::vector<Series>& all, std::size_t chosen, bool w
             remarks.push_back("Left out " + text_of(all[i]));
             continue;
         }
-        const std::string why =
-            was_wished ? "as asked for" : "because " + reason(all[chosen], all[i]);
         // Who chose by himself hears of the best of the others, once.
         if (was_wished && std::exchange(told, true)) continue;
-        remarks.push_back("Read " + text_of(all[chosen]) + " and left out " + text_of(all[i]) +
-                          " " + why + ". On the command line --series " + std::to_string(i + 1) +
-                          " reads the other one, and so does naming one of its files");
+        const std::string read = "Read " + text_of(all[chosen]) + " and left out ";
+        const std::string number = ". On the command line --series " + std::to_string(i + 1);
+        if (was_wished && others > 1) {
+            remarks.push_back(read + std::to_string(others) +
+                              " others as asked for, the best of them " + text_of(all[i]) + number +
+                              " reads that one, and other numbers read the others.");
+            continue;
+        }
+        const std::string why =
+            was_wished ? "as asked for" : "because " + reason(all[chosen], all[i]);
+        remarks.push_back(read + text_of(all[i]) + " " + why + number +
+                          " reads the one that was left out.");
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Decides by path what a request opens, and opens it.
 #include "core/opening/open_patient.h"
+#include "core/opening/scan_name.h"
 
 #include <algorithm>
 #include <iterator>
@@ -107,17 +108,22 @@ std::string name_of(const fs::path& path) {
     return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
+bool is_folder_of_images(const fs::path& path) {
+    std::error_code ignored;
+    return !is_case(path) && fs::is_directory(path, ignored);
+}
+
 // One of the series in a folder was chosen by its number.
 bool names_series(const OpenRequest& request) {
-    std::error_code ignored;
     return !request.built_in && request.reconstruct.series != 0 &&
-           !is_case(request.reconstruct.ct) && fs::is_directory(request.reconstruct.ct, ignored);
+           is_folder_of_images(request.reconstruct.ct);
 }
 
 std::string title_of(const OpenRequest& request, Job& job) {
     if (request.built_in) return built_in_title;
     const fs::path& path = request.reconstruct.ct;
-    if (!names_series(request)) return name_of(path);
+    if (!names_series(request))
+        return is_folder_of_images(path) ? name_of_scan(path) : name_of(path);
     return title_of_series(path, list_series(path, job), request.reconstruct.series);
 }
 
@@ -166,7 +172,7 @@ std::vector<SeriesDescription> series_to_choose_from(const OpenRequest& request,
 
 std::string title_of_series(const fs::path& folder, const std::vector<SeriesDescription>& series,
                             int number) {
-    const std::string name = name_of(folder);
+    const std::string name = name_of_scan(folder);
     const auto count = static_cast<int>(series.size());
     if (count < 2 || number < 1 || number > count) return name;
     const auto parts_of = [&](const SeriesDescription& one) {

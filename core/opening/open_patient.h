@@ -74,9 +74,9 @@ struct OpenedPatient {
 std::vector<SeriesDescription> series_to_choose_from(const OpenRequest& request, Job& job);
 
 // Title of a patient made of one of several series in a folder, `number` in the list of
-// list_series() from 1: the folder's name and those of the folders below by which it parts from the
-// others, or else the number. Made of names of folders alone, never of what DICOM tags say. A
-// folder of one series gives its own name.
+// list_series() from 1: the folder's name (scan_name.h) and those of the folders below by which it
+// parts from the others, or else the number. Made of names of folders alone, never of what DICOM
+// tags say. A folder of one series gives its own name.
 std::string title_of_series(const std::filesystem::path& folder,
                             const std::vector<SeriesDescription>& series, int number);
 

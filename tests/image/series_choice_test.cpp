@@ -91,8 +91,37 @@ TEST(SeriesChoice, QuotesTheNamesOfSeriesAlone) {
     exam.value_read(&wished, 3);
     ASSERT_EQ(wished.size(), 1u);
     EXPECT_TRUE(wished[0].starts_with("Read a series “native” (CT")) << wished[0];
-    EXPECT_NE(wished[0].find("left out series 7 “portal”"), std::string::npos) << wished[0];
-    EXPECT_NE(wished[0].find("as asked for. On the command line --series 1 "), std::string::npos);
+    EXPECT_NE(wished[0].find("the best of them series 7 “portal”"), std::string::npos) << wished[0];
+}
+
+// However many there are, each sentence says which of them its number reads.
+TEST(SeriesChoice, SaysOfAnyNumberOfSeriesHowTheOthersAreRead) {
+    Examination exam;
+    exam.add("portal", 16, 30);
+    exam.add("late", 16, 20);
+    ReadRemarks remarks, wished;
+    exam.value_read(&remarks);
+    ASSERT_EQ(remarks.size(), 1u);
+    EXPECT_TRUE(
+        remarks[0].ends_with(". On the command line --series 2 reads the one that was left out."))
+        << remarks[0];
+    exam.value_read(&wished, 2);
+    ASSERT_EQ(wished.size(), 1u);
+    EXPECT_TRUE(wished[0].ends_with(
+        " as asked for. On the command line --series 1 reads the one that was left out."))
+        << wished[0];
+    exam.add("native", 16, 10);
+    exam.value_read(&remarks);
+    ASSERT_EQ(remarks.size(), 3u);
+    EXPECT_TRUE(remarks[2].ends_with("--series 3 reads the one that was left out.")) << remarks[2];
+    exam.value_read(&wished, 3);
+    ASSERT_EQ(wished.size(), 2u);
+    EXPECT_NE(wished[1].find(" and left out 2 others as asked for, the best of them "),
+              std::string::npos)
+        << wished[1];
+    EXPECT_TRUE(wished[1].ends_with(
+        ". On the command line --series 1 reads that one, and other numbers read the others."))
+        << wished[1];
 }
 
 TEST(SeriesChoice, PrefersThePortalVenousPhaseAndThinSlices) {

@@ -209,7 +209,7 @@ TEST_F(Editing, a_click_in_edit_mode_does_what_the_panel_says) {
     choose_tool("Delete a branch");
     click(Vec3(-8.6, 28, 4.4));                           // the left branch
     EXPECT_EQ(saved().tree.segments.size(), before - 2);  // the trunk goes on into the right one
-    choose_tool("Give to a system");
+    choose_tool("Set a branch's system");
     child<QComboBox>("EditSystem").setCurrentText("hepatic veins");
     click(Vec3(37, 54.5, 4));  // the vessel apart
     ASSERT_EQ(saved().corrections.edits.size(), 2u);
@@ -298,7 +298,7 @@ TEST_F(Editing, a_click_in_a_slice_corrects_what_lies_there) {
     views.slices().set_crosshair(trunk);
     emit child<QComboBox>("measure").activated(5);
     EXPECT_TRUE(child<QLabel>("slicePlace").text().contains("Cut the vessel"));
-    choose_tool("Name a vessel's system");
+    choose_tool("Set a whole vessel's system");
     child<QComboBox>("EditSystem").setCurrentText("portal vein");
     const auto click_beside = [&](double mm) {
         QTest::mouseClick(&axial, Qt::LeftButton, {},
@@ -308,7 +308,7 @@ TEST_F(Editing, a_click_in_a_slice_corrects_what_lies_there) {
     EXPECT_EQ(window_.statusBar()->currentMessage(), "No vessel there: click on one");
     EXPECT_TRUE(saved().corrections.edits.empty());
     views.slices().set_crosshair(trunk);
-    EXPECT_TRUE(child<QLabel>("slicePlace").text().contains("Name a vessel's system"));
+    EXPECT_TRUE(child<QLabel>("slicePlace").text().contains("Set a whole vessel's system"));
     click_beside(4.5);  // 0.7 mm beside the wall
     ASSERT_EQ(saved().corrections.edits.size(), 1u);
     EXPECT_EQ(saved_.corrections.edits[0].kind, TreeEditKind::seed_system);

@@ -33,7 +33,7 @@ class GivenBranch : public testing::WindowTest {
         open_built_in();
         window_.actions()[ActionId::edit_mode].trigger();
         auto* tools = window_.findChild<QComboBox*>("EditTool");
-        tools->setCurrentIndex(tools->findText("Give to a system"));
+        tools->setCurrentIndex(tools->findText("Set a branch's system"));
         window_.findChild<QComboBox*>("EditSystem")->setCurrentText("hepatic veins");
     }
     void give(const Vec3& place_mm) {

@@ -289,5 +289,23 @@ TEST(EditPanelTest, says_how_many_gaps_the_slider_hides) {
     EXPECT_EQ(listed(), "63 %, 4.1 mm");
 }
 
+// One goes down the tree alone, the other up as well: their names and lines tell which.
+TEST(EditPanelTest, says_how_far_a_correction_of_a_system_reaches) {
+    EditPanel panel;
+    auto* tools = panel.findChild<QComboBox*>("EditTool");
+    const auto said_of = [&](const char* tool) {
+        tools->setCurrentText(tool);
+        QString lines;
+        for (const auto* label : panel.findChildren<QLabel*>()) lines += label->text() + "\n";
+        return lines;
+    };
+    const QString of_branch = said_of("Set a branch's system");
+    EXPECT_EQ(panel.tool(), TreeEditKind::reassign_system);
+    EXPECT_TRUE(of_branch.contains("What it hangs on keeps its own")) << of_branch.toStdString();
+    const QString of_vessel = said_of("Set a whole vessel's system");
+    EXPECT_EQ(panel.tool(), TreeEditKind::seed_system);
+    EXPECT_TRUE(of_vessel.contains("towards the root")) << of_vessel.toStdString();
+}
+
 }  // namespace
 }  // namespace hepatica

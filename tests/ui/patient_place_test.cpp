@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/patient_space.h"
+#include "ui/message_bar.h"
+
 namespace hepatica {
 namespace {
 
@@ -12,6 +15,24 @@ TEST(PatientPlace, IsSaidByLettersAndInWords) {
     EXPECT_EQ(patient_place(there), "R 3  A 7  F 1 mm");
     EXPECT_EQ(patient_place_in_words(here), "12 mm left, 40 mm back, 155 mm headwards");
     EXPECT_EQ(patient_place_in_words(there, 1), "3.0 mm right, 7.0 mm front, 0.6 mm feetwards");
+}
+
+TEST(PatientPlace, IsReadFromTheMessagesOfCore) {
+    for (const Vec3& place : {Vec3(136.3, 117.2, 123.2), Vec3(-0.5, 0.0, -1200.1)}) {
+        const auto read = position_of(place_text(place));
+        ASSERT_TRUE(read);
+        EXPECT_LT((*read - place).norm(), 1e-9);
+    }
+    for (const char* other : {"", "the list", "1.5 mm", "1.0, 2.0, 3.0", "/ct/1.0, 2.0, 3.0 mm"})
+        EXPECT_FALSE(position_of(other)) << other;
+}
+
+// Everybody knows left and right, and nobody the axes.
+TEST(PatientPlace, OfAFailureIsSaidInWords) {
+    const std::string place = place_text(Vec3(136.3, -117.2, 123.2));
+    EXPECT_EQ(lines_of({"too far", place, "Point between them"}).join("\n"),
+              "Too far\nat 136 mm left, 117 mm front, 123 mm headwards\nPoint between them");
+    EXPECT_EQ(lines_of({"unreadable", "/ct/1.nii", ""}).join("\n"), "Unreadable\nin /ct/1.nii");
 }
 
 }  // namespace

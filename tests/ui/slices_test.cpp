@@ -175,7 +175,7 @@ TEST_F(Slices, SayWhatTheNextClickDoesWhileTheMouseMoves) {
     QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.rect().center());
     EXPECT_TRUE(said->text().startsWith("Click on along the vessel"));
     QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.rect().center() + QPoint(9, 4));
-    EXPECT_TRUE(said->text().contains("draw it (Enter)"));
+    EXPECT_TRUE(said->text().contains("draw it (Enter). Backspace or Ctrl+Z: one back. Esc: all"));
     emit window_.findChild<QComboBox*>("measure")->activated(0);
     QApplication::sendEvent(&axial, &move);
     EXPECT_FALSE(said->text().contains("Click"));

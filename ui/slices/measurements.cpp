@@ -130,9 +130,9 @@ void Measurements::finish() {
 }
 
 void Measurements::remove_last() {
-    const bool half = !half_made_.points_mm.empty();
-    half_made_ = {};
-    if (!half && !made_.empty()) {
+    if (!half_made_.points_mm.empty()) {
+        half_made_.points_mm.pop_back();
+    } else if (!made_.empty()) {
         taken_.erase(taken_.begin() + static_cast<std::ptrdiff_t>(places_.back()));
         made_.pop_back();
         places_.pop_back();

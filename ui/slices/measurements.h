@@ -40,7 +40,7 @@ class Measurements {
     // there is none; empty while points are missing. A diameter is drawn across the vessel within
     // `plane`.
     std::string add_point(const Vec3& position_mm, const SlicePlane& plane, const VesselTree& tree);
-    void remove_last();  // an unfinished one first
+    void remove_last();  // of an unfinished one only its last point
     // Returns what it removed, those without a vessel among them.
     std::vector<KeptMeasurement> remove_all();
     // Puts these back before what was measured since; diameters are measured anew on the tree.

@@ -166,7 +166,7 @@ QWidget* SliceBar::click_choice() {
         "Distance: two clicks. Angle: three, its vertex second. Diameter: a click on a vessel, "
         "at whose centreline it is taken, with the stenosis against the vessel beside. "
         "Draw a vessel: clicks along one that is missing, in any slices, from where its blood "
-        "comes in; Enter draws it. Delete takes the last away, Escape ends it. "
+        "comes in; Enter draws it. Delete or Undo takes the last away, Escape all. "
         "Correct: a click on a vessel does what the panel of corrections says. "
         "Paint, erase: a drag leads a ball through the vessels' voxels; Rebuild makes the vessels "
         "anew of them. A tumour changes no vessel: it needs no Rebuild"));
@@ -237,8 +237,10 @@ QString SliceBar::guidance() const {
     }
     const std::size_t places = scene_.pen().places_mm().size();
     return places == 0   ? Words::tr("Click where the missing vessel begins, then along it")
-           : places == 1 ? Words::tr("Click on along the vessel")
-                         : Words::tr("Click on along the vessel, or draw it (Enter)");
+           : places == 1 ? Words::tr("Click on along the vessel. Backspace or Ctrl+Z: one back")
+                         : Words::tr(
+                               "Click on, or draw it (Enter). Backspace or Ctrl+Z: one back. "
+                               "Esc: all");
 }
 
 // The value below the least radius stands for the one that is measured in the CT.

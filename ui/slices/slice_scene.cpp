@@ -177,6 +177,19 @@ void SliceScene::give_up_brush() {
         brush_.strokes().empty() ? brush_.set_mode(BrushMode::away) : brush_.remove_all();
 }
 
+bool SliceScene::points_wait() const {
+    return !pen_.places_mm().empty() || measurements_.half_made() != nullptr;
+}
+
+void SliceScene::take_last_point_back() {
+    if (measurements_.half_made() != nullptr)
+        measurements_.remove_last();
+    else if (pen_.draws())
+        pen_.give_up();
+    else
+        pen_.remove_last();
+}
+
 Mask SliceScene::vessels() const {
     Mask vessels = shown_systems();
     std::ranges::replace(vessels.voxels, painted_label,

@@ -88,6 +88,11 @@ class SliceScene {
     // Takes all strokes back; if there are none, puts the brush away.
     void give_up_brush();
 
+    // Whether points wait for the vessel or the measurement that is to be made of them. Undo takes
+    // the last of them back before any correction, or stops the drawing of their vessel.
+    bool points_wait() const;
+    void take_last_point_back();
+
     // Whether a click in a slice corrects the vessel there, as chosen in the panel of corrections.
     bool corrects() const { return corrects_; }
     void set_corrects(bool corrects);

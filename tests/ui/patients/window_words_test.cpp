@@ -71,8 +71,8 @@ TEST(WindowWords, name_the_fields_in_failures) {
     EXPECT_EQ(failure.place, "Portal vein seeds, Hepatic vein seeds");
     EXPECT_EQ(failure.remedy, "Give a window (Window of File > Reconstruct with options)");
     EXPECT_EQ(in_window_words("5 -- 6"), "5 -- 6");
-    EXPECT_EQ(in_window_words("On the command line --series 2 reads the other one"),
-              "In File > Reconstruct with options, Series 2 reads the other one");
+    EXPECT_EQ(in_window_words("On the command line --series 2 reads the one that was left out."),
+              "In File > Reconstruct with options, Series 2 reads the one that was left out.");
 }
 
 // As the fields take it: in German a comma is the decimal point.

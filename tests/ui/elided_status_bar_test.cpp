@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/elided_status_bar.h"
+
+#include <gtest/gtest.h>
+
+#include <QHelpEvent>
+#include <QLabel>
+#include <QToolTip>
+
+#include "tests/ui/fake_window_test.h"
+#include "ui/plain_text.h"
+
+namespace hepatica {
+namespace {
+
+const QString long_message = QString("a long sentence about vessels ").repeated(20).trimmed();
+
+class StatusBarOfTheWindow : public testing::FakeWindowTest {};
+
+TEST(ElidedStatusBarAlone, EndsALongMessageBeforeTheFigures) {
+    ElidedStatusBar bar;
+    auto* figure = new QLabel("step 3.0 ms");
+    bar.addPermanentWidget(figure);
+    bar.resize(400, 24);
+    bar.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&bar, testing::patience_ms));
+    bar.showMessage("short");
+    EXPECT_EQ(bar.shown(), "short");
+    bar.showMessage(long_message);
+    EXPECT_EQ(bar.currentMessage(), long_message);
+    EXPECT_TRUE(bar.shown().endsWith("…")) << bar.shown().toStdString();
+    EXPECT_LT(bar.fontMetrics().horizontalAdvance(bar.shown()), figure->x());
+}
+
+TEST_F(StatusBarOfTheWindow, ShowsAMessageThatIsCutAsAWholeInItsTooltip) {
+    auto* bar = dynamic_cast<ElidedStatusBar*>(window_.statusBar());
+    ASSERT_NE(bar, nullptr);
+    bar->showMessage(long_message);
+    ASSERT_TRUE(bar->shown().endsWith("…"));
+    const QPoint place = bar->rect().center();
+    QHelpEvent help(QEvent::ToolTip, place, bar->mapToGlobal(place));
+    QApplication::sendEvent(bar, &help);
+    EXPECT_EQ(QToolTip::text(), as_plain(long_message));
+    QToolTip::hideText();
+}
+
+}  // namespace
+}  // namespace hepatica
