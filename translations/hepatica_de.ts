@@ -8205,8 +8205,12 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>„%1“ ist kein Wirkstoff</translation>
     </message>
     <message>
-        <source>; pressed to %L1 % of its lumen</source>
-        <translation>; auf %L1 % seines Lumens gedrückt</translation>
+        <source>; what feeds the bleeding is pressed to %L1 % of its lumen</source>
+        <translation>; was die Blutung speist, ist auf %L1 % seines Lumens gedrückt</translation>
+    </message>
+    <message>
+        <source>; branch %1, which does not feed the bleeding, is pressed to %L2 % of its lumen</source>
+        <translation>; Ast %1, der die Blutung nicht speist, ist auf %L2 % seines Lumens gedrückt</translation>
     </message>
     <message>
         <source>the share of a lumen that is left open</source>
