@@ -214,7 +214,8 @@ TEST_F(LessonPanelTest, says_in_the_end_how_much_of_the_drug_counts_as_no_dose) 
     lesson.steps[1].goal = {{Quantity::dose_target_g, -1, true, 3.0}};
     panel_.begin(lesson);
     panel_.show_standing(standing_);
-    EXPECT_TRUE(text("lessonEnd").contains("1.25\u202fg of the drug had not come out"))
+    EXPECT_TRUE(
+        text("lessonEnd").contains("judged by the 3.75\u202fg of 5.00\u202fg that had come"))
         << text("lessonEnd").toStdString();
     standing_.metrics.delivered_g = 5.0;
     panel_.show_standing(standing_);
@@ -224,7 +225,7 @@ TEST_F(LessonPanelTest, says_in_the_end_how_much_of_the_drug_counts_as_no_dose) 
     standing_.pass = {{{Quantity::dose_target_share, -1, true, 0.5}, 0.75, true}};
     panel_.begin(two_steps());
     panel_.show_standing(standing_);
-    EXPECT_TRUE(text("lessonEnd").contains("1.25\u202fg of the drug"));
+    EXPECT_TRUE(text("lessonEnd").contains("the other 1.25\u202fg of the drug count neither"));
 }
 
 }  // namespace
