@@ -9182,6 +9182,18 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Fall übernehmen</translation>
     </message>
     <message>
+        <source>interrupted before the end</source>
+        <translation>vor dem Ende abgebrochen</translation>
+    </message>
+    <message>
+        <source>reached</source>
+        <translation>erreicht</translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation>nicht erreicht</translation>
+    </message>
+    <message>
         <source>given up before the end</source>
         <translation>vor dem Ende aufgegeben</translation>
     </message>
