@@ -2317,8 +2317,8 @@
         <translation>Als eine MP4-Datei, wo ffmpeg installiert ist, sonst als Ordner mit Bildern</translation>
     </message>
     <message>
-        <source>It is still being gone through.</source>
-        <translation>Sie wird noch durchlaufen.</translation>
+        <source>The recording is still being read.</source>
+        <translation>Die Aufzeichnung wird noch gelesen.</translation>
     </message>
     <message>
         <source>To what happened before</source>
@@ -2381,8 +2381,8 @@
         <translation>%1, und daneben %2</translation>
     </message>
     <message>
-        <source>%1: %2 % gone through</source>
-        <translation>%1: %2 % durchlaufen</translation>
+        <source>%1: %2 % of the recording read</source>
+        <translation>%1: %2 % der Aufzeichnung gelesen</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -8169,8 +8169,12 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>„%1“ ist kein Wirkstoff</translation>
     </message>
     <message>
-        <source>; pressed to %L1 % of its lumen</source>
-        <translation>; auf %L1 % seines Lumens gedrückt</translation>
+        <source>; what feeds the bleeding is pressed to %L1 % of its lumen</source>
+        <translation>; was die Blutung speist, ist auf %L1 % seines Lumens gedrückt</translation>
+    </message>
+    <message>
+        <source>; branch %1, which does not feed the bleeding, is pressed to %L2 % of its lumen</source>
+        <translation>; Ast %1, der die Blutung nicht speist, ist auf %L2 % seines Lumens gedrückt</translation>
     </message>
     <message>
         <source>the share of a lumen that is left open</source>
@@ -8933,8 +8937,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Verringern Sie den Fluss im Bereich Injektion, und injizieren Sie dann die Emulsion, bis neun Zehntel des Zielgebiets gefüllt sind.</translation>
     </message>
     <message>
-        <source>A little beyond the mark, slowly: a flow of 0.5 g/s, which is about 30 mL/min. At 2 g/s the emulsion runs back within seconds.</source>
-        <translation>Etwas jenseits der Marke, langsam: ein Fluss von 0,5 g/s, das sind etwa 30 mL/min. Bei 2 g/s läuft die Emulsion binnen Sekunden zurück.</translation>
+        <source>A little beyond the mark, slowly: a flow of 0.5 g/s, which is about 25 mL/min. At 2 g/s the emulsion runs back within seconds.</source>
+        <translation>Etwas jenseits der Marke, langsam: ein Fluss von 0,5 g/s, das sind etwa 25 mL/min. Bei 2 g/s läuft die Emulsion binnen Sekunden zurück.</translation>
     </message>
     <message>
         <source>Stop the pump (Space) and leave the emulsion in the target.</source>
@@ -9002,8 +9006,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Warnung, gilt nicht mehr</translation>
     </message>
     <message>
-        <source>%1 of the drug had not come out of the ends of the vessels by then: it counts as a dose neither in the target nor elsewhere.</source>
-        <translation>%1 des Wirkstoffs waren bis dahin nicht aus den Enden der Gefäße ausgetreten: Sie zählen als Dosis weder im Zielgebiet noch anderswo.</translation>
+        <source>Doses are judged by the %1 of %2 that had come out of the ends of the vessels by then: the other %3 of the drug count neither in the target nor elsewhere, wherever they would have gone.</source>
+        <translation>Dosen werden nach den %1 von %2 beurteilt, die bis dahin aus den Enden der Gefäße ausgetreten waren: Die anderen %3 des Wirkstoffs zählen weder im Zielgebiet noch anderswo, wohin auch immer sie gelangt wären.</translation>
     </message>
     <message>
         <source>Tried from the lesson editor: it is not kept among the attempts.</source>
@@ -9140,6 +9144,18 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Import a case</source>
         <translation>Fall übernehmen</translation>
+    </message>
+    <message>
+        <source>interrupted before the end</source>
+        <translation>vor dem Ende abgebrochen</translation>
+    </message>
+    <message>
+        <source>reached</source>
+        <translation>erreicht</translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation>nicht erreicht</translation>
     </message>
     <message>
         <source>given up before the end</source>

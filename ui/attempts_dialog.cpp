@@ -48,9 +48,10 @@ QTableWidgetItem* text_item(const QString& text) {
     return item;
 }
 
-// About three significant digits without an exponent: at most four decimals, and all digits before
-// the decimal sign: "0.0123", "1.23", "1234".
-QString in_three_figures(double value) {
+// A count as a whole number; else about three significant digits without an exponent: at most four
+// decimals, and all digits before the decimal sign: "0.0123", "1.23", "1234".
+QString in_figures(Quantity quantity, double value) {
+    if (is_count(quantity)) return QLocale().toString(value, 'f', 0);
     const double order = value == 0.0 ? 0.0 : std::floor(std::log10(std::abs(value)));
     return QLocale().toString(value, 'f', static_cast<int>(std::clamp(2.0 - order, 0.0, 4.0)));
 }
@@ -279,7 +280,7 @@ void AttemptsDialog::fill_row(int row, const Attempt& attempt) {
     for (std::size_t k = 0; k < quantities_.size(); ++k) {
         const double value =
             shown_value(quantities_[k], attempt.value(quantities_[k]), units_).value;
-        auto* item = text_item(std::isfinite(value) ? in_three_figures(value) : "");
+        auto* item = text_item(std::isfinite(value) ? in_figures(quantities_[k], value) : "");
         item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
         table_->setItem(row, Column::first_quantity + static_cast<int>(k), item);
     }

@@ -78,7 +78,8 @@ LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
                                   trainee_ = name.toStdString();
                                   ways_.named(name);
                                   name_last_attempt();
-                              }})),
+                              },
+                              [this](const QString& words) { ways_.step(words); }})),
       attempts_(new AttemptsDialog(
           {[this](const fs::path& recording) { ways_.look_back(recording, shown_name_); },
            [this](const std::string& csv) { ways_.save_table("attempts", csv); },

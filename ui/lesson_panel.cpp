@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/core_words.h"
 #include "ui/lesson_words.h"
@@ -74,7 +75,7 @@ std::vector<BoundStanding> limits_in_force(const LessonStanding& standing, const
 
 }  // namespace
 
-LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent) {
+LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent), tell_step_(ways.step) {
     auto* column = new QVBoxLayout(this);
     column->setSpacing(8);
     title_ = add_label(*column, "lessonTitle");
@@ -168,6 +169,7 @@ void LessonPanel::begin(const Lesson& lesson, const std::vector<std::string>& do
     doubts_->setVisible(!lines.isEmpty());
     lesson_ = lesson;
     hinted_step_ = static_cast<std::size_t>(-1);
+    shown_step_ = 0;
     title_->setText("<b>" + translated(lesson.name).toHtmlEscaped() + "</b>");
     about_->setText(with_units_beside(translated(lesson.about)));
     about_->setVisible(!lesson.about.empty());
@@ -221,13 +223,19 @@ void LessonPanel::show_standing(const LessonStanding& standing, bool clock_stand
         show_end(standing);
 }
 
+QString LessonPanel::words_of_step(std::size_t step) const {
+    return Words::tr("Step %1 of %2: %3")
+        .arg(step + 1)
+        .arg(lesson_.steps.size())
+        .arg(with_units_beside(translated(lesson_.steps[step].text)));
+}
+
 void LessonPanel::show_step(const LessonStanding& standing) {
-    shown_step_ = standing.step;
+    const bool is_later = standing.step > std::exchange(shown_step_, standing.step);
     const LessonStep& step = lesson_.steps[standing.step];
-    step_->setText(Words::tr("Step %1 of %2: %3")
-                       .arg(standing.step + 1)
-                       .arg(lesson_.steps.size())
-                       .arg(with_units_beside(translated(step.text))));
+    step_->setText(words_of_step(standing.step));
+    // The eyes are on the vessels.
+    if (is_later && tell_step_) tell_step_(step_->text());
     QString pass = table_of(Words::tr("Pass marks: so far, judged in the end"), standing.pass,
                             lesson_.mark_names(), units_, "✓", "·");
     if (std::ranges::any_of(standing.pass, missed_for_good))
@@ -246,6 +254,19 @@ void LessonPanel::show_step(const LessonStanding& standing) {
     hint_button_->setEnabled(!open && !step.hint.empty());
 }
 
+// What was not reached, in bold the step that was to be done next.
+QString LessonPanel::table_of_steps(const LessonStanding& standing) const {
+    QString html = "<p style='margin:0'>" + Words::tr("Steps") + "</p><table width='100%'>";
+    for (std::size_t i = 0; i < lesson_.steps.size(); ++i) {
+        const bool reached = i < standing.step;
+        const QString step = words_of_step(i).toHtmlEscaped();
+        html += QString("<tr><td width='18'>%1</td><td>%2</td><td align='right'>&nbsp;%3</td></tr>")
+                    .arg(reached ? "✓" : "✗", i == standing.step ? "<b>" + step + "</b>" : step,
+                         reached ? Words::tr("reached") : Words::tr("not reached"));
+    }
+    return html + "</table>";
+}
+
 void LessonPanel::show_end(const LessonStanding& standing) {
     hint_->hide();
     const bool passed = standing.outcome == LessonOutcome::passed;
@@ -253,9 +274,12 @@ void LessonPanel::show_end(const LessonStanding& standing) {
         "<p><b>" + (passed ? Words::tr("✓ Passed") : Words::tr("✗ Not passed")) + "</b></p>";
     for (const std::string& reason : reasons_in(standing, lesson_.mark_names(), units_))
         html += "<p>" + with_units_beside(translated(reason)).toHtmlEscaped() + "</p>";
+    if (!passed) html += table_of_steps(standing);
     std::vector<BoundStanding> seen = standing.pass;  // judged only if the end was reached
     std::erase_if(seen, [](const BoundStanding& mark) { return std::isnan(mark.value); });
     html += table_of(Words::tr("Pass marks"), seen, lesson_.mark_names(), units_, "✓", "✗");
+    if (const QString left = drug_on_its_way(standing, lesson_, units_); !left.isEmpty())
+        html += "<p>" + with_units_beside(left).toHtmlEscaped() + "</p>";
     const LessonMetrics& metrics = standing.metrics;
     const auto said = [&](Quantity quantity, double value) {
         return with_units_beside(translated(to_words(quantity, value, units_)));
@@ -266,8 +290,6 @@ void LessonPanel::show_end(const LessonStanding& standing) {
             .arg(said(Quantity::time_s, metrics.time_s), said(Quantity::path_mm, metrics.path_mm),
                  said(Quantity::peak_force_mn, metrics.peak_force_mn)) +
         "</p>";
-    if (const QString left = drug_on_its_way(standing, lesson_, units_); !left.isEmpty())
-        html += "<p>" + with_units_beside(left).toHtmlEscaped() + "</p>";
     if (trial_)
         html += "<p>" +
                 Words::tr("Tried from the lesson editor: it is not kept among the attempts.") +

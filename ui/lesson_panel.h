@@ -27,6 +27,7 @@ class LessonPanel : public QWidget {
         std::function<void()> attempts;                 // all attempts at this lesson
         std::function<void()> next = {};                // begin the next lesson of the course
         std::function<void(const QString&)> name = {};  // the trainee's new name
+        std::function<void(const QString&)> step = {};  // a later step begins, in words
     };
 
     // What the view shows: the lesson's play, the review of its recording, or something else, such
@@ -51,13 +52,16 @@ class LessonPanel : public QWidget {
   private:
     QString about_clock(const LessonStanding& standing, bool clock_stands, InView in_view) const;
     QLayout* make_name();
+    QString words_of_step(std::size_t step) const;
     void show_step(const LessonStanding& standing);
+    QString table_of_steps(const LessonStanding& standing) const;
     void show_end(const LessonStanding& standing);
 
     Lesson lesson_;
     FlowUnits units_ = FlowUnits::computed;
     std::size_t hinted_step_ = static_cast<std::size_t>(-1);  // step whose hint is open
     std::size_t shown_step_ = 0;
+    std::function<void(const QString&)> tell_step_;
     QLabel* title_;
     QLabel* about_;
     QLabel* doubts_;

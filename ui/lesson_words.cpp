@@ -65,12 +65,6 @@ int decimals_of(Quantity quantity, FlowUnits units) {
     }
 }
 
-bool is_count(Quantity quantity) {
-    return quantity == Quantity::contacts || quantity == Quantity::joints_broken ||
-           quantity == Quantity::pieces_off || quantity == Quantity::drug_present ||
-           quantity == Quantity::holding;
-}
-
 bool is_dose(const Predicate& bound) {
     return bound.quantity == Quantity::delivered_g || bound.quantity == Quantity::dose_target_g ||
            bound.quantity == Quantity::dose_elsewhere_g || bound.quantity == Quantity::reflux_g ||
@@ -143,6 +137,12 @@ std::string to_words(Quantity quantity, double value, FlowUnits units) {
     return number_words(number.value, decimals_of(quantity, units)) + beside_value(number);
 }
 
+bool is_count(Quantity quantity) {
+    return quantity == Quantity::contacts || quantity == Quantity::joints_broken ||
+           quantity == Quantity::pieces_off || quantity == Quantity::drug_present ||
+           quantity == Quantity::holding;
+}
+
 bool allows_none(const Predicate& predicate) {
     return is_count(predicate.quantity) && !predicate.at_least && predicate.bound == 0.0;
 }
@@ -191,10 +191,15 @@ QString drug_on_its_way(const LessonStanding& standing, const Lesson& lesson, Fl
     constexpr double least_g = 0.01;  // two decimals are shown
     const double on_its_way_g = standing.metrics.injected_g - standing.metrics.delivered_g;
     if (!(on_its_way_g >= least_g) || !judges_doses(standing, lesson)) return {};
+    const auto said = [&](double dose_g) {
+        return translated(to_words(Quantity::injected_g, dose_g, units));
+    };
     return Words::tr(
-               "%1 of the drug had not come out of the ends of the vessels by then: it counts as a "
-               "dose neither in the target nor elsewhere.")
-        .arg(translated(to_words(Quantity::injected_g, on_its_way_g, units)));
+               "Doses are judged by the %1 of %2 that had come out of the ends of the vessels by "
+               "then: the other %3 of the drug count neither in the target nor elsewhere, wherever "
+               "they would have gone.")
+        .arg(said(standing.metrics.delivered_g), said(standing.metrics.injected_g),
+             said(on_its_way_g));
 }
 
 QString with_units_beside(QString text) {

@@ -26,6 +26,8 @@ ShownValue shown_value(Quantity quantity, double value, FlowUnits units);
 std::string to_words(Quantity quantity, double value, FlowUnits units);
 // The same with as many digits as needed to differ from the bound.
 std::string to_words_beside(const Predicate& bound, double value, FlowUnits units);
+// Whether it is counted, in whole numbers.
+bool is_count(Quantity quantity);
 // Whether a count must stay at none.
 bool allows_none(const Predicate& predicate);
 // As to_words() of core/lesson/predicate.h, but "no pieces off" if none is allowed.

@@ -75,6 +75,7 @@ void MainWindow::build_lessons() {
     ways.use = [this](std::unique_ptr<Simulation> simulation) {
         use_for_lesson(std::move(simulation));
     };
+    ways.step = [this](const QString& words) { statusBar()->showMessage(words, 6000); };
     ways.ended = [this] { stop_after_lesson(); };
     ways.kept = [this] { library_->refresh(); };
     ways.reviewed = [this] {

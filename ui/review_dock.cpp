@@ -119,7 +119,7 @@ QWidget* ReviewDock::build_heading() {
     film->setToolTip(
         Words::tr("As one MP4 file where ffmpeg is installed, else as a folder of pictures"));
     connect(film, &QPushButton::clicked, this, [this] {
-        if (!complete()) return ways_.say(Words::tr("It is still being gone through."));
+        if (!complete()) return ways_.say(Words::tr("The recording is still being read."));
         set_playing(false);
         ways_.save_film(end_s(), [this](double at_s) { go_to(at_s); });
     });
@@ -361,7 +361,7 @@ void ReviewDock::show_other() {
 }
 
 QString gone_through(const QString& name, double fraction) {
-    return Words::tr("%1: %2 % gone through")
+    return Words::tr("%1: %2 % of the recording read")
         .arg(name, QString::number(static_cast<int>(100.0 * fraction)));
 }
 

@@ -82,7 +82,7 @@ constexpr std::array sentences_built_in_lessons{
               "stays. You see by the filled target when it is enough."),
     Words::id("Lower the flow in the panel Injection, then inject the emulsion until nine tenths "
               "of the target are full."),
-    Words::id("A little beyond the mark, slowly: a flow of 0.5 g/s, which is about 30 mL/min. At "
+    Words::id("A little beyond the mark, slowly: a flow of 0.5 g/s, which is about 25 mL/min. At "
               "2 g/s the emulsion runs back within seconds."),
     Words::id("Stop the pump (Space) and leave the emulsion in the target."),
     Words::id("Pause in the panel Injection stops the pump too. Del would take the emulsion out "

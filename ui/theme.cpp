@@ -46,6 +46,7 @@ QFrame#messageBar QLabel { color: {message_text}; }
 QFrame#progressStrip { background: {bar}; }
 QFrame#welcome { background: {base}; border: 1px solid {frame}; border-radius: 12px; }
 QLabel#welcomeTitle { font-size: 22px; font-weight: 600; color: {title}; }
+QLabel#lessonStep { font-weight: 600; }
 QLabel#quiet, QLabel#drugPace { color: {quiet}; }
 QLabel#problem { color: {problem}; }
 )";

@@ -57,6 +57,21 @@ QString bleeding_text(const TearView& tear, FlowUnits units) {
         .arg(tear.leaked_g / density_g_mm3 / units::millilitre, 0, 'f', 0);
 }
 
+// A lumen that is pressed stems nothing unless it is on the way to what bleeds.
+QString pressed_text(const TearView& tear) {
+    QString text;
+    if (tear.open_share < 1.0)
+        text = Words::tr("; what feeds the bleeding is pressed to %L1 % of its lumen")
+                   .arg(100.0 * tear.open_share, 0, 'g', 2);
+    if (tear.other_open_share < 1.0)
+        text += Words::tr(
+                    "; branch %1, which does not feed the bleeding, is pressed to %L2 % of its "
+                    "lumen")
+                    .arg(tear.other_segment)
+                    .arg(100.0 * tear.other_open_share, 0, 'g', 2);
+    return text;
+}
+
 }  // namespace
 
 ToolPanel::ToolPanel(Callbacks callbacks, QWidget* parent)
@@ -231,7 +246,7 @@ void ToolPanel::show_tear(const std::optional<TearView>& tear) {
     shown_tear_ = tear;
     tears_->setChecked(tear.has_value());
     torn_->setToolTip({});
-    if (!tear) return torn_->setText(Words::tr("whole"));
+    if (!tear) return torn_->setText(Words::tr("nothing cut or torn"));
     QString text = tear->joints_broken > 0
                        ? Words::tr("cut or torn: joints of the mesh broken: %1, pieces: %2")
                              .arg(tear->joints_broken)
@@ -242,9 +257,7 @@ void ToolPanel::show_tear(const std::optional<TearView>& tear) {
                           .arg(tear->entropy_produced_nats, 0, 'f', 2));
     if (tear->leak_g_s > 0.0 || tear->leaked_g > 0.0)
         text += bleeding_text(*tear, units_) + leaked_drug_text(*tear, units_);
-    if (tear->open_share < 1.0)
-        text +=
-            Words::tr("; pressed to %L1 % of its lumen").arg(100.0 * tear->open_share, 0, 'g', 2);
+    text += pressed_text(*tear);
     if (!tear->stopped_by.empty())
         text += Words::tr("; stopped by the %1 budget").arg(translated(tear->stopped_by));
     torn_->setText(text);

@@ -19,6 +19,13 @@ VascularSystem system_of_node(const VesselTree& tree, int node) {
     return VascularSystem::unknown;
 }
 
+// Whether the blood of one segment has come through another.
+bool leads_to(const VesselTree& tree, int before, int segment) {
+    while (segment >= 0 && segment != before)
+        segment = tree.segments[static_cast<std::size_t>(segment)].parent;
+    return segment == before;
+}
+
 // The share of the resting flow that enters at one root of a system: by the cube of its radius.
 double share_of_root(const FlowNetwork& network, const std::vector<int>& roots, int root) {
     const auto cube = [&](int node) {
@@ -194,6 +201,30 @@ double Bleeding::least_open_share() const {
     double least = 1.0;
     for (const Squeeze& squeeze : squeezes_) least = std::min(least, squeeze.share);
     return least;
+}
+
+// What presses behind a tear through the vessel holds nothing back: no blood comes there. Loops are
+// left out.
+bool Bleeding::lies_before_a_tear(const Squeeze& squeeze) const {
+    const auto is_cut_off = [&](const ThroughTear& tear) {
+        return !tear.side && (tear.at.segment == squeeze.segment
+                                  ? tear.at.arclength_mm < squeeze.from_mm
+                                  : leads_to(tree_, tear.at.segment, squeeze.segment));
+    };
+    const auto is_fed = [&](const ThroughTear& tear) {
+        return tear.at.segment == squeeze.segment
+                   ? squeeze.from_mm <= tear.at.arclength_mm
+                   : leads_to(tree_, squeeze.segment, tear.at.segment);
+    };
+    return std::ranges::any_of(tears_, is_fed) && std::ranges::none_of(tears_, is_cut_off);
+}
+
+PressedLumen Bleeding::most_pressed(bool before_a_tear) const {
+    PressedLumen most;
+    for (const Squeeze& squeeze : squeezes_)
+        if (squeeze.share < most.open_share && lies_before_a_tear(squeeze) == before_a_tear)
+            most = {squeeze.segment, squeeze.share};
+    return most;
 }
 
 // A pump of fixed flow would press blood through a vessel that is almost closed; arteries cannot.

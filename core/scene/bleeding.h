@@ -36,6 +36,12 @@ struct BloodPool {
     double drug_g = 0.0;  // of that
 };
 
+// The defaults: nothing presses.
+struct PressedLumen {
+    int segment = -1;  // of the tree
+    double open_share = 1.0;
+};
+
 // Not thread-safe.
 class Bleeding {
   public:
@@ -49,6 +55,9 @@ class Bleeding {
     void set_pressed(const std::vector<PressedStretch>& stretches, const TubeWall& wall);
     // The least open share of a lumen under pressure; 1 where nothing presses or is torn.
     double least_open_share() const;
+    // The lumen with the least open share of those on the way from a root to a tear, or of all
+    // others, which press on no bleeding.
+    PressedLumen most_pressed(bool before_a_tear) const;
     void step(double dt_s);
 
     double leak_g_s() const { return leak_g_s_; }
@@ -78,6 +87,7 @@ class Bleeding {
         double share = 1.0;
         bool operator==(const Squeeze&) const = default;
     };
+    bool lies_before_a_tear(const Squeeze& squeeze) const;
     void solve();
     void limit_inflow(NetworkFlow& flow, const FlowConditions& conditions,
                       VascularSystem system) const;

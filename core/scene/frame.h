@@ -96,7 +96,11 @@ struct TearView {
     double entropy_produced_nats = 0.0;
     double leak_g_s = 0.0;  // out of stumps
     double leaked_g = 0.0;
-    double open_share = 1.0;     // least open share of a lumen under a tool, while something bleeds
+    // Least open share of a lumen under a tool on the way to what is torn; of one that is not on
+    // the way, and its segment of the tree. 1 and -1 where nothing presses or is torn.
+    double open_share = 1.0;
+    double other_open_share = 1.0;
+    int other_segment = -1;
     double leaked_drug_g = 0.0;  // of leaked_g; an upper bound, see drug_leak()
     std::vector<LeakView> leaks;
     std::string stopped_by;  // "entropy" or "vertices"; empty: not stopped

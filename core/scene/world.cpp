@@ -299,7 +299,10 @@ void World::fill(Frame& frame) const {
             frame.tear->leak_g_s = bleeding_->leak_g_s();
             frame.tear->leaked_g = bleeding_->leaked_g();
             frame.tear->leaked_drug_g = bleeding_->leaked_drug_g();
-            frame.tear->open_share = bleeding_->least_open_share();
+            const PressedLumen other = bleeding_->most_pressed(false);
+            frame.tear->open_share = bleeding_->most_pressed(true).open_share;
+            frame.tear->other_open_share = other.open_share;
+            frame.tear->other_segment = other.segment;
             show_leaks(*frame.tear, frame.positions_mm);
         }
     }

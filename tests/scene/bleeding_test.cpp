@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -220,6 +221,35 @@ TEST(Bleeding, FallsWhereTheVesselIsHeldBeforeItsStump) {
     EXPECT_GT(held(2, rest.portal_pa + 1e5), free) << "the other branch: more comes here";
     bleeding.set_pressed({}, {});
     EXPECT_EQ(bleeding.leak_g_s(), free);
+}
+
+// Forceps may hold another vessel than the one that bleeds, or what lies behind its stump.
+TEST(Bleeding, TellsWhatIsPressedBeforeATearFromAllElse) {
+    const double hard_pa = RestingFlow{}.portal_pa + 1e5;
+    Bleeding bleeding(fork_of_two());
+    const auto pressed = [&](int segment, double from_mm, double to_mm) {
+        bleeding.set_pressed({{segment, from_mm, to_mm, hard_pa}}, {});
+        const PressedLumen before = bleeding.most_pressed(true);
+        const PressedLumen other = bleeding.most_pressed(false);
+        EXPECT_EQ(std::min(before.open_share, other.open_share), bleeding.least_open_share());
+        EXPECT_NE(before.segment < 0, other.segment < 0) << "it is one of both";
+        EXPECT_EQ(std::max(before.segment, other.segment), segment);
+        return before.segment == segment;
+    };
+    bleeding.set_tears({half_way(1, 30.0)});
+    EXPECT_TRUE(pressed(0, 3.0, 7.0)) << "the trunk";
+    EXPECT_TRUE(pressed(1, 3.0, 7.0));
+    EXPECT_TRUE(pressed(1, 8.0, 12.0)) << "over the stump";
+    EXPECT_FALSE(pressed(1, 13.0, 17.0)) << "behind it";
+    EXPECT_FALSE(pressed(2, 3.0, 7.0)) << "the other branch";
+    bleeding.set_tears({half_way(0, 30.0), half_way(1, 30.0)});
+    EXPECT_TRUE(pressed(0, 3.0, 7.0));
+    EXPECT_FALSE(pressed(1, 3.0, 7.0)) << "it is cut off its root";
+    bleeding.set_tears({open_side_of(0, 3.0), half_way(1, 30.0)});
+    EXPECT_TRUE(pressed(1, 3.0, 7.0)) << "past an open side blood flows on";
+    bleeding.set_pressed({}, {});
+    EXPECT_EQ(bleeding.most_pressed(true).segment, -1);
+    EXPECT_EQ(bleeding.most_pressed(false).open_share, 1.0);
 }
 
 // Made whole under a tool, which is gone by then.

@@ -28,6 +28,7 @@ namespace {
 TEST(SceneInitialFigures, AreThoseRecorded) {
     test::Figures figures;
     HEPATICA_ADD_INITIAL(figures, RestingFlow);
+    HEPATICA_ADD_INITIAL(figures, PressedLumen);
     HEPATICA_ADD_INITIAL(figures, PressedStretch);
     HEPATICA_ADD_INITIAL(figures, BranchRow);
     HEPATICA_ADD_INITIAL(figures, BladeSweep);

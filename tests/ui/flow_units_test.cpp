@@ -226,5 +226,36 @@ TEST(StatusLine, SaysWhatIsLostWhileItBleeds) {
     EXPECT_TRUE(label->isHidden()) << "no patient is shown";
 }
 
+// Whoever holds another vessel than the one that bleeds must not read it as success.
+TEST(ToolPanel, SaysWhetherWhatIsPressedFeedsTheBleeding) {
+    ToolPanel panel({});
+    const auto says = [&](const QString& text) {
+        return panel.findChild<QLabel*>("torn")->text().contains(text);
+    };
+    TearView tear;
+    tear.joints_broken = 3;
+    tear.leak_g_s = 6.7;
+    panel.show_tear(tear);
+    EXPECT_FALSE(says("pressed"));
+    tear.other_open_share = 0.011;
+    tear.other_segment = 12;
+    panel.show_tear(tear);
+    EXPECT_TRUE(says("; branch 12, which does not feed the bleeding, is pressed to 1.1 % of"));
+    EXPECT_FALSE(says("what feeds the bleeding is pressed"));
+    tear.open_share = 0.5;
+    panel.show_tear(tear);
+    EXPECT_TRUE(says("; what feeds the bleeding is pressed to 50 % of its lumen; branch 12"));
+    tear.other_open_share = 1.0;
+    panel.show_tear(tear);
+    EXPECT_FALSE(says("branch"));
+}
+
+// "whole" alone says nothing of what it is that is whole.
+TEST(ToolPanel, SaysThatNothingIsTornWhereNothingCanTear) {
+    ToolPanel panel({});
+    panel.show_tear(std::nullopt);
+    EXPECT_EQ(panel.findChild<QLabel*>("torn")->text(), "nothing cut or torn");
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QStringList>
 #include <cmath>
 #include <tuple>
 
@@ -26,8 +27,14 @@ Lesson two_steps() {
 class LessonPanelTest : public ::testing::Test {
   protected:
     LessonPanelTest()
-        : panel_({[this] { ++again_; }, [this] { ++left_; }, [this] { ++reports_; },
-                  [this] { ++looks_back_; }, [this] { ++asked_for_attempts_; }}) {
+        : panel_({[this] { ++again_; },
+                  [this] { ++left_; },
+                  [this] { ++reports_; },
+                  [this] { ++looks_back_; },
+                  [this] { ++asked_for_attempts_; },
+                  {},
+                  {},
+                  [this](const QString& step) { steps_told_ << step; }}) {
         panel_.begin(two_steps());
         standing_.steps.resize(2);
         standing_.goal = {{two_steps().steps[0].goal[0], 1.0, false}};
@@ -37,6 +44,7 @@ class LessonPanelTest : public ::testing::Test {
     QPushButton* button(const char* name) { return panel_.findChild<QPushButton*>(name); }
 
     int again_ = 0, left_ = 0, reports_ = 0, looks_back_ = 0, asked_for_attempts_ = 0;
+    QStringList steps_told_;
     LessonPanel panel_;
     LessonStanding standing_;
 };
@@ -203,6 +211,39 @@ TEST_F(LessonPanelTest, says_in_the_end_whether_it_is_passed_and_why_not) {
     EXPECT_TRUE(text("lessonEnd").contains("✓ Passed"));
 }
 
+// Who watches the vessels sees no line that changes in the panel.
+TEST_F(LessonPanelTest, tells_of_each_later_step_once) {
+    panel_.show_standing(standing_);
+    EXPECT_TRUE(steps_told_.isEmpty()) << "the first is read before it begins";
+    standing_.step = 1;
+    panel_.show_standing(standing_);
+    panel_.show_standing(standing_);
+    EXPECT_EQ(steps_told_, QStringList{"Step 2 of 2: Let go"});
+    panel_.begin(two_steps());
+    standing_.step = 0;
+    panel_.show_standing(standing_);
+    standing_.step = 1;
+    panel_.show_standing(standing_);
+    EXPECT_EQ(steps_told_.size(), 2) << "of another attempt";
+}
+
+// "It was 0.1001" alone says not that only the pump was still to be stopped.
+TEST_F(LessonPanelTest, says_in_the_end_which_steps_were_reached) {
+    standing_.outcome = LessonOutcome::failed;
+    standing_.reasons = {"limit broken: force"};
+    standing_.step = 1;
+    panel_.show_standing(standing_);
+    const QString end = text("lessonEnd");
+    const qsizetype first = end.indexOf("Step 1 of 2: Pull");
+    const qsizetype second = end.indexOf("<b>Step 2 of 2: Let go</b>");
+    const qsizetype reached = end.indexOf(";reached<"), missed = end.indexOf(";not reached<");
+    EXPECT_TRUE(0 <= first && first < reached && reached < second && second < missed)
+        << end.toStdString();
+    standing_.outcome = LessonOutcome::passed;
+    panel_.show_standing(standing_);
+    EXPECT_FALSE(text("lessonEnd").contains("Step 1")) << "all were";
+}
+
 // What is still in the vessels is judged by no bound, and where that is of a dose it is said.
 TEST_F(LessonPanelTest, says_in_the_end_how_much_of_the_drug_counts_as_no_dose) {
     standing_.outcome = LessonOutcome::passed;
@@ -214,7 +255,8 @@ TEST_F(LessonPanelTest, says_in_the_end_how_much_of_the_drug_counts_as_no_dose) 
     lesson.steps[1].goal = {{Quantity::dose_target_g, -1, true, 3.0}};
     panel_.begin(lesson);
     panel_.show_standing(standing_);
-    EXPECT_TRUE(text("lessonEnd").contains("1.25\u202fg of the drug had not come out"))
+    EXPECT_TRUE(
+        text("lessonEnd").contains("judged by the 3.75\u202fg of 5.00\u202fg that had come"))
         << text("lessonEnd").toStdString();
     standing_.metrics.delivered_g = 5.0;
     panel_.show_standing(standing_);
@@ -224,7 +266,7 @@ TEST_F(LessonPanelTest, says_in_the_end_how_much_of_the_drug_counts_as_no_dose) 
     standing_.pass = {{{Quantity::dose_target_share, -1, true, 0.5}, 0.75, true}};
     panel_.begin(two_steps());
     panel_.show_standing(standing_);
-    EXPECT_TRUE(text("lessonEnd").contains("1.25\u202fg of the drug"));
+    EXPECT_TRUE(text("lessonEnd").contains("the other 1.25\u202fg of the drug count neither"));
 }
 
 }  // namespace

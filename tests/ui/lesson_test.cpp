@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTableWidget>
 #include <atomic>
 #include <fstream>
@@ -59,6 +60,7 @@ TEST_F(LessonWindowTest, a_trainee_takes_hold_lets_go_and_has_the_score_of_the_r
     const Vec3 mark = window_.lessons().marks_in(window_.frame()).at(0).place_mm;
     QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_widget(mark));
     ASSERT_TRUE(wait_for([&] { return shown("lessonStep").startsWith("Step 2"); }));
+    EXPECT_EQ(window_.statusBar()->currentMessage(), shown("lessonStep"));
     QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, on_widget(mark));
     ASSERT_TRUE(wait_for([&] { return shown("lessonEnd").contains("Passed"); }));
     const LessonStanding live = window_.lessons().standing();

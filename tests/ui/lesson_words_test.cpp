@@ -5,11 +5,14 @@
 
 #include <QFormLayout>
 #include <QLabel>
+#include <QRegularExpression>
 #include <algorithm>
 #include <limits>
 
+#include "core/flow/fluid.h"
 #include "core/lesson/lesson_file.h"
 #include "ui/core_sentences.h"
+#include "ui/flow_units.h"
 #include "ui/tool_panel.h"
 
 namespace hepatica {
@@ -85,6 +88,18 @@ TEST(LessonWords, OfBuiltInLessonsNameNoFlowInOneUnitAlone) {
                 EXPECT_EQ(text.find("g/s") == std::string::npos,
                           text.find("mL/min") == std::string::npos)
                     << text;
+}
+
+// The panel beside the hint shows what flow of volume a flow of mass is for the drug of the lesson.
+TEST(LessonWords, OfBuiltInLessonsSayFlowsOfTheirOwnDrug) {
+    const Lesson lesson = find_lesson("embolization");
+    ASSERT_EQ(lesson.drug, "lipiodol");
+    const double density_g_mm3 = mixture(blood(), lipiodol(), 2.0 / 3.0).density_g_mm3;
+    const QRegularExpression flow(R"(([\d.]+) g/s, which is about (\d+) mL/min)");
+    const auto said = flow.match(QString::fromStdString(lesson.steps[0].hint));
+    ASSERT_TRUE(said.hasMatch()) << lesson.steps[0].hint;
+    EXPECT_NEAR(ml_min_of(said.captured(1).toDouble(), density_g_mm3), said.captured(2).toDouble(),
+                0.5);
 }
 
 TEST(LessonWords, OfTheCutLineNameTheFieldToSet) {

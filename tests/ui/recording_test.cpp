@@ -167,6 +167,7 @@ TEST_F(RecordedWindow, attempts_are_in_the_units_that_were_chosen) {
         attempt.name = name;
         attempt.metrics[static_cast<std::size_t>(Quantity::time_s)] = 12.0;
         attempt.metrics[static_cast<std::size_t>(Quantity::blood_lost_g)] = 21.2;
+        attempt.metrics[static_cast<std::size_t>(Quantity::joints_broken)] = 6.0;
         write_attempt(attempt);
     }
     AttemptsDialog dialog(
@@ -184,6 +185,7 @@ TEST_F(RecordedWindow, attempts_are_in_the_units_that_were_chosen) {
     dialog.set_units(FlowUnits::clinic);
     EXPECT_EQ(cell_of("blood lost (mL)"), "20.0");
     EXPECT_EQ(cell_of("time (s)"), "12.0");
+    EXPECT_EQ(cell_of("joints broken"), "6") << "a count has no decimals";
     auto& quantity = *dialog.findChild<QComboBox*>("attemptsQuantity");
     quantity.setCurrentIndex(quantity.findText("blood lost"));
     dialog.findChild<QComboBox*>("attemptsWhose")->setCurrentIndex(1);

@@ -37,7 +37,7 @@ TEST(ReviewList, AVerdictThatIsNotPassedLooksLikeNoStepThatIsReached) {
 }
 
 TEST(ReviewTitle, LeavesANameAsItIs) {
-    EXPECT_EQ(gone_through("Half %2 and %1", 0.256), "Half %2 and %1: 25 % gone through");
+    EXPECT_EQ(gone_through("Half %2 and %1", 0.256), "Half %2 and %1: 25 % of the recording read");
 }
 
 // Pictures and films hold the headings, and folders are often named after the patient.
