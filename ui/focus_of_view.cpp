@@ -2,9 +2,31 @@
 #include "ui/focus_of_view.h"
 
 #include <QApplication>
-#include <QWidget>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QScrollArea>
+#include <QTabBar>
 
 namespace hepatica {
+namespace {
+
+// By its tab: QDockWidget::raise() does nothing where Qt's frame of focus puts itself above the
+// dock meanwhile, as it does for a control that fills one.
+void bring_to_front(const QDockWidget& dock) {
+    for (QTabBar* tabs : dock.parentWidget()->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+        for (int tab = 0; tab < tabs->count(); ++tab)
+            if (tabs->tabText(tab) == dock.windowTitle()) tabs->setCurrentIndex(tab);
+}
+
+void bring_into_sight(QWidget* focused, const QWidget& window) {
+    for (QWidget* up = focused; up != nullptr && up != &window; up = up->parentWidget()) {
+        if (auto* scroll = qobject_cast<QScrollArea*>(up)) scroll->ensureWidgetVisible(focused);
+        const auto* dock = qobject_cast<QDockWidget*>(up);
+        if (dock && dock->visibleRegion().isEmpty()) bring_to_front(*dock);
+    }
+}
+
+}  // namespace
 
 void give_focus_back_to(QWidget& view) {
     QObject::connect(qApp, &QApplication::focusChanged, &view,
@@ -14,6 +36,20 @@ void give_focus_back_to(QWidget& view) {
                          if (before->window() != window || now->window() != window) return;
                          if (!before->isEnabled() || !before->isVisible()) view.setFocus();
                      });
+}
+
+void keep_focus_in_sight(QMainWindow& window, QWidget& view) {
+    QObject::connect(qApp, &QApplication::focusChanged, &window,
+                     [&window](QWidget* /*before*/, QWidget* now) {
+                         // The view may have taken it already, see give_focus_back_to().
+                         if (now == QApplication::focusWidget()) bring_into_sight(now, window);
+                     });
+    for (QDockWidget* dock : window.findChildren<QDockWidget*>())
+        QObject::connect(dock, &QDockWidget::visibilityChanged, &view, [dock, &view] {
+            const QWidget* focused = QApplication::focusWidget();
+            if (focused && dock->isAncestorOf(focused) && dock->visibleRegion().isEmpty())
+                view.setFocus();
+        });
 }
 
 }  // namespace hepatica

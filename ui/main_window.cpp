@@ -3,7 +3,6 @@
 #include "ui/main_window.h"
 
 #include <QActionGroup>
-#include <QApplication>
 #include <QDockWidget>
 #include <QHBoxLayout>
 #include <QMenu>
@@ -94,15 +93,6 @@ QDockWidget* make_dock(QMainWindow& window, const char* name, QWidget* content) 
     dock->setWidget(scroll);
     window.addDockWidget(Qt::RightDockWidgetArea, dock);
     return dock;
-}
-
-// Tab also reaches panels that are hidden behind others; they are raised then.
-void bring_into_sight(QWidget* focused, const QWidget& window) {
-    for (QWidget* up = focused; up != nullptr && up != &window; up = up->parentWidget()) {
-        if (auto* scroll = qobject_cast<QScrollArea*>(up)) scroll->ensureWidgetVisible(focused);
-        auto* dock = qobject_cast<QDockWidget*>(up);
-        if (dock && dock->visibleRegion().isEmpty()) dock->raise();
-    }
 }
 
 }  // namespace
@@ -473,10 +463,7 @@ void MainWindow::connect_views() {
                  [this, &slices] { view_layout_->set_slices_visible(slices.isChecked()); });
     actions_->on(ActionId::full_screen,
                  [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
-    connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
-        // The view may have taken it already, see give_focus_back_to().
-        if (now == QApplication::focusWidget()) bring_into_sight(now, *this);
-    });
+    keep_focus_in_sight(*this, *view_);
 }
 
 void MainWindow::connect_help() {

@@ -13,6 +13,7 @@
 #include <QSlider>
 #include <QWheelEvent>
 #include <algorithm>
+#include <set>
 
 #include "tests/ui/fake_window_test.h"
 #include "ui/curves_dock.h"
@@ -110,6 +111,37 @@ TEST_F(PanelsTest, the_panel_in_front_stays_there_where_the_keyboard_goes_on_by_
     for (int presses = 0; presses < 60 && injection.visibleRegion().isEmpty(); ++presses)
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
     EXPECT_FALSE(injection.visibleRegion().isEmpty());
+}
+
+// Keys would change there what nobody sees.
+TEST_F(PanelsTest, the_tab_key_goes_to_nothing_that_is_out_of_sight) {
+    open_built_in();
+    auto& tool = *window_.findChild<QDockWidget*>("Tool");
+    tool.raise();
+    ASSERT_TRUE(testing::wait_for([&] { return !tool.visibleRegion().isEmpty(); }));
+    window_.view().setFocus();
+    std::set<QWidget*> stops;
+    for (QWidget* stop = QApplication::focusWidget(); stop && stops.insert(stop).second;
+         stop = QApplication::focusWidget()) {
+        EXPECT_FALSE(stop->visibleRegion().isEmpty())
+            << stop->metaObject()->className() << " " << stop->objectName().toStdString();
+        QTest::keyClick(stop, Qt::Key_Tab);
+        QCoreApplication::processEvents();
+    }
+    EXPECT_GT(stops.size(), 15u);
+    EXPECT_TRUE(stops.contains(window_.findChild<QDoubleSpinBox*>("flow")))
+        << "a panel behind another is reached, too, and comes to the front";
+}
+
+TEST_F(PanelsTest, the_keyboard_leaves_a_panel_that_goes_behind_another) {
+    open_built_in();
+    auto& flow = *window_.findChild<QDoubleSpinBox*>("flow");
+    flow.setFocus();
+    ASSERT_TRUE(flow.hasFocus());
+    auto& tool = *window_.findChild<QDockWidget*>("Tool");
+    tool.raise();
+    ASSERT_TRUE(testing::wait_for([&] { return !tool.visibleRegion().isEmpty(); }));
+    EXPECT_TRUE(window_.view().hasFocus());
 }
 
 // The first tear is watched in the view, whose room they would take.
