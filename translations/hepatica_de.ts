@@ -4402,8 +4402,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>braucht ein Zielgebiet: Sagen Sie, wo es beginnt.</translation>
     </message>
     <message>
-        <source>Pull the vessel at the mark 10 mm aside and hold it for a second.</source>
-        <translation>Ziehen Sie das Gefäß an der Marke 10 mm beiseite, und halten Sie es eine Sekunde lang.</translation>
+        <source>Pull the vessel at the mark 5 mm aside and hold it for a second.</source>
+        <translation>Ziehen Sie das Gefäß an der Marke 5 mm beiseite, und halten Sie es eine Sekunde lang.</translation>
     </message>
     <message>
         <source>What the trainee is to do.</source>
