@@ -4370,8 +4370,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>braucht ein Zielgebiet: Sagen Sie, wo es beginnt.</translation>
     </message>
     <message>
-        <source>Pull the vessel at the mark 10 mm aside and hold it for a second.</source>
-        <translation>Ziehen Sie das Gefäß an der Marke 10 mm beiseite, und halten Sie es eine Sekunde lang.</translation>
+        <source>Pull the vessel at the mark 5 mm aside and hold it for a second.</source>
+        <translation>Ziehen Sie das Gefäß an der Marke 5 mm beiseite, und halten Sie es eine Sekunde lang.</translation>
     </message>
     <message>
         <source>What the trainee is to do.</source>
@@ -8709,8 +8709,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>ist innerhalb seines NIfTI-2-Kopfes abgeschnitten</translation>
     </message>
     <message>
-        <source>The play stands as it was judged, and the hand is empty, so that the wheel zooms: the first thing you do lets the play go on.</source>
-        <translation>Die Übung steht, wie sie beurteilt wurde, und die Hand ist leer, sodass das Rad zoomt: Sobald Sie etwas tun, geht die Übung weiter.</translation>
+        <source>The play is paused as it was when it was judged, and no tool is in hand. It goes on as soon as you do something.</source>
+        <translation>Die Übung ist angehalten, so wie sie beurteilt wurde; kein Werkzeug ist in der Hand. Sie geht weiter, sobald Sie etwas tun.</translation>
     </message>
     <message>
         <source>The lesson is judged: the tool is put away, and the wheel zooms</source>

@@ -195,8 +195,9 @@ QString LessonPanel::about_clock(const LessonStanding& standing, bool clock_stan
             "The play that was judged is left: \"Look back on it\" shows its recording.");
     if (!running)
         return Words::tr(
-            "The play stands as it was judged, and the hand is empty, so that the "
-            "wheel zooms: the first thing you do lets the play go on.");
+            "The play is paused as it was when it was judged, and no tool is in hand. It goes on "
+            "as "
+            "soon as you do something.");
     if (clock_stands) return Words::tr("The clock stands: it runs from the first thing you do.");
     return Words::tr("Time: %1")
         .arg(with_units_beside(

@@ -41,6 +41,7 @@
 #include "ui/paths.h"
 #include "ui/play_recorder.h"
 #include "ui/plot_panel.h"
+#include "ui/popup_guard.h"
 #include "ui/progress_strip.h"
 #include "ui/quality_panel.h"
 #include "ui/questions.h"
@@ -101,6 +102,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
                        std::optional<PatientKeeper::Questions> questions)
     : settings_(settings), back_ends_(patients.back_ends) {
     new WheelGuard(this);  // owned by the window
+    new PopupGuard(this);
     show_title({});
     setAcceptDrops(true);
     resize_on_screen(*this, {1280, 820});

@@ -37,7 +37,7 @@ TEST(LessonDoubts, NamesThePartThatIsMissing) {
         ElementsAre(AllOf(HasSubstr("tool pull"), HasSubstr("vessels that move")),
                     AllOf(HasSubstr("Step 1 \"Pull the"), HasSubstr("goal: \"way moved by mark 1"),
                           HasSubstr("vessels that move")),
-                    HasSubstr("Limits all the time: \"force at most 400 mN\"")));
+                    HasSubstr("Limits all the time: \"largest stretch at most 1.5\"")));
 
     struct Missing {
         const char* id;

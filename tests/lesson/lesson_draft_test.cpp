@@ -18,6 +18,17 @@ TEST(LessonDraft, BeginsAsALessonThatCanBeReadAndPlayed) {
     EXPECT_TRUE(doubts_about(lesson).empty());
 }
 
+// Thick vessels need more force for the same way, so that no limit on it suits every patient.
+TEST(LessonDraft, BeginsWithoutALimitOnTheForce) {
+    using enum Quantity;
+    const Lesson lesson = new_lesson();
+    for (const std::vector<Predicate>& bounds : {lesson.limits, lesson.pass})
+        for (const Predicate& bound : bounds)
+            EXPECT_TRUE(bound.quantity != force_mn && bound.quantity != peak_force_mn &&
+                        bound.quantity != impulse_mn_s)
+                << to_words(bound, lesson.mark_names());
+}
+
 TEST(LessonDraft, TakesAMarkAwayAndKeepsWhatNamedIt) {
     Lesson lesson = new_lesson();
     lesson.marks = {

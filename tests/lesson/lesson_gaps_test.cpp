@@ -27,7 +27,7 @@ const OneGap one_gaps[] = {
     {[](Lesson& lesson) { lesson.scene.deform.reset(); }, "of nothing"},
     {[](Lesson& lesson) { lesson.steps[0].text.clear(); }, "Step 1 says nothing"},
     {[](Lesson& lesson) { lesson.steps[0].goal.clear(); },
-     "Step 1 \"Pull the vessel at the mark 10 mm aside and hold…\" has no goal"},
+     "Step 1 \"Pull the vessel at the mark 5 mm aside and hold…\" has no goal"},
     {[](Lesson& lesson) { remove_mark(lesson, 0); }, "hold…\", goal: \"way moved by no mark"},
     {[](Lesson& lesson) {
          lesson.limits = {{Quantity::touch_mm, -1, false, 2.0}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A live play and its recording have one score; and each of the seven lessons is passed by one play
-// and failed by another.
+// A live play and its recording have one score; each of the seven lessons is passed by one play and
+// failed by another; and the one that the editor begins with can be passed.
 #include "core/lesson/score.h"
 
 #include <gmock/gmock.h>
@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_file.h"
 #include "core/opening/open_patient.h"
 #include "core/session/recording_file.h"
@@ -168,6 +169,20 @@ TEST(Score, WhatARecordingEndsBeforeIsNotReached) {
     EXPECT_THAT(played.standing.reasons.front(), HasSubstr("was not reached"));
 }
 
+// What the lesson editor begins with, pulled with more force than a thin vessel needs.
+void expect_new_lesson_is_passed(const std::shared_ptr<const PatientCase>& patient) {
+    Lesson lesson = new_lesson();
+    lesson.scene.deform->quality = 0.0;
+    const Script pull = script_of(R"({"actions": [
+        {"at_s": 0.1, "do": "grab", "where": {"share_of_longest_path": 0.5}},
+        {"at_s": 0.15, "do": "move", "by_mm": [-9, 0, 0], "over_s": 0.5}]})",
+                                  "pull");
+    const Played played = play(lesson, pull, patient, 200);
+    EXPECT_EQ(played.standing.outcome, LessonOutcome::passed)
+        << to_json(played.standing, lesson).dump(1);
+    EXPECT_GT(played.standing.metrics.peak_force_mn, 400.0);
+}
+
 // One test, because making the built-in patient takes longer than all the plays.
 TEST(BuiltInLessons, EachIsPassedByOnePlayAndFailedByAnother) {
     Job job;
@@ -200,6 +215,7 @@ TEST(BuiltInLessons, EachIsPassedByOnePlayAndFailedByAnother) {
         EXPECT_THAT(bad.standing.reasons.front(), HasSubstr("limit broken"))
             << id << ": the play does harm, it is not merely too short";
     }
+    expect_new_lesson_is_passed(patient);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Making a lesson with the whole window: a place that is clicked on in the view, and a play to try.
+#include <QAbstractItemView>
 #include <QAction>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -132,6 +134,19 @@ TEST_F(LessonEditorWindowTest, it_does_not_cover_the_vessels_that_are_to_be_clic
     window_.messages().findChild<QToolButton*>("closeMessage")->click();
     EXPECT_TRUE(editor().isVisible());
     EXPECT_TRUE(window_.view().mouse().mode() == MouseMode::pull) << "no mode without a sign of it";
+}
+
+TEST_F(LessonEditorWindowTest, escape_closes_an_open_list_and_not_the_editor) {
+    editor().show_editor();
+    QApplication::setActiveWindow(&editor());
+    auto& patients = *editor().findChild<QComboBox*>("lessonPatient");
+    patients.showPopup();
+    ASSERT_TRUE(patients.view()->isVisible());
+    QTest::keyClick(patients.view(), Qt::Key_Escape);
+    EXPECT_TRUE(wait_for([&] { return !patients.view()->isVisible(); }));
+    EXPECT_TRUE(editor().isVisible());
+    QTest::keyClick(&editor(), Qt::Key_Escape);
+    EXPECT_TRUE(editor().isHidden()) << "no list is open any more";
 }
 
 TEST_F(LessonEditorWindowTest, a_lesson_is_tried_and_leaves_no_attempt) {

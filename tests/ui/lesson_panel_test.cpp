@@ -100,14 +100,15 @@ TEST_F(LessonPanelTest, shows_no_limits_of_a_step_that_is_over) {
     EXPECT_TRUE(text("lessonLimits").contains("10\u202fmN"));
 }
 
-TEST_F(LessonPanelTest, says_what_the_wheel_does_after_the_verdict) {
+TEST_F(LessonPanelTest, says_that_the_play_is_paused_after_the_verdict) {
     standing_.outcome = LessonOutcome::passed;
     panel_.show_standing(standing_, true);
-    EXPECT_TRUE(text("lessonClock").contains("the wheel zooms"));
+    EXPECT_TRUE(text("lessonClock").startsWith("The play is paused as it was when"));
+    EXPECT_TRUE(text("lessonClock").contains("no tool is in hand"));
     EXPECT_FALSE(panel_.findChild<QLabel*>("lessonClock")->isHidden());
     // Free play is shown instead.
     panel_.show_standing(standing_, true, LessonPanel::InView::other);
-    EXPECT_FALSE(text("lessonClock").contains("stands as it was judged"));
+    EXPECT_FALSE(text("lessonClock").contains("paused as it was"));
     EXPECT_TRUE(text("lessonClock").contains("The play that was judged is left"));
     EXPECT_FALSE(panel_.findChild<QLabel*>("lessonClock")->isHidden());
     panel_.show_standing(standing_, true, LessonPanel::InView::review);

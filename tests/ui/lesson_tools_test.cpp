@@ -199,7 +199,7 @@ TEST_F(LessonToolsTest, its_clock_stands_from_the_verdict_on_until_something_is_
     ASSERT_TRUE(wait_for([&] { return window_.frame().statistics.paused; }));
     EXPECT_EQ(window_.messages().text(), "") << "no drug flows in it, and none is told to stop";
     auto* clock = window_.lessons().findChild<QLabel*>("lessonClock");
-    EXPECT_TRUE(wait_for([&] { return clock->text().startsWith("The play stands as it was"); }));
+    EXPECT_TRUE(wait_for([&] { return clock->text().startsWith("The play is paused as it was"); }));
     EXPECT_FALSE(clock->isHidden());
     const Vec3 mark = window_.lessons().marks_in(window_.frame()).at(0).place_mm;
     QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_widget(mark));

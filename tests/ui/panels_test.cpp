@@ -3,6 +3,7 @@
 // at the edge of a plot.
 #include <gtest/gtest.h>
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -68,6 +69,20 @@ TEST_F(PanelsTest, the_wheel_changes_what_has_the_focus_and_nothing_else) {
     preset.setFocus();
     turn_wheel(preset);
     EXPECT_NE(preset.currentIndex(), choice);
+}
+
+TEST_F(PanelsTest, escape_closes_an_open_list_and_keeps_the_tool) {
+    open_built_in();
+    QTest::keyClick(&window_, Qt::Key_4);
+    ASSERT_EQ(window_.view().mouse().mode(), MouseMode::tool);
+    auto& units = *window_.findChild<QComboBox*>("flowUnits");
+    units.showPopup();
+    ASSERT_TRUE(units.view()->isVisible());
+    QTest::keyClick(units.view(), Qt::Key_Escape);
+    EXPECT_TRUE(testing::wait_for([&] { return !units.view()->isVisible(); }));
+    EXPECT_EQ(window_.view().mouse().mode(), MouseMode::tool);
+    QTest::keyClick(&window_, Qt::Key_Escape);
+    EXPECT_NE(window_.view().mouse().mode(), MouseMode::tool) << "no list is open any more";
 }
 
 TEST_F(PanelsTest, the_mode_that_edits_brings_its_panel_to_the_front_even_if_it_was_closed) {
