@@ -7811,6 +7811,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>&lt;b&gt;%1&lt;/b&gt;: wer was nach den Bestehensgrenzen des Kurses bestanden hat, und in wie vielen Versuchen. Die Zeit ist die kürzeste der bestandenen.</translation>
     </message>
     <message>
+        <source>Nobody has practised a lesson yet. Each attempt is counted here once it has ended, under the name or number at the foot of the panel Lesson.</source>
+        <translation>Noch niemand hat eine Lektion geübt. Jeder Versuch wird hier gezählt, sobald er beendet ist, unter dem Namen oder der Nummer, die unten im Bereich Lektion steht.</translation>
+    </message>
+    <message>
         <source>Name or number</source>
         <translation>Name oder Nummer</translation>
     </message>

@@ -31,12 +31,18 @@ QString in_cell(const LessonResult& result) {
 ResultsDialog::ResultsDialog(std::function<void(const std::string& csv)> save, QWidget* parent)
     : QDialog(parent),
       title_(new QLabel),
+      nobody_(new QLabel(Words::tr("Nobody has practised a lesson yet. Each attempt is counted "
+                                   "here once it has ended, under the name or number at the foot "
+                                   "of the panel Lesson."))),
       table_(new QTableWidget),
       save_(new QPushButton(Words::tr("Save as &CSV…"))) {
     setWindowTitle(Words::tr("Results of all"));
     resize_on_screen(*this, {1000, 480});
     title_->setObjectName("resultsTitle");
     title_->setWordWrap(true);
+    nobody_->setObjectName("resultsNobody");
+    nobody_->setWordWrap(true);
+    nobody_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     table_->setObjectName("results");
     table_->setAccessibleName(Words::tr("Results of all"));
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -49,6 +55,7 @@ ResultsDialog::ResultsDialog(std::function<void(const std::string& csv)> save, Q
     connect(save_, &QPushButton::clicked, this, [this, save] { save(to_csv(results_)); });
     auto* column = new QVBoxLayout(this);
     column->addWidget(title_);
+    column->addWidget(nobody_, 1);
     column->addWidget(table_, 1);
     column->addWidget(buttons);
 }
@@ -58,7 +65,10 @@ void ResultsDialog::show_results(const std::string& course, CourseResults result
     title_->setText(Words::tr("<b>%1</b>: who passed what by the marks of the course, in how many "
                               "attempts. The time is the shortest of those that passed.")
                         .arg(course_title(course).toHtmlEscaped()));
-    save_->setEnabled(!results_.trainees.empty());
+    const bool anybody = !results_.trainees.empty();
+    nobody_->setVisible(!anybody);
+    table_->setVisible(anybody);
+    save_->setEnabled(anybody);
     fill();
     show();
     raise();

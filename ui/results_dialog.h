@@ -27,6 +27,7 @@ class ResultsDialog : public QDialog {
 
     CourseResults results_;
     QLabel* title_;
+    QLabel* nobody_;  // in place of the table where it is empty
     QTableWidget* table_;
     QPushButton* save_;
 };

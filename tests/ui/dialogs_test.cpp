@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The wizard's fields, and the dialogs that save a case and choose a series.
+// The wizard's fields, and the dialogs that save a case, choose a series and list results.
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTableWidget>
 #include <QTimer>
 #include <QTreeWidget>
 #include <filesystem>
@@ -15,6 +16,7 @@
 #include "tests/ui/fake_window_test.h"
 #include "ui/paths.h"
 #include "ui/patient_wizard.h"
+#include "ui/results_dialog.h"
 #include "ui/save_case_dialog.h"
 #include "ui/series_dialog.h"
 
@@ -428,6 +430,22 @@ TEST_F(SavingCase, never_replaces_what_is_no_case_and_says_so) {
             << name << ": " << refused_.toStdString();
         EXPECT_EQ(asked_, "");
     }
+}
+
+TEST(Results, SayWhereTheyComeFromWhileThereAreNone) {
+    ResultsDialog dialog([](const std::string&) {}, nullptr);
+    const auto* nobody = dialog.findChild<QLabel*>("resultsNobody");
+    const auto* table = dialog.findChild<QTableWidget*>("results");
+    ASSERT_TRUE(nobody != nullptr && table != nullptr);
+    CourseResults results{{"Gentle pull"}, {}};
+    dialog.show_results("First steps", results);
+    EXPECT_TRUE(nobody->isVisible());
+    EXPECT_TRUE(nobody->text().startsWith("Nobody has practised a lesson yet."));
+    EXPECT_FALSE(table->isVisible());
+    results.trainees = {{"A", {{.attempts = 2, .passed = true, .best_s = 3.0}}}};
+    dialog.show_results("First steps", results);
+    EXPECT_FALSE(nobody->isVisible());
+    EXPECT_TRUE(table->isVisible());
 }
 
 // Whatever is opened is the fake patient, made of the CT that was asked for.
