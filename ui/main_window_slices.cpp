@@ -94,7 +94,6 @@ void MainWindow::build_slices(QWidget* parent) {
     };
     view_layout_ = new ViewLayout(view_, settings_, std::move(callbacks), parent);
     show_corrections_with_slices();
-    follow_points();
 }
 
 // Lessons and reviews need the patient unchanged.
@@ -191,12 +190,9 @@ void MainWindow::show_corrections_with_slices() {
 // Why a vessel was not drawn goes with its places.
 void MainWindow::follow_points() {
     SliceScene& slices = view_layout_->slices();
-    const auto show_history = [this] {
-        if (editing_) editing_->show_history();
-    };
-    slices.measurements().on_change(show_history);
-    slices.pen().on_change([this, &slices, show_history] {
-        show_history();
+    slices.measurements().on_change([this] { editing_->show_history(); });
+    slices.pen().on_change([this, &slices] {
+        editing_->show_history();
         if (slices.pen().places_mm().empty() && !not_drawn_message_.isEmpty() &&
             messages_->text() == not_drawn_message_)
             messages_->dismiss();
@@ -254,6 +250,7 @@ void MainWindow::build_editing() {
                 if (patient_ && show_marks()) view_->draw_again();
             },
             [this] { return branches_->isVisible() ? chosen_branch_ : -1; }});
+    follow_points();
 }
 
 // To the centreline, since the vertex itself lies on the wall.

@@ -171,6 +171,7 @@ TEST(OpeningLimits, ASeriesOfSeveralIsCalledAfterTheFolderAtWhichTheyPart) {
     EXPECT_EQ(title_of_series("/scan", deep, 3), "scan 8");
     EXPECT_EQ(title_of_series("/scan", {mixed[2]}, 1), "scan") << "nothing was to be chosen";
     EXPECT_EQ(title_of_series("/scan", mixed, 4), "scan");
+    EXPECT_EQ(title_of_series("/scan/case 7/DICOM", {mixed[2]}, 1), "case 7");
 }
 
 TEST(OpeningLimits, TheSeriesThatWasChosenGivesThePatientItsTitle) {
