@@ -9321,5 +9321,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Dull pink: what an earlier injection had reached.</source>
         <translation>Mattrosa: was eine frühere Injektion erreicht hatte.</translation>
     </message>
+    <message>
+        <source>Choose a tool: %1</source>
+        <translation>Wählen Sie ein Werkzeug: %1</translation>
+    </message>
 </context>
 </TS>
