@@ -7306,10 +7306,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Rückbli&amp;ck verlassen</translation>
     </message>
     <message>
-        <source>&amp;No more beside it</source>
-        <translation>&amp;Nichts mehr daneben</translation>
-    </message>
-    <message>
         <source>Branch %1 is an end and takes %2 % of the flow of its tree (%3, root: branch %4): it may be cut off there, or blood may come in by it. Delete it, or set the root there; else drugs go the wrong way.</source>
         <translation>Ast %1 ist ein Ende und nimmt %2 % des Flusses seines Baums (%3, Wurzel: Ast %4): Er kann dort abgeschnitten sein, oder Blut kommt durch ihn herein. Löschen Sie ihn, oder setzen Sie die Wurzel dorthin; sonst laufen Medikamente falsch.</translation>
     </message>
@@ -9324,6 +9320,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Choose a tool: %1</source>
         <translation>Wählen Sie ein Werkzeug: %1</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>Vergleichen mit</translation>
+    </message>
+    <message>
+        <source>E&amp;nd the comparison</source>
+        <translation>Vergleich bee&amp;nden</translation>
     </message>
 </context>
 </TS>

@@ -206,7 +206,8 @@ class MainWindow : public QMainWindow {
     void forget(const std::vector<std::filesystem::path>& interrupted);
     void open_unsaved_work();
     void ask_for_ct(bool folder);
-    std::optional<std::filesystem::path> ask_for_recording();
+    // To look back on, or to compare with the one that is shown.
+    std::optional<std::filesystem::path> ask_for_recording(const std::filesystem::path& shown = {});
     void ask_for_reconstruction();
     void ask_where_to_save_picture();
     void ask_where_to_archive();

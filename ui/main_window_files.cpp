@@ -251,8 +251,9 @@ void MainWindow::ask_for_ct(bool folder) {
     if (!path.isEmpty()) open(path);
 }
 
-std::optional<std::filesystem::path> MainWindow::ask_for_recording() {
-    RecordingDialog dialog(to_path(settings_.recordings_folder()), this);
+std::optional<std::filesystem::path> MainWindow::ask_for_recording(
+    const std::filesystem::path& shown) {
+    RecordingDialog dialog(to_path(settings_.recordings_folder()), this, shown);
     if (dialog.exec() != QDialog::Accepted) return std::nullopt;
     return dialog.chosen();
 }

@@ -293,7 +293,9 @@ void MainWindow::show_figures() {
     if (picture_ms_ > 0.0) status_->show_picture_time(picture_ms_);
     if (!patient_) return status_->clear_statistics();
     const Frame& frame = patient_->simulation->frame();
-    status_->show_statistics(frame.statistics);
+    FrameStatistics statistics = frame.statistics;
+    statistics.paused |= review_->reviewing() && !review_->playing();
+    status_->show_statistics(statistics);
     quality_->show_statistics(frame.statistics);
     tool_panel_->show_force(frame.tool, frame.grab);
     tool_panel_->show_contact(frame);

@@ -24,6 +24,7 @@ StatusLine::StatusLine(QStatusBar& bar)
     recording_->setText("<span style='color:#e5484d'>●</span> " + Words::tr("Recording"));
     recording_->setToolTip(Words::tr("The play is recorded; F5 ends that"));
     step_->setObjectName("step");
+    real_time_->setObjectName("realTime");
     error_->setObjectName("expectedError");
     step_->setToolTip(Words::tr("Wall time of one step of the simulation"));
     real_time_->setToolTip(

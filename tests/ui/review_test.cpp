@@ -64,7 +64,7 @@ TEST(ReviewTitle, OfTwoFilesOfOneLessonBeginsWithWhatTellsThemApart) {
     one.file = "gentle_pull-20261126-034000-123.hrec";
     other.file = "gentle_pull-20261126-034100-123.hrec";
     const std::array<QString, 2> headings = headings_of(one, other);
-    EXPECT_TRUE(headings[0].startsWith("1: Gentle pull, 28 Nov 2026, 09:39, not passed (gentle_"));
+    EXPECT_TRUE(headings[0].startsWith("1: not passed, Gentle pull, 28 Nov 2026, 09:39 (gentle_"));
     EXPECT_TRUE(headings[1].startsWith("2: Gentle pull, 28 Nov 2026, 09:38 (gentle_"));
 }
 
@@ -300,6 +300,18 @@ TEST_F(ReviewWindowTest, another_recording_is_shown_beside_it_and_looks_the_same
     EXPECT_TRUE(wait_for([this] { return !dock().comparing(); }));
     EXPECT_TRUE(window_.messages().text().contains("another patient"));
     EXPECT_TRUE(dock().reviewing());
+}
+
+// A recording has the figures of the play, whose clock ran.
+TEST_F(ReviewWindowTest, that_is_stopped_is_not_called_as_fast_as_real_time) {
+    open_built_in();
+    look_back();
+    auto* fast = window_.findChild<QLabel*>("realTime");
+    EXPECT_TRUE(wait_for([&] { return fast->text() == "held"; }));
+    fast->clear();
+    line().set_at(30.2 / 60);
+    EXPECT_TRUE(wait_for([&] { return !fast->text().isEmpty(); }));
+    EXPECT_EQ(fast->text(), "held");
 }
 
 // The first view draws what it took over after the second was turned on: its picture takes nothing
