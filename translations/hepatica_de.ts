@@ -1821,10 +1821,6 @@
         <translation>%1 gespeichert</translation>
     </message>
     <message>
-        <source>Folder for the pictures of the film (ffmpeg is not installed)</source>
-        <translation>Ordner für die Bilder des Films (ffmpeg ist nicht installiert)</translation>
-    </message>
-    <message>
         <source>Save a film</source>
         <translation>Film speichern</translation>
     </message>
@@ -2895,14 +2891,6 @@
     <message>
         <source>Choose a disk with more room</source>
         <translation>Wählen Sie einen Datenträger mit mehr Platz</translation>
-    </message>
-    <message>
-        <source>holds the pictures of another film</source>
-        <translation>enthält die Bilder eines anderen Films</translation>
-    </message>
-    <message>
-        <source>Choose an empty folder</source>
-        <translation>Wählen Sie einen leeren Ordner</translation>
     </message>
     <message>
         <source>ffmpeg could not make it: %1</source>
@@ -9318,6 +9306,18 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Mattrosa: was eine frühere Injektion erreicht hatte.</translation>
     </message>
     <message>
+        <source>A film in one file needs the program ffmpeg, which is not installed (apt install ffmpeg): it is saved as a folder of pictures.</source>
+        <translation>Ein Film in einer Datei braucht das Programm ffmpeg, das nicht installiert ist (apt install ffmpeg): Er wird als Ordner mit Bildern gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save a film as a folder of pictures</source>
+        <translation>Film als Ordner mit Bildern speichern</translation>
+    </message>
+    <message>
+        <source>No film was saved</source>
+        <translation>Es wurde kein Film gespeichert</translation>
+    </message>
+    <message>
         <source>Choose a tool: %1</source>
         <translation>Wählen Sie ein Werkzeug: %1</translation>
     </message>
@@ -9328,6 +9328,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>E&amp;nd the comparison</source>
         <translation>Vergleich bee&amp;nden</translation>
+    </message>
+    <message>
+        <source>is there already, and not empty</source>
+        <translation>ist schon da und nicht leer</translation>
+    </message>
+    <message>
+        <source>Give the folder of pictures another name</source>
+        <translation>Geben Sie dem Ordner mit den Bildern einen anderen Namen</translation>
     </message>
 </context>
 </TS>

@@ -214,6 +214,7 @@ class MainWindow : public QMainWindow {
     void save_table(const QString& name, const std::string& csv);
     void save_plots(bool picture);
     void ask_and_save_film(double end_s, const std::function<void(double at_s)>& go_to);
+    void say_no_film();  // it was cancelled
     void remember(const std::filesystem::path& path);
     void fail(const QString& doing, const Failure& failure);
     bool may_end_lesson();

@@ -266,6 +266,21 @@ TEST_F(ReviewWindowTest, a_film_of_it_has_every_moment) {
               static_cast<int>(window_.view().width() * window_.view().devicePixelRatioF()) / 2);
 }
 
+TEST_F(ReviewWindowTest, a_film_without_ffmpeg_is_said_to_be_pictures_in_a_folder_that_one_names) {
+    open_built_in();
+    look_back();
+    const QByteArray path = qgetenv("PATH");
+    qputenv("PATH", folder_.path().toLocal8Bit());  // where no program lies
+    choose_file(folder_.filePath("new film"));
+    click("reviewFilm");
+    EXPECT_TRUE(window_.messages().text().contains("ffmpeg, which is not installed"));
+    EXPECT_TRUE(std::filesystem::exists(to_path(folder_.filePath("new film/00000.png"))));
+    choose_file(folder_.path());
+    click("reviewFilm");
+    EXPECT_TRUE(window_.messages().text().contains("not empty"));
+    qputenv("PATH", path);
+}
+
 // A second play of the same patient, half as long, in which nothing happens.
 TEST_F(ReviewWindowTest, another_recording_is_shown_beside_it_and_looks_the_same_way) {
     open_built_in();
