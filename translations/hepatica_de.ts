@@ -1805,10 +1805,6 @@
         <translation>%1 gespeichert</translation>
     </message>
     <message>
-        <source>Folder for the pictures of the film (ffmpeg is not installed)</source>
-        <translation>Ordner für die Bilder des Films (ffmpeg ist nicht installiert)</translation>
-    </message>
-    <message>
         <source>Save a film</source>
         <translation>Film speichern</translation>
     </message>
@@ -2871,14 +2867,6 @@
     <message>
         <source>Choose a disk with more room</source>
         <translation>Wählen Sie einen Datenträger mit mehr Platz</translation>
-    </message>
-    <message>
-        <source>holds the pictures of another film</source>
-        <translation>enthält die Bilder eines anderen Films</translation>
-    </message>
-    <message>
-        <source>Choose an empty folder</source>
-        <translation>Wählen Sie einen leeren Ordner</translation>
     </message>
     <message>
         <source>ffmpeg could not make it: %1</source>
@@ -7270,10 +7258,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Rückbli&amp;ck verlassen</translation>
     </message>
     <message>
-        <source>&amp;No more beside it</source>
-        <translation>&amp;Nichts mehr daneben</translation>
-    </message>
-    <message>
         <source>Branch %1 is an end and takes %2 % of the flow of its tree (%3, root: branch %4): it may be cut off there, or blood may come in by it. Delete it, or set the root there; else drugs go the wrong way.</source>
         <translation>Ast %1 ist ein Ende und nimmt %2 % des Flusses seines Baums (%3, Wurzel: Ast %4): Er kann dort abgeschnitten sein, oder Blut kommt durch ihn herein. Löschen Sie ihn, oder setzen Sie die Wurzel dorthin; sonst laufen Medikamente falsch.</translation>
     </message>
@@ -9348,6 +9332,38 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Read %1 and left out %2 others as asked for, the best of them %3. On the command line --series %4 reads that one, and other numbers read the others.</source>
         <translation>Gelesen wurde wie verlangt %1, ausgelassen wurden %2 andere. Die beste davon, %3, liest Datei &gt; Mit Optionen rekonstruieren, Serie %4; andere Nummern lesen die anderen.</translation>
+    </message>
+    <message>
+        <source>A film in one file needs the program ffmpeg, which is not installed (apt install ffmpeg): it is saved as a folder of pictures.</source>
+        <translation>Ein Film in einer Datei braucht das Programm ffmpeg, das nicht installiert ist (apt install ffmpeg): Er wird als Ordner mit Bildern gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save a film as a folder of pictures</source>
+        <translation>Film als Ordner mit Bildern speichern</translation>
+    </message>
+    <message>
+        <source>No film was saved</source>
+        <translation>Es wurde kein Film gespeichert</translation>
+    </message>
+    <message>
+        <source>Choose a tool: %1</source>
+        <translation>Wählen Sie ein Werkzeug: %1</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>Vergleichen mit</translation>
+    </message>
+    <message>
+        <source>E&amp;nd the comparison</source>
+        <translation>Vergleich bee&amp;nden</translation>
+    </message>
+    <message>
+        <source>is there already, and not empty</source>
+        <translation>ist schon da und nicht leer</translation>
+    </message>
+    <message>
+        <source>Give the folder of pictures another name</source>
+        <translation>Geben Sie dem Ordner mit den Bildern einen anderen Namen</translation>
     </message>
 </context>
 </TS>

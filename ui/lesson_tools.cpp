@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson_tools.h"
 
+#include <QString>
+#include <QStringList>
 #include <QVariant>
 #include <QWidget>
 #include <algorithm>
@@ -38,6 +40,17 @@ std::set<ActionId> forbidden_actions(std::span<const LessonTool> tools) {
     for (const auto& [tool, action] : action_of_tool)
         if (!allows(tools, tool)) forbidden.insert(action);
     return forbidden;
+}
+
+QString in_words(std::span<const LessonTool> tools, const Actions& actions) {
+    QStringList names;
+    for (const auto& [tool, id] : action_of_tool) {
+        if (tool == LessonTool::pull || !allows(tools, tool)) continue;
+        const QAction& action = actions[id];
+        names << QString("%1 (%2)").arg(action.text().remove('&'),
+                                        action.shortcut().toString(QKeySequence::NativeText));
+    }
+    return names.join(", ");
 }
 
 void set_allowed(QWidget& control, bool allowed) {

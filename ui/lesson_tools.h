@@ -9,6 +9,7 @@
 #include "core/lesson/lesson.h"
 #include "ui/actions.h"
 
+class QString;
 class QWidget;
 
 namespace hepatica {
@@ -17,6 +18,9 @@ bool allows(std::span<const LessonTool> tools, LessonTool tool);
 
 // The actions that use other tools than these, reset the play or correct the vessels.
 std::set<ActionId> forbidden_actions(std::span<const LessonTool> tools);
+
+// The tools besides pulling, by the names and keys of their actions: "Probe (4), Forceps (6)".
+QString in_words(std::span<const LessonTool> tools, const Actions& actions);
 
 // Enables a control, or disables it with a tip that says why.
 void set_allowed(QWidget& control, bool allowed);

@@ -208,13 +208,15 @@ class MainWindow : public QMainWindow {
     void forget(const std::vector<std::filesystem::path>& interrupted);
     void open_unsaved_work();
     void ask_for_ct(bool folder);
-    std::optional<std::filesystem::path> ask_for_recording();
+    // To look back on, or to compare with the one that is shown.
+    std::optional<std::filesystem::path> ask_for_recording(const std::filesystem::path& shown = {});
     void ask_for_reconstruction();
     void ask_where_to_save_picture();
     void ask_where_to_archive();
     void save_table(const QString& name, const std::string& csv);
     void save_plots(bool picture);
     void ask_and_save_film(double end_s, const std::function<void(double at_s)>& go_to);
+    void say_no_film();  // it was cancelled
     void remember(const std::filesystem::path& path);
     void fail(const QString& doing, const Failure& failure);
     bool may_end_lesson();
@@ -251,13 +253,6 @@ class MainWindow : public QMainWindow {
     // At most every quarter of a second, and only after a change.
     void show_figures_soon();
     void show_figures();
-    void show_message_of(const FrameStatistics& statistics);
-    void tell_simplified();  // that the solver degraded a step
-    // Tells at the window's foot and beside the pointer why an action in the view did nothing.
-    void hint(const QString& text);
-    void say_that_cuts_stay();
-    void say_missed();
-    void say_empty_grip(GripWatch::Seen seen);
     void colour_by_segments(const std::vector<std::uint8_t>& of_branches);
     void show_hover(const SurfacePick& pick);
     void light_up(const TreePoint& under_mouse);
@@ -268,12 +263,24 @@ class MainWindow : public QMainWindow {
     void picture_shown(const PictureTime& time);
     void post(Command command);
     void set_mouse_mode(MouseMode mode);
-    QString guidance_of(MouseMode mode) const;  // what the mouse does, in the status bar
     void back_to_pulling();
     void take_tool(const std::string& kind);
     // Replaces the running simulation; null: by free play.
     void use(std::unique_ptr<Simulation> simulation);
     void match_anatomy();
+
+    // main_window_hints.cpp: what is said of the play.
+    void show_message_of(const Frame& frame);
+    // That the solver degraded a step: in the log, and where a force is shown.
+    void tell_simplified();
+    // Tells at the window's foot and beside the pointer why an action in the view did nothing.
+    void hint(const QString& text);
+    void say_that_cuts_stay();
+    void say_missed();
+    // Those that the lesson allows, where the vessels may not be pulled.
+    void say_tools_to_choose();
+    void say_empty_grip(GripWatch::Seen seen);
+    QString guidance_of(MouseMode mode) const;  // what the mouse does, in the status bar
 
     // main_window_reports.cpp: reports of plays.
     void write_report(const std::filesystem::path& recording, const std::string& lesson);

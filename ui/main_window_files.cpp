@@ -251,8 +251,9 @@ void MainWindow::ask_for_ct(bool folder) {
     if (!path.isEmpty()) open(path);
 }
 
-std::optional<std::filesystem::path> MainWindow::ask_for_recording() {
-    RecordingDialog dialog(to_path(settings_.recordings_folder()), this);
+std::optional<std::filesystem::path> MainWindow::ask_for_recording(
+    const std::filesystem::path& shown) {
+    RecordingDialog dialog(to_path(settings_.recordings_folder()), this, shown);
     if (dialog.exec() != QDialog::Accepted) return std::nullopt;
     return dialog.chosen();
 }
@@ -273,14 +274,17 @@ void MainWindow::save_picture(const QString& file) {
 
 void MainWindow::ask_and_save_film(double end_s, const std::function<void(double)>& go_to) {
     const QString start = settings_.last_folder();
+    const bool as_pictures = ffmpeg_program().isEmpty();
+    if (as_pictures)
+        messages_->show_notice(
+            Words::tr("A film in one file needs the program ffmpeg, which is not installed (apt "
+                      "install ffmpeg): it is saved as a folder of pictures."));
     const QString place =
-        ffmpeg_program().isEmpty()
-            ? QFileDialog::getExistingDirectory(
-                  this, Words::tr("Folder for the pictures of the film (ffmpeg is not installed)"),
-                  start)
-            : ask_where_to_save_file(*this, Words::tr("Save a film"), start + "/play.mp4",
-                                     Words::tr("Films (*.mp4)"));
-    if (place.isEmpty()) return;
+        as_pictures ? ask_where_to_save_folder(
+                          *this, Words::tr("Save a film as a folder of pictures"), start + "/film")
+                    : ask_where_to_save_file(*this, Words::tr("Save a film"), start + "/play.mp4",
+                                             Words::tr("Films (*.mp4)"));
+    if (place.isEmpty()) return say_no_film();
     attempt(Words::tr("Save a film"), [&] {
         require_folder_of(place);
         save_film(to_path(place), end_s, go_to);
@@ -312,9 +316,13 @@ void MainWindow::save_film(const std::filesystem::path& place, double end_s,
             return !progress.wasCanceled();
         });
     } catch (const Cancelled&) {
-        return;
+        return say_no_film();
     }
     statusBar()->showMessage(Words::tr("Saved %1").arg(to_text(place)), 6000);
+}
+
+void MainWindow::say_no_film() {
+    statusBar()->showMessage(Words::tr("No film was saved"), 6000);
 }
 
 void MainWindow::attempt(const QString& doing, const std::function<void()>& task) {

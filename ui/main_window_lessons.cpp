@@ -411,7 +411,8 @@ void MainWindow::build_review() {
     ways.lesson_runs = [this] {
         return lessons_->playing() && lessons_->standing().outcome == LessonOutcome::running;
     };
-    ways.ask_for_other = [this] { return ask_for_recording(); };
+    ways.ask_for_other = [this] { return ask_for_recording(review_->file()); };
+    ways.stopped_or_went_on = [this] { show_figures_soon(); };
     ways.beside = [this](const std::shared_ptr<const Frame>& frame, std::vector<MarkView> marks,
                          const QString& first, const QString& other) {
         // Uses nothing of the patient, who may be about to be destroyed.

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the window for the play: shows the patient and passes on the user's actions.
-#include <QCursor>
 #include <QDockWidget>
 #include <QGuiApplication>
-#include <QKeyEvent>
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolButton>
-#include <QToolTip>
 #include <algorithm>
 #include <utility>
 
@@ -297,7 +294,9 @@ void MainWindow::show_figures() {
     if (picture_ms_ > 0.0) status_->show_picture_time(picture_ms_);
     if (!patient_) return status_->clear_statistics();
     const Frame& frame = patient_->simulation->frame();
-    status_->show_statistics(frame.statistics);
+    FrameStatistics statistics = frame.statistics;
+    statistics.paused |= review_->reviewing() && !review_->playing();
+    status_->show_statistics(statistics);
     status_->show_bleeding(frame.tear, flow_units_named(settings_.flow_units()));
     quality_->show_statistics(frame.statistics);
     tool_panel_->show_force(frame.tool, frame.grab);
@@ -310,83 +309,7 @@ void MainWindow::show_figures() {
     allow_tools();
     const bool injected = frame.drug.arrival_s != nullptr;
     curves_->set_time(injected ? std::optional(frame.drug.time_s) : std::nullopt);
-    show_message_of(frame.statistics);
-}
-
-// A message that stops the play stays above the view while it holds; others appear briefly below.
-void MainWindow::show_message_of(const FrameStatistics& statistics) {
-    if (statistics.message == last_message_) return;
-    if (messages_->text() == translated(last_message_)) messages_->dismiss();
-    last_message_ = statistics.message;
-    const bool solver_spoke = std::exchange(solver_speaks_, statistics.message_of_solver);
-    if (solver_speaks_) return tell_simplified();
-    const QString text = translated(last_message_);
-    if (text.isEmpty() && solver_spoke) return;  // its words go by themselves
-    if (!statistics.paused || text.isEmpty()) {
-        statusBar()->showMessage(text, 4000);
-        return;
-    }
-    log_->add_warning(Words::tr("Simulation"), text);
-    if (!statistics.diverged) return messages_->show_notice(text);
-    messages_->show_notice(text, Words::tr("Back to the last good state"),
-                           [this] { (*actions_)[ActionId::restore].trigger(); });
-}
-
-// In plain words. The solver's own are for the log, each sentence once for a patient: they come
-// with single steps, again and again.
-void MainWindow::tell_simplified() {
-    if (solver_said_.insert(last_message_).second)
-        log_->add_note(Words::tr("Simulation"),
-                       Words::tr("Forces shown were rough for a moment: the step was simplified to "
-                                 "stay stable (%1)")
-                           .arg(translated(last_message_)));
-    statusBar()->showMessage(
-        Words::tr("Forces shown may be rough: the step was simplified to stay stable"), 6000);
-}
-
-void MainWindow::hint(const QString& text) {
-    constexpr int readable_ms = 6000;
-    statusBar()->showMessage(text, readable_ms);
-    if (view_->underMouse())
-        QToolTip::showText(QCursor::pos() + QPoint(12, 8), text, view_, {}, readable_ms);
-}
-
-// The action that has this key is disabled, by a lesson or because there is nothing to undo; else
-// the key does not come here.
-void MainWindow::keyPressEvent(QKeyEvent* event) {
-    const bool undoes = event->key() == Qt::Key_Z && event->modifiers() == Qt::ControlModifier;
-    if (undoes && patient_ && !review_->reviewing() && frame().tear &&
-        frame().tear->joints_broken > 0)
-        return say_that_cuts_stay();
-    if (const QString why = actions_->objection_to(QKeySequence(event->keyCombination()));
-        !why.isEmpty())
-        return hint(why);
-    QMainWindow::keyPressEvent(event);
-}
-
-void MainWindow::say_that_cuts_stay() {
-    if (!plays_freely())
-        return hint(
-            Words::tr("Undo is for corrections and takes no cut back: Begin again makes "
-                      "the vessels whole"));
-    messages_->show_notice(
-        Words::tr("Undo is for corrections of the vessels: what was cut or torn in the play stays "
-                  "so. Reset (Backspace) makes the vessels whole."),
-        Words::tr("Reset"), [this] { (*actions_)[ActionId::reset].trigger(); });
-    cuts_message_ = messages_->text();
-}
-
-void MainWindow::say_missed() {
-    hint(view_->mouse().mode() == MouseMode::pull
-             ? Words::tr("No vessel there: press on one and drag it")
-             : Words::tr("No vessel there: click on one"));
-}
-
-void MainWindow::say_empty_grip(GripWatch::Seen seen) {
-    hint(seen == GripWatch::Seen::slipped
-             ? Words::tr("The vessel slipped out of the jaws: C opens them")
-             : Words::tr("The jaws closed beside the vessel: C opens them, the wheel moves them in "
-                         "depth"));
+    show_message_of(frame);
 }
 
 void MainWindow::show_hover(const SurfacePick& pick) {
@@ -464,22 +387,6 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
     if (mode == MouseMode::inject) findChild<QDockWidget*>("Injection")->raise();
     constexpr int readable_ms = 6000;
     statusBar()->showMessage(guidance_of(mode), readable_ms);
-}
-
-QString MainWindow::guidance_of(MouseMode mode) const {
-    return mode == MouseMode::pull && !view_->mouse().may_pull()
-               ? Words::tr("Choose a tool; a drag turns the view")
-           : mode == MouseMode::pull    ? Words::tr("Drag a vessel to pull it")
-           : mode == MouseMode::inject  ? Words::tr("Click on a vessel to inject there")
-           : mode == MouseMode::edit    ? Words::tr("Click on a vessel to correct the tree")
-           : mode == MouseMode::place   ? Words::tr("Click on a vessel: the place is there")
-           : mode == MouseMode::measure ? translated(ruler_->guidance())
-           : mode == MouseMode::cut     ? Words::tr("Draw a line across a vessel to cut it")
-           : mode == MouseMode::weaken
-               ? Words::tr("Draw a line across a vessel: it tears there when pulled")
-               : Words::tr(
-                     "The mouse leads the tool, the wheel moves it in depth, a click brings "
-                     "it to a vessel");
 }
 
 // Also if a lesson forbids pulling; then a drag does nothing to the vessels.

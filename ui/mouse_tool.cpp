@@ -112,16 +112,17 @@ bool MouseTool::is_click(const Pixel& at) const {
 void MouseTool::release(const Pixel& at) {
     clicked_ = action_ == Action::wait_for_click;
     const bool points = pulling() && !dragged_;
-    const bool tried_to_pull = action_ == Action::orbit && mode_ == MouseMode::pull && may_pull() &&
-                               !dragged_ && pressed_left_;
-    const bool brings_tool = action_ == Action::orbit && mode_ == MouseMode::tool && !dragged_ &&
-                             pressed_left_;
+    const bool tried_to_pull =
+        action_ == Action::orbit && mode_ == MouseMode::pull && !dragged_ && pressed_left_;
+    const bool brings_tool =
+        action_ == Action::orbit && mode_ == MouseMode::tool && !dragged_ && pressed_left_;
     if (action_ == Action::draw) callbacks_.drawn(mode_, stroke_to(at));
     cancel();
     if (brings_tool) hand_.click(at);
     if (clicked_) click_at(at);
     if (points) callbacks_.pointed(pulled_);
-    if (tried_to_pull && is_near_miss(at)) callbacks_.missed();
+    if (tried_to_pull && (may_pull() ? is_near_miss(at) : view_.pick(at).triangle >= 0))
+        callbacks_.missed();
 }
 
 bool MouseTool::takes_double_click(const Pixel& at, MouseButton button,

@@ -45,7 +45,7 @@ class MouseTool {
         // A line was drawn in cut or weaken mode; nullopt if it meets no vessel.
         std::function<void(MouseMode mode, const std::optional<std::array<Vec3, 2>>& stroke)> drawn;
         // A click missed the vessels: in inject, edit, place or measure mode, or in pull mode close
-        // to one.
+        // to one; or it hit one in pull mode that may not be pulled.
         std::function<void()> missed = [] {};
         // A click hit this vessel in pull mode.
         std::function<void(const SurfacePick& pick)> pointed = [](const SurfacePick&) {};

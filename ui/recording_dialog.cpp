@@ -12,6 +12,7 @@
 #include <QRegularExpression>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/text_file.h"
@@ -74,16 +75,16 @@ QString title_of(const RecordingFacts& facts) {
 std::array<QString, 2> headings_of(const RecordingFacts& one, const RecordingFacts& other) {
     // What tells them apart comes first: the end of a long heading may not be seen.
     const auto heading = [](int number, const RecordingFacts& facts) {
-        const QString result = facts.result.isEmpty() ? QString() : ", " + facts.result;
+        const QString result = facts.result.isEmpty() ? QString() : facts.result + ", ";
         return QString("%1: %2%3 (%4)")
-            .arg(QString::number(number), title_of(facts), result, to_text(facts.file.filename()));
+            .arg(QString::number(number), result, title_of(facts), to_text(facts.file.filename()));
     };
     return {heading(1, one), heading(2, other)};
 }
 
-RecordingDialog::RecordingDialog(const fs::path& folder, QWidget* parent)
-    : QDialog(parent), folder_(folder), table_(new QTableWidget) {
-    setWindowTitle(Words::tr("Open recording"));
+RecordingDialog::RecordingDialog(const fs::path& folder, QWidget* parent, fs::path shown)
+    : QDialog(parent), folder_(folder), shown_(std::move(shown)), table_(new QTableWidget) {
+    setWindowTitle(shown_.empty() ? Words::tr("Open recording") : Words::tr("Compare with"));
     resize_on_screen(*this, {720, 460});
     table_->setObjectName("recordings");
     table_->setAccessibleName(Words::tr("Recordings"));
@@ -107,7 +108,10 @@ RecordingDialog::RecordingDialog(const fs::path& folder, QWidget* parent)
 }
 
 void RecordingDialog::fill() {
-    for (const fs::path& recording : recordings_in(folder_)) listed_.push_back(facts_of(recording));
+    std::error_code ignored;
+    for (const fs::path& recording : recordings_in(folder_))
+        if (shown_.empty() || !fs::equivalent(recording, shown_, ignored))
+            listed_.push_back(facts_of(recording));
     const QStringList headers{Words::tr("Lesson"), Words::tr("Played"), Words::tr("Result"),
                               Words::tr("Name or number"), Words::tr("File")};
     table_->setColumnCount(static_cast<int>(headers.size()));
@@ -135,8 +139,8 @@ void RecordingDialog::choose_row() {
 }
 
 void RecordingDialog::ask_for_file() {
-    const QString path = QFileDialog::getOpenFileName(
-        this, Words::tr("Open recording"), to_text(folder_), Words::tr("Recordings (*.hrec)"));
+    const QString path = QFileDialog::getOpenFileName(this, windowTitle(), to_text(folder_),
+                                                      Words::tr("Recordings (*.hrec)"));
     if (path.isEmpty()) return;
     chosen_ = to_path(path);
     accept();

@@ -26,7 +26,7 @@ struct RecordingFacts {
 RecordingFacts facts_of(const std::filesystem::path& recording);
 // "Gentle pull, 26 Nov 2026, 03:40"
 QString title_of(const RecordingFacts& facts);
-// Of two that are shown side by side: the number, the title, the result and the file of each, so
+// Of two that are shown side by side: the number, the result, the title and the file of each, so
 // that what is left of a heading where there is little room tells them apart, too. Folders are not
 // named, because saved pictures and films hold the headings and folders are often named after the
 // patient.
@@ -35,8 +35,10 @@ std::array<QString, 2> headings_of(const RecordingFacts& one, const RecordingFac
 // UI thread only.
 class RecordingDialog : public QDialog {
   public:
-    // Lists the recordings of the folder, the newest first.
-    RecordingDialog(const std::filesystem::path& folder, QWidget* parent);
+    // Lists the recordings of the folder, the newest first. If one is `shown` already, another is
+    // asked for to compare with, and it is not listed.
+    RecordingDialog(const std::filesystem::path& folder, QWidget* parent,
+                    std::filesystem::path shown = {});
 
     // Valid after the dialog was accepted.
     const std::filesystem::path& chosen() const { return chosen_; }
@@ -46,7 +48,7 @@ class RecordingDialog : public QDialog {
     void choose_row();
     void ask_for_file();
 
-    std::filesystem::path folder_, chosen_;
+    std::filesystem::path folder_, shown_, chosen_;
     std::vector<RecordingFacts> listed_;
     QTableWidget* table_;
     QPushButton* open_;

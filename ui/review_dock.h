@@ -70,6 +70,7 @@ class ReviewDock : public QDockWidget {
         std::function<void(const Failure&, std::function<void(const std::filesystem::path&)>)>
             choose_case =
                 [](const Failure&, const std::function<void(const std::filesystem::path&)>&) {};
+        std::function<void()> stopped_or_went_on = [] {};  // its clock did
         std::function<bool()> lesson_runs;  // a lesson runs, which a review would end
         std::function<void(const Failure&)> failed;
         std::function<void(const QString&)> say;  // a passing message

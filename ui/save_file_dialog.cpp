@@ -35,6 +35,23 @@ class SaveFileDialog : public QFileDialog {
     }
 };
 
+// Takes a new name as well as a folder that is there, into which QFileDialog would go instead.
+class SaveFolderDialog : public QFileDialog {
+  public:
+    using QFileDialog::QFileDialog;
+
+    QString chosen() const { return chosen_.isEmpty() ? selectedFiles().value(0) : chosen_; }
+    void accept() override {
+        const auto* name = findChild<QLineEdit*>("fileNameEdit");
+        if (name == nullptr || name->text().isEmpty()) return QFileDialog::accept();
+        chosen_ = QFileInfo(directory(), name->text()).absoluteFilePath();
+        QDialog::accept();
+    }
+
+  private:
+    QString chosen_;  // empty for a native dialog
+};
+
 }  // namespace
 
 void require_folder_of(const QString& file) {
@@ -53,6 +70,13 @@ QString ask_where_to_save_file(QWidget& parent, const QString& title, const QStr
     dialog.setDefaultSuffix(suffix_of(filter));  // for a native dialog
     if (dialog.exec() != QDialog::Accepted) return {};
     return dialog.selectedFiles().value(0);
+}
+
+QString ask_where_to_save_folder(QWidget& parent, const QString& title, const QString& suggested) {
+    SaveFolderDialog dialog(&parent, title, suggested);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setFileMode(QFileDialog::AnyFile);
+    return dialog.exec() == QDialog::Accepted ? dialog.chosen() : QString();
 }
 
 }  // namespace hepatica

@@ -35,6 +35,7 @@ StatusLine::StatusLine(QStatusBar& bar)
     bleeding_->setTextFormat(Qt::RichText);
     bleeding_->setToolTip(Words::tr("What torn vessels lose now; the panel Tool says the sum"));
     step_->setObjectName("step");
+    real_time_->setObjectName("realTime");
     error_->setObjectName("expectedError");
     step_->setToolTip(Words::tr("Wall time of one step of the simulation"));
     real_time_->setToolTip(

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Leads a tool by the mouse, without any toolkit. The tool appears at the mouse; then its tip
 // follows the mouse in a plane parallel to the picture, which the wheel moves in depth; a new depth
-// is reached smoothly, by the play's time and without a timer. A click on a vessel brings it there. Obstacles stop it until there is
-// room. The scene prepares for tools when the first is taken and releases that when the last is put
-// away.
+// is reached smoothly, by the play's time and without a timer. A click on a vessel brings it there.
+// Obstacles stop it until there is room. The scene prepares for tools when the first is taken and
+// releases that when the last is put away.
 #pragma once
 
 #include <functional>

@@ -48,9 +48,9 @@ void write_pictures(const Film& film, const fs::path& folder, double share,
 void write_folder_of_pictures(const Film& film, const fs::path& place,
                               const std::function<bool(double)>& go_on) {
     const bool stood_there = fs::exists(place);
-    if (fs::exists(place / picture_name(0)))
-        throw InputError(Words::id("holds the pictures of another film"), place.string(),
-                         Words::id("Choose an empty folder"));
+    if (stood_there && (!fs::is_directory(place) || !fs::is_empty(place)))
+        throw InputError(Words::id("is there already, and not empty"), place.string(),
+                         Words::id("Give the folder of pictures another name"));
     try {
         write_files_atomically(
             place, [&](const fs::path& folder) { write_pictures(film, folder, 1.0, go_on); });

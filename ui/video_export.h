@@ -24,7 +24,7 @@ struct Film {
 QString ffmpeg_program();
 
 // NAME.mp4 is made by `ffmpeg`; any other place is a folder that gets 00000.png, 00001.png, ... and
-// must not contain such files. Nothing remains on failure. `go_on` is called with the share done
+// is new or empty. Nothing remains on failure. `go_on` is called with the share done
 // before every picture and repeatedly while ffmpeg runs; if it returns false, Cancelled is thrown.
 // Throws InputError if the place cannot be written, if ffmpeg is needed but missing, or if it fails
 // (with its last message).

@@ -189,6 +189,27 @@ TEST_F(LessonToolsTest, where_nothing_may_be_pulled_nobody_is_told_to_pull) {
     EXPECT_EQ(window_.statusBar()->currentMessage(), "Choose a tool; a drag turns the view");
 }
 
+// Nothing is in hand where a lesson begins.
+TEST_F(LessonToolsTest, a_click_on_a_vessel_names_the_tools_where_nothing_may_be_pulled) {
+    Lesson lesson = new_lesson();
+    lesson.tools = {LessonTool::forceps, LessonTool::sphere};
+    begin(lesson);
+    window_.statusBar()->clearMessage();
+    const Vec3 mark = window_.lessons().marks_in(window_.frame()).at(0).place_mm;
+    const QPoint there = on_widget(mark);
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, there);
+    QTest::mouseMove(&window_.view(), there + QPoint(30, 0));
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, there + QPoint(30, 0));
+    EXPECT_EQ(window_.statusBar()->currentMessage(), "") << "the view was turned";
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, QPoint(8, 8));
+    EXPECT_EQ(window_.statusBar()->currentMessage(), "") << "no vessel was meant";
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(mark));
+    EXPECT_EQ(window_.statusBar()->currentMessage(), "Choose a tool: Probe (4), Forceps (6)");
+    window_.statusBar()->clearMessage();
+    QTest::keyClick(&window_.view(), Qt::Key_Return);
+    EXPECT_EQ(window_.statusBar()->currentMessage(), "Choose a tool: Probe (4), Forceps (6)");
+}
+
 // It would bleed and swing on under the verdict, and cost for nothing.
 TEST_F(LessonToolsTest, its_clock_stands_from_the_verdict_on_until_something_is_done) {
     Lesson lesson = new_lesson();

@@ -14,6 +14,7 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QSignalSpy>
+#include <QStatusBar>
 #include <QTimer>
 #include <filesystem>
 #include <stdexcept>
@@ -53,6 +54,22 @@ TEST_F(Window, the_grabbed_vertex_follows_the_mouse) {
     QTest::mouseRelease(&view, Qt::LeftButton, {}, start + QPoint(90, -24));
     EXPECT_EQ(commands_of_type<ReleaseGrab>().size(), 1u);
     EXPECT_FALSE(view.mouse().pulling());
+}
+
+TEST_F(Window, enter_presses_the_button_of_the_start_page_that_has_the_focus) {
+    auto& lesson = *window_.findChild<QPushButton*>("welcomeLessons");
+    lesson.setFocus();
+    ASSERT_TRUE(lesson.hasFocus());
+    const QSignalSpy pressed(&lesson, &QPushButton::clicked);
+    QTest::keyClick(&lesson, Qt::Key_Return);
+    EXPECT_EQ(pressed.count(), 1);
+}
+
+TEST_F(Window, enter_in_the_view_speaks_of_no_vessels_where_there_are_none) {
+    window_.view().setFocus();
+    window_.statusBar()->clearMessage();
+    QTest::keyClick(&window_.view(), Qt::Key_Return);
+    EXPECT_EQ(window_.statusBar()->currentMessage(), "");
 }
 
 TEST_F(Window, a_click_in_inject_mode_injects_where_it_points) {

@@ -54,6 +54,8 @@ TEST_F(Messages, what_the_solver_says_is_told_plainly_and_kept_in_the_log_once) 
         simulation_->say_of_step(words.toStdString());
         wait_for_figures();
     };
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_trunk());
+    paint();
     for (int time = 0; time < 2; ++time) {
         say(exact);
         const QString told = window_.statusBar()->currentMessage();
@@ -65,6 +67,7 @@ TEST_F(Messages, what_the_solver_says_is_told_plainly_and_kept_in_the_log_once) 
     EXPECT_EQ(window_.log().as_text().count(exact), 1);
     EXPECT_TRUE(window_.log().as_text().contains("\tNote\tSimulation\tForces shown were rough"))
         << "and no warning, which the foot of the window would count";
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, on_trunk());
     // It stops nothing, also where the play is held just then.
     window_.actions()[ActionId::pause_simulation].trigger();
     ASSERT_TRUE(testing::wait_for([&] { return window_.frame().statistics.paused; }));
@@ -74,6 +77,26 @@ TEST_F(Messages, what_the_solver_says_is_told_plainly_and_kept_in_the_log_once) 
     say("");
     say(exact);
     EXPECT_EQ(window_.log().as_text().count(exact), 2) << "of another patient";
+}
+
+TEST_F(Messages, forces_are_called_rough_only_while_one_is_shown) {
+    open_built_in();
+    const QString words = "the step was shortened: it would have made energy";
+    const auto say = [&](const QString& of_step) {
+        simulation_->say_of_step(of_step.toStdString());
+        wait_for_figures();
+    };
+    QTest::mousePress(&window_.view(), Qt::LeftButton, {}, on_trunk());
+    paint();
+    say(words);
+    EXPECT_TRUE(window_.statusBar()->currentMessage().startsWith("Forces shown may be rough"));
+    QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, on_trunk());
+    wait_for_figures();
+    EXPECT_EQ(window_.statusBar()->currentMessage(), "");
+    say("");
+    say(words);
+    EXPECT_EQ(window_.statusBar()->currentMessage(), "") << "the vessel swings back by itself";
+    EXPECT_EQ(window_.log().as_text().count(words), 1) << "which the log keeps";
 }
 
 TEST_F(Messages, a_text_shows_its_letters_as_they_are) {

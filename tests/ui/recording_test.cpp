@@ -212,5 +212,20 @@ TEST_F(RecordedWindow, the_list_says_what_each_recording_is) {
     EXPECT_EQ(table.item(0, 3)->text(), "Nr. 7") << "who played it";
 }
 
+// With itself there is nothing to compare.
+TEST_F(RecordedWindow, what_to_compare_with_is_another_recording) {
+    const fs::path folder = to_path(folder_.filePath("list"));
+    fs::create_directories(folder);
+    const fs::path shown = folder / "gentle_pull-20261126-034000-123.hrec";
+    const fs::path other = folder / "gentle_pull-20261126-033000-123.hrec";
+    for (const fs::path& recording : {other, shown}) std::ofstream(recording) << "{}";
+    RecordingDialog dialog(folder, nullptr, shown);
+    EXPECT_EQ(dialog.windowTitle(), "Compare with");
+    const auto& table = *dialog.findChild<QTableWidget*>("recordings");
+    ASSERT_EQ(table.rowCount(), 1);
+    EXPECT_EQ(table.currentRow(), 0);
+    EXPECT_EQ(table.item(0, 4)->text(), "gentle_pull-20261126-033000-123.hrec");
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -64,7 +64,7 @@ TEST(ReviewTitle, OfTwoFilesOfOneLessonBeginsWithWhatTellsThemApart) {
     one.file = "gentle_pull-20261126-034000-123.hrec";
     other.file = "gentle_pull-20261126-034100-123.hrec";
     const std::array<QString, 2> headings = headings_of(one, other);
-    EXPECT_TRUE(headings[0].startsWith("1: Gentle pull, 28 Nov 2026, 09:39, not passed (gentle_"));
+    EXPECT_TRUE(headings[0].startsWith("1: not passed, Gentle pull, 28 Nov 2026, 09:39 (gentle_"));
     EXPECT_TRUE(headings[1].startsWith("2: Gentle pull, 28 Nov 2026, 09:38 (gentle_"));
 }
 
@@ -266,6 +266,21 @@ TEST_F(ReviewWindowTest, a_film_of_it_has_every_moment) {
               static_cast<int>(window_.view().width() * window_.view().devicePixelRatioF()) / 2);
 }
 
+TEST_F(ReviewWindowTest, a_film_without_ffmpeg_is_said_to_be_pictures_in_a_folder_that_one_names) {
+    open_built_in();
+    look_back();
+    const QByteArray path = qgetenv("PATH");
+    qputenv("PATH", folder_.path().toLocal8Bit());  // where no program lies
+    choose_file(folder_.filePath("new film"));
+    click("reviewFilm");
+    EXPECT_TRUE(window_.messages().text().contains("ffmpeg, which is not installed"));
+    EXPECT_TRUE(std::filesystem::exists(to_path(folder_.filePath("new film/00000.png"))));
+    choose_file(folder_.path());
+    click("reviewFilm");
+    EXPECT_TRUE(window_.messages().text().contains("not empty"));
+    qputenv("PATH", path);
+}
+
 // A second play of the same patient, half as long, in which nothing happens.
 TEST_F(ReviewWindowTest, another_recording_is_shown_beside_it_and_looks_the_same_way) {
     open_built_in();
@@ -300,6 +315,18 @@ TEST_F(ReviewWindowTest, another_recording_is_shown_beside_it_and_looks_the_same
     EXPECT_TRUE(wait_for([this] { return !dock().comparing(); }));
     EXPECT_TRUE(window_.messages().text().contains("another patient"));
     EXPECT_TRUE(dock().reviewing());
+}
+
+// A recording has the figures of the play, whose clock ran.
+TEST_F(ReviewWindowTest, that_is_stopped_is_not_called_as_fast_as_real_time) {
+    open_built_in();
+    look_back();
+    auto* fast = window_.findChild<QLabel*>("realTime");
+    EXPECT_TRUE(wait_for([&] { return fast->text() == "held"; }));
+    fast->clear();
+    line().set_at(30.2 / 60);
+    EXPECT_TRUE(wait_for([&] { return !fast->text().isEmpty(); }));
+    EXPECT_EQ(fast->text(), "held");
 }
 
 // The first view draws what it took over after the second was turned on: its picture takes nothing

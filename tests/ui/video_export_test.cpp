@@ -80,6 +80,19 @@ TEST(Film, IsNotMixedWithAnother) {
     EXPECT_EQ(names_in(folder.path() / "film"), before);
 }
 
+TEST(Film, GoesIntoNoFolderThatHoldsSomethingElse) {
+    const TemporaryFolder folder;
+    const fs::path place = folder.path() / "play";
+    fs::create_directory(place);
+    std::ofstream(place / "notes.txt") << "before";
+    EXPECT_THROW(write_film(film_of(0.1), place, "", always), InputError);
+    EXPECT_EQ(names_in(place), std::set<std::string>{"notes.txt"});
+    EXPECT_THROW(write_film(film_of(0.1), place / "notes.txt", "", always), InputError);
+    fs::remove(place / "notes.txt");
+    write_film(film_of(0.0), place, "", always);
+    EXPECT_EQ(names_in(place), std::set<std::string>{"00000.png"}) << "it is empty now";
+}
+
 TEST(Film, ThatIsCancelledLeavesNothing) {
     const TemporaryFolder folder;
     for (const char* name : {"film", "film.mp4"}) {
