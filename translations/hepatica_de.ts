@@ -9365,5 +9365,21 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Give the folder of pictures another name</source>
         <translation>Geben Sie dem Ordner mit den Bildern einen anderen Namen</translation>
     </message>
+    <message>
+        <source>%L1 g/s</source>
+        <translation>%L1 g/s</translation>
+    </message>
+    <message>
+        <source>%L1 mL/min</source>
+        <translation>%L1 ml/min</translation>
+    </message>
+    <message>
+        <source>What torn vessels lose now; the panel Tool says the sum</source>
+        <translation>Was gerissene Gefäße jetzt verlieren; die Summe sagt das Bedienfeld Werkzeug</translation>
+    </message>
+    <message>
+        <source>bleeds %1</source>
+        <translation>blutet %1</translation>
+    </message>
 </context>
 </TS>

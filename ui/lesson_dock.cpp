@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <exception>
+#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -16,7 +17,6 @@
 #include "core/base/file_extension.h"
 #include "core/lesson/allowed_commands.h"
 #include "core/lesson/attempts.h"
-#include "core/lesson/course_results.h"
 #include "core/lesson/lesson_doubts.h"
 #include "core/lesson/lesson_file.h"
 #include "core/lesson/lesson_ties.h"
@@ -24,40 +24,16 @@
 #include "ui/attempts_dialog.h"
 #include "ui/core_words.h"
 #include "ui/course_dialog.h"
-#include "ui/file_name.h"
 #include "ui/lesson_editor/course_editor.h"
 #include "ui/lesson_marks.h"
 #include "ui/lesson_panel.h"
 #include "ui/paths.h"
-#include "ui/questions.h"
 #include "ui/results_dialog.h"
-#include "ui/save_file_dialog.h"
 #include "ui/words.h"
 
 namespace hepatica {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-// The course in this file, or the built-in one if `file` is empty.
-Course course_in(const fs::path& file) {
-    return file.empty() ? course_of(built_in_course(), "course") : read_course(file);
-}
-
-// The lesson after this one in the course; nullopt also if the course can no longer be read.
-std::optional<CourseLine> lesson_after(const std::string& lesson, const fs::path& course) {
-    try {
-        const auto lines = standing_of(course_in(course), course.parent_path(), {});
-        auto line = std::ranges::find(lines, lesson, &CourseLine::lesson);
-        if (line != lines.end() && ++line != lines.end()) return *line;
-    } catch (const InputError&) {
-        return std::nullopt;
-    }
-    return std::nullopt;
-}
-
-}  // namespace
 
 LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
     : QDockWidget(Words::tr("Lesson"), parent),
@@ -78,6 +54,7 @@ LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
                                   trainee_ = name.toStdString();
                                   ways_.named(name);
                                   name_last_attempt();
+                                  note_interruption();
                               },
                               [this](const QString& words) { ways_.step(words); }})),
       attempts_(new AttemptsDialog(
@@ -134,100 +111,6 @@ void LessonDock::ask_for_lesson() {
                                             Words::tr("Lessons (*.json)"));
     });
     if (!file.isEmpty()) start(to_path(file).string());
-}
-
-void LessonDock::ask_for_course() {
-    const QString file = ways_.choose(Settings::Kind::course, [this](const QString& start) {
-        return QFileDialog::getOpenFileName(parentWidget(), Words::tr("Open course"), start,
-                                            Words::tr("Courses (*.json)"));
-    });
-    if (!file.isEmpty()) show_course(to_path(file));
-}
-
-void LessonDock::show_course(const fs::path& file) {
-    bool was_read = false;
-    try {
-        const Course course = course_in(file);
-        was_read = true;
-        choose_course(file);  // also where a lesson of it is gone: Edit course mends that
-        std::vector<Attempt> attempts = all_attempts(recordings_).list;
-        if (!trainee_.empty())
-            std::erase_if(attempts,
-                          [this](const Attempt& attempt) { return attempt.name != trainee_; });
-        course_->show_course(course.name, standing_of(course, file.parent_path(), attempts),
-                             trainee_, file.empty());
-    } catch (...) {
-        // If the chosen course is gone, the built-in one takes its place.
-        if (!was_read && file == course_file_) choose_course({});
-        ways_.failed(Words::tr("Open course"), std::current_exception());
-    }
-}
-
-void LessonDock::choose_course(const fs::path& file) {
-    course_file_ = file;
-    ways_.course_chosen(file);
-}
-
-void LessonDock::show_results() {
-    try {
-        const Course course = course_in(course_file_);
-        CourseResults results =
-            results_of(course, course_file_.parent_path(), all_attempts(recordings_).list);
-        if (results_ == nullptr)
-            results_ = new ResultsDialog(
-                [this](const std::string& csv) { ways_.save_table("results", csv); },
-                parentWidget());
-        results_->show_results(course.name, std::move(results));
-    } catch (...) {
-        ways_.failed(Words::tr("Results of all"), std::current_exception());
-    }
-}
-
-void LessonDock::edit_course() {
-    course_editor().edit(course_file_);
-}
-
-void LessonDock::begin_new_course() {
-    course_editor().begin_new();
-}
-
-CourseEditor& LessonDock::course_editor() {
-    if (course_editor_ == nullptr) {
-        CourseEditor::Ways ways;
-        ways.which_lesson = [this]() -> std::optional<fs::path> {
-            const QString file = ways_.choose(Settings::Kind::lesson, [this](const QString& start) {
-                return QFileDialog::getOpenFileName(course_editor_, Words::tr("Add a lesson"),
-                                                    start, Words::tr("Lessons (*.json)"));
-            });
-            return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
-        };
-        ways.where_to_save = [this](const QString& question,
-                                    const std::string& name) -> std::optional<fs::path> {
-            const QString file = ways_.choose(Settings::Kind::course, [&](const QString& start) {
-                return ask_where_to_save_file(
-                    *parentWidget(), question,
-                    start + "/" + as_file_name(translated(name), "course") + ".json",
-                    Words::tr("Courses (*.json)"));
-            });
-            return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
-        };
-        ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
-            QWidget& shown = course_editor_->isVisible() ? *course_editor_ : *parentWidget();
-            tell_failure(shown, doing, failure_of(error));
-        };
-        ways.written = [this](const fs::path& file) {
-            choose_course(file);
-            if (course_->isVisible()) show_course(file);
-        };
-        course_editor_ = new CourseEditor(std::move(ways), parentWidget());
-    }
-    return *course_editor_;
-}
-
-void LessonDock::find_next() {
-    next_ = lesson_after(name_, course_file_);
-    if (!next_) next_ = lesson_after(name_, {});
-    panel_->set_next(next_ ? next_->title : "");
 }
 
 bool LessonDock::read(const std::string& name) {
@@ -390,6 +273,7 @@ bool LessonDock::begins_with(const Command& command) {
     const bool lets_it_run = std::holds_alternative<SetPaused>(command);
     const bool does_something = !objection_to(command, Lesson{}).empty();
     if (lets_it_run || does_something) read_first_ = stands_at_end_ = false;
+    note_interruption();
     return does_something;
 }
 
@@ -437,8 +321,23 @@ void LessonDock::name_last_attempt() {
 
 void LessonDock::keep_result() {
     if (!watch_ || !watch_->recorded() || result_kept_) return;
-    guard_.reset();
     keep(watch_->standing());
+    guard_.reset();
+}
+
+// What can be measured of it stands in its recording alone.
+void LessonDock::note_interruption() {
+    if (!guard_ || !watch_ || !begun()) return;
+    LessonStanding standing = watch_->standing();
+    standing.outcome = LessonOutcome::failed;
+    standing.reasons.push_back(Words::id("interrupted before the end"));
+    Attempt attempt = result_of(standing);
+    attempt.metrics.fill(std::numeric_limits<double>::quiet_NaN());
+    try {
+        guard_->note(attempt);
+    } catch (...) {
+        ways_.failed(Words::tr("Keep the result"), std::current_exception());
+    }
 }
 
 // Else attempts that go wrong could be kept out of the learning curve.
@@ -452,16 +351,20 @@ void LessonDock::give_up() {
     keep(standing);
 }
 
+Attempt LessonDock::result_of(const LessonStanding& standing) const {
+    const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
+    Attempt attempt = attempt_of(watch_->recording(), watch_->lesson().name, standing,
+                                 now.toStdString(), watched_course_pass_);
+    attempt.lesson_id = watch_->lesson().id;
+    attempt.name = trainee_;
+    return attempt;
+}
+
 void LessonDock::keep(const LessonStanding& standing) {
     result_kept_ = true;
     if (is_trial()) return;
-    const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
     try {
-        Attempt attempt = attempt_of(watch_->recording(), watch_->lesson().name, standing,
-                                     now.toStdString(), watched_course_pass_);
-        attempt.lesson_id = watch_->lesson().id;
-        attempt.name = trainee_;
-        write_attempt(attempt);
+        write_attempt(result_of(standing));
         ways_.kept();
     } catch (...) {
         ways_.failed(Words::tr("Keep the result"), std::current_exception());

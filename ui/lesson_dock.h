@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "core/lesson/attempts.h"
 #include "core/lesson/course_standing.h"
 #include "core/patient/patient_case.h"
 #include "render/mark_actors.h"
@@ -161,6 +162,9 @@ class LessonDock : public QDockWidget {
     bool is_trial() const { return watch_->recording().parent_path() == tried(); }
     std::filesystem::path next_recording() const;
     void name_last_attempt();
+    // The play that goes on, as it counts if the program ends by a crash.
+    void note_interruption();
+    Attempt result_of(const LessonStanding& standing) const;
     void keep_result();  // of an attempt that has ended, once
     void keep(const LessonStanding& standing);
     void show_attempts();

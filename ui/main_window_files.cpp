@@ -197,6 +197,8 @@ void MainWindow::save_table(const QString& name, const std::string& csv) {
 void MainWindow::offer_unsaved_work() {
     const auto left = recovery_->left_behind();
     const auto interrupted = interrupted_recordings(to_path(settings_.recordings_folder()));
+    for (const std::filesystem::path& recording : interrupted)
+        attempt(Words::tr("Keep the result"), [&] { keep_interrupted(recording); });
     const auto when = [](const std::filesystem::path& file) {
         return date_words(QFileInfo(to_text(file)).lastModified());
     };

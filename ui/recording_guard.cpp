@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/recording_guard.h"
 
+#include <QDateTime>
+#include <QFileInfo>
 #include <algorithm>
 #include <fstream>
 #include <functional>
@@ -8,9 +10,12 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/atomic_write.h"
 #include "core/base/file_extension.h"
+#include "core/base/text_file.h"
 #include "core/lesson/attempts.h"
 #include "ui/lock_file.h"
+#include "ui/paths.h"
 
 namespace hepatica {
 
@@ -66,6 +71,10 @@ RecordingGuard::~RecordingGuard() {
     forget_interruption(recording_);
 }
 
+void RecordingGuard::note(const Attempt& if_interrupted) {
+    write_text_atomically(mark_of(recording_), text_of(if_interrupted));
+}
+
 bool is_being_recorded(const fs::path& recording) {
     std::error_code ignored;
     if (!fs::exists(mark_of(recording), ignored)) return false;
@@ -79,6 +88,17 @@ std::vector<fs::path> interrupted_recordings(const fs::path& folder) {
         if (fs::exists(mark_of(recording), ignored) && !is_being_recorded(recording))
             interrupted.push_back(recording);
     return interrupted;
+}
+
+void keep_interrupted(const fs::path& recording) {
+    const fs::path mark = mark_of(recording);
+    const std::string text = read_text_file(mark, "");
+    // A free play has no result, nor an attempt in which nothing was done.
+    if (text.empty() || fs::exists(result_file_of(recording))) return;
+    Attempt attempt = attempt_from(text, recording, mark.string());
+    const QDateTime ended = QFileInfo(to_text(recording)).lastModified().toUTC();
+    attempt.ended_at = ended.toString(Qt::ISODate).toStdString();
+    write_attempt(attempt);
 }
 
 void forget_interruption(const fs::path& recording) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Marks a recording while it is being written, by a locked file beside it that is removed when the
-// play ends. A mark without a lock belongs to a play that ended by a crash or a power cut.
+// play ends. A mark without a lock belongs to a play that ended by a crash or a power cut. That of
+// an attempt at a lesson holds the result that it has then.
 #pragma once
 
 #include <filesystem>
@@ -12,6 +13,8 @@ class QLockFile;
 
 namespace hepatica {
 
+struct Attempt;
+
 // UI thread only.
 class RecordingGuard {
   public:
@@ -19,6 +22,8 @@ class RecordingGuard {
     ~RecordingGuard();
     RecordingGuard(const RecordingGuard&) = delete;
     RecordingGuard& operator=(const RecordingGuard&) = delete;
+    // What the play comes to if it ends by a crash. Throws InputError where that cannot be written.
+    void note(const Attempt& if_interrupted);
 
   private:
     std::filesystem::path recording_;
@@ -33,6 +38,9 @@ std::vector<std::filesystem::path> recordings_in(const std::filesystem::path& fo
 
 // The interrupted recordings in the folder that were not forgotten, the newest first.
 std::vector<std::filesystem::path> interrupted_recordings(const std::filesystem::path& folder);
+// Writes the result that the mark of an interrupted attempt holds, unless there is one; it ended
+// when the recording did. Throws InputError where that fails.
+void keep_interrupted(const std::filesystem::path& recording);
 // Removes the mark; the recording stays.
 void forget_interruption(const std::filesystem::path& recording);
 

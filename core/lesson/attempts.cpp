@@ -73,7 +73,7 @@ fs::path result_file_of(const fs::path& recording) {
     return file.replace_extension(suffix);
 }
 
-void write_attempt(const Attempt& attempt) {
+std::string text_of(const Attempt& attempt) {
     Json metrics;
     for (std::size_t i = 0; i < metric_count; ++i)
         metrics[words_of(quantity(i)).name] = attempt.metrics[i];  // NaN becomes null
@@ -87,7 +87,11 @@ void write_attempt(const Attempt& attempt) {
         json["course_pass"] = json_of(attempt.course_pass, {});
         json["passed_lesson"] = attempt.passed_lesson;
     }
-    write_text_atomically(result_file_of(attempt.recording), json.dump(1) + "\n");
+    return json.dump(1) + "\n";
+}
+
+void write_attempt(const Attempt& attempt) {
+    write_text_atomically(result_file_of(attempt.recording), text_of(attempt));
 }
 
 Attempt attempt_from(const std::string& text, const fs::path& recording, const std::string& place) {

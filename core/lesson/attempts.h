@@ -45,6 +45,8 @@ Attempt attempt_of(const std::filesystem::path& recording, const std::string& le
                    std::vector<Predicate> course_pass = {});
 
 std::filesystem::path result_file_of(const std::filesystem::path& recording);
+// What a result file holds; see attempt_from().
+std::string text_of(const Attempt& attempt);
 // Writes result_file_of(attempt.recording) atomically. Throws InputError where that fails.
 void write_attempt(const Attempt& attempt);
 // Parses the text of a result file. Throws InputError with the file (`place`), the place in it and

@@ -4,8 +4,10 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTableWidget>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -133,6 +135,65 @@ TEST_F(RecordedWindow, a_lesson_that_a_crash_cut_off_is_offered_once_and_listed)
     EXPECT_EQ(table.item(0, 2)->text(), "interrupted");
     EXPECT_TRUE(dialog.findChild<QPushButton*>("attemptsLookBack")->isEnabled());
     EXPECT_EQ(facts_of(recordings_in(left)[0]).result, "interrupted");
+}
+
+// Else killing the program would be the way to a free attempt.
+TEST_F(RecordedWindow, a_lesson_that_a_crash_cut_off_counts_as_not_passed_under_its_name) {
+    auto& name = *window_.lessons().findChild<QLineEdit*>("lessonName");
+    const auto type_name = [&](const char* text) {
+        name.setText(text);
+        QTest::keyClick(&name, Qt::Key_Return);
+    };
+    start_lesson();
+    type_name("Nr. 7");
+    ASSERT_TRUE(wait_for([&] { return window_.frame().statistics.paused; }));
+    window_.actions()[ActionId::pause_simulation].trigger();
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().standing().metrics.time_s > 0.0; }));
+    type_name("Nr. 8");
+    Settings settings(killed_now());
+    const fs::path left = to_path(settings.recordings_folder());
+    EXPECT_TRUE(all_attempts(left).list.empty()) << "it was being played";
+    for (int start = 0; start < 2; ++start) {
+        const MainWindow next(settings, small_patients());
+        const Attempts kept = all_attempts(left);
+        ASSERT_EQ(kept.list.size(), 1u);
+        EXPECT_EQ(kept.list[0].lesson, "Endless");
+        EXPECT_EQ(kept.list[0].name, "Nr. 8") << "the name that was given last";
+        EXPECT_FALSE(kept.list[0].passed);
+        EXPECT_EQ(kept.list[0].reasons, std::vector<std::string>{"interrupted before the end"});
+        EXPECT_TRUE(std::isnan(kept.list[0].value(Quantity::time_s))) << "nobody measured it";
+    }
+    const RecordingFacts facts = facts_of(recordings_in(left).at(0));
+    EXPECT_EQ(facts.trainee, "Nr. 8");
+    EXPECT_EQ(facts.result, "✗ not passed");
+}
+
+TEST(RecordingGuard, LeavesTheResultOfWhatIsInterruptedAndNoneOfAFreePlay) {
+    const TemporaryFolder folder;
+    const fs::path ended = folder.path() / "a.hrec", killed = folder.path() / "b.hrec";
+    const fs::path free = folder.path() / "c.hrec";
+    for (const fs::path& recording : {ended, killed, free}) std::ofstream(recording) << "{}";
+    Attempt attempt;
+    attempt.recording = ended;
+    attempt.lesson = "Gentle pull";
+    attempt.ended_at = "2026-11-26T03:41:00Z";
+    {
+        RecordingGuard guard(ended);
+        fs::copy_file(ended.string() + ".unfinished", free.string() + ".unfinished");
+        guard.note(attempt);
+        fs::copy_file(ended.string() + ".unfinished", killed.string() + ".unfinished");
+    }
+    EXPECT_FALSE(fs::exists(ended.string() + ".unfinished"));
+    keep_interrupted(free);
+    EXPECT_TRUE(all_attempts(folder.path()).list.empty());
+    keep_interrupted(killed);
+    ASSERT_EQ(all_attempts(folder.path()).list.size(), 1u);
+    EXPECT_EQ(all_attempts(folder.path()).list[0].recording, killed);
+    EXPECT_NE(all_attempts(folder.path()).list[0].ended_at, attempt.ended_at);
+    // The program may be killed once the result is written, before the mark goes.
+    name_attempt(killed, "Nr. 7");
+    keep_interrupted(killed);
+    EXPECT_EQ(name_beside(killed), "Nr. 7");
 }
 
 TEST(RecordingGuard, TellsAttemptsFromThoseAtALessonWhoseNameBeginsAlike) {

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of the dock for courses: which one is shown, made, and what all have reached in it.
+#include <QFileDialog>
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/lesson/attempts.h"
+#include "core/lesson/course_results.h"
+#include "core/lesson/lesson_file.h"
+#include "ui/core_words.h"
+#include "ui/course_dialog.h"
+#include "ui/file_name.h"
+#include "ui/lesson_dock.h"
+#include "ui/lesson_editor/course_editor.h"
+#include "ui/lesson_panel.h"
+#include "ui/paths.h"
+#include "ui/questions.h"
+#include "ui/results_dialog.h"
+#include "ui/save_file_dialog.h"
+#include "ui/words.h"
+
+namespace hepatica {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The course in this file, or the built-in one if `file` is empty.
+Course course_in(const fs::path& file) {
+    return file.empty() ? course_of(built_in_course(), "course") : read_course(file);
+}
+
+// The lesson after this one in the course; nullopt also if the course can no longer be read.
+std::optional<CourseLine> lesson_after(const std::string& lesson, const fs::path& course) {
+    try {
+        const auto lines = standing_of(course_in(course), course.parent_path(), {});
+        auto line = std::ranges::find(lines, lesson, &CourseLine::lesson);
+        if (line != lines.end() && ++line != lines.end()) return *line;
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+void LessonDock::ask_for_course() {
+    const QString file = ways_.choose(Settings::Kind::course, [this](const QString& start) {
+        return QFileDialog::getOpenFileName(parentWidget(), Words::tr("Open course"), start,
+                                            Words::tr("Courses (*.json)"));
+    });
+    if (!file.isEmpty()) show_course(to_path(file));
+}
+
+void LessonDock::show_course(const fs::path& file) {
+    bool was_read = false;
+    try {
+        const Course course = course_in(file);
+        was_read = true;
+        choose_course(file);  // also where a lesson of it is gone: Edit course mends that
+        std::vector<Attempt> attempts = all_attempts(recordings_).list;
+        if (!trainee_.empty())
+            std::erase_if(attempts,
+                          [this](const Attempt& attempt) { return attempt.name != trainee_; });
+        course_->show_course(course.name, standing_of(course, file.parent_path(), attempts),
+                             trainee_, file.empty());
+    } catch (...) {
+        // If the chosen course is gone, the built-in one takes its place.
+        if (!was_read && file == course_file_) choose_course({});
+        ways_.failed(Words::tr("Open course"), std::current_exception());
+    }
+}
+
+void LessonDock::choose_course(const fs::path& file) {
+    course_file_ = file;
+    ways_.course_chosen(file);
+}
+
+void LessonDock::show_results() {
+    try {
+        const Course course = course_in(course_file_);
+        CourseResults results =
+            results_of(course, course_file_.parent_path(), all_attempts(recordings_).list);
+        if (results_ == nullptr)
+            results_ = new ResultsDialog(
+                [this](const std::string& csv) { ways_.save_table("results", csv); },
+                parentWidget());
+        results_->show_results(course.name, std::move(results));
+    } catch (...) {
+        ways_.failed(Words::tr("Results of all"), std::current_exception());
+    }
+}
+
+void LessonDock::edit_course() {
+    course_editor().edit(course_file_);
+}
+
+void LessonDock::begin_new_course() {
+    course_editor().begin_new();
+}
+
+CourseEditor& LessonDock::course_editor() {
+    if (course_editor_ == nullptr) {
+        CourseEditor::Ways ways;
+        ways.which_lesson = [this]() -> std::optional<fs::path> {
+            const QString file = ways_.choose(Settings::Kind::lesson, [this](const QString& start) {
+                return QFileDialog::getOpenFileName(course_editor_, Words::tr("Add a lesson"),
+                                                    start, Words::tr("Lessons (*.json)"));
+            });
+            return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
+        };
+        ways.where_to_save = [this](const QString& question,
+                                    const std::string& name) -> std::optional<fs::path> {
+            const QString file = ways_.choose(Settings::Kind::course, [&](const QString& start) {
+                return ask_where_to_save_file(
+                    *parentWidget(), question,
+                    start + "/" + as_file_name(translated(name), "course") + ".json",
+                    Words::tr("Courses (*.json)"));
+            });
+            return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
+        };
+        ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
+            QWidget& shown = course_editor_->isVisible() ? *course_editor_ : *parentWidget();
+            tell_failure(shown, doing, failure_of(error));
+        };
+        ways.written = [this](const fs::path& file) {
+            choose_course(file);
+            if (course_->isVisible()) show_course(file);
+        };
+        course_editor_ = new CourseEditor(std::move(ways), parentWidget());
+    }
+    return *course_editor_;
+}
+
+void LessonDock::find_next() {
+    next_ = lesson_after(name_, course_file_);
+    if (!next_) next_ = lesson_after(name_, {});
+    panel_->set_next(next_ ? next_->title : "");
+}
+
+}  // namespace hepatica
