@@ -9371,7 +9371,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>%L1 mL/min</source>
-        <translation>%L1 ml/min</translation>
+        <translation>%L1 mL/min</translation>
     </message>
     <message>
         <source>What torn vessels lose now; the panel Tool says the sum</source>
