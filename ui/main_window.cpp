@@ -268,7 +268,9 @@ void MainWindow::build_branches() {
     callbacks.colour = [this](const std::vector<std::uint8_t>& of_branches) {
         colour_by_segments(of_branches);
     };
-    callbacks.save = [this](const std::string& csv) { save_table("branches", csv); };
+    callbacks.save = [this](const std::string& csv) {
+        save_table(proposed_file("branches.csv"), csv);
+    };
     callbacks.failed = [this](const Failure& failure) {
         fail(Words::tr("Liver segments"), failure);
     };

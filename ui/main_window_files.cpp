@@ -23,7 +23,6 @@
 #include "ui/curves_dock.h"
 #include "ui/date_words.h"
 #include "ui/dial_keeper.h"
-#include "ui/file_name.h"
 #include "ui/lesson_dock.h"
 #include "ui/lesson_editor/lesson_editor.h"
 #include "ui/library_dialog.h"
@@ -138,9 +137,14 @@ void MainWindow::ask_for_reconstruction() {
     open(OpenRequest{false, wizard.options()});
 }
 
+// Of a file about the patient, such as "NAME picture.png".
+QString MainWindow::proposed_file(const QString& called) const {
+    return settings_.last_folder() + "/" + keeper_->case_name() + " " + called;
+}
+
 void MainWindow::ask_where_to_save_picture() {
-    const QString file = ask_where_to_save_file(
-        *this, Words::tr("Save picture"), settings_.last_folder() + "/hepatica.png", "PNG (*.png)");
+    const QString file = ask_where_to_save_file(*this, Words::tr("Save picture"),
+                                                proposed_file("picture.png"), "PNG (*.png)");
     if (!file.isEmpty()) attempt(Words::tr("Save picture"), [&] { save_picture(file); });
 }
 
@@ -158,21 +162,19 @@ void MainWindow::ask_where_to_archive() {
         ct = *place;
     }
     if (!fs::is_directory(ct, ignored)) ct = ct.parent_path();
-    const QString title = QString::fromStdString(workspace().title());  // such as NAME.hep
-    const QString name = QFileInfo(as_file_name(title, "case")).completeBaseName();
-    const QString file = ask_where_to_save_file(
-        *this, Words::tr("Save the vessels as a DICOM segmentation"),
-        settings_.last_folder() + "/" + name + ".dcm", Words::tr("DICOM segmentations (*.dcm)"));
+    const QString file =
+        ask_where_to_save_file(*this, Words::tr("Save the vessels as a DICOM segmentation"),
+                               settings_.last_folder() + "/" + keeper_->case_name() + ".dcm",
+                               Words::tr("DICOM segmentations (*.dcm)"));
     if (file.isEmpty()) return;
     keeper_->archive(ct, to_path(file),
                      [this, digest, ct] { settings_.remember_image(digest, to_text(ct)); });
 }
 
 void MainWindow::save_plots(bool picture) {
-    const QString file =
-        ask_where_to_save_file(*this, Words::tr("Save curves"),
-                               settings_.last_folder() + (picture ? "/curves.png" : "/curves.csv"),
-                               picture ? "PNG (*.png)" : Words::tr("Tables (*.csv)"));
+    const QString file = ask_where_to_save_file(
+        *this, Words::tr("Save curves"), proposed_file(picture ? "curves.png" : "curves.csv"),
+        picture ? "PNG (*.png)" : Words::tr("Tables (*.csv)"));
     if (file.isEmpty()) return;
     attempt(Words::tr("Save curves"), [&] {
         require_folder_of(file);
@@ -182,9 +184,8 @@ void MainWindow::save_plots(bool picture) {
     });
 }
 
-void MainWindow::save_table(const QString& name, const std::string& csv) {
-    const QString file = ask_where_to_save_file(*this, Words::tr("Save the table"),
-                                                settings_.last_folder() + "/" + name + ".csv",
+void MainWindow::save_table(const QString& proposed, const std::string& csv) {
+    const QString file = ask_where_to_save_file(*this, Words::tr("Save the table"), proposed,
                                                 Words::tr("Tables (*.csv)"));
     if (file.isEmpty()) return;
     attempt(Words::tr("Save the table"), [&] {

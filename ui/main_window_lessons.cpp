@@ -91,7 +91,7 @@ void MainWindow::build_lessons() {
         review_->open(recording, lesson);
     };
     ways.save_table = [this](const char* called, const std::string& csv) {
-        save_table(called, csv);
+        save_table(settings_.last_folder() + "/" + called + ".csv", csv);
     };
     ways.choose = [this](Settings::Kind kind, const Settings::Ask& ask) {
         return settings_.choose(kind, ask);

@@ -354,14 +354,18 @@ bool PatientKeeper::ask_and_save() {
     return folder.has_value();
 }
 
-// Without a folder: the CT may lie in an archive or on a disc. The case is named after the patient:
-// "ct.nii.gz", a folder "ct" and a copy of unsaved work "ct.hep" all give "ct.hep".
-std::filesystem::path PatientKeeper::proposed_folder() const {
-    if (!workspace_.folder().empty()) return workspace_.folder();
+// "ct.nii.gz", a folder "ct" and a copy of unsaved work "ct.hep" all give "ct".
+QString PatientKeeper::case_name() const {
     QString name = translated(workspace_.title());
     for (const char* ending : {".gz", ".nii", ".mha", ".mhd", ".nrrd", ".nhdr", ".hep", ".hepz"})
         if (name.endsWith(ending)) name.chop(QString(ending).size());
-    return to_path(as_file_name(name, "case") + ".hep");
+    return as_file_name(name, "case");
+}
+
+// Without a folder: the CT may lie in an archive or on a disc.
+std::filesystem::path PatientKeeper::proposed_folder() const {
+    if (!workspace_.folder().empty()) return workspace_.folder();
+    return to_path(case_name() + ".hep");
 }
 
 void PatientKeeper::save_as(const std::filesystem::path& folder) {

@@ -123,6 +123,8 @@ class PatientKeeper {
     // asks. False: cancelled.
     bool save();
     bool ask_and_save();
+    // What files about the patient are called after: his title without an ending or a path.
+    QString case_name() const;
     void save_as(const std::filesystem::path& folder);
     // Writes a DICOM segmentation of the CT in this folder; calls `written` when done.
     void archive(const std::filesystem::path& ct, const std::filesystem::path& file,

@@ -247,13 +247,18 @@ class Style : public QProxyStyle {
     void draw_check_box(const QStyleOption& option, QPainter& painter) const {
         const bool on = option.state & State_On, partly = option.state & State_NoChange;
         const bool enabled = option.state & State_Enabled;
+        // In a selected row a box filled with another colour than the row's would look ticked.
+        const bool chosen = option.state & State_Selected;
         const int side = std::min({option.rect.width(), option.rect.height(), 16});
         QRectF box(0, 0, side - 1, side - 1);
         box.moveCenter(QRectF(option.rect).center());
         painter.save();
         painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(QPen(enabled ? theme_.quiet : theme_.disabled, 1.0));
-        painter.setBrush(on && enabled ? theme_.accent : theme_.base);
+        painter.setPen(QPen(!enabled ? theme_.disabled
+                            : chosen ? theme_.accent_text
+                                     : theme_.quiet,
+                            1.0));
+        painter.setBrush((on && enabled) || chosen ? theme_.accent : theme_.base);
         painter.drawRoundedRect(box, 3, 3);
         painter.setPen(QPen(!enabled ? theme_.disabled
                             : on     ? theme_.accent_text

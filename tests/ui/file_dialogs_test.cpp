@@ -170,6 +170,19 @@ TEST_F(NamedFiles, GetTheSuffixOfTheirKind) {
               folder_.filePath("branches.csv"));
 }
 
+TEST_F(NamedFiles, AreProposedWithTheNameOfTheirPatient) {
+    open_built_in();
+    QString proposed;
+    const auto save_picture = [this] { window_.actions()[ActionId::save_picture].trigger(); };
+    begins_in(save_picture, &proposed);
+    EXPECT_EQ(proposed, "Fake patient picture.png");
+    auto* table = window_.findChild<QTableWidget*>("branches");
+    window_.findChild<QDockWidget*>("Branches")->show();
+    ASSERT_TRUE(testing::wait_for([&] { return table->rowCount() > 0; }));
+    begins_in([this] { window_.findChild<QPushButton*>("saveBranches")->click(); }, &proposed);
+    EXPECT_EQ(proposed, "Fake patient branches.csv");
+}
+
 TEST_F(NamedFiles, OfTheBranchesAreConfirmedInTheStatusBar) {
     open_built_in();
     auto* table = window_.findChild<QTableWidget*>("branches");

@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QStyle>
+#include <QTableWidget>
 #include <cmath>
 #include <set>
 
@@ -158,6 +159,22 @@ TEST_F(ChosenTheme, TicksWhatIsChecked) {
         EXPECT_GT(ground, 40) << theme.name;
         EXPECT_GE(contrast(theme.accent_text, theme.accent), 4.5) << theme.name;
         EXPECT_GE(contrast(theme.link, theme.window), 3.0) << theme.name << ": the frame of focus";
+    }
+}
+
+TEST_F(ChosenTheme, LeavesAnUntickedBoxOfASelectedRowEmpty) {
+    for (const Theme& theme : themes()) {
+        apply_theme(*qApp, theme);
+        QTableWidget table(1, 1);
+        auto* item = new QTableWidgetItem;
+        item->setCheckState(Qt::Unchecked);
+        table.setItem(0, 0, item);
+        table.selectRow(0);
+        const QImage row = table.viewport()->grab(table.visualItemRect(item)).toImage();
+        int filled = 0;
+        for (int y = 2; y < row.height() - 2; ++y)
+            for (int x = 2; x < 22; ++x) filled += row.pixelColor(x, y) == theme.base ? 1 : 0;
+        EXPECT_LT(filled, 60) << theme.name << ": at most its outline";
     }
 }
 
