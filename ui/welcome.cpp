@@ -27,26 +27,25 @@ Welcome::Welcome(const Actions& actions, std::function<void()> lessons, QWidget*
     column->addWidget(title);
     column->addWidget(hint);
     column->addSpacing(6);
-    const auto add_button = [&](const QString& text) {
+    const auto add = [&](const QString& text, ActionId id) {
         auto* button = new QPushButton(text, this);
-        button->setAutoDefault(true);  // so that Enter presses it, as in a dialog
+        button->setToolTip(actions[id].toolTip());
+        connect(button, &QPushButton::clicked, &actions[id], &QAction::trigger);
         column->addWidget(button);
         return button;
     };
-    const auto add = [&](const QString& text, ActionId id) {
-        auto* button = add_button(text);
-        button->setToolTip(actions[id].toolTip());
-        connect(button, &QPushButton::clicked, &actions[id], &QAction::trigger);
-        return button;
-    };
     add(Words::tr("The built-in patient"), ActionId::built_in)->setDefault(true);
-    auto* learn = add_button(Words::tr("A lesson…"));
+    auto* learn = new QPushButton(Words::tr("A lesson…"), this);
     learn->setObjectName("welcomeLessons");
     learn->setToolTip(Words::tr("The course, from the first lesson on, on the built-in patient"));
     connect(learn, &QPushButton::clicked, this, std::move(lessons));
+    column->addWidget(learn);
     add(Words::tr("A CT folder (DICOM)…"), ActionId::open_ct_folder);
     add(Words::tr("A CT file (NIfTI, MetaImage, NRRD)…"), ActionId::open_ct_file);
     add(Words::tr("A case that was reconstructed before…"), ActionId::open_case);
+    // So that Enter presses the one that has the focus, as in a dialog; the first keeps its look.
+    for (QPushButton* button : findChildren<QPushButton*>())
+        if (!button->isDefault()) button->setAutoDefault(true);
     parent->installEventFilter(this);
     centre();
 }
