@@ -129,6 +129,10 @@ Json tear_of(World& world, const MeasuredPlay& played) {
     const std::optional<TearSpec>& spec = world.spec().tear;
     const bool tears = spec.has_value();
     const Bleeding* bleeding = world.bleeding();
+    const auto open_share = [bleeding](bool before_a_tear) {
+        return bleeding != nullptr ? Json(bleeding->most_pressed(before_a_tear).open_share)
+                                   : Json(nullptr);
+    };
     return {
         {"joints_broken", value_if(tears, played.tear.joints_broken)},
         {"joints_parted", value_if(tears, played.tear.joints_parted)},
@@ -140,7 +144,8 @@ Json tear_of(World& world, const MeasuredPlay& played) {
         {"leak_g_s", bleeding != nullptr ? Json(bleeding->leak_g_s()) : Json(nullptr)},
         {"leaked_g", bleeding != nullptr ? Json(bleeding->leaked_g()) : Json(nullptr)},
         {"leaked_drug_g", bleeding != nullptr ? Json(bleeding->leaked_drug_g()) : Json(nullptr)},
-        {"open_share", bleeding != nullptr ? Json(bleeding->least_open_share()) : Json(nullptr)},
+        {"open_share", open_share(true)},
+        {"other_open_share", open_share(false)},
         {"body_mass_error_relative",
          tears ? Json(world.deform()->mass_error_relative()) : Json(nullptr)},
         {"tear_work_nj", value_if(tears, played.torn_nj)}};

@@ -7795,8 +7795,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>&lt;b&gt;%1&lt;/b&gt;: wer was nach den Bestehensgrenzen des Kurses bestanden hat, und in wie vielen Versuchen. Die Zeit ist die kürzeste der bestandenen.</translation>
     </message>
     <message>
-        <source>Nobody has practised a lesson yet. Each attempt is counted here once it has ended, under the name or number at the foot of the panel Lesson.</source>
-        <translation>Noch niemand hat eine Lektion geübt. Jeder Versuch wird hier gezählt, sobald er beendet ist, unter dem Namen oder der Nummer, die unten im Bereich Lektion steht.</translation>
+        <source>No attempt at a lesson has ended yet. Each one is counted here once it has, under the name or number at the foot of the panel Lesson.</source>
+        <translation>Noch kein Versuch an einer Lektion ist beendet. Jeder wird hier gezählt, sobald er es ist, unter dem Namen oder der Nummer, die unten im Bereich Lektion steht.</translation>
     </message>
     <message>
         <source>Name or number</source>
@@ -9298,12 +9298,12 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Abstand: zwei Klicks. Winkel: drei, der zweite ist der Scheitel. Durchmesser: ein Klick auf ein Gefäß, an dessen Mittellinie er gemessen wird, mit der Stenose gegen das Gefäß daneben. Gefäß zeichnen: Klicks entlang eines fehlenden Gefäßes, in beliebigen Schichten, von dort an, wo sein Blut eintritt; die Eingabetaste zeichnet es. Entf oder Rückgängig nimmt den letzten weg, Esc alle. Korrigieren: Ein Klick auf ein Gefäß tut, was das Bedienfeld der Korrekturen sagt. Malen, radieren: Ziehen führt eine Kugel durch die Voxel der Gefäße; Neu bauen macht die Gefäße daraus neu. Ein Tumor ändert kein Gefäß: Er braucht kein Neubauen</translation>
     </message>
     <message>
-        <source>Click on along the vessel. Backspace or Ctrl+Z: one back</source>
-        <translation>Weiter am Gefäß entlang klicken. Rücktaste, Strg+Z: einer weg</translation>
+        <source>Click on along the vessel. Delete or Ctrl+Z: one back</source>
+        <translation>Weiter am Gefäß entlang klicken. Entf oder Strg+Z: einer weg</translation>
     </message>
     <message>
-        <source>Click on, or draw it (Enter). Backspace or Ctrl+Z: one back. Esc: all</source>
-        <translation>Weiter klicken oder zeichnen (Eingabetaste). Rücktaste, Strg+Z: einer weg. Esc: alle</translation>
+        <source>Click on, or draw it (Enter). Delete or Ctrl+Z: one back. Esc: all</source>
+        <translation>Weiter klicken oder zeichnen (Eingabetaste). Entf, Strg+Z: einer weg. Esc: alle</translation>
     </message>
     <message>
         <source>Set a branch&apos;s system</source>
@@ -9311,7 +9311,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Click a branch; it and what hangs on it take the system below. What it hangs on keeps its own</source>
-        <translation>Klicken Sie auf einen Ast; er und was an ihm hängt nehmen das System unten an. Woran er hängt, behält seines</translation>
+        <translation>Klicken Sie auf einen Ast; er und alles, was an ihm hängt, nehmen das System unten an. Woran er hängt, behält seines</translation>
     </message>
     <message>
         <source>Set a whole vessel&apos;s system</source>
@@ -9380,6 +9380,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>bleeds %1</source>
         <translation>blutet %1</translation>
+    </message>
+    <message>
+        <source>This lesson is played without tools; a drag turns the view</source>
+        <translation>Diese Lektion kommt ohne Werkzeuge aus; Ziehen dreht die Ansicht</translation>
     </message>
 </context>
 </TS>

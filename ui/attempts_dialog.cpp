@@ -140,9 +140,9 @@ AttemptsDialog::AttemptsDialog(Ways ways, QWidget* parent)
         const int chosen = table_->currentRow();
         if (chosen < 0) return;
         hide();
-        const auto row = static_cast<std::size_t>(chosen);
+        const auto line = static_cast<std::size_t>(chosen);
         const std::size_t ended = attempts_.list.size();
-        ways_.look_back(row < ended ? attempts_.list[row].recording : interrupted_[row - ended]);
+        ways_.look_back(line < ended ? attempts_.list[line].recording : interrupted_[line - ended]);
     });
     connect(table_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
         if (item->column() == Column::reference)

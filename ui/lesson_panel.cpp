@@ -196,8 +196,7 @@ QString LessonPanel::about_clock(const LessonStanding& standing, bool clock_stan
     if (!running)
         return Words::tr(
             "The play is paused as it was when it was judged, and no tool is in hand. It goes on "
-            "as "
-            "soon as you do something.");
+            "as soon as you do something.");
     if (clock_stands) return Words::tr("The clock stands: it runs from the first thing you do.");
     return Words::tr("Time: %1")
         .arg(with_units_beside(

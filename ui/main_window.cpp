@@ -249,6 +249,7 @@ void MainWindow::build_panels() {
     inject_->on_units = [this, show_units](FlowUnits units) {
         settings_.set_flow_units(name_of(units));
         show_units(units);
+        show_figures_soon();
     };
     inject_->set_units(flow_units_named(settings_.flow_units()));
     show_units(flow_units_named(settings_.flow_units()));
@@ -463,8 +464,10 @@ void MainWindow::connect_views() {
         if (!slices.isChecked()) slices.trigger();
         view_layout_->choose_threshold();
     });
-    actions_->on(ActionId::toggle_slices,
-                 [this, &slices] { view_layout_->set_slices_visible(slices.isChecked()); });
+    actions_->on(ActionId::toggle_slices, [this, &slices] {
+        view_layout_->set_slices_visible(slices.isChecked());
+        editing_->show_history();  // points that are not seen are not undone
+    });
     actions_->on(ActionId::full_screen,
                  [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
     keep_focus_in_sight(*this, *view_);

@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/lesson/lesson.h"
@@ -167,6 +168,9 @@ class MainWindow : public QMainWindow {
     void say_not_the_last();
     void follow_points();
     void undo();
+    // Points in the slices that undo takes back.
+    bool points_wait() const;
+    std::pair<std::size_t, std::size_t> steps_of_corrections() const;
     void build_editing();
 
     // main_window_lessons.cpp: lessons and reviews.
@@ -274,6 +278,7 @@ class MainWindow : public QMainWindow {
     void show_message_of(const Frame& frame);
     // That the solver degraded a step: in the log, and where a force is shown.
     void tell_simplified();
+    void say_rough_forces();
     // Tells at the window's foot and beside the pointer why an action in the view did nothing.
     void hint(const QString& text);
     void say_that_cuts_stay();
@@ -330,6 +335,7 @@ class MainWindow : public QMainWindow {
     double picture_ms_ = 0.0;
     std::string last_message_;
     bool solver_speaks_ = false;         // that is the solver's
+    bool rough_told_ = false;            // of the force that is shown now
     std::set<std::string> solver_said_;  // sentences in the log, of this patient
     std::vector<std::string> warnings_;  // of the patient, that hold
     QString warnings_text_;              // as they were told last
@@ -339,8 +345,10 @@ class MainWindow : public QMainWindow {
     bool report_waited_ = false;             // the next one that is offered did
     QString cuts_message_;                   // tells that cuts stay
     QString not_drawn_message_;              // the last one, of a vessel drawn in the slices
-    QString unfit_message_;                  // names lessons that no longer fit
-    QString place_message_;                  // asks for a place of a lesson
+    // Corrections and strokes when a point was set or taken back in the slices.
+    std::pair<std::size_t, std::size_t> steps_at_points_;
+    QString unfit_message_;  // names lessons that no longer fit
+    QString place_message_;  // asks for a place of a lesson
     // Of the last reconstruction asked for, until a patient is shown: it may fail.
     QStringList reconstruction_entries_;
     std::function<void()> first_picture_;

@@ -51,6 +51,12 @@
 namespace hepatica {
 namespace {
 
+QString film_of_pictures() {
+    return Words::tr(
+        "A film in one file needs the program ffmpeg, which is not installed (apt "
+        "install ffmpeg): it is saved as a folder of pictures.");
+}
+
 // Both pictures side by side.
 QImage beside(const QImage& first, const QImage& second) {
     QImage both(first.width() + second.width(), std::max(first.height(), second.height()),
@@ -278,10 +284,7 @@ void MainWindow::save_picture(const QString& file) {
 void MainWindow::ask_and_save_film(double end_s, const std::function<void(double)>& go_to) {
     const QString start = settings_.last_folder();
     const bool as_pictures = ffmpeg_program().isEmpty();
-    if (as_pictures)
-        messages_->show_notice(
-            Words::tr("A film in one file needs the program ffmpeg, which is not installed (apt "
-                      "install ffmpeg): it is saved as a folder of pictures."));
+    if (as_pictures) messages_->show_notice(film_of_pictures());
     const QString place =
         as_pictures ? ask_where_to_save_folder(
                           *this, Words::tr("Save a film as a folder of pictures"), start + "/film")
@@ -325,6 +328,7 @@ void MainWindow::save_film(const std::filesystem::path& place, double end_s,
 }
 
 void MainWindow::say_no_film() {
+    if (messages_->text() == film_of_pictures()) messages_->dismiss();
     statusBar()->showMessage(Words::tr("No film was saved"), 6000);
 }
 

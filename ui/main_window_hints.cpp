@@ -33,11 +33,14 @@ bool shows_force(const Frame& frame) {
 // A message that stops the play stays above the view while it holds; others appear briefly below.
 void MainWindow::show_message_of(const Frame& frame) {
     const FrameStatistics& statistics = frame.statistics;
-    if (!shows_force(frame) && statusBar()->currentMessage() == forces_may_be_rough())
-        statusBar()->clearMessage();
-    if (statistics.message == last_message_) return;
+    if (!shows_force(frame)) {
+        rough_told_ = false;
+        if (statusBar()->currentMessage() == forces_may_be_rough()) statusBar()->clearMessage();
+    }
+    if (statistics.message == last_message_) return say_rough_forces();
     if (messages_->text() == translated(last_message_)) messages_->dismiss();
     last_message_ = statistics.message;
+    rough_told_ = false;
     const bool solver_spoke = std::exchange(solver_speaks_, statistics.message_of_solver);
     if (solver_speaks_) return tell_simplified();
     const QString text = translated(last_message_);
@@ -60,7 +63,13 @@ void MainWindow::tell_simplified() {
                        Words::tr("Forces shown were rough for a moment: the step was simplified to "
                                  "stay stable (%1)")
                            .arg(translated(last_message_)));
-    if (shows_force(frame())) statusBar()->showMessage(forces_may_be_rough(), 6000);
+    say_rough_forces();
+}
+
+// Also where a force appears only after the solver began to simplify.
+void MainWindow::say_rough_forces() {
+    if (solver_speaks_ && shows_force(frame()) && !std::exchange(rough_told_, true))
+        statusBar()->showMessage(forces_may_be_rough(), 6000);
 }
 
 void MainWindow::hint(const QString& text) {
@@ -105,8 +114,9 @@ void MainWindow::say_missed() {
 
 void MainWindow::say_tools_to_choose() {
     if (review_->reviewing()) return;
-    const QString tools = allowed_tools_ ? in_words(*allowed_tools_, *actions_) : QString();
-    hint(tools.isEmpty() ? guidance_of(MouseMode::pull)
+    if (!allowed_tools_) return hint(guidance_of(MouseMode::pull));
+    const QString tools = in_words(*allowed_tools_, *actions_);
+    hint(tools.isEmpty() ? Words::tr("This lesson is played without tools; a drag turns the view")
                          : Words::tr("Choose a tool: %1").arg(tools));
 }
 

@@ -190,19 +190,31 @@ void MainWindow::show_corrections_with_slices() {
 // Why a vessel was not drawn goes with its places.
 void MainWindow::follow_points() {
     SliceScene& slices = view_layout_->slices();
-    slices.measurements().on_change([this] { editing_->show_history(); });
-    slices.pen().on_change([this, &slices] {
+    const auto show_history = [this] {
+        steps_at_points_ = steps_of_corrections();
         editing_->show_history();
+    };
+    slices.measurements().on_change(show_history);
+    slices.pen().on_change([this, &slices, show_history] {
+        show_history();
         if (slices.pen().places_mm().empty() && !not_drawn_message_.isEmpty() &&
             messages_->text() == not_drawn_message_)
             messages_->dismiss();
     });
 }
 
-// Points that wait in the slices were set after the last correction.
+// Points in the slices go before corrections, unless one was made after them or they are not seen.
+bool MainWindow::points_wait() const {
+    return view_layout_->slices_visible() && view_layout_->slices().points_wait() &&
+           steps_at_points_ == steps_of_corrections();
+}
+
+std::pair<std::size_t, std::size_t> MainWindow::steps_of_corrections() const {
+    return {keeper_->workspace().edits().size(), keeper_->workspace().strokes().size()};
+}
+
 void MainWindow::undo() {
-    SliceScene& slices = view_layout_->slices();
-    slices.points_wait() ? slices.take_last_point_back() : keeper_->undo();
+    points_wait() ? view_layout_->slices().take_last_point_back() : keeper_->undo();
 }
 
 void MainWindow::build_editing() {
@@ -215,7 +227,7 @@ void MainWindow::build_editing() {
                 keeper_->add(edit);
             },
             [this] {
-                if (view_layout_->slices().points_wait() || may_correct(not_in_review)) undo();
+                if (points_wait() || may_correct(not_in_review)) undo();
             },
             [this] {
                 if (may_correct(not_in_review)) keeper_->redo();
@@ -223,7 +235,7 @@ void MainWindow::build_editing() {
             [this](const QString& undo, const QString& redo) {
                 actions_->show_history(undo, redo);
             },
-            [this] { return view_layout_->slices().points_wait(); },
+            [this] { return points_wait(); },
             [this](std::vector<BridgeView> bridges) {
                 view_->scene().set_bridges(std::move(bridges));
                 view_->draw_again();

@@ -262,10 +262,10 @@ BackgroundJob::Work PatientKeeper::remaking(std::shared_ptr<const Volume> ct,
 }
 
 void PatientKeeper::take_back_remaking() {
-    QueuedJob job;
-    job.kind = JobKind::remake;
-    job.title = Words::tr("Taking the rebuilding back").toStdString();
-    job.begin = [this]() -> BackgroundJob::Work {
+    QueuedJob queued;
+    queued.kind = JobKind::remake;
+    queued.title = Words::tr("Taking the rebuilding back").toStdString();
+    queued.begin = [this]() -> BackgroundJob::Work {
         return [this, before = workspace_.before_remaking()](Job& job) -> std::function<void()> {
             if (before == nullptr) return [] {};  // something else was done meanwhile
             auto loaded = std::make_shared<LoadedPatient>(ways_.play_on(before, job));
@@ -278,11 +278,11 @@ void PatientKeeper::take_back_remaking() {
             };
         };
     };
-    job.failed = [this, title = job.title](const Failure& failure) {
+    queued.failed = [this, title = queued.title](const Failure& failure) {
         screen_.failed(title, failure);
     };
-    job.cancelled = [this] { screen_.say(Words::tr("Cancelled").toStdString()); };
-    jobs_.replace(std::move(job));
+    queued.cancelled = [this] { screen_.say(Words::tr("Cancelled").toStdString()); };
+    jobs_.replace(std::move(queued));
 }
 
 // An impossible correction is refused without affecting those after it.
@@ -417,13 +417,13 @@ BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder) 
 void PatientKeeper::archive(const std::filesystem::path& ct, const std::filesystem::path& file,
                             std::function<void()> written) {
     if (!workspace_.has_patient()) return;
-    QueuedJob job;
-    job.kind = JobKind::archive;
-    job.title = Words::tr("Writing %1").arg(to_text(file.filename())).toStdString();
+    QueuedJob queued;
+    queued.kind = JobKind::archive;
+    queued.title = Words::tr("Writing %1").arg(to_text(file.filename())).toStdString();
     // Of the patient shown now, whoever is shown when its turn comes.
-    job.begin = [this, ct, file, written = std::move(written), patient = workspace_.patient(),
-                 voxels = workspace_.folder(),
-                 edits = workspace_.made_edits()]() -> BackgroundJob::Work {
+    queued.begin = [this, ct, file, written = std::move(written), patient = workspace_.patient(),
+                    voxels = workspace_.folder(),
+                    edits = workspace_.made_edits()]() -> BackgroundJob::Work {
         return
             [this, ct, file, written, patient, voxels, edits](Job& job) -> std::function<void()> {
                 constexpr int comparing_and_writing = 2;
@@ -436,7 +436,7 @@ void PatientKeeper::archive(const std::filesystem::path& ct, const std::filesyst
                 };
             };
     };
-    add_writing(std::move(job));
+    add_writing(std::move(queued));
 }
 
 }  // namespace hepatica

@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/text_file.h"
 #include "core/flow/flow_shares.h"
+#include "core/patient/case_header.h"
 #include "core/scene/measured_dial.h"
 #include "core/session/session.h"
 #include "ui/packed_lessons.h"
@@ -22,16 +24,16 @@ std::vector<std::string> names_of_lessons_in(const std::filesystem::path& place)
     return names;
 }
 
-// A dial in the cache is no part of a case that anybody saved: where it is damaged, it is measured
-// again.
-void forget_damaged_dial(OpenedPatient& opened) {
+// The dial that an earlier start measured. One that is damaged is measured again: nobody saved it.
+void take_cached_dial(OpenedPatient& opened) {
+    auto patient = std::make_shared<PatientCase>(*opened.patient);
     try {
-        measured_points(*opened.patient);
+        patient->dial_json = read_text_file(opened.cached_case / case_file::dial, "");
+        measured_points(*patient);
     } catch (const InputError&) {
-        auto patient = std::make_shared<PatientCase>(*opened.patient);
-        patient->dial_json.clear();
-        opened.patient = std::move(patient);
+        return;
     }
+    opened.patient = std::move(patient);
 }
 
 }  // namespace
@@ -59,7 +61,7 @@ LoadedPatient load_patient(const OpenRequest& request, Job& job, const DeformBac
     OpenedPatient opened = open_patient(request, job);
     for (auto* list : {&opened.warnings, &opened.warnings_of_image})
         for (std::string& warning : *list) warning = in_window_words(std::move(warning));
-    if (!opened.cached_case.empty()) forget_damaged_dial(opened);
+    if (!opened.cached_case.empty()) take_cached_dial(opened);
     LoadedPatient loaded = play_with(back_end, opened.patient, job);
     if (std::string words = words_on_left_out(back_end, measured_points(*opened.patient));
         !words.empty())

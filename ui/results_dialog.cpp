@@ -31,8 +31,8 @@ QString in_cell(const LessonResult& result) {
 ResultsDialog::ResultsDialog(std::function<void(const std::string& csv)> save, QWidget* parent)
     : QDialog(parent),
       title_(new QLabel),
-      nobody_(new QLabel(Words::tr("Nobody has practised a lesson yet. Each attempt is counted "
-                                   "here once it has ended, under the name or number at the foot "
+      nobody_(new QLabel(Words::tr("No attempt at a lesson has ended yet. Each one is counted "
+                                   "here once it has, under the name or number at the foot "
                                    "of the panel Lesson."))),
       table_(new QTableWidget),
       save_(new QPushButton(Words::tr("Save as &CSV…"))) {

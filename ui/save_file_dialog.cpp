@@ -72,8 +72,17 @@ QString ask_where_to_save_file(QWidget& parent, const QString& title, const QStr
     return dialog.selectedFiles().value(0);
 }
 
+// Into one that is there the dialog would go.
+QString free_folder(const QString& suggested) {
+    QString folder = suggested;
+    for (int number = 2; QFileInfo::exists(folder); ++number)
+        folder = suggested + "-" + QString::number(number);
+    return folder;
+}
+
 QString ask_where_to_save_folder(QWidget& parent, const QString& title, const QString& suggested) {
     SaveFolderDialog dialog(&parent, title, suggested);
+    dialog.selectFile(free_folder(suggested));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setFileMode(QFileDialog::AnyFile);
     return dialog.exec() == QDialog::Accepted ? dialog.chosen() : QString();

@@ -88,7 +88,8 @@ void StatusLine::clear_statistics() {
 }
 
 void StatusLine::show_bleeding(const std::optional<TearView>& tear, FlowUnits units) {
-    const bool bleeds = tear && tear->leak_g_s > 0.0;
+    // Not what would be shown as 0.
+    const bool bleeds = tear && leak_text(tear->leak_g_s, units) != leak_text(0.0, units);
     bleeding_->setVisible(bleeds);
     if (bleeds)
         bleeding_->setText(red_dot() +

@@ -25,7 +25,7 @@ class StatusLine {
     void show_picture_time(double ms);
     void show_renderer(const std::string& name);
     void clear_statistics();
-    // Seen wherever the panels stand; nothing where nothing bleeds.
+    // Seen wherever the panels stand; nothing where nothing or hardly anything bleeds.
     void show_bleeding(const std::optional<TearView>& tear, FlowUnits units);
     // A red dot while a play is being recorded.
     void show_recording(bool recording);

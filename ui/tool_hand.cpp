@@ -69,14 +69,14 @@ void ToolHand::put_away() {
 
 void ToolHand::set_size(const ToolSize& size) {
     size_ = size;
-    if (!seen_) return;
+    if (seen_) bring(Vec3(seen_->tip_mm), present_way());
+}
+
+Vec3 ToolHand::present_way() const {
     const ToolView::Part& part = seen_->parts.front();
     const Vec3 along = part.to_mm - part.from_mm;
-    const Vec3 tip = seen_->tip_mm;
-    const ViewAxes axes = view_.axes();
-    bring(tip, kind_ == "sphere"   ? axes.forward
-               : along.isZero(0.0) ? way_of_instrument(axes)
-                                   : Vec3(along.normalized()));
+    if (kind_ == "sphere") return view_.axes().forward;
+    return along.isZero(0.0) ? way_of_instrument(view_.axes()) : Vec3(along.normalized());
 }
 
 void ToolHand::follow(const std::optional<ToolView>& tool) {
@@ -127,11 +127,11 @@ void ToolHand::press(const Pixel& at) {
 }
 
 void ToolHand::click(const Pixel& at) {
-    if (!seen_ || closed_) return;
+    if (!seen_ || closed_ || !seen_->touched.empty()) return;
     const SurfacePick pick = view_.pick(at);
     if (pick.triangle < 0) return;
     const double away_mm = (pick.position_mm - seen_->tip_mm).dot(view_.axes().forward);
-    if (std::abs(away_mm) > 2.0 * size_.radius_mm) bring(pick.position_mm, way_at(at));
+    if (std::abs(away_mm) > 2.0 * size_.radius_mm) bring(pick.position_mm, present_way());
 }
 
 void ToolHand::shift_depth(double steps) {

@@ -55,8 +55,9 @@ class ToolHand {
     void move(const Pixel& at);
     // Requests a tool that was refused once more.
     void press(const Pixel& at);
-    // A click on a vessel that lies in front of the tool or behind it brings the tool there anew.
-    // Closed jaws stay where they are, because they would let go.
+    // A click on a vessel that lies in front of the tool or behind it brings the tool there anew,
+    // turned as it is. A tool that touches something stays, because it would let go of it, and so
+    // do closed jaws.
     void click(const Pixel& at);
     // By notches of the wheel, > 0 away from the user.
     void shift_depth(double steps);
@@ -74,6 +75,8 @@ class ToolHand {
     // From the tip as it was seen last to the plane in which the mouse leads it. Requires seen_.
     double depth_left_mm() const;
     Vec3 way_at(const Pixel& at) const;
+    // In which the present tool points. Requires seen_.
+    Vec3 present_way() const;
 
     SceneView& view_;
     std::function<void(Command)> post_;

@@ -93,7 +93,9 @@ std::optional<PatientCase> patient_of(const BuiltInCache& cache) {
         if (!digest) return std::nullopt;
         const fs::path folder = entry_of(cache) / case_name;
         if (sha256_of_file(folder / case_file::header) != *digest) return std::nullopt;
-        return read_case(folder);
+        PatientCase patient = read_case(folder);
+        patient.dial_json.clear();  // no part of what the label vouches for
+        return patient;
     } catch (const std::exception&) {
         return std::nullopt;
     }

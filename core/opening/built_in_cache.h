@@ -20,7 +20,8 @@ struct BuiltInCache {
 
 // Whether there is an entry of this program; it may still be unreadable. Reads the label only.
 bool holds_patient(const BuiltInCache& cache);
-// Reads the entry. None where there is no entry of this program or where it is damaged.
+// Reads the entry, without a dial. None where there is no entry of this program or where it is
+// damaged.
 std::optional<PatientCase> patient_of(const BuiltInCache& cache);
 // The case of the entry, in which what is measured of the patient may be kept. Empty where there is
 // no entry of this program.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Decides by path what a request opens, and opens it.
 #include "core/opening/open_patient.h"
-#include "core/opening/scan_name.h"
 
 #include <algorithm>
 #include <iterator>
@@ -15,6 +14,7 @@
 #include "core/image/image_look.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"
+#include "core/opening/scan_name.h"
 #include "core/patient/case_archive.h"
 #include "core/patient/case_header.h"
 #include "core/reconstruction/built_in_patient.h"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 
 #include "core/image/header_text.h"
@@ -31,6 +32,19 @@ bool is_numbered(const std::string& name) {
                before_numbers.end();
 }
 
+// The user's home, the top of a disc, or where everything lands.
+bool is_beyond_scans(const fs::path& folder) {
+    const fs::path below_root = folder.relative_path();
+    const auto depth = std::distance(below_root.begin(), below_root.end());
+    const std::string first = depth > 0 ? below_root.begin()->string() : std::string();
+    const std::ptrdiff_t top = first == "media"                    ? 3
+                               : first == "run"                    ? 4
+                               : first == "home" || first == "mnt" ? 2
+                                                                   : 1;
+    const std::string name = lower_case(folder.filename().string());
+    return depth <= top || name == "downloads" || name == "documents" || name == "desktop";
+}
+
 }  // namespace
 
 std::string name_of_scan(const fs::path& folder) {
@@ -40,6 +54,8 @@ std::string name_of_scan(const fs::path& folder) {
         const std::string name = at.filename().string();
         if (is_numbered(name))
             numbers = " " + name + numbers;
+        else if (is_beyond_scans(at) && at != own)
+            break;
         else if (!is_common(name))
             return name + numbers;
     }

@@ -155,7 +155,7 @@ TEST_F(BuiltInCacheTest, what_was_measured_is_found_again_and_has_no_part_in_the
     write(place / "dial.json", "{\"a\": 1}");
     const std::optional<PatientCase> found = patient_of(cache_);
     expect_whole(found);
-    EXPECT_EQ(found->dial_json, "{\"a\": 1}");
+    EXPECT_TRUE(found->dial_json.empty()) << "who wants it looks whether it is damaged";
     Job job;
     EXPECT_EQ(open_patient({.built_in = true, .reconstruct = {}, .cache = cache_}, job).cached_case,
               place);

@@ -29,6 +29,15 @@ TEST(ScanName, KeepsNumbersBehindTheFolderAbove) {
     EXPECT_EQ(name_of_scan("/scans/p07"), "p07") << "of no writer of DICOM";
 }
 
+// Which would be nobody's scan, or tell whose it is.
+TEST(ScanName, IsNeverThatOfAUserADiscOrADownload) {
+    for (const char* above : {"/home/jdoe", "/home/jdoe/Downloads", "/media/jdoe/MUELLER_HANS",
+                              "/run/media/jdoe/MUELLER_HANS", "/mnt/disc", "/scratch"}) {
+        EXPECT_EQ(name_of_scan(std::string(above) + "/DICOM"), "DICOM") << above;
+        EXPECT_EQ(name_of_scan(std::string(above) + "/anton/DICOM"), "anton") << above;
+    }
+}
+
 TEST(ScanName, StaysWhereNoFolderAboveSaysMore) {
     EXPECT_EQ(name_of_scan("/DICOM"), "DICOM");
     EXPECT_EQ(name_of_scan("dicom"), "dicom");

@@ -210,14 +210,13 @@ TEST(CoreWords, AreSaidInGermanWithWhatIsPutIn) {
          "one that was left out.",
          "Gelesen wurde wie verlangt Serie 5 “CT Body 3.0” (CT, 60 Bilder, Abstand 1,5 mm, Kern "
          "“Br38f/3”), ausgelassen eine Serie “lung” (CT, 8 Bilder). Die ausgelassene liest Datei > "
-         "Mit "
-         "Optionen rekonstruieren, Serie 1."},
+         "Mit Optionen rekonstruieren, Serie 1."},
         {"Read a series “lung” (CT, 8 images) and left out 2 others as asked for, the best of them "
          "series 5 “CT Body 3.0” (CT, 60 images). On the command line --series 1 reads that one, "
          "and other numbers read the others.",
          "Gelesen wurde wie verlangt eine Serie “lung” (CT, 8 Bilder), ausgelassen wurden 2 "
-         "andere. "
-         "Die beste davon, Serie 5 “CT Body 3.0” (CT, 60 Bilder), liest Datei > Mit Optionen "
+         "andere. Die beste davon, Serie 5 “CT Body 3.0” (CT, 60 Bilder), liest Datei > Mit "
+         "Optionen "
          "rekonstruieren, Serie 1; andere Nummern lesen die anderen."},
         // As the window says it in English.
         {"On the command line --series", "On the command line --series"},

@@ -440,7 +440,7 @@ TEST(Results, SayWhereTheyComeFromWhileThereAreNone) {
     CourseResults results{{"Gentle pull"}, {}};
     dialog.show_results("First steps", results);
     EXPECT_TRUE(nobody->isVisible());
-    EXPECT_TRUE(nobody->text().startsWith("Nobody has practised a lesson yet."));
+    EXPECT_TRUE(nobody->text().startsWith("No attempt at a lesson has ended yet."));
     EXPECT_FALSE(table->isVisible());
     results.trainees = {{"A", {{.attempts = 2, .passed = true, .best_s = 3.0}}}};
     dialog.show_results("First steps", results);

@@ -262,7 +262,6 @@ TEST(ProgressStripTest, names_the_other_jobs) {
     EXPECT_TRUE(says("at the same time: Writing the report"));
 }
 
-// In German, at the least width that a whole window has for it.
 TEST(ProgressStripTest, its_bar_is_of_the_whole_job) {
     QWidget pictures;
     ProgressStrip strip([] {}, &pictures);
@@ -278,6 +277,7 @@ TEST(ProgressStripTest, its_bar_is_of_the_whole_job) {
     EXPECT_EQ(shown({"Alone", 0.5, 1, 0}), 500) << "nobody said how many there are";
 }
 
+// In German, at the least width that a whole window has for it.
 TEST(ProgressStripTest, cuts_no_words_where_there_is_room_for_them) {
     QWidget pictures;
     pictures.resize(860, 400);

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QToolButton>
 #include <algorithm>
 #include <cstdlib>
@@ -269,7 +270,7 @@ TEST_F(ReviewWindowTest, a_film_of_it_has_every_moment) {
 TEST_F(ReviewWindowTest, a_film_without_ffmpeg_is_said_to_be_pictures_in_a_folder_that_one_names) {
     open_built_in();
     look_back();
-    const QByteArray path = qgetenv("PATH");
+    const auto as_before = qScopeGuard([path = qgetenv("PATH")] { qputenv("PATH", path); });
     qputenv("PATH", folder_.path().toLocal8Bit());  // where no program lies
     choose_file(folder_.filePath("new film"));
     click("reviewFilm");
@@ -278,7 +279,6 @@ TEST_F(ReviewWindowTest, a_film_without_ffmpeg_is_said_to_be_pictures_in_a_folde
     choose_file(folder_.path());
     click("reviewFilm");
     EXPECT_TRUE(window_.messages().text().contains("not empty"));
-    qputenv("PATH", path);
 }
 
 // A second play of the same patient, half as long, in which nothing happens.

@@ -175,7 +175,7 @@ TEST_F(Slices, SayWhatTheNextClickDoesWhileTheMouseMoves) {
     QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.rect().center());
     EXPECT_TRUE(said->text().startsWith("Click on along the vessel"));
     QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.rect().center() + QPoint(9, 4));
-    EXPECT_TRUE(said->text().contains("draw it (Enter). Backspace or Ctrl+Z: one back. Esc: all"));
+    EXPECT_TRUE(said->text().contains("draw it (Enter). Delete or Ctrl+Z: one back. Esc: all"));
     emit window_.findChild<QComboBox*>("measure")->activated(0);
     QApplication::sendEvent(&axial, &move);
     EXPECT_FALSE(said->text().contains("Click"));
@@ -360,11 +360,11 @@ TEST_F(Slices, StayWhereTheyAreWhileMessagesComeAndGo) {
     auto* progress = window_.findChild<QWidget*>("progressStrip");
     const auto places = [this] {
         QApplication::processEvents();
-        std::vector<QRect> places;
+        std::vector<QRect> rectangles;
         for (const QWidget* shown : {static_cast<QWidget*>(&view(SliceDirection::axial)),
                                      static_cast<QWidget*>(&window_.view())})
-            places.emplace_back(shown->mapToGlobal(QPoint()), shown->size());
-        return places;
+            rectangles.emplace_back(shown->mapToGlobal(QPoint()), shown->size());
+        return rectangles;
     };
     const auto before = places();
     MessageBar& messages = window_.messages();

@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QPushButton>
 #include <algorithm>
 
@@ -149,6 +150,18 @@ TEST_F(TearTest, that_cuts_stay_is_said_no_more_once_all_is_whole_again) {
     EXPECT_NE(window_.messages().text(), "") << "they are cut still";
     simulation_->show_tear(TearView{});
     EXPECT_TRUE(testing::wait_for([this] { return window_.messages().text().isEmpty(); }));
+}
+
+TEST_F(TearTest, the_foot_of_the_window_says_how_fast_it_bleeds) {
+    const auto* foot = window_.findChild<QLabel*>("bleeding");
+    EXPECT_TRUE(foot->isHidden());
+    TearView cut;
+    cut.leak_g_s = 6.7;
+    simulation_->show_tear(cut);
+    EXPECT_TRUE(testing::wait_for([&] { return foot->text().endsWith("bleeds 6.7 g/s"); }));
+    EXPECT_FALSE(foot->isHidden());
+    simulation_->show_tear(TearView{});
+    EXPECT_TRUE(testing::wait_for([&] { return foot->isHidden(); }));
 }
 
 TEST_F(TearTest, the_panel_switches_tearing_with_its_factor) {

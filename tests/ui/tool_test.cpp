@@ -255,6 +255,26 @@ TEST_F(ToolInHand, a_click_on_a_vessel_brings_it_there_from_another_depth) {
     EXPECT_EQ(count<AddTool>(), tools) << "closed jaws would let go";
 }
 
+TEST_F(ToolInHand, a_click_neither_turns_it_nor_tears_it_off_what_it_touches) {
+    take(Qt::Key_5);
+    ToolView tool = *window_.frame().tool;
+    const Vec3 turned = (tool.parts[0].to_mm - tool.parts[0].from_mm).norm() * axes().right;
+    tool.parts[0].to_mm = tool.parts[0].from_mm + turned;
+    tool.tip_mm += 20.0 * axes().forward;
+    ToolHand& hand = window_.view().mouse().hand();
+    const auto click = [&] {
+        hand.follow(tool);
+        QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_trunk());
+    };
+    tool.touched = {1, 2, 3};
+    click();
+    EXPECT_EQ(count<AddTool>(), 1u);
+    tool.touched.clear();
+    click();
+    ASSERT_EQ(count<AddTool>(), 2u);
+    EXPECT_LT((commands_of_type<AddTool>()[1].direction - axes().right).norm(), 1e-9);
+}
+
 TEST_F(ToolInHand, its_radius_is_set_in_the_panel) {
     take(Qt::Key_4);
     const Vec3 tip = window_.frame().tool->tip_mm;

@@ -88,6 +88,16 @@ TEST_F(WaitingPoints, LetRedoWait) {
     EXPECT_EQ(scene().brush().strokes().size(), 1u);
 }
 
+TEST_F(WaitingPoints, AreLeftAloneWhereTheyAreNotSeen) {
+    begin(drawing);
+    click(0, 8);
+    window_.actions()[ActionId::toggle_slices].trigger();
+    EXPECT_TRUE(name_of(ActionId::undo_edit).startsWith("Undo: Vessels painted"));
+    window_.actions()[ActionId::undo_edit].trigger();
+    EXPECT_TRUE(scene().brush().strokes().empty());
+    EXPECT_EQ(scene().pen().places_mm().size(), 1u);
+}
+
 TEST_F(WaitingPoints, TakeAlongWhyTheyWereNotDrawn) {
     begin(drawing);
     draw_in_vain();

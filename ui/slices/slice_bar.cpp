@@ -237,9 +237,9 @@ QString SliceBar::guidance() const {
     }
     const std::size_t places = scene_.pen().places_mm().size();
     return places == 0   ? Words::tr("Click where the missing vessel begins, then along it")
-           : places == 1 ? Words::tr("Click on along the vessel. Backspace or Ctrl+Z: one back")
+           : places == 1 ? Words::tr("Click on along the vessel. Delete or Ctrl+Z: one back")
                          : Words::tr(
-                               "Click on, or draw it (Enter). Backspace or Ctrl+Z: one back. "
+                               "Click on, or draw it (Enter). Delete or Ctrl+Z: one back. "
                                "Esc: all");
 }
 

@@ -69,12 +69,17 @@ TEST_F(Dial, IsMeasuredWhileNobodyPlaysAndKeptWithTheCase) {
 TEST_F(Dial, InTheCacheThatIsDamagedIsMeasuredAgain) {
     const BuiltInCache cache{folder_.parent_path() / "cache", "a program"};
     keep(cache, *small_patient());
-    write_text_atomically(case_of(cache) / case_file::dial, "{\"format\": ");
-    Job job;
-    const LoadedPatient loaded =
-        load_patient({.built_in = true, .reconstruct = {}, .cache = cache}, job);
-    EXPECT_EQ(loaded.cached_case, case_of(cache));
-    EXPECT_TRUE(measured_points(*loaded.patient).empty());
+    const OpenRequest request{.built_in = true, .reconstruct = {}, .cache = cache};
+    const auto points_with = [&](const std::string& dial) {
+        write_text_atomically(case_of(cache) / case_file::dial, dial);
+        Job job;
+        const LoadedPatient loaded = load_patient(request, job);
+        EXPECT_EQ(loaded.cached_case, case_of(cache));
+        return measured_points(*loaded.patient).size();
+    };
+    const std::string whole = dial_json({{{}, 1.0, 0.2, "this body"}}, *small_patient());
+    EXPECT_EQ(points_with(whole), 1u);
+    EXPECT_EQ(points_with(whole.substr(0, whole.size() / 2)), 0u);
 }
 
 TEST_F(Dial, OfAPatientWhoIsNotSavedComesIntoTheCaseLater) {
