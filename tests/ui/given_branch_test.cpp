@@ -115,6 +115,7 @@ class CorrectedCase : public ::testing::Test {
         callbacks.show_bridges = [this](const std::vector<BridgeView>& bridges) {
             bridges_shown_ = bridges.size();
         };
+        callbacks.points_wait = [] { return false; };
         callbacks.say = [](const QString&) {};
         callbacks.warn = [this](const QString& text) {
             for (const QString& line : text.split('\n'))
