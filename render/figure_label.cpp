@@ -17,6 +17,7 @@ namespace {
 
 constexpr int figure_text_size = 13;
 constexpr double ground_opacity = 0.75;
+constexpr double beside_points = 8.0;  // its ground covers no ball or arrow's head at the point
 
 }  // namespace
 
@@ -40,7 +41,7 @@ bool FigureLabel::show(const std::string& text, const Vec3& at_mm) {
     shown_ = text;
     at_mm_ = at_mm;
     text_->SetVisibility(!text.empty());
-    text_->SetInput((" " + text).c_str());  // beside the point
+    text_->SetInput(text.c_str());
     return true;
 }
 
@@ -58,7 +59,7 @@ void FigureLabel::place(double pixel_ratio, double below_points) {
     point->SetValue(at_mm_.x(), at_mm_.y(), at_mm_.z());
     const double* at = point->GetComputedDoubleDisplayValue(&renderer_);
     const double away = below_points * pixel_ratio;
-    stand_inside(*text_, renderer_, at[0] + away, at[1] - away);
+    stand_inside(*text_, renderer_, at[0] + away + beside_points * pixel_ratio, at[1] - away);
 }
 
 std::optional<PictureBox> FigureLabel::box() const {

@@ -27,9 +27,9 @@ class FigureLabel {
 
     // An empty text shows nothing. Returns true if the picture changed.
     bool show(const std::string& text, const Vec3& at_mm);
-    // Call before each picture, because the camera may have moved. The label is `below_points`
-    // screen points below the point and as many to its right. Beside a point behind the eye there
-    // is none.
+    // Call before each picture, because the camera may have moved. The label is beside the point,
+    // `below_points` screen points below it and as many further to its right. Beside a point behind
+    // the eye there is none.
     void place(double pixel_ratio, double below_points = 0.0);
     // The label's rectangle in the picture in pixels; none where it is not shown.
     std::optional<PictureBox> box() const;

@@ -26,6 +26,12 @@ void bring_into_sight(QWidget* focused, const QWidget& window) {
     }
 }
 
+// Qt keeps the bar of panels that are no longer one behind the other, beyond the window's edge.
+void let_only_tabs_in_sight_take_focus(const QMainWindow& window) {
+    for (QTabBar* tabs : window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+        tabs->setFocusPolicy(tabs->visibleRegion().isEmpty() ? Qt::NoFocus : Qt::TabFocus);
+}
+
 }  // namespace
 
 void give_focus_back_to(QWidget& view) {
@@ -41,6 +47,7 @@ void give_focus_back_to(QWidget& view) {
 void keep_focus_in_sight(QMainWindow& window, QWidget& view) {
     QObject::connect(qApp, &QApplication::focusChanged, &window,
                      [&window](QWidget* /*before*/, QWidget* now) {
+                         let_only_tabs_in_sight_take_focus(window);
                          // The view may have taken it already, see give_focus_back_to().
                          if (now == QApplication::focusWidget()) bring_into_sight(now, window);
                      });

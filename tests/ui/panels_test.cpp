@@ -138,7 +138,8 @@ TEST_F(PanelsTest, the_tab_key_goes_to_nothing_that_is_out_of_sight) {
     std::set<QWidget*> stops;
     for (QWidget* stop = QApplication::focusWidget(); stop && stops.insert(stop).second;
          stop = QApplication::focusWidget()) {
-        EXPECT_FALSE(stop->visibleRegion().isEmpty())
+        // Its canvas covers the view.
+        EXPECT_TRUE(stop == &window_.view() || !stop->visibleRegion().isEmpty())
             << stop->metaObject()->className() << " " << stop->objectName().toStdString();
         QTest::keyClick(stop, Qt::Key_Tab);
         QCoreApplication::processEvents();
