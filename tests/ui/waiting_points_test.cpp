@@ -98,6 +98,19 @@ TEST_F(WaitingPoints, AreLeftAloneWhereTheyAreNotSeen) {
     EXPECT_EQ(scene().pen().places_mm().size(), 1u);
 }
 
+TEST_F(WaitingPoints, GiveWayToWhatWasCorrectedAfterThem) {
+    begin(drawing);
+    click(0, 8);
+    window_.actions()[ActionId::edit_mode].trigger();
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_trunk());
+    ASSERT_EQ(window_.workspace().edits().size(), 1u);
+    ASSERT_EQ(scene().pen().places_mm().size(), 1u);
+    EXPECT_NE(name_of(ActionId::undo_edit), "Undo: Last point");
+    window_.actions()[ActionId::undo_edit].trigger();
+    EXPECT_TRUE(window_.workspace().edits().empty());
+    EXPECT_EQ(scene().pen().places_mm().size(), 1u);
+}
+
 TEST_F(WaitingPoints, TakeAlongWhyTheyWereNotDrawn) {
     begin(drawing);
     draw_in_vain();
