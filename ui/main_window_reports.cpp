@@ -40,10 +40,10 @@ void MainWindow::write_report_into(const std::filesystem::path& chosen,
     if (patient_->patient->source.name.empty() && (built_in || !workspace().folder().empty()))
         order.patient_name = QFileInfo(QString::fromStdString(patient_->title)).completeBaseName();
     const QString called = translated(find_lesson(lesson).name);
-    QueuedJob job;
-    job.kind = JobKind::report;
-    job.title = Words::tr("Writing the report").toStdString();
-    job.begin = [this, order, chosen, called]() -> BackgroundJob::Work {
+    QueuedJob queued;
+    queued.kind = JobKind::report;
+    queued.title = Words::tr("Writing the report").toStdString();
+    queued.begin = [this, order, chosen, called]() -> BackgroundJob::Work {
         const QString program =
             report_program_.isEmpty() ? QCoreApplication::applicationFilePath() : report_program_;
         // Now that the reports before it are there, and have their folders.
@@ -54,9 +54,11 @@ void MainWindow::write_report_into(const std::filesystem::path& chosen,
             return [this, place] { offer_report(place); };
         };
     };
-    job.failed = [this](const Failure& failure) { fail(Words::tr("Write the report"), failure); };
-    job.cancelled = [this] { statusBar()->showMessage(Words::tr("Cancelled"), 6000); };
-    keeper_->add_report(std::move(job));
+    queued.failed = [this](const Failure& failure) {
+        fail(Words::tr("Write the report"), failure);
+    };
+    queued.cancelled = [this] { statusBar()->showMessage(Words::tr("Cancelled"), 6000); };
+    keeper_->add_report(std::move(queued));
 }
 
 void MainWindow::offer_report(const std::filesystem::path& folder) {

@@ -30,8 +30,8 @@ void place_on_screen(QWidget& window, const QPoint& wanted, int title) {
     window.resize(window.size().boundedTo(room.size()));
     // The content may need more room, which is known only after layout.
     if (window.layout() != nullptr) window.layout()->activate();
-    const auto nearest = [](int wanted, int low, int high) {
-        return std::max(low, std::min(wanted, high));
+    const auto nearest = [](int place, int low, int high) {
+        return std::max(low, std::min(place, high));
     };
     // Without its frame, which the desktop adds some time after the first show: move() would place
     // the content then, and the frame from the second time on.
