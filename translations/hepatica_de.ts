@@ -2725,12 +2725,12 @@
         <translation>Klicken oder ziehen Sie, um zu einem Augenblick zu gehen; die farbigen Striche sind die Ereignisse</translation>
     </message>
     <message>
-        <source>; bleeds %L1 g/s, %L2 g so far</source>
-        <translation>; blutet %L1 g/s, bisher %L2 g</translation>
+        <source>; bleeds %1, %L2 g so far</source>
+        <translation>; blutet %1, bisher %L2 g</translation>
     </message>
     <message>
-        <source>; bleeds %L1 mL/min, %L2 mL so far</source>
-        <translation>; blutet %L1 mL/min, bisher %L2 mL</translation>
+        <source>; bleeds %1, %L2 mL so far</source>
+        <translation>; blutet %1, bisher %L2 mL</translation>
     </message>
     <message>
         <source>What it feels</source>

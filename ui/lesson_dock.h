@@ -65,8 +65,8 @@ class LessonDock : public QDockWidget {
             [](Settings::Kind, const Settings::Ask& ask) { return ask(QString()); };
         // The trainee has another name; may be empty.
         std::function<void(const QString& name)> named;
-        std::function<void(const QString& words)> step = [](const QString&) {
-        };                                    // a later one begins
+        // A later step begins.
+        std::function<void(const QString& words)> step = [](const QString&) {};
         std::function<void()> ended = [] {};  // the attempt was passed or failed
         std::function<void()> kept = [] {};   // its result was written
         // The recording that is looked back on now; empty: none.

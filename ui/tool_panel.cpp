@@ -47,14 +47,14 @@ bool is_split(const TearView& tear) {
 
 QString bleeding_text(const TearView& tear, FlowUnits units) {
     constexpr double with_tenths_g = 9.95;  // below this, as in a lesson's panel
+    const QString rate = leak_text(tear.leak_g_s, units);
     if (units == FlowUnits::computed)
-        return Words::tr("; bleeds %L1 g/s, %L2 g so far")
-            .arg(tear.leak_g_s, 0, 'f', 1)
+        return Words::tr("; bleeds %1, %L2 g so far")
+            .arg(rate)
             .arg(tear.leaked_g, 0, 'f', tear.leaked_g < with_tenths_g ? 1 : 0);
-    const double density_g_mm3 = blood().density_g_mm3;
-    return Words::tr("; bleeds %L1 mL/min, %L2 mL so far")
-        .arg(ml_min_of(tear.leak_g_s, density_g_mm3), 0, 'f', 0)
-        .arg(tear.leaked_g / density_g_mm3 / units::millilitre, 0, 'f', 0);
+    return Words::tr("; bleeds %1, %L2 mL so far")
+        .arg(rate)
+        .arg(tear.leaked_g / blood().density_g_mm3 / units::millilitre, 0, 'f', 0);
 }
 
 // A lumen that is pressed stems nothing unless it is on the way to what bleeds.

@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "tests/ui/fake_window_test.h"
-#include "ui/grip_watch.h"
 #include "ui/tool_panel.h"
 
 namespace hepatica {
@@ -409,35 +408,6 @@ TEST(ToolPanel, begins_with_what_was_touched_in_an_earlier_run) {
     EXPECT_TRUE(chosen.empty());
     panel.findChild<QCheckBox*>("vesselsTouch")->click();
     ASSERT_EQ(chosen.size(), 1u);
-}
-
-TEST(GripWatch, TellsOfEachClosingThatHoldsNothingOnce) {
-    using enum GripWatch::Seen;
-    GripWatch watch;
-    ToolView jaws;
-    jaws.opening_mm = 12.0;
-    EXPECT_EQ(watch.see(jaws, false), nothing_new);
-    jaws.opening_mm = 3.0;  // on their way
-    EXPECT_EQ(watch.see(jaws, true), nothing_new);
-    jaws.opening_mm = 0.0;
-    EXPECT_EQ(watch.see(jaws, true), closed_on_nothing);
-    EXPECT_EQ(watch.see(jaws, true), nothing_new);
-    jaws.opening_mm = 12.0;
-    EXPECT_EQ(watch.see(jaws, false), nothing_new);
-    jaws = {};
-    jaws.opening_mm = 2.0;  // a vessel between them
-    jaws.grip_un = 5e4;
-    EXPECT_EQ(watch.see(jaws, true), nothing_new);
-    jaws.grip_un = 0.0;  // for a step
-    EXPECT_EQ(watch.see(jaws, true), nothing_new) << "they have not met";
-    jaws.grip_un = 5e4;
-    EXPECT_EQ(watch.see(jaws, true), nothing_new);
-    jaws.grip_un = 0.0;
-    jaws.opening_mm = 0.0;
-    EXPECT_EQ(watch.see(jaws, true), slipped);
-    EXPECT_EQ(watch.see(jaws, true), nothing_new);
-    jaws.opening_mm = 2.0;  // let go by the hand
-    EXPECT_EQ(watch.see(jaws, false), nothing_new);
 }
 
 TEST_F(ToolInHand, of_the_hand_that_just_misses_a_vessel_is_told) {
