@@ -197,12 +197,6 @@ void Bleeding::set_pressed(const std::vector<PressedStretch>& stretches, const T
     if (!tears_.empty()) solve();
 }
 
-double Bleeding::least_open_share() const {
-    double least = 1.0;
-    for (const Squeeze& squeeze : squeezes_) least = std::min(least, squeeze.share);
-    return least;
-}
-
 // What presses behind a tear through the vessel holds nothing back: no blood comes there. Loops are
 // left out.
 bool Bleeding::lies_before_a_tear(const Squeeze& squeeze) const {

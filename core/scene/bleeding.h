@@ -53,8 +53,6 @@ class Bleeding {
     // Costs a solution of the network where an open share changes by more than two fifths, or a
     // place by more than a millimetre. Costs nothing while nothing is torn.
     void set_pressed(const std::vector<PressedStretch>& stretches, const TubeWall& wall);
-    // The least open share of a lumen under pressure; 1 where nothing presses or is torn.
-    double least_open_share() const;
     // The lumen with the least open share of those on the way from a root to a tear, or of all
     // others, which press on no bleeding.
     PressedLumen most_pressed(bool before_a_tear) const;
