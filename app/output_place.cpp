@@ -94,11 +94,11 @@ void require_case_name(const fs::path& place) {
 void require_case_place(const fs::path& place) {
     require_case_name(place);
     require_writable(place);
-    if (!is_replaceable_case(place)) require_own_or_new(place, "case.json");
+    require_place_of_case(without_trailing_slash(place));
 }
 
 void require_replaceable_case(const fs::path& place) {
-    if (!is_replaceable_case(place)) return require_own_or_new(place, "case.json");
+    if (!is_replaceable_case(place)) return require_place_of_case(without_trailing_slash(place));
     try {
         const std::size_t edits = read_case_without_voxels(place).corrections.edits.size();
         if (edits > 0)

@@ -34,7 +34,7 @@ void require_empty_or_new(const std::filesystem::path& folder);
 void require_case_name(const std::filesystem::path& place);
 
 // All checks before a case is made: its name, that it can be written, and that only an older case
-// may be replaced. Throws as require_case_name(), require_writable() and require_own_or_new().
+// may be replaced. Throws as require_case_name(), require_writable() and require_place_of_case().
 void require_case_place(const std::filesystem::path& place);
 
 // Throws InputError where a case cannot take the place of what is there, and warns of the

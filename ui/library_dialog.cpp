@@ -11,7 +11,9 @@
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <exception>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "core/base/error.h"
@@ -91,7 +93,12 @@ void LibraryDialog::build() {
     middle->addWidget(list_, 1);
     middle->addLayout(of_chosen_case());
     column->addLayout(middle, 1);
-    column->addWidget(buttons());
+    auto* foot = new QHBoxLayout;
+    waits_ = new QLabel;
+    waits_->setObjectName("libraryWaits");
+    foot->addWidget(waits_);
+    foot->addWidget(buttons(), 1);
+    column->addLayout(foot);
 }
 
 void LibraryDialog::build_list() {
@@ -198,14 +205,15 @@ void LibraryDialog::choose_folder() {
     read_folder();
 }
 
-void LibraryDialog::run(const QString& doing, BackgroundJob::Work work, bool copies) {
+void LibraryDialog::run(Doing doing, BackgroundJob::Work work) {
     job_.reset();
     messages_->dismiss();
     BackgroundJob::Callbacks callbacks;
-    callbacks.failed = [this, doing, copies](const Failure& failure) {
+    under_way_ = doing.under_way;
+    callbacks.failed = [this, doing = std::move(doing)](const Failure& failure) {
         messages_->show_failure(failure);  // the main window's lies behind this one
-        ways_.failed(doing, failure);
-        if (!copies) return;
+        ways_.failed(doing.name, failure);
+        if (!doing.copies) return;
         reread_ = true;  // some of it may be there
         failed_ = failure;
     };
@@ -230,7 +238,7 @@ void LibraryDialog::read_folder() {
     if (const ShelvedCase* one = chosen()) chosen_ = one->place;
     cases_.clear();
     list_->clear();
-    run(Words::tr("Read the library"),
+    run({Words::tr("Read the library"), Words::tr("Reading the cases…")},
         [this, folder,
          recordings = to_path(settings_.recordings_folder())](Job& job) -> std::function<void()> {
             return [this, cases = cases_in(folder, recordings, job)] {
@@ -267,6 +275,7 @@ void LibraryDialog::show_chosen() {
     give_->setEnabled(open_->isEnabled());
     take_->setEnabled(!busy_);
     choose_->setEnabled(!busy_);
+    show_what_is_under_way();
     lessons_->setVisible(one != nullptr);
     lessons_->show_lessons(one != nullptr ? one->lessons : std::vector<ShelvedLesson>(),
                            open_->isEnabled());
@@ -277,9 +286,16 @@ void LibraryDialog::show_chosen() {
                                    "patient here: File > Save case as."));
 }
 
+void LibraryDialog::show_what_is_under_way() {
+    const QString said = busy_ ? under_way_ : QString();
+    waits_->setText(said);
+    const QString why =
+        busy_ ? Words::tr("%1 These buttons wait for it.").arg(under_way_) : QString();
+    for (QPushButton* button : {open_, give_, take_, choose_}) button->setToolTip(why);
+}
+
 void LibraryDialog::copy(const fs::path& from, const fs::path& to) {
-    run(
-        Words::tr("Copy the case"),
+    run({Words::tr("Copy the case"), Words::tr("Copying the case into this folder…"), true},
         [this, from, to](Job& job) -> std::function<void()> {
             job.begin_stage(Words::id("Copying the case"));
             const std::vector<Lesson> lessons = lessons_in_archive(from);
@@ -288,32 +304,62 @@ void LibraryDialog::copy(const fs::path& from, const fs::path& to) {
                 reread_ = true;
                 said_ = said;
             };
-        },
-        true);
+        });
+}
+
+bool LibraryDialog::holds(const fs::path& place) const {
+    std::error_code ignored;
+    return fs::equivalent(fs::absolute(place).parent_path(), to_path(settings_.library_folder()),
+                          ignored);
+}
+
+void LibraryDialog::choose_here(const fs::path& place) {
+    const fs::path here = to_path(settings_.library_folder()) / place.filename();
+    run({Words::tr("Import a case"), Words::tr("Reading the case…"), true},
+        [this, here](Job& job) -> std::function<void()> {
+            job.begin_stage(Words::id("Reading the case"));
+            QStringList lines{Words::tr("“%1” lies in this folder already, and was not copied.")
+                                  .arg(to_text(here.filename()))};
+            if (const QString came = what_came_with_it(put_beside(lessons_not_beside(here), here));
+                !came.isEmpty())
+                lines << came;
+            return [this, here, said = lines.join("\n")] {
+                list_->setCurrentRow(-1);  // otherwise reading would choose what is chosen now
+                chosen_ = here;
+                reread_ = true;
+                said_ = said;
+            };
+        });
 }
 
 void LibraryDialog::give_away(const fs::path& to) {
     const ShelvedCase* one = chosen();
     if (one == nullptr || !one->readable) return;
+    try {
+        require_place_of_file(to);
+    } catch (...) {
+        const Failure failure = failure_of(std::current_exception());
+        messages_->show_failure(failure);
+        return ways_.failed(Words::tr("Copy the case"), failure);
+    }
     std::vector<fs::path> files;
     for (const ShelvedLesson& lesson : one->lessons)
         if (lesson.patient == ShelvedLesson::Patient::this_case) files.push_back(lesson.file);
-    run(
-        Words::tr("Copy the case"),
+    run({Words::tr("Copy the case"), Words::tr("Writing the case into one file…"), true},
         [this, from = one->place, to, files](Job& job) -> std::function<void()> {
             job.begin_stage(Words::id("Copying the case"));
-            std::vector<Lesson> lessons = lessons_in_archive(from);
+            std::vector<Lesson> lessons = lessons_not_beside(from);
             for (const fs::path& file : files) lessons.push_back(read_lesson(file));
             write_with_lessons(to, read_case(from), lessons);
             return [this, said = what_was_given(to, lessons.size())] {
                 reread_ = true;
                 said_ = said;
             };
-        },
-        true);
+        });
 }
 
 void LibraryDialog::take_in(const fs::path& from) {
+    if (holds(from)) return choose_here(from);
     const fs::path folder = to_path(settings_.library_folder()), name = from.stem();
     if (!is_taken(folder, name)) return copy(from, folder / fs::path(name).concat(".hep"));
     const fs::path other = free_name(folder, name);

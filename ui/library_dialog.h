@@ -48,10 +48,13 @@ class LibraryDialog : public QDialog {
     // Copies the chosen case with the lessons for it to NAME.hepz. Not while busy().
     void give_away(const std::filesystem::path& to);
     // Copies a case into the folder under its own name, and the lessons in its file beside it; if
-    // there is a case of that name, says so and offers to keep both. Not while busy().
+    // there is a case of that name, says so and offers to keep both. One that lies in the folder is
+    // not copied: it is chosen, and only its lessons come beside it. Not while busy().
     void take_in(const std::filesystem::path& from);
     // Reads the folder again, shows the dialog and then takes the case in.
     void open_and_take_in(const std::filesystem::path& from);
+    // Whether a case lies in the library's folder.
+    bool holds(const std::filesystem::path& place) const;
     // What is said above the cases: failures, and a name that is taken.
     MessageBar& messages() { return *messages_; }
 
@@ -68,15 +71,24 @@ class LibraryDialog : public QDialog {
     void fill();
     void show_chosen();
     const ShelvedCase* chosen() const;
+    // Says beside the buttons, and on those that are grey, what they wait for.
+    void show_what_is_under_way();
     void copy(const std::filesystem::path& from, const std::filesystem::path& to);
-    // `copies`: it writes a case, so that the folder is read again also where it fails.
-    void run(const QString& doing, BackgroundJob::Work work, bool copies = false);
+    // Chooses a case of the folder and puts the lessons in its file beside it.
+    void choose_here(const std::filesystem::path& place);
+    // A job as a failure names it, and as it is called while it runs.
+    struct Doing {
+        QString name, under_way;
+        bool copies = false;  // it writes, so that the folder is read again also where it fails
+    };
+    void run(Doing doing, BackgroundJob::Work work);
 
     Settings& settings_;
     Ways ways_;
     std::vector<ShelvedCase> cases_;
     std::unique_ptr<BackgroundJob> job_;
     bool busy_ = false;
+    QString under_way_;              // while busy
     bool reread_ = false;            // read the folder when the job has ended
     QString said_;                   // to be told when the folder was read again
     std::optional<Failure> failed_;  // likewise
@@ -91,6 +103,7 @@ class LibraryDialog : public QDialog {
     QPushButton* give_ = nullptr;
     QPushButton* take_ = nullptr;
     QPushButton* choose_ = nullptr;
+    QLabel* waits_ = nullptr;
 };
 
 }  // namespace hepatica

@@ -226,13 +226,19 @@ void MainWindow::tell_packed_lessons() {
     if (patient_->packed_lessons.empty()) return;
     QStringList names;
     for (const std::string& name : patient_->packed_lessons) names << QString::fromStdString(name);
+    const auto count = static_cast<int>(names.size());
+    const bool is_there = library_->holds(patient_->asked_for);
     const QString text =
-        Words::tr(
-            "%n lesson(s) for this patient are in his file: %1. To play them, take the case "
-            "into the library.",
-            nullptr, static_cast<int>(names.size()))
+        (is_there
+             ? Words::tr("%n lesson(s) for this patient are in his file: %1. To play them, take "
+                         "them out: they then lie beside it in the library.",
+                         nullptr, count)
+             : Words::tr("%n lesson(s) for this patient are in his file: %1. To play them, take "
+                         "the case into the library.",
+                         nullptr, count))
             .arg(names.join(", "));
-    const QString button = Words::tr("Take it into the library");
+    const QString button =
+        is_there ? Words::tr("Take the lessons out") : Words::tr("Take it into the library");
     const auto take_in = [this, file = patient_->asked_for] { library_->open_and_take_in(file); };
     if (messages_->text().isEmpty()) return messages_->show_notice(text, button, take_in);
     const bool warnings_stand = messages_->text() == warnings_text_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/packed_lessons.h"
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "core/patient/case_archive.h"
 #include "ui/file_name.h"
 #include "ui/paths.h"
+#include "ui/shelved_lessons.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -70,6 +72,31 @@ std::vector<Lesson> lessons_in_archive(const fs::path& archive) {
     return lessons;
 }
 
+std::vector<Lesson> lessons_not_beside(const fs::path& archive) {
+    std::vector<Lesson> lessons = lessons_in_archive(archive);
+    if (lessons.empty()) return lessons;
+    Job job;
+    std::vector<ShelvedLesson> beside;
+    try {
+        beside = lessons_of(lessons_in(archive.parent_path(), job), archive);
+    } catch (const InputError&) {
+        return lessons;  // nothing is known of the folder
+    }
+    std::erase_if(beside, [](const ShelvedLesson& lesson) {
+        return lesson.patient != ShelvedLesson::Patient::this_case;
+    });
+    std::erase_if(lessons, [&](const Lesson& lesson) {
+        return std::ranges::find(beside, QString::fromStdString(lesson.name),
+                                 &ShelvedLesson::name) != beside.end();
+    });
+    return lessons;
+}
+
+void require_place_of_file(const fs::path& archive) {
+    require_no_folder_at(archive);
+    require_place_of_case(archive);
+}
+
 void pack_lessons(const std::vector<Lesson>& lessons, const fs::path& archive) {
     if (lessons.empty()) return;
     require_room_for(lessons, archive);
@@ -85,9 +112,8 @@ void pack_lessons(const std::vector<Lesson>& lessons, const fs::path& archive) {
 
 void write_with_lessons(const fs::path& archive, const PatientCase& patient,
                         const std::vector<Lesson>& lessons) {
+    require_place_of_file(archive);
     require_room_for(lessons, archive);
-    if (fs::exists(archive) && !is_replaceable_case(archive))
-        return write_case(archive, patient);  // which refuses it
     const TemporaryFolder folder;
     const fs::path made = folder.path() / "case.hepz";
     write_case(made, patient);

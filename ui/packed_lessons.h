@@ -17,8 +17,16 @@ namespace hepatica {
 // Throws InputError where the archive cannot be read.
 std::vector<Lesson> lessons_in_archive(const std::filesystem::path& archive);
 
+// Those without the ones for its case that lie beside the archive under the same names: they were
+// put there before, and may have been changed since. Throws as lessons_in_archive().
+std::vector<Lesson> lessons_not_beside(const std::filesystem::path& archive);
+
 // Whether the archive holds a lesson, readable or not.
 bool holds_lessons(const std::filesystem::path& archive);
+
+// Throws InputError where write_with_lessons() would refuse the place for what is there: a folder,
+// or a file that is no case. To be called before long work.
+void require_place_of_file(const std::filesystem::path& archive);
 
 // Adds the lessons to an archive of their case that holds none. Throws InputError where a lesson is
 // unfinished, there are more than 40, or the archive cannot be written.

@@ -17,10 +17,11 @@
 namespace hepatica {
 namespace {
 
+// Those that lie beside the file can be played already.
 std::vector<std::string> names_of_lessons_in(const std::filesystem::path& place) {
     std::vector<std::string> names;
     if (!holds_lessons(place)) return names;
-    for (const Lesson& lesson : lessons_in_archive(place)) names.push_back(lesson.name);
+    for (const Lesson& lesson : lessons_not_beside(place)) names.push_back(lesson.name);
     return names;
 }
 

@@ -17,7 +17,8 @@ namespace hepatica {
 struct LoadedPatient : OpenedPatient {
     SurfaceAnatomy anatomy;
     std::filesystem::path asked_for{};  // what was opened; empty: built-in or a correction
-    // Names of the lessons for him that lie in the file he was read from, see packed_lessons.h.
+    // Names of the lessons for him that lie in the file he was read from and not beside it, see
+    // packed_lessons.h.
     std::vector<std::string> packed_lessons{};
     std::vector<double> flow_shares;         // per segment, see flow_shares.h; may be empty
     std::unique_ptr<Simulation> simulation;  // running

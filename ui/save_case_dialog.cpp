@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/patient/case_archive.h"
 #include "core/patient/patient_case.h"
 #include "ui/paths.h"
 #include "ui/words.h"
@@ -50,6 +51,10 @@ void SaveCaseDialog::accept() {
     const std::filesystem::path folder = chosen();
     if (is_replaceable_case(folder)) {
         if (may_replace_(to_text(folder.filename()))) done(QDialog::Accepted);
+    } else if (is_archive_name(folder) && QFileInfo(to_text(folder)).isDir()) {
+        refuse_(Words::tr("%1 is a folder, and no case in one file can take its place. Choose "
+                          "another name, or rename the folder or move it away.")
+                    .arg(to_text(folder.filename())));
     } else if (QFileInfo(files.front()).isDir()) {
         setDirectory(files.front());
     } else if (std::error_code unreadable; !std::filesystem::exists(folder, unreadable)) {

@@ -76,6 +76,8 @@ constexpr std::array sentences_patient{
     Words::id("the last edit"),
     Words::id("Take it back, or delete a smaller branch"),
     Words::id("is there already and is not a patient's case"),
+    Words::id("is a folder, and no case in one file can take its place"),
+    Words::id("Choose another name, or rename the folder or move it away"),
     Words::id("Give --out another name; only an older case is replaced"),
     Words::id("Put the case back that was there, or open this one anew"),
     Words::id("holds another patient than when it was opened"),

@@ -156,6 +156,12 @@ bool is_case_archive(const fs::path& place) {
     return is_archive_name(place) && fs::is_regular_file(place, ignored);
 }
 
+void require_no_folder_at(const fs::path& archive) {
+    if (std::error_code ignored; !fs::is_directory(archive, ignored)) return;
+    throw InputError("is a folder, and no case in one file can take its place", archive.string(),
+                     "Choose another name, or rename the folder or move it away");
+}
+
 bool archive_holds(const fs::path& archive, const char* name) {
     const std::unique_ptr<void, CloseUnzip> zip(unzOpen64(archive.c_str()));
     return zip != nullptr && unzLocateFile(zip.get(), name, 1) == UNZ_OK;

@@ -22,6 +22,9 @@ bool is_archive_name(const std::filesystem::path& place);
 // Whether this is an existing file with such a name; it may still be unreadable.
 bool is_case_archive(const std::filesystem::path& place);
 
+// Throws InputError where a folder has the archive's name. To be called before long work.
+void require_no_folder_at(const std::filesystem::path& archive);
+
 // Whether the archive holds a file of this name; false where it cannot be read.
 bool archive_holds(const std::filesystem::path& archive, const char* name);
 

@@ -255,10 +255,15 @@ bool is_replaceable_case(const fs::path& place) {
     return is_case_archive(place) ? archive_holds(place, case_file::header) : is_case(place);
 }
 
+void require_place_of_case(const fs::path& place) {
+    if (!fs::exists(place) || is_replaceable_case(place)) return;
+    if (is_archive_name(place)) require_no_folder_at(place);
+    throw InputError("is there already and is not a patient's case", place.string(),
+                     "Give --out another name; only an older case is replaced");
+}
+
 void write_case(const fs::path& place, const PatientCase& patient) {
-    if (fs::exists(place) && !is_replaceable_case(place))
-        throw InputError("is there already and is not a patient's case", place.string(),
-                         "Give --out another name; only an older case is replaced");
+    require_place_of_case(place);
     if (!is_archive_name(place) || fs::is_directory(place))
         return renew_folder_atomically(
             place,

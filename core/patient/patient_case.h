@@ -101,6 +101,10 @@ bool is_replaceable_case(const std::filesystem::path& place);
 // Whether a path relative to a case's folder is that of a file of a case.
 bool is_of_a_case(const std::filesystem::path& file);
 
+// Throws InputError where write_case() would refuse the place for what is there: a file, or a
+// folder that holds no case, even an empty one. To be called before long work.
+void require_place_of_case(const std::filesystem::path& place);
+
 // Writes the case atomically, as one file where the place is named NAME.hepz, and replaces an older
 // case there. Other files in its folder stay; those in its archive, such as lessons, stay where it
 // is of the same CT. Throws InputError where the place holds something else, cannot be written, or

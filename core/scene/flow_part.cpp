@@ -248,10 +248,10 @@ void FlowPart::set_speed(double factor) {
     drug_.speed = factor;
 }
 
-void FlowPart::step(double dt_s) {
+void FlowPart::step(double dt_s, const std::stop_token& stop) {
     follow_topology();
     drop_ended_runs();
-    show_what_is_due();
+    show_what_is_due(stop);
     if (!drug_.playing) return;
     const double next_s = drug_.time_s + drug_.speed * dt_s;
     // The flow that is still to be shown may end later.
@@ -260,10 +260,10 @@ void FlowPart::step(double dt_s) {
     drug_.time_s = drug_.playing ? next_s : std::max(drug_.time_s, drug_.end_s);
 }
 
-void FlowPart::show_what_is_due() {
+void FlowPart::show_what_is_due(const std::stop_token& stop) {
     if (steps_left_ == 0 || --steps_left_ > 0) return;
     try {
-        finish_injection();
+        finish_injection(stop);
     } catch (const InputError&) {
         // The clock stands now: nothing flows any more.
     }

@@ -82,8 +82,9 @@ class FlowPart {
     void play(bool playing) { drug_.playing = playing && drug_.arrival_s != nullptr; }
     void set_time(double time_s);   // >= 0, otherwise InputError
     void set_speed(double factor);  // > 0, otherwise InputError
-    // Waits where the flow after a tear is due and not yet computed.
-    void step(double dt_s);
+    // Waits where the flow after a tear is due and not yet computed. Throws Cancelled soon after a
+    // stop is requested meanwhile; restore() must then be called before another step.
+    void step(double dt_s, const std::stop_token& stop = {});
 
     FlowCheckpoint checkpoint() const;
     // Continues as the part that the checkpoint was taken from, on the same case; an injection that
@@ -110,7 +111,7 @@ class FlowPart {
     std::vector<float> without_cut_off(std::vector<float> arrival_s, const Injection& injection,
                                        std::size_t known) const;
     void keep_reached();
-    void show_what_is_due();
+    void show_what_is_due(const std::stop_token& stop);
     void end_run();
     void drop_ended_runs();
     void follow_topology();

@@ -146,7 +146,7 @@ StepReport World::step(const std::stop_token& stop) {
         else if (part.name == "flow")
             part.frame_ms = milliseconds_of([&] {
                 flow_->follow_tears(bleeding_ ? bleeding_->tears() : std::vector<ThroughTear>{});
-                flow_->step(spec_.dt_s);
+                flow_->step(spec_.dt_s, stop);
             });
     }
     press();

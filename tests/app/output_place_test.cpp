@@ -175,6 +175,20 @@ TEST_F(OutputPlace, AFileIsNotReplacedByAFolder) {
     }
 }
 
+// Said before the case is read, not when it is to be written.
+TEST_F(OutputPlace, AnEmptyFolderIsRefusedBeforeTheWork) {
+    for (const auto& [name, why] : {std::pair{"empty.hepz", "is a folder"},
+                                    std::pair{"empty.hep", "is not a patient's case"}}) {
+        fs::create_directory(path(name));
+        const Outcome run = run_cli({"copy", path("p.hep"), "--out", path(name)});
+        EXPECT_EQ(run.exit_code, 1) << run.errors;
+        EXPECT_NE(run.errors.find(why), std::string::npos) << run.errors;
+        EXPECT_NE(run.errors.find(path(name)), std::string::npos) << run.errors;
+        EXPECT_EQ(run.errors.find("Reading the case"), std::string::npos) << run.errors;
+        EXPECT_TRUE(fs::is_empty(path(name)));
+    }
+}
+
 // A folder of one's own work is not replaced by a case.
 TEST_F(OutputPlace, AFolderThatIsNoCaseIsNotReplacedByAnEditedOne) {
     const Outcome run = run_cli({"edit", path("p.hep"), "--out", path("p")});

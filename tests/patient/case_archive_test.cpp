@@ -122,6 +122,23 @@ TEST_F(CaseArchive, ReplacesAnOlderCaseAndNothingElse) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), 2) << "something is left";
 }
 
+TEST_F(CaseArchive, IsNotWrittenInThePlaceOfAFolder) {
+    fs::create_directory(in("folder.hepz"));
+    try {
+        require_place_of_case(in("folder.hepz"));
+        ADD_FAILURE() << "not refused";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.problem(), HasSubstr("is a folder"));
+        EXPECT_EQ(error.place(), in("folder.hepz").string());
+        EXPECT_NE(error.remedy(), "");
+    }
+    EXPECT_THROW(write_case(in("folder.hepz"), test::some_patient()), InputError);
+    EXPECT_TRUE(fs::is_empty(in("folder.hepz")));
+    write_case(in("p.hepz"), test::some_patient());
+    EXPECT_NO_THROW(require_place_of_case(in("p.hepz")));
+    EXPECT_NO_THROW(require_place_of_case(in("new.hepz")));
+}
+
 // Such as the lessons for the patient; another patient's are none for this one.
 TEST_F(CaseArchive, KeepsWhatLiesBesideTheSameCase) {
     PatientCase patient = test::some_patient();

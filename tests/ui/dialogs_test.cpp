@@ -432,6 +432,13 @@ TEST_F(SavingCase, never_replaces_what_is_no_case_and_says_so) {
     }
 }
 
+// A name with this ending is that of a file, so that the folder is not entered without a word.
+TEST_F(SavingCase, says_that_a_file_cannot_take_the_place_of_a_folder) {
+    fs::create_directory(path("photos.hepz"));
+    EXPECT_EQ(typed("photos.hepz", true), std::nullopt);
+    EXPECT_TRUE(refused_.startsWith("photos.hepz is a folder")) << refused_.toStdString();
+}
+
 TEST(Results, SayWhereTheyComeFromWhileThereAreNone) {
     ResultsDialog dialog([](const std::string&) {}, nullptr);
     const auto* nobody = dialog.findChild<QLabel*>("resultsNobody");

@@ -18,6 +18,7 @@
 #include "tests/patient/parted_patient.h"
 #include "tests/session/new_session.h"
 #include "tests/session/recorded.h"
+#include "tests/ui/library_window.h"
 #include "tests/ui/window_test.h"
 #include "ui/case_lessons.h"
 #include "ui/case_shelf.h"
@@ -31,7 +32,9 @@ namespace hepatica {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::LibraryTest;
 using testing::wait_for;
+using testing::write_lesson_for;
 
 TEST(CaseShelf, TellsOfEachCaseAndOfHowLessonsWent) {
     const TemporaryFolder folder, recordings;
@@ -92,16 +95,6 @@ TEST(CaseShelf, DrawsVesselsFromTheFront) {
     const QColor twig = drawing.pixelColor(right, 8);
     EXPECT_GT(twig.red(), twig.blue()) << "an artery";
     EXPECT_TRUE(drawing_of(VesselTree{}, QSize(10, 10)).pixelColor(5, 5).alpha() == 0);
-}
-
-// Of a vessel to be taken hold of.
-void write_lesson_for(const fs::path& file, const std::string& name, const std::string& patient) {
-    std::ofstream(file) << R"({"format": "hepatica-lesson", "version": 1, "about": "Take <it>.",
-        "name": ")" << name
-                        << R"(", "patient": ")" << patient
-                        << R"(", "scene": {"name": "take hold", "deform": {}},
-        "tools": ["pull"], "marks": {"the mark": {"share_of_longest_path": 0.2}},
-        "steps": [{"text": "Take it", "goal": [{"what": "holding", "at_least": 1}]}]})";
 }
 
 QStringList names_of(const std::vector<ShelvedLesson>& lessons, ShelvedLesson::Patient patient) {
@@ -196,59 +189,6 @@ TEST(CaseLessons, SaysWhatALessonIsForAsItsAuthorWroteIt) {
     const auto* tree = list.findChild<QTreeWidget*>("caseLessons");
     EXPECT_EQ(tree->topLevelItem(0)->child(0)->toolTip(0), about) << "no entities of HTML";
 }
-
-class LibraryTest : public testing::WindowTest {
-  protected:
-    LibraryTest()
-        : WindowTest({[this](const OpenRequest& request, Job& job) {
-                          opened_ = request.reconstruct.ct;
-                          LoadedPatient loaded = play(test::small_patient(), job);
-                          loaded.packed_lessons = packed_;
-                          return loaded;
-                      },
-                      [](const fs::path&, const PatientCase&) {}}),
-          cases_(to_path(folder_.filePath("cases"))) {
-        fs::create_directory(cases_);
-        write_case(cases_ / "first.hep", *test::small_patient());
-        settings_.set_library_folder(to_text(cases_));
-    }
-    LibraryDialog& dialog() { return window_.library(); }
-    void open_library() {
-        window_.actions()[ActionId::open_library].trigger();
-        ASSERT_TRUE(wait_for([this] { return !dialog().busy() && !dialog().cases().empty(); }));
-    }
-    // The chosen case in one file of this name.
-    fs::path given_away(const char* name) {
-        const fs::path file = to_path(folder_.filePath(name));
-        dialog().give_away(file);
-        EXPECT_TRUE(wait_for([&] { return fs::exists(file) && !dialog().busy(); }));
-        return file;
-    }
-    QTreeWidget& lessons() { return *dialog().findChild<QTreeWidget*>("caseLessons"); }
-    QPushButton& begin_button() { return *dialog().findChild<QPushButton*>("caseLessonBegin"); }
-    // "part: lesson, lesson", one a line.
-    QStringList listed() {
-        QStringList lines;
-        for (int i = 0; i < lessons().topLevelItemCount(); ++i) {
-            const QTreeWidgetItem* part = lessons().topLevelItem(i);
-            QStringList names;
-            for (int k = 0; k < part->childCount(); ++k) names << part->child(k)->text(0);
-            lines << part->text(0) + ": " + names.join(", ");
-        }
-        return lines;
-    }
-    QPoint place_of(int part, int lesson) {
-        return lessons().visualItemRect(lessons().topLevelItem(part)->child(lesson)).center();
-    }
-    // The lesson of this name runs on the patient of that case.
-    bool plays(const QString& name) {
-        return window_.lessons().playing() &&
-               window_.lessons().findChild<QLabel*>("lessonTitle")->text().contains(name);
-    }
-
-    fs::path cases_, opened_;
-    std::vector<std::string> packed_;  // lessons in the file of who is opened
-};
 
 // A chosen one is not tinted with the colour of choice, which in high contrast is not a vessel's.
 TEST_F(LibraryTest, shows_the_same_drawing_of_a_case_that_is_chosen) {
