@@ -14,6 +14,7 @@
 #include "core/scene/flow_part.h"
 #include "core/scene/world_checkpoint.h"
 #include "tests/scene/shown_flow.h"
+#include "tests/support/asked_to_stop.h"
 
 namespace hepatica {
 namespace {
@@ -231,6 +232,22 @@ TEST(FlowPart, TheFlowAfterATearIsShownAFixedNumberOfStepsLater) {
     part.set_time(begin_s + 0.02 * part.drug().end_s);
     part.follow_tears({{{0, 30.0, 0.0}, 3.0, true}});
     EXPECT_TRUE(part.computing());
+}
+
+// Closing must not wait until the flow that is due is found.
+TEST(FlowPart, AStopIsHeardWhereTheFlowAfterATearIsDue) {
+    Shown made(tube_of_40_mm());
+    FlowPart& part = made.part;
+    part.inject({.at = {0, 0.0, 0.0}});
+    const double dt_s = 1e-3 * part.drug().end_s;
+    part.set_time(0.25 * part.drug().end_s);
+    part.follow_tears({tear_at_20_mm});
+    for (int left = part.steps_to_update(); left > 1; --left) part.step(dt_s);
+    const FlowCheckpoint good = part.checkpoint();
+    EXPECT_THROW(part.step(dt_s, test::asked_to_stop()), Cancelled);
+    part.restore(good);
+    part.step(dt_s);
+    EXPECT_EQ(part.drug().injection->later_tears.size(), 1u) << "as if there had been no stop";
 }
 
 // Its flow may end later than the one that is shown.

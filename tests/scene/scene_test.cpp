@@ -15,6 +15,7 @@
 #include "core/scene/flow_part.h"
 #include "core/scene/world.h"
 #include "tests/session/small_patient.h"
+#include "tests/support/asked_to_stop.h"
 
 namespace hepatica {
 namespace {
@@ -44,6 +45,20 @@ TEST(World, BuildsOnlyWhatTheSceneNames) {
     EXPECT_EQ(flowing.deform(), nullptr);
     EXPECT_NE(flowing.flow(), nullptr);
     EXPECT_EQ(flowing.vertex_count(), small_patient()->surface.vertices_mm.size());
+}
+
+TEST(World, HearsAStopWhereTheFlowAfterATearIsDue) {
+    Job job;
+    SceneSpec spec;
+    spec.deform.reset();
+    World world(small_patient(), spec, job);
+    FlowPart& flow = *world.flow();
+    flow.inject({.at = {0, 0.0, 0.0}});
+    flow.set_time(0.25 * flow.drug().end_s);
+    flow.follow_tears({ThroughTear{{0, 5.0, 0.0}, 3.0}});
+    for (int left = flow.steps_to_update(); left > 1; --left) world.step();
+    ASSERT_TRUE(flow.computing());
+    EXPECT_THROW(world.step(test::asked_to_stop()), Cancelled);
 }
 
 TEST(World, AFlowSceneNeedsNoMesh) {
