@@ -10,6 +10,7 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QWidget>
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string_view>
@@ -316,6 +317,20 @@ void Actions::show_history(const QString& undo, const QString& redo) {
         if (history_.contains(spec.id)) enable(spec);
 }
 
+void Actions::show_lack(ActionId id, const QString& why) {
+    lacks_[id] = why;
+    enable(*std::ranges::find(table, id, &ActionSpec::id));
+}
+
+void Actions::before_menu_of(ActionId id, const std::function<void()>& look) {
+    for (QObject* shows : actions_.at(id)->associatedObjects()) {
+        auto* menu = qobject_cast<QMenu*>(shows);
+        if (menu == nullptr) continue;
+        menu->setToolTipsVisible(true);
+        QObject::connect(menu, &QMenu::aboutToShow, actions_.at(id), look);
+    }
+}
+
 void Actions::forbid(std::set<ActionId> forbidden) {
     const std::set<ActionId> before = std::exchange(forbidden_, std::move(forbidden));
     for (const ActionSpec& spec : table)
@@ -333,8 +348,11 @@ void Actions::enable(const ActionSpec& spec) {
     const bool forbidden = forbidden_.contains(spec.id);
     const auto history = history_.find(spec.id);
     const bool nothing_to_do = history != history_.end() && history->second.isEmpty();
-    action.setEnabled(!forbidden && !nothing_to_do && (patient_shown_ || !spec.needs_patient));
-    const QString tip = Words::tr(spec.tip);
+    const auto lack = lacks_.find(spec.id);
+    const bool lacks = lack != lacks_.end() && !lack->second.isEmpty();
+    action.setEnabled(!forbidden && !nothing_to_do && !lacks &&
+                      (patient_shown_ || !spec.needs_patient));
+    const QString tip = lacks ? lack->second : Words::tr(spec.tip);
     tell(action,
          forbidden ? Words::tr("The lesson does not allow this: %1").arg(plain(spec.text)) : tip);
 }

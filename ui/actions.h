@@ -114,6 +114,10 @@ class Actions {
     void set_patient_shown(bool shown);
     // What undo and redo would change, in words; empty: nothing, and the action is disabled.
     void show_history(const QString& undo, const QString& redo);
+    // Disables an action that has nothing to act on, with the reason as its tip; empty: it has.
+    void show_lack(ActionId id, const QString& why);
+    // Calls `look` whenever the menu of this action is about to open, which then shows tips.
+    void before_menu_of(ActionId id, const std::function<void()>& look);
     // Disables these actions, with a tip that the lesson does not allow them, until the next call.
     void forbid(std::set<ActionId> forbidden);
     // What a forbidden action with these keys would do, as its tip says it; empty: there is none.
@@ -128,6 +132,7 @@ class Actions {
     std::map<ActionId, QAction*> actions_;
     std::set<ActionId> forbidden_;
     std::map<ActionId, QString> history_;
+    std::map<ActionId, QString> lacks_;  // why an action has nothing to act on
     bool patient_shown_ = false;
 };
 

@@ -372,7 +372,7 @@ void MainWindow::connect_files() {
     actions_->on(ActionId::open_case, [this] { ask_for_case(); });
     actions_->on(ActionId::open_ct_folder, [this] { ask_for_ct(true); });
     actions_->on(ActionId::open_ct_file, [this] { ask_for_ct(false); });
-    actions_->on(ActionId::open_unsaved, [this] { open_unsaved_work(); });
+    connect_unsaved_work();
     actions_->on(ActionId::open_recording, [this] {
         if (const auto file = ask_for_recording()) review_->open(*file);
     });

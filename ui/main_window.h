@@ -211,6 +211,7 @@ class MainWindow : public QMainWindow {
     void offer_unsaved_lesson();
     void forget(const std::vector<std::filesystem::path>& interrupted);
     void open_unsaved_work();
+    void connect_unsaved_work();
     void ask_for_ct(bool folder);
     // To look back on, or to compare with the one that is shown.
     std::optional<std::filesystem::path> ask_for_recording(const std::filesystem::path& shown = {});

@@ -250,6 +250,19 @@ void MainWindow::open_unsaved_work() {
     open(Recovery::unsaved_work(left.front()).request);
 }
 
+// Another program may end, and this one take over its work, at any time.
+void MainWindow::connect_unsaved_work() {
+    const auto look = [this] {
+        actions_->show_lack(ActionId::open_unsaved,
+                            recovery_->left_behind().empty()
+                                ? Words::tr("No earlier run left unsaved work.")
+                                : QString());
+    };
+    actions_->on(ActionId::open_unsaved, [this] { open_unsaved_work(); });
+    actions_->before_menu_of(ActionId::open_unsaved, look);
+    look();
+}
+
 void MainWindow::ask_for_ct(bool folder) {
     const QString path = settings_.choose(Settings::Kind::ct, [&](const QString& start) {
         return folder ? QFileDialog::getExistingDirectory(this, Words::tr("Open CT folder (DICOM)"),

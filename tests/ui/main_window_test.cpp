@@ -9,6 +9,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -54,6 +55,30 @@ TEST_F(Window, the_grabbed_vertex_follows_the_mouse) {
     QTest::mouseRelease(&view, Qt::LeftButton, {}, start + QPoint(90, -24));
     EXPECT_EQ(commands_of_type<ReleaseGrab>().size(), 1u);
     EXPECT_FALSE(view.mouse().pulling());
+}
+
+TEST_F(Window, offers_to_open_unsaved_work_only_where_there_is_some) {
+    QAction& entry = window_.actions()[ActionId::open_unsaved];
+    const auto open_menu = [&] {
+        for (QObject* shows : entry.associatedObjects())
+            if (auto* menu = qobject_cast<QMenu*>(shows)) emit menu->aboutToShow();
+    };
+    EXPECT_FALSE(entry.isEnabled()) << "before the menu was ever opened";
+    open_menu();
+    EXPECT_FALSE(entry.isEnabled());
+    EXPECT_TRUE(entry.toolTip().contains("No earlier run left unsaved work"))
+        << entry.toolTip().toStdString();
+    const auto copy = to_path(settings_.recovery_folder()) / "left" / "1" / "Anna.hep";
+    std::filesystem::create_directories(copy);
+    QFile header(to_text(copy / "case.json"));
+    ASSERT_TRUE(header.open(QIODevice::WriteOnly));
+    header.close();
+    open_menu();
+    EXPECT_TRUE(entry.isEnabled());
+    EXPECT_FALSE(entry.toolTip().contains("No earlier run"));
+    std::filesystem::remove_all(copy);
+    open_menu();
+    EXPECT_FALSE(entry.isEnabled());
 }
 
 TEST_F(Window, enter_presses_the_button_of_the_start_page_that_has_the_focus) {
