@@ -4,7 +4,7 @@
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QGuiApplication>
-#include <QImage>
+#include <QImageReader>
 #include <QPageSize>
 #include <QPdfWriter>
 #include <QRegularExpression>
@@ -17,7 +17,9 @@
 #include <QTextImageFormat>
 #include <QTextLayout>
 #include <QUrl>
+#include <algorithm>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/base/atomic_write.h"
@@ -41,10 +43,17 @@ QString in_plain_html(QString html) {
     return html;
 }
 
-// Makes pictures as wide as the text on paper, and sets their heights: otherwise QTextDocument
-// reserves the original height at any width.
-void fit_pictures(QTextDocument& document, const fs::path& folder) {
-    constexpr double width = 600.0;
+// Widths of pictures, in dots of the screen; the widest is that of the text.
+constexpr double widest = 600.0, narrowest = 340.0, narrower_by = 20.0;
+
+// A curve over time, which is as wide as the text on every page.
+bool is_flat(const QSize& picture) {
+    return picture.width() > 2 * picture.height();
+}
+
+// Sets the pictures' widths and heights: without the latter QTextDocument reserves the original
+// height at any width.
+void fit_pictures(QTextDocument& document, const fs::path& folder, double width) {
     struct Place {
         int begin, end;
         QTextImageFormat format;
@@ -59,9 +68,11 @@ void fit_pictures(QTextDocument& document, const fs::path& folder) {
         }
     QTextCursor cursor(&document);
     for (Place& place : places) {
-        const QImage picture(to_text(folder / to_path(place.format.name())));
-        place.format.setWidth(width);
-        place.format.setHeight(width * picture.height() / picture.width());
+        const QSize picture = QImageReader(to_text(folder / to_path(place.format.name()))).size();
+        if (picture.isEmpty()) continue;
+        const double own = is_flat(picture) ? widest : width;
+        place.format.setWidth(own);
+        place.format.setHeight(own * picture.height() / picture.width());
         cursor.setPosition(place.begin);
         cursor.setPosition(place.end, QTextCursor::KeepAnchor);
         cursor.setCharFormat(place.format);
@@ -85,9 +96,10 @@ QTextBlock what_follows(const QTextBlock& heading) {
 class OnPaper {
   public:
     OnPaper(const QTextDocument& document, QPdfWriter& writer)
-        : laid_out_(document.clone()), page_(writer.height()) {
+        : laid_out_(document.clone()),
+          page_(writer.height()),
+          margin_(margin_inch * writer.logicalDpiY()) {
         // print() uses margins of 2 cm in screen dots, which the layout scales to the paper.
-        constexpr double margin_inch = 2.0 / 2.54;
         const double screen_dots = QGuiApplication::primaryScreen()->logicalDotsPerInchY();
         laid_out_->documentLayout()->setPaintDevice(&writer);
         QTextFrameFormat format = laid_out_->rootFrame()->frameFormat();
@@ -100,8 +112,29 @@ class OnPaper {
     int last_page_of(const QTextBlock& block) const {
         return page_of_line(block, block.layout()->lineCount() - 1);
     }
+    // The largest share of a page that is white below what stands on it; the last page's does not
+    // count.
+    double largest_white() const {
+        std::vector<double> foot;  // of what stands on each page, from its top
+        for (QTextBlock block = begin(); block.isValid(); block = block.next()) {
+            const double top = laid_out_->documentLayout()->blockBoundingRect(block).top();
+            for (int line = 0; line < block.layout()->lineCount(); ++line) {
+                const auto page = static_cast<std::size_t>(page_of_line(block, line));
+                const QTextLine drawn = block.layout()->lineAt(line);
+                foot.resize(std::max(foot.size(), page + 1), margin_);
+                const double below = top + drawn.y() + drawn.height();
+                foot[page] = std::max(foot[page], below - static_cast<double>(page) * page_);
+            }
+        }
+        if (!foot.empty()) foot.pop_back();
+        double white = 0.0;
+        for (const double below : foot) white = std::max(white, page_ - margin_ - below);
+        return white / (page_ - 2.0 * margin_);
+    }
 
   private:
+    static constexpr double margin_inch = 2.0 / 2.54;
+
     int page_of_line(const QTextBlock& block, int line) const {
         const double top = laid_out_->documentLayout()->blockBoundingRect(block).top();
         const QTextLayout& lines = *block.layout();
@@ -111,7 +144,7 @@ class OnPaper {
     }
 
     std::unique_ptr<QTextDocument> laid_out_;
-    double page_;
+    double page_, margin_;
 };
 
 // The first block that is parted by the end of a page from what belongs to it: a heading, or a
@@ -141,16 +174,34 @@ void keep_together(QTextDocument& document, QPdfWriter& writer) {
     }
 }
 
-}  // namespace
+std::unique_ptr<QTextDocument> read_page(const std::string& html, const fs::path& folder,
+                                         double width) {
+    auto document = std::make_unique<QTextDocument>();
+    document->setBaseUrl(QUrl::fromLocalFile(to_text(folder) + "/"));
+    document->setMetaInformation(QTextDocument::DocumentUrl,
+                                 QUrl::fromLocalFile(to_text(folder) + "/").toString());
+    document->setHtml(in_plain_html(QString::fromStdString(html)));
+    fit_pictures(*document, folder, width);
+    return document;
+}
 
-namespace {
-
-void read_page(const std::string& html, const fs::path& folder, QTextDocument& document) {
-    document.setBaseUrl(QUrl::fromLocalFile(to_text(folder) + "/"));
-    document.setMetaInformation(QTextDocument::DocumentUrl,
-                                QUrl::fromLocalFile(to_text(folder) + "/").toString());
-    document.setHtml(in_plain_html(QString::fromStdString(html)));
-    fit_pictures(document, folder);
+// The page with pictures as wide as leaves hardly any page half empty: one that does not fit below
+// what stands before it goes to the next. All have one width, so that they can be compared.
+std::unique_ptr<QTextDocument> in_pages(const std::string& html, const fs::path& folder,
+                                        QPdfWriter& writer) {
+    constexpr double little = 0.2;  // of a page
+    std::unique_ptr<QTextDocument> best;
+    double least = 1.0;
+    for (double width = widest; width >= narrowest && (!best || least > little);
+         width -= narrower_by) {
+        auto document = read_page(html, folder, width);
+        keep_together(*document, writer);
+        const double white = OnPaper(*document, writer).largest_white();
+        if (best && white >= least) continue;
+        best = std::move(document);
+        least = white;
+    }
+    return best;
 }
 
 void set_up(QPdfWriter& writer) {
@@ -162,33 +213,29 @@ void set_up(QPdfWriter& writer) {
 }  // namespace
 
 void print_pdf(const std::string& html, const fs::path& folder, const fs::path& file) {
-    QTextDocument document;
-    read_page(html, folder, document);
     // In memory, because the writer does not say whether the disk took what it wrote.
     QBuffer made;
     made.open(QIODevice::WriteOnly);
     {
         QPdfWriter writer(&made);
         set_up(writer);
-        keep_together(document, writer);
-        document.print(&writer);
+        in_pages(html, folder, writer)->print(&writer);
     }
     write_text_atomically(file, made.data().toStdString());
 }
 
-std::vector<PicturePages> pages_of_pictures(const std::string& html, const fs::path& folder) {
-    QTextDocument document;
-    read_page(html, folder, document);
+PrintedPages printed_pages(const std::string& html, const fs::path& folder) {
     QBuffer nowhere;
     nowhere.open(QIODevice::WriteOnly);
     QPdfWriter writer(&nowhere);
     set_up(writer);
-    keep_together(document, writer);
-    const OnPaper paper(document, writer);
-    std::vector<PicturePages> pages;
+    const auto document = in_pages(html, folder, writer);
+    const OnPaper paper(*document, writer);
+    PrintedPages pages;
     for (QTextBlock block = paper.begin(); block.isValid(); block = block.next())
         if (holds_picture(block))
-            pages.push_back({paper.first_page_of(block), paper.last_page_of(block)});
+            pages.pictures.push_back({paper.first_page_of(block), paper.last_page_of(block)});
+    pages.largest_white = paper.largest_white();
     return pages;
 }
 

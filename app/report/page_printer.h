@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints a report's page as PDF: pictures as wide as the text, no heading alone at the foot of a
-// page, and every picture on one page with its caption.
+// Prints a report's page as PDF: no heading alone at the foot of a page, every picture on one page
+// with its caption, and pictures narrower than the text where that leaves less of a page white.
 #pragma once
 
 #include <filesystem>
@@ -14,11 +14,16 @@ namespace hepatica {
 void print_pdf(const std::string& html, const std::filesystem::path& folder,
                const std::filesystem::path& file);
 
-// On which pages, from 0, each picture and the end of its caption come to lie in such a PDF.
-struct PicturePages {
-    int picture = 0, caption = 0;
+// How such a PDF comes out.
+struct PrintedPages {
+    // On which pages, from 0, each picture and the end of its caption lie.
+    struct OfPicture {
+        int picture = 0, caption = 0;
+    };
+    std::vector<OfPicture> pictures;
+    // The largest share of a page but the last that is white at its foot.
+    double largest_white = 0.0;
 };
-std::vector<PicturePages> pages_of_pictures(const std::string& html,
-                                            const std::filesystem::path& folder);
+PrintedPages printed_pages(const std::string& html, const std::filesystem::path& folder);
 
 }  // namespace hepatica

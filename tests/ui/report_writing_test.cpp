@@ -168,12 +168,39 @@ TEST_F(ReportWriting, APlotStaysOnOnePageWithItsCaption) {
         html +=
             "<h2>Over time</h2><figure><img src=\"plot.png\" alt=\"\"><figcaption>The force over "
             "time</figcaption></figure></body></html>";
-        const std::vector<PicturePages> found = pages_of_pictures(html, folder());
+        const auto found = printed_pages(html, folder()).pictures;
         ASSERT_EQ(found.size(), 1u);
         EXPECT_EQ(found[0].picture, found[0].caption) << lines;
         pages = std::max(pages, found[0].caption);
     }
     EXPECT_GE(pages, 1) << "there was an end of a page among them";
+}
+
+// With pictures as wide as the text nearly half of a page came to be white.
+TEST_F(ReportWriting, NoPageButTheLastIsLeftHalfEmpty) {
+    QImage picture(1100, 780, QImage::Format_RGB32), plot(900, 320, QImage::Format_RGB32);
+    picture.fill(Qt::gray);
+    plot.fill(Qt::lightGray);
+    ASSERT_TRUE(picture.save(to_text(folder() / "picture.png")));
+    ASSERT_TRUE(plot.save(to_text(folder() / "plot.png")));
+    const auto figures = [](const char* file, int count) {
+        std::string html;
+        for (int i = 0; i < count; ++i)
+            html += std::string("<figure><img src=\"") + file +
+                    "\" alt=\"\"><figcaption>A caption</figcaption></figure>";
+        return html;
+    };
+    for (int lines = 0; lines <= 44; lines += 11) {
+        std::string html = "<html><body><h1>Report</h1>";
+        for (int line = 0; line < lines; ++line) html += "<p>A line</p>";
+        html += "<h2>Over time</h2>" + figures("plot.png", 2);
+        html += "<h2>Pictures</h2><p>From the front.</p>" + figures("picture.png", 5);
+        const PrintedPages pages = printed_pages(html + "</body></html>", folder());
+        EXPECT_LT(pages.largest_white, 0.3) << lines;
+        ASSERT_EQ(pages.pictures.size(), 7u);
+        for (const PrintedPages::OfPicture& one : pages.pictures)
+            EXPECT_EQ(one.picture, one.caption) << lines;
+    }
 }
 
 TEST_F(ReportWriting, APdfIsWholeOrSaidNotToBe) {
