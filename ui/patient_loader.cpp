@@ -4,9 +4,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/text_file.h"
 #include "core/flow/flow_shares.h"
-#include "core/patient/case_header.h"
 #include "core/scene/measured_dial.h"
 #include "core/session/session.h"
 #include "ui/packed_lessons.h"
@@ -25,16 +23,20 @@ std::vector<std::string> names_of_lessons_in(const std::filesystem::path& place)
     return names;
 }
 
-// The dial that an earlier start measured. One that is damaged is measured again: nobody saved it.
-void take_cached_dial(OpenedPatient& opened) {
-    auto patient = std::make_shared<PatientCase>(*opened.patient);
+// A dial in the cache that is damaged is measured again: nobody saved it.
+void drop_damaged_dial(OpenedPatient& opened) {
     try {
-        patient->dial_json = read_text_file(opened.cached_case / case_file::dial, "");
-        measured_points(*patient);
+        measured_points(*opened.patient);
     } catch (const InputError&) {
-        return;
+        auto patient = std::make_shared<PatientCase>(*opened.patient);
+        patient->dial_json.clear();
+        opened.patient = std::move(patient);
     }
-    opened.patient = std::move(patient);
+}
+
+OpenRequest with_cached_dial(OpenRequest request) {
+    request.cache.with_dial = true;
+    return request;
 }
 
 }  // namespace
@@ -59,10 +61,10 @@ LoadedPatient play_with(const DeformBackEnd& back_end, std::shared_ptr<const Pat
 LoadedPatient load_patient(const OpenRequest& request, Job& job, const DeformBackEnd& back_end) {
     constexpr int preparing = 1, building_the_scene = 1;
     job.expect_stages(opening_stage_count(request) + preparing + building_the_scene);
-    OpenedPatient opened = open_patient(request, job);
+    OpenedPatient opened = open_patient(with_cached_dial(request), job);
     for (auto* list : {&opened.warnings, &opened.warnings_of_image})
         for (std::string& warning : *list) warning = in_window_words(std::move(warning));
-    if (!opened.cached_case.empty()) take_cached_dial(opened);
+    if (!opened.cached_case.empty()) drop_damaged_dial(opened);
     LoadedPatient loaded = play_with(back_end, opened.patient, job);
     if (std::string words = words_on_left_out(back_end, measured_points(*opened.patient));
         !words.empty())

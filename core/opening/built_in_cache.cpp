@@ -94,7 +94,7 @@ std::optional<PatientCase> patient_of(const BuiltInCache& cache) {
         const fs::path folder = entry_of(cache) / case_name;
         if (sha256_of_file(folder / case_file::header) != *digest) return std::nullopt;
         PatientCase patient = read_case(folder);
-        patient.dial_json.clear();  // no part of what the label vouches for
+        if (!cache.with_dial) patient.dial_json.clear();  // the label does not vouch for it
         return patient;
     } catch (const std::exception&) {
         return std::nullopt;

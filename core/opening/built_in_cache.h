@@ -15,13 +15,14 @@ namespace hepatica {
 // Where the entry lies, and for which program it is valid.
 struct BuiltInCache {
     std::filesystem::path folder;  // folder of the program's own; empty: nothing is kept
-    std::string program;  // text that differs between programs that may make different patients
+    std::string program;     // text that differs between programs that may make different patients
+    bool with_dial = false;  // patient_of() reads the dial that was kept in the entry, too
 };
 
 // Whether there is an entry of this program; it may still be unreadable. Reads the label only.
 bool holds_patient(const BuiltInCache& cache);
-// Reads the entry, without a dial. None where there is no entry of this program or where it is
-// damaged.
+// Reads the entry; its dial, which the label does not vouch for, only where the cache asks for it.
+// None where there is no entry of this program or where it is damaged.
 std::optional<PatientCase> patient_of(const BuiltInCache& cache);
 // The case of the entry, in which what is measured of the patient may be kept. Empty where there is
 // no entry of this program.

@@ -156,6 +156,11 @@ TEST_F(BuiltInCacheTest, what_was_measured_is_found_again_and_has_no_part_in_the
     const std::optional<PatientCase> found = patient_of(cache_);
     expect_whole(found);
     EXPECT_TRUE(found->dial_json.empty()) << "who wants it looks whether it is damaged";
+    BuiltInCache with_dial = cache_;
+    with_dial.with_dial = true;
+    const std::optional<PatientCase> measured = patient_of(with_dial);
+    ASSERT_TRUE(measured);
+    EXPECT_EQ(measured->dial_json, "{\"a\": 1}") << "without another copy of the patient";
     Job job;
     EXPECT_EQ(open_patient({.built_in = true, .reconstruct = {}, .cache = cache_}, job).cached_case,
               place);
