@@ -2,19 +2,55 @@
 #include "ui/elided_status_bar.h"
 
 #include <QHelpEvent>
+#include <QLayout>
 #include <QPainter>
 #include <QStyle>
 #include <QStyleOption>
 #include <QToolTip>
 #include <algorithm>
+#include <utility>
 
 #include "ui/plain_text.h"
 
 namespace hepatica {
 
+namespace {
+
+constexpr int margin = 6;
+
+}  // namespace
+
+ElidedStatusBar::ElidedStatusBar(QWidget* parent) : QStatusBar(parent) {
+    connect(this, &QStatusBar::messageChanged, this, [this] { make_room(); });
+}
+
+void ElidedStatusBar::set_giving_way(std::vector<QWidget*> figures) {
+    giving_way_ = std::move(figures);
+    make_room();
+}
+
+void ElidedStatusBar::make_room() {
+    const int spacing = layout() != nullptr ? std::max(0, layout()->spacing()) : 0;
+    const auto width_of = [spacing](const QWidget& figure) {
+        return figure.sizeHint().width() + spacing;
+    };
+    int room = width() - 2 * margin - fontMetrics().horizontalAdvance(currentMessage());
+    for (const QWidget* beside : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+        if (!beside->isHidden() && std::ranges::find(giving_way_, beside) == giving_way_.end())
+            room -= width_of(*beside);
+    for (QWidget* figure : giving_way_) {
+        room -= width_of(*figure);
+        figure->setVisible(currentMessage().isEmpty() || room >= 0);
+    }
+}
+
+void ElidedStatusBar::resizeEvent(QResizeEvent* event) {
+    QStatusBar::resizeEvent(event);
+    make_room();
+}
+
 // What is shown beside the message stands at the right.
 QRect ElidedStatusBar::room_for_message() const {
-    constexpr int margin = 6;
     int right = width();
     for (const QWidget* beside : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
         if (beside->isVisible()) right = std::min(right, beside->x());
@@ -37,6 +73,7 @@ void ElidedStatusBar::paintEvent(QPaintEvent*) {
 }
 
 bool ElidedStatusBar::event(QEvent* event) {
+    if (event->type() == QEvent::LayoutRequest) make_room();  // a figure has changed
     if (event->type() != QEvent::ToolTip) return QStatusBar::event(event);
     const bool cut = shown() != currentMessage();
     QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),

@@ -1,24 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A status bar whose message ends in an ellipsis where the figures beside it leave too little room;
-// the tooltip shows the whole message then.
+// A status bar whose message comes before the figures that give way to it, and ends in an ellipsis
+// where those that stay leave too little room; the tooltip shows the whole message then.
 #pragma once
 
 #include <QStatusBar>
+#include <vector>
 
 namespace hepatica {
 
 class ElidedStatusBar : public QStatusBar {
   public:
-    using QStatusBar::QStatusBar;
+    explicit ElidedStatusBar(QWidget* parent = nullptr);
 
+    // These figures of the bar hide, the last one first, while a message needs their room.
+    void set_giving_way(std::vector<QWidget*> figures);
     QString shown() const;  // the message as it is drawn now
 
   protected:
     void paintEvent(QPaintEvent* event) override;
     bool event(QEvent* event) override;
 
+    void resizeEvent(QResizeEvent* event) override;
+
   private:
     QRect room_for_message() const;
+    void make_room();
+
+    std::vector<QWidget*> giving_way_;
 };
 
 }  // namespace hepatica

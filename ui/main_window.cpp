@@ -107,8 +107,9 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     setAcceptDrops(true);
     resize_on_screen(*this, {1280, 820});
     actions_ = std::make_unique<Actions>(*this, *menuBar());
-    setStatusBar(new ElidedStatusBar(this));
-    status_ = std::make_unique<StatusLine>(*statusBar());
+    auto* foot = new ElidedStatusBar(this);
+    setStatusBar(foot);
+    status_ = std::make_unique<StatusLine>(*foot);
     build_view();
     build_panels();
     build_tool_bar();

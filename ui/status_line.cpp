@@ -6,6 +6,7 @@
 
 #include "core/scene/measured_dial.h"
 #include "ui/core_words.h"
+#include "ui/elided_status_bar.h"
 #include "ui/quality_panel.h"
 #include "ui/words.h"
 
@@ -18,7 +19,7 @@ QString red_dot() {
 
 }  // namespace
 
-StatusLine::StatusLine(QStatusBar& bar)
+StatusLine::StatusLine(ElidedStatusBar& bar)
     : warnings_(new QToolButton(&bar)),
       recording_(new QLabel(&bar)),
       bleeding_(new QLabel(&bar)),
@@ -56,6 +57,7 @@ StatusLine::StatusLine(QStatusBar& bar)
     }
     recording_->hide();
     bleeding_->hide();
+    bar.set_giving_way({picture_, renderer_});
 }
 
 void StatusLine::show_statistics(const FrameStatistics& statistics) {

@@ -4,7 +4,6 @@
 // thread only.
 #pragma once
 
-#include <QStatusBar>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -17,9 +16,12 @@ class QToolButton;
 
 namespace hepatica {
 
+class ElidedStatusBar;
+
 class StatusLine {
   public:
-    explicit StatusLine(QStatusBar& bar);
+    // What tells of the machine alone gives way to a message of the bar.
+    explicit StatusLine(ElidedStatusBar& bar);
 
     void show_statistics(const FrameStatistics& statistics);
     void show_picture_time(double ms);

@@ -32,6 +32,35 @@ TEST(ElidedStatusBarAlone, EndsALongMessageBeforeTheFigures) {
     EXPECT_LT(bar.fontMetrics().horizontalAdvance(bar.shown()), figure->x());
 }
 
+// Such as the renderer's name, which nobody needs while a hint is to be read.
+TEST(ElidedStatusBarAlone, FiguresThatGiveWayLeaveTheirRoomToAMessage) {
+    ElidedStatusBar bar;
+    auto* recording = new QLabel("Recording");
+    auto* picture = new QLabel("picture 10 ms");
+    auto* renderer = new QLabel(QString("renderer ").repeated(20));
+    for (QLabel* figure : {recording, picture, renderer}) bar.addPermanentWidget(figure);
+    bar.set_giving_way({picture, renderer});
+    const QString message = "Record the play from now on, and end that";
+    const int needed = bar.fontMetrics().horizontalAdvance(message);
+    bar.resize(2 * needed + recording->sizeHint().width() + picture->sizeHint().width(), 24);
+    ASSERT_GT(renderer->sizeHint().width(), needed) << "with it the message would be cut";
+    bar.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&bar, testing::patience_ms));
+    EXPECT_FALSE(renderer->isHidden());
+    bar.showMessage(message);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    EXPECT_TRUE(renderer->isHidden());
+    EXPECT_FALSE(picture->isHidden()) << "there is room for it";
+    EXPECT_FALSE(recording->isHidden());
+    EXPECT_EQ(bar.shown(), message);
+    bar.showMessage(long_message);
+    EXPECT_TRUE(picture->isHidden());
+    EXPECT_FALSE(recording->isHidden()) << "it gives way to nothing";
+    bar.clearMessage();
+    EXPECT_FALSE(picture->isHidden());
+    EXPECT_FALSE(renderer->isHidden());
+}
+
 TEST_F(StatusBarOfTheWindow, ShowsAMessageThatIsCutAsAWholeInItsTooltip) {
     auto* bar = dynamic_cast<ElidedStatusBar*>(window_.statusBar());
     ASSERT_NE(bar, nullptr);
