@@ -6,6 +6,7 @@
 #include <QDesktopServices>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLocale>
 #include <QStatusBar>
 #include <QUrl>
 #include <utility>
@@ -42,13 +43,16 @@ void MainWindow::write_report_into(const std::filesystem::path& chosen,
     const QString called = translated(find_lesson(lesson).name);
     QueuedJob queued;
     queued.kind = JobKind::report;
-    queued.title = Words::tr("Writing the report").toStdString();
-    queued.begin = [this, order, chosen, called]() -> BackgroundJob::Work {
+    // Told apart from another report that waits: of another lesson, or of another play of it.
+    const QDateTime played = QFileInfo(to_text(recording)).lastModified();
+    const QString title =
+        Words::tr("Writing the report on %1 (%2)").arg(called, QLocale().toString(played, "HH:mm"));
+    queued.title = title.toStdString();
+    queued.begin = [this, order, chosen, called, played]() -> BackgroundJob::Work {
         const QString program =
             report_program_.isEmpty() ? QCoreApplication::applicationFilePath() : report_program_;
         // Now that the reports before it are there, and have their folders.
-        const auto place =
-            report_folder(chosen, called, QFileInfo(to_text(order.recording)).lastModified());
+        const auto place = report_folder(chosen, called, played);
         return [this, program, order, place](Job& job) -> std::function<void()> {
             order_report(program, order, place, job);
             return [this, place] { offer_report(place); };
@@ -57,7 +61,9 @@ void MainWindow::write_report_into(const std::filesystem::path& chosen,
     queued.failed = [this](const Failure& failure) {
         fail(Words::tr("Write the report"), failure);
     };
-    queued.cancelled = [this] { statusBar()->showMessage(Words::tr("Cancelled"), 6000); };
+    queued.cancelled = [this, title] {
+        statusBar()->showMessage(Words::tr("Cancelled: %1").arg(title), 6000);
+    };
     keeper_->add_report(std::move(queued));
 }
 

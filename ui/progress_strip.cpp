@@ -56,6 +56,7 @@ void ProgressStrip::start(const QString& title) {
     title_->setText(title);
     stage_->clear();
     bar_->setRange(0, 0);
+    cancel_->setToolTip(Words::tr("Cancels this alone: %1").arg(title));
     cancel_->setEnabled(true);
     show();
 }

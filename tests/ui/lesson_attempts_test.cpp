@@ -297,6 +297,8 @@ TEST_F(LessonAttemptsTest, reports_that_wait_for_each_other_have_folders_of_thei
     for (int time = 0; time < 2; ++time)
         window_.lessons().findChild<QPushButton*>("lessonReport")->click();
     answering.stop();
+    const auto* strip = window_.findChild<QWidget*>("progressStrip");
+    EXPECT_TRUE(strip->findChild<QPushButton*>()->toolTip().contains("the report on Short ("));
     std::ofstream{go};
     ASSERT_TRUE(wait_for([this] { return !window_.busy(); }));
     EXPECT_EQ(std::distance(fs::directory_iterator(reports), fs::directory_iterator()), 2);

@@ -263,6 +263,15 @@ TEST(ProgressStripTest, names_the_other_jobs) {
     EXPECT_TRUE(says("at the same time: Writing the report"));
 }
 
+TEST(ProgressStripTest, says_which_job_its_button_cancels) {
+    QWidget pictures;
+    ProgressStrip strip([] {}, &pictures);
+    for (const QString title : {"Writing the report on A (10:00)", "Opening b"}) {
+        strip.start(title);
+        EXPECT_TRUE(strip.findChild<QPushButton*>()->toolTip().contains(title));
+    }
+}
+
 TEST(ProgressStripTest, its_bar_is_of_the_whole_job) {
     QWidget pictures;
     ProgressStrip strip([] {}, &pictures);
