@@ -1662,6 +1662,26 @@
         <translation>Die Fälle werden gelesen …</translation>
     </message>
     <message>
+        <source>Reading the case…</source>
+        <translation>Der Fall wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Copying the case into this folder…</source>
+        <translation>Der Fall wird in diesen Ordner kopiert …</translation>
+    </message>
+    <message>
+        <source>Writing the case into one file…</source>
+        <translation>Der Fall wird in eine Datei geschrieben …</translation>
+    </message>
+    <message>
+        <source>%1 These buttons wait for it.</source>
+        <translation>%1 Darauf warten diese Schaltflächen.</translation>
+    </message>
+    <message>
+        <source>“%1” lies in this folder already, and was not copied.</source>
+        <translation>„%1“ liegt schon in diesem Ordner und wurde nicht kopiert.</translation>
+    </message>
+    <message>
         <source>Copy the case</source>
         <translation>Fall kopieren</translation>
     </message>
@@ -2031,6 +2051,14 @@
     <message>
         <source>Cancelled</source>
         <translation>Abgebrochen</translation>
+    </message>
+    <message>
+        <source>Cancelled: %1</source>
+        <translation>Abgebrochen: %1</translation>
+    </message>
+    <message>
+        <source>Cancels this alone: %1</source>
+        <translation>Bricht nur dies ab: %1</translation>
     </message>
     <message>
         <source>The vessels are being rebuilt: undo and redo wait for that</source>
@@ -4938,6 +4966,18 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>ist schon da und ist kein Fall</translation>
     </message>
     <message>
+        <source>is a folder, and no case in one file can take its place</source>
+        <translation>ist ein Ordner, und kein Fall in einer Datei kann an seine Stelle treten</translation>
+    </message>
+    <message>
+        <source>Choose another name, or rename the folder or move it away</source>
+        <translation>Wählen Sie einen anderen Namen, oder benennen Sie den Ordner um oder verschieben Sie ihn</translation>
+    </message>
+    <message>
+        <source>%1 is a folder, and no case in one file can take its place. Choose another name, or rename the folder or move it away.</source>
+        <translation>%1 ist ein Ordner, und kein Fall in einer Datei kann an seine Stelle treten. Wählen Sie einen anderen Namen, oder benennen Sie den Ordner um oder verschieben Sie ihn.</translation>
+    </message>
+    <message>
         <source>Give --out another name; only an older case is replaced</source>
         <translation>Wählen Sie einen anderen Namen; ersetzt wird nur ein älterer Fall</translation>
     </message>
@@ -7481,8 +7521,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Die Übung wurde aufgezeichnet: %1</translation>
     </message>
     <message>
-        <source>Writing the report</source>
-        <translation>Den Bericht schreiben</translation>
+        <source>Writing the report on %1 (%2)</source>
+        <translation>Den Bericht über %1 schreiben (%2)</translation>
     </message>
     <message>
         <source>Free play</source>
@@ -8985,9 +9025,20 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
             <numerusform>%n Lektionen für diesen Patienten liegen in seiner Datei: %1. Um sie zu üben, übernehmen Sie den Fall in die Bibliothek.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n lesson(s) for this patient are in his file: %1. To play them, take them out: they then lie beside it in the library.</source>
+        <translation>
+            <numerusform>%n Lektion für diesen Patienten liegt in seiner Datei: %1. Um sie zu üben, nehmen Sie sie heraus: Sie liegt dann daneben in der Bibliothek.</numerusform>
+            <numerusform>%n Lektionen für diesen Patienten liegen in seiner Datei: %1. Um sie zu üben, nehmen Sie sie heraus: Sie liegen dann daneben in der Bibliothek.</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Take it into the library</source>
         <translation>In die Bibliothek übernehmen</translation>
+    </message>
+    <message>
+        <source>Take the lessons out</source>
+        <translation>Die Lektionen herausnehmen</translation>
     </message>
     <message>
         <source>Warning, no longer so</source>

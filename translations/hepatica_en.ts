@@ -143,5 +143,12 @@
             <numerusform>%n lessons for this patient are in his file: %1. To play them, take the case into the library.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n lesson(s) for this patient are in his file: %1. To play them, take them out: they then lie beside it in the library.</source>
+        <translation>
+            <numerusform>%n lesson for this patient is in his file: %1. To play it, take it out: it then lies beside it in the library.</numerusform>
+            <numerusform>%n lessons for this patient are in his file: %1. To play them, take them out: they then lie beside it in the library.</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

@@ -309,8 +309,8 @@ void LibraryDialog::copy(const fs::path& from, const fs::path& to) {
 
 bool LibraryDialog::holds(const fs::path& place) const {
     std::error_code ignored;
-    return fs::equivalent(fs::absolute(place).parent_path(), to_path(settings_.library_folder()),
-                          ignored);
+    return fs::equivalent(fs::absolute(place, ignored).parent_path(),
+                          to_path(settings_.library_folder()), ignored);
 }
 
 void LibraryDialog::choose_here(const fs::path& place) {

@@ -42,7 +42,7 @@ TEST_F(LibraryTest, takes_the_lessons_alone_out_of_a_file_in_its_folder) {
     EXPECT_EQ(packed_, std::vector<std::string>{"Of first"});
     window_.open(to_text(file));
     wait();
-    EXPECT_TRUE(window_.messages().text().contains("take them out"))
+    EXPECT_TRUE(window_.messages().text().contains("To play it, take it out"))
         << window_.messages().text().toStdString();
     for (int times = 0; times < 2; ++times) {
         dialog().take_in(file);
