@@ -16,7 +16,7 @@ namespace hepatica {
 
 namespace {
 
-constexpr int margin = 6;
+constexpr int message_margin = 6;
 
 }  // namespace
 
@@ -34,7 +34,7 @@ void ElidedStatusBar::make_room() {
     const auto width_of = [spacing](const QWidget& figure) {
         return figure.sizeHint().width() + spacing;
     };
-    int room = width() - 2 * margin - fontMetrics().horizontalAdvance(currentMessage());
+    int room = width() - 2 * message_margin - fontMetrics().horizontalAdvance(currentMessage());
     for (const QWidget* beside : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
         if (!beside->isHidden() && std::ranges::find(giving_way_, beside) == giving_way_.end())
             room -= width_of(*beside);
@@ -54,7 +54,7 @@ QRect ElidedStatusBar::room_for_message() const {
     int right = width();
     for (const QWidget* beside : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
         if (beside->isVisible()) right = std::min(right, beside->x());
-    return {margin, 0, std::max(0, right - 2 * margin), height()};
+    return {message_margin, 0, std::max(0, right - 2 * message_margin), height()};
 }
 
 QString ElidedStatusBar::shown() const {

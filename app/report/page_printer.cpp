@@ -43,8 +43,8 @@ QString in_plain_html(QString html) {
     return html;
 }
 
-// Widths of pictures, in dots of the screen; the widest is that of the text.
-constexpr double widest = 600.0, narrowest = 340.0, narrower_by = 20.0;
+// Widths of pictures, in dots of the screen; the widest are as wide as the text.
+constexpr double widest_picture = 600.0, narrowest_picture = 340.0, narrower_by = 20.0;
 
 // A curve over time, which is as wide as the text on every page.
 bool is_flat(const QSize& picture) {
@@ -70,7 +70,7 @@ void fit_pictures(QTextDocument& document, const fs::path& folder, double width)
     for (Place& place : places) {
         const QSize picture = QImageReader(to_text(folder / to_path(place.format.name()))).size();
         if (picture.isEmpty()) continue;
-        const double own = is_flat(picture) ? widest : width;
+        const double own = is_flat(picture) ? widest_picture : width;
         place.format.setWidth(own);
         place.format.setHeight(own * picture.height() / picture.width());
         cursor.setPosition(place.begin);
@@ -192,7 +192,7 @@ std::unique_ptr<QTextDocument> in_pages(const std::string& html, const fs::path&
     constexpr double little = 0.2;  // of a page
     std::unique_ptr<QTextDocument> best;
     double least = 1.0;
-    for (double width = widest; width >= narrowest && (!best || least > little);
+    for (double width = widest_picture; width >= narrowest_picture && (!best || least > little);
          width -= narrower_by) {
         auto document = read_page(html, folder, width);
         keep_together(*document, writer);
