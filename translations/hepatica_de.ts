@@ -8801,6 +8801,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Dieser Tumor liegt außerhalb der Leber (bei %1). „Rückgängig“ nimmt ihn zurück.</translation>
     </message>
     <message>
+        <source>The play goes on with the tumours that it began with: the next correction of a vessel, or opening the saved case again, makes obstacles of those of now</source>
+        <translation>Das Spiel läuft mit den Tumoren weiter, mit denen es begann: Die nächste Korrektur eines Gefäßes oder erneutes Öffnen des gespeicherten Falls macht die jetzigen zu Hindernissen</translation>
+    </message>
+    <message>
         <source>, of it up to %L1 g drug</source>
         <translation>, davon bis zu %L1 g Wirkstoff</translation>
     </message>
