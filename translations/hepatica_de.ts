@@ -8797,6 +8797,18 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Dieser Tumor reicht über den Teil des CTs um die Leber hinaus, den ein Fall behält (bei %1): Was außerhalb liegt, fällt weg. „Rückgängig“ nimmt ihn zurück.</translation>
     </message>
     <message>
+        <source>trunk</source>
+        <translation>Stamm</translation>
+    </message>
+    <message>
+        <source>several</source>
+        <translation>mehrere</translation>
+    </message>
+    <message>
+        <source>It supplies several segments of the liver</source>
+        <translation>Er versorgt mehrere Segmente der Leber</translation>
+    </message>
+    <message>
         <source>This tumour lies outside the liver (at %1). Undo takes it back.</source>
         <translation>Dieser Tumor liegt außerhalb der Leber (bei %1). „Rückgängig“ nimmt ihn zurück.</translation>
     </message>
