@@ -8837,8 +8837,24 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Dieser Tumor reicht über den Teil des CTs um die Leber hinaus, den ein Fall behält (bei %1): Was außerhalb liegt, fällt weg. „Rückgängig“ nimmt ihn zurück.</translation>
     </message>
     <message>
+        <source>trunk</source>
+        <translation>Stamm</translation>
+    </message>
+    <message>
+        <source>several</source>
+        <translation>mehrere</translation>
+    </message>
+    <message>
+        <source>It supplies several segments of the liver</source>
+        <translation>Er versorgt mehrere Segmente der Leber</translation>
+    </message>
+    <message>
         <source>This tumour lies outside the liver (at %1). Undo takes it back.</source>
         <translation>Dieser Tumor liegt außerhalb der Leber (bei %1). „Rückgängig“ nimmt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>The play goes on with the tumours that it began with: the next correction of a vessel, or opening the saved case again, makes obstacles of those of now</source>
+        <translation>Das Spiel läuft mit den Tumoren weiter, mit denen es begann: Die nächste Korrektur eines Gefäßes oder erneutes Öffnen des gespeicherten Falls macht die jetzigen zu Hindernissen</translation>
     </message>
     <message>
         <source>, of it up to %L1 g drug</source>

@@ -57,11 +57,13 @@ QTableWidgetItem* number(double value, int decimals) {
     return new NumberItem(value, decimals);
 }
 
-// Shows a Roman numeral and sorts by its value.
+// Shows a Roman numeral, or these words where there is none, and sorts by the numeral's value.
 class SegmentItem : public QTableWidgetItem {
   public:
-    explicit SegmentItem(int couinaud)
-        : QTableWidgetItem(QString::fromStdString(segment_name(couinaud))), couinaud_(couinaud) {
+    explicit SegmentItem(int couinaud, const QString& else_text = {})
+        : QTableWidgetItem(couinaud > 0 ? QString::fromStdString(segment_name(couinaud))
+                                        : else_text),
+          couinaud_(couinaud) {
         setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     }
     bool operator<(const QTableWidgetItem& other) const override {
@@ -73,11 +75,18 @@ class SegmentItem : public QTableWidgetItem {
     int couinaud_;  // 0 if none
 };
 
-// With the segment's colour in the 3D view.
-QTableWidgetItem* segment(int couinaud) {
-    auto* item = new SegmentItem(couinaud);
-    if (couinaud == 0) return item;
-    item->setData(Qt::DecorationRole, qcolor_of(palette::liver_segment(couinaud)));
+// With the segment's colour in the 3D view; without a segment, why there is none. Where no segments
+// are known, the note above the table says why.
+QTableWidgetItem* segment(const BranchRow& row) {
+    if (row.couinaud > 0) {
+        auto* item = new SegmentItem(row.couinaud);
+        item->setData(Qt::DecorationRole, qcolor_of(palette::liver_segment(row.couinaud)));
+        return item;
+    }
+    if (row.couinaud_confidence <= 0.0) return new SegmentItem(0);
+    auto* item =
+        new SegmentItem(0, row.generation == 1 ? Words::tr("trunk") : Words::tr("several"));
+    item->setToolTip(Words::tr("It supplies several segments of the liver"));
     return item;
 }
 
@@ -214,7 +223,7 @@ void BranchDock::fill_table() {
         table_->setItem(i, 2, number(row.generation, 0));
         table_->setItem(i, 3, number(row.length_mm, 1));
         table_->setItem(i, 4, number(row.radius_mm, 2));
-        table_->setItem(i, 5, segment(row.couinaud));
+        table_->setItem(i, 5, segment(row));
         table_->setItem(i, 6,
                         row.flow_share ? number(100.0 * *row.flow_share, 2) : new QTableWidgetItem);
     }

@@ -32,6 +32,14 @@ constexpr const char* not_in_review =
 constexpr const char* not_in_lesson =
     Words::id("Nothing is corrected during a lesson: leave it first");
 
+// A stroke at a tumour does not begin the play anew, and its obstacles are made when it begins.
+void say_obstacles_stay(QStatusBar& bar) {
+    bar.showMessage(
+        Words::tr("The play goes on with the tumours that it began with: the next correction of a "
+                  "vessel, or opening the saved case again, makes obstacles of those of now"),
+        8000);
+}
+
 }  // namespace
 
 void MainWindow::build_slices(QWidget* parent) {
@@ -146,6 +154,7 @@ void MainWindow::warn_of_stroke_outside(const BrushStroke& stroke) {
 }
 
 void MainWindow::warn_of_tumour_outside(const TreeEdit& edit) {
+    if (patient_ && frame().obstacles != nullptr) say_obstacles_stay(*statusBar());
     if (edit.kind != TreeEditKind::paint_tumour) return;
     const SliceScene& slices = view_layout_->slices();
     const Mask& organs = slices.tumours().organs();

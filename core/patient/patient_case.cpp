@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
@@ -21,6 +23,7 @@
 #include "core/patient/case_archive.h"
 #include "core/patient/case_header.h"
 #include "core/patient/format_1.h"
+#include "core/patient/painted_tumours.h"
 #include "core/tree/files/tree_io.h"
 
 namespace hepatica {
@@ -67,6 +70,10 @@ std::vector<Rebuilding> rebuilt_from(const Json& corrections) {
     return rebuilt;
 }
 
+Json json_of_corrections(const fs::path& file) {
+    return Json::parse(read_text_file(file, "Reconstruct the patient again"), nullptr, true);
+}
+
 void read_corrections(const fs::path& folder, const CaseHeader& header, PatientCase& patient) {
     Corrections& corrections = patient.corrections;
     corrections.extracted = extracted_tree(folder, header);
@@ -75,8 +82,7 @@ void read_corrections(const fs::path& folder, const CaseHeader& header, PatientC
         corrections.extracted.segments.empty() ? patient.tree : corrections.extracted);
     if (holds(folder, header, case_file::corrections)) {
         const fs::path file = folder / case_file::corrections;
-        const Json json =
-            Json::parse(read_text_file(file, "Reconstruct the patient again"), nullptr, true);
+        const Json json = json_of_corrections(file);
         const std::string edits = json.at("edits").dump();
         corrections.bridges = bridges_from_json(json.at("bridges").dump(), file.string());
         corrections.edits =
@@ -181,6 +187,33 @@ CaseHeader header_of_same(const fs::path& folder, const fs::path& place,
         throw InputError("holds another patient than when it was opened", place.string(),
                          "Put the case back that was there, or open this one anew");
     return header;
+}
+
+std::vector<TreeEdit> strokes_in(const fs::path& folder, const CaseHeader& header) {
+    if (header.version == 1 || !holds(folder, header, case_file::corrections)) return {};
+    const fs::path file = folder / case_file::corrections;
+    try {
+        const Json json = json_of_corrections(file);
+        return tumour_strokes(edits_from_json(json.at("edits").dump(), file.string()));
+    } catch (const nlohmann::json::exception& error) {
+        refuse_case(file, json_problem(error));
+    }
+}
+
+// The organs of a case on disk. Where the patient was corrected since he was read and has tumour
+// strokes that the case lacks, with those of his list; where the case was saved with more of them
+// since, as it is.
+Mask organs_with_strokes(const fs::path& folder, const CaseHeader& header,
+                         const PatientCase& patient) {
+    const std::vector<TreeEdit> wanted = tumour_strokes(patient.corrections.edits);
+    const std::vector<TreeEdit> there = wanted.empty() ? wanted : strokes_in(folder, header);
+    if (std::ranges::mismatch(wanted, there).in1 == wanted.end())
+        return read_voxels(folder, header, case_file::organs);
+    PatientCase voxels;
+    voxels.source = patient.source;
+    read_all_voxels(folder, header, voxels);
+    paint_tumours(voxels, wanted);
+    return std::move(voxels.organs);
 }
 
 void write_files(const fs::path& folder, const PatientCase& patient) {
@@ -289,7 +322,7 @@ Mask organs_of(const PatientCase& patient) {
     if (!patient.organs.voxels.empty() || patient.voxels_at.empty()) return patient.organs;
     return in_folder(patient.voxels_at, [&](const fs::path& folder) {
         const CaseHeader header = header_of_same(folder, patient.voxels_at, patient);
-        return read_voxels(folder, header, case_file::organs);
+        return organs_with_strokes(folder, header, patient);
     });
 }
 

@@ -166,6 +166,34 @@ TEST(PaintedTumours, AreKeptWithTheCaseAndCanBeTakenBackThere) {
     fs::remove_all(folder);
 }
 
+// A play reads the organs from the case, which lacks what was painted since.
+TEST(PaintedTumours, ThatNoCaseHoldsYetAreAmongThePatientsOrgans) {
+    const fs::path folder = fs::path(testing::TempDir()) / "organs_since.hep";
+    const TreeEdit first = painted(inside, 4.0, 2), second = painted(Vec3(12, 30, 0), 4.0, 3);
+    for (const bool with_liver : {true, false}) {
+        PatientCase patient = patient_to_paint();
+        if (!with_liver) patient.organs = {};
+        for (const auto& saved : {std::vector<TreeEdit>{}, std::vector{first}}) {
+            write_case(folder, with(patient, saved));
+            const PatientCase read = read_case_without_voxels(folder);
+            EXPECT_EQ(organs_of(read).voxels, with(patient, saved).organs.voxels);
+            const PatientCase since = with(read, {first, second});
+            ASSERT_TRUE(since.organs.voxels.empty());
+            const Mask expected = with(patient, {first, second}).organs;
+            EXPECT_EQ(organs_of(since).voxels, expected.voxels);
+            EXPECT_TRUE(same_grid(organs_of(since).grid, expected.grid));
+        }
+    }
+    // Others than the case's take their place; of those that were saved later all are there.
+    const PatientCase patient = patient_to_paint();
+    write_case(folder, with(patient, {first}));
+    const PatientCase read = read_case_without_voxels(folder);
+    EXPECT_EQ(organs_of(with(read, {second})).voxels, with(patient, {second}).organs.voxels);
+    write_case(folder, with(patient, {first, second}));
+    EXPECT_EQ(organs_of(read).voxels, with(patient, {first, second}).organs.voxels);
+    fs::remove_all(folder);
+}
+
 TEST(PaintedTumours, OfACaseWithoutALiverLieOnTheGridOfItsVessels) {
     const fs::path folder = fs::path(testing::TempDir()) / "no liver.hep";
     fs::remove_all(folder);

@@ -250,6 +250,76 @@ TEST(FlowPart, AStopIsHeardWhereTheFlowAfterATearIsDue) {
     EXPECT_EQ(part.drug().injection->later_tears.size(), 1u) << "as if there had been no stop";
 }
 
+// A trunk of 20 mm that divides into two branches of 20 mm.
+VesselTree fork_of_20_mm() {
+    VesselTree tree;
+    tree.nodes = {{Vec3(0, 0, 0)}, {Vec3(20, 0, 0)}, {Vec3(36, 12, 0)}, {Vec3(36, -12, 0)}};
+    for (const auto& [from, to] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{1, 3}}) {
+        VesselSegment segment;
+        segment.proximal_node = from;
+        segment.distal_node = to;
+        segment.parent = from - 1;
+        const Vec3 begin = tree.nodes[static_cast<std::size_t>(from)].position_mm;
+        const Vec3 end = tree.nodes[static_cast<std::size_t>(to)].position_mm;
+        segment.points_mm = {begin, 0.5 * (begin + end), end};
+        segment.radii_mm.assign(3, from == 0 ? 2.0 : 1.6);
+        tree.segments.push_back(segment);
+    }
+    return tree;
+}
+
+// As a world does it, step by step, while the drug is in the trunk. Where it goes from the fork on
+// is what both tears lead to, however soon one follows the other.
+TEST(FlowPart, ASecondTearBeforeTheFlowAfterTheFirstIsShownIsTakenUpOnce) {
+    const VesselTree tree = fork_of_20_mm();
+    const ThroughTear first{{1, 10.0, 0.0}, 5.0};
+    const ThroughTear second{{2, 12.0, 0.0}, 3.0, true};
+    const std::vector<float> both = shown(tree, {.at = {0, 0.0, 0.0}, .tears = {first, second}});
+    const std::vector<float> one = shown(tree, {.at = {0, 0.0, 0.0}, .tears = {first}});
+    const std::size_t end_beside = 32;  // of the branch with the open side
+    ASSERT_GT(both[end_beside], 1.02f * one[end_beside]) << "the second tear makes a difference";
+    for (const int steps_between : {1, 3, 5, 6, 7}) {
+        SCOPED_TRACE(steps_between);
+        Shown made(tree), apart(tree);
+        FlowPart& part = made.part;
+        part.inject({.at = {0, 0.0, 0.0}});
+        const double begin_s = 0.2 * both[10];  // of the way to the fork
+        const double dt_s = 5e-4 * part.drug().end_s;
+        part.set_time(begin_s);
+        double torn_s = 0.0, least_s = 0.0;
+        for (int step = 0; step < 60; ++step) {
+            if (step == steps_between) torn_s = part.drug().time_s;
+            least_s = std::max(least_s, 0.01 * part.drug().end_s);
+            part.follow_tears(step < steps_between ? std::vector{first}
+                                                   : std::vector{first, second});
+            part.step(dt_s);
+        }
+        ASSERT_FALSE(part.computing());
+        ASSERT_LT(part.drug().time_s, both[10]) << "still in the trunk";
+        const auto& later = part.drug().injection->later_tears;
+        ASSERT_EQ(later.size(), 2u) << "neither lost nor counted twice";
+        EXPECT_EQ(later[0].from_s, begin_s);
+        EXPECT_GE(later[1].from_s, torn_s);
+        EXPECT_LE(later[1].from_s,
+                  begin_s + std::max(least_s, part.steps_to_update() * dt_s) + 1.5 * dt_s);
+        for (std::size_t k = 0; k < both.size(); ++k)
+            if (std::isfinite(both[k]))
+                EXPECT_NEAR((*part.drug().arrival_s)[k], both[k], 1e-5 * both[end_beside]) << k;
+            else
+                EXPECT_TRUE(std::isinf((*part.drug().arrival_s)[k])) << k;
+        // The same bits as where nothing had to wait.
+        apart.part.inject({.at = {0, 0.0, 0.0}});
+        apart.part.set_time(begin_s);
+        apart.part.follow_tears({first});
+        apart.part.finish_injection();
+        apart.part.set_time(later[1].from_s);
+        apart.part.follow_tears({first, second});
+        apart.part.finish_injection();
+        EXPECT_EQ(*part.drug().arrival_s, *apart.part.drug().arrival_s);
+        EXPECT_EQ(part.drug().end_s, apart.part.drug().end_s);
+    }
+}
+
 // Its flow may end later than the one that is shown.
 TEST(FlowPart, TheClockRunsOnUntilTheFlowAfterATearIsShown) {
     Shown made(tube_of_40_mm());

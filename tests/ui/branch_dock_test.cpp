@@ -96,6 +96,9 @@ TEST_F(Branches, AreColouredByTheSegmentsOfTheLiver) {
     box->click();
     ASSERT_EQ(colours_.size(), 3u);
     EXPECT_EQ(colours_[0], 0) << "the trunk supplies all of them";
+    EXPECT_EQ(table().item(0, 5)->text(), "trunk");
+    EXPECT_EQ(table().item(0, 5)->toolTip(), "It supplies several segments of the liver");
+    EXPECT_EQ(table().item(1, 5)->toolTip(), "");
     EXPECT_GE(colours_[1], 5) << "right of the middle vein lie 5 to 8";
     EXPECT_LE(colours_[2], 4);
     const QString right = table().item(1, 5)->text(), left = table().item(2, 5)->text();
@@ -103,8 +106,33 @@ TEST_F(Branches, AreColouredByTheSegmentsOfTheLiver) {
     EXPECT_TRUE(QStringList({"I", "II", "III", "IV"}).contains(left)) << left.toStdString();
     table().sortByColumn(5, Qt::DescendingOrder);
     EXPECT_EQ(table().item(0, 5)->text(), right) << "V to VIII stand above I to IV";
+    EXPECT_EQ(table().item(2, 5)->text(), "trunk") << "below all that have one";
     box->click();
     EXPECT_TRUE(colours_.empty());
+}
+
+// A trunk in two pieces, as where a small branch leaves it; a hepatic vein has no segment.
+TEST_F(Branches, OfSeveralSegmentsSaySoAndThoseOfOtherSystemsSayNothing) {
+    auto patient = forked_patient();
+    VesselTree& tree = patient->tree;
+    VesselSegment& trunk = tree.segments[0];
+    VesselSegment further = trunk;
+    further.parent = 0;
+    trunk.points_mm.back() = further.points_mm.front() = Vec3(0, 0, -35);
+    for (const std::size_t branch : {1u, 2u}) tree.segments[branch].parent = 1;
+    tree.segments.insert(tree.segments.begin() + 1, further);
+    VesselSegment vein = tree.segments[0];
+    vein.system = VascularSystem::hepatic;
+    vein.points_mm = {Vec3(0, 40, 50), Vec3(0, 10, 0)};
+    tree.segments.push_back(vein);
+    dock_.show_patient(patient, {}, {});
+    dock_.show();
+    ASSERT_TRUE(testing::wait_for([this] { return !dock_.rows().empty(); }));
+    ASSERT_EQ(dock_.rows()[1].couinaud, 0) << "the test's own premise";
+    EXPECT_EQ(table().item(0, 5)->text(), "trunk");
+    EXPECT_EQ(table().item(1, 5)->text(), "several");
+    EXPECT_EQ(table().item(4, 5)->text(), "");
+    EXPECT_EQ(table().item(4, 5)->toolTip(), "");
 }
 
 TEST_F(Branches, HaveNoSegmentsWithoutALiver) {
@@ -113,6 +141,7 @@ TEST_F(Branches, HaveNoSegmentsWithoutALiver) {
     show(patient);
     EXPECT_FALSE(dock_.findChild<QCheckBox*>("segmentColours")->isEnabled());
     EXPECT_EQ(table().rowCount(), 3);
+    EXPECT_EQ(table().item(0, 5)->text(), "") << "nothing is known of it";
     EXPECT_EQ(failure_, "");
     EXPECT_TRUE(note().contains("need a liver mask")) << note().toStdString();
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tumours painted and erased in the slices by mouse and keys.
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTabWidget>
 
 #include "tests/patient/parted_patient.h"
@@ -326,6 +328,35 @@ TEST_F(TumoursOfACase, AreThereAgainWhenItIsSavedAndOpened) {
     EXPECT_GT(green_pixels(window_.view().drawn()), 50);
     window_.actions()[ActionId::undo_edit].trigger();
     EXPECT_TRUE(brush().tumours().empty()) << "also what an earlier session painted";
+}
+
+// The play goes on with its obstacles, here the liver, until a correction begins it anew.
+TEST_F(TumoursOfACase, AreObstaclesOnceAVesselIsCorrected) {
+    open_case();
+    window_.actions()[ActionId::toggle_slices].trigger();
+    wait_for_tumours();
+    const auto touch_obstacles = [this] {
+        auto& box = *window_.findChild<QCheckBox*>("obstaclesTouch");
+        if (!box.isChecked()) box.click();
+        ASSERT_TRUE(wait_for([this] { return window_.frame().obstacles != nullptr; }));
+    };
+    const auto paint_at = [this](const Vec3& at) {
+        brush().set_mode(BrushMode::paints);
+        brush().begin(at, 6.0);
+        EXPECT_EQ(brush().lift(), "");
+    };
+    paint_at(Vec3(10, 20, 10));
+    EXPECT_FALSE(window_.statusBar()->currentMessage().contains("it began with"))
+        << "vessels touch none";
+    touch_obstacles();
+    EXPECT_EQ(window_.frame().obstacles->all.size(), 1u);
+    paint_at(Vec3(10, 40, 10));
+    EXPECT_TRUE(window_.statusBar()->currentMessage().contains("it began with"));
+    window_.findChild<QPushButton*>("acceptAll")->click();
+    wait();
+    touch_obstacles();
+    ASSERT_EQ(brush().tumours().size(), 1u) << "both strokes are of the new tumour";
+    EXPECT_EQ(window_.frame().obstacles->all.size(), 2u);
 }
 
 // The tree is corrected beside tumours: both are kept, and each undo takes back one of them.

@@ -161,23 +161,89 @@ class Edit {
 
     VesselTree result() {
         keep_roots();
+        const std::vector<RootPlace> middle = roots_that_stay_in_the_middle();
+        part_at(middle);
         join_passing_nodes(graph_);
-        std::vector<RootWish> wishes;
-        for (const auto& [place, system] : root_places_)
-            for (std::size_t n = 0; n < graph_.nodes.size(); ++n)
-                if (graph_.nodes[n].position_mm == place)
-                    wishes.push_back({static_cast<int>(n), system});
-        VesselTree tree = directed(std::move(graph_), wishes);
+        unite_at(middle);
+        VesselTree tree = directed(std::move(graph_), wishes_at_places());
         bridged_.mark(tree);
         return tree;
     }
 
   private:
+    using RootPlace = std::pair<Vec3, VascularSystem>;
+
     // Keeps roots by position, because nodes may be renumbered.
     void keep_roots() {
         for (const RootWish& wish : wishes_)
             root_places_.emplace_back(graph_.nodes[wish.node].position_mm, wish.system);
         wishes_.clear();
+    }
+
+    std::vector<RootWish> wishes_at_places() const {
+        std::vector<RootWish> wishes;
+        for (const auto& [place, system] : root_places_)
+            for (std::size_t n = 0; n < graph_.nodes.size(); ++n)
+                if (graph_.nodes[n].position_mm == place)
+                    wishes.push_back({static_cast<int>(n), system});
+        return wishes;
+    }
+
+    // The roots of the tree at which several segments begin, as far as they are roots still. One of
+    // two segments, as where both branches of a fork were given to another system than the trunk,
+    // would pass for the middle of a vessel, and the root would move to one of its ends.
+    std::vector<RootPlace> roots_that_stay_in_the_middle() const {
+        std::map<int, int> begin_at;
+        for (const int id : roots(tree_))
+            if (!tree_.segments[id].closes_loop) ++begin_at[tree_.segments[id].proximal_node];
+        std::erase_if(begin_at, [](const auto& entry) { return entry.second < 2; });
+        std::vector<RootPlace> stay;
+        if (begin_at.empty()) return stay;
+        const VesselTree after = directed(graph_, wishes_at_places());
+        for (const int id : roots(tree_)) {
+            const VesselSegment& root = tree_.segments[id];
+            const RootPlace place(tree_.nodes[root.proximal_node].position_mm, root.system);
+            const bool is_root = std::ranges::any_of(roots(after), [&](int other) {
+                const VesselSegment& begins = after.segments[other];
+                return begins.system == place.second &&
+                       after.nodes[begins.proximal_node].position_mm == place.first;
+            });
+            if (is_root && begin_at.contains(root.proximal_node) &&
+                std::ranges::find(stay, place) == stay.end())
+                stay.push_back(place);
+        }
+        return stay;
+    }
+
+    // Gives one of the two links there a node of its own, so that nothing passes through.
+    void part_at(const std::vector<RootPlace>& places) {
+        const auto at_node = links_of_nodes(graph_);
+        for (std::size_t n = 0; n < at_node.size(); ++n) {
+            const RootPlace here(
+                graph_.nodes[n].position_mm,
+                at_node[n].empty() ? VascularSystem::unknown : graph_.links[at_node[n][0]].system);
+            if (at_node[n].size() != 2 || std::ranges::find(places, here) == places.end()) continue;
+            VesselLink& second = graph_.links[at_node[n][1]];
+            const int own = static_cast<int>(graph_.nodes.size());
+            (second.from == static_cast<int>(n) ? second.from : second.to) = own;
+            graph_.nodes.push_back(VesselNode(graph_.nodes[n]));
+        }
+    }
+
+    void unite_at(const std::vector<RootPlace>& places) {
+        std::vector<int> first(places.size(), -1);
+        const auto unite = [&](int& node, VascularSystem system) {
+            const auto place =
+                std::ranges::find(places, RootPlace(graph_.nodes[node].position_mm, system));
+            if (place == places.end()) return;
+            int& kept = first[static_cast<std::size_t>(place - places.begin())];
+            if (kept < 0) kept = node;
+            node = kept;
+        };
+        for (VesselLink& link : graph_.links) {
+            unite(link.from, link.system);
+            unite(link.to, link.system);
+        }
     }
 
     void add_path(int from, int to, VascularSystem system, const std::vector<Vec3>& between_mm) {
@@ -228,7 +294,7 @@ class Edit {
     const VesselTree& tree_;
     VesselGraph graph_;
     std::vector<RootWish> wishes_;
-    std::vector<std::pair<Vec3, VascularSystem>> root_places_;
+    std::vector<RootPlace> root_places_;
     BridgedPoints bridged_;
 };
 

@@ -282,6 +282,38 @@ TEST(TreeEdit, ReassigningIsOneStepThereAndOneStepBack) {
     expect_equal(back, forked_tree());
 }
 
+// Both branches of the trunk are given to another system: they begin at the fork, in the middle of
+// what would be one vessel without the trunk.
+TEST(TreeEdit, ARootInTheMiddleOfAVesselStaysThere) {
+    const VascularSystem system = VascularSystem::portal;
+    VesselTree given = forked_tree();
+    const Vec3 fork = given.nodes[given.segments[0].distal_node].position_mm;
+    for (const Vec3& branch : {on_left_branch, on_right_branch})
+        given = edited(given, edit_at(TreeEditKind::reassign_system, branch, system));
+    const auto begins = [system](const VesselTree& tree) {
+        std::vector<Vec3> places;
+        for (const int id : roots(tree))
+            if (tree.segments[id].system == system)
+                places.push_back(tree.segments[id].points_mm.front());
+        return places;
+    };
+    const std::vector<Vec3> both(2, fork);
+    ASSERT_EQ(begins(given), both);
+    const VesselTree shorter = edited(given, edit_at(TreeEditKind::delete_branch, on_last_branch));
+    validate(shorter);
+    EXPECT_EQ(begins(shorter), both);
+    const VesselTree alone = edited(shorter, edit_at(TreeEditKind::delete_tree, on_trunk));
+    validate(alone);
+    EXPECT_EQ(begins(alone), both);
+    EXPECT_EQ(alone.segments.size(), 2u);
+    // Another root takes its place, and what is between its ends is one vessel.
+    const Vec3 end(-12, 31, 5);
+    const VesselTree moved = edited(alone, edit_at(TreeEditKind::set_root, end));
+    validate(moved);
+    EXPECT_EQ(begins(moved), std::vector{end});
+    EXPECT_EQ(moved.segments.size(), 1u);
+}
+
 TEST(TreeEdit, PlacesFarFromAnyVesselAreRefused) {
     EXPECT_THROW(edited(forked_tree(), edit_at(TreeEditKind::cut_link, Vec3(200, 0, 0))),
                  InputError);
