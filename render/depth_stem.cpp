@@ -83,14 +83,15 @@ std::string DepthStem::words_of(const Vec3& forward) const {
     return mark_ ? away + way_to_mark(*mark_, (end_mm_ - tip_mm_).dot(forward), away_mm_) : away;
 }
 
-void DepthStem::place(double pixel_ratio, const Vec3& forward) {
+void DepthStem::place(double pixel_ratio, const Vec3& forward,
+                      std::span<const ThickStretch> of_tool) {
     constexpr double beside_mark_points = 18.0;
     if (const std::string now = words_of(forward); line_->GetVisibility() != 0 && now != text_) {
         text_ = now;
         label_.show(said(words_, text_), 0.5 * (tip_mm_ + end_mm_));
     }
     line_->GetProperty()->SetLineWidth(static_cast<float>(1.5 * pixel_ratio));
-    label_.place(pixel_ratio, beside_mark_points);
+    label_.place(pixel_ratio, beside_mark_points, of_tool);
 }
 
 bool DepthStem::update(const std::optional<ToolView>& tool, const std::vector<float>& positions_mm,

@@ -8,6 +8,7 @@
 #include <vtkSmartPointer.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,9 +41,10 @@ class DepthStem {
     bool update(const std::optional<ToolView>& tool, const std::vector<float>& positions_mm,
                 const std::vector<MarkView>& marks, const Vec3& forward);
     // Places the number, and says anew whether the mark lies deeper, since the view may have been
-    // turned; call before each picture. The number keeps clear of a mark straight behind the tool.
-    // `pixel_ratio`: size of one screen point in device pixels.
-    void place(double pixel_ratio, const Vec3& forward);
+    // turned; call before each picture. The number keeps clear of a mark straight behind the tool
+    // and of the tool's outlines in the picture. `pixel_ratio`: size of one screen point in device
+    // pixels.
+    void place(double pixel_ratio, const Vec3& forward, std::span<const ThickStretch> of_tool = {});
 
   private:
     std::string words_of(const Vec3& forward) const;

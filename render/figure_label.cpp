@@ -18,6 +18,17 @@ namespace {
 constexpr int figure_text_size = 13;
 constexpr double ground_opacity = 0.75;
 constexpr double beside_points = 8.0;  // its ground covers no ball or arrow's head at the point
+constexpr double margin_points = 2.0;  // between its ground and what is kept clear
+constexpr int label_sides = 6;
+
+// The label's lower left corner on a side of the point `at`: 0 right, 1 right and below, 2 left, 3
+// left and below, 4 above, 5 below. Right and left it stands on the point's level.
+std::array<double, 2> corner_beside(int side, const std::array<double, 2>& at,
+                                    const std::array<double, 2>& size, double gap) {
+    const double x = side < 2 ? gap : side < 4 ? -gap - size[0] : -0.5 * size[0];
+    const double y = side == 4 ? gap : side == 5 ? -gap - size[1] : side % 2 == 1 ? -size[1] : 0.0;
+    return {at[0] + x, at[1] + y};
+}
 
 }  // namespace
 
@@ -40,12 +51,14 @@ bool FigureLabel::show(const std::string& text, const Vec3& at_mm) {
     if (same) return false;
     shown_ = text;
     at_mm_ = at_mm;
+    if (text.empty()) side_ = 0;
     text_->SetVisibility(!text.empty());
     text_->SetInput(text.c_str());
     return true;
 }
 
-void FigureLabel::place(double pixel_ratio, double below_points) {
+void FigureLabel::place(double pixel_ratio, double below_points,
+                        std::span<const ThickStretch> keep_clear) {
     if (shown_.empty()) return;
     vtkCamera& camera = *renderer_.GetActiveCamera();
     const Vec3 eye(camera.GetPosition()), forward(camera.GetDirectionOfProjection());
@@ -57,9 +70,28 @@ void FigureLabel::place(double pixel_ratio, double below_points) {
     vtkNew<vtkCoordinate> point;
     point->SetCoordinateSystemToWorld();
     point->SetValue(at_mm_.x(), at_mm_.y(), at_mm_.z());
-    const double* at = point->GetComputedDoubleDisplayValue(&renderer_);
-    const double away = below_points * pixel_ratio;
-    stand_inside(*text_, renderer_, at[0] + away + beside_points * pixel_ratio, at[1] - away);
+    const double* display = point->GetComputedDoubleDisplayValue(&renderer_);
+    const std::array<double, 2> at{display[0], display[1]};
+    const double away = below_points * pixel_ratio, gap = away + beside_points * pixel_ratio;
+    std::array<double, 2> size{};
+    text_->GetSize(&renderer_, size.data());
+    const auto stand = [&](double reach, int side) {
+        std::array<double, 2> corner = corner_beside(side, at, size, reach * gap);
+        if (side == 0) corner[1] -= away;
+        corner = place_inside(corner, size, *text_, renderer_);
+        text_->SetPosition(corner[0], corner[1]);
+        return is_clear_of({corner[0], corner[1], corner[0] + size[0], corner[1] + size[1]},
+                           keep_clear, margin_points * pixel_ratio);
+    };
+    for (const double reach : {1.0, 3.0, 6.0, 10.0}) {
+        if (stand(reach, side_)) return;
+        for (int side = 0; side < label_sides; ++side)
+            if (stand(reach, side)) {
+                side_ = side;
+                return;
+            }
+    }
+    stand(1.0, 0);  // no place is free
 }
 
 std::optional<PictureBox> FigureLabel::box() const {

@@ -5,32 +5,22 @@
 #include <vtkLineSource.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkSphereSource.h>
 
-#include "render/palette.h"
+#include "render/actor_settings.h"
+#include "render/bead.h"
 
 namespace hepatica {
 
 GrabActor::GrabActor()
     : line_source_(vtkSmartPointer<vtkLineSource>::New()),
       line_(vtkSmartPointer<vtkActor>::New()),
-      point_(vtkSmartPointer<vtkActor>::New()) {
-    vtkNew<vtkPolyDataMapper> line_mapper;
-    line_mapper->SetInputConnection(line_source_->GetOutputPort());
-    line_->SetMapper(line_mapper);
-    vtkNew<vtkSphereSource> bead;
-    bead->SetRadius(1.0);
-    bead->SetThetaResolution(20);
-    bead->SetPhiResolution(14);
-    vtkNew<vtkPolyDataMapper> bead_mapper;
-    bead_mapper->SetInputConnection(bead->GetOutputPort());
-    point_->SetMapper(bead_mapper);
-    const Colour& colour = palette::grab_line;
-    for (vtkActor* actor : {line_.Get(), point_.Get()}) {
-        actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
-        actor->GetProperty()->SetLighting(false);
-        actor->SetVisibility(false);
-    }
+      point_(new_bead()) {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(line_source_->GetOutputPort());
+    line_->SetMapper(mapper);
+    line_->GetProperty()->SetLighting(false);
+    give_colour(*line_, palette::grab_line);
+    line_->SetVisibility(false);
     set_scale(1.0, 1.0);
 }
 
@@ -50,7 +40,7 @@ bool GrabActor::update(const std::optional<GrabView>& grab) {
 }
 
 void GrabActor::set_scale(double mm_per_point, double pixel_ratio) {
-    point_->SetScale(4.0 * mm_per_point);
+    point_->SetScale(mm_per_point);
     line_->GetProperty()->SetLineWidth(static_cast<float>(2.0 * pixel_ratio));
 }
 

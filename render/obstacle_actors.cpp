@@ -37,12 +37,15 @@ TriangleMesh all_of(const Obstacles& obstacles, SurfaceKind kind) {
     return all;
 }
 
-// Points in cubes as wide as the distance within which they are looked for.
+// Points in cubes as wide as the distance within which they are looked for. Each cube is a leaf of
+// an ordered tree: a look costs the logarithm of their number. What lies at a point is mostly in
+// its own cube, which is looked into first.
 class PointsNearby {
   public:
     void add(const Vec3& point_mm) { cubes_[cube_of(point_mm)].push_back(point_mm); }
     bool any_at(const Vec3& place_mm) const {
         const auto [i, j, k] = cube_of(place_mm);
+        if (holds_near({i, j, k}, place_mm)) return true;
         for (int z = k - 1; z <= k + 1; ++z)
             for (int y = j - 1; y <= j + 1; ++y)
                 for (int x = i - 1; x <= i + 1; ++x)

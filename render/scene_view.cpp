@@ -119,7 +119,8 @@ void SceneView::render(double pixel_ratio) {
         // The body lies around the focal point, or panning has moved it by no more than its size.
         parts_->marks.set_scale(per_pixel * pixel_ratio, pixel_ratio, 2.0 * reach);
         parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
-        parts_->stem.place(pixel_ratio, Vec3(eye.GetDirectionOfProjection()));
+        parts_->stem.place(pixel_ratio, Vec3(eye.GetDirectionOfProjection()),
+                           parts_->tool.outlines());
         parts_->pull_force.place(pixel_ratio);
         parts_->weak_lines.set_place(-Vec3(eye.GetDirectionOfProjection()),
                                      per_pixel * pixel_ratio);

@@ -31,18 +31,18 @@ void style_text(vtkTextProperty& text, int size, const Colour& colour) {
     text.SetShadow(0);
 }
 
-void stand_inside(vtkTextActor& text, vtkRenderer& renderer, double x, double y) {
+std::array<double, 2> place_inside(const std::array<double, 2>& wanted,
+                                   const std::array<double, 2>& size, vtkTextActor& text,
+                                   vtkRenderer& renderer) {
     // Margin to the picture's edge, where a window may draw its frame: 4 pixels, 8 on a dense
     // screen.
     const double edge_pixels = 0.3 * text.GetTextProperty()->GetFontSize();
-    std::array<double, 2> size{};
-    text.GetSize(&renderer, size.data());
     const int* picture = renderer.GetSize();
-    std::array<double, 2> place{x, y};
+    std::array<double, 2> place = wanted;
     for (int axis = 0; axis < 2; ++axis)
         place[axis] = std::clamp(place[axis], edge_pixels,
                                  std::max(edge_pixels, picture[axis] - size[axis] - edge_pixels));
-    text.SetPosition(place[0], place[1]);
+    return place;
 }
 
 }  // namespace hepatica

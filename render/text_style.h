@@ -2,6 +2,8 @@
 // One typeface for every picture: DejaVu Sans where it is installed, else VTK's own Arial.
 #pragma once
 
+#include <array>
+
 #include "render/palette.h"
 
 class vtkRenderer;
@@ -13,8 +15,10 @@ namespace hepatica {
 // Sets typeface, size in pixels and colour, without bold, italics or shadow.
 void style_text(vtkTextProperty& text, int size, const Colour& colour);
 
-// Places the lower left corner of a text at (x, y) in pixels, or as near to it as the text fits
-// into the picture. The text's position must be in display coordinates.
-void stand_inside(vtkTextActor& text, vtkRenderer& renderer, double x, double y);
+// The place nearest to `wanted`, in pixels, for the lower left corner of a text of this size, so
+// that it lies within the picture.
+std::array<double, 2> place_inside(const std::array<double, 2>& wanted,
+                                   const std::array<double, 2>& size, vtkTextActor& text,
+                                   vtkRenderer& renderer);
 
 }  // namespace hepatica

@@ -3,6 +3,7 @@
 
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
+#include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkMatrix4x4.h>
@@ -15,6 +16,7 @@
 #include <vtkShaderProperty.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <locale>
 #include <numbers>
@@ -22,8 +24,10 @@
 #include <string>
 
 #include "render/actor_settings.h"
+#include "render/bead.h"
 #include "render/before_vessels.h"
 #include "render/palette.h"
+#include "render/projection.h"
 
 namespace hepatica {
 namespace {
@@ -32,6 +36,7 @@ constexpr int around = 32;
 constexpr int bands = 8;  // from pole to equator of each hemisphere
 constexpr double least_un = 50.0;
 constexpr double points_a_decade = 34.0;
+constexpr double arrow_width_points = 60.0, shaft_radius = 0.035;  // the latter as its share
 // Of the parts that vessels hide: a faint body in a clear outline, bright with a dark edge, so that
 // even a small tip is found over vessels and marks of any colour.
 constexpr double seen_through = 0.3, outline_seen_through = 0.95;
@@ -107,13 +112,14 @@ std::string force_text(double force_un) {
 ToolActor::ToolActor(vtkRenderer& renderer)
     : renderer_(renderer),
       arrow_(vtkSmartPointer<vtkActor>::New()),
+      held_(new_bead()),
       label_(renderer, palette::touch) {
     vtkNew<vtkArrowSource> source;  // from the origin to (1, 0, 0)
     source->SetTipResolution(24);
     source->SetShaftResolution(24);
     source->SetTipLength(0.3);
     source->SetTipRadius(0.09);
-    source->SetShaftRadius(0.035);
+    source->SetShaftRadius(shaft_radius);
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputConnection(source->GetOutputPort());
     arrow_->SetMapper(mapper);
@@ -121,11 +127,15 @@ ToolActor::ToolActor(vtkRenderer& renderer)
     give_colour(*arrow_, palette::touch);
     arrow_->SetVisibility(false);
     renderer_.AddActor(arrow_);
+    held_->SetPickable(false);
+    draw_before_vessels(*held_);
+    renderer_.AddActor(held_);
 }
 
 ToolActor::~ToolActor() {
     while (!parts_.empty()) remove_part();
     renderer_.RemoveActor(arrow_);
+    renderer_.RemoveActor(held_);
 }
 
 void ToolActor::add_part() {
@@ -170,6 +180,9 @@ bool ToolActor::update(const std::optional<ToolView>& tool) {
         for (vtkActor* actor : {parts_[p].solid.Get(), parts_[p].ghost.Get()})
             static_cast<vtkPolyDataMapper*>(actor->GetMapper())->SetInputData(shape);
     }
+    const bool holds = tool && !tool->touched.empty() && tool->grip_un >= least_un;
+    held_->SetVisibility(holds);
+    if (holds) held_->SetPosition(tool->at_mm.x(), tool->at_mm.y(), tool->at_mm.z());
     place_arrow();
     return true;
 }
@@ -179,7 +192,32 @@ void ToolActor::set_scale(double mm_per_point, double pixel_ratio) {
         mm_per_point_ = mm_per_point;
         place_arrow();
     }
-    label_.place(pixel_ratio);
+    held_->SetScale(mm_per_point);
+    label_.place(pixel_ratio, 0.0, outlines());
+}
+
+std::vector<ThickStretch> ToolActor::outlines() const {
+    if (!shown_) return {};
+    const int* size = renderer_.GetSize();
+    vtkCamera& eye = *renderer_.GetActiveCamera();
+    const Projection projection(eye, size[0], size[1]);
+    const Vec3 right = axes_of(eye).right;
+    const auto pixel_of = [&](const Vec3& place_mm) {
+        const Pixel pixel = projection.pixel_of(place_mm);
+        return std::array{pixel.x, size[1] - pixel.y};
+    };
+    std::vector<ThickStretch> all;
+    const auto add = [&](const Vec3& from_mm, const Vec3& to_mm, double radius_mm) {
+        if (!projection.sees(from_mm) || !projection.sees(to_mm)) return;
+        ThickStretch stretch{pixel_of(from_mm), pixel_of(to_mm)};
+        stretch.radius = std::max(pixel_of(from_mm + radius_mm * right)[0] - stretch.from[0],
+                                  pixel_of(to_mm + radius_mm * right)[0] - stretch.to[0]);
+        all.push_back(stretch);
+    };
+    for (const ToolView::Part& part : shown_->parts) add(part.from_mm, part.to_mm, part.radius_mm);
+    if (arrow_->GetVisibility() != 0)
+        add(arrow_from_mm_, arrow_to_mm_, shaft_radius * arrow_width_points * mm_per_point_);
+    return all;
 }
 
 // The arrow starts on the side of the tool away from what presses on it and points along the force.
@@ -197,7 +235,7 @@ void ToolActor::place_arrow() {
     const std::string text =
         force + (force.empty() || grip.empty() ? "" : ", ") + (grip.empty() ? "" : "grip " + grip);
     if (!points) {
-        label_.show(said(words_, text), shown_->tip_mm);
+        label_.show(said(words_, text), grip.empty() ? shown_->tip_mm : shown_->at_mm);
         return;
     }
     const Vec3 along = shown_->force_un / now_un;
@@ -207,12 +245,14 @@ void ToolActor::place_arrow() {
     vtkNew<vtkMatrix4x4> place;
     for (int row = 0; row < 3; ++row) {
         place->SetElement(row, 0, length * along[row]);
-        place->SetElement(row, 1, 60.0 * mm_per_point_ * u[row]);
-        place->SetElement(row, 2, 60.0 * mm_per_point_ * v[row]);
+        place->SetElement(row, 1, arrow_width_points * mm_per_point_ * u[row]);
+        place->SetElement(row, 2, arrow_width_points * mm_per_point_ * v[row]);
         place->SetElement(row, 3, from[row]);
     }
     arrow_->SetUserMatrix(place);
-    label_.show(said(words_, text), from + length * along);  // beside the arrow's head
+    arrow_from_mm_ = from;
+    arrow_to_mm_ = from + length * along;
+    label_.show(said(words_, text), arrow_to_mm_);
 }
 
 }  // namespace hepatica

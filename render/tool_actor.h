@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A tool, drawn as its capsules, with the force on it as an arrow and a label that gives the force
 // and the grip's force. The arrow's length in screen points grows with the logarithm of the force,
-// so that both a touch and a push are visible.
+// so that both a touch and a push are visible. A vessel that jaws hold is marked there by a bead,
+// which vessels and jaws do not hide.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -40,6 +41,8 @@ class ToolActor {
     // Call before each picture. `mm_per_point`: size of one screen point at the focal plane;
     // `pixel_ratio`: pixels of a point.
     void set_scale(double mm_per_point, double pixel_ratio);
+    // Where its parts and its arrow are in the picture, so that no label need cover them.
+    std::vector<ThickStretch> outlines() const;
     const std::optional<ToolView>& shown() const { return shown_; }
     // The label's rectangle in the picture in pixels; none where it is not shown.
     std::optional<PictureBox> label_box() const { return label_.box(); }
@@ -59,7 +62,9 @@ class ToolActor {
     std::optional<ToolView> shown_;
     std::vector<Part> parts_;
     vtkSmartPointer<vtkActor> arrow_;
-    FigureLabel label_;  // beside the arrow's head
+    Vec3 arrow_from_mm_ = Vec3::Zero(), arrow_to_mm_ = Vec3::Zero();
+    vtkSmartPointer<vtkActor> held_;
+    FigureLabel label_;  // beside the arrow's head, or beside what is held
     double mm_per_point_ = 1.0;
 };
 

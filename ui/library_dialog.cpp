@@ -89,8 +89,7 @@ void LibraryDialog::build() {
     row->addWidget(choose_);
     column->addLayout(row);
     auto* middle = new QHBoxLayout;
-    build_list();
-    middle->addWidget(list_, 1);
+    middle->addWidget(cases_below_messages(), 1);
     middle->addLayout(of_chosen_case());
     column->addLayout(middle, 1);
     auto* foot = new QHBoxLayout;
@@ -101,7 +100,11 @@ void LibraryDialog::build() {
     column->addLayout(foot);
 }
 
-void LibraryDialog::build_list() {
+// A message takes its room from the list, whose first row of pictures it would cover otherwise.
+QWidget* LibraryDialog::cases_below_messages() {
+    auto* cases = new QWidget;
+    auto* column = new QVBoxLayout(cases);
+    column->setContentsMargins(0, 0, 0, 0);
     list_ = new QListWidget;
     list_->setObjectName("library");
     list_->setAccessibleName(Words::tr("Cases"));
@@ -111,9 +114,14 @@ void LibraryDialog::build_list() {
     list_->setResizeMode(QListView::Adjust);
     list_->setMovement(QListView::Static);
     list_->setWordWrap(true);
-    messages_ = new MessageBar(list_);
+    column->addWidget(list_);
+    messages_ = new MessageBar(cases);
+    messages_->on_cover = [this, column] {
+        column->setContentsMargins(0, messages_->covered(), 0, 0);
+    };
     connect(list_, &QListWidget::currentRowChanged, this, [this] { show_chosen(); });
     connect(list_, &QListWidget::itemActivated, this, [this] { open_->click(); });
+    return cases;
 }
 
 QLayout* LibraryDialog::of_chosen_case() {

@@ -60,7 +60,7 @@ class LibraryDialog : public QDialog {
 
   private:
     void build();
-    void build_list();
+    QWidget* cases_below_messages();
     QLayout* of_chosen_case();
     QWidget* buttons();
     void ask_what_to_take_in();

@@ -210,6 +210,7 @@ void MainWindow::build_view() {
     messages_->on_branch = log_->on_branch = [this](int branch) { branches_->show_branch(branch); };
     const auto keep_clear = [this] {
         view_layout_->keep_clear(messages_->covered(), progress_->covered());
+        welcome_->keep_clear(messages_->covered());
     };
     messages_->on_cover = progress_->on_cover = keep_clear;
 }

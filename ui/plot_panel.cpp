@@ -241,25 +241,39 @@ void PlotView::paint_titles(QPainter& painter) const {
     }
 }
 
-// Each text stands in the first free row.
-void PlotView::paint_events(QPainter& painter) const {
-    constexpr int row_height = 15;
-    std::vector<qreal> row_ends;
+std::vector<PlotView::EventText> PlotView::event_texts() const {
+    constexpr qreal apart = 6.0;
+    const QRectF area = frame();
+    const QFontMetrics letters = fontMetrics();
+    const qreal row_height = letters.height();
+    const auto rows = static_cast<std::size_t>(std::max(0.0, area.height() / row_height));
+    std::vector<EventText> texts;
+    std::vector<qreal> row_ends(rows, 0.0);
     for (const PlotEvent& event : events_) {
         if (event.x < 0.0 || event.x > x_end_) continue;
-        const QPointF foot = place(event.x, 0);
-        const qreal wide = painter.fontMetrics().horizontalAdvance(event.text);
-        const qreal left = std::min(foot.x() + 4, frame().right() - wide);
-        std::size_t row = 0;
-        while (row < row_ends.size() && row_ends[row] > left) ++row;
-        if (row == row_ends.size()) row_ends.push_back(0);
-        row_ends[row] = left + wide + 6;
-        painter.setPen(QPen(event_line, 1.2, Qt::DashLine));
-        painter.drawLine(foot, QPointF(foot.x(), frame().top()));
-        painter.setPen(event_line);
-        painter.drawText(
-            QRectF(left, frame().top() + static_cast<qreal>(row) * row_height, wide, row_height),
-            Qt::AlignLeft | Qt::AlignVCenter, event.text);
+        const QString text =
+            letters.elidedText(event.text, Qt::ElideRight, static_cast<int>(area.width()));
+        const qreal wide = letters.horizontalAdvance(text);
+        const qreal left = std::min(place(event.x, 0).x() + 4.0, area.right() - wide);
+        const auto row = std::ranges::find_if(row_ends, [left](qreal end) { return end <= left; });
+        if (row == row_ends.end()) continue;
+        *row = left + wide + apart;
+        const auto above = static_cast<qreal>(row - row_ends.begin());
+        texts.push_back({QRectF(left, area.top() + above * row_height, wide, row_height), text});
+    }
+    return texts;
+}
+
+// Texts stand on a ground, so that no line strikes them through.
+void PlotView::paint_events(QPainter& painter) const {
+    painter.setPen(QPen(event_line, 1.2, Qt::DashLine));
+    for (const PlotEvent& event : events_)
+        if (event.x >= 0.0 && event.x <= x_end_)
+            painter.drawLine(place(event.x, 0), place(event.x, y_end_));
+    painter.setPen(event_line);
+    for (const EventText& event : event_texts()) {
+        painter.fillRect(event.place, palette().base());
+        painter.drawText(event.place, Qt::AlignLeft | Qt::AlignVCenter, event.text);
     }
 }
 

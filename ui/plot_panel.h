@@ -32,7 +32,7 @@ class PlotView : public QWidget {
     const Chart& chart() const { return chart_; }
     // A vertical line at this place of the x axis; nullopt: none.
     void set_marker(std::optional<double> x);
-    // Dashed lines with their texts beside them.
+    // Dashed lines with their texts beside them, as far as there is room.
     void set_events(std::vector<PlotEvent> events);
     const std::vector<PlotEvent>& events() const { return events_; }
 
@@ -46,6 +46,14 @@ class PlotView : public QWidget {
         int curve = -1;  // index of the curve that it names; -1: an axis
     };
     std::vector<Title> titles() const;
+
+    // The texts of events as they are drawn, with their places: each in the first row that is free,
+    // none on another. Those for which the frame has no row are left out; their lines stay.
+    struct EventText {
+        QRectF place;
+        QString text;
+    };
+    std::vector<EventText> event_texts() const;
 
   protected:
     void paintEvent(QPaintEvent* event) override;

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "ui/words.h"
@@ -57,7 +58,13 @@ bool Welcome::eventFilter(QObject* watched, QEvent* event) {
 
 void Welcome::centre() {
     adjustSize();
-    move((parentWidget()->width() - width()) / 2, (parentWidget()->height() - height()) / 2);
+    move((parentWidget()->width() - width()) / 2,
+         std::max(covered_top_, (parentWidget()->height() - height()) / 2));
+}
+
+void Welcome::keep_clear(int top) {
+    covered_top_ = top;
+    centre();
 }
 
 }  // namespace hepatica

@@ -13,6 +13,9 @@ class Welcome : public QFrame {
   public:
     // `lessons` shows the course.
     Welcome(const Actions& actions, std::function<void()> lessons, QWidget* parent);
+    // A message covers this many points at the top of the parent: the panel moves below it where it
+    // would lie under it.
+    void keep_clear(int top);
 
   protected:
     // Keeps the panel in the middle of its parent.
@@ -20,6 +23,8 @@ class Welcome : public QFrame {
 
   private:
     void centre();
+
+    int covered_top_ = 0;
 };
 
 }  // namespace hepatica

@@ -250,6 +250,38 @@ TEST(PlotTitles, AreWholeOrEndInAnEllipsisAndNeverOverlap) {
     }
 }
 
+// Many things happen at once where a vessel comes off.
+TEST(PlotEvents, HaveTheirTextsBesideEachOtherAndWithinTheCurves) {
+    for (const int points : {9, 18}) {
+        PlotView plot;
+        QFont letters = plot.font();
+        letters.setPointSize(points);
+        plot.setFont(letters);
+        plot.resize(300, 190);
+        plot.set_chart(
+            {"Entropy", "Time (s)", "Entropy (nats)", {Curve{"in all", {0, 10}, {0, 1}}}});
+        std::vector<PlotEvent> events;
+        for (const double at_s : {1.0, 1.0, 1.1, 2.0, 2.0, 9.9, 9.9})
+            for (const char* text : {"cut or torn", "piece off", "bleeding"})
+                events.push_back({at_s, text});
+        plot.set_events(std::move(events));
+        const auto texts = plot.event_texts();
+        EXPECT_GE(texts.size(), 3u) << points;
+        EXPECT_LT(texts.size(), 21u) << "there is no room for all";
+        for (std::size_t i = 0; i < texts.size(); ++i) {
+            EXPECT_GE(texts[i].place.height(), plot.fontMetrics().height()) << points;
+            EXPECT_LE(texts[i].place.bottom(), plot.height() - 38.0) << "on the axis";
+            EXPECT_LE(texts[i].place.right(), plot.width());
+            for (std::size_t k = 0; k < i; ++k)
+                EXPECT_FALSE(texts[i].place.intersects(texts[k].place))
+                    << points << ": " << texts[i].text.toStdString();
+        }
+        plot.set_events({{2.0, "piece off"}, {20.0, "after the end"}});
+        ASSERT_EQ(plot.event_texts().size(), 1u);
+        EXPECT_EQ(plot.event_texts()[0].text, "piece off");
+    }
+}
+
 TEST(ProgressStripTest, names_the_other_jobs) {
     QWidget pictures;
     ProgressStrip strip([] {}, &pictures);

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QSlider>
 #include <algorithm>
+#include <set>
 
 #include "core/image/volume_writer.h"
 #include "core/patient/image_digest.h"
@@ -64,6 +65,7 @@ TEST(SegmentOverlay, WritesNumbersWellInsideAndOnlyWhereThereIsRoom) {
     ASSERT_EQ(numbers.size(), 2u) << "segment 5 is too small";
     EXPECT_EQ(numbers[0].segment, 2);
     EXPECT_EQ(numbers[0].pixel, QPoint(13, 12));
+    EXPECT_EQ(numbers[0].pixels, 35);
     EXPECT_EQ(numbers[1].segment, 8);
     EXPECT_EQ(labels[static_cast<std::size_t>(numbers[1].pixel.y() * 20 + numbers[1].pixel.x())],
               8);
@@ -183,6 +185,40 @@ TEST_F(SegmentsOverSlices, AreNotNamedInTheTrunkThatSuppliesSeveral) {
     EXPECT_EQ(trunk.find("segment"), std::string::npos) << trunk;
     const std::string branch = scene().describe(Vec3(-30, 50, 0));
     EXPECT_NE(branch.find("segment VI"), std::string::npos) << branch;
+}
+
+// Stripes of 12 mm of which each is a segment, in a slice that is a few points high.
+TEST_F(SegmentsOverSlices, HaveNumbersThatLieOnNoOtherAndInTheirOwnSegment) {
+    Mask stripes = halves(0, 0);
+    for (int z = 0; z < 30; ++z)
+        for (int y = 0; y < 25; ++y)
+            for (int x = 0; x < 16; ++x) stripes.at(x, y, z) = static_cast<std::uint8_t>(1 + x / 2);
+    show(patient(stripes));
+    scene().set_segments_visible(true);
+    scene().set_crosshair(ct_.grid.to_mm(10, 25, 30));
+    std::set<std::size_t> counts;
+    for (const int side : {60, 110, 200, 700}) {
+        SliceView view(scene(), SliceDirection::axial);
+        view.resize(side, side);
+        view.grab();
+        const auto& labels = view.number_labels();
+        ASSERT_FALSE(labels.empty()) << side;
+        counts.insert(labels.size());
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            EXPECT_EQ(scene().segment_at(view.to_mm(labels[i].place.center())), labels[i].segment)
+                << side;
+            for (std::size_t k = 0; k < i; ++k)
+                EXPECT_FALSE(labels[i].place.intersects(labels[k].place))
+                    << side << ": " << labels[i].segment << " and " << labels[k].segment;
+        }
+    }
+    EXPECT_EQ(*counts.rbegin(), 8u) << "all are there where there is room";
+    EXPECT_LT(*counts.begin(), 8u);
+    scene().set_segments_visible(false);
+    SliceView view(scene(), SliceDirection::axial);
+    view.resize(700, 700);
+    view.grab();
+    EXPECT_TRUE(view.number_labels().empty());
 }
 
 // Words that come and go with the mouse take the slices no room.

@@ -102,7 +102,7 @@ std::vector<SegmentNumber> segment_numbers(const std::vector<std::uint8_t>& labe
     for (int segment = 1; segment <= segments; ++segment)
         if (const Region& region = regions[static_cast<std::size_t>(segment)];
             region.pixels > 0 && region.pixels >= least)
-            numbers.push_back({segment, region.pixel});
+            numbers.push_back({segment, region.pixel, region.pixels});
     return numbers;
 }
 

@@ -31,7 +31,8 @@ Colour colour_of_number(int segment);
 
 struct SegmentNumber {
     int segment = 0;
-    QPoint pixel;  // in the segment
+    QPoint pixel;    // in the segment
+    int pixels = 0;  // of the segment in this slice
 };
 
 // Places of the segments' numbers, in ascending order: the pixel of each segment nearest to its

@@ -116,6 +116,7 @@ class SliceScene {
     // Coordinates, Hounsfield units, liver segment, tumour and vessel at this place, in words;
     // empty outside of the CT.
     std::string describe(const Vec3& position_mm) const;
+    int segment_at(const Vec3& position_mm) const;  // 0 if none
 
   private:
     // A trunk or main branch of the portal vein, which is no segment's own.
@@ -134,7 +135,6 @@ class SliceScene {
     bool brushing_tumours() const { return tumours_.mode() != BrushMode::away; }
     // Why the vessel brush cannot paint at this place; empty if it can.
     std::string why_not_painted(const Vec3& position_mm) const;
-    int segment_at(const Vec3& position_mm) const;  // 0 if none
 
     std::shared_ptr<const Volume> ct_;
     Mask systems_;

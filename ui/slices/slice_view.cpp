@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -126,14 +127,31 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
     if (hasFocus()) paint_focus(painter);
 }
 
-void SliceView::paint_segment_numbers(QPainter& painter) const {
+// Where segments lie close together, a number gives way within its own segment. Where it would get
+// into another, the smaller segment's is left out: nearer, it has room.
+void SliceView::paint_segment_numbers(QPainter& painter) {
+    constexpr double spare = 1.0;  // for the outline
+    number_labels_.clear();
     const SliceStack slices = stack();
-    for (const SegmentNumber& number : segment_numbers_) {
-        const Vec3 there =
-            slices.to_mm(Vec3(number.pixel.x(), number.pixel.y(), static_cast<double>(slice())));
-        write_outlined(painter, QRectF(place_of(there) - QPointF(10, 10), QSizeF(20, 20)),
-                       Qt::AlignCenter, QString::fromStdString(segment_name(number.segment)),
+    LabelPlaces places({0.0, 0.0, static_cast<double>(width()), static_cast<double>(height())});
+    std::vector<SegmentNumber> largest_first = segment_numbers_;
+    std::ranges::stable_sort(largest_first, std::ranges::greater(), &SegmentNumber::pixels);
+    for (const SegmentNumber& number : largest_first) {
+        const QPointF at = place_of(
+            slices.to_mm(Vec3(number.pixel.x(), number.pixel.y(), static_cast<double>(slice()))));
+        if (!rect().contains(at.toPoint())) continue;
+        const QString text = QString::fromStdString(segment_name(number.segment));
+        const double wide = painter.fontMetrics().horizontalAdvance(text) + 2.0 * spare;
+        const double high = painter.fontMetrics().height() + 2.0 * spare;
+        LabelPlaces with_it = places;
+        const auto label = with_it.place({at.x() - 0.5 * wide, at.y() - 0.5 * high, wide, high});
+        if (!label) continue;
+        const QRectF box(label->box.left, label->box.top, wide, high);
+        if (label->evades && scene_.segment_at(to_mm(box.center())) != number.segment) continue;
+        places = with_it;
+        write_outlined(painter, box, Qt::AlignCenter, text,
                        qcolor_of(colour_of_number(number.segment)));
+        number_labels_.push_back({number.segment, box});
     }
 }
 

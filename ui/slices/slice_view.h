@@ -47,6 +47,12 @@ class SliceView : public QWidget {
     QRectF room_for_words() const;
     // Where the values of measurements were painted last.
     const std::vector<QRectF>& measure_labels() const { return measure_labels_; }
+    // Where the segments' numbers were painted last.
+    struct NumberLabel {
+        int segment = 0;
+        QRectF place;
+    };
+    const std::vector<NumberLabel>& number_labels() const { return number_labels_; }
 
     void on_hover(std::function<void(const Vec3&)> tell) { hover_ = std::move(tell); }
     // Receives the result of a measurement, or why a click had none.
@@ -98,7 +104,7 @@ class SliceView : public QWidget {
     QRectF room_for_labels() const;
     static void write_outlined(QPainter& painter, const QRectF& box, Qt::Alignment where,
                                const QString& text, const QColor& colour);
-    void paint_segment_numbers(QPainter& painter) const;
+    void paint_segment_numbers(QPainter& painter);
     void paint_centrelines(QPainter& painter) const;
     void paint_crosshair(QPainter& painter) const;
     void paint_words(QPainter& painter) const;
@@ -121,6 +127,7 @@ class SliceView : public QWidget {
     double zoom_ = 1.0;                    // 1: the slice fits the widget
     QPointF shift_;                        // of the slice's centre from the widget's
     std::vector<QRectF> measure_labels_;
+    std::vector<NumberLabel> number_labels_;
     QPointF last_;           // last mouse position while a button is down
     double wheel_rest_ = 0;  // unused part of a wheel notch
 };

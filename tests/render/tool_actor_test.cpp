@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is drawn of a tool: the mark of what it holds, and its figure, which covers no part of it.
+#include "render/tool_actor.h"
+
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <cmath>
+#include <vector>
+
+#include "render/osmesa_context.h"
+#include "tests/render/fake_frame.h"
+#include "tests/render/scene_pictures.h"
+
+namespace hepatica {
+namespace {
+
+class ToolInThePicture : public ::testing::Test {
+  protected:
+    ToolInThePicture() {
+        context_.window().AddRenderer(renderer_);
+        vtkCamera& eye = *renderer_->GetActiveCamera();
+        eye.SetPosition(0, 0, 100);
+        eye.SetFocalPoint(0, 0, 0);
+    }
+    ~ToolInThePicture() override { context_.window().RemoveRenderer(renderer_); }
+
+    // Jaws along x that hold something midway between them and pull it back, to the left.
+    static ToolView forceps() {
+        ToolView tool;
+        tool.parts = {{Vec3(15, 3, 0), Vec3(-5, 3, 0), 1.5},
+                      {Vec3(15, -3, 0), Vec3(-5, -3, 0), 1.5}};
+        tool.tip_mm = Vec3(-5, 0, 0);
+        tool.at_mm = Vec3(-3, 0, 0);
+        tool.touched = {4, 5};
+        tool.grip_un = 300e3;
+        return tool;
+    }
+    PictureBox label(const ToolView& tool) {
+        actor_.update(tool);
+        actor_.set_scale(0.2, 1.0);
+        context_.window().Render();
+        const auto box = actor_.label_box();
+        EXPECT_TRUE(box);
+        return box.value_or(PictureBox{});
+    }
+
+    OsmesaContext context_{400, 300};
+    vtkNew<vtkRenderer> renderer_;
+    ToolActor actor_{*renderer_};
+};
+
+TEST_F(ToolInThePicture, HasItsFigureBesideIt) {
+    for (const Vec3& force : {Vec3(0, 0, 0), Vec3(-40e3, 0, 0), Vec3(40e3, 0, 0), Vec3(0, 40e3, 0),
+                              Vec3(0, -40e3, 0), Vec3(30e3, 30e3, 0), Vec3(0, 0, 40e3)}) {
+        ToolView tool = forceps();
+        tool.force_un = force;
+        const PictureBox box = label(tool);
+        const std::vector<ThickStretch> outlines = actor_.outlines();
+        ASSERT_EQ(outlines.size(), force.isZero() ? 2u : 3u) << "both jaws and the arrow";
+        EXPECT_TRUE(is_clear_of(box, outlines, 1.0)) << force.transpose();
+        EXPECT_GT(box.right - box.left, 40.0) << "it says something";
+    }
+}
+
+// The eye is 100 mm away, and half the height of the picture then shows 100 tan 15°.
+TEST_F(ToolInThePicture, IsOutlinedWhereItIsDrawn) {
+    label(forceps());
+    const std::vector<ThickStretch> outlines = actor_.outlines();
+    ASSERT_EQ(outlines.size(), 2u);
+    const double per_mm = 150.0 / (100.0 * std::tan(M_PI / 12.0));
+    EXPECT_NEAR(outlines[0].from[0], 200.0 + 15.0 * per_mm, 1e-6);
+    EXPECT_NEAR(outlines[0].from[1], 150.0 + 3.0 * per_mm, 1e-6);
+    EXPECT_NEAR(outlines[1].to[0], 200.0 - 5.0 * per_mm, 1e-6);
+    EXPECT_NEAR(outlines[1].to[1], 150.0 - 3.0 * per_mm, 1e-6);
+    EXPECT_NEAR(outlines[0].radius, 1.5 * per_mm, 1e-6);
+    actor_.update(std::nullopt);
+    EXPECT_TRUE(actor_.outlines().empty());
+}
+
+// A force that turns about the direction in which another side would do does not move it over.
+TEST_F(ToolInThePicture, KeepsItsFigureOnItsSideAsLongAsThatIsFree) {
+    ToolView tool = forceps();
+    tool.force_un = Vec3(-40e3, -1e3, 0);
+    const PictureBox first = label(tool);
+    tool.force_un = Vec3(-40e3, 1e3, 0);
+    const PictureBox second = label(tool);
+    EXPECT_NEAR(second.left, first.left, 3.0);
+    EXPECT_NEAR(second.bottom, first.bottom, 8.0);
+}
+
+class ToolInTheScene : public testing::ScenePictures {
+  protected:
+    // Whether the picture is turquoise at this place, be it through a faint jaw.
+    bool is_marked(const Frame& frame, const Vec3& place_mm) {
+        const Picture drawn = picture_of(frame);
+        const Pixel at = view_.pixel_of(place_mm);
+        const auto first =
+            3 * (static_cast<std::size_t>(at.y) * width + static_cast<std::size_t>(at.x));
+        const int red = drawn.rgb[first], green = drawn.rgb[first + 1], blue = drawn.rgb[first + 2];
+        return green > red + 50 && green > blue;
+    }
+};
+
+// The jaws lie before and behind the trunk, so that what they touch is hidden.
+TEST_F(ToolInTheScene, what_jaws_hold_is_marked_through_them_and_the_vessel) {
+    Frame frame = testing::fake_frame(0.0);
+    const Vec3 held(0, 0, -40);
+    frame.tool.emplace();
+    frame.tool->parts = {{Vec3(30, -12, -40), Vec3(-8, -12, -40), 5.0},
+                         {Vec3(30, 12, -40), Vec3(-8, 12, -40), 5.0}};
+    frame.tool->tip_mm = Vec3(-8, 0, -40);
+    frame.tool->at_mm = held;
+    frame.tool->touched = {0};
+    EXPECT_FALSE(is_marked(frame, held));
+    frame.tool->grip_un = 20.0;
+    EXPECT_FALSE(is_marked(frame, held)) << "too little to count as a force";
+    frame.tool->grip_un = 300e3;
+    EXPECT_TRUE(is_marked(frame, held));
+    frame.tool->touched.clear();
+    EXPECT_FALSE(is_marked(frame, held)) << "jaws on a tumour hold no vessel";
+    frame.tool->touched = {0};
+    EXPECT_TRUE(is_marked(frame, held));
+    frame.tool.reset();
+    EXPECT_FALSE(is_marked(frame, held)) << "it is put away";
+}
+
+}  // namespace
+}  // namespace hepatica
