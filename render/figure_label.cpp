@@ -18,7 +18,10 @@ namespace {
 constexpr int figure_text_size = 13;
 constexpr double ground_opacity = 0.75;
 constexpr double beside_points = 8.0;  // its ground covers no ball or arrow's head at the point
-constexpr double margin_points = 2.0;  // between its ground and what is kept clear
+constexpr std::array further_points{0.0, 16.0, 40.0, 72.0};  // where there is no room nearer
+// Between its ground and what is kept clear: where it is, to go elsewhere, and to come nearer
+// again.
+constexpr double staying_points = 1.0, moving_points = 3.0, nearer_points = 10.0;
 constexpr int label_sides = 6;
 
 // The label's lower left corner on a side of the point `at`: 0 right, 1 right and below, 2 left, 3
@@ -51,7 +54,7 @@ bool FigureLabel::show(const std::string& text, const Vec3& at_mm) {
     if (same) return false;
     shown_ = text;
     at_mm_ = at_mm;
-    if (text.empty()) side_ = 0;
+    if (text.empty()) side_ = further_ = 0;
     text_->SetVisibility(!text.empty());
     text_->SetInput(text.c_str());
     return true;
@@ -75,23 +78,28 @@ void FigureLabel::place(double pixel_ratio, double below_points,
     const double away = below_points * pixel_ratio, gap = away + beside_points * pixel_ratio;
     std::array<double, 2> size{};
     text_->GetSize(&renderer_, size.data());
-    const auto stand = [&](double reach, int side) {
-        std::array<double, 2> corner = corner_beside(side, at, size, reach * gap);
+    const auto stand = [&](int further, int side) {
+        const double reach = gap + further_points[static_cast<std::size_t>(further)] * pixel_ratio;
+        std::array<double, 2> corner = corner_beside(side, at, size, reach);
         if (side == 0) corner[1] -= away;
         corner = place_inside(corner, size, *text_, renderer_);
         text_->SetPosition(corner[0], corner[1]);
+        const bool stays = further == further_ && side == side_;
+        const double margin = stays                ? staying_points
+                              : further < further_ ? nearer_points
+                                                   : moving_points;
         return is_clear_of({corner[0], corner[1], corner[0] + size[0], corner[1] + size[1]},
-                           keep_clear, margin_points * pixel_ratio);
+                           keep_clear, margin * pixel_ratio);
     };
-    for (const double reach : {1.0, 3.0, 6.0, 10.0}) {
-        if (stand(reach, side_)) return;
-        for (int side = 0; side < label_sides; ++side)
-            if (stand(reach, side)) {
-                side_ = side;
-                return;
-            }
-    }
-    stand(1.0, 0);  // no place is free
+    for (int further = 0; further < static_cast<int>(further_points.size()); ++further)
+        for (int turn = 0; turn <= label_sides; ++turn) {
+            const int side = turn == 0 ? side_ : turn - 1;
+            if (!stand(further, side)) continue;
+            side_ = side;
+            further_ = further;
+            return;
+        }
+    stand(0, 0);  // no place is free
 }
 
 std::optional<PictureBox> FigureLabel::box() const {

@@ -33,8 +33,8 @@ class FigureLabel {
     // Call before each picture, because the camera may have moved. The label is beside the point,
     // `below_points` screen points below it and as many further to its right; where one of
     // `keep_clear` lies there, on another side of the point or further away, as near as it is free.
-    // It stays on the side where it was, so that it does not jump to and fro. Beside a point behind
-    // the eye there is none.
+    // It stays where it was as long as that is free, and comes nearer again only where there is
+    // ample room, so that it does not jump to and fro. Beside a point behind the eye there is none.
     void place(double pixel_ratio, double below_points = 0.0,
                std::span<const ThickStretch> keep_clear = {});
     // The label's rectangle in the picture in pixels; none where it is not shown.
@@ -46,7 +46,8 @@ class FigureLabel {
     vtkSmartPointer<vtkTextActor> text_;
     std::string shown_;
     Vec3 at_mm_ = Vec3::Zero();
-    int side_ = 0;  // of the point, on which it is; see corner_beside()
+    int side_ = 0;     // of the point, on which it is; see corner_beside()
+    int further_ = 0;  // from the point than where all is free; see further_points
 };
 
 }  // namespace hepatica

@@ -8137,8 +8137,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Leber und Tumoren</translation>
     </message>
     <message>
-        <source>Vessels stay out of the tumours and within the liver, as far as the case knows them; a change brings them back to rest</source>
-        <translation>Gefäße bleiben außerhalb der Tumoren und innerhalb der Leber, soweit der Fall sie kennt; eine Änderung bringt sie in die Ruhelage zurück</translation>
+        <source>Vessels stay out of the tumours and within the liver, as far as the case knows them; a change brings them back to rest. Tumours painted since count after the next correction of a vessel</source>
+        <translation>Gefäße bleiben außerhalb der Tumoren und innerhalb der Leber, soweit der Fall sie kennt; eine Änderung bringt sie in die Ruhelage zurück. Seither gemalte Tumoren zählen nach der nächsten Korrektur eines Gefäßes</translation>
     </message>
     <message>
         <source>Friction of vessels on each other</source>
@@ -8853,8 +8853,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Dieser Tumor liegt außerhalb der Leber (bei %1). „Rückgängig“ nimmt ihn zurück.</translation>
     </message>
     <message>
-        <source>The play goes on with the tumours that it began with: the next correction of a vessel, or opening the saved case again, makes obstacles of those of now</source>
-        <translation>Das Spiel läuft mit den Tumoren weiter, mit denen es begann: Die nächste Korrektur eines Gefäßes oder erneutes Öffnen des gespeicherten Falls macht die jetzigen zu Hindernissen</translation>
+        <source>Tumours as they are now become obstacles with the next correction of a vessel</source>
+        <translation>Die jetzigen Tumoren werden mit der nächsten Korrektur eines Gefäßes zu Hindernissen</translation>
     </message>
     <message>
         <source>, of it up to %L1 g drug</source>

@@ -75,9 +75,21 @@ class SegmentItem : public QTableWidgetItem {
     int couinaud_;  // 0 if none
 };
 
+// The branch at which the portal vein begins; none where it lies in several trees, whose first
+// branches may be those of its trunk.
+std::optional<int> trunk_among(const std::vector<BranchRow>& rows) {
+    std::optional<int> trunk;
+    for (const BranchRow& row : rows) {
+        if (row.generation != 1 || row.couinaud_confidence <= 0.0) continue;
+        if (trunk) return std::nullopt;
+        trunk = row.branch;
+    }
+    return trunk;
+}
+
 // With the segment's colour in the 3D view; without a segment, why there is none. Where no segments
 // are known, the note above the table says why.
-QTableWidgetItem* segment(const BranchRow& row) {
+QTableWidgetItem* segment(const BranchRow& row, std::optional<int> trunk) {
     if (row.couinaud > 0) {
         auto* item = new SegmentItem(row.couinaud);
         item->setData(Qt::DecorationRole, qcolor_of(palette::liver_segment(row.couinaud)));
@@ -85,7 +97,7 @@ QTableWidgetItem* segment(const BranchRow& row) {
     }
     if (row.couinaud_confidence <= 0.0) return new SegmentItem(0);
     auto* item =
-        new SegmentItem(0, row.generation == 1 ? Words::tr("trunk") : Words::tr("several"));
+        new SegmentItem(0, row.branch == trunk ? Words::tr("trunk") : Words::tr("several"));
     item->setToolTip(Words::tr("It supplies several segments of the liver"));
     return item;
 }
@@ -216,6 +228,7 @@ void BranchDock::fill_table() {
     const QSignalBlocker quiet(table_);
     table_->setSortingEnabled(false);
     table_->setRowCount(static_cast<int>(rows_.size()));
+    const std::optional<int> trunk = trunk_among(rows_);
     for (int i = 0; i < table_->rowCount(); ++i) {
         const BranchRow& row = rows_[static_cast<std::size_t>(i)];
         table_->setItem(i, 0, number(row.branch + 1, 0));
@@ -223,7 +236,7 @@ void BranchDock::fill_table() {
         table_->setItem(i, 2, number(row.generation, 0));
         table_->setItem(i, 3, number(row.length_mm, 1));
         table_->setItem(i, 4, number(row.radius_mm, 2));
-        table_->setItem(i, 5, segment(row));
+        table_->setItem(i, 5, segment(row, trunk));
         table_->setItem(i, 6,
                         row.flow_share ? number(100.0 * *row.flow_share, 2) : new QTableWidgetItem);
     }

@@ -21,15 +21,15 @@ constexpr int message_margin = 6;
 }  // namespace
 
 ElidedStatusBar::ElidedStatusBar(QWidget* parent) : QStatusBar(parent) {
-    connect(this, &QStatusBar::messageChanged, this, [this] { make_room(); });
+    connect(this, &QStatusBar::messageChanged, this, [this] { make_room(true); });
 }
 
 void ElidedStatusBar::set_giving_way(std::vector<QWidget*> figures) {
     giving_way_ = std::move(figures);
-    make_room();
+    make_room(true);
 }
 
-void ElidedStatusBar::make_room() {
+void ElidedStatusBar::make_room(bool may_come_back) {
     const int spacing = layout() != nullptr ? std::max(0, layout()->spacing()) : 0;
     const auto width_of = [spacing](const QWidget& figure) {
         return figure.sizeHint().width() + spacing;
@@ -40,13 +40,14 @@ void ElidedStatusBar::make_room() {
             room -= width_of(*beside);
     for (QWidget* figure : giving_way_) {
         room -= width_of(*figure);
-        figure->setVisible(currentMessage().isEmpty() || room >= 0);
+        const bool has_room = currentMessage().isEmpty() || room >= 0;
+        if (!has_room || may_come_back) figure->setVisible(has_room);
     }
 }
 
 void ElidedStatusBar::resizeEvent(QResizeEvent* event) {
     QStatusBar::resizeEvent(event);
-    make_room();
+    make_room(true);
 }
 
 // What is shown beside the message stands at the right.
@@ -73,7 +74,8 @@ void ElidedStatusBar::paintEvent(QPaintEvent*) {
 }
 
 bool ElidedStatusBar::event(QEvent* event) {
-    if (event->type() == QEvent::LayoutRequest) make_room();  // a figure has changed
+    // A figure has changed, which happens several times a second: none comes and goes with it.
+    if (event->type() == QEvent::LayoutRequest) make_room(false);
     if (event->type() != QEvent::ToolTip) return QStatusBar::event(event);
     const bool cut = shown() != currentMessage();
     QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),

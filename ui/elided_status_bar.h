@@ -12,7 +12,8 @@ class ElidedStatusBar : public QStatusBar {
   public:
     explicit ElidedStatusBar(QWidget* parent = nullptr);
 
-    // These figures of the bar hide, the last one first, while a message needs their room.
+    // These figures of the bar hide, the last one first, while a message needs their room. Added
+    // before the others, they leave those where they are.
     void set_giving_way(std::vector<QWidget*> figures);
     QString shown() const;  // the message as it is drawn now
 
@@ -24,7 +25,8 @@ class ElidedStatusBar : public QStatusBar {
 
   private:
     QRect room_for_message() const;
-    void make_room();
+    // Whether figures that have room again may come back, or wait for the next message or size.
+    void make_room(bool may_come_back);
 
     std::vector<QWidget*> giving_way_;
 };

@@ -317,8 +317,8 @@ void LibraryDialog::copy(const fs::path& from, const fs::path& to) {
 
 bool LibraryDialog::holds(const fs::path& place) const {
     std::error_code ignored;
-    return fs::equivalent(fs::absolute(place, ignored).parent_path(),
-                          to_path(settings_.library_folder()), ignored);
+    return is_case(place) && fs::equivalent(fs::absolute(place, ignored).parent_path(),
+                                            to_path(settings_.library_folder()), ignored);
 }
 
 void LibraryDialog::choose_here(const fs::path& place) {
@@ -328,7 +328,8 @@ void LibraryDialog::choose_here(const fs::path& place) {
             job.begin_stage(Words::id("Reading the case"));
             QStringList lines{Words::tr("“%1” lies in this folder already, and was not copied.")
                                   .arg(to_text(here.filename()))};
-            if (const QString came = what_came_with_it(put_beside(lessons_not_beside(here), here));
+            if (const QString came =
+                    what_came_with_it(put_beside(lessons_not_beside(here, job), here));
                 !came.isEmpty())
                 lines << came;
             return [this, here, said = lines.join("\n")] {
@@ -356,7 +357,7 @@ void LibraryDialog::give_away(const fs::path& to) {
     run({Words::tr("Copy the case"), Words::tr("Writing the case into one file…"), true},
         [this, from = one->place, to, files](Job& job) -> std::function<void()> {
             job.begin_stage(Words::id("Copying the case"));
-            std::vector<Lesson> lessons = lessons_not_beside(from);
+            std::vector<Lesson> lessons = lessons_not_beside(from, job);
             for (const fs::path& file : files) lessons.push_back(read_lesson(file));
             write_with_lessons(to, read_case(from), lessons);
             return [this, said = what_was_given(to, lessons.size())] {

@@ -164,6 +164,7 @@ class MainWindow : public QMainWindow {
     bool may_correct(const char* why_not_in_review);
     void show_corrections_with_slices();
     void warn_of_stroke_outside(const BrushStroke& stroke);
+    void say_obstacles_stay();
     void warn_of_tumour_outside(const TreeEdit& edit);
     void say_not_the_last();
     void follow_points();

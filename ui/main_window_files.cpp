@@ -245,18 +245,27 @@ void MainWindow::forget(const std::vector<std::filesystem::path>& interrupted) {
 }
 
 void MainWindow::open_unsaved_work() {
-    const auto left = recovery_->left_behind();
-    if (left.empty()) return messages_->show_notice(Words::tr("No earlier run left unsaved work."));
-    open(Recovery::unsaved_work(left.front()).request);
+    try {
+        const auto left = recovery_->left_behind();
+        if (left.empty())
+            return messages_->show_notice(Words::tr("No earlier run left unsaved work."));
+        open(Recovery::unsaved_work(left.front()).request);
+    } catch (...) {
+        fail(Words::tr("Open unsaved work"), failure_of(std::current_exception()));
+    }
 }
 
 // Another program may end, and this one take over its work, at any time.
 void MainWindow::connect_unsaved_work() {
     const auto look = [this] {
+        bool none = false;
+        try {
+            none = recovery_->left_behind().empty();
+        } catch (const std::exception&) {
+            // A folder that cannot be read: choosing the entry says what is wrong.
+        }
         actions_->show_lack(ActionId::open_unsaved,
-                            recovery_->left_behind().empty()
-                                ? Words::tr("No earlier run left unsaved work.")
-                                : QString());
+                            none ? Words::tr("No earlier run left unsaved work.") : QString());
     };
     actions_->on(ActionId::open_unsaved, [this] { open_unsaved_work(); });
     actions_->before_menu_of(ActionId::open_unsaved, look);

@@ -32,14 +32,6 @@ constexpr const char* not_in_review =
 constexpr const char* not_in_lesson =
     Words::id("Nothing is corrected during a lesson: leave it first");
 
-// A stroke at a tumour does not begin the play anew, and its obstacles are made when it begins.
-void say_obstacles_stay(QStatusBar& bar) {
-    bar.showMessage(
-        Words::tr("The play goes on with the tumours that it began with: the next correction of a "
-                  "vessel, or opening the saved case again, makes obstacles of those of now"),
-        8000);
-}
-
 }  // namespace
 
 void MainWindow::build_slices(QWidget* parent) {
@@ -77,11 +69,13 @@ void MainWindow::build_slices(QWidget* parent) {
         if (!may_correct(not_in_review)) return false;
         dismiss_for_a_deed();
         keeper_->add(stroke);
+        say_obstacles_stay();
         warn_of_tumour_outside(stroke);
         return true;
     };
     callbacks.take_strokes_back = [this](std::size_t strokes) {
         for (std::size_t i = 0; i < strokes; ++i) keeper_->undo_tumour_stroke();
+        say_obstacles_stay();
     };
     callbacks.paint_vessels = [this](const BrushStroke& stroke) {
         dismiss_for_a_deed();
@@ -153,8 +147,15 @@ void MainWindow::warn_of_stroke_outside(const BrushStroke& stroke) {
     });
 }
 
+// A stroke at a tumour does not begin the play anew, and its obstacles are made when it begins.
+void MainWindow::say_obstacles_stay() {
+    if (!patient_ || frame().obstacles == nullptr) return;
+    statusBar()->showMessage(
+        Words::tr("Tumours as they are now become obstacles with the next correction of a vessel"),
+        8000);
+}
+
 void MainWindow::warn_of_tumour_outside(const TreeEdit& edit) {
-    if (patient_ && frame().obstacles != nullptr) say_obstacles_stay(*statusBar());
     if (edit.kind != TreeEditKind::paint_tumour) return;
     const SliceScene& slices = view_layout_->slices();
     const Mask& organs = slices.tumours().organs();

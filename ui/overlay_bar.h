@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A bar along an edge of its parent, on top of its content, so that no picture moves when the bar
-// appears, grows or goes, even while the user drags. `on_cover` tells what to keep clear of text.
+// appears, grows or goes, even while the user drags. `on_cover` tells what to keep clear: text over
+// the pictures, and where nothing is dragged, as in the library, the content itself.
 #pragma once
 
 #include <QFrame>

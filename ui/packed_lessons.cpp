@@ -72,10 +72,9 @@ std::vector<Lesson> lessons_in_archive(const fs::path& archive) {
     return lessons;
 }
 
-std::vector<Lesson> lessons_not_beside(const fs::path& archive) {
+std::vector<Lesson> lessons_not_beside(const fs::path& archive, Job& job) {
     std::vector<Lesson> lessons = lessons_in_archive(archive);
     if (lessons.empty()) return lessons;
-    Job job;
     std::vector<ShelvedLesson> beside;
     try {
         beside = lessons_of(lessons_in(archive.parent_path(), job), archive);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/job.h"
 #include "core/lesson/lesson.h"
 #include "core/patient/patient_case.h"
 
@@ -18,8 +19,8 @@ namespace hepatica {
 std::vector<Lesson> lessons_in_archive(const std::filesystem::path& archive);
 
 // Those without the ones for its case that lie beside the archive under the same names: they were
-// put there before, and may have been changed since. Throws as lessons_in_archive().
-std::vector<Lesson> lessons_not_beside(const std::filesystem::path& archive);
+// put there before, and may have been changed since. Throws as lessons_in_archive(), and Cancelled.
+std::vector<Lesson> lessons_not_beside(const std::filesystem::path& archive, Job& job);
 
 // Whether the archive holds a lesson, readable or not.
 bool holds_lessons(const std::filesystem::path& archive);

@@ -15,11 +15,11 @@
 namespace hepatica {
 namespace {
 
-// Those that lie beside the file can be played already.
-std::vector<std::string> names_of_lessons_in(const std::filesystem::path& place) {
+// Without those that lie beside the file, too: they were taken out before.
+std::vector<std::string> names_of_lessons_in(const std::filesystem::path& place, Job& job) {
     std::vector<std::string> names;
     if (!holds_lessons(place)) return names;
-    for (const Lesson& lesson : lessons_not_beside(place)) names.push_back(lesson.name);
+    for (const Lesson& lesson : lessons_not_beside(place, job)) names.push_back(lesson.name);
     return names;
 }
 
@@ -74,7 +74,7 @@ LoadedPatient load_patient(const OpenRequest& request, Job& job, const DeformBac
     opened.warnings.insert(opened.warnings.begin(), of_ends.begin(), of_ends.end());
     static_cast<OpenedPatient&>(loaded) = std::move(opened);
     if (!request.built_in && !request.unsaved_copy)
-        loaded.packed_lessons = names_of_lessons_in(request.reconstruct.ct);
+        loaded.packed_lessons = names_of_lessons_in(request.reconstruct.ct, job);
     return loaded;
 }
 

@@ -120,9 +120,9 @@ void PlotView::paintEvent(QPaintEvent* /*event*/) {
     painter.fillRect(rect(), palette().base());
     head_ = head_of(titles());
     paint_axes(painter);
+    paint_events(painter);  // before the curves, which are never hidden
     if (!chart_.curves.empty()) paint_curves(painter);
     paint_titles(painter);
-    paint_events(painter);
 }
 
 void PlotView::paint_axes(QPainter& painter) const {
@@ -243,10 +243,12 @@ void PlotView::paint_titles(QPainter& painter) const {
 
 std::vector<PlotView::EventText> PlotView::event_texts() const {
     constexpr qreal apart = 6.0;
+    constexpr double most_rows = 3.0;
     const QRectF area = frame();
     const QFontMetrics letters = fontMetrics();
     const qreal row_height = letters.height();
-    const auto rows = static_cast<std::size_t>(std::max(0.0, area.height() / row_height));
+    const double fit = std::clamp(area.height() / row_height, 0.0, most_rows);
+    const auto rows = static_cast<std::size_t>(fit);
     std::vector<EventText> texts;
     std::vector<qreal> row_ends(rows, 0.0);
     for (const PlotEvent& event : events_) {
@@ -264,7 +266,7 @@ std::vector<PlotView::EventText> PlotView::event_texts() const {
     return texts;
 }
 
-// Texts stand on a ground, so that no line strikes them through.
+// Texts stand on a ground, so that no event's line strikes them through.
 void PlotView::paint_events(QPainter& painter) const {
     painter.setPen(QPen(event_line, 1.2, Qt::DashLine));
     for (const PlotEvent& event : events_)

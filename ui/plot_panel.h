@@ -48,7 +48,7 @@ class PlotView : public QWidget {
     std::vector<Title> titles() const;
 
     // The texts of events as they are drawn, with their places: each in the first row that is free,
-    // none on another. Those for which the frame has no row are left out; their lines stay.
+    // none on another. Those for which there is no row are left out; their lines stay.
     struct EventText {
         QRectF place;
         QString text;

@@ -9,6 +9,7 @@
 
 #include "ui/core_words.h"
 #include "ui/elided_label.h"
+#include "ui/plain_text.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -56,7 +57,7 @@ void ProgressStrip::start(const QString& title) {
     title_->setText(title);
     stage_->clear();
     bar_->setRange(0, 0);
-    cancel_->setToolTip(Words::tr("Cancels this alone: %1").arg(title));
+    cancel_->setToolTip(as_plain(Words::tr("Cancels this alone: %1").arg(title)));
     cancel_->setEnabled(true);
     show();
 }

@@ -49,12 +49,13 @@ StatusLine::StatusLine(ElidedStatusBar& bar)
         Words::tr("What is to be known of this patient's vessels: show it again"));
     QObject::connect(warnings_, &QToolButton::clicked, warnings_, [this] { on_warnings(); });
     warnings_->setMaximumHeight(step_->sizeHint().height());  // the bar is as high as without it
-    bar.addPermanentWidget(warnings_);
-    warnings_->hide();
-    for (QLabel* label : {recording_, bleeding_, step_, real_time_, error_, picture_, renderer_}) {
-        label->setContentsMargins(8, 0, 8, 0);
-        bar.addPermanentWidget(label);
+    // Those that give way stand first, so that the others stay where they are.
+    for (QWidget* figure : std::initializer_list<QWidget*>{
+             renderer_, picture_, warnings_, recording_, bleeding_, step_, real_time_, error_}) {
+        if (figure != warnings_) figure->setContentsMargins(8, 0, 8, 0);
+        bar.addPermanentWidget(figure);
     }
+    warnings_->hide();
     recording_->hide();
     bleeding_->hide();
     bar.set_giving_way({picture_, renderer_});

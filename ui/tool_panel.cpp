@@ -134,7 +134,8 @@ QWidget* ToolPanel::make_contact() {
                                       "change brings them back to rest"));
     obstacles_ = add(Words::tr("Liver and tumours"), "obstaclesTouch",
                      Words::tr("Vessels stay out of the tumours and within the liver, as far as "
-                               "the case knows them; a change brings them back to rest"));
+                               "the case knows them; a change brings them back to rest. Tumours "
+                               "painted since count after the next correction of a vessel"));
     friction_ = new DecimalSpinBox(0.0, greatest_friction, 0.0, 2, "", box);
     friction_->setObjectName("vesselFriction");
     friction_->setAccessibleName(Words::tr("Friction of vessels on each other"));

@@ -200,15 +200,12 @@ std::vector<TreeEdit> strokes_in(const fs::path& folder, const CaseHeader& heade
     }
 }
 
-// The organs of a case on disk. Where the patient was corrected since he was read and has tumour
-// strokes that the case lacks, with those of his list; where the case was saved with more of them
-// since, as it is.
+// The organs of a case on disk with the tumour strokes of the patient's own list: he may have been
+// corrected since he was read, and the case may have been saved with others.
 Mask organs_with_strokes(const fs::path& folder, const CaseHeader& header,
                          const PatientCase& patient) {
     const std::vector<TreeEdit> wanted = tumour_strokes(patient.corrections.edits);
-    const std::vector<TreeEdit> there = wanted.empty() ? wanted : strokes_in(folder, header);
-    if (std::ranges::mismatch(wanted, there).in1 == wanted.end())
-        return read_voxels(folder, header, case_file::organs);
+    if (wanted == strokes_in(folder, header)) return read_voxels(folder, header, case_file::organs);
     PatientCase voxels;
     voxels.source = patient.source;
     read_all_voxels(folder, header, voxels);

@@ -184,13 +184,21 @@ TEST(PaintedTumours, ThatNoCaseHoldsYetAreAmongThePatientsOrgans) {
             EXPECT_TRUE(same_grid(organs_of(since).grid, expected.grid));
         }
     }
-    // Others than the case's take their place; of those that were saved later all are there.
+    fs::remove_all(folder);
+}
+
+// Whatever strokes the case on disk has: the first was saved and is taken back, or another took its
+// place, or a second one was saved while a play went on with the first alone.
+TEST(PaintedTumours, ThatTheCaseOnDiskHasAloneAreNoOrgans) {
+    const fs::path folder = fs::path(testing::TempDir()) / "organs_taken_back.hep";
+    const TreeEdit first = painted(inside, 4.0, 2), second = painted(Vec3(12, 30, 0), 4.0, 3);
     const PatientCase patient = patient_to_paint();
     write_case(folder, with(patient, {first}));
     const PatientCase read = read_case_without_voxels(folder);
+    EXPECT_EQ(organs_of(with(read, {})).voxels, with(patient, {}).organs.voxels);
     EXPECT_EQ(organs_of(with(read, {second})).voxels, with(patient, {second}).organs.voxels);
     write_case(folder, with(patient, {first, second}));
-    EXPECT_EQ(organs_of(read).voxels, with(patient, {first, second}).organs.voxels);
+    EXPECT_EQ(organs_of(read).voxels, with(patient, {first}).organs.voxels);
     fs::remove_all(folder);
 }
 

@@ -38,7 +38,7 @@ TEST(ElidedStatusBarAlone, FiguresThatGiveWayLeaveTheirRoomToAMessage) {
     auto* recording = new QLabel("Recording");
     auto* picture = new QLabel("picture 10 ms");
     auto* renderer = new QLabel(QString("renderer ").repeated(20));
-    for (QLabel* figure : {recording, picture, renderer}) bar.addPermanentWidget(figure);
+    for (QLabel* figure : {renderer, picture, recording}) bar.addPermanentWidget(figure);
     bar.set_giving_way({picture, renderer});
     const QString message = "Record the play from now on, and end that";
     const int needed = bar.fontMetrics().horizontalAdvance(message);
@@ -47,12 +47,17 @@ TEST(ElidedStatusBarAlone, FiguresThatGiveWayLeaveTheirRoomToAMessage) {
     bar.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&bar, testing::patience_ms));
     EXPECT_FALSE(renderer->isHidden());
+    const int place = recording->x();
     bar.showMessage(message);
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    EXPECT_EQ(recording->x(), place) << "what stays does not move";
     EXPECT_TRUE(renderer->isHidden());
     EXPECT_FALSE(picture->isHidden()) << "there is room for it";
     EXPECT_FALSE(recording->isHidden());
     EXPECT_EQ(bar.shown(), message);
+    renderer->setText("short");
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    EXPECT_TRUE(renderer->isHidden()) << "a figure that changes comes with the next message";
     bar.showMessage(long_message);
     EXPECT_TRUE(picture->isHidden());
     EXPECT_FALSE(recording->isHidden()) << "it gives way to nothing";

@@ -189,13 +189,13 @@ class Edit {
         return wishes;
     }
 
-    // The roots of the tree at which several segments begin, as far as they are roots still. One of
-    // two segments, as where both branches of a fork were given to another system than the trunk,
-    // would pass for the middle of a vessel, and the root would move to one of its ends.
+    // The roots of the tree at which several segments begin, and which the edits have left roots.
+    // Such a node of two segments, as where both branches of a fork were given to another system
+    // than the trunk, looks like the middle of a vessel: joined there, the root would move to an
+    // end.
     std::vector<RootPlace> roots_that_stay_in_the_middle() const {
         std::map<int, int> begin_at;
-        for (const int id : roots(tree_))
-            if (!tree_.segments[id].closes_loop) ++begin_at[tree_.segments[id].proximal_node];
+        for (const int id : roots(tree_)) ++begin_at[tree_.segments[id].proximal_node];
         std::erase_if(begin_at, [](const auto& entry) { return entry.second < 2; });
         std::vector<RootPlace> stay;
         if (begin_at.empty()) return stay;
