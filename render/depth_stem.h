@@ -42,9 +42,10 @@ class DepthStem {
                 const std::vector<MarkView>& marks, const Vec3& forward);
     // Places the number, and says anew whether the mark lies deeper, since the view may have been
     // turned; call before each picture. The number keeps clear of a mark straight behind the tool
-    // and of the tool's outlines in the picture. `pixel_ratio`: size of one screen point in device
-    // pixels.
+    // and of the tool's outlines and figure in the picture. `pixel_ratio`: size of one screen point
+    // in device pixels.
     void place(double pixel_ratio, const Vec3& forward, std::span<const ThickStretch> of_tool = {});
+    std::optional<PictureBox> label_box() const { return label_.box(); }
 
   private:
     std::string words_of(const Vec3& forward) const;

@@ -119,8 +119,7 @@ void SceneView::render(double pixel_ratio) {
         // The body lies around the focal point, or panning has moved it by no more than its size.
         parts_->marks.set_scale(per_pixel * pixel_ratio, pixel_ratio, 2.0 * reach);
         parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
-        parts_->stem.place(pixel_ratio, Vec3(eye.GetDirectionOfProjection()),
-                           parts_->tool.outlines());
+        parts_->place_stem();
         parts_->pull_force.place(pixel_ratio);
         parts_->weak_lines.set_place(-Vec3(eye.GetDirectionOfProjection()),
                                      per_pixel * pixel_ratio);
@@ -227,6 +226,13 @@ const std::vector<MeasureView>& SceneView::measures() const {
 
 const std::vector<PictureBox>& SceneView::measure_labels() const {
     return parts_->measures.labels();
+}
+
+std::vector<PictureBox> SceneView::tool_labels() const {
+    std::vector<PictureBox> labels;
+    for (const auto& box : {parts_->tool.label_box(), parts_->stem.label_box()})
+        if (box) labels.push_back(*box);
+    return labels;
 }
 
 void SceneView::set_halos_visible(bool visible) {

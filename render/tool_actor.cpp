@@ -23,6 +23,7 @@
 #include <sstream>
 #include <string>
 
+#include "core/base/three_digits.h"
 #include "render/actor_settings.h"
 #include "render/bead.h"
 #include "render/before_vessels.h"
@@ -105,7 +106,7 @@ std::string force_text(double force_un) {
     text.imbue(std::locale::classic());
     text.setf(std::ios::fixed);
     text.precision(force_un < 9950.0 ? 1 : 0);
-    text << 1e-3 * force_un << " mN";
+    text << in_three_digits(1e-3 * force_un) << " mN";
     return text.str();
 }
 

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/three_digits.h"
 #include "ui/core_words.h"
 #include "ui/date_words.h"
 #include "ui/lesson_words.h"
@@ -49,9 +50,10 @@ QTableWidgetItem* text_item(const QString& text) {
 }
 
 // A count as a whole number; else about three significant digits without an exponent: at most four
-// decimals, and all digits before the decimal sign: "0.0123", "1.23", "1234".
+// decimals, and before the decimal sign as many as are shown elsewhere: "0.0123", "1.23", "1230".
 QString in_figures(Quantity quantity, double value) {
     if (is_count(quantity)) return QLocale().toString(value, 'f', 0);
+    value = in_three_digits(value);
     const double order = value == 0.0 ? 0.0 : std::floor(std::log10(std::abs(value)));
     return QLocale().toString(value, 'f', static_cast<int>(std::clamp(2.0 - order, 0.0, 4.0)));
 }
