@@ -34,6 +34,7 @@ class DepthStem {
 
     // Takes effect with the next update(); English by default.
     void set_words(PictureWords words) { words_ = std::move(words); }
+    void set_colour(const Colour& colour);  // of the line; palette::tool by default
     // `positions_mm`: x, y, z of each vertex of the vessels' surface. Costs one pass over them
     // while a tool is present and no mark is waiting, and nothing without a tool. Only tools that
     // touch nothing have a line. `forward`: unit vector into the picture, by which the label says

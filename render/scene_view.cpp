@@ -289,6 +289,8 @@ void SceneView::set_look(const ViewLook& look) {
     parts_->measures.set_colours(look.measure, look.bottom);
     parts_->bridges.set_text_colour(look.text);
     parts_->marks.set_text_colour(look.text);
+    parts_->tool.set_colour(look.tool);
+    parts_->stem.set_colour(look.tool);
 }
 
 void SceneView::set_words(const PictureWords& words) {

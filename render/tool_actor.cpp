@@ -144,7 +144,7 @@ void ToolActor::add_part() {
     for (vtkActor* actor : {part.solid.Get(), part.ghost.Get()}) {
         vtkNew<vtkPolyDataMapper> mapper;
         actor->SetMapper(mapper);
-        give_colour(*actor, palette::tool);
+        give_colour(*actor, colour_);
     }
     renderer_.AddActor(part.solid);
     part.solid->GetProperty()->SetSpecular(0.5);
@@ -162,6 +162,12 @@ void ToolActor::add_part() {
     // Ghosts are added last, because they are in front of everything drawn after them.
     for (const Part& each : parts_) renderer_.RemoveActor(each.ghost);
     for (const Part& each : parts_) renderer_.AddActor(each.ghost);
+}
+
+void ToolActor::set_colour(const Colour& colour) {
+    colour_ = colour;
+    for (const Part& part : parts_)
+        for (vtkActor* actor : {part.solid.Get(), part.ghost.Get()}) give_colour(*actor, colour_);
 }
 
 void ToolActor::remove_part() {
