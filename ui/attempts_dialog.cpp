@@ -11,7 +11,6 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QStyle>
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -156,15 +155,6 @@ const Chart& AttemptsDialog::chart() const {
     return plot_->chart();
 }
 
-// The quantity that failed may stand in the last column.
-void AttemptsDialog::widen_to_table() {
-    const QMargins around = layout()->contentsMargins();
-    const int needed = table_->horizontalHeader()->length() + 2 * table_->frameWidth() +
-                       style()->pixelMetric(QStyle::PM_ScrollBarExtent) + around.left() +
-                       around.right();
-    if (needed > width()) resize_on_screen(*this, {needed, height()});
-}
-
 void AttemptsDialog::show_lesson(const LessonKey& lesson, const std::filesystem::path& folder,
                                  const std::string& name,
                                  std::vector<std::filesystem::path> interrupted) {
@@ -173,7 +163,7 @@ void AttemptsDialog::show_lesson(const LessonKey& lesson, const std::filesystem:
     interrupted_ = std::move(interrupted);
     offer_names(name);
     show_attempts();
-    widen_to_table();
+    widen_to_columns(*this, *table_);  // the quantity that failed may stand in the last one
     show();
     raise();
 }
