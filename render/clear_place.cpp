@@ -44,6 +44,11 @@ double distance_between(const PictureBox& box, const ThickStretch& stretch) {
     return least;
 }
 
+ThickStretch covering(const PictureBox& box) {
+    const double middle = 0.5 * (box.bottom + box.top);
+    return {{box.left, middle}, {box.right, middle}, 0.5 * (box.top - box.bottom)};
+}
+
 bool is_clear_of(const PictureBox& box, std::span<const ThickStretch> stretches, double margin) {
     return std::ranges::all_of(stretches, [&](const ThickStretch& stretch) {
         return distance_between(box, stretch) >= stretch.radius + margin;

@@ -20,6 +20,9 @@ struct ThickStretch {
 // From a rectangle and what is inside it to the line between the stretch's ends; 0 where they meet.
 double distance_between(const PictureBox& box, const ThickStretch& stretch);
 
+// A stretch that covers the rectangle, such as a label that another one must not lie on.
+ThickStretch covering(const PictureBox& box);
+
 // Whether at least `margin` is left between the rectangle and each of the stretches.
 bool is_clear_of(const PictureBox& box, std::span<const ThickStretch> stretches, double margin);
 

@@ -66,7 +66,7 @@ DepthStem::DepthStem(vtkRenderer& renderer)
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputConnection(ends_->GetOutputPort());
     line_->SetMapper(mapper);
-    line_->GetProperty()->SetColor(palette::tool[0], palette::tool[1], palette::tool[2]);
+    set_colour(palette::tool);
     line_->GetProperty()->SetLighting(false);
     line_->SetPickable(false);
     line_->SetVisibility(false);
@@ -75,6 +75,10 @@ DepthStem::DepthStem(vtkRenderer& renderer)
 
 DepthStem::~DepthStem() {
     renderer_.RemoveActor(line_);
+}
+
+void DepthStem::set_colour(const Colour& colour) {
+    line_->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
 }
 
 // With the decimals of the lesson's panel, so that no bound looks reached before it is.

@@ -34,6 +34,7 @@ class DepthStem {
 
     // Takes effect with the next update(); English by default.
     void set_words(PictureWords words) { words_ = std::move(words); }
+    void set_colour(const Colour& colour);  // of the line; palette::tool by default
     // `positions_mm`: x, y, z of each vertex of the vessels' surface. Costs one pass over them
     // while a tool is present and no mark is waiting, and nothing without a tool. Only tools that
     // touch nothing have a line. `forward`: unit vector into the picture, by which the label says
@@ -42,9 +43,10 @@ class DepthStem {
                 const std::vector<MarkView>& marks, const Vec3& forward);
     // Places the number, and says anew whether the mark lies deeper, since the view may have been
     // turned; call before each picture. The number keeps clear of a mark straight behind the tool
-    // and of the tool's outlines in the picture. `pixel_ratio`: size of one screen point in device
-    // pixels.
+    // and of the tool's outlines and figure in the picture. `pixel_ratio`: size of one screen point
+    // in device pixels.
     void place(double pixel_ratio, const Vec3& forward, std::span<const ThickStretch> of_tool = {});
+    std::optional<PictureBox> label_box() const { return label_.box(); }
 
   private:
     std::string words_of(const Vec3& forward) const;

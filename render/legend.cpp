@@ -170,7 +170,8 @@ void Legend::draw_row(const LegendRow& row, double left, double top, double widt
           row.faint ? look.faint_text : look.text, size);
     write(row.at_right, left + width, base, VTK_TEXT_RIGHT, look.text, size);
     if (swatched)
-        add_quad({left, base, left + swatch * point, base + swatch * point}, row.colours[0]);
+        draw_swatch({left, base, left + swatch * point, base + swatch * point}, row.colours[0],
+                    point, look);
     if (row.colours.size() < 2) return;
     const double upper = top - line * point, lower = upper - bar * point;
     draw_bar(row, {left, lower, left + width, upper}, point, look.text);
@@ -185,6 +186,22 @@ void Legend::draw_row(const LegendRow& row, double left, double top, double widt
                              : VTK_TEXT_CENTERED,
               look.text, size);
     }
+}
+
+// One that is hardly seen on the background has a rim.
+void Legend::draw_swatch(const PictureBox& box, const Colour& colour, double point,
+                         const ViewLook& look) {
+    constexpr double least = 3.0;
+    if (std::min(palette::contrast(colour, look.top), palette::contrast(colour, look.bottom)) >=
+        least)
+        return add_quad(box, colour);
+    const double rim = std::max(1.0, std::round(point));
+    const PictureBox within{box.left + rim, box.bottom + rim, box.right - rim, box.top - rim};
+    add_quad(within, colour);
+    add_quad({box.left, box.bottom, box.right, within.bottom}, look.faint_text);
+    add_quad({box.left, within.top, box.right, box.top}, look.faint_text);
+    add_quad({box.left, within.bottom, within.left, within.top}, look.faint_text);
+    add_quad({within.right, within.bottom, box.right, within.top}, look.faint_text);
 }
 
 // Quads must not overlap: which of two coplanar quads is visible depends on VTK's version.
@@ -222,10 +239,12 @@ std::vector<LegendRow> Legend::fitting(const std::vector<LegendRow>& rows, doubl
 }
 
 // Letters shrink before anything is cut off.
-Legend::Layout Legend::laid_out(const std::vector<LegendRow>& rows, const Room& room) {
+Legend::Layout Legend::laid_out(const std::vector<LegendRow>& rows, const Room& room,
+                                bool left_out) {
     const double widest = room.width - 2.0 * margin * room.point;
     Layout layout;
     layout.rows = fitting(rows, widest, room.point);
+    if (left_out && !layout.rows.empty()) layout.rows.back().text += " …";
     const double needed = width_of(layout.rows, room.point);
     layout.point = room.point * std::clamp(widest / std::max(needed, 1.0), least_shrunk, 1.0);
     layout.corners = legend_corners(room, std::min(width_of(layout.rows, layout.point), widest),
@@ -233,24 +252,27 @@ Legend::Layout Legend::laid_out(const std::vector<LegendRow>& rows, const Room& 
     return layout;
 }
 
-Legend::Layout Legend::beside_vessels(std::vector<LegendRow> rows, const Room& room,
-                                      const Count& count) {
+Legend::Layout Legend::beside_vessels(std::vector<LegendRow> rows, std::size_t wanted,
+                                      const Room& room, const Count& count) {
     constexpr int hidden_share = 50;  // as a fraction of 1: of the vessels in the picture
     if (!is_small(room))
         most_rows_ = std::numeric_limits<std::size_t>::max();
     else if (count)
         most_rows_ = rows.size();
     while (rows.size() > most_rows_) leave_out_least(rows);
-    Layout layout = laid_out(rows, room);
+    const auto laid = [&] { return laid_out(rows, room, rows.size() < wanted); };
+    leaves_out_ = rows.size() < wanted;
+    Layout layout = laid();
     if (!count || !is_small(room)) return layout;
     const int all = count({{0.0, 0.0, double(room.width), double(room.height)}})[0];
     while (!rows.empty()) {
         const std::vector<int> hidden = count(layout.corners);
         if (hidden_share * *std::ranges::min_element(hidden) <= all) break;
         leave_out_least(rows);
-        layout = laid_out(rows, room);
+        layout = laid();
     }
     most_rows_ = rows.size();
+    leaves_out_ = rows.size() < wanted;
     return layout;
 }
 
@@ -272,7 +294,7 @@ void Legend::update(const std::vector<LegendRow>& wanted, const Room& room, cons
     texts_used_ = 0;
     ground_ = look.bottom;
     box_ = {};
-    const Layout layout = beside_vessels(with_room(wanted, room), room, count);
+    const Layout layout = beside_vessels(with_room(wanted, room), wanted.size(), room, count);
     if (!layout.rows.empty()) {
         if (count) choose_corner(layout, room, count);
         box_ = layout.corners[corner_];

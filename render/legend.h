@@ -3,7 +3,8 @@
 // Letters have 16 points of the screen, which are 12 points of print; they shrink in thumbnails and
 // where a row would not fit. Minor rows are left out where the legend would be higher than half of
 // the picture, and others where it would be higher than the picture. In a small picture as many are
-// left out, or all, as it takes to hide hardly any vessel.
+// left out, or all, as it takes to hide hardly any vessel. An ellipsis behind the last row says
+// that some are left out.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -50,6 +51,8 @@ class Legend {
                 const Count& count);
     // Where it was drawn last; empty where it was not.
     const PictureBox& box() const { return box_; }
+    // Whether rows were left out then, which an ellipsis says unless all were.
+    bool leaves_out() const { return leaves_out_; }
 
   private:
     // Rows as they are drawn: the size of a point for them, and the boxes that they may lie in.
@@ -58,9 +61,11 @@ class Legend {
         double point = 1.0;
         std::vector<PictureBox> corners;
     };
-    Layout laid_out(const std::vector<LegendRow>& rows, const Room& room);
-    // The layout with as many rows as leave the vessels of a small picture visible.
-    Layout beside_vessels(std::vector<LegendRow> rows, const Room& room, const Count& count);
+    Layout laid_out(const std::vector<LegendRow>& rows, const Room& room, bool left_out = false);
+    // The layout with as many rows as leave the vessels of a small picture visible, of `wanted`
+    // many.
+    Layout beside_vessels(std::vector<LegendRow> rows, std::size_t wanted, const Room& room,
+                          const Count& count);
     void choose_corner(const Layout& layout, const Room& room, const Count& count);
     void add_quad(const PictureBox& box, const Colour& colour);
     void write(const std::string& text, double x, double y, int justification, const Colour& colour,
@@ -71,6 +76,8 @@ class Legend {
     std::vector<LegendRow> fitting(const std::vector<LegendRow>& rows, double widest, double point);
     // Width in pixels that all rows need.
     double width_of(const std::vector<LegendRow>& rows, double point);
+    void draw_swatch(const PictureBox& box, const Colour& colour, double point,
+                     const ViewLook& look);
     // A bar of colours with the marker across it.
     void draw_bar(const LegendRow& row, const PictureBox& bar, double point, const Colour& mark);
     void draw_row(const LegendRow& row, double left, double top, double width, double point,
@@ -80,6 +87,7 @@ class Legend {
     std::size_t corner_ = 0;
     std::size_t most_rows_;  // that a small picture had room for when it was last counted
     PictureBox box_;
+    bool leaves_out_ = false;
     vtkSmartPointer<vtkPoints> points_;
     vtkSmartPointer<vtkCellArray> quads_;
     vtkSmartPointer<vtkUnsignedCharArray> colours_;

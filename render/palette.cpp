@@ -2,6 +2,7 @@
 #include "render/palette.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <sstream>
 
@@ -17,7 +18,19 @@ constexpr std::array<Colour, 6> drug_stops{{{0.60, 0.20, 0.016},
                                             {0.996, 0.79, 0.38},
                                             {1.000, 0.96, 0.72}}};
 
+double luminance(const Colour& colour) {
+    const auto linear = [](double channel) {
+        return channel <= 0.03928 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour[0]) + 0.7152 * linear(colour[1]) + 0.0722 * linear(colour[2]);
+}
+
 }  // namespace
+
+double contrast(const Colour& one, const Colour& other) {
+    const double a = luminance(one) + 0.05, b = luminance(other) + 0.05;
+    return std::max(a, b) / std::min(a, b);
+}
 
 Colour mixed(const Colour& from, const Colour& to, double share) {
     Colour colour{};

@@ -40,6 +40,10 @@ inline constexpr Colour faint_text{0.58, 0.62, 0.67};
 // `from` at share 0, `to` at share 1, linear between them in each channel.
 Colour mixed(const Colour& from, const Colour& to, double share);
 
+// Contrast ratio of the two, 1 to 21, as WCAG 2.1 defines it: 3 lets a shape be seen, 4.5 a text be
+// read.
+double contrast(const Colour& one, const Colour& other);
+
 // Colour of a vascular system: portal vein blue-violet, hepatic veins blue, arteries red, unknown
 // bluish grey. `bright`: the same hues with a contrast of at least 7 : 1 to black.
 Colour vessel_system(VascularSystem system, bool bright = false);

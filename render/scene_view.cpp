@@ -119,8 +119,7 @@ void SceneView::render(double pixel_ratio) {
         // The body lies around the focal point, or panning has moved it by no more than its size.
         parts_->marks.set_scale(per_pixel * pixel_ratio, pixel_ratio, 2.0 * reach);
         parts_->tool.set_scale(per_pixel * pixel_ratio, pixel_ratio);
-        parts_->stem.place(pixel_ratio, Vec3(eye.GetDirectionOfProjection()),
-                           parts_->tool.outlines());
+        parts_->place_stem();
         parts_->pull_force.place(pixel_ratio);
         parts_->weak_lines.set_place(-Vec3(eye.GetDirectionOfProjection()),
                                      per_pixel * pixel_ratio);
@@ -229,6 +228,13 @@ const std::vector<PictureBox>& SceneView::measure_labels() const {
     return parts_->measures.labels();
 }
 
+std::vector<PictureBox> SceneView::tool_labels() const {
+    std::vector<PictureBox> labels;
+    for (const auto& box : {parts_->tool.label_box(), parts_->stem.label_box()})
+        if (box) labels.push_back(*box);
+    return labels;
+}
+
 void SceneView::set_halos_visible(bool visible) {
     parts_->tree.set_halo(visible);
 }
@@ -283,6 +289,8 @@ void SceneView::set_look(const ViewLook& look) {
     parts_->measures.set_colours(look.measure, look.bottom);
     parts_->bridges.set_text_colour(look.text);
     parts_->marks.set_text_colour(look.text);
+    parts_->tool.set_colour(look.tool);
+    parts_->stem.set_colour(look.tool);
 }
 
 void SceneView::set_words(const PictureWords& words) {

@@ -131,6 +131,8 @@ class SceneView {
     bool shows_caption() const;  // in the last picture
     // Boxes of the labels of measurements, in the last picture.
     const std::vector<PictureBox>& measure_labels() const;
+    // Boxes of a tool's force and of its distance, as far as they are shown, in the last picture.
+    std::vector<PictureBox> tool_labels() const;
 
     // Index of the bridge whose line passes nearest to the pixel, within `reach` pixels; -1 for
     // none.

@@ -66,6 +66,13 @@ struct SceneView::Parts {
         return stem.update(tool.shown(), tree.surface().positions_mm(), marks.shown(),
                            Vec3(renderer->GetActiveCamera()->GetDirectionOfProjection()));
     }
+    // After the tool, on whose figure the number must not lie.
+    void place_stem() {
+        std::vector<ThickStretch> of_tool = tool.outlines();
+        if (const auto figure = tool.label_box()) of_tool.push_back(covering(*figure));
+        stem.place(pixel_ratio, Vec3(renderer->GetActiveCamera()->GetDirectionOfProjection()),
+                   of_tool);
+    }
     void find_colours_shown() {
         set_colours_shown(legend, systems, segments, drug);
         find_highlights_shown();

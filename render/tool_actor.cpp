@@ -23,6 +23,7 @@
 #include <sstream>
 #include <string>
 
+#include "core/base/three_digits.h"
 #include "render/actor_settings.h"
 #include "render/bead.h"
 #include "render/before_vessels.h"
@@ -105,7 +106,7 @@ std::string force_text(double force_un) {
     text.imbue(std::locale::classic());
     text.setf(std::ios::fixed);
     text.precision(force_un < 9950.0 ? 1 : 0);
-    text << 1e-3 * force_un << " mN";
+    text << in_three_digits(1e-3 * force_un) << " mN";
     return text.str();
 }
 
@@ -143,7 +144,7 @@ void ToolActor::add_part() {
     for (vtkActor* actor : {part.solid.Get(), part.ghost.Get()}) {
         vtkNew<vtkPolyDataMapper> mapper;
         actor->SetMapper(mapper);
-        give_colour(*actor, palette::tool);
+        give_colour(*actor, colour_);
     }
     renderer_.AddActor(part.solid);
     part.solid->GetProperty()->SetSpecular(0.5);
@@ -163,6 +164,12 @@ void ToolActor::add_part() {
     for (const Part& each : parts_) renderer_.AddActor(each.ghost);
     renderer_.RemoveActor(held_);  // the mark of what is held is in front of them
     renderer_.AddActor(held_);
+}
+
+void ToolActor::set_colour(const Colour& colour) {
+    colour_ = colour;
+    for (const Part& part : parts_)
+        for (vtkActor* actor : {part.solid.Get(), part.ghost.Get()}) give_colour(*actor, colour_);
 }
 
 void ToolActor::remove_part() {

@@ -36,6 +36,7 @@ class ToolActor {
 
     // Takes effect with the next update(); English by default.
     void set_words(PictureWords words) { words_ = std::move(words); }
+    void set_colour(const Colour& colour);  // palette::tool by default
     // None hides the tool. Returns true if the picture changed.
     bool update(const std::optional<ToolView>& tool);
     // Call before each picture. `mm_per_point`: size of one screen point at the focal plane;
@@ -61,6 +62,7 @@ class ToolActor {
     PictureWords words_;
     std::optional<ToolView> shown_;
     std::vector<Part> parts_;
+    Colour colour_ = palette::tool;
     vtkSmartPointer<vtkActor> arrow_;
     Vec3 arrow_from_mm_ = Vec3::Zero(), arrow_to_mm_ = Vec3::Zero();
     vtkSmartPointer<vtkActor> held_;

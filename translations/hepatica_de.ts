@@ -778,6 +778,10 @@
         <translation>Zugeordnet: %1</translation>
     </message>
     <message>
+        <source>Nothing to do: it is of this system already (%1)</source>
+        <translation>Nichts zu tun: Das Gefäß gehört schon zu diesem System (%1)</translation>
+    </message>
+    <message>
         <source>%1 at %2</source>
         <translation>%1 bei %2</translation>
     </message>
@@ -9101,8 +9105,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Entfernt; der Text steht in der Zeile für Notizen: Enter behält ihn wieder</translation>
     </message>
     <message>
-        <source>Move slowly: what is stretched pulls back. The number at the held point shows the force.</source>
-        <translation>Bewegen Sie sich langsam: Was gedehnt ist, zieht zurück. Die Zahl am gehaltenen Punkt zeigt die Kraft.</translation>
+        <source>Move slowly: what is stretched pulls back, in one direction more than in another. If the stretch is too large too soon, begin again and pull another way. The number at the held point shows the force.</source>
+        <translation>Bewegen Sie sich langsam: Was gedehnt ist, zieht zurück, in einer Richtung mehr als in einer anderen. Wird die Dehnung zu früh zu groß, beginnen Sie noch einmal und ziehen Sie in eine andere Richtung. Die Zahl am gehaltenen Punkt zeigt die Kraft.</translation>
     </message>
     <message>
         <source>at %1</source>

@@ -11,13 +11,13 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QStyle>
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "core/base/three_digits.h"
 #include "ui/core_words.h"
 #include "ui/date_words.h"
 #include "ui/lesson_words.h"
@@ -49,9 +49,10 @@ QTableWidgetItem* text_item(const QString& text) {
 }
 
 // A count as a whole number; else about three significant digits without an exponent: at most four
-// decimals, and all digits before the decimal sign: "0.0123", "1.23", "1234".
+// decimals, and before the decimal sign as many as are shown elsewhere: "0.0123", "1.23", "1230".
 QString in_figures(Quantity quantity, double value) {
     if (is_count(quantity)) return QLocale().toString(value, 'f', 0);
+    value = in_three_digits(value);
     const double order = value == 0.0 ? 0.0 : std::floor(std::log10(std::abs(value)));
     return QLocale().toString(value, 'f', static_cast<int>(std::clamp(2.0 - order, 0.0, 4.0)));
 }
@@ -154,15 +155,6 @@ const Chart& AttemptsDialog::chart() const {
     return plot_->chart();
 }
 
-// The quantity that failed may stand in the last column.
-void AttemptsDialog::widen_to_table() {
-    const QMargins around = layout()->contentsMargins();
-    const int needed = table_->horizontalHeader()->length() + 2 * table_->frameWidth() +
-                       style()->pixelMetric(QStyle::PM_ScrollBarExtent) + around.left() +
-                       around.right();
-    if (needed > width()) resize_on_screen(*this, {needed, height()});
-}
-
 void AttemptsDialog::show_lesson(const LessonKey& lesson, const std::filesystem::path& folder,
                                  const std::string& name,
                                  std::vector<std::filesystem::path> interrupted) {
@@ -171,7 +163,7 @@ void AttemptsDialog::show_lesson(const LessonKey& lesson, const std::filesystem:
     interrupted_ = std::move(interrupted);
     offer_names(name);
     show_attempts();
-    widen_to_table();
+    widen_to_columns(*this, *table_);  // the quantity that failed may stand in the last one
     show();
     raise();
 }

@@ -51,7 +51,6 @@ class AttemptsDialog : public QDialog {
     void offer_names(const std::string& name);
     void show_attempts();
     void fill_table();
-    void widen_to_table();  // where the screen has room
     void fill_row(int row, const Attempt& attempt);
     void fill_interrupted(int row, const std::filesystem::path& recording);
     void choose_quantities();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/tree/editing/given_already.h"
 #include "core/tree/editing/vessel_tracing.h"
 #include "core/tree/station.h"
 #include "ui/core_words.h"
@@ -87,6 +88,28 @@ int root_there(const Vec3& place_mm, VascularSystem system, const VesselTree& tr
     if (at.segment < 0 || at.distance_mm > reach_mm) return -1;
     const bool is_of_system = tree.segments[static_cast<std::size_t>(at.segment)].system == system;
     return is_of_system ? root_of(at.segment, tree) : -1;
+}
+
+// Whether the vessel that lies there is of this system. Nearer than its wall: another one beside it
+// says nothing.
+bool lies_in_system(const Vec3& place_mm, VascularSystem system, const VesselTree& tree) {
+    const TreePoint at = nearest_point(tree, place_mm);
+    const VesselSegment& segment = tree.segments[static_cast<std::size_t>(at.segment)];
+    return segment.system == system &&
+           at.distance_mm <= station_at(segment, at.arclength_mm).radius_mm;
+}
+
+// Whether this edit made a new tree of its system, in which nothing was of it before: neither one
+// that a later edit gave away again, nor one that another edit cut off.
+bool made_a_tree(const TreeEdit& edit, const VesselTree& before, const VesselTree& tree) {
+    const int own = root_there(edit.at_mm, edit.system, tree);
+    if (own < 0) return false;
+    for (int s = 0; s < std::ssize(tree.segments); ++s) {
+        const VesselSegment& segment = tree.segments[static_cast<std::size_t>(s)];
+        const Vec3 middle_mm = station_at(segment, 0.5 * length_mm(segment)).position_mm;
+        if (root_of(s, tree) == own && lies_in_system(middle_mm, edit.system, before)) return false;
+    }
+    return true;
 }
 
 // A place in each other tree of the system to which this edit gave a vessel. In the middle of its
@@ -197,24 +220,21 @@ void CaseEditing::warn_of_new_doubts() {
 QStringList CaseEditing::given_apart() {
     const VesselTree& tree = workspace_.patient()->tree;
     const std::vector<TreeEdit>& edits = workspace_.patient()->corrections.edits;
-    std::map<VascularSystem, int> count;
-    for (const int root : roots(tree))
-        ++count[tree.segments[static_cast<std::size_t>(root)].system];
-    const std::map<VascularSystem, int> before = std::exchange(roots_, count);
-    const std::vector<TreeEdit> old = std::exchange(edits_, edits);
+    const auto before = std::exchange(shown_, workspace_.patient());
     if (std::exchange(opening_, workspace_.opening()) != workspace_.opening()) apart_.clear();
     for (GivenApart& given : apart_) given.still = is_apart(given, tree);
     QStringList list;
     // After undoing, or with other vessels, there is nothing to compare with.
     const bool same_vessels = std::exchange(origin_, workspace_.origin()) == workspace_.origin();
-    if (!same_vessels || edits.size() < old.size() ||
-        !std::equal(old.begin(), old.end(), edits.begin()))
+    if (!same_vessels || !before) return list;
+    const std::vector<TreeEdit>& old = before->corrections.edits;
+    if (edits.size() < old.size() || !std::equal(old.begin(), old.end(), edits.begin()))
         return list;
     for (std::size_t i = old.size(); i < edits.size(); ++i) {
         const VascularSystem system = edits[i].system;
         if (!gives_system(edits[i]) || system == VascularSystem::unknown) continue;
-        const auto had = before.find(system);
-        if (had == before.end() || count[system] <= had->second) continue;
+        std::vector<Vec3> others_mm = other_trees(edits[i], tree);
+        if (others_mm.empty() || !made_a_tree(edits[i], before->tree, tree)) continue;
         const QString doubt =
             Words::tr(
                 "The vessel given to the system \"%1\" touches no other vessel of it and is "
@@ -225,7 +245,7 @@ QStringList CaseEditing::given_apart() {
         std::erase_if(apart_, [&](const GivenApart& given) {
             return given.doubt == doubt && given.at_mm == edits[i].at_mm;
         });
-        apart_.push_back({doubt, system, edits[i].at_mm, other_trees(edits[i], tree), true});
+        apart_.push_back({doubt, system, edits[i].at_mm, std::move(others_mm), true});
     }
     return list;
 }
@@ -262,17 +282,33 @@ void CaseEditing::show_bridges() {
 // Of the tree as it will be with all wanted corrections: two gaps may lead to one vessel.
 void CaseEditing::accept_all() {
     if (!workspace_.has_patient()) return;
+    std::vector<TreeEdit> edits;
+    try {
+        edits = acceptances(wanted(), least_confidence_);
+    } catch (const InputError&) {
+        return callbacks_.say(Words::tr("Wait until the corrections before it are made"));
+    }
+    for (const TreeEdit& edit : edits) callbacks_.add(edit);
+}
+
+PatientCase CaseEditing::wanted() const {
     PatientCase wanted;
     wanted.tree = workspace_.patient()->tree;
     wanted.corrections = workspace_.patient()->corrections;
-    if (workspace_.awaits_body()) {
-        try {
-            wanted = with_edited_tree(wanted, workspace_.edits());
-        } catch (const InputError&) {
-            return callbacks_.say(Words::tr("Wait until the corrections before it are made"));
-        }
+    return workspace_.awaits_body() ? with_edited_tree(wanted, workspace_.edits()) : wanted;
+}
+
+// Where a correction before it turns out to be impossible, the worker says so.
+bool CaseEditing::is_refused(const TreeEdit& edit) const {
+    if (!gives_system(edit)) return false;
+    try {
+        if (!is_given_already(wanted().tree, edit)) return false;
+    } catch (const InputError&) {
+        return false;
     }
-    for (const TreeEdit& edit : acceptances(wanted, least_confidence_)) callbacks_.add(edit);
+    callbacks_.say(Words::tr("Nothing to do: it is of this system already (%1)")
+                       .arg(translated(title_of(edit.system))));
+    return true;
 }
 
 void CaseEditing::update_panel() {
@@ -338,7 +374,7 @@ void CaseEditing::click(const TreePoint& point) {
         edit.to_mm = std::exchange(edit.at_mm, *link_from_mm_);
         begin_link({});
     }
-    callbacks_.add(edit);
+    if (!is_refused(edit)) callbacks_.add(edit);
 }
 
 void CaseEditing::click_at(const Vec3& place_mm) {

@@ -6,7 +6,6 @@
 #include <QStringList>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -80,6 +79,11 @@ class CaseEditing {
     void add_drawn(const TreeEdit& edit, const VesselPen::Answered& answered);
     void choose_bridge(int bridge);
     void accept_all();
+    // The tree with all wanted corrections, whose body may still be made. Throws InputError where
+    // one of them is not possible.
+    PatientCase wanted() const;
+    // Whether it is of the system already that it would be given to; says so.
+    bool is_refused(const TreeEdit& edit) const;
     // Lists and draws the gaps that are undecided and have enough confidence.
     void show_bridges();
     std::vector<Bridge> undecided() const;
@@ -94,12 +98,11 @@ class CaseEditing {
     std::size_t bridges_listed_ = 0;  // how many were undecided then, with those of less confidence
     double least_confidence_ = 0.0;
     std::optional<Vec3> link_from_mm_;
-    std::vector<std::string> doubts_;         // of the shown body
-    int loops_ = 0;                           // number of loops among doubts_
-    std::vector<TreeEdit> edits_;             // of the shown body, like the two below
-    std::map<VascularSystem, int> roots_;     // number of trees
-    std::uint64_t origin_ = 0, opening_ = 0;  // of the workspace
-    std::vector<GivenApart> apart_;           // of this patient
+    std::vector<std::string> doubts_;           // of the shown body
+    int loops_ = 0;                             // number of loops among doubts_
+    std::shared_ptr<const PatientCase> shown_;  // whose body is shown
+    std::uint64_t origin_ = 0, opening_ = 0;    // of the workspace then
+    std::vector<GivenApart> apart_;             // of this patient
     std::unique_ptr<BackgroundJob> drawing_;
 };
 

@@ -115,6 +115,8 @@ void CourseDialog::show_course(const std::string& name, std::vector<CourseLine> 
         table_->selectRow(next == lines_.end() ? 0 : static_cast<int>(next - lines_.begin()));
     show();
     raise();
+    // So that the first arrow key already chooses.
+    if (!lines_.empty()) table_->setFocus();
 }
 
 }  // namespace hepatica

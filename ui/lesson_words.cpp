@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "core/base/three_digits.h"
 #include "core/base/units.h"
 #include "core/flow/fluid.h"
 #include "ui/core_words.h"
@@ -88,16 +89,16 @@ std::string printed(const char* format, int digits, Number value) {
     return text;
 }
 
-constexpr QChar narrow_no_break_space(0x202f);
+// No narrow one: Qt's rich text makes a common space of it.
+constexpr QChar no_break_space(0xa0);
 constexpr int most_digits = 3;  // significant digits of a measured value
 
 std::string number_words(double value, int decimals) {
+    value = in_three_digits(value);
     int before_point =
         value == 0.0 ? 1
                      : std::max(1, 1 + static_cast<int>(std::floor(std::log10(std::abs(value)))));
-    const double finest = std::pow(10.0, before_point - most_digits);
-    const double rounded = std::round(value / finest);
-    if (before_point > most_digits) value = finest * rounded;
+    const double rounded = std::round(value / std::pow(10.0, before_point - most_digits));
     // 99.96 has three digits before the point once it is rounded.
     if (std::abs(rounded) >= std::pow(10.0, most_digits)) ++before_point;
     const std::string text =
@@ -206,8 +207,7 @@ QString with_units_beside(QString text) {
     static const QRegularExpression unit(
         R"((?<=\d) (?=(?:mN s|mN|mm²|mm|mL/min|mL|g/s|g|s)(?!\w)))"),
         within("mN s(?!\\w)");
-    return text.replace(unit, narrow_no_break_space)
-        .replace(within, "mN" + QString(narrow_no_break_space) + "s");
+    return text.replace(unit, no_break_space).replace(within, "mN" + QString(no_break_space) + "s");
 }
 
 // The last step may be reached in the moment of the verdict, and its label stands above that.

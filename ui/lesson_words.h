@@ -45,7 +45,7 @@ QString drug_on_its_way(const LessonStanding& standing, const Lesson& lesson, Fl
 // For plots over time: when the steps were reached, and when the attempt failed.
 std::vector<PlotEvent> plot_events_of(const LessonStanding& standing);
 
-// Puts a narrow no-break space between a number and its unit.
+// Puts a no-break space between a number and its unit.
 QString with_units_beside(QString text);
 
 // Converts a chart of bleeding in g/s to these units; returns any other unchanged.

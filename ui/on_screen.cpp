@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/on_screen.h"
 
+#include <QHeaderView>
 #include <QLayout>
 #include <QScreen>
 #include <QStyle>
+#include <QTableView>
 #include <QWidget>
 #include <algorithm>
 
@@ -13,6 +15,14 @@ void resize_on_screen(QWidget& window, const QSize& wanted) {
     // The title bar, added by the desktop, would push the window's foot off the screen.
     const int title = window.style()->pixelMetric(QStyle::PM_TitleBarHeight);
     window.resize(wanted.boundedTo(window.screen()->availableSize() - QSize(0, title)));
+}
+
+void widen_to_columns(QWidget& dialog, const QTableView& table) {
+    const QMargins around = dialog.layout()->contentsMargins();
+    const int needed = table.horizontalHeader()->length() + 2 * table.frameWidth() +
+                       dialog.style()->pixelMetric(QStyle::PM_ScrollBarExtent) + around.left() +
+                       around.right();
+    if (needed > dialog.width()) resize_on_screen(dialog, {needed, dialog.height()});
 }
 
 QRect unframed_place(const QWidget& window) {

@@ -6,12 +6,15 @@
 #include <QRect>
 #include <QSize>
 
+class QTableView;
 class QWidget;
 
 namespace hepatica {
 
 // Resizes a window to the wanted size, limited to its screen.
 void resize_on_screen(QWidget& window, const QSize& wanted);
+// Widens a dialog to all columns of its table, as far as the screen has room.
+void widen_to_columns(QWidget& dialog, const QTableView& table);
 // Where a shown window lies that has no frame; invalid where it has one, or fills the screen.
 QRect unframed_place(const QWidget& window);
 // Makes a window lie where restoreGeometry() would leave room for a title bar that it never had,

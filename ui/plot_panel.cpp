@@ -14,16 +14,13 @@
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "render/annotations.h"
-#include "ui/colours.h"
 #include "ui/core_words.h"
 #include "ui/paths.h"
+#include "ui/theme.h"
 #include "ui/words.h"
 
 namespace hepatica {
 namespace {
-
-const QColor marker_line(0xff, 0xc4, 0x66);
-const QColor event_line(0xff, 0x6b, 0x5e);
 
 QColor grid_line(const QPalette& palette) {
     QColor faint = palette.color(QPalette::Text);
@@ -31,12 +28,10 @@ QColor grid_line(const QPalette& palette) {
     return faint;
 }
 
-// Colours of Okabe and Ito that stand out on a dark background: sky blue, orange, purple, green.
-// Curves of points alone, which mark failures, are red.
-QColor colour_of(const Chart& chart, std::size_t curve) {
-    if (chart.curves[curve].points_only) return event_line;
-    constexpr std::array<std::size_t, 4> bright{4, 5, 3, 2};
-    return qcolor_of(curve_colour(bright[curve % bright.size()]));
+// Curves of points alone, which mark failures, are red like events.
+QColor colour_of(const Chart& chart, std::size_t curve, const PlotColours& colours) {
+    if (chart.curves[curve].points_only) return colours.event;
+    return colours.curves.at(curve % colours.curves.size());
 }
 
 double largest_of(const Chart& chart, std::vector<double> Curve::*values) {
@@ -104,6 +99,10 @@ void PlotView::set_events(std::vector<PlotEvent> events) {
     update();
 }
 
+const PlotColours& PlotView::colours() const {
+    return plot_colours_on(palette().color(QPalette::Base));
+}
+
 QRectF PlotView::frame() const {
     const qreal top = head_ + 4.0;
     return QRectF(58, top, width() - 74.0, height() - 38.0 - top);
@@ -148,7 +147,7 @@ void PlotView::paint_axes(QPainter& painter) const {
 void PlotView::paint_curves(QPainter& painter) const {
     for (std::size_t c = 0; c < chart_.curves.size(); ++c) {
         const Curve& curve = chart_.curves[c];
-        painter.setPen(QPen(colour_of(chart_, c), 2.0));
+        painter.setPen(QPen(colour_of(chart_, c, colours()), 2.0));
         if (curve.points_only) {
             paint_crosses(painter, curve);
             continue;
@@ -163,7 +162,7 @@ void PlotView::paint_curves(QPainter& painter) const {
         if (curve.x.size() <= most_dots) paint_dots(painter, curve);
     }
     if (!marker_ || *marker_ < 0.0 || *marker_ > x_end_) return;
-    painter.setPen(QPen(marker_line, 1.5));
+    painter.setPen(QPen(colours().time, 1.5));
     painter.drawLine(place(*marker_, 0), place(*marker_, y_end_));
 }
 
@@ -233,8 +232,9 @@ std::vector<PlotView::Title> PlotView::titles() const {
 void PlotView::paint_titles(QPainter& painter) const {
     const std::vector<Title> all = titles();
     for (const Title& title : all) {
-        painter.setPen(title.curve < 0 ? palette().color(QPalette::Text)
-                                       : colour_of(chart_, static_cast<std::size_t>(title.curve)));
+        painter.setPen(title.curve < 0
+                           ? palette().color(QPalette::Text)
+                           : colour_of(chart_, static_cast<std::size_t>(title.curve), colours()));
         const bool is_x = &title == &all.back();
         painter.drawText(title.place, is_x ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignVCenter,
                          title.text);
@@ -268,11 +268,11 @@ std::vector<PlotView::EventText> PlotView::event_texts() const {
 
 // Texts stand on a ground, so that no event's line strikes them through.
 void PlotView::paint_events(QPainter& painter) const {
-    painter.setPen(QPen(event_line, 1.2, Qt::DashLine));
+    painter.setPen(QPen(colours().event, 1.2, Qt::DashLine));
     for (const PlotEvent& event : events_)
         if (event.x >= 0.0 && event.x <= x_end_)
             painter.drawLine(place(event.x, 0), place(event.x, y_end_));
-    painter.setPen(event_line);
+    painter.setPen(colours().event);
     for (const EventText& event : event_texts()) {
         painter.fillRect(event.place, palette().base());
         painter.drawText(event.place, Qt::AlignLeft | Qt::AlignVCenter, event.text);

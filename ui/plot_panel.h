@@ -16,6 +16,8 @@ class QPushButton;
 
 namespace hepatica {
 
+struct PlotColours;
+
 // An event at a place of the x axis.
 struct PlotEvent {
     double x = 0.0;
@@ -66,6 +68,7 @@ class PlotView : public QWidget {
     void paint_titles(QPainter& painter) const;
     void paint_events(QPainter& painter) const;
     std::vector<Title> names_below(qreal top) const;
+    const PlotColours& colours() const;  // of the theme
     QRectF frame() const;
     QPointF place(double x, double y) const;
 

@@ -126,6 +126,7 @@ void RecordingDialog::fill() {
         table_->item(row, 4)->setToolTip(as_plain(to_text(facts.file)));
     }
     table_->resizeColumnsToContents();
+    widen_to_columns(*this, *table_);
     table_->horizontalHeader()->setStretchLastSection(true);
     open_->setEnabled(!listed_.empty());
     if (!listed_.empty()) table_->selectRow(0);

@@ -14,6 +14,7 @@
 #include <QTabBar>
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <utility>
 
 namespace hepatica {
@@ -55,6 +56,8 @@ QColor rgb(unsigned value) {
     return QColor::fromRgb(value);
 }
 
+// The curves' are those of Okabe and Ito that stand out on dark (sky blue, orange, purple, green),
+// and the same hues darker or brighter on other grounds.
 Theme dark() {
     return {.name = "dark",
             .window = rgb(0x20262e),
@@ -75,7 +78,10 @@ Theme dark() {
             .notice = rgb(0x3a3f2a),
             .message_text = rgb(0xf2e9e6),
             .problem = rgb(0xf0a090),
-            .view = dark_look};
+            .view = dark_look,
+            .plot = {{rgb(0x56b4e9), rgb(0xe69f00), rgb(0xcc79a7), rgb(0x009e73)},
+                     rgb(0xff6b5e),
+                     rgb(0xffc466)}};
 }
 
 Theme light() {
@@ -98,7 +104,10 @@ Theme light() {
             .notice = rgb(0xf1eccb),
             .message_text = rgb(0x2a1d14),
             .problem = rgb(0xa32213),
-            .view = light_look};
+            .view = light_look,
+            .plot = {{rgb(0x0068a3), rgb(0xa34a00), rgb(0x9b3f78), rgb(0x007352)},
+                     rgb(0xb3261a),
+                     rgb(0x735600)}};
 }
 
 Theme high_contrast() {
@@ -121,7 +130,10 @@ Theme high_contrast() {
             .notice = rgb(0x2b2b00),
             .message_text = rgb(0xffffff),
             .problem = rgb(0xff9a8a),
-            .view = high_contrast_look};
+            .view = high_contrast_look,
+            .plot = {{rgb(0x7fd4ff), rgb(0xffb733), rgb(0xf09ccb), rgb(0x33d69f)},
+                     rgb(0xff9a8a),
+                     rgb(0xffe100)}};
 }
 
 const std::array<Theme, 3>& all_themes() {
@@ -194,6 +206,9 @@ class Style : public QProxyStyle {
     }
     int pixelMetric(PixelMetric metric, const QStyleOption* option,
                     const QWidget* widget) const override {
+        // Rows of tables and lists take it for the room beside their text.
+        if (metric == PM_FocusFrameHMargin && qobject_cast<const QAbstractItemView*>(widget))
+            return beside_text_px;
         if (metric == PM_FocusFrameHMargin || metric == PM_FocusFrameVMargin) return ring_px / 2;
         return QProxyStyle::pixelMetric(metric, option, widget);
     }
@@ -232,7 +247,7 @@ class Style : public QProxyStyle {
     }
 
   private:
-    static constexpr int ring_px = 2;
+    static constexpr int ring_px = 2, beside_text_px = 5;
 
     // A bar, because a theme's shades may be too similar.
     void mark_chosen_tab(const QStyleOption& option, QPainter& painter) const {
@@ -309,6 +324,13 @@ const Theme& theme_named(const QString& name) {
     const auto found =
         std::ranges::find_if(themes(), [&](const Theme& theme) { return name == theme.name; });
     return found == themes().end() ? themes().front() : *found;
+}
+
+const PlotColours& plot_colours_on(const QColor& ground) {
+    const auto nearest = std::ranges::min_element(themes(), {}, [&](const Theme& theme) {
+        return std::abs(theme.base.lightness() - ground.lightness());
+    });
+    return nearest->plot;
 }
 
 void apply_theme(QApplication& application, const Theme& theme) {

@@ -6,6 +6,7 @@
 
 #include <QColor>
 #include <QString>
+#include <array>
 #include <span>
 
 #include "render/view_look.h"
@@ -13,6 +14,13 @@
 class QApplication;
 
 namespace hepatica {
+
+// Of curves, in the order in which they are given out, of events, and of the present time. Lines
+// and words are drawn in them.
+struct PlotColours {
+    std::array<QColor, 4> curves;
+    QColor event, time;
+};
 
 struct Theme {
     const char* name;  // in the settings
@@ -24,12 +32,16 @@ struct Theme {
     // Backgrounds of messages, their text, and errors in an input.
     QColor failure, notice, message_text, problem;
     ViewLook view;
+    PlotColours plot;
 };
 
 // The first is the default.
 std::span<const Theme> themes();
 // The first theme if there is none of this name.
 const Theme& theme_named(const QString& name);
+
+// For a plot on this ground: those of the theme whose fields have the most similar one.
+const PlotColours& plot_colours_on(const QColor& ground);
 
 // Property of widgets that show their focus themselves; all others get a frame.
 inline constexpr const char* paints_own_focus = "paintsOwnFocus";

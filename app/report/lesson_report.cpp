@@ -39,8 +39,13 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+// In the user's language; no line ends between a number and its unit.
+QString in_words(const std::string& english) {
+    return with_units_beside(translated(english));
+}
+
 QString in_words(Quantity quantity, double value, FlowUnits units = FlowUnits::computed) {
-    return translated(to_words(quantity, value, units));
+    return in_words(to_words(quantity, value, units));
 }
 
 // A moment shown as a picture.
@@ -129,7 +134,7 @@ std::string key(const QString& words) {
 QString value_words(const BoundStanding& bound, FlowUnits units) {
     if (std::isnan(bound.value)) return Words::tr("not measured");
     if (bound.kept) return in_words(bound.predicate.quantity, bound.value, units);
-    return translated(to_words_beside(bound.predicate, bound.value, units));
+    return in_words(to_words_beside(bound.predicate, bound.value, units));
 }
 
 Json table_of_bounds(const std::vector<BoundStanding>& bounds,
@@ -143,7 +148,7 @@ Json table_of_bounds(const std::vector<BoundStanding>& bounds,
                              : bound.kept ? Words::tr("yes")
                                           : Words::tr("no");
         rows.push_back(
-            {{key(Words::tr("Bound")), key(translated(to_words(bound.predicate, marks, units)))},
+            {{key(Words::tr("Bound")), key(in_words(to_words(bound.predicate, marks, units)))},
              {key(Words::tr("Was")), key(was)},
              {key(Words::tr("Kept")), key(kept)}});
     }
@@ -170,8 +175,8 @@ Json table_of_steps(const LessonStanding& standing, const Lesson& lesson, FlowUn
                                  : Words::tr("no");
         QStringList goals;
         for (const Predicate& goal : lesson.steps[i].goal)
-            goals << translated(to_words(goal, marks, units));
-        rows.push_back({{key(Words::tr("Step")), key(translated(lesson.steps[i].text))},
+            goals << in_words(to_words(goal, marks, units));
+        rows.push_back({{key(Words::tr("Step")), key(in_words(lesson.steps[i].text))},
                         {key(Words::tr("Goal")), key(goals.join("; "))},
                         {key(Words::tr("Came to")), key(came_to(standing, i, units))},
                         {key(Words::tr("Reached")), key(when)}});
@@ -282,10 +287,10 @@ void add_verdict(HtmlReport& page, const Parts& parts) {
     page.add_paragraph(key(standing.outcome == LessonOutcome::passed ? Words::tr("PASSED.")
                                                                      : Words::tr("NOT PASSED.")));
     for (const std::string& reason : reasons_in(standing, marks, units))
-        page.add_paragraph(key(translated(reason)));
+        page.add_paragraph(key(in_words(reason)));
     if (const QString left = drug_on_its_way(standing, parts.lesson, units); !left.isEmpty())
-        page.add_paragraph(key(left));
-    if (!parts.lesson.about.empty()) page.add_paragraph(key(translated(parts.lesson.about)));
+        page.add_paragraph(key(with_units_beside(left)));
+    if (!parts.lesson.about.empty()) page.add_paragraph(key(in_words(parts.lesson.about)));
     page.add_heading(key(Words::tr("Steps")));
     page.add_table(table_of_steps(standing, parts.lesson, units));
     if (!standing.limits.empty()) page.add_heading(key(Words::tr("Limits")));

@@ -20,6 +20,7 @@
 #include "core/opening/patient_image.h"
 #include "core/patient/corrections.h"
 #include "core/patient/painted_tumours.h"
+#include "core/tree/editing/given_already.h"
 #include "core/tree/editing/vessel_tracing.h"
 
 namespace hepatica {
@@ -216,7 +217,26 @@ Json tumours_of(const PatientCase& patient) {
     return list;
 }
 
-// What is odd about the tree, and of the new strokes which tumours are cut off.
+// Of the new edits those that give a vessel to the system that it had before them.
+std::vector<std::string> given_already(const PatientCase& patient, std::size_t edits_before) {
+    std::vector<std::string> warnings;
+    const std::vector<TreeEdit>& edits = patient.corrections.edits;
+    if (edits_before >= edits.size()) return warnings;
+    const auto first = edits.begin() + static_cast<std::ptrdiff_t>(edits_before);
+    VesselTree tree = with_edited_tree(patient, {edits.begin(), first}).tree;
+    for (auto edit = first; edit != edits.end(); ++edit) {
+        if (is_given_already(tree, *edit))
+            warnings.push_back(
+                "The vessel at " + place_text(edit->at_mm) +
+                " was of the system that it is given to already: " + title_of(edit->system) +
+                ". Nothing changes but that its system counts as sure; if another "
+                "was meant, take the edit back (--undo).");
+        tree = edited(tree, *edit);
+    }
+    return warnings;
+}
+
+// What is odd about the tree, and of the new edits which change nothing, which tumours are cut off.
 std::vector<std::string> warnings_of(const PatientCase& patient, std::size_t edits_before) {
     std::vector<std::string> warnings = sentences(std::nullopt, patient.tree);
     std::ranges::copy_if(patient.warnings, std::back_inserter(warnings), is_of_unclosed);
@@ -230,6 +250,7 @@ std::vector<std::string> warnings_of(const PatientCase& patient, std::size_t edi
                                " reaches beyond the part of the CT about the liver that a case "
                                "keeps: what lies outside of it is left out. Paint it elsewhere, or "
                                "take the edit back (--undo).");
+    std::ranges::move(given_already(patient, edits_before), std::back_inserter(warnings));
     return warnings;
 }
 

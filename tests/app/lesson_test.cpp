@@ -269,7 +269,7 @@ TEST_F(LessonVerb, AReportSaysHowFarTheGoalCameAndWhatBrokeALimit) {
     const std::size_t reason = page.find(was);
     ASSERT_NE(reason, std::string::npos) << page;
     EXPECT_NE(page.find(was, reason + 1), std::string::npos) << "in the table of limits too";
-    EXPECT_NE(page.find("way moved by it at least 100 mm"), std::string::npos) << page;
+    EXPECT_NE(page.find("way moved by it at least 100\u00a0mm"), std::string::npos) << page;
     EXPECT_NE(page.find("Circles"), std::string::npos);
 }
 

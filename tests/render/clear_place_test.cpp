@@ -52,5 +52,13 @@ TEST(ClearPlace, LeavesAMarginToEachOfThem) {
     EXPECT_TRUE(is_clear_of(box, {}, 1e9));
 }
 
+TEST(ClearPlace, CoversARectangleToItsCorners) {
+    const PictureBox box{10, 20, 30, 25};
+    for (const double x : {box.left, box.right})
+        for (const double y : {box.bottom, box.top})
+            EXPECT_FALSE(is_clear_of({x, y, x, y}, std::vector{covering(box)}, 1e-9));
+    EXPECT_TRUE(is_clear_of({10, 27, 30, 32}, std::vector{covering(box)}, 2.0)) << "and no more";
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -242,6 +242,7 @@ TEST(ForceText, IsInMillinewtonsAndEmptyWhereThereIsNone) {
     EXPECT_EQ(force_text(9949.0), "9.9 mN");
     EXPECT_EQ(force_text(9960.0), "10 mN");
     EXPECT_EQ(force_text(123456.0), "123 mN");
+    EXPECT_EQ(force_text(1151300.0), "1150 mN") << "as in the lesson's panel";
     EXPECT_EQ(force_text(NAN), "");
 }
 

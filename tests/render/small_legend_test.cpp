@@ -5,11 +5,13 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "render/legend.h"
 #include "render/orientation_marker.h"
 #include "render/osmesa_context.h"
+#include "render/picture.h"
 #include "render/scene_view.h"
 #include "tests/render/fake_frame.h"
 
@@ -39,6 +41,15 @@ class LegendOverVessels {
                        rests ? count : Legend::Count());
         return legend_.box();
     }
+    bool leaves_out() const { return legend_.leaves_out(); }
+    // The picture, in which the legend is on a ground of this look.
+    Picture drawn(const LegendContent& content, const ViewLook& look) {
+        renderer_->SetBackground(look.bottom[0], look.bottom[1], look.bottom[2]);
+        legend_.update(legend_rows(content), {width_, height_, 1.0}, look, {});
+        context_.window().Render();
+        return read_picture(context_.window());
+    }
+    PictureBox box() const { return legend_.box(); }
     double share_hidden() const {
         return static_cast<double>(within_box(legend_.box())) / static_cast<double>(at_.size());
     }
@@ -78,6 +89,7 @@ TEST(SmallLegend, HasAsManyRowsAsHideHardlyAnyVessel) {
     const double drawn = height_of(legend.box_of(drug_in_three_systems(), 1.0));
     EXPECT_LE(legend.share_hidden(), 0.02);
     EXPECT_GT(drawn, 20.0) << "what there is room for";
+    EXPECT_TRUE(legend.leaves_out());
     EXPECT_EQ(height_of(legend.box_of(drug_in_three_systems(), 1.0, false)), drawn)
         << "and no more while the picture moves";
 }
@@ -90,6 +102,41 @@ TEST(SmallLegend, IsLeftOutWhereVesselsFillThePicture) {
 TEST(SmallLegend, OfAPictureThatIsNotSmallHasAllItsRows) {
     LegendOverVessels legend(640, 480, {0, 0, 640, 480});
     EXPECT_DOUBLE_EQ(height_of(legend.box_of(drug_in_three_systems(), 1.0)), 59.0 + 5.0 * 22.0);
+    EXPECT_FALSE(legend.leaves_out());
+}
+
+// The legend is as wide as its one row, which an ellipsis makes wider.
+TEST(SmallLegend, SaysThatRowsAreLeftOut) {
+    LegendContent one;
+    one.systems = {VascularSystem::hepatic};
+    LegendContent two = one;
+    two.touched = true;  // its row is a minor one
+    LegendOverVessels alone(320, 80, {}), shortened(320, 80, {});
+    const PictureBox whole = alone.box_of(one, 1.0), left = shortened.box_of(two, 1.0);
+    ASSERT_EQ(height_of(left), height_of(whole));
+    EXPECT_TRUE(shortened.leaves_out());
+    EXPECT_FALSE(alone.leaves_out());
+    EXPECT_GT(left.right - left.left, whole.right - whole.left + 5.0);
+}
+
+// White on a light ground has nothing that sets it off.
+TEST(SmallLegend, RimsASwatchThatHardlyDiffersFromTheGround) {
+    LegendOverVessels legend(640, 480, {});
+    LegendContent content;
+    content.injected = true;
+    content.drug_end_s = 30.0;  // its last row is that of the white front
+    const Picture picture = legend.drawn(content, light_look);
+    const PictureBox box = legend.box();
+    double most = 1.0;
+    const int middle = 480 - static_cast<int>(box.bottom + 22.0 - 16.0 + 6.0);
+    for (int x = static_cast<int>(box.left) - 1; x <= static_cast<int>(box.left) + 2; ++x) {
+        const std::size_t at =
+            3 * (static_cast<std::size_t>(middle) * 640 + static_cast<std::size_t>(x));
+        const Colour seen{picture.rgb[at] / 255.0, picture.rgb[at + 1] / 255.0,
+                          picture.rgb[at + 2] / 255.0};
+        most = std::max(most, palette::contrast(seen, light_look.bottom));
+    }
+    EXPECT_GE(most, 3.0);
 }
 
 TEST(SmallLegend, IsNoHigherThanThePicture) {

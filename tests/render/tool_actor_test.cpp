@@ -127,6 +127,43 @@ class ToolInTheScene : public testing::ScenePictures {
     }
 };
 
+// Its metal is bright, and would be lost on a bright ground.
+TEST_F(ToolInTheScene, it_stands_out_from_the_ground_in_each_look) {
+    Frame frame = testing::fake_frame(0.0);
+    frame.tool.emplace();
+    const Vec3 from(-24, 0, -55), to(-24, 0, -35);
+    frame.tool->parts = {{from, to, 3.0}};
+    frame.tool->tip_mm = to;
+    for (const ViewLook& look : {dark_look, light_look, high_contrast_look}) {
+        view_.set_look(look);
+        const Picture drawn = picture_of(frame);
+        const Pixel at = view_.pixel_of(0.5 * (from + to));
+        const auto first =
+            3 * (static_cast<std::size_t>(at.y) * width + static_cast<std::size_t>(at.x));
+        const Colour seen{drawn.rgb[first] / 255.0, drawn.rgb[first + 1] / 255.0,
+                          drawn.rgb[first + 2] / 255.0};
+        for (const Colour& ground : {look.top, look.bottom})
+            EXPECT_GE(palette::contrast(seen, ground), 3.0) << look.text[0];
+    }
+}
+
+// As it leaves a vessel, its force has not faded yet, and its distance is shown already.
+TEST_F(ToolInTheScene, its_force_and_its_distance_do_not_lie_on_each_other) {
+    Frame frame = testing::fake_frame(0.0);
+    for (const Vec3& shaft : {Vec3(20, 0, 0), Vec3(-20, 0, 0), Vec3(0, 0, 20), Vec3(0, 0, -20)})
+        for (const double away_mm : {-24.0, -16.0, 12.0, 16.0, 24.0}) {
+            const Vec3 tip(away_mm, 0, -40);
+            frame.tool.emplace();
+            frame.tool->parts = {{tip + shaft, tip, 2.0}};
+            frame.tool->tip_mm = frame.tool->at_mm = tip;
+            frame.tool->felt_un = 7100.0;
+            picture_of(frame);
+            const std::vector<PictureBox> labels = view_.tool_labels();
+            ASSERT_EQ(labels.size(), 2u) << away_mm;
+            EXPECT_FALSE(overlap(labels[0], labels[1])) << shaft.transpose() << ", " << away_mm;
+        }
+}
+
 // The jaws lie before and behind the trunk, so that what they touch is hidden.
 TEST_F(ToolInTheScene, what_jaws_hold_is_marked_through_them_and_the_vessel) {
     Frame frame = testing::fake_frame(0.0);

@@ -51,6 +51,20 @@ class GivenBranch : public testing::WindowTest {
     const Vec3 vessel_apart_{37, 54.5, 4}, left_branch_{-8.6, 28, 4.4};
 };
 
+// Neither the tree nor the case changes by it; nor while the body of the correction before is made.
+TEST_F(GivenBranch, of_the_system_already_is_not_given_again) {
+    give(vessel_apart_);
+    ASSERT_EQ(window_.workspace().edits().size(), 1u);
+    give(vessel_apart_);
+    EXPECT_EQ(window_.workspace().edits().size(), 1u);
+    EXPECT_TRUE(window_.statusBar()->currentMessage().contains("already (hepatic veins)"))
+        << window_.statusBar()->currentMessage().toStdString();
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(left_branch_));
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(left_branch_));
+    wait();
+    EXPECT_EQ(window_.workspace().edits().size(), 2u);
+}
+
 // Where it hung before it touches nothing of its new system: blood and drugs end there.
 TEST_F(GivenBranch, that_became_a_tree_of_its_own_is_warned_of) {
     ASSERT_EQ(hepatic_trees(), 0);
@@ -132,6 +146,15 @@ class CorrectedCase : public ::testing::Test {
             with_edited_tree(*workspace_.patient(), workspace_.edits())));
         editing_->show_body();
     }
+    // Without its body yet.
+    void want(TreeEditKind kind, const Vec3& at_mm,
+              VascularSystem system = VascularSystem::unknown) {
+        TreeEdit edit;
+        edit.kind = kind;
+        edit.at_mm = at_mm;
+        edit.system = system;
+        workspace_.add(edit);
+    }
     void make(TreeEditKind kind, const Vec3& at_mm, const Vec3& to_mm = Vec3::Zero()) {
         TreeEdit edit;
         edit.kind = kind;
@@ -148,6 +171,9 @@ class CorrectedCase : public ::testing::Test {
     std::size_t bridges_shown_ = 0;
     QStringList warned_;  // of vessels that were given
     const Vec3 vessel_apart_{37, 54.5, 4}, left_branch_{-8.6, 28, 4.4};
+    const Vec3 trunk_{0.05, 10, 1.5}, last_branch_{15.5, 39, 1.5};
+    static constexpr auto portal = VascularSystem::portal, hepatic = VascularSystem::hepatic;
+    static constexpr auto give = TreeEditKind::reassign_system;
 };
 
 TEST_F(CorrectedCase, AGivenVesselIsStillApartWhenTheVesselsAreRebuilt) {
@@ -180,6 +206,29 @@ TEST_F(CorrectedCase, AGivenVesselIsStillApartWhenTheVesselsAreRebuilt) {
     workspace_.open(another);
     editing_->show_body();
     EXPECT_FALSE(editing_->stands(doubt));
+}
+
+// What is undone and redone before its body is there comes in one go.
+TEST_F(CorrectedCase, AVesselThatWasGivenTwiceIsJudgedByTheLast) {
+    make(give, trunk_);
+    want(give, vessel_apart_, hepatic);
+    want(give, vessel_apart_, portal);
+    want(TreeEditKind::cut_link, last_branch_);  // a tree more of the hepatic veins
+    make_body();
+    EXPECT_TRUE(warned_.isEmpty()) << warned_.join('\n').toStdString();
+    want(give, left_branch_, hepatic);
+    want(give, left_branch_, portal);
+    make_body();
+    ASSERT_EQ(warned_.size(), 1);
+    EXPECT_TRUE(warned_.front().contains("portal vein")) << warned_.front().toStdString();
+}
+
+TEST_F(CorrectedCase, AVesselIsNotApartBecauseAnotherWasCutOff) {
+    make(give, trunk_);
+    want(TreeEditKind::cut_link, last_branch_);
+    want(give, left_branch_, hepatic);  // as it is already
+    make_body();
+    EXPECT_TRUE(warned_.isEmpty()) << warned_.join('\n').toStdString();
 }
 
 // Both gaps lead to the same vessel, and the body takes a while.

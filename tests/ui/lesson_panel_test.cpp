@@ -53,9 +53,9 @@ TEST_F(LessonPanelTest, says_the_step_its_goal_and_the_limits) {
     standing_.steps[0].held_s = 1.0;
     panel_.show_standing(standing_);
     EXPECT_EQ(text("lessonStep"), "Step 1 of 2: Pull");
-    EXPECT_TRUE(text("lessonGoal").contains("force at least 2\u202fmN"));
-    EXPECT_TRUE(text("lessonGoal").contains("1\u202fmN"));
-    EXPECT_TRUE(text("lessonLimits").contains("force at most 10\u202fmN"));
+    EXPECT_TRUE(text("lessonGoal").contains("force at least 2\u00a0mN"));
+    EXPECT_TRUE(text("lessonGoal").contains("1\u00a0mN"));
+    EXPECT_TRUE(text("lessonLimits").contains("force at most 10\u00a0mN"));
     EXPECT_TRUE(text("lessonTitle").contains("A &lt;name&gt;")) << "a name is no markup";
     EXPECT_EQ(panel_.findChild<QProgressBar*>("lessonHold")->value(), 25);
     EXPECT_TRUE(button("lessonReport")->isHidden());
@@ -86,18 +86,18 @@ TEST_F(LessonPanelTest, shows_no_limits_of_a_step_that_is_over) {
     panel_.begin(lesson);
     standing_.limits.push_back({lesson.steps[0].limits[0], 4.0, true});
     panel_.show_standing(standing_);
-    EXPECT_TRUE(text("lessonLimits").contains("20\u202fs"));
+    EXPECT_TRUE(text("lessonLimits").contains("20\u00a0s"));
     standing_.limits.push_back({lesson.steps[1].limits[0], 5.0, true});
     standing_.step = 1;
     panel_.show_standing(standing_);
-    EXPECT_FALSE(text("lessonLimits").contains("20\u202fs")) << text("lessonLimits").toStdString();
-    EXPECT_TRUE(text("lessonLimits").contains("10\u202fmN")) << "the lesson's own";
-    EXPECT_TRUE(text("lessonLimits").contains("30\u202fmm")) << "of this step";
+    EXPECT_FALSE(text("lessonLimits").contains("20\u00a0s")) << text("lessonLimits").toStdString();
+    EXPECT_TRUE(text("lessonLimits").contains("10\u00a0mN")) << "the lesson's own";
+    EXPECT_TRUE(text("lessonLimits").contains("30\u00a0mm")) << "of this step";
     standing_.step = 2;
     standing_.outcome = LessonOutcome::passed;
     panel_.show_standing(standing_);
-    EXPECT_FALSE(text("lessonLimits").contains("30\u202fmm"));
-    EXPECT_TRUE(text("lessonLimits").contains("10\u202fmN"));
+    EXPECT_FALSE(text("lessonLimits").contains("30\u00a0mm"));
+    EXPECT_TRUE(text("lessonLimits").contains("10\u00a0mN"));
 }
 
 TEST_F(LessonPanelTest, says_that_the_play_is_paused_after_the_verdict) {
@@ -129,11 +129,11 @@ TEST_F(LessonPanelTest, says_the_pass_marks_from_the_start) {
     standing_.pass = {{{Quantity::impulse_mn_s, -1, false, 6000.0}, std::nan(""), false}};
     panel_.show_standing(standing_);
     EXPECT_FALSE(panel_.findChild<QLabel*>("lessonPass")->isHidden());
-    EXPECT_TRUE(text("lessonPass").contains("force over time at most 6000\u202fmN\u202fs"));
+    EXPECT_TRUE(text("lessonPass").contains("force over time at most 6000\u00a0mN\u00a0s"));
     EXPECT_FALSE(text("lessonPass").contains("none"));
     standing_.pass[0].value = 1500.0;
     panel_.show_standing(standing_);
-    EXPECT_TRUE(text("lessonPass").contains("1500\u202fmN\u202fs")) << "how it stands so far";
+    EXPECT_TRUE(text("lessonPass").contains("1500\u00a0mN\u00a0s")) << "how it stands so far";
     standing_.outcome = LessonOutcome::passed;
     standing_.pass[0].value = 1.0;
     panel_.show_standing(standing_);
@@ -155,15 +155,15 @@ TEST_F(LessonPanelTest, says_blood_in_the_units_that_were_chosen) {
     standing_.limits = {bleeding};
     panel_.set_units(FlowUnits::clinic);
     panel_.show_standing(standing_);
-    EXPECT_TRUE(text("lessonLimits").contains("bleeding at most 30\u202fmL/min"));
-    EXPECT_TRUE(text("lessonLimits").contains("60\u202fmL/min"));
+    EXPECT_TRUE(text("lessonLimits").contains("bleeding at most 30\u00a0mL/min"));
+    EXPECT_TRUE(text("lessonLimits").contains("60\u00a0mL/min"));
     standing_.outcome = LessonOutcome::failed;
     standing_.reasons = {reason_of_limit(bleeding, {})};
     panel_.show_standing(standing_);
-    EXPECT_TRUE(text("lessonEnd").contains("it was 60\u202fmL/min"));
+    EXPECT_TRUE(text("lessonEnd").contains("it was 60\u00a0mL/min"));
     panel_.set_units(FlowUnits::computed);
     panel_.show_standing(standing_);
-    EXPECT_TRUE(text("lessonEnd").contains("it was 1.06\u202fg/s"));
+    EXPECT_TRUE(text("lessonEnd").contains("it was 1.06\u00a0g/s"));
 }
 
 // The portal trunk full of drug is little of all vessels that are no target.
@@ -257,7 +257,7 @@ TEST_F(LessonPanelTest, says_in_the_end_how_much_of_the_drug_counts_as_no_dose) 
     panel_.begin(lesson);
     panel_.show_standing(standing_);
     EXPECT_TRUE(
-        text("lessonEnd").contains("judged by the 3.75\u202fg of 5.00\u202fg that had come"))
+        text("lessonEnd").contains("judged by the 3.75\u00a0g of 5.00\u00a0g that had come"))
         << text("lessonEnd").toStdString();
     standing_.metrics.delivered_g = 5.0;
     panel_.show_standing(standing_);
@@ -267,7 +267,7 @@ TEST_F(LessonPanelTest, says_in_the_end_how_much_of_the_drug_counts_as_no_dose) 
     standing_.pass = {{{Quantity::dose_target_share, -1, true, 0.5}, 0.75, true}};
     panel_.begin(two_steps());
     panel_.show_standing(standing_);
-    EXPECT_TRUE(text("lessonEnd").contains("the other 1.25\u202fg of the drug count neither"));
+    EXPECT_TRUE(text("lessonEnd").contains("the other 1.25\u00a0g of the drug count neither"));
 }
 
 }  // namespace

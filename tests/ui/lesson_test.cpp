@@ -210,6 +210,8 @@ TEST_F(LessonWindowTest, a_course_says_what_is_passed_and_begins_the_next_with_i
     EXPECT_TRUE(dialog.lines()[0].passed);
     EXPECT_FALSE(dialog.lines()[1].passed);
     EXPECT_EQ(dialog.findChild<QTableWidget*>("course")->currentRow(), 1) << "the next one";
+    EXPECT_EQ(dialog.focusWidget(), dialog.findChild<QTableWidget*>("course"))
+        << "the first arrow key chooses";
     EXPECT_TRUE(dialog.findChild<QLabel*>("courseTitle")->text().contains("1 of 2"));
     // Somebody else's pass counts for nobody who gives his own name.
     window_.lessons().set_trainee("Berta");

@@ -6,6 +6,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QRegularExpression>
+#include <QTextDocument>
 #include <algorithm>
 #include <limits>
 
@@ -116,7 +117,14 @@ TEST(LessonWords, OfTheCutLineNameTheFieldToSet) {
 
 TEST(LessonWords, NoLineBreaksBeforeAUnit) {
     EXPECT_EQ(with_units_beside("at most 350 mN, 10 mN s, 3 mm and 5 matters"),
-              QString("at most 350\u202fmN, 10\u202fmN\u202fs, 3\u202fmm and 5 matters"));
+              QString("at most 350\u00a0mN, 10\u00a0mN\u00a0s, 3\u00a0mm and 5 matters"));
+}
+
+// Qt makes a common space of most others there.
+TEST(LessonWords, KeepANumberBesideItsUnitInRichText) {
+    QTextDocument shown;
+    shown.setHtml("<p>" + with_units_beside("peak force 1150 mN") + "</p>");
+    EXPECT_EQ(shown.toRawText(), QString("peak force 1150\u00a0mN"));
 }
 
 TEST(LessonWords, SayTheReasonsAlike) {

@@ -23,6 +23,7 @@
 #include "ui/message_bar.h"
 #include "ui/plot_panel.h"
 #include "ui/progress_strip.h"
+#include "ui/theme.h"
 
 namespace hepatica {
 namespace {
@@ -214,6 +215,23 @@ TEST_F(PanelsTest, curves_that_were_closed_come_when_they_are_asked_for) {
     window_.actions()[ActionId::toggle_plots].trigger();
     EXPECT_TRUE(curves().isVisible());
     EXPECT_TRUE(settings_.curves_come());
+}
+
+// The colours that stand out on dark would be weak on white, and the other way round.
+TEST(PlotColours, AreThoseOfTheThemeOnWhoseGroundTheyLie) {
+    for (const Theme& theme : themes()) {
+        PlotView plot;
+        QPalette palette;
+        palette.setColor(QPalette::Base, theme.base);
+        plot.setPalette(palette);
+        plot.resize(300, 190);
+        plot.set_chart({"", "x", "y", {Curve{"curve", {0, 1}, {0.5, 0.5}}}});
+        const QImage drawn = plot.grab().toImage();
+        int as_wanted = 0;
+        for (int y = 0; y < drawn.height(); ++y)
+            as_wanted += drawn.pixelColor(drawn.width() / 2, y) == theme.plot.curves[0] ? 1 : 0;
+        EXPECT_GE(as_wanted, 1) << theme.name;
+    }
 }
 
 TEST(PlotTitles, AreWholeOrEndInAnEllipsisAndNeverOverlap) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -271,6 +272,19 @@ TEST_F(RecordedWindow, the_list_says_what_each_recording_is) {
     EXPECT_EQ(table.item(0, 0)->text(), "Gentle pull");
     EXPECT_EQ(table.item(0, 2)->text(), "✓ passed");
     EXPECT_EQ(table.item(0, 3)->text(), "Nr. 7") << "who played it";
+}
+
+TEST_F(RecordedWindow, the_list_cuts_no_name_of_a_file) {
+    const fs::path folder = to_path(folder_.filePath("list"));
+    fs::create_directories(folder);
+    const std::string name(60, 'n');
+    std::ofstream(folder / (name + "-20261126-034000-123.hrec")) << "{}";
+    RecordingDialog dialog(folder, nullptr);
+    const auto& table = *dialog.findChild<QTableWidget*>("recordings");
+    ASSERT_EQ(table.rowCount(), 1);
+    EXPECT_GE(table.columnWidth(4),
+              table.fontMetrics().horizontalAdvance(table.item(0, 4)->text()));
+    EXPECT_GE(dialog.width(), table.horizontalHeader()->length());
 }
 
 // With itself there is nothing to compare.

@@ -9,6 +9,7 @@
 #include <QTableWidget>
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include "tests/ui/fake_window_test.h"
 #include "ui/colours.h"
@@ -58,6 +59,35 @@ TEST(Themes, KeepTextReadable) {
                 << theme.name << ", pair " << number++ << ": " << text.name().toStdString()
                 << " on " << ground.name().toStdString();
     }
+}
+
+// WCAG 2.1 asks for 3 to 1 of shapes, and for 4.5 to 1 of words, as the names of curves are.
+TEST(Themes, KeepPlotsAndToolsInSight) {
+    for (const Theme& theme : themes()) {
+        const PlotColours& plot = theme.plot;
+        std::vector<QColor> written(plot.curves.begin(), plot.curves.end());
+        written.insert(written.end(), {plot.event, plot.time});
+        for (const QColor& colour : written)
+            EXPECT_GE(contrast(colour, theme.base), 4.5)
+                << theme.name << ": " << colour.name().toStdString();
+        EXPECT_EQ(&plot_colours_on(theme.base), &plot) << theme.name;
+        const QColor tool = qcolor_of(theme.view.tool);
+        for (const Colour& ground : {theme.view.top, theme.view.bottom})
+            EXPECT_GE(contrast(tool, qcolor_of(ground)), 3.0) << theme.name << ": tool";
+    }
+}
+
+// Else the text of a column touches that of the next.
+TEST(Themes, LeaveRoomBesideTheTextOfATable) {
+    for (const Theme& theme : themes()) {
+        apply_theme(*qApp, theme);
+        QTableWidget table(1, 2);
+        table.setItem(0, 0, new QTableWidgetItem("Hold a bleeding vessel"));
+        table.resizeColumnToContents(0);
+        const int text = table.fontMetrics().horizontalAdvance(table.item(0, 0)->text());
+        EXPECT_GE(table.columnWidth(0), text + 10) << theme.name;
+    }
+    apply_theme(*qApp);
 }
 
 // Words that cannot be chosen would else be written twice, one of them aside in white.

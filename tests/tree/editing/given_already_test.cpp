@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tree/editing/given_already.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/test_trees.h"
+
+namespace hepatica {
+namespace {
+
+constexpr auto portal = VascularSystem::portal, hepatic = VascularSystem::hepatic;
+
+TreeEdit given(TreeEditKind kind, const Vec3& at_mm, VascularSystem system) {
+    TreeEdit edit;
+    edit.kind = kind;
+    edit.at_mm = at_mm;
+    edit.system = system;
+    return edit;
+}
+
+class GivenAlready : public ::testing::Test {
+  protected:
+    GivenAlready() {
+        for (VesselSegment& segment : tree_.segments) segment.system = portal;
+        for (const int root : roots(tree_)) root_mm_ = tree_.segments[root].points_mm[1];
+        for (std::size_t s = 0; s < tree_.segments.size(); ++s)
+            if (children(tree_)[s].empty()) leaf_ = s;
+    }
+    Vec3 leaf_mm() const { return tree_.segments[leaf_].points_mm[1]; }
+
+    VesselTree tree_ = test::forked_tree();
+    Vec3 root_mm_ = Vec3::Zero();
+    std::size_t leaf_ = 0;
+};
+
+TEST_F(GivenAlready, IsWhatHasTheSystemWithAllThatHangsOnIt) {
+    for (const Vec3& place : {root_mm_, leaf_mm()}) {
+        EXPECT_TRUE(is_given_already(tree_, given(TreeEditKind::reassign_system, place, portal)));
+        EXPECT_FALSE(is_given_already(tree_, given(TreeEditKind::reassign_system, place, hepatic)));
+    }
+    tree_.segments[leaf_].system = hepatic;
+    EXPECT_FALSE(is_given_already(tree_, given(TreeEditKind::reassign_system, root_mm_, portal)))
+        << "what hangs on it would change";
+    EXPECT_TRUE(is_given_already(tree_, given(TreeEditKind::seed_system, root_mm_, portal)))
+        << "as edited() refuses it";
+    EXPECT_FALSE(is_given_already(tree_, given(TreeEditKind::seed_system, root_mm_, hepatic)));
+}
+
+TEST_F(GivenAlready, IsNothingElse) {
+    EXPECT_FALSE(is_given_already(tree_, given(TreeEditKind::set_root, root_mm_, portal)));
+    EXPECT_FALSE(
+        is_given_already(tree_, given(TreeEditKind::reassign_system, {500, 0, 0}, portal)));
+    EXPECT_FALSE(is_given_already({}, given(TreeEditKind::reassign_system, root_mm_, portal)));
+}
+
+}  // namespace
+}  // namespace hepatica
