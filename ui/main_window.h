@@ -219,7 +219,8 @@ class MainWindow : public QMainWindow {
     void ask_where_to_save_picture();
     void ask_where_to_archive();
     QString proposed_file(const QString& called) const;
-    void save_table(const QString& proposed, const std::string& csv);
+    // `asks`: the window in which the table is shown.
+    void save_table(QWidget& asks, const QString& proposed, const std::string& csv);
     void save_plots(bool picture);
     void ask_and_save_film(double end_s, const std::function<void(double at_s)>& go_to);
     void say_no_film();  // it was cancelled
