@@ -90,6 +90,25 @@ TEST_F(Window, enter_presses_the_button_of_the_start_page_that_has_the_focus) {
     EXPECT_EQ(pressed.count(), 1);
 }
 
+// Default buttons are lit: two of them would hide which one Enter presses.
+TEST_F(Window, of_the_buttons_of_the_start_page_the_one_with_the_focus_alone_is_lit) {
+    const auto lit = [this] {
+        QList<QPushButton*> found;
+        for (QPushButton* button :
+             window_.findChild<QWidget*>("welcome")->findChildren<QPushButton*>())
+            if (button->isDefault() || button->hasFocus()) found << button;
+        return found;
+    };
+    window_.view().setFocus();
+    EXPECT_TRUE(lit().isEmpty()) << "Enter presses none";
+    for (const char* name : {"welcomeFirst", "welcomeLessons"}) {
+        auto* button = window_.findChild<QPushButton*>(name);
+        button->setFocus();
+        EXPECT_EQ(lit(), QList<QPushButton*>{button}) << name;
+        EXPECT_TRUE(button->isDefault()) << name;
+    }
+}
+
 TEST_F(Window, enter_in_the_view_speaks_of_no_vessels_where_there_are_none) {
     window_.view().setFocus();
     window_.statusBar()->clearMessage();
