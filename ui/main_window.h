@@ -289,6 +289,9 @@ class MainWindow : public QMainWindow {
     void say_tools_to_choose();
     void say_empty_grip(GripWatch::Seen seen);
     QString guidance_of(MouseMode mode) const;  // what the mouse does, in the status bar
+    QString words_without_pulling() const;      // what else it does
+    // Whether there is a body to act on; actions that need one say so where there is none.
+    void use_body(bool moves);
 
     // main_window_reports.cpp: reports of plays.
     void write_report(const std::filesystem::path& recording, const std::string& lesson);

@@ -61,6 +61,7 @@ class MouseTool {
     void set_may_pull(bool may_pull) { may_pull_ = may_pull; }
     // Whether there is a body to pull; likewise.
     void set_moves(bool moves) { moves_ = moves; }
+    bool moves() const { return moves_; }
     bool may_pull() const { return may_pull_ && moves_; }
     ToolHand& hand() { return hand_; }
     ClipControl& clip() { return clip_; }

@@ -109,6 +109,15 @@ TEST_F(Window, of_the_buttons_of_the_start_page_the_one_with_the_focus_alone_is_
     }
 }
 
+TEST_F(Window, no_tool_is_offered_while_there_is_no_patient) {
+    const auto enabled = [this](ActionId id) { return window_.actions()[id].isEnabled(); };
+    for (const ActionId id : body_actions) EXPECT_FALSE(enabled(id));
+    EXPECT_FALSE(enabled(ActionId::inject_mode));
+    open_built_in();
+    for (const ActionId id : body_actions) EXPECT_TRUE(enabled(id));
+    EXPECT_TRUE(enabled(ActionId::inject_mode));
+}
+
 TEST_F(Window, enter_in_the_view_speaks_of_no_vessels_where_there_are_none) {
     window_.view().setFocus();
     window_.statusBar()->clearMessage();

@@ -435,14 +435,14 @@ TEST_F(ToolInHand, of_the_hand_that_just_misses_a_vessel_is_told) {
     while (window_.view().scene().pick(pixel_at(beside, ratio)).triangle >= 0)
         beside += QPoint(1, 0);
     click(beside + QPoint(2, 0));
-    EXPECT_EQ(said(), "No vessel there: press on one and drag it");
+    EXPECT_EQ(said(), "No vessel there: drag one (by keys: Enter with the cross on it)");
     click(on_trunk());
     EXPECT_EQ(said(), "");
     click(QPoint(4, 4));
     EXPECT_EQ(said(), "") << "nobody meant a vessel there";
     QTest::keyClick(&window_, Qt::Key_2);
     click(QPoint(4, 4));
-    EXPECT_EQ(said(), "No vessel there: click on one");
+    EXPECT_EQ(said(), "No vessel there: click on one (by keys: Enter with the cross on it)");
 }
 
 TEST_F(ToolInHand, a_reset_takes_it_and_the_next_move_brings_it_again) {

@@ -226,6 +226,26 @@ TEST_F(ViewKeys, EnterBringsAToolInHandToAMarkAtAnotherDepthAndThenLetsGo) {
     EXPECT_FALSE(view().keys().leads());
 }
 
+// It says where Enter will bring it.
+TEST_F(ViewKeys, AToolThatIsChosenByItsKeyShowsTheAimAtOnce) {
+    open_built_in();
+    view().clearFocus();
+    view().setFocus(Qt::OtherFocusReason);
+    ASSERT_TRUE(testing::wait_for([this] { return view().hasFocus(); }));
+    const auto aim = [this] { return view().focus_mark().aim().has_value(); };
+    ASSERT_FALSE(aim());
+    window_.actions()[ActionId::capsule_tool].trigger();
+    EXPECT_FALSE(aim()) << "not by a key";
+    press(Qt::Key_4);
+    EXPECT_TRUE(aim());
+    QMouseEvent move(QEvent::MouseMove, QPoint(30, 30), view().mapToGlobal(QPoint(30, 30)),
+                     Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(&view(), &move);
+    EXPECT_FALSE(aim()) << "the mouse leads it";
+    window_.actions()[ActionId::forceps_tool].trigger();
+    EXPECT_FALSE(aim()) << "the key was let go before";
+}
+
 TEST_F(ViewKeys, AFrameShowsThatTheViewHasThem) {
     begin();
     EXPECT_TRUE(view().focus_mark().isVisible());
