@@ -73,6 +73,21 @@ bool MarkActors::update(std::vector<MarkView> marks) {
     return true;
 }
 
+std::optional<Vec3> MarkActors::place_at(const Projection& projection, const Pixel& pixel,
+                                         double times) const {
+    std::optional<Vec3> nearest;
+    double least_mm = times * ball_mm_;
+    for (const MarkView& mark : shown_) {
+        if (!mark.of_lesson || mark.reached || !projection.sees(mark.place_mm)) continue;
+        const Vec3 beside_it = projection.point_at_depth(pixel, mark.place_mm);
+        const double away_mm = (beside_it - mark.place_mm).norm();
+        if (away_mm > least_mm) continue;
+        least_mm = away_mm;
+        nearest = mark.place_mm;
+    }
+    return nearest;
+}
+
 // Horizontal offset of the number in pixels: to the right of the sphere, or to its left near the
 // picture's right edge.
 int MarkActors::beside(const Vec3& at, const MarkView& mark, double pixel_ratio) const {
@@ -104,10 +119,11 @@ void MarkActors::set_scale(double mm_per_point, double pixel_ratio, double reach
     vtkCamera& camera = *renderer_.GetActiveCamera();
     const Vec3 to_eye = -Vec3(camera.GetDirectionOfProjection()), eye(camera.GetPosition());
     const int away = static_cast<int>(std::lround(0.8 * radius_points * pixel_ratio));
+    ball_mm_ = radius_points * mm_per_point;
     for (std::size_t i = 0; i < drawn_.size(); ++i) {
         const Drawn& drawn = drawn_[i];
         const MarkView& mark = shown_[i];
-        const Vec3 before = mark.place_mm + before_radii * radius_points * mm_per_point * to_eye;
+        const Vec3 before = mark.place_mm + before_radii * ball_mm_ * to_eye;
         const Vec3 number = mark.of_lesson ? before_all(mark.place_mm, reach_mm) : before;
         drawn.number->SetPosition(number.x(), number.y(), number.z());
         // A sphere without a number has to be seen by itself.
@@ -117,7 +133,7 @@ void MarkActors::set_scale(double mm_per_point, double pixel_ratio, double reach
         // Nearer to the eye it is smaller, so that it looks as large.
         const double away_mm = (mark.place_mm - eye).norm();
         const double share = alone && away_mm > 0.0 ? (ball - eye).norm() / away_mm : 1.0;
-        drawn.ball->SetScale(share * radius_points * mm_per_point);
+        drawn.ball->SetScale(share * ball_mm_);
         if (!mark.of_lesson) give_colour(*drawn.ball, text_colour_);
         style_text(*drawn.number->GetTextProperty(),
                    static_cast<int>(std::lround(text_size * pixel_ratio)), text_colour_);

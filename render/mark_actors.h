@@ -8,11 +8,13 @@
 
 #include <vtkSmartPointer.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/vector.h"
 #include "render/palette.h"
+#include "render/projection.h"
 
 class vtkActor;
 class vtkBillboardTextActor3D;
@@ -37,6 +39,10 @@ class MarkActors {
     // Returns true if the picture changed.
     bool update(std::vector<MarkView> marks);
     const std::vector<MarkView>& shown() const { return shown_; }
+    // The nearest place of a lesson that is still to be reached and whose sphere, so many times as
+    // large as it was drawn last, covers the pixel.
+    std::optional<Vec3> place_at(const Projection& projection, const Pixel& pixel,
+                                 double times) const;
     // Call before each picture. `mm_per_point`: size of one screen point at the focal plane;
     // `pixel_ratio`: pixels of a point; `reach_mm`: nothing drawn is nearer to the eye than this
     // distance in front of the focal point.
@@ -56,6 +62,7 @@ class MarkActors {
     vtkRenderer& renderer_;
     std::vector<MarkView> shown_;
     std::vector<Drawn> drawn_;
+    double ball_mm_ = 0.0;  // radius of the spheres in the last picture
     Colour text_colour_{1.0, 1.0, 1.0};
 };
 

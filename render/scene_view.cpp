@@ -216,6 +216,10 @@ const std::vector<MarkView>& SceneView::marks() const {
     return parts_->marks.shown();
 }
 
+std::optional<Vec3> SceneView::mark_at(const Pixel& pixel, double times) const {
+    return parts_->marks.place_at(parts_->projection(), pixel, times);
+}
+
 bool SceneView::set_measures(std::vector<MeasureView> measures) {
     return parts_->measures.show(std::move(measures));
 }

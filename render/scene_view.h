@@ -74,6 +74,8 @@ class SceneView {
     // Places to be found, such as a lesson's. Returns true if the picture changed.
     bool set_marks(std::vector<MarkView> marks);
     const std::vector<MarkView>& marks() const;
+    // See MarkActors::place_at().
+    std::optional<Vec3> mark_at(const Pixel& pixel, double times) const;
     // Measurements. Returns true if the picture changed.
     bool set_measures(std::vector<MeasureView> measures);
     const std::vector<MeasureView>& measures() const;

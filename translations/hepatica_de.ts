@@ -805,8 +805,8 @@
         <translation>Klicken Sie nun auf das Gefäß, mit dem es verbunden werden soll</translation>
     </message>
     <message>
-        <source>No vessel there: click on one</source>
-        <translation>Dort ist kein Gefäß: Klicken Sie auf eines</translation>
+        <source>No vessel there: click on one (by keys: Enter with the cross on it)</source>
+        <translation>Dort ist kein Gefäß: Klicken Sie auf eines (mit Tasten: Eingabe, wenn das Kreuz auf einem liegt)</translation>
     </message>
     <message>
         <source>Not drawn: why stands above</source>
@@ -1893,32 +1893,36 @@
         <translation>Die Linie trifft kein Gefäß: Ziehen Sie sie quer über eines</translation>
     </message>
     <message>
-        <source>Drag a vessel to pull it</source>
-        <translation>Ziehen Sie an einem Gefäß</translation>
+        <source>Drag a vessel to pull it (by keys: Enter at the cross, then arrows)</source>
+        <translation>Ziehen Sie an einem Gefäß (mit Tasten: Eingabe am Kreuz, dann Pfeile)</translation>
     </message>
     <message>
-        <source>Click on a vessel to inject there</source>
-        <translation>Klicken Sie auf ein Gefäß, um dort zu injizieren</translation>
+        <source>Click on a vessel to inject there (by keys: Enter at the cross)</source>
+        <translation>Klicken Sie auf ein Gefäß, um dort zu injizieren (mit Tasten: Eingabe am Kreuz)</translation>
     </message>
     <message>
-        <source>Click on a vessel to correct the tree</source>
-        <translation>Klicken Sie auf ein Gefäß, um den Gefäßbaum zu korrigieren</translation>
+        <source>Click on a vessel to correct the tree (by keys: Enter at the cross)</source>
+        <translation>Klicken Sie auf ein Gefäß, um den Gefäßbaum zu korrigieren (mit Tasten: Eingabe am Kreuz)</translation>
     </message>
     <message>
         <source>Click on a vessel: the place is there</source>
         <translation>Klicken Sie auf ein Gefäß: Dort ist der Ort</translation>
     </message>
     <message>
-        <source>Draw a line across a vessel to cut it</source>
-        <translation>Ziehen Sie eine Linie quer über ein Gefäß, um es zu durchtrennen</translation>
+        <source>Click on a vessel: the place is there (by keys: Enter at the cross)</source>
+        <translation>Klicken Sie auf ein Gefäß: Dort ist der Ort (mit Tasten: Eingabe am Kreuz)</translation>
     </message>
     <message>
-        <source>Draw a line across a vessel: it tears there when pulled</source>
-        <translation>Ziehen Sie eine Linie quer über ein Gefäß: Dort reißt es unter Zug</translation>
+        <source>Draw a line across a vessel to cut it (by keys: Enter, arrows, Enter)</source>
+        <translation>Ziehen Sie eine Linie quer über ein Gefäß, um es zu durchtrennen (mit Tasten: Eingabe, Pfeile, Eingabe)</translation>
     </message>
     <message>
-        <source>The mouse leads the tool, the wheel moves it in depth, a click brings it to a vessel</source>
-        <translation>Die Maus führt das Werkzeug, das Mausrad bewegt es in die Tiefe, ein Klick bringt es an ein Gefäß</translation>
+        <source>Draw a line across a vessel: it tears there when pulled (by keys: Enter, arrows, Enter)</source>
+        <translation>Ziehen Sie eine Linie quer über ein Gefäß: Dort reißt es unter Zug (mit Tasten: Eingabe, Pfeile, Eingabe)</translation>
+    </message>
+    <message>
+        <source>The mouse leads the tool, the wheel moves it in depth, a click brings it to a vessel (by keys: arrows, Page Up/Down, Enter)</source>
+        <translation>Die Maus führt das Werkzeug, das Rad bewegt es in die Tiefe, ein Klick bringt es an ein Gefäß (Tasten: Pfeile, Bild auf/ab, Eingabe)</translation>
     </message>
     <message>
         <source>Reading the CT</source>
@@ -2853,8 +2857,8 @@
         <translation>Nehmen Sie ein Werkzeug aus der Leiste über der Ansicht.</translation>
     </message>
     <message>
-        <source>The mouse leads its tip, the wheel moves it in depth (Ctrl + wheel zooms), a click brings it to a vessel, T and Shift + T turn it, C closes and opens forceps. Esc puts it away.</source>
-        <translation>Die Maus führt seine Spitze, das Mausrad bewegt es in die Tiefe (Strg + Mausrad vergrößert), ein Klick bringt es an ein Gefäß, T und Umschalt + T drehen es, C schließt und öffnet die Pinzette. Esc legt es weg.</translation>
+        <source>The mouse leads its tip, the wheel moves it in depth (Ctrl + wheel zooms), a click brings it to a vessel, T and Shift + T turn it, C closes and opens forceps. By keys: Enter brings it to the cross, arrows lead it, Page Up and Page Down move it in depth. Esc puts it away.</source>
+        <translation>Die Maus führt seine Spitze, das Mausrad bewegt es in die Tiefe (Strg + Mausrad vergrößert), ein Klick bringt es an ein Gefäß, T und Umschalt + T drehen es, C schließt und öffnet die Pinzette. Mit Tasten: Die Eingabetaste bringt es an das Kreuz, Pfeile führen es, Bild auf und Bild ab bewegen es in die Tiefe. Esc legt es weg.</translation>
     </message>
     <message>
         <source>no tool</source>
@@ -7346,8 +7350,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Pfeiltasten, dann Eingabetaste oder Esc</translation>
     </message>
     <message>
-        <source>lead what is held, a tool also in depth by Page Up and Page Down, then let go</source>
-        <translation>führen, was gefasst ist, ein Werkzeug mit Bild auf und Bild ab auch in die Tiefe, dann loslassen</translation>
+        <source>lead what is held, a tool also in depth by Page Up and Page Down (with Shift five times as far), then let go</source>
+        <translation>führen, was gefasst ist, ein Werkzeug mit Bild auf und Bild ab auch in die Tiefe (mit der Umschalttaste fünfmal so weit), dann loslassen</translation>
     </message>
     <message>
         <source>Arrow keys in a slice</source>
@@ -8284,16 +8288,16 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Niemand kann sie üben, bis ihre Orte unter Lektion &gt; Lektionen bearbeiten angesehen wurden. Wird die Korrektur rückgängig gemacht, passen sie wieder.</translation>
     </message>
     <message>
-        <source>No vessel there: press on one and drag it</source>
-        <translation>Dort ist kein Gefäß: Drücken Sie auf eines, und ziehen Sie</translation>
+        <source>No vessel there: drag one (by keys: Enter with the cross on it)</source>
+        <translation>Dort ist kein Gefäß: Ziehen Sie an einem (mit Tasten: Eingabe, wenn das Kreuz auf einem liegt)</translation>
     </message>
     <message>
         <source>The vessel slipped out of the jaws: C opens them</source>
         <translation>Das Gefäß ist aus den Backen geglitten: C öffnet sie</translation>
     </message>
     <message>
-        <source>The jaws closed beside the vessel: C opens them, the wheel moves them in depth</source>
-        <translation>Die Backen haben sich neben dem Gefäß geschlossen: C öffnet sie, das Rad bewegt sie in die Tiefe</translation>
+        <source>The jaws closed beside the vessel: C opens them, the wheel (by keys: Page Up/Down) moves them in depth</source>
+        <translation>Die Backen haben sich neben dem Gefäß geschlossen: C öffnet sie, das Mausrad (mit Tasten: Bild auf/ab) bewegt sie in die Tiefe</translation>
     </message>
     <message>
         <source>%1 now lies %2 from where it was when the lesson was made.</source>
@@ -8328,8 +8332,16 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Zurück zum Lektionseditor</translation>
     </message>
     <message>
-        <source>Choose a tool; a drag turns the view</source>
-        <translation>Wählen Sie ein Werkzeug; Ziehen mit der Maus dreht die Ansicht</translation>
+        <source>Choose a tool; a drag or the arrows turn the view</source>
+        <translation>Wählen Sie ein Werkzeug; Ziehen mit der Maus oder die Pfeile drehen die Ansicht</translation>
+    </message>
+    <message>
+        <source>Only the flow is played here: there is nothing to pull, touch or cut</source>
+        <translation>Hier spielt nur der Fluss: Es gibt nichts zu ziehen, zu berühren oder zu durchtrennen</translation>
+    </message>
+    <message>
+        <source>Only the flow is played here: choose %1; a drag or the arrows turn the view</source>
+        <translation>Hier spielt nur der Fluss: Wählen Sie %1; Ziehen mit der Maus oder die Pfeile drehen die Ansicht</translation>
     </message>
     <message>
         <source>Nothing is corrected during a lesson: leave it first</source>
@@ -9453,8 +9465,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>blutet %1</translation>
     </message>
     <message>
-        <source>This lesson is played without tools; a drag turns the view</source>
-        <translation>Diese Lektion kommt ohne Werkzeuge aus; Ziehen dreht die Ansicht</translation>
+        <source>This lesson is played without tools; a drag or the arrows turn the view</source>
+        <translation>Diese Lektion kommt ohne Werkzeuge aus; Ziehen oder die Pfeile drehen die Ansicht</translation>
     </message>
 </context>
 </TS>

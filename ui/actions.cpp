@@ -61,25 +61,26 @@ constexpr std::array table{
     ActionSpec{quit, Words::id("&File"), Words::id("&Quit"), "Ctrl+Q",
                Words::id("Leave the program")},
     ActionSpec{pull_mode, Words::id("&Play"), Words::id("&Pull"), "1",
-               Words::id("Left drag on a vessel pulls it"), true},
+               Words::id("Left drag on a vessel pulls it"), true, true},
     ActionSpec{inject_mode, Words::id("&Play"), Words::id("&Inject"), "2",
-               Words::id("Left click on a vessel injects there"), true},
+               Words::id("Left click on a vessel injects there"), true, true},
     ActionSpec{edit_mode, Words::id("&Play"), Words::id("&Edit the vessels"), "3",
-               Words::id("Left click on a vessel corrects the tree there"), true},
+               Words::id("Left click on a vessel corrects the tree there"), true, true},
     ActionSpec{sphere_tool, Words::id("&Play"), Words::id("P&robe"), "4",
-               Words::id("Probe: the mouse leads a ball that pushes the vessels"), true},
+               Words::id("Probe: the mouse leads a ball that pushes the vessels"), true, true},
     ActionSpec{capsule_tool, Words::id("&Play"), Words::id("Rod pro&be"), "5",
-               Words::id("Rod probe: the mouse leads a rod that pushes the vessels"), true},
+               Words::id("Rod probe: the mouse leads a rod that pushes the vessels"), true, true},
     ActionSpec{forceps_tool, Words::id("&Play"), Words::id("&Forceps"), "6",
-               Words::id("Forceps: the mouse leads two jaws that hold a vessel and pull it"), true},
+               Words::id("Forceps: the mouse leads two jaws that hold a vessel and pull it"), true,
+               true},
     ActionSpec{hook_tool, Words::id("&Play"), Words::id("Hoo&k"), "7",
-               Words::id("Hook: the mouse leads it, and it holds a vessel aside"), true},
+               Words::id("Hook: the mouse leads it, and it holds a vessel aside"), true, true},
     ActionSpec{cut_mode, Words::id("&Play"), Words::id("Bl&ade"), "8",
-               Words::id("Blade: a line drawn across a vessel cuts through it"), true},
+               Words::id("Blade: a line drawn across a vessel cuts through it"), true, true},
     ActionSpec{
         weaken_mode, Words::id("&Play"), Words::id("Cut &line"), "9",
         Words::id("Cut line: along a line drawn across a vessel it tears more easily when pulled"),
-        true},
+        true, true},
     ActionSpec{turn_tool, Words::id("&Play"), Words::id("&Turn the tool"), "T",
                Words::id("Turn the tool in hand against the clock, by 15°")},
     ActionSpec{turn_tool_back, Words::id("&Play"), Words::id("Tur&n the tool back"), "Shift+T",
@@ -191,7 +192,8 @@ constexpr std::array<std::pair<const char*, const char*>, 6> keys_in_the_view{{
      Words::id("act at the cross in the middle: take hold of the vessel (Pull), inject, edit, "
                "measure, bring the tool, set the blade down; Ctrl + Enter injects in Pull mode")},
     {Words::id("Arrow keys, then Enter or Esc"),
-     Words::id("lead what is held, a tool also in depth by Page Up and Page Down, then let go")},
+     Words::id("lead what is held, a tool also in depth by Page Up and Page Down (with Shift five "
+               "times as far), then let go")},
 }};
 
 constexpr std::array<std::pair<const char*, const char*>, 4> keys_in_slices{{
@@ -338,8 +340,11 @@ void Actions::forbid(std::set<ActionId> forbidden) {
 }
 
 QString Actions::objection_to(const QKeySequence& keys) const {
+    const auto has_keys = [&](ActionId id) { return actions_.at(id)->shortcuts().contains(keys); };
     for (const ActionId id : forbidden_)
-        if (actions_.at(id)->shortcuts().contains(keys)) return actions_.at(id)->statusTip();
+        if (has_keys(id)) return actions_.at(id)->statusTip();
+    for (const auto& [id, why] : lacks_)
+        if (!why.isEmpty() && has_keys(id)) return why;
     return {};
 }
 

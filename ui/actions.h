@@ -103,6 +103,11 @@ std::span<const ActionSpec> action_table();
 inline constexpr std::array measuring_actions{ActionId::measure_distance, ActionId::measure_angle,
                                               ActionId::measure_diameter};
 
+// What acts on the vessels' body.
+inline constexpr std::array body_actions{
+    ActionId::pull_mode, ActionId::sphere_tool, ActionId::capsule_tool, ActionId::forceps_tool,
+    ActionId::hook_tool, ActionId::cut_mode,    ActionId::weaken_mode};
+
 // Makes and enables the actions of one window. UI thread only.
 class Actions {
   public:
@@ -120,7 +125,8 @@ class Actions {
     void before_menu_of(ActionId id, const std::function<void()>& look);
     // Disables these actions, with a tip that the lesson does not allow them, until the next call.
     void forbid(std::set<ActionId> forbidden);
-    // What a forbidden action with these keys would do, as its tip says it; empty: there is none.
+    // Why an action with these keys is forbidden or has nothing to act on, as its tip says it;
+    // empty: there is none such.
     QString objection_to(const QKeySequence& keys) const;
 
     // All keys and mouse gestures as HTML.

@@ -119,6 +119,7 @@ AttemptsDialog::AttemptsDialog(Ways ways, QWidget* parent)
     quantity_->setObjectName("attemptsQuantity");
     quantity_->setAccessibleName(Words::tr("Quantity of the learning curve"));
     look_back_->setObjectName("attemptsLookBack");
+    save_->setObjectName("attemptsSave");
     auto* column = new QVBoxLayout(this);
     column->addWidget(title_);
     column->addWidget(table_, 1);

@@ -385,7 +385,8 @@ void CaseEditing::click_at(const Vec3& place_mm) {
         station_at(tree.segments[static_cast<std::size_t>(point.segment)], point.arclength_mm)
             .radius_mm;
     if (point.distance_mm > radius_mm + beside_wall_mm)
-        return callbacks_.say(Words::tr("No vessel there: click on one"));
+        return callbacks_.say(
+            Words::tr("No vessel there: click on one (by keys: Enter with the cross on it)"));
     click(point);
 }
 

@@ -56,7 +56,7 @@ bool KeyTool::press(ViewKey key, const MouseModifiers& modifiers) {
         case ViewKey::in:
         case ViewKey::out:
             if (!leads_ || mouse_.mode() != MouseMode::tool) return false;
-            mouse_.wheel(key == ViewKey::in ? 1.0 : -1.0);
+            mouse_.wheel(key == ViewKey::in ? 1.0 : -1.0, {.shift = modifiers.shift});
             return true;
     }
     return false;
@@ -79,14 +79,17 @@ void KeyTool::arrow(double right, double down, bool shift) {
 }
 
 void KeyTool::enter(const MouseModifiers& modifiers) {
+    const bool tool = mouse_.mode() == MouseMode::tool;
     if (leads_) {
+        if (tool && mouse_.hand().click(led_to_)) return;
         mouse_.release(led_to_);
         leads_ = false;
         return;
     }
     const Pixel at = aim();
-    if (mouse_.mode() == MouseMode::tool && !modifiers.control) {
+    if (tool && !modifiers.control) {
         mouse_.move(at);
+        mouse_.hand().click(at);
         leads_ = true;
         led_to_ = at;
         return;

@@ -7,7 +7,8 @@
 //   Enter            what a click does in this mode; Ctrl + Enter what Ctrl + click does
 // In pull mode Enter grabs the vessel in the middle, with a tool it brings the tool there, with
 // blade or cut line it begins a line. Arrows then move it, Page Up and Page Down move a tool in
-// depth, and Enter or Escape lets go.
+// depth (with Shift five times as far), and Enter or Escape lets go. On a vessel or a mark at
+// another depth Enter first brings the tool to that, as a click does.
 #pragma once
 
 #include <functional>

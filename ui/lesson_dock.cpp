@@ -59,7 +59,7 @@ LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
                               [this](const QString& words) { ways_.step(words); }})),
       attempts_(new AttemptsDialog(
           {[this](const fs::path& recording) { ways_.look_back(recording, shown_name_); },
-           [this](const std::string& csv) { ways_.save_table("attempts", csv); },
+           [this](const std::string& csv) { ways_.save_table(*attempts_, "attempts", csv); },
            [this](const std::exception_ptr& error) {
                ways_.failed(Words::tr("Mark an attempt"), error);
            }},

@@ -50,8 +50,9 @@ class LessonDock : public QDockWidget {
         // Shows a recording in a review.
         std::function<void(const std::filesystem::path& recording, const std::string& lesson)>
             look_back;
-        // Asks for a place and saves a table; `called` is the suggested file name.
-        std::function<void(const char* called, const std::string& csv)> save_table;
+        // Asks in front of the window `asks` for a place and saves a table; `called` is the
+        // suggested file name.
+        std::function<void(QWidget& asks, const char* called, const std::string& csv)> save_table;
         std::function<void()> edit;  // shows the lesson editor
         // This lesson was not begun, because its places no longer lie where they were on the
         // vessels.

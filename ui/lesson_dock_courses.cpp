@@ -85,7 +85,7 @@ void LessonDock::show_results() {
             results_of(course, course_file_.parent_path(), all_attempts(recordings_).list);
         if (results_ == nullptr)
             results_ = new ResultsDialog(
-                [this](const std::string& csv) { ways_.save_table("results", csv); },
+                [this](const std::string& csv) { ways_.save_table(*results_, "results", csv); },
                 parentWidget());
         results_->show_results(course.name, std::move(results));
     } catch (...) {
@@ -115,15 +115,14 @@ CourseEditor& LessonDock::course_editor() {
                                     const std::string& name) -> std::optional<fs::path> {
             const QString file = ways_.choose(Settings::Kind::course, [&](const QString& start) {
                 return ask_where_to_save_file(
-                    *parentWidget(), question,
+                    shown_of(*course_editor_, *parentWidget()), question,
                     start + "/" + as_file_name(translated(name), "course") + ".json",
                     Words::tr("Courses (*.json)"));
             });
             return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
         };
         ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
-            QWidget& shown = course_editor_->isVisible() ? *course_editor_ : *parentWidget();
-            tell_failure(shown, doing, failure_of(error));
+            tell_failure(shown_of(*course_editor_, *parentWidget()), doing, failure_of(error));
         };
         ways.written = [this](const fs::path& file) {
             choose_course(file);

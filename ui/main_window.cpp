@@ -272,7 +272,7 @@ void MainWindow::build_branches() {
         colour_by_segments(of_branches);
     };
     callbacks.save = [this](const std::string& csv) {
-        save_table(proposed_file("branches.csv"), csv);
+        save_table(*this, proposed_file("branches.csv"), csv);
     };
     callbacks.failed = [this](const Failure& failure) {
         fail(Words::tr("Liver segments"), failure);

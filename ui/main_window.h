@@ -220,7 +220,8 @@ class MainWindow : public QMainWindow {
     void ask_where_to_save_picture();
     void ask_where_to_archive();
     QString proposed_file(const QString& called) const;
-    void save_table(const QString& proposed, const std::string& csv);
+    // `asks`: the window in which the table is shown.
+    void save_table(QWidget& asks, const QString& proposed, const std::string& csv);
     void save_plots(bool picture);
     void ask_and_save_film(double end_s, const std::function<void(double at_s)>& go_to);
     void say_no_film();  // it was cancelled
@@ -289,6 +290,9 @@ class MainWindow : public QMainWindow {
     void say_tools_to_choose();
     void say_empty_grip(GripWatch::Seen seen);
     QString guidance_of(MouseMode mode) const;  // what the mouse does, in the status bar
+    QString words_without_pulling() const;      // what else it does
+    // Whether there is a body to act on; actions that need one say so where there is none.
+    void use_body(bool moves);
 
     // main_window_reports.cpp: reports of plays.
     void write_report(const std::filesystem::path& recording, const std::string& lesson);

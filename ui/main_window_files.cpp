@@ -190,15 +190,20 @@ void MainWindow::save_plots(bool picture) {
     });
 }
 
-void MainWindow::save_table(const QString& proposed, const std::string& csv) {
-    const QString file = ask_where_to_save_file(*this, Words::tr("Save the table"), proposed,
-                                                Words::tr("Tables (*.csv)"));
+void MainWindow::save_table(QWidget& asks, const QString& proposed, const std::string& csv) {
+    const QString doing = Words::tr("Save the table");
+    const QString file = ask_where_to_save_file(asks, doing, proposed, Words::tr("Tables (*.csv)"));
     if (file.isEmpty()) return;
-    attempt(Words::tr("Save the table"), [&] {
+    try {
         require_folder_of(file);
         write_text_atomically(to_path(file), csv);
         statusBar()->showMessage(Words::tr("Saved %1").arg(file), 6000);
-    });
+    } catch (...) {
+        const Failure failure = failure_of(std::current_exception());
+        if (&asks == this) return fail(doing, failure);
+        log_->add_failure(doing, failure);
+        tell_failure(asks, doing, failure);  // the message bar lies behind it
+    }
 }
 
 void MainWindow::offer_unsaved_work() {

@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QStatusBar>
 #include <QToolTip>
+#include <array>
 #include <utility>
 
 #include "ui/core_words.h"
@@ -108,39 +109,75 @@ void MainWindow::say_missed() {
     if (!patient_) return;
     const bool pulls = view_->mouse().mode() == MouseMode::pull;
     if (pulls && !view_->mouse().may_pull()) return say_tools_to_choose();
-    hint(pulls ? Words::tr("No vessel there: press on one and drag it")
-               : Words::tr("No vessel there: click on one"));
+    hint(pulls ? Words::tr("No vessel there: drag one (by keys: Enter with the cross on it)")
+               : Words::tr("No vessel there: click on one (by keys: Enter with the cross on it)"));
 }
 
 void MainWindow::say_tools_to_choose() {
     if (review_->reviewing()) return;
     if (!allowed_tools_) return hint(guidance_of(MouseMode::pull));
     const QString tools = in_words(*allowed_tools_, *actions_);
-    hint(tools.isEmpty() ? Words::tr("This lesson is played without tools; a drag turns the view")
-                         : Words::tr("Choose a tool: %1").arg(tools));
+    hint(tools.isEmpty()
+             ? Words::tr("This lesson is played without tools; a drag or the arrows turn the view")
+             : Words::tr("Choose a tool: %1").arg(tools));
 }
 
 void MainWindow::say_empty_grip(GripWatch::Seen seen) {
-    hint(seen == GripWatch::Seen::slipped
-             ? Words::tr("The vessel slipped out of the jaws: C opens them")
-             : Words::tr("The jaws closed beside the vessel: C opens them, the wheel moves them in "
-                         "depth"));
+    hint(
+        seen == GripWatch::Seen::slipped
+            ? Words::tr("The vessel slipped out of the jaws: C opens them")
+            : Words::tr("The jaws closed beside the vessel: C opens them, the wheel (by keys: Page "
+                        "Up/Down) moves them in depth"));
 }
 
 QString MainWindow::guidance_of(MouseMode mode) const {
-    return mode == MouseMode::pull && !view_->mouse().may_pull()
-               ? Words::tr("Choose a tool; a drag turns the view")
-           : mode == MouseMode::pull    ? Words::tr("Drag a vessel to pull it")
-           : mode == MouseMode::inject  ? Words::tr("Click on a vessel to inject there")
-           : mode == MouseMode::edit    ? Words::tr("Click on a vessel to correct the tree")
-           : mode == MouseMode::place   ? Words::tr("Click on a vessel: the place is there")
-           : mode == MouseMode::measure ? translated(ruler_->guidance())
-           : mode == MouseMode::cut     ? Words::tr("Draw a line across a vessel to cut it")
-           : mode == MouseMode::weaken
-               ? Words::tr("Draw a line across a vessel: it tears there when pulled")
-               : Words::tr(
-                     "The mouse leads the tool, the wheel moves it in depth, a click brings "
-                     "it to a vessel");
+    switch (mode) {
+        case MouseMode::pull:
+            return view_->mouse().may_pull()
+                       ? Words::tr(
+                             "Drag a vessel to pull it (by keys: Enter at the cross, then arrows)")
+                       : words_without_pulling();
+        case MouseMode::inject:
+            return Words::tr("Click on a vessel to inject there (by keys: Enter at the cross)");
+        case MouseMode::edit:
+            return Words::tr("Click on a vessel to correct the tree (by keys: Enter at the cross)");
+        case MouseMode::place:
+            return Words::tr("Click on a vessel: the place is there (by keys: Enter at the cross)");
+        case MouseMode::measure:
+            return translated(ruler_->guidance());
+        case MouseMode::cut:
+            return Words::tr(
+                "Draw a line across a vessel to cut it (by keys: Enter, arrows, Enter)");
+        case MouseMode::weaken:
+            return Words::tr(
+                "Draw a line across a vessel: it tears there when pulled (by keys: Enter, arrows, "
+                "Enter)");
+        case MouseMode::tool:
+            return Words::tr(
+                "The mouse leads the tool, the wheel moves it in depth, a click brings it to a "
+                "vessel (by keys: arrows, Page Up/Down, Enter)");
+    }
+    return {};
+}
+
+// Where a drag pulls nothing: the lesson forbids it, or there is no body.
+QString MainWindow::words_without_pulling() const {
+    const std::array inject{LessonTool::inject};
+    const bool may_inject = !allowed_tools_ || allows(*allowed_tools_, LessonTool::inject);
+    return !view_->mouse().moves() && may_inject
+               ? Words::tr(
+                     "Only the flow is played here: choose %1; a drag or the arrows turn "
+                     "the view")
+                     .arg(in_words(inject, *actions_))
+               : Words::tr("Choose a tool; a drag or the arrows turn the view");
+}
+
+void MainWindow::use_body(bool moves) {
+    view_->mouse().set_moves(moves);
+    const QString why =
+        moves ? QString()
+              : Words::tr("Only the flow is played here: there is nothing to pull, touch or cut");
+    for (const ActionId id : body_actions) actions_->show_lack(id, why);
 }
 
 }  // namespace hepatica

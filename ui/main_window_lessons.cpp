@@ -90,8 +90,8 @@ void MainWindow::build_lessons() {
     ways.look_back = [this](const std::filesystem::path& recording, const std::string& lesson) {
         review_->open(recording, lesson);
     };
-    ways.save_table = [this](const char* called, const std::string& csv) {
-        save_table(settings_.last_folder() + "/" + called + ".csv", csv);
+    ways.save_table = [this](QWidget& asks, const char* called, const std::string& csv) {
+        save_table(asks, settings_.last_folder() + "/" + called + ".csv", csv);
     };
     ways.choose = [this](Settings::Kind kind, const Settings::Ask& ask) {
         return settings_.choose(kind, ask);
@@ -361,11 +361,12 @@ void MainWindow::build_lesson_editor() {
         return file.isEmpty() ? std::nullopt : std::optional(to_path(file));
     };
     ways.unsaved = [this](bool kept) {
-        return ask_unsaved_lesson(*lesson_editor_, lesson_editor_->document().lesson().name, kept);
+        return ask_unsaved_lesson(shown_of(*lesson_editor_, *this),
+                                  lesson_editor_->document().lesson().name, kept);
     };
     ways.failed = [this](const QString& doing, const std::exception_ptr& error) {
         log_->add_failure(doing, failure_of(error));
-        tell_failure(*lesson_editor_, doing, failure_of(error));
+        tell_failure(shown_of(*lesson_editor_, *this), doing, failure_of(error));
     };
     ways.tumours = [this] { return view_layout_->slices().tumours().tumours(); };
     if (!draft_slot_) draft_slot_ = std::make_unique<DraftSlot>(to_path(settings_.lesson_draft()));

@@ -63,7 +63,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     quality_->post_choices();
     inject_->begin_play(true);
     view_->mouse().hand().begin_again();
-    view_->mouse().set_moves(true);
+    use_body(true);
     tool_panel_->begin_play(true);
     follow_simulation();
     editing_->show_body();
@@ -103,7 +103,7 @@ void MainWindow::match_anatomy() {
         patient.tree, moves ? patient.mesh.vertices_mm : patient.surface.vertices_mm, job);
     view_->scene().set_vertex_systems(patient_->anatomy.vertex_systems());
     branches_->colour_vessels();  // if the branches of this patient are known
-    view_->mouse().set_moves(moves);
+    use_body(moves);
 }
 
 void MainWindow::use(std::unique_ptr<Simulation> simulation) {
@@ -387,6 +387,7 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
     if (mode == MouseMode::inject) findChild<QDockWidget*>("Injection")->raise();
     constexpr int readable_ms = 6000;
     statusBar()->showMessage(guidance_of(mode), readable_ms);
+    view_->mode_chosen();
 }
 
 // Also if a lesson forbids pulling; then a drag does nothing to the vessels.

@@ -7,8 +7,8 @@
 //   Alt + wheel              move the plane that opens the view
 //   right and middle drag, Shift + left drag   the camera, as the scheme says (mouse_scheme.h)
 // With a tool in hand the mouse leads it (tool_hand.h): every drag orbits or pans, the wheel moves
-// the tool in depth (with Shift five times as far), Ctrl + wheel zooms, and a click on a vessel
-// brings the tool there.
+// the tool in depth (with Shift five times as far), Ctrl + wheel zooms, and a click on a vessel or
+// a mark of the lesson brings the tool there.
 // In cut and weaken mode a left drag draws a line across a vessel, which is cut or weakened there.
 // In pull mode a click on a vessel calls `pointed`. In inject, edit, place and measure mode a click
 // on a vessel injects, edits, or sets a place or a point of a measurement, and a drag orbits. In
@@ -61,6 +61,7 @@ class MouseTool {
     void set_may_pull(bool may_pull) { may_pull_ = may_pull; }
     // Whether there is a body to pull; likewise.
     void set_moves(bool moves) { moves_ = moves; }
+    bool moves() const { return moves_; }
     bool may_pull() const { return may_pull_ && moves_; }
     ToolHand& hand() { return hand_; }
     ClipControl& clip() { return clip_; }

@@ -143,7 +143,9 @@ QWidget* QualityPanel::make_back_ends(QWidget* parent) {
     device_ = new QLabel(rows);
     device_->setObjectName("device");
     device_->setWordWrap(true);
-    form->addRow(Words::tr("Now"), device_);
+    now_ = new QLabel(Words::tr("Now"), rows);
+    now_->setObjectName("deviceHeading");
+    form->addRow(now_, device_);
     return rows;
 }
 
@@ -210,6 +212,9 @@ void QualityPanel::show_statistics(const FrameStatistics& statistics) {
     device_->setText(statistics.setting.empty()  ? QString()
                      : statistics.device.empty() ? Words::tr("the processor")
                                                  : translated(statistics.device));
+    // Nothing is computed where no vessels move: a label alone would promise something.
+    now_->setVisible(!device_->text().isEmpty());
+    device_->setVisible(!device_->text().isEmpty());
     solver_->setToolTip(Words::tr("Setting of the solver: %1").arg(translated(statistics.setting)));
 }
 

@@ -52,6 +52,7 @@ class QualityPanel : public QWidget {
     QLabel* error_ = nullptr;
     QLabel* solver_ = nullptr;
     QComboBox* back_ends_ = nullptr;
+    QLabel* now_ = nullptr;  // the heading of device_
     QLabel* device_ = nullptr;
     QCheckBox* gravity_ = nullptr;
     QCheckBox* tether_ = nullptr;

@@ -145,6 +145,10 @@ bool ask_export_with_name(QWidget& parent) {
     return box.clickedButton() == go_on;
 }
 
+QWidget& shown_of(QWidget& own, QWidget& window) {
+    return own.isVisible() ? own : window;
+}
+
 void tell_failure(QWidget& window, const QString& doing, const Failure& failure) {
     const QStringList lines = lines_of(failure);
     auto* box = new QMessageBox(QMessageBox::Warning, doing, as_plain(lines.front()),

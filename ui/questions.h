@@ -24,6 +24,10 @@ std::optional<std::filesystem::path> ask_where_ct_lies(QWidget& parent, Settings
 // Whether a file may be written that names the patient as the CT does.
 bool ask_export_with_name(QWidget& parent);
 
+// The window that a question or message about `own` must have as its parent: `own`, or `window`
+// while that is hidden. The keys go back to the parent.
+QWidget& shown_of(QWidget& own, QWidget& window);
+
 // Shows a failure in a message box in front of `window`. Returns at once.
 void tell_failure(QWidget& window, const QString& doing, const Failure& failure);
 

@@ -39,6 +39,7 @@ QPushButton { padding: 5px 12px; border-radius: 4px; background: {button}; borde
 QPushButton:hover { background: {button_hover}; }
 QPushButton:disabled { color: {disabled}; background: {window}; }
 QPushButton:default { background: {accent}; border-color: {accent_border}; color: {accent_text}; }
+QPushButton#welcomeFirst { border-color: {accent_border}; font-weight: 600; }
 QProgressBar { border: none; border-radius: 3px; background: {button}; height: 8px; }
 QProgressBar::chunk { background: {accent_border}; border-radius: 3px; }
 QFrame#messageBar { background: {failure}; }

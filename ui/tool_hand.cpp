@@ -11,6 +11,10 @@ namespace hepatica {
 namespace {
 
 constexpr double least_notch_mm = 0.5;
+// Beside the vessels a mark is meant also a little beside its sphere.
+constexpr double spheres_beside_mark = 1.6;
+// A surface that is no further from a mark is that of the vessel in which the mark lies.
+constexpr double farthest_wall_mm = 10.0;
 
 // Direction of an instrument: from the lower right into the picture.
 Vec3 way_of_instrument(const ViewAxes& axes) {
@@ -126,12 +130,14 @@ void ToolHand::press(const Pixel& at) {
     if (!kind_.empty() && !seen_) bring_to(at);
 }
 
-void ToolHand::click(const Pixel& at) {
-    if (!seen_ || closed_ || !seen_->touched.empty()) return;
-    const SurfacePick pick = view_.pick(at);
-    if (pick.triangle < 0) return;
-    const double away_mm = (pick.position_mm - seen_->tip_mm).dot(view_.axes().forward);
-    if (std::abs(away_mm) > 2.0 * size_.radius_mm) bring(pick.position_mm, present_way());
+bool ToolHand::click(const Pixel& at) {
+    if (!seen_ || closed_ || !seen_->touched.empty()) return false;
+    const std::optional<Vec3> place = place_at(at);
+    if (!place) return false;
+    const double away_mm = (*place - seen_->tip_mm).dot(view_.axes().forward);
+    if (std::abs(away_mm) <= 2.0 * size_.radius_mm) return false;
+    bring(*place, present_way());
+    return true;
 }
 
 void ToolHand::shift_depth(double steps) {
@@ -160,11 +166,22 @@ Vec3 ToolHand::way_at(const Pixel& at) const {
     return way_to_take(view_.axes(), vessel);
 }
 
-// At the vessel under the mouse, or at the depth of the camera's focus.
-void ToolHand::bring_to(const Pixel& at) {
+std::optional<Vec3> ToolHand::place_at(const Pixel& at) const {
     const SurfacePick pick = view_.pick(at);
-    bring(pick.triangle >= 0 ? pick.position_mm : view_.point_at_depth(at, view_.axes().focus_mm),
-          way_at(at));
+    const bool on_vessel = pick.triangle >= 0;
+    const std::optional<Vec3> mark = view_.mark_at(at, on_vessel ? 1.0 : spheres_beside_mark);
+    const auto is_of_mark = [&] {
+        const double away_mm = (pick.position_mm - *mark).dot(view_.axes().forward);
+        return std::abs(away_mm) <= farthest_wall_mm;
+    };
+    if (mark && !(on_vessel && is_of_mark())) return view_.point_at_depth(at, *mark);
+    return on_vessel ? std::optional(pick.position_mm) : std::nullopt;
+}
+
+// Where nothing is pointed at, at the depth of the camera's focus.
+void ToolHand::bring_to(const Pixel& at) {
+    const std::optional<Vec3> place = place_at(at);
+    bring(place ? *place : view_.point_at_depth(at, view_.axes().focus_mm), way_at(at));
 }
 
 void ToolHand::bring(const Vec3& tip_mm, const Vec3& direction) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Leads a tool by the mouse, without any toolkit. The tool appears at the mouse; then its tip
 // follows the mouse in a plane parallel to the picture, which the wheel moves in depth; a new depth
-// is reached smoothly, by the play's time and without a timer. A click on a vessel brings it there.
-// Obstacles stop it until there is room. The scene prepares for tools when the first is taken and
-// releases that when the last is put away.
+// is reached smoothly, by the play's time and without a timer. A click on a vessel, or on a mark of
+// the lesson, brings it there. Obstacles stop it until there is room. The scene prepares for tools
+// when the first is taken and releases that when the last is put away.
 #pragma once
 
 #include <functional>
@@ -55,10 +55,10 @@ class ToolHand {
     void move(const Pixel& at);
     // Requests a tool that was refused once more.
     void press(const Pixel& at);
-    // A click on a vessel that lies in front of the tool or behind it brings the tool there anew,
-    // turned as it is. A tool that touches something stays, because it would let go of it, and so
-    // do closed jaws.
-    void click(const Pixel& at);
+    // A click on a vessel or a mark that lies in front of the tool or behind it brings the tool
+    // there anew, turned as it is; returns whether it does. A tool that touches something stays,
+    // because it would let go of it, and so do closed jaws.
+    bool click(const Pixel& at);
     // By notches of the wheel, > 0 away from the user.
     void shift_depth(double steps);
     // In the plane of the picture, counterclockwise.
@@ -71,6 +71,8 @@ class ToolHand {
   private:
     void bring(const Vec3& tip_mm, const Vec3& direction);
     void bring_to(const Pixel& at);
+    // What one points at there: a vessel's surface, or a place at the depth of a mark.
+    std::optional<Vec3> place_at(const Pixel& at) const;
     void lead_to(const Pixel& at, std::optional<double> over_s);
     // From the tip as it was seen last to the plane in which the mouse leads it. Requires seen_.
     double depth_left_mm() const;

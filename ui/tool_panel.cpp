@@ -302,7 +302,8 @@ void ToolPanel::show_kind(const std::string& kind, const QString& line_help) {
             ? Words::tr("Take a tool from the bar above the view.")
             : Words::tr("The mouse leads its tip, the wheel moves it in depth (Ctrl + wheel "
                         "zooms), a click brings it to a vessel, T and Shift + T turn it, C closes "
-                        "and opens forceps. Esc puts it away."));
+                        "and opens forceps. By keys: Enter brings it to the cross, arrows lead it, "
+                        "Page Up and Page Down move it in depth. Esc puts it away."));
 }
 
 void ToolPanel::show_force(const std::optional<ToolView>& tool,

@@ -222,6 +222,10 @@ void VtkWidget::take_from_keys() {
     focus_->show_aim(std::nullopt, false);
 }
 
+void VtkWidget::mode_chosen() {
+    if (key_is_down_ && hasFocus()) show_aim();
+}
+
 void VtkWidget::show_aim() {
     const Pixel aim = keys_->aim();
     focus_->show_aim(point_at(aim, devicePixelRatioF()), keys_->leads());
@@ -236,7 +240,7 @@ void VtkWidget::mousePressEvent(QMouseEvent* event) {
 void VtkWidget::mouseMoveEvent(QMouseEvent* event) {
     // A mouse movement does not end a pull by keys; a tool follows the mouse again.
     if (keys_->leads() && mouse_->mode() != MouseMode::tool) return;
-    if (keys_->leads()) take_from_keys();
+    if (mouse_->mode() == MouseMode::tool) take_from_keys();
     if (mouse_->move(pixel_of(event->position()))) draw_again();
 }
 
@@ -266,6 +270,8 @@ void VtkWidget::leaveEvent(QEvent* event) {
 
 // Escape first lets go of what is held; otherwise the window's Escape puts a tool away.
 bool VtkWidget::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) key_is_down_ = true;
+    if (event->type() == QEvent::KeyRelease) key_is_down_ = false;
     if (event->type() == QEvent::ShortcutOverride && keys_->leads() &&
         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape)
         event->accept();
@@ -299,6 +305,7 @@ void VtkWidget::focusInEvent(QFocusEvent* event) {
 
 void VtkWidget::focusOutEvent(QFocusEvent* event) {
     QWidget::focusOutEvent(event);
+    key_is_down_ = false;
     take_from_keys();
     focus_->hide();
     mouse_->cancel();

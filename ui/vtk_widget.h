@@ -40,6 +40,9 @@ class VtkWidget : public QWidget {
     KeyTool& keys() { return *keys_; }
     // Of what mouse or keys pull or draw.
     void let_go();
+    // The mouse has another mode or tool. If it was chosen by a key, the aim is shown at once,
+    // because keys will lead.
+    void mode_chosen();
     const ViewFocus& focus_mark() const { return *focus_; }
 
     // Adds a callback that is called for each picture when it has reached the screen.
@@ -99,6 +102,7 @@ class VtkWidget : public QWidget {
     std::unique_ptr<SceneView> scene_;
     std::unique_ptr<MouseTool> mouse_;
     std::unique_ptr<KeyTool> keys_;
+    bool key_is_down_ = false;  // one that came to this widget first, also if it is a shortcut
     Canvas* canvas_ = nullptr;
     ViewFocus* focus_ = nullptr;
     std::vector<std::function<void(const PictureTime&)>> on_picture_;

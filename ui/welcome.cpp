@@ -35,7 +35,7 @@ Welcome::Welcome(const Actions& actions, std::function<void()> lessons, QWidget*
         column->addWidget(button);
         return button;
     };
-    add(Words::tr("The built-in patient"), ActionId::built_in)->setDefault(true);
+    add(Words::tr("The built-in patient"), ActionId::built_in)->setObjectName("welcomeFirst");
     auto* learn = new QPushButton(Words::tr("A lesson…"), this);
     learn->setObjectName("welcomeLessons");
     learn->setToolTip(Words::tr("The course, from the first lesson on, on the built-in patient"));
@@ -44,9 +44,8 @@ Welcome::Welcome(const Actions& actions, std::function<void()> lessons, QWidget*
     add(Words::tr("A CT folder (DICOM)…"), ActionId::open_ct_folder);
     add(Words::tr("A CT file (NIfTI, MetaImage, NRRD)…"), ActionId::open_ct_file);
     add(Words::tr("A case that was reconstructed before…"), ActionId::open_case);
-    // So that Enter presses the one that has the focus, as in a dialog; the first keeps its look.
-    for (QPushButton* button : findChildren<QPushButton*>())
-        if (!button->isDefault()) button->setAutoDefault(true);
+    // So that Enter presses the one that has the focus, as in a dialog, and that one alone is lit.
+    for (QPushButton* button : findChildren<QPushButton*>()) button->setAutoDefault(true);
     parent->installEventFilter(this);
     centre();
 }

@@ -217,7 +217,7 @@ TEST_F(Editing, a_click_in_edit_mode_does_what_the_panel_says) {
     EXPECT_EQ(saved_.corrections.edits[1].system, VascularSystem::hepatic);
     // A place beside every vessel is no place.
     QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, QPoint(5, 5));
-    EXPECT_EQ(window_.statusBar()->currentMessage(), "No vessel there: click on one");
+    EXPECT_TRUE(window_.statusBar()->currentMessage().startsWith("No vessel there: click"));
     wait();
     EXPECT_EQ(saved().corrections.edits.size(), 2u);
 }
@@ -305,7 +305,7 @@ TEST_F(Editing, a_click_in_a_slice_corrects_what_lies_there) {
                           axial.place_of(views.slices().crosshair_mm() + Vec3(mm, 0, 0)).toPoint());
     };
     click_beside(-14.0);
-    EXPECT_EQ(window_.statusBar()->currentMessage(), "No vessel there: click on one");
+    EXPECT_TRUE(window_.statusBar()->currentMessage().startsWith("No vessel there: click"));
     EXPECT_TRUE(saved().corrections.edits.empty());
     views.slices().set_crosshair(trunk);
     EXPECT_TRUE(child<QLabel>("slicePlace").text().contains("Set a whole vessel's system"));

@@ -6,18 +6,23 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QStatusBar>
 #include <QTableWidget>
 #include <QTimer>
 
 #include "core/base/atomic_write.h"
+#include "core/lesson/attempts.h"
 #include "tests/ui/fake_window_test.h"
+#include "ui/attempts_dialog.h"
 #include "ui/file_name.h"
+#include "ui/lesson_dock.h"
 #include "ui/message_bar.h"
 #include "ui/open_case_dialog.h"
 #include "ui/paths.h"
 #include "ui/patient_wizard.h"
+#include "ui/results_dialog.h"
 #include "ui/save_file_dialog.h"
 
 namespace hepatica {
@@ -115,6 +120,7 @@ class NamedFiles : public testing::FakeWindowTest {
             auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
             if (!dialog) return;
             folder = dialog->directory().absolutePath();
+            belongs_to_ = dialog->parentWidget();
             if (proposed) *proposed = dialog->findChild<QLineEdit*>("fileNameEdit")->text();
             dialog->reject();
         });
@@ -127,8 +133,22 @@ class NamedFiles : public testing::FakeWindowTest {
             if (action->text() == text) return action->trigger();
         ADD_FAILURE() << "there is no " << text.toStdString();
     }
+    // The table of all results, with one in it.
+    ResultsDialog& show_results() {
+        Attempt attempt;
+        attempt.recording = to_path(settings_.recordings_folder()) / "1.hrec";
+        attempt.lesson_id = "gentle_pull";
+        attempt.lesson = "Gentle pull";
+        attempt.ended_at = "2026-01-01T00:00:00Z";
+        attempt.name = "Anna";
+        write_attempt(attempt);
+        window_.lessons().show_results();
+        auto* results = window_.findChild<QTableWidget*>("results");
+        return dynamic_cast<ResultsDialog&>(*results->window());
+    }
     QTimer answering_;
     QString name_;
+    QWidget* belongs_to_ = nullptr;  // the window before which begins_in() saw a dialog
 };
 
 // Not in the home folder, nor where something of another kind lies.
@@ -193,6 +213,41 @@ TEST_F(NamedFiles, OfTheBranchesAreConfirmedInTheStatusBar) {
     window_.findChild<QPushButton*>("saveBranches")->click();
     EXPECT_TRUE(QFile::exists(file));
     EXPECT_EQ(window_.statusBar()->currentMessage(), "Saved " + file);
+}
+
+// When such a dialog is closed, its parent gets the keys: behind a table they would steer the play.
+TEST_F(NamedFiles, AreAskedForBeforeTheWindowThatAsks) {
+    ResultsDialog& results = show_results();
+    auto* save = results.findChild<QPushButton*>("resultsSave");
+    ASSERT_TRUE(save->isEnabled());
+    begins_in([save] { save->click(); });
+    EXPECT_EQ(belongs_to_, &results);
+    AttemptsDialog& attempts = window_.lessons().attempts();
+    attempts.show_lesson({"gentle_pull", "Gentle pull"}, to_path(settings_.recordings_folder()), "",
+                         {});
+    begins_in([&] { attempts.findChild<QPushButton*>("attemptsSave")->click(); });
+    EXPECT_EQ(belongs_to_, &attempts);
+    begins_in([this] { choose_from_menu("Edi&t course…"); });
+    EXPECT_EQ(belongs_to_, &window_) << "the editor is not shown yet";
+    const QString course = folder_.filePath("course.json");
+    type_when_asked(course);
+    choose_from_menu("Edi&t course…");
+    answering_.stop();
+    auto* copy = window_.findChild<QPushButton*>("courseCopy");
+    ASSERT_TRUE(copy->isVisible());
+    begins_in([copy] { copy->click(); });
+    EXPECT_EQ(belongs_to_, copy->window());
+}
+
+TEST_F(NamedFiles, ThatCannotBeWrittenAreToldOfBeforeTheWindowThatAsked) {
+    ResultsDialog& results = show_results();
+    type_when_asked(folder_.filePath("none/results.csv"));
+    results.findChild<QPushButton*>("resultsSave")->click();
+    auto* told = results.findChild<QMessageBox*>();
+    ASSERT_NE(told, nullptr);
+    EXPECT_TRUE(told->text().contains("There is no such folder")) << told->text().toStdString();
+    EXPECT_TRUE(window_.messages().text().isEmpty()) << "that is behind the table";
+    told->close();
 }
 
 // A "/" would propose a folder, and the other characters a name that not every disk takes.

@@ -133,6 +133,26 @@ TEST_F(LessonToolsTest, a_scene_in_which_nothing_moves_is_told_of_no_tool) {
     EXPECT_FALSE(window_.view().mouse().hand().holds());
 }
 
+// Else the bar would show Pull as chosen, and the words would send one to tools that do nothing.
+TEST_F(LessonToolsTest, where_nothing_moves_nothing_offers_to_move_it_also_after_the_verdict) {
+    begin(soon_lost_without_motion());
+    const auto told = [this] { return window_.statusBar()->currentMessage().toStdString(); };
+    EXPECT_EQ(
+        told(),
+        "Only the flow is played here: choose Inject (2); a drag or the arrows turn the view");
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
+    ASSERT_TRUE(wait_for([&] { return action(ActionId::inject_mode).isEnabled(); }));
+    ASSERT_TRUE(wait_for([&] { return action(ActionId::edit_mode).isEnabled(); }));
+    for (const ActionId id : body_actions) EXPECT_FALSE(action(id).isEnabled());
+    QTest::keyClick(&window_, Qt::Key_4);
+    EXPECT_EQ(told(), "Only the flow is played here: there is nothing to pull, touch or cut");
+    auto* device = window_.findChild<QLabel*>("device");
+    EXPECT_TRUE(wait_for([&] { return device->isHidden(); })) << "nothing makes steps";
+    window_.lessons().findChild<QPushButton*>("lessonLeave")->click();
+    for (const ActionId id : body_actions) EXPECT_TRUE(action(id).isEnabled());
+    EXPECT_EQ(told(), "Drag a vessel to pull it (by keys: Enter at the cross, then arrows)");
+}
+
 // Else the key of the next tool would stand in the name.
 TEST_F(LessonToolsTest, after_the_name_was_entered_keys_are_those_of_the_play) {
     begin(new_lesson());
@@ -186,7 +206,8 @@ TEST_F(LessonToolsTest, where_nothing_may_be_pulled_nobody_is_told_to_pull) {
     Lesson lesson = new_lesson();
     lesson.tools = {LessonTool::sphere};
     begin(lesson);
-    EXPECT_EQ(window_.statusBar()->currentMessage(), "Choose a tool; a drag turns the view");
+    EXPECT_EQ(window_.statusBar()->currentMessage(),
+              "Choose a tool; a drag or the arrows turn the view");
 }
 
 // Nothing is in hand where a lesson begins.

@@ -90,6 +90,34 @@ TEST_F(Window, enter_presses_the_button_of_the_start_page_that_has_the_focus) {
     EXPECT_EQ(pressed.count(), 1);
 }
 
+// Default buttons are lit: two of them would hide which one Enter presses.
+TEST_F(Window, of_the_buttons_of_the_start_page_the_one_with_the_focus_alone_is_lit) {
+    const auto lit = [this] {
+        QList<QPushButton*> found;
+        for (QPushButton* button :
+             window_.findChild<QWidget*>("welcome")->findChildren<QPushButton*>())
+            if (button->isDefault() || button->hasFocus()) found << button;
+        return found;
+    };
+    window_.view().setFocus();
+    EXPECT_TRUE(lit().isEmpty()) << "Enter presses none";
+    for (const char* name : {"welcomeFirst", "welcomeLessons"}) {
+        auto* button = window_.findChild<QPushButton*>(name);
+        button->setFocus();
+        EXPECT_EQ(lit(), QList<QPushButton*>{button}) << name;
+        EXPECT_TRUE(button->isDefault()) << name;
+    }
+}
+
+TEST_F(Window, no_tool_is_offered_while_there_is_no_patient) {
+    const auto enabled = [this](ActionId id) { return window_.actions()[id].isEnabled(); };
+    for (const ActionId id : body_actions) EXPECT_FALSE(enabled(id));
+    EXPECT_FALSE(enabled(ActionId::inject_mode));
+    open_built_in();
+    for (const ActionId id : body_actions) EXPECT_TRUE(enabled(id));
+    EXPECT_TRUE(enabled(ActionId::inject_mode));
+}
+
 TEST_F(Window, enter_in_the_view_speaks_of_no_vessels_where_there_are_none) {
     window_.view().setFocus();
     window_.statusBar()->clearMessage();

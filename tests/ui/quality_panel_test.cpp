@@ -201,9 +201,13 @@ TEST(QualityPanel, SaysWhatMakesTheStepsAndLetsTheUserChoose) {
     FrameStatistics statistics;
     p.panel.show_statistics(statistics);
     EXPECT_EQ(device.text(), "") << "nothing moves in this scene";
+    const QWidget& heading = *p.panel.findChild<QWidget*>("deviceHeading");
+    EXPECT_TRUE(heading.isHidden()) << "of nothing";
     statistics.setting = "corotated";
     p.panel.show_statistics(statistics);
     EXPECT_EQ(device.text(), "the processor");
+    EXPECT_FALSE(heading.isHidden());
+    EXPECT_FALSE(device.isHidden());
     statistics.device = "NVIDIA H200";
     p.panel.show_statistics(statistics);
     EXPECT_EQ(device.text(), "NVIDIA H200");

@@ -48,7 +48,9 @@ TEST_F(TearTest, a_cut_line_is_the_section_under_it) {
     QTest::keyClick(&window_, Qt::Key_9);
     const auto shown = window_.findChild<QDockWidget*>("Tool")->findChildren<QLabel*>("quiet");
     EXPECT_TRUE(std::ranges::any_of(shown, [](const QLabel* label) {
-        return label->text() == "Draw a line across a vessel: it tears there when pulled";
+        return label->text() ==
+               "Draw a line across a vessel: it tears there when pulled (by keys: Enter, "
+               "arrows, Enter)";
     })) << "and not to take a tool";
     draw(on_trunk() - QPoint(60, 0), on_trunk() + QPoint(60, 0));
     ASSERT_EQ(commands_of_type<CutLine>().size(), 1u);

@@ -255,6 +255,19 @@ TEST_F(ToolInHand, a_click_on_a_vessel_brings_it_there_from_another_depth) {
     EXPECT_EQ(count<AddTool>(), tools) << "closed jaws would let go";
 }
 
+TEST_F(ToolInHand, a_click_on_a_mark_of_the_lesson_brings_it_to_its_depth) {
+    take(Qt::Key_4);
+    SceneView& scene = window_.view().scene();
+    const QPoint place(60, 60);
+    const Pixel pixel = pixel_at(place, window_.view().devicePixelRatioF());
+    ASSERT_LT(scene.pick(pixel).triangle, 0) << "a vessel would be there";
+    const Vec3 mark = scene.point_at_depth(pixel, axes().focus_mm + 25.0 * axes().forward);
+    scene.set_marks({{mark, ""}});
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, place);
+    ASSERT_EQ(count<AddTool>(), 2u);
+    EXPECT_LT((commands_of_type<AddTool>()[1].point_mm - mark).norm(), 1e-6);
+}
+
 TEST_F(ToolInHand, a_click_neither_turns_it_nor_tears_it_off_what_it_touches) {
     take(Qt::Key_5);
     ToolView tool = *window_.frame().tool;
@@ -422,14 +435,14 @@ TEST_F(ToolInHand, of_the_hand_that_just_misses_a_vessel_is_told) {
     while (window_.view().scene().pick(pixel_at(beside, ratio)).triangle >= 0)
         beside += QPoint(1, 0);
     click(beside + QPoint(2, 0));
-    EXPECT_EQ(said(), "No vessel there: press on one and drag it");
+    EXPECT_EQ(said(), "No vessel there: drag one (by keys: Enter with the cross on it)");
     click(on_trunk());
     EXPECT_EQ(said(), "");
     click(QPoint(4, 4));
     EXPECT_EQ(said(), "") << "nobody meant a vessel there";
     QTest::keyClick(&window_, Qt::Key_2);
     click(QPoint(4, 4));
-    EXPECT_EQ(said(), "No vessel there: click on one");
+    EXPECT_EQ(said(), "No vessel there: click on one (by keys: Enter with the cross on it)");
 }
 
 TEST_F(ToolInHand, a_reset_takes_it_and_the_next_move_brings_it_again) {

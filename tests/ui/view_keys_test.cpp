@@ -33,6 +33,32 @@ class ViewKeys : public testing::FakeWindowTest {
             if (i % 20 == 19) press(Qt::Key_Plus);
         }
     }
+    // Until the cross lies on no vessel.
+    void aim_beside_vessels() {
+        paint();
+        for (int i = 0; i < 60 && view().scene().pick(view().keys().aim()).triangle >= 0; ++i) {
+            press(Qt::Key_Left, Qt::ShiftModifier);
+            paint();
+        }
+        ASSERT_LT(view().scene().pick(view().keys().aim()).triangle, 0);
+    }
+    void take_probe() {
+        press(Qt::Key_4);
+        press(Qt::Key_Return);
+        ASSERT_TRUE(testing::wait_for([this] { return window_.frame().tool.has_value(); }));
+    }
+    // Beyond the middle of what is looked at.
+    double depth_of(const Vec3& place) {
+        const ViewAxes axes = view().scene().axes();
+        return (place - axes.focus_mm).dot(axes.forward);
+    }
+    // A place so far beyond that, and so far to the right of the cross.
+    Vec3 mark_at_aim(double depth_mm, double beside_points) {
+        const ViewAxes axes = view().scene().axes();
+        Pixel pixel = view().keys().aim();
+        pixel.x += beside_points * view().devicePixelRatioF();
+        return view().scene().point_at_depth(pixel, axes.focus_mm + depth_mm * axes.forward);
+    }
     VtkWidget& view() { return window_.view(); }
     const Vec3 tip_{30, 0, 40};
 };
@@ -131,6 +157,93 @@ TEST_F(ViewKeys, LeadATool) {
     EXPECT_EQ(view().mouse().mode(), MouseMode::tool) << "once more puts it away";
     press(Qt::Key_Escape);
     EXPECT_EQ(view().mouse().mode(), MouseMode::pull);
+}
+
+TEST_F(ViewKeys, ShiftMovesAToolFiveTimesAsFarInDepth) {
+    begin();
+    take_probe();
+    const double before = depth_of(window_.frame().tool->tip_mm);
+    press(Qt::Key_PageUp, Qt::ShiftModifier);
+    EXPECT_NEAR(depth_of(commands_of_type<MoveTool>().back().target_mm) - before, 5.0, 1e-9);
+    press(Qt::Key_PageUp);
+    EXPECT_NEAR(depth_of(commands_of_type<MoveTool>().back().target_mm) - before, 6.0, 1e-9);
+    press(Qt::Key_PageDown, Qt::ShiftModifier);
+    EXPECT_NEAR(depth_of(commands_of_type<MoveTool>().back().target_mm) - before, 1.0, 1e-9);
+}
+
+// Else it comes at the depth of the view's middle.
+TEST_F(ViewKeys, EnterBringsAToolToTheDepthOfAMark) {
+    begin();
+    aim_beside_vessels();
+    const auto brought_to = [this](double beside_points, bool reached) {
+        press(Qt::Key_4);
+        view().scene().set_marks({{mark_at_aim(25.0, beside_points), "", reached}});
+        press(Qt::Key_Return);
+        press(Qt::Key_Escape);
+        press(Qt::Key_Escape);
+        return depth_of(commands_of_type<AddTool>().back().point_mm);
+    };
+    EXPECT_NEAR(brought_to(0.0, false), 25.0, 1e-6);
+    EXPECT_NEAR(brought_to(16.0, false), 25.0, 1e-6) << "near it";
+    EXPECT_NEAR(brought_to(40.0, false), 0.0, 1e-6);
+    EXPECT_NEAR(brought_to(0.0, true), 0.0, 1e-6) << "it is done with";
+}
+
+TEST_F(ViewKeys, EnterOnAVesselBringsAToolToItUnlessAMarkLiesElsewhere) {
+    begin();
+    aim_at_trunk();
+    paint();
+    const double surface = depth_of(view().scene().pick(view().keys().aim()).position_mm);
+    const auto brought_to = [&](double depth_mm, double beside_points) {
+        press(Qt::Key_4);
+        view().scene().set_marks({{mark_at_aim(depth_mm, beside_points), ""}});
+        press(Qt::Key_Return);
+        press(Qt::Key_Escape);
+        press(Qt::Key_Escape);
+        return depth_of(commands_of_type<AddTool>().back().point_mm);
+    };
+    EXPECT_NEAR(brought_to(surface + 4.0, 0.0), surface, 1e-6) << "the mark lies in that vessel";
+    EXPECT_NEAR(brought_to(surface + 30.0, 0.0), surface + 30.0, 1e-6);
+    EXPECT_NEAR(brought_to(surface + 30.0, 16.0), surface, 1e-6) << "the vessel is meant";
+}
+
+TEST_F(ViewKeys, EnterBringsAToolInHandToAMarkAtAnotherDepthAndThenLetsGo) {
+    begin();
+    aim_beside_vessels();
+    take_probe();
+    press(Qt::Key_Right);
+    paint();
+    const Vec3 mark = mark_at_aim(25.0, 0.0);
+    view().scene().set_marks({{mark, ""}});
+    press(Qt::Key_Return);
+    ASSERT_EQ(commands_of_type<AddTool>().size(), 2u);
+    EXPECT_LT((commands_of_type<AddTool>().back().point_mm - mark).norm(), 1e-6);
+    EXPECT_TRUE(view().keys().leads());
+    paint();
+    view().scene().set_marks({{mark, ""}});
+    press(Qt::Key_Return);
+    EXPECT_EQ(commands_of_type<AddTool>().size(), 2u) << "it is there";
+    EXPECT_FALSE(view().keys().leads());
+}
+
+// It says where Enter will bring it.
+TEST_F(ViewKeys, AToolThatIsChosenByItsKeyShowsTheAimAtOnce) {
+    open_built_in();
+    view().clearFocus();
+    view().setFocus(Qt::OtherFocusReason);
+    ASSERT_TRUE(testing::wait_for([this] { return view().hasFocus(); }));
+    const auto aim = [this] { return view().focus_mark().aim().has_value(); };
+    ASSERT_FALSE(aim());
+    window_.actions()[ActionId::capsule_tool].trigger();
+    EXPECT_FALSE(aim()) << "not by a key";
+    press(Qt::Key_4);
+    EXPECT_TRUE(aim());
+    QMouseEvent move(QEvent::MouseMove, QPoint(30, 30), view().mapToGlobal(QPoint(30, 30)),
+                     Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(&view(), &move);
+    EXPECT_FALSE(aim()) << "the mouse leads it";
+    window_.actions()[ActionId::forceps_tool].trigger();
+    EXPECT_FALSE(aim()) << "the key was let go before";
 }
 
 TEST_F(ViewKeys, AFrameShowsThatTheViewHasThem) {
