@@ -190,8 +190,12 @@ void ReviewDock::open(const fs::path& recording, const std::string& lesson) {
     name_ = title_of(facts_of(file_));
     BackgroundJob::Callbacks callbacks;
     callbacks.failed = [this](const Failure& failure) { ways_.failed(failure); };
-    callbacks.ended = [this] { job_.reset(); };
-    ways_.say(Words::tr("Reading the recording…"));
+    const QString reading = Words::tr("Reading the recording…");
+    callbacks.ended = [this, reading] {
+        ways_.unsay(reading);
+        job_.reset();
+    };
+    ways_.say(reading);
     job_ = std::make_unique<BackgroundJob>(
         [this, file = recording, lesson,
          shown = ways_.patient()](Job& job) -> std::function<void()> {

@@ -72,7 +72,9 @@ class ReviewDock : public QDockWidget {
         std::function<void()> stopped_or_went_on = [] {};  // its clock did
         std::function<bool()> lesson_runs;  // a lesson runs, which a review would end
         std::function<void(const Failure&)> failed;
-        std::function<void(const QString&)> say;  // a passing message
+        std::function<void(const QString&)> say;     // a passing message
+        std::function<void(const QString&)> unsay =  // takes it back if it still stands
+            [](const QString&) {};
     };
 
     ReviewDock(Ways ways, QWidget* parent);
