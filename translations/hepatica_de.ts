@@ -2397,6 +2397,10 @@
         <translation>Wählen Sie eine Aufzeichnung des gezeigten Patienten</translation>
     </message>
     <message>
+        <source>The play from before is shown again, as it was</source>
+        <translation>Das Spiel von vorhin ist wieder da, wie es war</translation>
+    </message>
+    <message>
         <source>This is a recording. Leave the review to play yourself.</source>
         <translation>Dies ist eine Aufzeichnung. Verlassen Sie den Rückblick, um selbst zu üben.</translation>
     </message>

@@ -8,9 +8,11 @@
 #include <utility>
 #include <variant>
 
+#include "core/lesson/lesson_writer.h"
 #include "tests/render/fake_frame.h"
 #include "tests/ui/fake_simulation.h"
 #include "tests/ui/review_window_test.h"
+#include "ui/lesson_dock.h"
 #include "ui/message_bar.h"
 
 namespace hepatica {
@@ -85,6 +87,25 @@ TEST_F(KeptPlayWindowTest, is_as_it_was_after_a_review) {
     ASSERT_TRUE(wait_for([this] { return window_.frame().drug.injection != nullptr; }));
     EXPECT_EQ(window_.frame().drug.injection, injected);
     EXPECT_TRUE(wait_for([this] { return !window_.frame().statistics.paused; })) << "it goes on";
+}
+
+TEST_F(KeptPlayWindowTest, is_as_it_was_after_a_lesson) {
+    Lesson lesson;
+    lesson.name = "Pull";
+    lesson.scene = played().recording.scene;
+    lesson.tools = {LessonTool::pull};
+    lesson.steps = {{"Pull", "", {{Quantity::time_s, -1, true, 1000.0}}, 0.0, {}}};
+    const auto place = to_path(folder_.filePath("lesson.json"));
+    write_lesson(place, lesson);
+    open_built_in();
+    inject();
+    const auto injected = window_.frame().drug.injection;
+    window_.lessons().start(place.string());
+    ASSERT_TRUE(wait_for([this] { return window_.lessons().playing(); }));
+    ASSERT_EQ(window_.frame().drug.injection, nullptr);
+    window_.lessons().findChild<QAbstractButton*>("lessonLeave")->click();
+    ASSERT_FALSE(window_.lessons().playing());
+    EXPECT_TRUE(wait_for([&] { return window_.frame().drug.injection == injected; }));
 }
 
 // Another patient has another play.
