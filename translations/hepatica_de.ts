@@ -2398,7 +2398,7 @@
     </message>
     <message>
         <source>The play from before is shown again, as it was</source>
-        <translation>Das Spiel von vorhin ist wieder da, wie es war</translation>
+        <translation>Die Übung von vorhin ist wieder da, wie sie war</translation>
     </message>
     <message>
         <source>This is a recording. Leave the review to play yourself.</source>
