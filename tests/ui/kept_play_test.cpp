@@ -18,6 +18,7 @@
 namespace hepatica {
 namespace {
 
+using testing::fake_frame;
 using testing::FakeSimulation;
 using testing::ReviewWindowTest;
 using testing::wait_for;
