@@ -35,7 +35,11 @@ PatientCase recorded_patient(const Recording& recording, const fs::path& file,
         request.cache = *built_in;
         job.expect_stages(opening_stage_count(request) + following_stages);
         const OpenedPatient opened = open_patient(request, job);
-        if (hash_of(*opened.patient) == recording.patient_hash) return *opened.patient;
+        if (hash_of(*opened.patient) == recording.patient_hash) {
+            PatientCase patient = *opened.patient;
+            if (patient.source.name.empty()) patient.source.name = built_in_title;
+            return patient;
+        }
     }
     throw InputError("no case beside it has the patient that was recorded, whose hash is " +
                          to_hex(recording.patient_hash),

@@ -14,9 +14,9 @@
 namespace hepatica {
 
 // Returns the case `given`; where that is empty the first case beside the recording's file with its
-// patient; or else the built-in patient if it is that one. Without voxels. Reading a case takes up
-// to a second, making the built-in patient about twenty; the latter is tried last, and only where
-// `built_in` (the place of its cache) is not null. Announces the stages of this and
+// patient; or else the built-in patient, with his name, if it is that one. Without voxels. Reading
+// a case takes up to a second, making the built-in patient about twenty; the latter is tried last,
+// and only where `built_in` (the place of its cache) is not null. Announces the stages of this and
 // `following_stages` of the caller's. Throws InputError where no case fits; Cancelled.
 PatientCase recorded_patient(const Recording& recording, const std::filesystem::path& file,
                              const std::filesystem::path& given, const BuiltInCache* built_in,

@@ -2405,6 +2405,10 @@
         <translation>Wählen Sie eine Aufzeichnung des gezeigten Patienten</translation>
     </message>
     <message>
+        <source>The play from before is shown again, as it was</source>
+        <translation>Die Übung von vorhin ist wieder da, wie sie war</translation>
+    </message>
+    <message>
         <source>This is a recording. Leave the review to play yourself.</source>
         <translation>Dies ist eine Aufzeichnung. Verlassen Sie den Rückblick, um selbst zu üben.</translation>
     </message>
@@ -5946,6 +5950,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>hat das Format %1, und dieses Programm liest das Format %2</translation>
     </message>
     <message>
+        <source>was made by a newer version of the program, in format %1; this one reads format %2</source>
+        <translation>stammt von einer neueren Version des Programms, im Format %1; diese liest das Format %2</translation>
+    </message>
+    <message>
+        <source>Open it with a newer version of the program</source>
+        <translation>Öffnen Sie sie mit einer neueren Version des Programms</translation>
+    </message>
+    <message>
         <source>Choose a folder that exists and can be written to</source>
         <translation>Wählen Sie einen Ordner, der existiert und beschreibbar ist</translation>
     </message>
@@ -9179,6 +9191,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Circles: the lesson&apos;s marks.</source>
         <translation>Kreise: die Marken der Lektion.</translation>
+    </message>
+    <message>
+        <source>Purple: the target of the drug.</source>
+        <translation>Purpur: das Ziel des Wirkstoffs.</translation>
     </message>
     <message>
         <source>Brown to yellow: what the drug has reached, the earliest darkest.</source>

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/lesson/lesson.h"
+#include "core/lesson/play_meter.h"
 #include "render/mark_actors.h"
 
 namespace hepatica {
@@ -15,5 +18,22 @@ namespace hepatica {
 // mark of the lesson.
 std::vector<MarkView> views_of_marks(const Lesson& lesson, const std::vector<Vec3>& places_mm,
                                      std::size_t step);
+
+// A lesson with the places of its marks on a patient's vessels.
+class MarkedLesson {
+  public:
+    // Throws as PlayMeter does.
+    MarkedLesson(const Lesson& lesson, std::shared_ptr<const PatientCase> patient)
+        : lesson_(lesson), meter_(lesson, std::move(patient)) {}
+
+    // The frame must be of the lesson's scene and patient.
+    std::vector<MarkView> marks_in(const Frame& frame, std::size_t step) const {
+        return views_of_marks(lesson_, meter_.marks_in(frame), step);
+    }
+
+  private:
+    Lesson lesson_;
+    PlayMeter meter_;
+};
 
 }  // namespace hepatica

@@ -118,6 +118,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     make_keeper(std::move(patients), std::move(*questions));
     dial_ = std::make_unique<DialKeeper>([this](const QualityDial& dial) {
         if (patient_) patient_->simulation->use_dial(dial);
+        kept_play_.use_dial(dial);
     });
     connect_files();
     connect_play();
@@ -195,14 +196,17 @@ void MainWindow::build_view() {
     build_slices(centre);
     messages_ = new MessageBar(&view_layout_->pictures());
     messages_->fold_when_used(*view_);
-    progress_ = new ProgressStrip([this] { cancel_job(); }, &view_layout_->pictures());
-    auto* row = new QHBoxLayout;
+    auto* views = new QWidget(centre);
+    auto* row = new QHBoxLayout(views);
+    row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
     second_view_ = new SecondView(
-        *view_, [this](VtkWidget& view) { show_as_first(view); }, centre);
+        *view_, [this](VtkWidget& view) { show_as_first(view); }, views);
     row->addWidget(view_layout_, 1);
     row->addWidget(second_view_, 1);
-    column->addLayout(row, 1);
+    column->addWidget(views, 1);
+    // Over both, so that of two pictures that are compared it covers as much.
+    progress_ = new ProgressStrip([this] { cancel_job(); }, views);
     setCentralWidget(centre);
     welcome_ = new Welcome(
         *actions_, [this] { lessons_->show_chosen_course(); }, view_);
@@ -210,6 +214,7 @@ void MainWindow::build_view() {
     messages_->on_branch = log_->on_branch = [this](int branch) { branches_->show_branch(branch); };
     const auto keep_clear = [this] {
         view_layout_->keep_clear(messages_->covered(), progress_->covered());
+        second_view_->keep_clear(progress_->covered());
         welcome_->keep_clear(messages_->covered());
     };
     messages_->on_cover = progress_->on_cover = keep_clear;

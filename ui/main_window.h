@@ -17,6 +17,7 @@
 
 #include "core/lesson/lesson.h"
 #include "ui/actions.h"
+#include "ui/kept_play.h"
 #include "ui/mouse_tool.h"
 #include "ui/patient_keeper.h"
 #include "ui/settings.h"
@@ -190,6 +191,7 @@ class MainWindow : public QMainWindow {
     // Opens a lesson's own patient; when the lesson is left, the former patient is offered again.
     void open_for_lesson(const OpenRequest& request);
     void show_whole_from_the_front();
+    void show_whole();
     std::vector<std::uint8_t> target_of_lesson() const;
     // The shown patient, if he can be opened again.
     std::optional<OpenRequest> patient_from_where() const;
@@ -334,6 +336,8 @@ class MainWindow : public QMainWindow {
     QTimer* figures_timer_ = nullptr;
     std::atomic<bool> frame_waits_ = false;  // show_newest_frame() is scheduled
     std::optional<LoadedPatient> patient_;
+    KeptPlay kept_play_;            // while a lesson or a review is shown
+    bool shows_free_play_ = false;  // the simulation is that of free play
     std::unique_ptr<PlayRecorder> recorder_;
     std::filesystem::path told_folder_;  // case folder last told to the lesson editor
     int hovered_vertex_ = -1;            // of the frame

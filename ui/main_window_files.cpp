@@ -426,6 +426,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     view_layout_->clear();
     branches_->clear();
     curves_->clear();
+    kept_play_.drop();
     patient_.reset();
     QMainWindow::closeEvent(event);
 }

@@ -137,7 +137,7 @@ void MainWindow::use_for_lesson(std::unique_ptr<Simulation> simulation) {
     if (begins) remember_recorded_patient();
     use(std::move(simulation));
     ruler_->hide_made(begins);
-    if (!begins) return;
+    if (!begins) return show_whole();
     const Lesson& lesson = *lessons_->shown();
     const std::optional<TearSpec>& tear = lesson.scene.tear;
     tool_panel_->show_tear_factor(tear ? std::optional(tear->tear_factor) : std::nullopt);
@@ -185,6 +185,12 @@ void MainWindow::show_whole_from_the_front() {
     if (QAction& cut_open = (*actions_)[ActionId::toggle_clip]; cut_open.isChecked())
         cut_open.trigger();
     view_->scene().look_from(ViewDirection::anterior);
+    view_->draw_again();
+}
+
+// Of the free play, from where one looks: what came before it had the view for itself.
+void MainWindow::show_whole() {
+    view_->scene().show_whole();
     view_->draw_again();
 }
 
@@ -414,6 +420,7 @@ void MainWindow::build_review() {
         lessons_->play_hidden(review_->file());
         use(std::move(simulation));
         if (leaves) ruler_->hide_made(false);  // the lesson's play is over, too
+        if (leaves) show_whole();
     };
     ways.lesson_runs = [this] {
         return lessons_->playing() && lessons_->standing().outcome == LessonOutcome::running;
@@ -457,6 +464,9 @@ void MainWindow::build_review() {
         });
     };
     ways.say = [this](const QString& text) { statusBar()->showMessage(text, 6000); };
+    ways.unsay = [this](const QString& text) {
+        if (statusBar()->currentMessage() == text) statusBar()->clearMessage();
+    };
     review_ = new ReviewDock(std::move(ways), this);
     addDockWidget(Qt::BottomDockWidgetArea, review_);
     tabifyDockWidget(curves_, review_);

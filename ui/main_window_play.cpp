@@ -48,6 +48,8 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     if (!corrected) solver_said_.clear();
     curves_->clear();
     lessons_->end_play();  // before the first of the new frames
+    kept_play_.drop();
+    shows_free_play_ = true;
     patient_ = std::move(patient);
     dial_->show(patient_->patient, back_ends_->for_play());
     hovered_vertex_ = -1;
@@ -112,10 +114,14 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     const bool free = simulation == nullptr;
     // Lessons record themselves, and a review shows a recording.
     (*actions_)[ActionId::record_play].setEnabled(free);
-    if (free) {
+    if (free) simulation = kept_play_.give_back();
+    const bool comes_back = simulation != nullptr && free;
+    if (simulation == nullptr) {
         Job job;
         simulation = play_with(back_ends_->for_play(), patient_->patient, job).simulation;
     }
+    if (std::exchange(shows_free_play_, free) && !free)
+        kept_play_.take(std::move(patient_->simulation));
     patient_->simulation = std::move(simulation);
     patient_->simulation->update_frame();
     match_anatomy();
@@ -125,14 +131,16 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     view_->scene().set_target({});
     show_marks();  // the next frame may take a while
     view_->show_frame(frame());
-    if (free) quality_->post_choices();  // a lesson has settings of its own
+    if (free && !comes_back) quality_->post_choices();  // a lesson has settings of its own
     inject_->begin_play(free);
     view_->mouse().hand().forget();
-    tool_panel_->begin_play(free);
+    comes_back ? tool_panel_->go_on() : tool_panel_->begin_play(free);
     allow_tools();
     back_to_pulling();
     follow(frame());
     follow_simulation();
+    if (comes_back)
+        statusBar()->showMessage(Words::tr("The play from before is shown again, as it was"), 6000);
 }
 
 void MainWindow::colour_by_segments(const std::vector<std::uint8_t>& of_branches) {

@@ -72,6 +72,8 @@ void ProgressStrip::show_others(const QStringList& waiting, const QString& besid
 
 void ProgressStrip::update_progress(const JobProgress& progress) {
     if (!cancel_->isEnabled()) return;
+    // Not begun, so that nothing is known: the bar of start() stays, which moves.
+    if (progress.stage_number == 0 && progress.fraction == 0.0) return;
     QString stage = translated(progress.stage);
     if (progress.stage_count > 0 && progress.stage_number > 0) {
         stage +=

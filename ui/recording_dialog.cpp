@@ -73,11 +73,15 @@ QString title_of(const RecordingFacts& facts) {
 }
 
 std::array<QString, 2> headings_of(const RecordingFacts& one, const RecordingFacts& other) {
-    // What tells them apart comes first: the end of a long heading may not be seen.
-    const auto heading = [](int number, const RecordingFacts& facts) {
+    const auto words = [](const RecordingFacts& facts) {
         const QString result = facts.result.isEmpty() ? QString() : facts.result + ", ";
-        return QString("%1: %2%3 (%4)")
-            .arg(QString::number(number), result, title_of(facts), to_text(facts.file.filename()));
+        return result + title_of(facts);
+    };
+    const bool alike = words(one) == words(other);
+    // What tells them apart comes first: the end of a long heading may not be seen.
+    const auto heading = [&](int number, const RecordingFacts& facts) {
+        const QString file = alike ? " (" + to_text(facts.file.filename()) + ")" : QString();
+        return QString::number(number) + ": " + words(facts) + file;
     };
     return {heading(1, one), heading(2, other)};
 }

@@ -26,10 +26,10 @@ struct RecordingFacts {
 RecordingFacts facts_of(const std::filesystem::path& recording);
 // "Gentle pull, 26 Nov 2026, 03:40"
 QString title_of(const RecordingFacts& facts);
-// Of two that are shown side by side: the number, the result, the title and the file of each, so
-// that what is left of a heading where there is little room tells them apart, too. Folders are not
-// named, because saved pictures and films hold the headings and folders are often named after the
-// patient.
+// Of two that are shown side by side: the number, the result and the title of each, so that what is
+// left of a heading where there is little room tells them apart, too; and the file where they are
+// alike otherwise. Folders are not named, because saved pictures and films hold the headings and
+// folders are often named after the patient.
 std::array<QString, 2> headings_of(const RecordingFacts& one, const RecordingFacts& other);
 
 // UI thread only.

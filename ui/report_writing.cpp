@@ -24,7 +24,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int patience_ms = 50;     // between two checks of the job, ms
-constexpr int after_the_play = 15;  // nice value of the process
+// Nice value of the process. Beside a thread of the play it gets a quarter of a core that both want;
+// at 15 it would get a thirtieth, and nearly nothing where others work on the machine, too.
+constexpr int after_the_play = 5;
 
 // `patient`: the case of who was played; empty: it is searched for.
 QStringList arguments_of(const ReportOrder& order, const fs::path& patient, const fs::path& out) {
@@ -86,7 +88,7 @@ class Running {
     Running& operator=(const Running&) = delete;
 
     void wait(Job& job) {
-        std::string stage;
+        int stage = -1;  // none yet
         do {
             job.throw_if_cancelled();
             process_.waitForReadyRead(patience_ms);
@@ -103,12 +105,16 @@ class Running {
     }
 
   private:
-    static void pass_on(const QByteArray& line, std::string& stage, Job& job) {
+    // The stages are those of the process, and so is their count: there is one bar of the whole.
+    static void pass_on(const QByteArray& line, int& stage, Job& job) {
         const QJsonObject now = QJsonDocument::fromJson(line).object();
         if (!now.contains("stage")) return;  // the last line names the files
-        const std::string name = now["stage"].toString().toStdString();
-        if (name != stage) job.begin_stage(name);
-        stage = name;
+        const int number = now["number"].toInt();
+        if (number != stage) {
+            job.expect_stages(now["count"].toInt() - number + 1);
+            job.begin_stage(now["stage"].toString().toStdString());
+        }
+        stage = number;
         job.advance(now["fraction"].toDouble());
     }
 

@@ -190,8 +190,12 @@ void ReviewDock::open(const fs::path& recording, const std::string& lesson) {
     name_ = title_of(facts_of(file_));
     BackgroundJob::Callbacks callbacks;
     callbacks.failed = [this](const Failure& failure) { ways_.failed(failure); };
-    callbacks.ended = [this] { job_.reset(); };
-    ways_.say(Words::tr("Reading the recording…"));
+    const QString reading = Words::tr("Reading the recording…");
+    callbacks.ended = [this, reading] {
+        ways_.unsay(reading);
+        job_.reset();
+    };
+    ways_.say(reading);
     job_ = std::make_unique<BackgroundJob>(
         [this, file = recording, lesson,
          shown = ways_.patient()](Job& job) -> std::function<void()> {
@@ -275,9 +279,9 @@ void ReviewDock::begin() {
     if (hash_of(*patient) != recording_->patient_hash) return ask_for_case();
     asks_ = false;
     patient_ = patient;
-    places_.reset();
+    marked_.reset();
     if (lesson_ && is_same_scene(recording_->scene, lesson_->scene))
-        places_ = std::make_unique<const PlayMeter>(*lesson_, patient);
+        marked_ = std::make_unique<const MarkedLesson>(*lesson_, patient);
     tape_ = std::make_shared<ReviewTape>();
     BackgroundJob::Callbacks callbacks;
     callbacks.progress = [this](const JobProgress& now) { show_progress(now); };
@@ -296,16 +300,17 @@ void ReviewDock::begin() {
 }
 
 std::vector<MarkView> ReviewDock::marks_in(const Frame& frame) const {
-    return reviewing() ? marks_in(frame, *tape_) : std::vector<MarkView>();
+    return reviewing() ? marks_in(frame, *tape_, marked_.get()) : std::vector<MarkView>();
 }
 
-std::vector<MarkView> ReviewDock::marks_in(const Frame& frame, const ReviewTape& tape) const {
-    if (places_ == nullptr) return {};
+std::vector<MarkView> ReviewDock::marks_in(const Frame& frame, const ReviewTape& tape,
+                                           const MarkedLesson* marked) const {
+    if (marked == nullptr) return {};
     const std::vector<PlayEvent> events = tape.events();
     const auto steps = std::ranges::count_if(events, [this](const PlayEvent& event) {
         return event.kind == PlayEventKind::lesson && event.at_s <= at_s_;
     });
-    return views_of_marks(*lesson_, places_->marks_in(frame), static_cast<std::size_t>(steps));
+    return marked->marks_in(frame, static_cast<std::size_t>(steps));
 }
 
 QString gone_through(const QString& name, double fraction) {
@@ -436,7 +441,7 @@ void ReviewDock::forget() {
     tape_.reset();
     patient_.reset();
     recording_.reset();
-    places_.reset();
+    marked_.reset();
     lesson_.reset();
     notes_.clear();
     waits_ = asks_ = false;

@@ -7,7 +7,6 @@
 #include <QElapsedTimer>
 #include <QTimer>
 #include <array>
-#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -15,7 +14,6 @@
 #include <string>
 
 #include "core/lesson/lesson.h"
-#include "core/lesson/play_meter.h"
 #include "core/lesson/play_notes.h"
 #include "core/lesson/review_tape.h"
 #include "core/opening/open_patient.h"
@@ -32,6 +30,7 @@ class QToolButton;
 
 namespace hepatica {
 
+class MarkedLesson;
 class ReviewList;
 class TimeLine;
 struct ReviewScreen;
@@ -73,7 +72,9 @@ class ReviewDock : public QDockWidget {
         std::function<void()> stopped_or_went_on = [] {};  // its clock did
         std::function<bool()> lesson_runs;  // a lesson runs, which a review would end
         std::function<void(const Failure&)> failed;
-        std::function<void(const QString&)> say;  // a passing message
+        std::function<void(const QString&)> say;     // a passing message
+        std::function<void(const QString&)> unsay =  // takes it back if it still stands
+            [](const QString&) {};
     };
 
     ReviewDock(Ways ways, QWidget* parent);
@@ -113,7 +114,9 @@ class ReviewDock : public QDockWidget {
     const std::filesystem::path& file() const { return file_; }
 
   private:
-    std::vector<MarkView> marks_in(const Frame& frame, const ReviewTape& tape) const;
+    // `marked`: the lesson of the tape; null: none on these vessels.
+    std::vector<MarkView> marks_in(const Frame& frame, const ReviewTape& tape,
+                                   const MarkedLesson* marked) const;
     struct Found;  // a recording that was read, with what it needs
     void build();
     QWidget* build_heading();
@@ -141,20 +144,20 @@ class ReviewDock : public QDockWidget {
     std::filesystem::path file_;
     QString name_;                         // title of the recording
     std::array<QString, 2> side_by_side_;  // titles of both, while two are shown
-    // Whether the recording beside it has the same lesson, scene and so marks: known once it is
-    // read, on another thread. Not null while there is one.
-    std::shared_ptr<std::atomic<bool>> same_lesson_;
     std::shared_ptr<const Recording> recording_;
     std::optional<Lesson> lesson_;
-    std::unique_ptr<const PlayMeter> places_;  // places of the marks; null: none on these vessels
-    bool waits_ = false;                       // for its patient, who is being opened
-    bool asks_ = false;                        // for his case: whoever opens it begins the review
+    std::unique_ptr<const MarkedLesson> marked_;  // null: no lesson on these vessels
+    bool waits_ = false;                          // for its patient, who is being opened
+    bool asks_ = false;  // for his case: whoever opens it begins the review
     std::shared_ptr<const PatientCase> patient_;  // the patient it was begun on
     std::unique_ptr<BackgroundJob> job_;
     std::shared_ptr<ReviewTape> tape_;
     std::shared_ptr<ReviewScreen> screen_;
     std::unique_ptr<BackgroundJob> other_job_;
     std::shared_ptr<ReviewTape> other_tape_;
+    // Of the lesson of that recording: made on another thread before the first of its frames is on
+    // the tape, and to be looked at only once there is one. Not null while there is a tape.
+    std::shared_ptr<std::unique_ptr<const MarkedLesson>> other_marked_;
     std::shared_ptr<const Frame> other_frame_;  // the one that is shown
     std::vector<PlayNote> notes_;
     double at_s_ = 0.0;

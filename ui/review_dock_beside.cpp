@@ -10,6 +10,8 @@
 #include "core/lesson/review.h"
 #include "core/lesson/score.h"
 #include "core/session/recording_file.h"
+#include "ui/core_words.h"
+#include "ui/lesson_marks.h"
 #include "ui/recording_dialog.h"
 #include "ui/review_dock.h"
 #include "ui/words.h"
@@ -27,7 +29,7 @@ void ReviewDock::compare(const fs::path& other) {
     if (other.empty() || !reviewing()) return show_progress({});
     const RecordingFacts first = facts_of(file_), facts = facts_of(other);
     side_by_side_ = headings_of(first, facts);
-    same_lesson_ = std::make_shared<std::atomic<bool>>(facts.lesson == first.lesson);
+    other_marked_ = std::make_shared<std::unique_ptr<const MarkedLesson>>();
     other_tape_ = std::make_shared<ReviewTape>();
     compare_->setText(Words::tr("E&nd the comparison"));
     BackgroundJob::Callbacks callbacks;
@@ -42,15 +44,18 @@ void ReviewDock::compare(const fs::path& other) {
     };
     other_job_ = std::make_unique<BackgroundJob>(
         [file = other, lesson = lesson_, patient = ways_.patient(), tape = other_tape_,
-         same_lesson = same_lesson_, back_end = ways_.back_end](Job& job) -> std::function<void()> {
+         marked = other_marked_, first = first.lesson, named = facts.lesson,
+         back_end = ways_.back_end](Job& job) -> std::function<void()> {
             const Recording recording = read_recording(file);
             if (hash_of(*patient) != recording.patient_hash)
                 throw InputError(Words::id("was played on another patient"), file.string(),
                                  Words::id("Choose a recording of the patient who is shown"));
             const bool same = lesson && is_same_scene(recording.scene, lesson->scene);
-            if (!same) *same_lesson = false;  // before the first of its frames
-            review(recording, with_course_pass(same ? lesson : built_in_lesson_of(recording), file),
-                   patient, *tape, job, back_end(recording.back_end));
+            const auto own = with_course_pass(same ? lesson : built_in_lesson_of(recording), file);
+            // Lessons that were made of others may have their scene, but other places.
+            const bool is_own = own && named == (same ? first : translated(own->name));
+            if (is_own) *marked = std::make_unique<const MarkedLesson>(*own, patient);
+            review(recording, own, patient, *tape, job, back_end(recording.back_end));
             return [] {};
         },
         std::move(callbacks));
@@ -65,9 +70,8 @@ void ReviewDock::show_other() {
     const std::shared_ptr<const Frame> frame = other_tape_->at(at_s_);
     if (frame == nullptr || frame == other_frame_) return;
     other_frame_ = frame;
-    std::vector<MarkView> marks;
-    if (*same_lesson_) marks = marks_in(*frame, *other_tape_);
-    ways_.beside(frame, std::move(marks), side_by_side_[0], side_by_side_[1]);
+    ways_.beside(frame, marks_in(*frame, *other_tape_, other_marked_->get()), side_by_side_[0],
+                 side_by_side_[1]);
 }
 
 }  // namespace hepatica

@@ -37,6 +37,7 @@ void SecondView::make_view(const std::vector<VascularSystem>& of_vertices, const
     view_ = new VtkWidget(nothing(), this);
     view_->scene().set_vertex_systems(of_vertices);
     as_first_(*view_);
+    view_->scene().set_covered(0, covered_bottom_);
     view_->scene().set_caption(caption.toStdString());
     view_->on_picture([this](const PictureTime&) { lead_first(); });
     layout()->addWidget(view_);
@@ -63,6 +64,11 @@ void SecondView::take_after_first() {
 
 void SecondView::set_drug_scale(double least_end_s) {
     drug_scale_s_ = least_end_s;
+}
+
+void SecondView::keep_clear(int bottom) {
+    covered_bottom_ = bottom;
+    if (view_ != nullptr && view_->scene().set_covered(0, bottom)) view_->draw_again();
 }
 
 void SecondView::clear() {

@@ -31,6 +31,8 @@ class SecondView : public QWidget {
     void take_after_first();
     // See SceneView::set_drug_scale(); effective from the next frame.
     void set_drug_scale(double least_end_s);
+    // A bar covers this many points at the foot; text is kept clear of it.
+    void keep_clear(int bottom);
     // Destroys the view and hides the widget.
     void clear();
     // To be called after every picture of the first view. Follows it where it was turned since both
@@ -53,6 +55,7 @@ class SecondView : public QWidget {
     VtkWidget* view_ = nullptr;
     std::optional<Sight> shared_;  // none: not yet
     double drug_scale_s_ = 0.0;
+    int covered_bottom_ = 0;
 };
 
 }  // namespace hepatica

@@ -189,6 +189,8 @@ constexpr std::array sentences_play{
     Words::id("%1, line %2"),
     Words::id("was recorded by version %1, and this is %2, whose steps do not have the same bits"),
     Words::id("is of format %1, and this program reads format %2"),
+    Words::id("was made by a newer version of the program, in format %1; this one reads format %2"),
+    Words::id("Open it with a newer version of the program"),
     Words::id("Choose a folder that exists and can be written to"),
     Words::id("Give a file written by simulate --record"),
     Words::id("Give a recording"),

@@ -44,6 +44,8 @@ class ToolPanel : public QWidget {
     // A simulation begins. In free play vessels touch and tear as the user chose; a lesson sets
     // that itself.
     void begin_play(bool free);
+    // A free play is shown again that has its settings.
+    void go_on();
     // Shows the tear factor of a lesson's scene until free play begins; none: as the user chose.
     void show_tear_factor(std::optional<double> of_lesson);
     // Whether contact and tearing may be changed.

@@ -64,9 +64,12 @@ Colour colour_of(const Frame& frame, const FramePainting& how, int vertex) {
     const bool open = frame.tear && frame.tear->rims && shown < frame.tear->rims->size();
     if (open && (*frame.tear->rims)[shown] != 0) return palette::torn;
     const auto origin = static_cast<std::size_t>(frame.origin_of(vertex));
-    const Colour of_system = palette::vessel_system(
-        origin < how.systems.size() ? how.systems[origin] : VascularSystem::unknown);
-    const Colour own = drug.had_reached(shown) ? palette::reached_before() : of_system;
+    const bool wanted = origin < how.target.size() && how.target[origin] != 0;
+    const Colour at_rest =
+        wanted ? palette::drug_target()
+               : palette::vessel_system(origin < how.systems.size() ? how.systems[origin]
+                                                                    : VascularSystem::unknown);
+    const Colour own = drug.had_reached(shown) ? palette::reached_before() : at_rest;
     const bool loaded = frame.tear && frame.tear->loads;
     return loaded ? palette::warning(own, value_at(*frame.tear->loads, frame, vertex, 0.0F)) : own;
 }

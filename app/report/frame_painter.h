@@ -5,6 +5,7 @@
 
 #include <QImage>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "core/base/vascular_system.h"
@@ -18,6 +19,8 @@ struct FramePainting {
     std::array<Vec3, 2> box_mm;           // lower and upper corner of what fits into the picture
     std::vector<VascularSystem> systems;  // per vertex of the untorn body
     std::vector<Vec3> marks_mm;           // drawn as circles
+    // Per vertex of the untorn body: not 0 where a lesson wants a drug; empty: nowhere.
+    std::vector<std::uint8_t> target{};
 };
 
 QImage paint(const Frame& frame, const FramePainting& how);

@@ -25,6 +25,7 @@
 #include "core/lesson/score.h"
 #include "core/scene/surface_anatomy.h"
 #include "core/session/recording_file.h"
+#include "core/session/script.h"
 #include "render/chart.h"
 #include "ui/core_words.h"
 #include "ui/lesson_words.h"
@@ -306,6 +307,7 @@ void add_verdict(HtmlReport& page, const Parts& parts) {
 QString legend_of_pictures(const Parts& parts) {
     QStringList sentences{Words::tr("From the front, without perspective.")};
     if (!parts.lesson.marks.empty()) sentences << Words::tr("Circles: the lesson's marks.");
+    if (parts.lesson.target) sentences << Words::tr("Purple: the target of the drug.");
     if (is_of_drug(parts))
         sentences << Words::tr("Brown to yellow: what the drug has reached, the earliest darkest.")
                   << Words::tr("Dull pink: what an earlier injection had reached.");
@@ -336,11 +338,12 @@ void write_pictures(Parts& parts, const Moments& moments, const LessonRun& place
                     const fs::path& folder, Job& job) {
     FramePainting painting;
     const bool moves = parts.lesson.scene.deform.has_value();
-    painting.systems =
-        SurfaceAnatomy(parts.patient.tree,
-                       moves ? parts.patient.mesh.vertices_mm : parts.patient.surface.vertices_mm,
-                       job)
-            .vertex_systems();
+    const VesselTree& tree = parts.patient.tree;
+    const SurfaceAnatomy anatomy(
+        tree, moves ? parts.patient.mesh.vertices_mm : parts.patient.surface.vertices_mm, job);
+    painting.systems = anatomy.vertex_systems();
+    if (const std::optional<ScriptPlace>& target = parts.lesson.target)
+        painting.target = anatomy.downstream_of(nearest_point(tree, position_of(*target, tree)));
     int number = 0;
     for (const Moment& moment : moments.list()) {
         if (number == 0) painting.box_mm = box_of(moment.frame);

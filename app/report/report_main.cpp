@@ -49,7 +49,9 @@ void print_progress(const Job& job) {
     if (shown == last || now.stage_number == 0) return;
     last = shown;
     const QJsonObject line{{"stage", QString::fromStdString(now.stage)},
-                           {"fraction", now.fraction}};
+                           {"fraction", now.fraction},
+                           {"number", now.stage_number},
+                           {"count", now.stage_count}};
     std::printf("%s\n", QJsonDocument(line).toJson(QJsonDocument::Compact).constData());
     std::fflush(stdout);
 }

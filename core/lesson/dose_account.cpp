@@ -34,6 +34,16 @@ std::vector<char> outlets_in(const VesselTree& tree, const FlowNetwork& network,
     return inside;
 }
 
+// What is in the target and what was delivered are sums of the same masses in another order, which
+// round differently: where all went into the target, the difference is none, of neither sign, and
+// no more went there than was delivered. Likewise for what ran back.
+Dose without_rounding(Dose dose) {
+    constexpr double rounding = 1e-12;
+    if (dose.target_g >= dose.delivered_g * (1.0 - rounding)) dose.target_g = dose.delivered_g;
+    if (dose.reflux_g <= dose.delivered_g * rounding) dose.reflux_g = 0.0;
+    return dose;
+}
+
 double mass_in(const std::vector<double>& outlet_g, const std::vector<char>& inside) {
     double mass = 0.0;
     for (std::size_t o = 0; o < outlet_g.size(); ++o)
@@ -78,10 +88,9 @@ void DoseCurve::compute(const VesselTree& tree, const InjectionOptions& run,
                                : std::vector<char>(result.network.outlet_nodes.size(), 0);
         }
         const InjectionSample& sample = result.series.back();
-        const Dose dose{
-            sample.injected_g, sample.delivered_g, mass_in(sample.outlet_mass_g, in_target),
-            std::max(0.0, sample.delivered_g - mass_in(sample.outlet_mass_g, beyond_tip)),
-            sample.bled_g};
+        const Dose dose = without_rounding(
+            {sample.injected_g, sample.delivered_g, mass_in(sample.outlet_mass_g, in_target),
+             sample.delivered_g - mass_in(sample.outlet_mass_g, beyond_tip), sample.bled_g});
         const std::scoped_lock lock(mutex_);
         time_s_.push_back(sample.time_s);
         dose_.push_back(dose);
@@ -101,9 +110,10 @@ Dose DoseCurve::at(double time_s, const std::stop_token& stop) const {
     const std::ptrdiff_t i = after - time_s_.begin();
     const double share = (time_s - time_s_[i - 1]) / (time_s_[i] - time_s_[i - 1]);
     const Dose &a = dose_[i - 1], &b = dose_[i];
-    return {between(a.injected_g, b.injected_g, share),
-            between(a.delivered_g, b.delivered_g, share), between(a.target_g, b.target_g, share),
-            between(a.reflux_g, b.reflux_g, share), between(a.leaked_g, b.leaked_g, share)};
+    return without_rounding(
+        {between(a.injected_g, b.injected_g, share), between(a.delivered_g, b.delivered_g, share),
+         between(a.target_g, b.target_g, share), between(a.reflux_g, b.reflux_g, share),
+         between(a.leaked_g, b.leaked_g, share)});
 }
 
 void DoseAccount::see(const DrugView& drug, const std::stop_token& stop) {

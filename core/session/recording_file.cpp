@@ -60,6 +60,11 @@ void read_header(const Json& json, Recording& recording) {
     if (json.value("format", "") != "hepatica-recording")
         throw InputError("is not a recording", "", how_to_record);
     const int version = whole_number<int>(json.value("version", Json(0)));
+    if (version > format_version)
+        throw InputError("was made by a newer version of the program, in format " +
+                             std::to_string(version) + "; this one reads format " +
+                             std::to_string(format_version),
+                         "", "Open it with a newer version of the program");
     if (version != format_version)
         throw InputError("is of format " + std::to_string(version) +
                              ", and this program reads format " + std::to_string(format_version),

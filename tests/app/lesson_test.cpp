@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
+#include <sstream>
 
 #include "core/lesson/attempts.h"
 #include "tests/app/tour.h"
@@ -141,6 +142,27 @@ TEST_F(LessonVerb, MakesAReportWithoutADisplay) {
     EXPECT_EQ(page.find(path("")), std::string::npos) << "a path may name the patient";
     for (const char* file : {"metrics.csv", "plots.csv", "picture_1.png", "plot_2.png"})
         EXPECT_TRUE(fs::exists(path(std::string("report/") + file))) << file;
+}
+
+// The window has one bar of the whole report, which needs to know which stage of how many it is.
+TEST_F(LessonVerb, TheProgressOfAReportNumbersItsStages) {
+    play(3.0);
+    const Outcome run = report({"--report", path("play.hrec"), "--out", path("stages"), "--lesson",
+                                path("lesson.json"), "--progress", "--json"});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    std::istringstream lines(run.output);
+    int number = 0, count = 0;
+    for (std::string text; std::getline(lines, text);) {
+        const Json line = Json::parse(text);
+        if (!line.contains("stage")) continue;  // the last one names the files
+        const int now = line.at("number");
+        EXPECT_TRUE(now == number || now == number + 1) << text;
+        if (number == 0) count = line.at("count");
+        EXPECT_EQ(line.at("count"), count) << text;
+        number = now;
+    }
+    EXPECT_GT(count, 0);
+    EXPECT_EQ(number, count);
 }
 
 TEST_F(LessonVerb, AReportDoesNotTakeThePlaceOfAnotherRecording) {

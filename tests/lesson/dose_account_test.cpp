@@ -83,6 +83,25 @@ TEST(DoseCurve, OfTheWholeTreeIsAllThatIsDelivered) {
     EXPECT_NEAR(all.reflux_g, 0.0, 1e-9);
 }
 
+// To the last bit, at any time: a table showed -0.0000 g elsewhere, and a share above 1.
+TEST(DoseCurve, WhereAllReachesTheTargetNothingIsElsewhere) {
+    const DoseCurve curve(tree(), into({0, 0.0}, 0.5), end_s, from(0));
+    for (int tenth = 0; tenth <= 10 * static_cast<int>(end_s); ++tenth) {
+        const Dose dose = curve.at(0.1 * tenth + 0.003);
+        EXPECT_EQ(dose.elsewhere_g(), 0.0) << tenth;
+        EXPECT_EQ(dose.target_g, dose.delivered_g) << tenth;
+    }
+}
+
+// What goes elsewhere is a sum of masses, and no sum of masses is negative.
+TEST(DoseCurve, NoMoreReachesATargetThanIsDelivered) {
+    for (const int branch : children(tree())[0]) {
+        const DoseCurve curve(tree(), into(middle_of_segment(branch)), end_s, from(branch));
+        for (int tenth = 0; tenth <= 10 * static_cast<int>(end_s); ++tenth)
+            EXPECT_GE(curve.at(0.1 * tenth + 0.003).elsewhere_g(), 0.0) << branch << ' ' << tenth;
+    }
+}
+
 // Once everything is full, each territory gets its share of the steady flow.
 TEST(DoseCurve, GrowsByTheTerritorysFlowOnceItIsFull) {
     const int branch = children(tree())[0][0];

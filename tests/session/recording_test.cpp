@@ -196,6 +196,8 @@ TEST(RecordingFile, OfAnotherVersionIsRefusedWithTheReason) {
     EXPECT_EQ(refusal_of(text), "");
     EXPECT_THAT(refusal_of(replaced(text, "\"version\":2", "\"version\":1")),
                 HasSubstr("is of format 1, and this program reads format 2"));
+    EXPECT_THAT(refusal_of(replaced(text, "\"version\":2", "\"version\":9")),
+                HasSubstr("was made by a newer version of the program, in format 9"));
     EXPECT_THAT(refusal_of(replaced(text, "\"program\":\"" + program_version() + "\"",
                                     "\"program\":\"0.0.7\"")),
                 HasSubstr("was recorded by version 0.0.7"));

@@ -70,5 +70,19 @@ TEST(FramePainter, ColoursWhatAnInjectionBeforeHasReached) {
     EXPECT_EQ(picture_of(frame), present);
 }
 
+// Where the drug went elsewhere can be told only beside where it was to go.
+TEST(FramePainter, ColoursTheTargetUntilTheDrugHasReachedIt) {
+    const auto with_target = [](const Frame& frame) {
+        return paint(
+            frame,
+            {200, 200, {Vec3::Zero(), Vec3(100, 1, 100)}, {VascularSystem::portal}, {}, {1, 0, 0}});
+    };
+    EXPECT_NE(with_target(triangle(0)), picture_of(triangle(0)));
+    EXPECT_EQ(with_target(triangle(3)), with_target(triangle(0))) << "what was split off, too";
+    Frame reached = triangle(0);
+    reached.drug.arrival_s = three_of({0.25F, never, never, never});
+    EXPECT_EQ(with_target(reached), picture_of(reached));
+}
+
 }  // namespace
 }  // namespace hepatica

@@ -337,6 +337,19 @@ TEST(ProgressStripTest, its_bar_is_of_the_whole_job) {
     EXPECT_EQ(shown({"Alone", 0.5, 1, 0}), 500) << "nobody said how many there are";
 }
 
+// An empty bar looks as if nothing was done.
+TEST(ProgressStripTest, its_bar_is_busy_until_something_is_known) {
+    QWidget pictures;
+    ProgressStrip strip([] {}, &pictures);
+    const auto* bar = strip.findChild<QProgressBar*>();
+    strip.start("Writing the report");
+    strip.update_progress({});
+    EXPECT_EQ(bar->maximum(), 0) << "it moves";
+    strip.update_progress({"Reading", 0.0, 1, 4});
+    EXPECT_EQ(bar->maximum(), 1000);
+    EXPECT_EQ(bar->value(), 0);
+}
+
 // In German, at the least width that a whole window has for it.
 TEST(ProgressStripTest, cuts_no_words_where_there_is_room_for_them) {
     QWidget pictures;

@@ -374,7 +374,8 @@ TEST_F(Slices, StayWhereTheyAreWhileMessagesComeAndGo) {
     const QWidget& pictures = views().pictures();
     EXPECT_EQ(messages.geometry().topLeft(), QPoint(0, 0));
     EXPECT_EQ(messages.width(), pictures.width());
-    EXPECT_EQ(progress->geometry().bottomRight(), pictures.rect().bottomRight());
+    EXPECT_EQ(progress->mapToGlobal(progress->rect().bottomRight()),
+              pictures.mapToGlobal(pictures.rect().bottomRight()));
     const int one_line = messages.height();
     messages.show_notice(QString("many words ").repeated(60));
     EXPECT_EQ(places(), before);
