@@ -23,9 +23,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int patience_ms = 50;     // between two checks of the job, ms
-// Nice value of the process. Beside a thread of the play it gets a quarter of a core that both want;
-// at 15 it would get a thirtieth, and nearly nothing where others work on the machine, too.
+constexpr int patience_ms = 50;  // between two checks of the job, ms
+// Nice value of the process. Beside a thread of the play it gets a quarter of a core that both
+// want; at 15 it would get a thirtieth, and nearly nothing where others work on the machine, too.
 constexpr int after_the_play = 5;
 
 // `patient`: the case of who was played; empty: it is searched for.
