@@ -9484,9 +9484,5 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>This lesson is played without tools; a drag or the arrows turn the view</source>
         <translation>Diese Lektion kommt ohne Werkzeuge aus; Ziehen oder die Pfeile drehen die Ansicht</translation>
     </message>
-    <message>
-        <source>Open unsaved work</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 </TS>

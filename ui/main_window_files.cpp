@@ -256,7 +256,7 @@ void MainWindow::open_unsaved_work() {
             return messages_->show_notice(Words::tr("No earlier run left unsaved work."));
         open(Recovery::unsaved_work(left.front()).request);
     } catch (...) {
-        fail(Words::tr("Open unsaved work"), failure_of(std::current_exception()));
+        fail(Words::tr("Open the unsaved work"), failure_of(std::current_exception()));
     }
 }
 
