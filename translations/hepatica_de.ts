@@ -2405,8 +2405,8 @@
         <translation>Wählen Sie eine Aufzeichnung des gezeigten Patienten</translation>
     </message>
     <message>
-        <source>The play from before is shown again, as it was</source>
-        <translation>Die Übung von vorhin ist wieder da, wie sie war</translation>
+        <source>The play from before is shown again</source>
+        <translation>Die Übung von vorhin ist wieder da</translation>
     </message>
     <message>
         <source>This is a recording. Leave the review to play yourself.</source>

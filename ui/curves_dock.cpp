@@ -56,7 +56,15 @@ void CurvesDock::follow(std::shared_ptr<const PatientCase> patient, const DrugVi
 void CurvesDock::follow_tear(const Frame& frame, bool of_lesson) {
     const bool changed = of_lesson ? !tear_.empty() : tear_.follow(frame);
     if (of_lesson) tear_.clear();
-    if (!changed) return;
+    if (changed) plot_tears();
+}
+
+void CurvesDock::show_tears(TearHistory tears) {
+    tear_ = std::move(tears);
+    plot_tears();
+}
+
+void CurvesDock::plot_tears() {
     if (tear_.empty()) return plots_->set_tear({}, {});
     std::vector<PlotEvent> events;
     for (const TearHistory::Event& event : tear_.events())

@@ -31,6 +31,9 @@ class CurvesDock : public QDockWidget {
     // take room from the view while it is watched. Of a lesson none is shown: entropy is none of
     // its quantities.
     void follow_tear(const Frame& frame, bool of_lesson = false);
+    // What was followed of the tears, and to go on from there.
+    const TearHistory& tears() const { return tear_; }
+    void show_tears(TearHistory tears);
     // Appears once no mouse button is down, unless the user closed it.
     void come();
     // Time on the drug's clock; nullopt: nothing is injected.
@@ -50,6 +53,7 @@ class CurvesDock : public QDockWidget {
 
   private:
     void come_when_nothing_is_held();
+    void plot_tears();
 
     std::function<void(const Failure&)> failed_;
     PlotPanel* plots_;

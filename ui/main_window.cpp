@@ -118,7 +118,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     make_keeper(std::move(patients), std::move(*questions));
     dial_ = std::make_unique<DialKeeper>([this](const QualityDial& dial) {
         if (patient_) patient_->simulation->use_dial(dial);
-        kept_play_.use_dial(dial);
+        kept_play_.use_dial(dial, back_ends_->chosen());
     });
     connect_files();
     connect_play();

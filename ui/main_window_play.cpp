@@ -114,18 +114,23 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     const bool free = simulation == nullptr;
     // Lessons record themselves, and a review shows a recording.
     (*actions_)[ActionId::record_play].setEnabled(free);
-    if (free) simulation = kept_play_.give_back();
+    if (free) simulation = kept_play_.give_back(back_ends_->chosen());
     const bool comes_back = simulation != nullptr && free;
     if (simulation == nullptr) {
         Job job;
         simulation = play_with(back_ends_->for_play(), patient_->patient, job).simulation;
     }
     if (std::exchange(shows_free_play_, free) && !free)
-        kept_play_.take(std::move(patient_->simulation));
+        kept_play_.take(std::move(patient_->simulation),
+                        {back_ends_->chosen(), quality_->choices(), curves_->tears()});
     patient_->simulation = std::move(simulation);
     patient_->simulation->update_frame();
     match_anatomy();
     curves_->clear();
+    if (comes_back) {
+        curves_->show_tears(kept_play_.shown().tears);
+        quality_->show_choices(kept_play_.shown().settings);
+    }
     hovered_vertex_ = -1;
     view_->scene().set_highlight({});
     view_->scene().set_target({});
@@ -140,7 +145,7 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
     follow(frame());
     follow_simulation();
     if (comes_back)
-        statusBar()->showMessage(Words::tr("The play from before is shown again, as it was"), 6000);
+        statusBar()->showMessage(Words::tr("The play from before is shown again"), 6000);
 }
 
 void MainWindow::colour_by_segments(const std::vector<std::uint8_t>& of_branches) {

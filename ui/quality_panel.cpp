@@ -189,6 +189,20 @@ QWidget* QualityPanel::make_body() {
     return box;
 }
 
+QualityPanel::Choices QualityPanel::choices() const {
+    return {automatic_->isChecked(), gravity_->isChecked(), tether_->isChecked(), dial_->value(),
+            wall_->value()};
+}
+
+void QualityPanel::show_choices(const Choices& choices) {
+    const QSignalBlocker of_dial(dial_), of_gravity(gravity_), of_tether(tether_), of_wall(wall_);
+    automatic_->setChecked(choices.automatic);
+    dial_->setValue(choices.dial);
+    gravity_->setChecked(choices.gravity);
+    tether_->setChecked(choices.tether);
+    wall_->setValue(choices.wall_mm);
+}
+
 void QualityPanel::post_choices() {
     if (!automatic_->isChecked()) post_(SetQuality{dial_->value() / 100.0});
     if (gravity_->isChecked()) post_(SetGravity{Vec3(0, units::standard_gravity, 0)});

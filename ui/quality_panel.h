@@ -27,6 +27,14 @@ class QualityPanel : public QWidget {
 
     void show_statistics(const FrameStatistics& statistics);
 
+    struct Choices {
+        bool automatic = true, gravity = false, tether = true;
+        int dial = 50;  // [%]
+        double wall_mm = 0.0;
+    };
+    Choices choices() const;
+    // Shows the choices of a simulation that has them already.
+    void show_choices(const Choices& choices);
     // Sends the user's choices to a new simulation, so that a corrected patient is played as
     // before.
     void post_choices();

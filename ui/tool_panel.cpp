@@ -265,9 +265,11 @@ void ToolPanel::show_tear(const std::optional<TearView>& tear) {
 }
 
 void ToolPanel::begin_play(bool free) {
-    go_on();
     free_play_ = free;
+    show_tear(std::nullopt);  // until its next figures
+    asked_.reset();
     if (!free) return;
+    show_tear_factor(std::nullopt);
     if (wanted_contact_) callbacks_.use_contact(*wanted_contact_);
     if (wanted_tear_) callbacks_.use_tear(tear());
 }

@@ -2,7 +2,9 @@
 // A free play in which something happened outlasts a review and a lesson.
 #include "ui/kept_play.h"
 
+#include <QCheckBox>
 #include <QStatusBar>
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -25,31 +27,82 @@ using testing::wait_for;
 
 std::unique_ptr<FakeSimulation> torn_play() {
     auto play = std::make_unique<FakeSimulation>(fake_frame());
-    play->show_tear(TearView{});
+    TearView torn;
+    torn.joints_broken = 1;
+    play->show_tear(torn);
     play->update_frame();
     return play;
 }
 
+const KeptPlay::Shown as_shown{"cpu", {}, {}};
+
 TEST(KeptPlayTest, one_in_which_nothing_happened_is_not_kept) {
     KeptPlay kept;
-    kept.take(std::make_unique<FakeSimulation>(fake_frame()));
-    EXPECT_EQ(kept.give_back(), nullptr);
+    kept.take(std::make_unique<FakeSimulation>(fake_frame()), as_shown);
+    EXPECT_EQ(kept.give_back("cpu"), nullptr);
+    auto may_tear = std::make_unique<FakeSimulation>(fake_frame());
+    may_tear->show_tear(TearView{});
+    kept.take(std::move(may_tear), as_shown);
+    EXPECT_EQ(kept.give_back("cpu"), nullptr) << "nothing is torn";
+}
+
+// The window's frame may be older than the last deed.
+TEST(KeptPlayTest, what_is_not_in_the_frame_yet_counts) {
+    auto play = std::make_unique<FakeSimulation>(fake_frame());
+    TearView torn;
+    torn.joints_broken = 1;
+    play->show_tear(torn);
+    KeptPlay kept;
+    FakeSimulation& same = *play;
+    kept.take(std::move(play), as_shown);
+    const auto has = [&same](auto command) {
+        return std::ranges::any_of(same.commands(), [](const Command& posted) {
+            return std::holds_alternative<decltype(command)>(posted);
+        });
+    };
+    EXPECT_TRUE(has(ReleaseGrab{}));
+    EXPECT_TRUE(has(RemoveTool{}));
+    EXPECT_TRUE(has(UseTools{})) << "the vessels are made ready for tools no longer";
+    EXPECT_EQ(kept.give_back("cpu").get(), &same);
+}
+
+// Two reviews in turn give it back and take it again before it has made a step.
+TEST(KeptPlayTest, goes_on_though_it_was_given_back_for_a_moment) {
+    auto play = torn_play();
+    KeptPlay kept;
+    kept.take(std::move(play), as_shown);
+    std::unique_ptr<Simulation> back = kept.give_back("cpu");
+    ASSERT_NE(back, nullptr);
+    kept.take(std::move(back), as_shown);
+    back = kept.give_back("cpu");
+    const auto& commands = dynamic_cast<FakeSimulation&>(*back).commands();
+    const auto* last = std::get_if<SetPaused>(&commands.back());
+    ASSERT_NE(last, nullptr);
+    EXPECT_FALSE(last->paused);
+}
+
+// The window says that the next play is computed by the back end that was chosen.
+TEST(KeptPlayTest, ends_where_another_back_end_was_chosen) {
+    KeptPlay kept;
+    kept.take(torn_play(), as_shown);
+    EXPECT_EQ(kept.give_back("cuda"), nullptr);
+    EXPECT_EQ(kept.give_back("cpu"), nullptr);
 }
 
 TEST(KeptPlayTest, stands_still_until_it_is_given_back) {
     auto play = torn_play();
     FakeSimulation& same = *play;
     KeptPlay kept;
-    kept.take(std::move(play));
+    kept.take(std::move(play), as_shown);
     const auto is_pause = [&same](bool paused) {
         const auto* last = std::get_if<SetPaused>(&same.commands().back());
         return last != nullptr && last->paused == paused;
     };
     EXPECT_TRUE(is_pause(true));
-    const std::unique_ptr<Simulation> back = kept.give_back();
+    const std::unique_ptr<Simulation> back = kept.give_back("cpu");
     EXPECT_EQ(back.get(), &same);
     EXPECT_TRUE(is_pause(false));
-    EXPECT_EQ(kept.give_back(), nullptr) << "once";
+    EXPECT_EQ(kept.give_back("cpu"), nullptr) << "once";
 }
 
 TEST(KeptPlayTest, one_that_stood_stands_on) {
@@ -59,9 +112,9 @@ TEST(KeptPlayTest, one_that_stood_stands_on) {
     play->update_frame();
     ASSERT_TRUE(play->frame().statistics.paused);
     KeptPlay kept;
-    kept.take(std::move(play));
+    kept.take(std::move(play), as_shown);
     const std::size_t posted = same.commands().size();
-    const std::unique_ptr<Simulation> back = kept.give_back();
+    const std::unique_ptr<Simulation> back = kept.give_back("cpu");
     ASSERT_EQ(back.get(), &same);
     EXPECT_EQ(same.commands().size(), posted);
 }
@@ -76,7 +129,7 @@ class KeptPlayWindowTest : public ReviewWindowTest {
     }
 };
 
-// What a trainee has cut or injected is there again, at the time when he left it.
+// What a trainee has injected is there again, with the settings it had.
 TEST_F(KeptPlayWindowTest, is_as_it_was_after_a_review) {
     open_built_in();
     inject();
@@ -84,7 +137,11 @@ TEST_F(KeptPlayWindowTest, is_as_it_was_after_a_review) {
     const auto injected = window_.frame().drug.injection;
     look_back();
     ASSERT_EQ(window_.frame().drug.injection, nullptr) << "the recording has none";
+    auto* gravity = window_.findChild<QCheckBox*>("gravity");
+    ASSERT_FALSE(gravity->isChecked());
+    gravity->setChecked(true);
     click("reviewLeave");
+    EXPECT_FALSE(gravity->isChecked()) << "it was chosen for what was shown then";
     ASSERT_TRUE(wait_for([this] { return window_.frame().drug.injection != nullptr; }));
     EXPECT_EQ(window_.frame().drug.injection, injected);
     EXPECT_TRUE(wait_for([this] { return !window_.frame().statistics.paused; })) << "it goes on";
