@@ -243,8 +243,9 @@ Legend::Layout Legend::laid_out(const std::vector<LegendRow>& rows, const Room& 
                                 bool left_out) {
     const double widest = room.width - 2.0 * margin * room.point;
     Layout layout;
-    layout.rows = fitting(rows, widest, room.point);
-    if (left_out && !layout.rows.empty()) layout.rows.back().text += " …";
+    std::vector<LegendRow> said = rows;
+    if (left_out && !said.empty()) said.back().text += " …";
+    layout.rows = fitting(said, widest, room.point);
     const double needed = width_of(layout.rows, room.point);
     layout.point = room.point * std::clamp(widest / std::max(needed, 1.0), least_shrunk, 1.0);
     layout.corners = legend_corners(room, std::min(width_of(layout.rows, layout.point), widest),

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/tree/editing/edit_reach.h"
 #include "core/tree/editing/given_already.h"
 #include "core/tree/editing/vessel_tracing.h"
 #include "core/tree/station.h"
@@ -80,12 +81,10 @@ int root_of(int segment, const VesselTree& tree) {
     return segment;
 }
 
-// The root of the vessel of this system there; -1: there is none. As far away as an edit may name
-// a vessel: a rebuilding moves vessels a little.
+// The root of the vessel of this system there, within an edit's reach; -1: there is none.
 int root_there(const Vec3& place_mm, VascularSystem system, const VesselTree& tree) {
-    constexpr double reach_mm = 10.0;
     const TreePoint at = nearest_point(tree, place_mm);
-    if (at.segment < 0 || at.distance_mm > reach_mm) return -1;
+    if (at.segment < 0 || at.distance_mm > edit_reach_mm) return -1;
     const bool is_of_system = tree.segments[static_cast<std::size_t>(at.segment)].system == system;
     return is_of_system ? root_of(at.segment, tree) : -1;
 }
@@ -94,6 +93,7 @@ int root_there(const Vec3& place_mm, VascularSystem system, const VesselTree& tr
 // says nothing.
 bool lies_in_system(const Vec3& place_mm, VascularSystem system, const VesselTree& tree) {
     const TreePoint at = nearest_point(tree, place_mm);
+    if (at.segment < 0) return false;
     const VesselSegment& segment = tree.segments[static_cast<std::size_t>(at.segment)];
     return segment.system == system &&
            at.distance_mm <= station_at(segment, at.arclength_mm).radius_mm;
@@ -105,9 +105,10 @@ bool made_a_tree(const TreeEdit& edit, const VesselTree& before, const VesselTre
     const int own = root_there(edit.at_mm, edit.system, tree);
     if (own < 0) return false;
     for (int s = 0; s < std::ssize(tree.segments); ++s) {
+        if (root_of(s, tree) != own) continue;
         const VesselSegment& segment = tree.segments[static_cast<std::size_t>(s)];
         const Vec3 middle_mm = station_at(segment, 0.5 * length_mm(segment)).position_mm;
-        if (root_of(s, tree) == own && lies_in_system(middle_mm, edit.system, before)) return false;
+        if (lies_in_system(middle_mm, edit.system, before)) return false;
     }
     return true;
 }
@@ -295,7 +296,8 @@ PatientCase CaseEditing::wanted() const {
     PatientCase wanted;
     wanted.tree = workspace_.patient()->tree;
     wanted.corrections = workspace_.patient()->corrections;
-    return workspace_.awaits_body() ? with_edited_tree(wanted, workspace_.edits()) : wanted;
+    if (!workspace_.awaits_body()) return wanted;
+    return with_edited_tree(wanted, workspace_.edits());
 }
 
 // Where a correction before it turns out to be impossible, the worker says so.

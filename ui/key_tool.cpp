@@ -65,6 +65,7 @@ bool KeyTool::press(ViewKey key, const MouseModifiers& modifiers) {
 void KeyTool::arrow(double right, double down, bool shift) {
     if (leads_) {
         const Pixel size = size_();
+        brought_ = false;
         led_to_ = {std::clamp(led_to_.x + step_px_ * right, 0.0, size.x),
                    std::clamp(led_to_.y + step_px_ * down, 0.0, size.y)};
         mouse_.move(led_to_);
@@ -81,7 +82,8 @@ void KeyTool::arrow(double right, double down, bool shift) {
 void KeyTool::enter(const MouseModifiers& modifiers) {
     const bool tool = mouse_.mode() == MouseMode::tool;
     if (leads_) {
-        if (tool && mouse_.hand().click(led_to_)) return;
+        // Once at a place: what stands in a tool's way may keep it from where it was brought to.
+        if (tool && !std::exchange(brought_, true) && mouse_.hand().click(led_to_)) return;
         mouse_.release(led_to_);
         leads_ = false;
         return;
@@ -90,7 +92,7 @@ void KeyTool::enter(const MouseModifiers& modifiers) {
     if (tool && !modifiers.control) {
         mouse_.move(at);
         mouse_.hand().click(at);
-        leads_ = true;
+        leads_ = brought_ = true;
         led_to_ = at;
         return;
     }

@@ -47,6 +47,7 @@ class KeyTool {
     std::function<Pixel()> size_;
     std::function<void()> missed_;
     bool leads_ = false;
+    bool brought_ = false;  // a tool, to led_to_, by Enter
     Pixel led_to_;
     double step_px_ = 6.0;
 };

@@ -164,7 +164,7 @@ QString MainWindow::guidance_of(MouseMode mode) const {
 QString MainWindow::words_without_pulling() const {
     const std::array inject{LessonTool::inject};
     const bool may_inject = !allowed_tools_ || allows(*allowed_tools_, LessonTool::inject);
-    return !view_->mouse().moves() && may_inject
+    return !review_->reviewing() && !view_->mouse().moves() && may_inject
                ? Words::tr(
                      "Only the flow is played here: choose %1; a drag or the arrows turn "
                      "the view")

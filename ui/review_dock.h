@@ -156,7 +156,7 @@ class ReviewDock : public QDockWidget {
     std::unique_ptr<BackgroundJob> other_job_;
     std::shared_ptr<ReviewTape> other_tape_;
     // Of the lesson of that recording: made on another thread before the first of its frames is on
-    // the tape, and to be looked at only once there is one. Not null while there is a tape.
+    // the tape, and to be looked at only once there is one. Not null while there is that tape.
     std::shared_ptr<std::unique_ptr<const MarkedLesson>> other_marked_;
     std::shared_ptr<const Frame> other_frame_;  // the one that is shown
     std::vector<PlayNote> notes_;

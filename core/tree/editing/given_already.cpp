@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tree/editing/given_already.h"
 
+#include "core/tree/editing/edit_reach.h"
+
 namespace hepatica {
 
 bool is_given_already(const VesselTree& tree, const TreeEdit& edit) {
-    constexpr double reach_mm = 10.0;  // as edited() reaches
     const bool gives_branch = edit.kind == TreeEditKind::reassign_system;
     if (tree.segments.empty() || (!gives_branch && edit.kind != TreeEditKind::seed_system))
         return false;
     const TreePoint at = nearest_point(tree, edit.at_mm);
-    if (!(at.distance_mm <= reach_mm)) return false;
+    if (!(at.distance_mm <= edit_reach_mm)) return false;
     if (!gives_branch)
         return tree.segments[static_cast<std::size_t>(at.segment)].system == edit.system;
     const std::vector<std::uint8_t> hangs = downstream_of(tree, at.segment);

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/patient_space.h"
 #include "core/tree/editing/drawn_vessel.h"
+#include "core/tree/editing/edit_reach.h"
 #include "core/tree/editing/system_seed.h"
 #include "core/tree/extraction/bridged_points.h"
 #include "core/tree/extraction/centreline.h"
@@ -19,8 +20,6 @@ namespace hepatica {
 
 namespace {
 
-constexpr double reach_mm = 10.0;  // farthest a click may be from a vessel
-
 // Confidence of a system stated by the user.
 double confidence_by_hand(VascularSystem system) {
     return system == VascularSystem::unknown ? 0.0 : 1.0;
@@ -28,7 +27,7 @@ double confidence_by_hand(VascularSystem system) {
 
 TreePoint locate(const VesselTree& tree, const Vec3& position_mm) {
     const TreePoint found = nearest_point(tree, position_mm);
-    if (!(found.distance_mm <= reach_mm))
+    if (!(found.distance_mm <= edit_reach_mm))
         throw InputError("no vessel within 10 mm", place_text(position_mm),
                          "Name a place on a vessel");
     return found;
@@ -111,7 +110,7 @@ class Edit {
         const auto at_node = links_of_nodes(graph_);
         const int wanted = component[tree_.segments[near].proximal_node];
         int best = tree_.segments[near].proximal_node;
-        double least = reach_mm * 1e6;
+        double least = edit_reach_mm * 1e6;
         for (std::size_t n = 0; n < component.size(); ++n) {
             const double d = (graph_.nodes[n].position_mm - edit.at_mm).norm();
             if (component[n] != wanted || at_node[n].size() != 1 || d >= least) continue;

@@ -8,8 +8,6 @@
 namespace hepatica {
 namespace {
 
-constexpr auto portal = VascularSystem::portal, hepatic = VascularSystem::hepatic;
-
 TreeEdit given(TreeEditKind kind, const Vec3& at_mm, VascularSystem system) {
     TreeEdit edit;
     edit.kind = kind;
@@ -21,7 +19,7 @@ TreeEdit given(TreeEditKind kind, const Vec3& at_mm, VascularSystem system) {
 class GivenAlready : public ::testing::Test {
   protected:
     GivenAlready() {
-        for (VesselSegment& segment : tree_.segments) segment.system = portal;
+        for (VesselSegment& segment : tree_.segments) segment.system = VascularSystem::portal;
         for (const int root : roots(tree_)) root_mm_ = tree_.segments[root].points_mm[1];
         for (std::size_t s = 0; s < tree_.segments.size(); ++s)
             if (children(tree_)[s].empty()) leaf_ = s;
@@ -35,22 +33,29 @@ class GivenAlready : public ::testing::Test {
 
 TEST_F(GivenAlready, IsWhatHasTheSystemWithAllThatHangsOnIt) {
     for (const Vec3& place : {root_mm_, leaf_mm()}) {
-        EXPECT_TRUE(is_given_already(tree_, given(TreeEditKind::reassign_system, place, portal)));
-        EXPECT_FALSE(is_given_already(tree_, given(TreeEditKind::reassign_system, place, hepatic)));
+        EXPECT_TRUE(is_given_already(
+            tree_, given(TreeEditKind::reassign_system, place, VascularSystem::portal)));
+        EXPECT_FALSE(is_given_already(
+            tree_, given(TreeEditKind::reassign_system, place, VascularSystem::hepatic)));
     }
-    tree_.segments[leaf_].system = hepatic;
-    EXPECT_FALSE(is_given_already(tree_, given(TreeEditKind::reassign_system, root_mm_, portal)))
+    tree_.segments[leaf_].system = VascularSystem::hepatic;
+    EXPECT_FALSE(is_given_already(
+        tree_, given(TreeEditKind::reassign_system, root_mm_, VascularSystem::portal)))
         << "what hangs on it would change";
-    EXPECT_TRUE(is_given_already(tree_, given(TreeEditKind::seed_system, root_mm_, portal)))
+    EXPECT_TRUE(
+        is_given_already(tree_, given(TreeEditKind::seed_system, root_mm_, VascularSystem::portal)))
         << "as edited() refuses it";
-    EXPECT_FALSE(is_given_already(tree_, given(TreeEditKind::seed_system, root_mm_, hepatic)));
+    EXPECT_FALSE(is_given_already(
+        tree_, given(TreeEditKind::seed_system, root_mm_, VascularSystem::hepatic)));
 }
 
 TEST_F(GivenAlready, IsNothingElse) {
-    EXPECT_FALSE(is_given_already(tree_, given(TreeEditKind::set_root, root_mm_, portal)));
     EXPECT_FALSE(
-        is_given_already(tree_, given(TreeEditKind::reassign_system, {500, 0, 0}, portal)));
-    EXPECT_FALSE(is_given_already({}, given(TreeEditKind::reassign_system, root_mm_, portal)));
+        is_given_already(tree_, given(TreeEditKind::set_root, root_mm_, VascularSystem::portal)));
+    EXPECT_FALSE(is_given_already(
+        tree_, given(TreeEditKind::reassign_system, {500, 0, 0}, VascularSystem::portal)));
+    EXPECT_FALSE(is_given_already(
+        {}, given(TreeEditKind::reassign_system, root_mm_, VascularSystem::portal)));
 }
 
 }  // namespace
