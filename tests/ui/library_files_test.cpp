@@ -28,6 +28,16 @@ TEST_F(LibraryTest, chooses_a_case_that_lies_in_its_folder_and_copies_nothing) {
         << dialog().messages().text().toStdString();
 }
 
+TEST_F(LibraryTest, says_that_a_file_of_its_folder_is_gone) {
+    open_library();
+    dialog().take_in(cases_ / "gone.hepz");
+    ASSERT_TRUE(wait_for([this] { return !dialog().busy(); }));
+    const QString said = dialog().messages().text();
+    EXPECT_TRUE(said.contains("gone.hepz")) << said.toStdString();
+    EXPECT_FALSE(said.contains("lies in this folder already")) << said.toStdString();
+    EXPECT_EQ(dialog().cases().size(), 1u);
+}
+
 // Once they lie beside it, opening the file tells of them no more.
 TEST_F(LibraryTest, takes_the_lessons_alone_out_of_a_file_in_its_folder) {
     write_lesson_for(cases_ / "mine.json", "Of first", "first.hep");

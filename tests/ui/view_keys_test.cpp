@@ -226,6 +226,23 @@ TEST_F(ViewKeys, EnterBringsAToolInHandToAMarkAtAnotherDepthAndThenLetsGo) {
     EXPECT_FALSE(view().keys().leads());
 }
 
+// As where a tumour stands in the way: the tool does not come as deep as the mark lies.
+TEST_F(ViewKeys, EnterLetsAToolGoThatDoesNotComeToWhereItWasBrought) {
+    begin();
+    aim_beside_vessels();
+    take_probe();
+    press(Qt::Key_Right);
+    paint();
+    view().scene().set_marks({{mark_at_aim(25.0, 0.0), ""}});
+    press(Qt::Key_Return);
+    ASSERT_EQ(commands_of_type<AddTool>().size(), 2u);
+    paint();
+    view().scene().set_marks({{mark_at_aim(50.0, 0.0), ""}});
+    press(Qt::Key_Return);
+    EXPECT_EQ(commands_of_type<AddTool>().size(), 2u);
+    EXPECT_FALSE(view().keys().leads());
+}
+
 // It says where Enter will bring it.
 TEST_F(ViewKeys, AToolThatIsChosenByItsKeyShowsTheAimAtOnce) {
     open_built_in();
