@@ -6,11 +6,12 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
-#include <QStatusBar>
+
 
 #include "core/flow/fluid.h"
 #include "tests/ui/fake_window_test.h"
 #include "ui/curves_dock.h"
+#include "ui/elided_status_bar.h"
 #include "ui/inject_panel.h"
 #include "ui/plot_panel.h"
 #include "ui/status_line.h"
@@ -207,7 +208,7 @@ TEST(ToolPanel, SaysLittleBloodToTheTenthOfAGramAsALessonDoes) {
 
 // The panel that says so may be folded or below another one.
 TEST(StatusLine, SaysWhatIsLostWhileItBleeds) {
-    QStatusBar bar;
+    ElidedStatusBar bar;
     StatusLine line(bar);
     const auto* label = bar.findChild<QLabel*>("bleeding");
     TearView tear;
