@@ -7,7 +7,6 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 
-
 #include "core/flow/fluid.h"
 #include "tests/ui/fake_window_test.h"
 #include "ui/curves_dock.h"
