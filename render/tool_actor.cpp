@@ -162,8 +162,6 @@ void ToolActor::add_part() {
     // Ghosts are added last, because they are in front of everything drawn after them.
     for (const Part& each : parts_) renderer_.RemoveActor(each.ghost);
     for (const Part& each : parts_) renderer_.AddActor(each.ghost);
-    renderer_.RemoveActor(held_);  // the mark of what is held is in front of them
-    renderer_.AddActor(held_);
 }
 
 void ToolActor::set_colour(const Colour& colour) {

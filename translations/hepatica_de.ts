@@ -8349,11 +8349,11 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Only the flow is played here: there is nothing to pull, touch or cut</source>
-        <translation>Hier spielt nur der Fluss: Es gibt nichts zu ziehen, zu berühren oder zu durchtrennen</translation>
+        <translation>Hier läuft nur der Fluss: Es gibt nichts zu ziehen, zu berühren oder zu durchtrennen</translation>
     </message>
     <message>
         <source>Only the flow is played here: choose %1; a drag or the arrows turn the view</source>
-        <translation>Hier spielt nur der Fluss: Wählen Sie %1; Ziehen mit der Maus oder die Pfeile drehen die Ansicht</translation>
+        <translation>Hier läuft nur der Fluss: Wählen Sie %1; Ziehen mit der Maus oder die Pfeile drehen die Ansicht</translation>
     </message>
     <message>
         <source>Nothing is corrected during a lesson: leave it first</source>

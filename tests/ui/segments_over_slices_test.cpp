@@ -198,14 +198,14 @@ TEST_F(SegmentsOverSlices, HaveNumbersThatLieOnNoOtherAndInTheirOwnSegment) {
     scene().set_crosshair(ct_.grid.to_mm(10, 25, 30));
     std::set<std::size_t> counts;
     for (const int side : {60, 110, 200, 700}) {
-        SliceView view(scene(), SliceDirection::axial);
-        view.resize(side, side);
-        view.grab();
-        const auto& labels = view.number_labels();
+        axial().resize(side, side);
+        axial().grab();
+        const auto& labels = axial().number_labels();
         ASSERT_FALSE(labels.empty()) << side;
         counts.insert(labels.size());
         for (std::size_t i = 0; i < labels.size(); ++i) {
-            EXPECT_EQ(scene().segment_at(view.to_mm(labels[i].place.center())), labels[i].segment)
+            EXPECT_EQ(scene().segment_at(axial().to_mm(labels[i].place.center())),
+                      labels[i].segment)
                 << side;
             for (std::size_t k = 0; k < i; ++k)
                 EXPECT_FALSE(labels[i].place.intersects(labels[k].place))
@@ -215,10 +215,8 @@ TEST_F(SegmentsOverSlices, HaveNumbersThatLieOnNoOtherAndInTheirOwnSegment) {
     EXPECT_EQ(*counts.rbegin(), 8u) << "all are there where there is room";
     EXPECT_LT(*counts.begin(), 8u);
     scene().set_segments_visible(false);
-    SliceView view(scene(), SliceDirection::axial);
-    view.resize(700, 700);
-    view.grab();
-    EXPECT_TRUE(view.number_labels().empty());
+    axial().grab();
+    EXPECT_TRUE(axial().number_labels().empty());
 }
 
 // Words that come and go with the mouse take the slices no room.

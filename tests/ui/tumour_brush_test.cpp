@@ -346,7 +346,7 @@ TEST_F(TumoursOfACase, AreObstaclesOnceAVesselIsCorrected) {
         EXPECT_EQ(brush().lift(), "");
     };
     paint_at(Vec3(10, 20, 10));
-    EXPECT_FALSE(window_.statusBar()->currentMessage().contains("it began with"))
+    EXPECT_FALSE(window_.statusBar()->currentMessage().contains("become obstacles"))
         << "vessels touch none";
     touch_obstacles();
     EXPECT_EQ(window_.frame().obstacles->all.size(), 1u);
