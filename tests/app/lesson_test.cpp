@@ -132,8 +132,8 @@ TEST_F(LessonVerb, MakesAReportWithoutADisplay) {
     std::smatch peak, reached;
     ASSERT_TRUE(std::regex_search(page, peak, std::regex("largest force: .*, after ([0-9.]+)")));
     ASSERT_TRUE(std::regex_search(page, reached, std::regex("Step 1 reached, after ([0-9.]+)")));
-    EXPECT_TRUE(std::regex_search(page, std::regex("at least 3 mm</td><td>[3-9][0-9.]* mm</td>")))
-        << "what the goal came to";
+    const std::regex goal("at least 3\u00a0mm</td><td>[3-9][0-9.]*\u00a0mm</td>");
+    EXPECT_TRUE(std::regex_search(page, goal)) << "what the goal came to";
     EXPECT_EQ(peak.position() < reached.position(), std::stod(peak[1]) < std::stod(reached[1]))
         << "pictures lie in the order of their times";
     EXPECT_EQ(contents_of(path("report/report.pdf")).substr(0, 5), "%PDF-");
@@ -287,7 +287,7 @@ TEST_F(LessonVerb, AReportSaysHowFarTheGoalCameAndWhatBrokeALimit) {
                                 path("late.json"), "--json"});
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     const std::string page = contents_of(path("late/report.html"));
-    const std::string was = "0.517 s";
+    const std::string was = "0.517\u00a0s";
     const std::size_t reason = page.find(was);
     ASSERT_NE(reason, std::string::npos) << page;
     EXPECT_NE(page.find(was, reason + 1), std::string::npos) << "in the table of limits too";
