@@ -95,7 +95,8 @@ TEST(DoseCurve, WhereAllReachesTheTargetNothingIsElsewhere) {
 
 // What goes elsewhere is a sum of masses, and no sum of masses is negative.
 TEST(DoseCurve, NoMoreReachesATargetThanIsDelivered) {
-    for (const int branch : children(tree())[0]) {
+    const std::vector<int> branches = children(tree())[0];
+    for (const int branch : branches) {
         const DoseCurve curve(tree(), into(middle_of_segment(branch)), end_s, from(branch));
         for (int tenth = 0; tenth <= 10 * static_cast<int>(end_s); ++tenth)
             EXPECT_GE(curve.at(0.1 * tenth + 0.003).elsewhere_g(), 0.0) << branch << ' ' << tenth;
