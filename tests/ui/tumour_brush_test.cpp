@@ -351,7 +351,7 @@ TEST_F(TumoursOfACase, AreObstaclesOnceAVesselIsCorrected) {
     touch_obstacles();
     EXPECT_EQ(window_.frame().obstacles->all.size(), 1u);
     paint_at(Vec3(10, 40, 10));
-    EXPECT_TRUE(window_.statusBar()->currentMessage().contains("it began with"));
+    EXPECT_TRUE(window_.statusBar()->currentMessage().contains("become obstacles"));
     window_.findChild<QPushButton*>("acceptAll")->click();
     wait();
     touch_obstacles();
