@@ -42,6 +42,7 @@ StatusLine::StatusLine(ElidedStatusBar& bar)
     real_time_->setToolTip(
         Words::tr("Simulated time over wall time: 1 is real time, less is slower"));
     picture_->setToolTip(Words::tr("Time of the last picture, until it was on the screen"));
+    renderer_->setObjectName("renderer");
     renderer_->setToolTip(Words::tr("The OpenGL renderer"));
     warnings_->setObjectName("warnings");
     warnings_->setAutoRaise(true);

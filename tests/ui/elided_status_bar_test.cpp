@@ -56,6 +56,7 @@ TEST(ElidedStatusBarAlone, FiguresThatGiveWayLeaveTheirRoomToAMessage) {
     EXPECT_FALSE(recording->isHidden());
     EXPECT_EQ(bar.shown(), message);
     renderer->setText("short");
+    recording->setText("Rec.");
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     EXPECT_TRUE(renderer->isHidden()) << "a figure that changes comes with the next message";
     bar.showMessage(long_message);
@@ -63,6 +64,16 @@ TEST(ElidedStatusBarAlone, FiguresThatGiveWayLeaveTheirRoomToAMessage) {
     EXPECT_FALSE(recording->isHidden()) << "it gives way to nothing";
     bar.clearMessage();
     EXPECT_FALSE(picture->isHidden());
+    EXPECT_FALSE(renderer->isHidden());
+}
+
+TEST_F(StatusBarOfTheWindow, LetsTheRenderersNameGiveWay) {
+    auto* renderer = window_.statusBar()->findChild<QLabel*>("renderer");
+    ASSERT_NE(renderer, nullptr);
+    EXPECT_FALSE(renderer->isHidden());
+    window_.statusBar()->showMessage(long_message);
+    EXPECT_TRUE(renderer->isHidden());
+    window_.statusBar()->clearMessage();
     EXPECT_FALSE(renderer->isHidden());
 }
 

@@ -66,17 +66,30 @@ TEST(KeptPlayTest, what_is_not_in_the_frame_yet_counts) {
     EXPECT_EQ(kept.give_back("cpu").get(), &same);
 }
 
+// As one whose thread is in the midst of a long step.
+class LateSimulation : public FakeSimulation {
+  public:
+    using FakeSimulation::FakeSimulation;
+    bool update_frame() override { return !late && FakeSimulation::update_frame(); }
+    bool late = false;
+};
+
 // Two reviews in turn give it back and take it again before it has made a step.
 TEST(KeptPlayTest, goes_on_though_it_was_given_back_for_a_moment) {
-    auto play = torn_play();
+    Frame torn = fake_frame();
+    torn.tear.emplace().joints_broken = 1;
+    auto play = std::make_unique<LateSimulation>(torn);
+    LateSimulation& same = *play;
+    same.show_tear(torn.tear);
+    same.update_frame();
     KeptPlay kept;
     kept.take(std::move(play), as_shown);
-    std::unique_ptr<Simulation> back = kept.give_back("cpu");
-    ASSERT_NE(back, nullptr);
-    kept.take(std::move(back), as_shown);
-    back = kept.give_back("cpu");
-    const auto& commands = dynamic_cast<FakeSimulation&>(*back).commands();
-    const auto* last = std::get_if<SetPaused>(&commands.back());
+    same.update_frame();
+    ASSERT_TRUE(same.frame().statistics.paused);
+    same.late = true;
+    kept.take(kept.give_back("cpu"), as_shown);
+    EXPECT_EQ(kept.give_back("cpu").get(), &same);
+    const auto* last = std::get_if<SetPaused>(&same.commands().back());
     ASSERT_NE(last, nullptr);
     EXPECT_FALSE(last->paused);
 }
