@@ -17,6 +17,7 @@
 #include "core/base/temporary_folder.h"
 #include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_writer.h"
+#include "tests/ui/window_test.h"
 
 namespace hepatica {
 namespace {
@@ -65,6 +66,28 @@ TEST_F(CourseEditing, begins_with_a_copy_of_the_programs_own_where_the_person_sa
     EXPECT_EQ(read_course(file_), course_of(built_in_course(), "course"));
     EXPECT_EQ(list().count(), 7);
     EXPECT_EQ(written_, std::vector<fs::path>{file_});
+}
+
+// As where the program ends while one types: the field that loses the focus shows the course.
+TEST_F(CourseEditing, ends_while_its_name_has_the_focus) {
+    fs::create_directories(file_.parent_path());
+    auto editor = std::make_unique<CourseEditor>(
+        CourseEditor::Ways{[] { return std::nullopt; },
+                           [this](const QString&, const std::string&) { return file_; },
+                           [](const QString&, const std::exception_ptr&) {},
+                           [](const fs::path&) {}},
+        nullptr);
+    editor->edit({});
+    auto* name = editor->findChild<QLineEdit*>("courseName");
+    editor->activateWindow();
+    name->setFocus();
+    ASSERT_TRUE(QTest::qWaitFor([name] { return name->hasFocus(); }, testing::patience_ms));
+    bool shown_anew = false;
+    QObject::connect(editor->findChild<QListWidget*>("courseLessons")->model(),
+                     &QAbstractItemModel::rowsInserted, editor.get(), [&] { shown_anew = true; });
+    editor.reset();
+    EXPECT_EQ(read_course(file_).lessons.size(), 7u);
+    EXPECT_TRUE(shown_anew) << "before the editor was gone";
 }
 
 TEST_F(CourseEditing, every_change_is_in_the_file_and_can_be_undone) {

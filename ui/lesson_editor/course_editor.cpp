@@ -58,6 +58,11 @@ CourseEditor::CourseEditor(Ways ways, QWidget* parent)
     build();
 }
 
+// While the members are there: the field that loses the focus shows the course once more.
+CourseEditor::~CourseEditor() {
+    hide();
+}
+
 void CourseEditor::build() {
     name_->setObjectName("courseName");
     connect(name_, &QLineEdit::textEdited, this, [this](const QString& text) {

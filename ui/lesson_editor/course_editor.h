@@ -36,6 +36,7 @@ class CourseEditor : public QDialog {
         std::function<void(const std::filesystem::path& file)> written;
     };
     CourseEditor(Ways ways, QWidget* parent);
+    ~CourseEditor() override;
 
     // Edits the course of this file. If `file` is empty and no course is open, edits a copy of the
     // built-in course at a place that the user chooses.

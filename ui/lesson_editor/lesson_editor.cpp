@@ -63,7 +63,10 @@ LessonEditor::LessonEditor(Ways ways, std::filesystem::path kept_copy, QWidget* 
     build();
 }
 
-LessonEditor::~LessonEditor() = default;
+// While the members are there: the field that loses the focus changes the lesson.
+LessonEditor::~LessonEditor() {
+    hide();
+}
 
 void LessonEditor::build() {
     const LessonPage::Changes changes{
