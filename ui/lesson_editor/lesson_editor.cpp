@@ -63,10 +63,7 @@ LessonEditor::LessonEditor(Ways ways, std::filesystem::path kept_copy, QWidget* 
     build();
 }
 
-// While the members are there: the field that loses the focus changes the lesson.
-LessonEditor::~LessonEditor() {
-    hide();
-}
+LessonEditor::~LessonEditor() = default;
 
 void LessonEditor::build() {
     const LessonPage::Changes changes{
