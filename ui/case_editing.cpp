@@ -304,7 +304,13 @@ PatientCase CaseEditing::wanted() const {
 bool CaseEditing::is_refused(const TreeEdit& edit) const {
     if (!gives_system(edit)) return false;
     try {
-        if (!is_given_already(wanted().tree, edit)) return false;
+        const VesselTree tree = wanted().tree;
+        if (!is_given_already(tree, edit)) return false;
+        if (settles_a_doubt(tree, edit)) {
+            callbacks_.say(Words::tr("Confirmed: its system counts as sure from now on (%1)")
+                               .arg(translated(title_of(edit.system))));
+            return false;
+        }
     } catch (const InputError&) {
         return false;
     }

@@ -210,6 +210,7 @@ void MainWindow::build_view() {
     setCentralWidget(centre);
     welcome_ = new Welcome(
         *actions_, [this] { lessons_->show_chosen_course(); }, view_);
+    show_welcome(true);
     log_ = new MessageLog(this);
     messages_->on_branch = log_->on_branch = [this](int branch) { branches_->show_branch(branch); };
     const auto keep_clear = [this] {

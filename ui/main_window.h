@@ -247,6 +247,7 @@ class MainWindow : public QMainWindow {
     void dismiss_for_a_deed();  // what is said above the view, unless it is those
     void show_workspace();
     void show_title(const QString& patient);
+    void show_welcome(bool visible);
     void show_caption(const QString& text);  // in the first view
     // The simulation announces new frames; nothing polls.
     void follow_simulation();

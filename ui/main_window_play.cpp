@@ -32,7 +32,6 @@
 #include "ui/view_ruler.h"
 #include "ui/volume_keeper.h"
 #include "ui/vtk_widget.h"
-#include "ui/welcome.h"
 #include "ui/window_words.h"
 #include "ui/words.h"
 
@@ -54,7 +53,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     dial_->show(patient_->patient, back_ends_->for_play());
     hovered_vertex_ = -1;
     chosen_branch_ = -1;
-    welcome_->hide();
+    show_welcome(false);
     scene.set_highlight({});
     scene.set_target({});
     scene.set_marks({});

@@ -21,7 +21,6 @@
 #include "ui/slices/stroke_place.h"
 #include "ui/slices/view_layout.h"
 #include "ui/vtk_widget.h"
-#include "ui/welcome.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -109,7 +108,7 @@ bool MainWindow::may_correct(const char* why_not_in_review) {
 
 void MainWindow::show_image(std::shared_ptr<const Volume> ct) {
     if (patient_) return;
-    welcome_->setVisible(ct == nullptr);  // the view's quarter is too small for it
+    show_welcome(ct == nullptr);  // the view's quarter is too small for it
     if (ct == nullptr) {
         view_layout_->clear();
         return end_image();

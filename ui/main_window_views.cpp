@@ -26,6 +26,7 @@
 #include "ui/tool_panel.h"
 #include "ui/view_ruler.h"
 #include "ui/vtk_widget.h"
+#include "ui/welcome.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -41,6 +42,12 @@ void show_dock(QDockWidget& dock, bool visible) {
 }
 
 }  // namespace
+
+// Behind the start page the view is empty: the keys go past it.
+void MainWindow::show_welcome(bool visible) {
+    welcome_->setVisible(visible);
+    view_->setFocusPolicy(visible ? Qt::NoFocus : Qt::StrongFocus);
+}
 
 void MainWindow::connect_panels() {
     QAction& branches = (*actions_)[ActionId::toggle_branches];

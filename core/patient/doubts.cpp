@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/tree/system_summary.h"
 #include "core/tree/systems/doubtful_roots.h"
 #include "core/tree/territories/segment_name.h"
 
@@ -11,7 +12,6 @@ namespace hepatica {
 
 namespace {
 
-constexpr double sure = 0.8;            // least confidence of a segment that is not in doubt
 constexpr double notable_share = 0.05;  // share of the length or volume worth a sentence
 constexpr double dim_contrast = 3.5;    // in standard deviations of the noise
 
@@ -66,7 +66,7 @@ Doubts doubts_of(const VesselTree& tree) {
     for (const VesselSegment& segment : tree.segments) {
         const double length = length_mm(segment);
         whole += length;
-        if (segment.system_confidence < sure) uncertain += length;
+        if (segment.system_confidence < sure_confidence) uncertain += length;
         if (segment.system == VascularSystem::unknown) unknown += length;
         if (segment.closes_loop) ++doubts.loops;
     }

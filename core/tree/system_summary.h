@@ -9,6 +9,9 @@
 
 namespace hepatica {
 
+// A segment's system is in doubt where VesselSegment::system_confidence is less.
+inline constexpr double sure_confidence = 0.8;
+
 struct SystemRoot {
     Vec3 at_mm = Vec3::Zero();
     double radius_mm = 0.0;

@@ -65,6 +65,24 @@ TEST_F(GivenBranch, of_the_system_already_is_not_given_again) {
     EXPECT_EQ(window_.workspace().edits().size(), 2u);
 }
 
+TEST_F(GivenBranch, whose_system_was_in_doubt_is_confirmed_once) {
+    const VesselTree& tree = window_.workspace().patient()->tree;
+    const auto at = static_cast<std::size_t>(nearest_point(tree, left_branch_).segment);
+    ASSERT_EQ(tree.segments[at].system, VascularSystem::portal);
+    ASSERT_LT(tree.segments[at].system_confidence, 0.8);
+    window_.findChild<QComboBox*>("EditSystem")->setCurrentText("portal vein");
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(left_branch_));
+    EXPECT_TRUE(window_.statusBar()->currentMessage().contains("Confirmed"))
+        << window_.statusBar()->currentMessage().toStdString();
+    wait();
+    ASSERT_EQ(window_.workspace().edits().size(), 1u);
+    const VesselTree& now = window_.workspace().patient()->tree;
+    const auto there = static_cast<std::size_t>(nearest_point(now, left_branch_).segment);
+    EXPECT_EQ(now.segments[there].system_confidence, 1.0);
+    give(left_branch_);
+    EXPECT_EQ(window_.workspace().edits().size(), 1u);
+}
+
 // Where it hung before it touches nothing of its new system: blood and drugs end there.
 TEST_F(GivenBranch, that_became_a_tree_of_its_own_is_warned_of) {
     ASSERT_EQ(hepatic_trees(), 0);

@@ -109,6 +109,24 @@ TEST_F(Window, of_the_buttons_of_the_start_page_the_one_with_the_focus_alone_is_
     }
 }
 
+TEST_F(Window, tab_goes_past_the_empty_view_behind_the_start_page) {
+    auto* first = window_.findChild<QPushButton*>("welcomeFirst");
+    for (const Qt::Key key : {Qt::Key_Backtab, Qt::Key_Tab}) {
+        first->setFocus();
+        int controls = 0;
+        do {
+            QWidget* before = QApplication::focusWidget();
+            QTest::keyClick(before, key);
+            ASSERT_NE(QApplication::focusWidget(), before);
+            EXPECT_NE(QApplication::focusWidget(), &window_.view());
+            ASSERT_LT(++controls, 200);
+        } while (!first->hasFocus());
+        EXPECT_GT(controls, 4);
+    }
+    open_built_in();
+    EXPECT_TRUE(window_.view().focusPolicy() & Qt::TabFocus);
+}
+
 TEST_F(Window, no_tool_is_offered_while_there_is_no_patient) {
     const auto enabled = [this](ActionId id) { return window_.actions()[id].isEnabled(); };
     for (const ActionId id : body_actions) EXPECT_FALSE(enabled(id));

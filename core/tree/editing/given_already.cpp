@@ -2,6 +2,7 @@
 #include "core/tree/editing/given_already.h"
 
 #include "core/tree/editing/edit_reach.h"
+#include "core/tree/system_summary.h"
 
 namespace hepatica {
 
@@ -17,6 +18,17 @@ bool is_given_already(const VesselTree& tree, const TreeEdit& edit) {
     for (std::size_t i = 0; i < hangs.size(); ++i)
         if (hangs[i] != 0 && tree.segments[i].system != edit.system) return false;
     return true;
+}
+
+bool settles_a_doubt(const VesselTree& tree, const TreeEdit& edit) {
+    if (edit.kind != TreeEditKind::reassign_system || edit.system == VascularSystem::unknown ||
+        !is_given_already(tree, edit))
+        return false;
+    const std::vector<std::uint8_t> hangs =
+        downstream_of(tree, nearest_point(tree, edit.at_mm).segment);
+    for (std::size_t i = 0; i < hangs.size(); ++i)
+        if (hangs[i] != 0 && tree.segments[i].system_confidence < sure_confidence) return true;
+    return false;
 }
 
 }  // namespace hepatica

@@ -12,4 +12,8 @@ namespace hepatica {
 // both of which edited() refuses.
 bool is_given_already(const VesselTree& tree, const TreeEdit& edit);
 
+// Whether such a reassign_system is worth making all the same: it states the system of vessels
+// whose system was in doubt (sure_confidence in system_summary.h).
+bool settles_a_doubt(const VesselTree& tree, const TreeEdit& edit);
+
 }  // namespace hepatica

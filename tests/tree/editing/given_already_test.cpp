@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/tree/system_summary.h"
 #include "tests/support/test_trees.h"
 
 namespace hepatica {
@@ -47,6 +48,23 @@ TEST_F(GivenAlready, IsWhatHasTheSystemWithAllThatHangsOnIt) {
         << "as edited() refuses it";
     EXPECT_FALSE(is_given_already(
         tree_, given(TreeEditKind::seed_system, root_mm_, VascularSystem::hepatic)));
+}
+
+TEST_F(GivenAlready, SettlesADoubtWhereSomeOfItWasNotSure) {
+    const auto settles = [this](TreeEditKind kind, const Vec3& at_mm, VascularSystem system) {
+        return settles_a_doubt(tree_, given(kind, at_mm, system));
+    };
+    constexpr auto reassign = TreeEditKind::reassign_system;
+    for (VesselSegment& segment : tree_.segments) segment.system_confidence = sure_confidence;
+    EXPECT_FALSE(settles(reassign, root_mm_, VascularSystem::portal)) << "nothing is in doubt";
+    tree_.segments[leaf_].system_confidence = 0.99 * sure_confidence;
+    EXPECT_TRUE(settles(reassign, root_mm_, VascularSystem::portal)) << "a leaf hangs on it";
+    EXPECT_TRUE(settles(reassign, leaf_mm(), VascularSystem::portal));
+    EXPECT_FALSE(settles(reassign, leaf_mm(), VascularSystem::hepatic)) << "it changes more";
+    EXPECT_FALSE(settles(TreeEditKind::seed_system, leaf_mm(), VascularSystem::portal))
+        << "edited() refuses it";
+    for (VesselSegment& segment : tree_.segments) segment.system = VascularSystem::unknown;
+    EXPECT_FALSE(settles(reassign, leaf_mm(), VascularSystem::unknown)) << "nothing is stated";
 }
 
 TEST_F(GivenAlready, IsNothingElse) {
