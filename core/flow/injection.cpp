@@ -87,9 +87,12 @@ DrivenNetwork driven(const VesselTree& tree, const InjectionOptions& options,
     conditions.resident = pure(options.liquid);
     conditions.outlet_pressure_pa = options.outlet_pressure_pa;
     conditions.bifurcation_loss_coefficient = options.bifurcation_loss_coefficient;
+    // Those of the whole vessels: the beds of those that are left do not widen where an end is torn
+    // off.
     if (options.terminal_resistance_pa_s_mm3 > 0.0)
-        conditions.terminal_resistances =
-            murray_terminal_resistances(network, options.terminal_resistance_pa_s_mm3);
+        conditions.terminal_resistances = of_outlets_left(
+            network, whole.outlet_nodes,
+            murray_terminal_resistances(whole, options.terminal_resistance_pa_s_mm3));
     if (options.inlet_pressure_pa)
         conditions.inlets.push_back(
             {made.tip_node, InletKind::pressure, *options.inlet_pressure_pa, drug});
