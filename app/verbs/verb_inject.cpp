@@ -114,8 +114,8 @@ Json answer_of(const VesselTree& tree, const InjectChoices& options, const TreeP
         answer["flow_g_s"][std::to_string(i)] = end_flow_g_s(result, id);
     }
     answer["outlet_g"] = Json::object();
-    for (std::size_t o = 0; o < result.network.outlet_nodes.size(); ++o)
-        answer["outlet_g"][std::to_string(result.network.outlet_nodes[o])] = end.outlet_mass_g[o];
+    for (std::size_t o = 0; o < result.outlet_nodes.size(); ++o)
+        answer["outlet_g"][std::to_string(result.outlet_nodes[o])] = end.outlet_mass_g[o];
     answer["filled_fraction"] = Json::array();
     for (const InjectionSample& s : result.series)
         answer["filled_fraction"].push_back(

@@ -167,8 +167,12 @@ double territory_mass_g(const InjectionResult& injection, const DrugFront& front
             mass += territory.passed_share[i] *
                     territory_drug_mm3(injection, front, territory, static_cast<int>(i)) *
                     injection.drug.density_g_mm3;
-    for (std::size_t k = 0; k < territory.outlets.size(); ++k)
-        mass += territory.outlet_shares[k] * front.outlet_mass_g()[territory.outlets[k]];
+    for (std::size_t k = 0; k < territory.outlets.size(); ++k) {
+        const int node = injection.network.outlet_nodes[territory.outlets[k]];
+        const auto at = std::ranges::lower_bound(injection.outlet_nodes, node);
+        mass +=
+            territory.outlet_shares[k] * front.outlet_mass_g()[at - injection.outlet_nodes.begin()];
+    }
     return mass;
 }
 
@@ -282,11 +286,13 @@ InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, 
     DrivenNetwork start = driven(tree, options, whole, tip, injection.drug);
     injection.network = std::move(start.network);
     injection.conditions = std::move(start.conditions);
+    injection.outlet_nodes = whole.outlet_nodes;
     injection.tip_node = start.tip_node;
     LaterTearing tearing(tree, options, whole, tip, injection.tip_node, injection.drug);
     FrontOptions front_options = options.front;
     front_options.injection_end_s = options.injection_s;
-    DrugFront front(injection.network, injection.conditions, 0, front_options);
+    DrugFront front(injection.network, injection.conditions, 0, front_options,
+                    injection.outlet_nodes);
     injection.begin = front.flow();
     for (const TreePoint& point : options.territories)
         injection.territories.push_back(territory_of(injection.network, injection.begin, point));

@@ -88,7 +88,7 @@ struct InjectionSample {
     double inside_g = 0.0;
     double delivered_g = 0.0;              // through outlets, into the vessels too small to see
     double filled_fraction = 0.0;          // of the volume of the whole tree
-    std::vector<double> outlet_mass_g;     // per outlet
+    std::vector<double> outlet_mass_g;     // per InjectionResult::outlet_nodes
     std::vector<double> territory_mass_g;  // inside the territory's vessels and through its outlets
     std::vector<float> filled_length_mm;   // per segment of the vessel tree; empty if not recorded
     double bled_g = 0.0;                   // out of torn vessels
@@ -98,6 +98,8 @@ struct InjectionResult {
     // At the start, with the catheter in place. Later tears join the same segments otherwise.
     FlowNetwork network;
     FlowConditions conditions;
+    // Outlets of the vessels without tears, ascending: one that is torn off may be closed later.
+    std::vector<int> outlet_nodes;
     int tip_node = -1;
     Fluid drug;
     FlowSolution begin;  // all vessels filled with blood

@@ -24,13 +24,13 @@ double between(double a, double b, double share) {
 }
 
 // Per outlet: 1 where the segment that ends there ends inside the region.
-std::vector<char> outlets_in(const VesselTree& tree, const FlowNetwork& network,
+std::vector<char> outlets_in(const VesselTree& tree, const std::vector<int>& outlets,
                              const TargetRegion& region) {
     std::vector<char> node(tree.nodes.size(), 0);
     for (std::size_t s = 0; s < tree.segments.size(); ++s)
         node[tree.segments[s].distal_node] = region.contains_end_of(static_cast<int>(s));
     std::vector<char> inside;
-    for (const int outlet : network.outlet_nodes) inside.push_back(node[outlet]);
+    for (const int outlet : outlets) inside.push_back(node[outlet]);
     return inside;
 }
 
@@ -83,9 +83,9 @@ void DoseCurve::compute(const VesselTree& tree, const InjectionOptions& run,
     std::vector<char> beyond_tip, in_target;
     inject(tree, run, job_, [&](const InjectionResult& result) {
         if (result.series.size() == 1) {
-            beyond_tip = outlets_in(tree, result.network, TargetRegion(tree, *run.tip));
-            in_target = target ? outlets_in(tree, result.network, *target)
-                               : std::vector<char>(result.network.outlet_nodes.size(), 0);
+            beyond_tip = outlets_in(tree, result.outlet_nodes, TargetRegion(tree, *run.tip));
+            in_target = target ? outlets_in(tree, result.outlet_nodes, *target)
+                               : std::vector<char>(result.outlet_nodes.size(), 0);
         }
         const InjectionSample& sample = result.series.back();
         const Dose dose = without_rounding(
