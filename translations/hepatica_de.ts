@@ -5746,14 +5746,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>der Punkt ist nicht endlich</translation>
     </message>
     <message>
-        <source>mass flow</source>
-        <translation>Massenstrom</translation>
-    </message>
-    <message>
-        <source>Give more than 0 g/s</source>
-        <translation>Geben Sie mehr als 0 g/s an</translation>
-    </message>
-    <message>
         <source>Give 0 s or more</source>
         <translation>Geben Sie 0 s oder mehr an</translation>
     </message>

@@ -123,8 +123,6 @@ constexpr std::array sentences_play{
     Words::id("Choose a value from 0 (nothing holds) to 1 (as before)"),
     Words::id("Give two places on one system, on a vessel wide enough to have joints"),
     Words::id("the point is not finite"),
-    Words::id("mass flow"),
-    Words::id("Give more than 0 g/s"),
     Words::id("Give 0 s or more"),
     Words::id("injects into segment %1, which is not there"),
     Words::id("bled from segment %1, which is not there"),

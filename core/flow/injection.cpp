@@ -16,6 +16,7 @@ namespace hepatica {
 namespace {
 
 constexpr double most_samples = 1e5;
+constexpr double least_flow_g_s = 1e-12, most_flow_g_s = 1e15;
 
 void check(const char* what, double value, double low, double high) {
     if (value >= low && value <= high) return;
@@ -27,10 +28,13 @@ void check(const char* what, double value, double low, double high) {
 }
 
 void validate_options(const InjectionOptions& options) {
-    check("mass flow in g/s", options.mass_flow_g_s, options.inlet_pressure_pa ? 0.0 : 1e-12, 1e15);
-    check("flow of blood in g/s", options.blood_flow_g_s, 0.0, 1e15);
+    if (options.inlet_pressure_pa)
+        check("mass flow in g/s", options.mass_flow_g_s, 0.0, most_flow_g_s);
+    else
+        validate_drug_flow(options.mass_flow_g_s);
+    check("flow of blood in g/s", options.blood_flow_g_s, 0.0, most_flow_g_s);
     if (options.step_s) check("time between samples in s", *options.step_s, 1e-9, 1e9);
-    if (options.until_s) check("end in s", *options.until_s, 0.0, 1e9);
+    if (options.until_s) check("end in s", *options.until_s, 0.0, longest_run_s);
     check("duration of the injection in s", options.injection_s, 0.0, HUGE_VAL);
     if (options.inlet_pressure_pa && !(*options.inlet_pressure_pa > options.outlet_pressure_pa)) {
         std::ostringstream problem;
@@ -42,7 +46,7 @@ void validate_options(const InjectionOptions& options) {
     check("terminal resistance in Pa s/mm3", options.terminal_resistance_pa_s_mm3, 0.0, 1e12);
     double last_s = 0.0;
     for (const LaterTears& later : options.later_tears) {
-        check("time of a tear in s", later.from_s, last_s, 1e9);
+        check("time of a tear in s", later.from_s, last_s, longest_run_s);
         last_s = later.from_s;
     }
 }
@@ -202,6 +206,10 @@ InjectionSample sample(const InjectionResult& injection, const DrugFront& front,
 }
 
 }  // namespace
+
+void validate_drug_flow(double mass_flow_g_s) {
+    check("mass flow in g/s", mass_flow_g_s, least_flow_g_s, most_flow_g_s);
+}
 
 InjectionOptions torn_later(const InjectionOptions& options, const LaterTears& later) {
     InjectionOptions torn = options;

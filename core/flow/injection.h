@@ -19,6 +19,12 @@ namespace hepatica {
 // In loops and between ends of equal pressure the blood hardly moves, and filling would never end.
 inline constexpr double longest_run_in_fillings = 10.0;
 
+// The longest run that may be asked for.
+inline constexpr double longest_run_s = 1e9;
+
+// Throws InputError where nothing can be injected at this mass flow.
+void validate_drug_flow(double mass_flow_g_s);
+
 // What is torn from a time on, in place of all that was before; as in InjectionOptions.
 struct LaterTears {
     double from_s = 0.0;

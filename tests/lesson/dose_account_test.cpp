@@ -282,6 +282,26 @@ struct WeighedPlay {
     DoseAccount account{test::small_patient()->tree, {}};
 };
 
+// What the session shows can be weighed, though it would take years to fill the vessels; what could
+// not be is refused there.
+TEST(DoseAccount, TheLeastInjectionThatIsShownIsWeighed) {
+    for (const double mass_flow_g_s : {1e-12, 1e-9}) {
+        WeighedPlay play;
+        play.inject(mass_flow_g_s);
+        play.play(6);
+        ASSERT_TRUE(play.drug().injection);
+        EXPECT_NEAR(play.account.total().injected_g, mass_flow_g_s * play.drug().time_s,
+                    1e-6 * mass_flow_g_s);
+    }
+    WeighedPlay play;
+    play.inject(1e-13);
+    play.play(1);
+    EXPECT_FALSE(play.drug().injection);
+    const std::string said = play.session->frame().statistics.message;
+    EXPECT_NE(said.find("mass flow in g/s is 1e-13"), std::string::npos) << said;
+    EXPECT_NE(said.find("Give a value from 1e-12"), std::string::npos) << said;
+}
+
 TEST(DoseAccount, WhereThePlayGoesBackAnInjectionCountsOnce) {
     WeighedPlay play;
     play.inject(2.0);

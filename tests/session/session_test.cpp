@@ -188,11 +188,18 @@ TEST(Session, RefusesWhatIsOutOfRangeAndSaysSo) {
     const auto untouched = new_session();
     const auto recording = keep_recording(*session), other = keep_recording(*untouched);
     for (const Command& command :
-         {Command(GrabVertex{-1}), Command(GrabVertex{1 << 30}), Command(SetQuality{2.0}),
-          Command(SetTether{-1.0}), Command(SetWall{-0.1}), Command(SetWall{1e-3}),
+         {Command(GrabVertex{-1}),
+          Command(GrabVertex{1 << 30}),
+          Command(SetQuality{2.0}),
+          Command(SetTether{-1.0}),
+          Command(SetWall{-0.1}),
+          Command(SetWall{1e-3}),
           Command(SetWall{std::numeric_limits<double>::infinity()}),
-          Command(SetWall{std::numeric_limits<double>::quiet_NaN()}), Command(SetDrugTime{-1.0}),
-          Command(SetDrugSpeed{0.0}), Command(InjectDrug{.mass_flow_g_s = -1.0}),
+          Command(SetWall{std::numeric_limits<double>::quiet_NaN()}),
+          Command(SetDrugTime{-1.0}),
+          Command(SetDrugSpeed{0.0}),
+          Command(InjectDrug{.mass_flow_g_s = -1.0}),
+          Command(InjectDrug{.mass_flow_g_s = 1e-13}),
           Command(InjectDrug{.pressure_model = "nonsense"}),
           Command(InjectDrug{.void_fraction = 1.0}),
           Command(GrabPoint{Vec3(0, std::numeric_limits<double>::quiet_NaN(), 0)}),
