@@ -202,6 +202,8 @@ TEST(Session, RefusesWhatIsOutOfRangeAndSaysSo) {
           Command(InjectDrug{.mass_flow_g_s = 1e-13}),
           Command(InjectDrug{.pressure_model = "nonsense"}),
           Command(InjectDrug{.void_fraction = 1.0}),
+          Command(InjectDrug{.drug_viscosity_pa_s = 0.0}),
+          Command(InjectDrug{.drug_viscosity_pa_s = -1.0}),
           Command(GrabPoint{Vec3(0, std::numeric_limits<double>::quiet_NaN(), 0)}),
           Command(InjectDrug{Vec3(0, std::numeric_limits<double>::quiet_NaN(), 0)}),
           Command(MoveGrab{Vec3(std::numeric_limits<double>::quiet_NaN(), 0, 0)}),
