@@ -258,6 +258,22 @@ TEST_F(FlowVerbs, EmbolizeKeepsItsBeadsAndTheFlowFalls) {
     EXPECT_GT(lines_in(path("beads_plot.csv")).size(), 2u);
 }
 
+// What vessels take of a pressure is that of their flow, whatever the pressure behind them.
+TEST_F(FlowVerbs, EmbolizeSaysWhatTheVesselsTake) {
+    std::vector<double> taken_pa;
+    for (const char* outlet_mmhg : {"0", "15"}) {
+        const Outcome run =
+            run_cli({"embolize", path("p/truth_tree.vtp"), "--blood-flow-ml-min", "100000",
+                     "--inlet-pressure-mmhg", "16", "--outlet-pressure-mmhg", outlet_mmhg});
+        const std::string before = "the resolved vessels alone take ";
+        const std::size_t at = run.errors.find(before);
+        ASSERT_NE(at, std::string::npos) << run.errors;
+        taken_pa.push_back(std::stod(run.errors.substr(at + before.size())));
+    }
+    EXPECT_GT(taken_pa[0], 0.0);
+    EXPECT_NEAR(taken_pa[1], taken_pa[0], 1e-3 * taken_pa[0]);
+}
+
 TEST_F(FlowVerbs, FlowCurvesLeaveTheNumbersBesideThePlots) {
     const Json found = answer({"flow-curves", path("curves"), "--format", "csv"});
     for (const auto& file : found["files"]) {
