@@ -104,8 +104,6 @@ struct InjectionResult {
     // At the start, with the catheter in place. Later tears join the same segments otherwise.
     FlowNetwork network;
     FlowConditions conditions;
-    // Outlets of the vessels without tears, ascending: one that is torn off may be closed later.
-    std::vector<int> outlet_nodes;
     int tip_node = -1;
     Fluid drug;
     FlowSolution begin;  // all vessels filled with blood
@@ -115,6 +113,8 @@ struct InjectionResult {
     std::vector<InjectionSample> series;  // the first at time 0
     DrugBalance balance;
     std::uint64_t steps = 0;
+    // Outlets of the vessels without tears, ascending: one that is torn off may be closed later.
+    std::vector<int> outlet_nodes;
 };
 
 // With two different fluids the splits at branchings change while the vessels fill. The arrival
