@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -108,6 +109,27 @@ TEST_F(FlowVerbs, RenderInjectsWhereInjectDoes) {
     EXPECT_NE(injected, picture("without.png", {}));
 }
 #endif
+
+// Total less dynamic pressure, G^2/(2 rho), of the root's lumen.
+TEST_F(FlowVerbs, InjectPrintsTheStaticPressureBesideTheTotal) {
+    VesselTree tube;
+    tube.nodes = {{Vec3(0, 0, 0), 2.0}, {Vec3(0, 0, 30), 2.0}};
+    tube.segments.resize(1);
+    tube.segments[0].proximal_node = 0;
+    tube.segments[0].distal_node = 1;
+    tube.segments[0].points_mm = {Vec3(0, 0, 0), Vec3(0, 0, 15), Vec3(0, 0, 30)};
+    tube.segments[0].radii_mm = {2.0, 2.0, 2.0};
+    write_tree_json(path("tube.json"), tube);
+    constexpr double blood_g_mm3 = 1.06e-3, g_s = 2.0;
+    const double flux = g_s / (std::numbers::pi * 4.0);
+    for (const char* at : {"0,0,0", "0,0,15"}) {
+        const Json found =
+            answer({"inject", path("tube.json"), "--at-mm", at, "--mass-flow-g-s", "2"});
+        const double total_pa = found["inlet_pressure_begin_pa"];
+        const double static_pa = found["inlet_static_begin_pa"];
+        EXPECT_NEAR(total_pa - static_pa, flux * flux / (2.0 * blood_g_mm3), 1e-9) << at;
+    }
+}
 
 TEST_F(FlowVerbs, InjectWritesSeriesThatKeepTheMass) {
     const VesselTree tree = read_tree_vtp(path("p/truth_tree.vtp"));
