@@ -16,7 +16,7 @@ constexpr double least_step_s = 1e-9;  // that inject() takes
 
 Dose sum(const Dose& a, const Dose& b) {
     return {a.injected_g + b.injected_g, a.delivered_g + b.delivered_g, a.target_g + b.target_g,
-            a.reflux_g + b.reflux_g, a.leaked_g + b.leaked_g};
+            a.reflux_g + b.reflux_g};
 }
 
 double between(double a, double b, double share) {
@@ -90,7 +90,7 @@ void DoseCurve::compute(const VesselTree& tree, const InjectionOptions& run,
         const InjectionSample& sample = result.series.back();
         const Dose dose = without_rounding(
             {sample.injected_g, sample.delivered_g, mass_in(sample.outlet_mass_g, in_target),
-             sample.delivered_g - mass_in(sample.outlet_mass_g, beyond_tip), sample.bled_g});
+             sample.delivered_g - mass_in(sample.outlet_mass_g, beyond_tip)});
         const std::scoped_lock lock(mutex_);
         time_s_.push_back(sample.time_s);
         dose_.push_back(dose);
@@ -112,8 +112,7 @@ Dose DoseCurve::at(double time_s, const std::stop_token& stop) const {
     const Dose &a = dose_[i - 1], &b = dose_[i];
     return without_rounding(
         {between(a.injected_g, b.injected_g, share), between(a.delivered_g, b.delivered_g, share),
-         between(a.target_g, b.target_g, share), between(a.reflux_g, b.reflux_g, share),
-         between(a.leaked_g, b.leaked_g, share)});
+         between(a.target_g, b.target_g, share), between(a.reflux_g, b.reflux_g, share)});
 }
 
 void DoseAccount::see(const DrugView& drug, const std::stop_token& stop) {

@@ -145,12 +145,10 @@ TEST(DoseCurve, WhatComesToALaterTearIsLost) {
     const DoseCurve whole(tree(), into({0, 0.0}), end_s, from(0));
     const DoseCurve torn(tree(), options, end_s, from(0));
     EXPECT_NEAR(torn.at(0.9 * torn_s).delivered_g, whole.at(0.9 * torn_s).delivered_g, 1e-9);
-    EXPECT_EQ(torn.at(0.9 * torn_s).leaked_g, 0.0);
     const Dose then = torn.at(torn_s), last = torn.at(end_s);
     EXPECT_GT(then.delivered_g, 1.0);
     EXPECT_NEAR(last.delivered_g, then.delivered_g, 1e-9);
-    EXPECT_NEAR(last.leaked_g, last.injected_g - then.injected_g, 1e-9);
-    EXPECT_EQ(whole.at(end_s).leaked_g, 0.0);
+    EXPECT_GT(last.injected_g, then.injected_g);
 }
 
 TEST(DoseAccount, AddsUpInjectionsAsFarAsTheyWent) {
