@@ -5406,6 +5406,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Geben Sie einen positiven Wert in Pa s/mm³ an</translation>
     </message>
     <message>
+        <source>Give a mass flow there, or inject elsewhere</source>
+        <translation>Geben Sie dort einen Massenstrom an, oder injizieren Sie anderswo</translation>
+    </message>
+    <message>
         <source>Give a pressure in Pa, at most 1e12</source>
         <translation>Geben Sie einen Druck in Pa an, höchstens 1e12</translation>
     </message>
@@ -5432,6 +5436,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Name a node of the network</source>
         <translation>Nennen Sie einen Knoten des Netzes</translation>
+    </message>
+    <message>
+        <source>a pressure drives the flow where a vessel is torn and open</source>
+        <translation>ein Druck treibt den Fluss, wo ein Gefäß gerissen und offen ist</translation>
     </message>
     <message>
         <source>a terminal resistance</source>
@@ -5744,14 +5752,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>the point is not finite</source>
         <translation>der Punkt ist nicht endlich</translation>
-    </message>
-    <message>
-        <source>mass flow</source>
-        <translation>Massenstrom</translation>
-    </message>
-    <message>
-        <source>Give more than 0 g/s</source>
-        <translation>Geben Sie mehr als 0 g/s an</translation>
     </message>
     <message>
         <source>Give 0 s or more</source>

@@ -45,10 +45,12 @@ FlowConditions conditions_of(const EmbolizeChoices& options, const FlowNetwork& 
                          "Give a flow above 0 and an inlet pressure above the outlets'");
     const double mass_flow_g_s = flow_mm3_s * conditions.resident.density_g_mm3;
     conditions.inlets = {{tip, InletKind::mass_flow, mass_flow_g_s, conditions.resident}};
-    const double resolved_pa = solve_flow(network, conditions).inlet_pressure_pa[0];
-    const double beds_pa = pressure_pa - resolved_pa;
+    const double without_beds_pa = solve_flow(network, conditions).inlet_pressure_pa[0];
+    const double beds_pa = pressure_pa - without_beds_pa;
     if (!(beds_pa > 0.0))
-        throw InputError("the resolved vessels alone take " + std::to_string(resolved_pa) + " Pa",
+        throw InputError("the resolved vessels alone take " +
+                             std::to_string(without_beds_pa - conditions.outlet_pressure_pa) +
+                             " Pa",
                          "embolization", "Give a smaller flow or a higher inlet pressure");
     conditions.terminal_resistances = murray_terminal_resistances(network, beds_pa / flow_mm3_s);
     conditions.inlets = {{tip, InletKind::pressure, pressure_pa, conditions.resident}};

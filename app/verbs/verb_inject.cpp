@@ -64,6 +64,15 @@ Chart chart_of(const InjectionResult& result) {
     return chart;
 }
 
+// At the tip, in its own vessel, while all vessels hold blood; the catheter divides them there.
+double static_begin_pa(const InjectionResult& result, const TreePoint& tip) {
+    const auto [segment, at_mm] = locate(result.network, tip);
+    const SegmentPressures ends =
+        static_pressures(result.network, result.begin, result.conditions.resident, segment);
+    const bool begins_here = at_mm < 0.5 * length_mm(result.network, segment);
+    return begins_here ? ends.proximal_static_pa : ends.distal_static_pa;
+}
+
 Json to_json(const InjectionResult& result, const Territory& territory, double mass_g) {
     Json outlets = Json::array();
     for (const int o : territory.outlets) outlets.push_back(result.network.outlet_nodes[o]);
@@ -97,6 +106,7 @@ Json answer_of(const VesselTree& tree, const InjectChoices& options, const TreeP
                      {"wedged", options.injection.wedged}};
     answer["inlet_pressure_pa"] = end.inlet_pressure_pa;
     answer["inlet_pressure_begin_pa"] = begin.inlet_pressure_pa;
+    answer["inlet_static_begin_pa"] = static_begin_pa(result, tip);
     answer["volume_error_relative"] = result.balance.error_relative();
     answer["mass_error_relative"] =
         std::max(result.begin.mass_error_relative, result.end.mass_error_relative);
@@ -114,8 +124,8 @@ Json answer_of(const VesselTree& tree, const InjectChoices& options, const TreeP
         answer["flow_g_s"][std::to_string(i)] = end_flow_g_s(result, id);
     }
     answer["outlet_g"] = Json::object();
-    for (std::size_t o = 0; o < result.network.outlet_nodes.size(); ++o)
-        answer["outlet_g"][std::to_string(result.network.outlet_nodes[o])] = end.outlet_mass_g[o];
+    for (std::size_t o = 0; o < result.outlet_nodes.size(); ++o)
+        answer["outlet_g"][std::to_string(result.outlet_nodes[o])] = end.outlet_mass_g[o];
     answer["filled_fraction"] = Json::array();
     for (const InjectionSample& s : result.series)
         answer["filled_fraction"].push_back(

@@ -62,24 +62,6 @@ double ArrivalTimes::first_s(int segment) const {
     return first;
 }
 
-double ArrivalTimes::last_s(int segment) const {
-    // Filled from one end, the other end is reached last; filled from both, the place where the
-    // fronts meet.
-    const double volume = volume_mm3(network_, segment);
-    const auto& up = from_proximal_[segment];
-    const auto& down = from_distal_[segment];
-    if (up.empty() || down.empty())
-        return std::max(at_volume(segment, 0.0), at_volume(segment, volume));
-    if (down.front().volume_mm3 - up.back().volume_mm3 > 1e-9 * volume) return never;
-    double low = 0.0;
-    double high = volume;
-    for (int i = 0; i < 100; ++i) {
-        const double middle = 0.5 * (low + high);
-        (interpolate(up, middle, 0.0) < interpolate(down, middle, 0.0) ? low : high) = middle;
-    }
-    return at_volume(segment, low);
-}
-
 double ArrivalTimes::end_s() const {
     double end = 0.0;
     for (const auto* side : {&from_proximal_, &from_distal_})

@@ -35,9 +35,8 @@ class ArrivalTimes {
     double arrival_s(int segment, double arclength_mm) const;
     double arrival_s(const TreePoint& point) const;
 
-    // When a segment is first reached, and when all of it is filled.
+    // When a segment is first reached.
     double first_s(int segment) const;
-    double last_s(int segment) const;
     // When the last of all reached places is reached; 0 if there is none.
     double end_s() const;
 

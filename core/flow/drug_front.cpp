@@ -22,11 +22,12 @@ constexpr int most_rejections = 20;
 }  // namespace
 
 DrugFront::DrugFront(FlowNetwork network, FlowConditions conditions, int drug_inlet,
-                     const FrontOptions& options)
+                     const FrontOptions& options, std::vector<int> outlets)
     : network_(std::move(network)),
       conditions_(std::move(conditions)),
       options_(options),
-      drug_inlet_(drug_inlet) {
+      drug_inlet_(drug_inlet),
+      outlets_(outlets.empty() ? network_.outlet_nodes : std::move(outlets)) {
     if (drug_inlet_ < 0 || drug_inlet_ >= static_cast<int>(conditions_.inlets.size()))
         throw InputError("there is no inlet " + std::to_string(drug_inlet), "injection",
                          "Say where the drug enters");
@@ -44,7 +45,6 @@ DrugFront::DrugFront(FlowNetwork network, FlowConditions conditions, int drug_in
     reached_from_distal_.resize(count);
     node_share_.resize(network_.node_count);
     node_surplus_.resize(network_.node_count);
-    outlets_ = network_.outlet_nodes;
     outlet_mass_g_.assign(outlets_.size(), 0.0);
     flow_ = std::make_unique<NetworkFlow>(network_, conditions_);
     flow_->solve();
@@ -206,7 +206,7 @@ void DrugFront::count(const Flows& flows, double duration_s) {
     const auto leaving = [&](int node) {
         return std::max(node_surplus_[node], 0.0) * duration_s * node_share_[node];
     };
-    // Nothing leaves at the node of an outlet that was torn off.
+    // Nothing leaves at the node of an outlet that is torn off.
     for (std::size_t o = 0; o < outlets_.size(); ++o) {
         const double volume = leaving(outlets_[o]);
         left_mm3_ += volume;

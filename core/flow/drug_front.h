@@ -54,9 +54,11 @@ struct DrugBalance {
 class DrugFront {
   public:
     // The drug enters at conditions.inlets[drug_inlet] with that inlet's fluid; through all other
-    // inlets and outlets conditions.resident enters. Throws what solve_flow throws.
+    // inlets and outlets conditions.resident enters. `outlets` are the nodes of all outlets that
+    // this or a later network has, see rejoin(); empty: those of this one. Throws what solve_flow
+    // throws.
     DrugFront(FlowNetwork network, FlowConditions conditions, int drug_inlet,
-              const FrontOptions& options = {});
+              const FrontOptions& options = {}, std::vector<int> outlets = {});
     DrugFront(const DrugFront&) = delete;
     DrugFront& operator=(const DrugFront&) = delete;
 
@@ -86,7 +88,7 @@ class DrugFront {
     // The drug in the first `volume_mm3` of the segment from its proximal node.
     double drug_up_to_mm3(int segment, double volume_mm3) const;
     DrugBalance balance() const;
-    // Drug that has left through each outlet of the first network, in g.
+    // Drug that has left through each outlet, in g, in the constructor's order.
     const std::vector<double>& outlet_mass_g() const { return outlet_mass_g_; }
     std::uint64_t steps() const { return steps_; }
 
@@ -138,7 +140,7 @@ class DrugFront {
     double negligible_mm3_s_ = 0.0;
     bool at_rest_ = false;
     double suggested_s_ = std::numeric_limits<double>::infinity();
-    std::vector<int> outlets_;  // nodes, of the first network
+    std::vector<int> outlets_;  // nodes, of all networks
     std::vector<double> outlet_mass_g_;
     double injected_mm3_ = 0.0;
     double left_mm3_ = 0.0;

@@ -239,7 +239,7 @@ void write_series_csv(const std::filesystem::path& file, const InjectionResult& 
         "delivered_fraction,filled_fraction";
     for (std::size_t i = 0; i < injection.territories.size(); ++i)
         text += ",territory_" + std::to_string(i) + "_g";
-    for (const int node : injection.network.outlet_nodes)
+    for (const int node : injection.outlet_nodes)
         text += ",outlet_node_" + std::to_string(node) + "_g";
     text += '\n';
     for (const InjectionSample& s : injection.series) {

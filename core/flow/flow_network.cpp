@@ -345,6 +345,15 @@ std::vector<double> torn_areas_mm2(const FlowNetwork& network,
     return areas;
 }
 
+std::vector<double> of_outlets_left(const FlowNetwork& torn, std::span<const int> whole_outlets,
+                                    std::span<const double> values) {
+    std::vector<double> left;
+    for (std::size_t i = 0; i < whole_outlets.size(); ++i)
+        if (std::ranges::find(torn.outlet_nodes, whole_outlets[i]) != torn.outlet_nodes.end())
+            left.push_back(values[i]);
+    return left;
+}
+
 void set_open(FlowNetwork& network, int tree_segment, bool open) {
     for (FlowSegment& s : network.segments)
         if (s.tree_segment == tree_segment && s.proximal_node != s.distal_node) s.open = open;

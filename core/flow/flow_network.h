@@ -111,6 +111,11 @@ std::vector<TearOpening> tear_all(FlowNetwork& network, std::span<const TreePoin
 std::vector<double> torn_areas_mm2(const FlowNetwork& network,
                                    std::span<const TearOpening> openings);
 
+// What belongs to the outlets of the whole vessels, in the order of their nodes, for those outlets
+// that are left in torn ones: a tear at the end of an end vessel takes its outlet away.
+std::vector<double> of_outlets_left(const FlowNetwork& torn, std::span<const int> whole_outlets,
+                                    std::span<const double> values);
+
 // Closes (or opens) every part of a segment of the vessel tree: a clamp, a plug, a spasm.
 void set_open(FlowNetwork& network, int tree_segment, bool open);
 

@@ -49,15 +49,19 @@ std::vector<std::string> warnings_of_ends(const VesselTree& tree,
     constexpr int fewest_ends = 4;
     std::vector<std::string> warnings;
     if (shares.size() != tree.segments.size()) return warnings;
-    const auto followers = children(tree);
+    // A segment that closes a loop has no children, though its vessel goes on at its end.
+    const std::vector<int> degrees = node_degrees(tree);
+    const auto is_end = [&](std::size_t s) {
+        return degrees[static_cast<std::size_t>(tree.segments[s].distal_node)] == 1;
+    };
     std::vector<int> root(shares.size()), ends(shares.size(), 0);
     for (std::size_t s = 0; s < shares.size(); ++s) {
         const int parent = tree.segments[s].parent;
         root[s] = parent < 0 ? static_cast<int>(s) : root[static_cast<std::size_t>(parent)];
-        if (followers[s].empty()) ++ends[static_cast<std::size_t>(root[s])];
+        if (is_end(s)) ++ends[static_cast<std::size_t>(root[s])];
     }
     for (std::size_t s = 0; s < shares.size(); ++s) {
-        if (!followers[s].empty() || !(shares[s] > too_much) ||
+        if (!is_end(s) || !(shares[s] > too_much) ||
             ends[static_cast<std::size_t>(root[s])] < fewest_ends)
             continue;
         warnings.push_back("Branch " + std::to_string(s + 1) + " is an end and takes " +

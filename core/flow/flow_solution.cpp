@@ -68,16 +68,22 @@ void validate_conditions(const FlowNetwork& network, const FlowConditions& condi
         if (inlet.node < 0 || inlet.node >= network.node_count)
             reject("an inlet's node", inlet.node, "Name a node of the network");
         validate(inlet.fluid);
-        if (inlet.kind == InletKind::mass_flow)
+        if (inlet.kind == InletKind::mass_flow) {
             validate_mass_flow(inlet.value);
-        else
-            check_pressure("an inlet pressure", inlet.value);
+            continue;
+        }
+        check_pressure("an inlet pressure", inlet.value);
+        if (conditions.torn_areas_mm2.empty() &&
+            std::ranges::find(network.torn_nodes, inlet.node) != network.torn_nodes.end())
+            throw InputError("a pressure drives the flow where a vessel is torn and open",
+                             "flow conditions", "Give a mass flow there, or inject elsewhere");
     }
 }
 
 // Tears open straight into the surroundings, or through orifices.
 void add_tears(const FlowNetwork& network, const FlowConditions& conditions,
-               HydraulicCircuit& circuit) {
+               HydraulicCircuit& circuit, std::vector<int>& opening_element) {
+    opening_element.clear();
     for (std::size_t i = 0; i < network.torn_nodes.size(); ++i) {
         const int node = network.torn_nodes[i];
         if (conditions.torn_areas_mm2.empty()) {
@@ -92,6 +98,7 @@ void add_tears(const FlowNetwork& network, const FlowConditions& conditions,
         opening.linear = 1e-6 * opening.quadratic;  // the slope at 1e-6 mm3/s, so that none is 0
         circuit.source_mm3_s.push_back(0.0);
         circuit.fixed_pressure_pa.push_back(conditions.ambient_pressure_pa);
+        opening_element.push_back(static_cast<int>(circuit.elements.size()));
         circuit.elements.push_back(opening);
     }
 }
@@ -104,7 +111,8 @@ double head_lost(const FlowSegment& segment, const std::vector<int>& degree,
 }
 
 HydraulicCircuit circuit_of(const FlowNetwork& network, const FlowConditions& conditions,
-                            const std::vector<int>& degree, std::vector<int>& terminal_element) {
+                            const std::vector<int>& degree, std::vector<int>& terminal_element,
+                            std::vector<int>& opening_element) {
     validate_conditions(network, conditions);
     const std::size_t outlets = network.outlet_nodes.size();
     const bool resistive = !conditions.terminal_resistances.empty();
@@ -142,7 +150,7 @@ HydraulicCircuit circuit_of(const FlowNetwork& network, const FlowConditions& co
         terminal_element[o] = static_cast<int>(circuit.elements.size());
         circuit.elements.push_back(bed);
     }
-    add_tears(network, conditions, circuit);
+    add_tears(network, conditions, circuit, opening_element);
     for (const Inlet& inlet : conditions.inlets)
         if (inlet.kind == InletKind::pressure) circuit.fixed_pressure_pa[inlet.node] = inlet.value;
     return circuit;
@@ -165,7 +173,7 @@ NetworkFlow::NetworkFlow(const FlowNetwork& network, const FlowConditions& condi
       degree_(degrees_of(network)),
       inflow_density_g_mm3_(network.segments.size(), conditions.resident.density_g_mm3),
       outflow_density_g_mm3_(network.segments.size(), conditions.resident.density_g_mm3),
-      circuit_(circuit_of(network, conditions, degree_, terminal_element_)),
+      circuit_(circuit_of(network, conditions, degree_, terminal_element_, opening_element_)),
       solver_(circuit_) {
     part_capacity_.reserve(network.segments.size());
     for (const FlowSegment& segment : network.segments)
@@ -242,6 +250,17 @@ const FlowSolution& NetworkFlow::solve() {
     return solution_;
 }
 
+// What leaves the network at a node through a bed and an opening.
+double NetworkFlow::leaving_at(int node, const HydraulicState& state) const {
+    double leaving = 0.0;
+    for (std::size_t o = 0; o < network_.outlet_nodes.size(); ++o)
+        if (network_.outlet_nodes[o] == node && terminal_element_[o] >= 0)
+            leaving += state.flow_mm3_s[terminal_element_[o]];
+    for (std::size_t t = 0; t < opening_element_.size(); ++t)
+        if (network_.torn_nodes[t] == node) leaving += state.flow_mm3_s[opening_element_[t]];
+    return leaving;
+}
+
 void NetworkFlow::read_back(const HydraulicState& state) {
     const std::size_t segments = network_.segments.size();
     solution_.newton_steps = state.newton_steps;
@@ -267,8 +286,9 @@ void NetworkFlow::read_back(const HydraulicState& state) {
             q = inlet.value / inlet.fluid.density_g_mm3;
             surplus[inlet.node] += q;
         } else {
-            q = 0.0 - surplus[inlet.node];  // without the sign of -0
-            surplus[inlet.node] = 0.0;
+            const double leaving = leaving_at(inlet.node, state);
+            q = leaving - surplus[inlet.node];  // without the sign of -0
+            surplus[inlet.node] = leaving;
         }
         total_inflow += std::abs(q);
         solution_.inlet_flow_mm3_s.push_back(q);

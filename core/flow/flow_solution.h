@@ -53,7 +53,7 @@ struct FlowSolution {
 
 // One fluid everywhere: conditions.resident. Of the inlets' fluids only the density is used, to
 // convert mass flow to volume flow. Throws InputError where values are out of range, a node does
-// not exist, or a prescribed flow has no way out.
+// not exist, a prescribed flow has no way out, or a prescribed pressure meets a tear without loss.
 FlowSolution solve_flow(const FlowNetwork& network, const FlowConditions& conditions);
 
 // Static pressure at a segment's ends: total minus dynamic pressure.
@@ -93,6 +93,7 @@ class NetworkFlow {
 
   private:
     void set_source(int inlet);
+    double leaving_at(int node, const HydraulicState& state) const;
     void read_back(const HydraulicState& state);
 
     const FlowNetwork& network_;
@@ -102,6 +103,7 @@ class NetworkFlow {
     std::vector<double> inflow_density_g_mm3_;  // per segment: of its first filling
     std::vector<double> outflow_density_g_mm3_;
     std::vector<int> terminal_element_;  // per outlet: its resistance element; -1: none
+    std::vector<int> opening_element_;   // per torn node: its orifice; empty: none has one
     HydraulicCircuit circuit_;
     HydraulicSolver solver_;
     std::vector<double> guess_;

@@ -16,6 +16,7 @@ namespace hepatica {
 namespace {
 
 constexpr double most_samples = 1e5;
+constexpr double least_flow_g_s = 1e-12, most_flow_g_s = 1e15;
 
 void check(const char* what, double value, double low, double high) {
     if (value >= low && value <= high) return;
@@ -27,10 +28,13 @@ void check(const char* what, double value, double low, double high) {
 }
 
 void validate_options(const InjectionOptions& options) {
-    check("mass flow in g/s", options.mass_flow_g_s, options.inlet_pressure_pa ? 0.0 : 1e-12, 1e15);
-    check("flow of blood in g/s", options.blood_flow_g_s, 0.0, 1e15);
+    if (options.inlet_pressure_pa)
+        check("mass flow in g/s", options.mass_flow_g_s, 0.0, most_flow_g_s);
+    else
+        validate_drug_flow(options.mass_flow_g_s);
+    check("flow of blood in g/s", options.blood_flow_g_s, 0.0, most_flow_g_s);
     if (options.step_s) check("time between samples in s", *options.step_s, 1e-9, 1e9);
-    if (options.until_s) check("end in s", *options.until_s, 0.0, 1e9);
+    if (options.until_s) check("end in s", *options.until_s, 0.0, longest_run_s);
     check("duration of the injection in s", options.injection_s, 0.0, HUGE_VAL);
     if (options.inlet_pressure_pa && !(*options.inlet_pressure_pa > options.outlet_pressure_pa)) {
         std::ostringstream problem;
@@ -42,7 +46,7 @@ void validate_options(const InjectionOptions& options) {
     check("terminal resistance in Pa s/mm3", options.terminal_resistance_pa_s_mm3, 0.0, 1e12);
     double last_s = 0.0;
     for (const LaterTears& later : options.later_tears) {
-        check("time of a tear in s", later.from_s, last_s, 1e9);
+        check("time of a tear in s", later.from_s, last_s, longest_run_s);
         last_s = later.from_s;
     }
 }
@@ -87,9 +91,12 @@ DrivenNetwork driven(const VesselTree& tree, const InjectionOptions& options,
     conditions.resident = pure(options.liquid);
     conditions.outlet_pressure_pa = options.outlet_pressure_pa;
     conditions.bifurcation_loss_coefficient = options.bifurcation_loss_coefficient;
+    // Those of the whole vessels: the beds of those that are left do not widen where an end is torn
+    // off.
     if (options.terminal_resistance_pa_s_mm3 > 0.0)
-        conditions.terminal_resistances =
-            murray_terminal_resistances(network, options.terminal_resistance_pa_s_mm3);
+        conditions.terminal_resistances = of_outlets_left(
+            network, whole.outlet_nodes,
+            murray_terminal_resistances(whole, options.terminal_resistance_pa_s_mm3));
     if (options.inlet_pressure_pa)
         conditions.inlets.push_back(
             {made.tip_node, InletKind::pressure, *options.inlet_pressure_pa, drug});
@@ -164,8 +171,12 @@ double territory_mass_g(const InjectionResult& injection, const DrugFront& front
             mass += territory.passed_share[i] *
                     territory_drug_mm3(injection, front, territory, static_cast<int>(i)) *
                     injection.drug.density_g_mm3;
-    for (std::size_t k = 0; k < territory.outlets.size(); ++k)
-        mass += territory.outlet_shares[k] * front.outlet_mass_g()[territory.outlets[k]];
+    for (std::size_t k = 0; k < territory.outlets.size(); ++k) {
+        const int node = injection.network.outlet_nodes[territory.outlets[k]];
+        const auto at = std::ranges::lower_bound(injection.outlet_nodes, node);
+        mass +=
+            territory.outlet_shares[k] * front.outlet_mass_g()[at - injection.outlet_nodes.begin()];
+    }
     return mass;
 }
 
@@ -195,6 +206,10 @@ InjectionSample sample(const InjectionResult& injection, const DrugFront& front,
 }
 
 }  // namespace
+
+void validate_drug_flow(double mass_flow_g_s) {
+    check("mass flow in g/s", mass_flow_g_s, least_flow_g_s, most_flow_g_s);
+}
 
 InjectionOptions torn_later(const InjectionOptions& options, const LaterTears& later) {
     InjectionOptions torn = options;
@@ -279,11 +294,13 @@ InjectionResult inject(const VesselTree& tree, const InjectionOptions& options, 
     DrivenNetwork start = driven(tree, options, whole, tip, injection.drug);
     injection.network = std::move(start.network);
     injection.conditions = std::move(start.conditions);
+    injection.outlet_nodes = whole.outlet_nodes;
     injection.tip_node = start.tip_node;
     LaterTearing tearing(tree, options, whole, tip, injection.tip_node, injection.drug);
     FrontOptions front_options = options.front;
     front_options.injection_end_s = options.injection_s;
-    DrugFront front(injection.network, injection.conditions, 0, front_options);
+    DrugFront front(injection.network, injection.conditions, 0, front_options,
+                    injection.outlet_nodes);
     injection.begin = front.flow();
     for (const TreePoint& point : options.territories)
         injection.territories.push_back(territory_of(injection.network, injection.begin, point));

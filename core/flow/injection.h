@@ -19,6 +19,12 @@ namespace hepatica {
 // In loops and between ends of equal pressure the blood hardly moves, and filling would never end.
 inline constexpr double longest_run_in_fillings = 10.0;
 
+// The longest run that may be asked for.
+inline constexpr double longest_run_s = 1e9;
+
+// Throws InputError where nothing can be injected at this mass flow.
+void validate_drug_flow(double mass_flow_g_s);
+
 // What is torn from a time on, in place of all that was before; as in InjectionOptions.
 struct LaterTears {
     double from_s = 0.0;
@@ -88,7 +94,7 @@ struct InjectionSample {
     double inside_g = 0.0;
     double delivered_g = 0.0;              // through outlets, into the vessels too small to see
     double filled_fraction = 0.0;          // of the volume of the whole tree
-    std::vector<double> outlet_mass_g;     // per outlet
+    std::vector<double> outlet_mass_g;     // per InjectionResult::outlet_nodes
     std::vector<double> territory_mass_g;  // inside the territory's vessels and through its outlets
     std::vector<float> filled_length_mm;   // per segment of the vessel tree; empty if not recorded
     double bled_g = 0.0;                   // out of torn vessels
@@ -107,6 +113,8 @@ struct InjectionResult {
     std::vector<InjectionSample> series;  // the first at time 0
     DrugBalance balance;
     std::uint64_t steps = 0;
+    // Outlets of the vessels without tears, ascending: one that is torn off may be closed later.
+    std::vector<int> outlet_nodes;
 };
 
 // With two different fluids the splits at branchings change while the vessels fill. The arrival

@@ -16,7 +16,7 @@ constexpr double least_step_s = 1e-9;  // that inject() takes
 
 Dose sum(const Dose& a, const Dose& b) {
     return {a.injected_g + b.injected_g, a.delivered_g + b.delivered_g, a.target_g + b.target_g,
-            a.reflux_g + b.reflux_g, a.leaked_g + b.leaked_g};
+            a.reflux_g + b.reflux_g};
 }
 
 double between(double a, double b, double share) {
@@ -24,13 +24,13 @@ double between(double a, double b, double share) {
 }
 
 // Per outlet: 1 where the segment that ends there ends inside the region.
-std::vector<char> outlets_in(const VesselTree& tree, const FlowNetwork& network,
+std::vector<char> outlets_in(const VesselTree& tree, const std::vector<int>& outlets,
                              const TargetRegion& region) {
     std::vector<char> node(tree.nodes.size(), 0);
     for (std::size_t s = 0; s < tree.segments.size(); ++s)
         node[tree.segments[s].distal_node] = region.contains_end_of(static_cast<int>(s));
     std::vector<char> inside;
-    for (const int outlet : network.outlet_nodes) inside.push_back(node[outlet]);
+    for (const int outlet : outlets) inside.push_back(node[outlet]);
     return inside;
 }
 
@@ -83,14 +83,14 @@ void DoseCurve::compute(const VesselTree& tree, const InjectionOptions& run,
     std::vector<char> beyond_tip, in_target;
     inject(tree, run, job_, [&](const InjectionResult& result) {
         if (result.series.size() == 1) {
-            beyond_tip = outlets_in(tree, result.network, TargetRegion(tree, *run.tip));
-            in_target = target ? outlets_in(tree, result.network, *target)
-                               : std::vector<char>(result.network.outlet_nodes.size(), 0);
+            beyond_tip = outlets_in(tree, result.outlet_nodes, TargetRegion(tree, *run.tip));
+            in_target = target ? outlets_in(tree, result.outlet_nodes, *target)
+                               : std::vector<char>(result.outlet_nodes.size(), 0);
         }
         const InjectionSample& sample = result.series.back();
         const Dose dose = without_rounding(
             {sample.injected_g, sample.delivered_g, mass_in(sample.outlet_mass_g, in_target),
-             sample.delivered_g - mass_in(sample.outlet_mass_g, beyond_tip), sample.bled_g});
+             sample.delivered_g - mass_in(sample.outlet_mass_g, beyond_tip)});
         const std::scoped_lock lock(mutex_);
         time_s_.push_back(sample.time_s);
         dose_.push_back(dose);
@@ -112,8 +112,7 @@ Dose DoseCurve::at(double time_s, const std::stop_token& stop) const {
     const Dose &a = dose_[i - 1], &b = dose_[i];
     return without_rounding(
         {between(a.injected_g, b.injected_g, share), between(a.delivered_g, b.delivered_g, share),
-         between(a.target_g, b.target_g, share), between(a.reflux_g, b.reflux_g, share),
-         between(a.leaked_g, b.leaked_g, share)});
+         between(a.target_g, b.target_g, share), between(a.reflux_g, b.reflux_g, share)});
 }
 
 void DoseAccount::see(const DrugView& drug, const std::stop_token& stop) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mass balance of the drug in a play: injected, delivered through the outlets of the vessels, and
-// delivered through which outlets, and lost out of torn vessels. Delivered = target + elsewhere.
-// Reflux is what left through outlets that do not lie downstream of the catheter's tip.
+// Doses of the drug in a play: injected, and delivered through the outlets of the vessels. What is
+// lost out of torn vessels is not delivered. Delivered = target + elsewhere. Reflux is what left
+// through outlets that do not lie downstream of the catheter's tip.
 #pragma once
 
 #include <condition_variable>
@@ -28,7 +28,6 @@ struct Dose {
     double delivered_g = 0.0;
     double target_g = 0.0;
     double reflux_g = 0.0;
-    double leaked_g = 0.0;  // out of torn vessels: lost, not delivered
     double elsewhere_g() const { return delivered_g - target_g; }
 };
 

@@ -20,9 +20,6 @@ struct Words {
 // The text of commands that appear on the time line. Motions of the hand and of tools do not: they
 // come with every step.
 struct WordsOfCommand {
-    std::optional<Words> operator()(const ReleaseGrab&) const {
-        return Words{PlayEventKind::hand, "Let go"};
-    }
     std::optional<Words> operator()(const AddTool& tool) const {
         const std::string name = tool.kind == "sphere"    ? "Probe"
                                  : tool.kind == "capsule" ? "Rod probe"
@@ -56,6 +53,13 @@ struct WordsOfCommand {
         return std::nullopt;
     }
 };
+
+// A grab lets go of what was held before.
+bool opens_hand(const Command& command) {
+    return std::holds_alternative<ReleaseGrab>(command) ||
+           std::holds_alternative<GrabPoint>(command) ||
+           std::holds_alternative<GrabVertex>(command);
+}
 
 float largest(const TearView& tear) {
     if (!tear.loads || tear.loads->empty()) return 0.0F;
@@ -115,9 +119,9 @@ std::vector<PlayEvent> PlayEvents::see(double at_s, std::span<const Command> com
 
 void PlayEvents::see_commands(std::span<const Command> commands, const Frame& frame) {
     for (const Command& command : commands) {
+        if (opens_hand(command) && std::exchange(held_, false)) note(PlayEventKind::hand, "Let go");
         const auto words = std::visit(WordsOfCommand{}, command);
-        const bool empty_hand = std::holds_alternative<ReleaseGrab>(command) && !held_;
-        if (words && !empty_hand) note(words->kind, words->text);
+        if (words) note(words->kind, words->text);
         by_blade_ |= std::holds_alternative<Blade>(command);
     }
     // A click beside the vessel grabs nothing.

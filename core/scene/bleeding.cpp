@@ -271,11 +271,7 @@ void Bleeding::solve() {
     }
     const std::vector<int> outlets = network.outlet_nodes;
     const std::vector<TearOpening> openings = tear_all(network, points, areas_mm2, sides);
-    // A tear at the end of an end vessel takes its outlet away.
-    torn.terminal_resistances.clear();
-    for (std::size_t i = 0; i < outlets.size(); ++i)
-        if (std::ranges::find(network.outlet_nodes, outlets[i]) != network.outlet_nodes.end())
-            torn.terminal_resistances.push_back(conditions.terminal_resistances[i]);
+    torn.terminal_resistances = of_outlets_left(network, outlets, conditions.terminal_resistances);
     torn.torn_areas_mm2 = torn_areas_mm2(network, openings);
     NetworkFlow flow(network, torn);
     FlowSolution solution = flow.solve();

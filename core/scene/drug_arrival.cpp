@@ -10,7 +10,6 @@
 #include "core/base/disjoint_sets.h"
 #include "core/base/error.h"
 #include "core/base/median.h"
-#include "core/base/number_text.h"
 #include "core/flow/arrival_times.h"
 #include "core/flow/flow_solution.h"
 
@@ -102,9 +101,7 @@ LaterTears tears_for_flow(const TornSince& torn) {
 }  // namespace
 
 InjectionOptions injection_options(const Injection& injection, const VesselTree& tree) {
-    if (!(injection.mass_flow_g_s > 0.0))
-        throw InputError("is " + number_text(injection.mass_flow_g_s), "mass flow",
-                         "Give more than 0 g/s");
+    validate_drug_flow(injection.mass_flow_g_s);
     InjectionOptions options;
     options.tip = at_supply_where_near(injection.at, tree);
     options.wedged = false;
@@ -143,8 +140,9 @@ DrugArrival drug_arrival(const VesselTree& tree, std::span<const TreePoint> plac
         arrival.at_tears_s.push_back(static_cast<float>(at_stumps_s(tree, arrivals.times, tear)));
     const bool leaks =
         std::ranges::any_of(arrival.at_tears_s, [](float time_s) { return std::isfinite(time_s); });
-    arrival.end_s =
-        std::min(useful_end_s(arrival_s), longest_run_in_fillings * filling_s(tree, options));
+    // Doses and curves over time are computed until then.
+    arrival.end_s = std::min({useful_end_s(arrival_s), longest_run_s,
+                              longest_run_in_fillings * filling_s(tree, options)});
     if (!leaks) arrival.end_s = std::min(arrival.end_s, arrivals.times.end_s());
     // Vessels that tear later may end it at once.
     if (!(arrival.end_s > 0.0) && options.later_tears.empty())

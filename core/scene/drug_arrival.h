@@ -26,7 +26,7 @@ struct TornSince {
 
 struct Injection {
     TreePoint at;                                                    // on the tree at rest
-    double mass_flow_g_s = default_injection::mass_flow_g_s;         // > 0
+    double mass_flow_g_s = default_injection::mass_flow_g_s;         // see validate_drug_flow
     double void_fraction = default_injection::void_fraction;         // of the second phase, [0, 1)
     std::string second_phase = default_injection::second_phase;      // gas, lipiodol or carrier
     std::string pressure_model = default_injection::pressure_model;  // published, consistent or
@@ -53,7 +53,7 @@ bool flows_like_blood(const InjectionOptions& options);
 struct DrugArrival {
     std::shared_ptr<const std::vector<float>> arrival_s;  // per vertex; infinity: never reached
     // > 0: when most vertices have been reached, some may be later; where a stump is reached,
-    // some time after that, because drug goes on leaking.
+    // some time after that, because drug goes on leaking. At most longest_run_s.
     double end_s = 0.0;
     // Largest imbalance of a node of the flow, relative to the injected flow.
     double mass_error_relative = 0.0;

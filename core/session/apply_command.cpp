@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/number_text.h"
+#include "core/flow/fluid.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/flow_part.h"
 #include "core/scene/measured_dial.h"
@@ -24,6 +25,14 @@ double checked_time_of_move(double over_s) {
     if (over_s > 0.0 && over_s <= longest_move_s) return over_s;
     throw InputError("is " + number_text(over_s) + " s", "the time of a move",
                      "Choose a value above 0, up to 1");
+}
+
+// An injection takes 0 for none.
+double checked_viscosity(double pa_s) {
+    Fluid drug = pure(blood());
+    drug.viscosity_pa_s = pa_s;
+    validate(drug);
+    return pa_s;
 }
 
 }  // namespace
@@ -90,7 +99,8 @@ struct Session::Apply {
     void operator()(const InjectDrug& c) const {
         Injection injection{world.place_near(c.point_mm), c.mass_flow_g_s, c.void_fraction,
                             c.second_phase, c.pressure_model};
-        if (c.drug_viscosity_pa_s) injection.drug_viscosity_pa_s = *c.drug_viscosity_pa_s;
+        if (c.drug_viscosity_pa_s)
+            injection.drug_viscosity_pa_s = checked_viscosity(*c.drug_viscosity_pa_s);
         injection.tears = world.torn_now();
         flow().inject(injection);
     }

@@ -19,7 +19,6 @@ class DialInUse {
   public:
     explicit DialInUse(QualityDial dial);
 
-    const QualityDial& dial() const { return dial_; }
     bool automatic() const { return automatic_; }
     // 0 fastest to 1 most accurate; none where the setting in use is not on the dial.
     std::optional<double> quality() const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/replay.h"
 
+#include <exception>
 #include <string>
 #include <utility>
 
@@ -56,7 +57,19 @@ ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCas
                                  " is not the state that was recorded",
                              "recording", "Begin at an earlier step");
     }
-    session.watch(watch);
+    // The session would take itself back after an error of its watch, and what follows would be
+    // taken for another play: the replay ends with the error instead.
+    std::exception_ptr error_of_watch;
+    if (watch)
+        session.watch([&](const std::vector<Command>& commands, const Frame& frame,
+                          const std::stop_token& stop) {
+            try {
+                return watch(commands, frame, stop);
+            } catch (...) {
+                error_of_watch = std::current_exception();
+                return false;
+            }
+        });
     session.record([](const RecordedStep&) {});  // hashes are computed only while recording
     job.begin_stage("Replaying");
     const std::uint64_t count = recording.steps.size();
@@ -64,6 +77,7 @@ ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCas
         const RecordedStep& step = recording.steps[result.steps];
         for (const Command& command : step.commands) session.post(command);
         result.state_hash = session.step(job).state_hash;
+        if (error_of_watch) std::rethrow_exception(error_of_watch);
         ++result.steps;
         if (!result.diverged_at && result.state_hash != step.state_hash)
             result.diverged_at = result.steps;

@@ -31,7 +31,7 @@ void restore_recorded(Session& session, Keyframe keyframe);
 // Starts at the last keyframe that is not after `from_step`, or at the recording's start. Throws
 // InputError if the patient or the back end is another one, if there is no such step, or if the
 // keyframe is damaged; throws Cancelled. Reports progress to the job. `watch` sees every replayed
-// step, see Session::watch.
+// step, see Session::watch; what it throws ends the replay and is thrown on.
 ReplayResult replay(const Recording& recording, std::shared_ptr<const PatientCase> patient,
                     Job& job, std::uint64_t from_step = 0,
                     const DeformBackEnd& back_end = cpu_back_end(),

@@ -201,6 +201,7 @@ std::vector<Vec3> longest_path(const VesselTree& tree) {
     int farthest = widest;
     for (std::size_t s = 0; s < tree.segments.size(); ++s) {
         const VesselSegment& segment = tree.segments[s];
+        if (segment.closes_loop) continue;  // ends inside the tree
         const bool is_root = static_cast<int>(s) == widest;
         component[s] = is_root || (segment.parent >= 0 && component[segment.parent] != 0);
         if (component[s] == 0) continue;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -108,6 +109,27 @@ TEST_F(FlowVerbs, RenderInjectsWhereInjectDoes) {
     EXPECT_NE(injected, picture("without.png", {}));
 }
 #endif
+
+// Total less dynamic pressure, G^2/(2 rho), of the root's lumen.
+TEST_F(FlowVerbs, InjectPrintsTheStaticPressureBesideTheTotal) {
+    VesselTree tube;
+    tube.nodes = {{Vec3(0, 0, 0), 2.0}, {Vec3(0, 0, 30), 2.0}};
+    tube.segments.resize(1);
+    tube.segments[0].proximal_node = 0;
+    tube.segments[0].distal_node = 1;
+    tube.segments[0].points_mm = {Vec3(0, 0, 0), Vec3(0, 0, 15), Vec3(0, 0, 30)};
+    tube.segments[0].radii_mm = {2.0, 2.0, 2.0};
+    write_tree_json(path("tube.json"), tube);
+    constexpr double blood_g_mm3 = 1.06e-3, g_s = 2.0;
+    const double flux = g_s / (std::numbers::pi * 4.0);
+    for (const char* at : {"0,0,0", "0,0,15"}) {
+        const Json found =
+            answer({"inject", path("tube.json"), "--at-mm", at, "--mass-flow-g-s", "2"});
+        const double total_pa = found["inlet_pressure_begin_pa"];
+        const double static_pa = found["inlet_static_begin_pa"];
+        EXPECT_NEAR(total_pa - static_pa, flux * flux / (2.0 * blood_g_mm3), 1e-9) << at;
+    }
+}
 
 TEST_F(FlowVerbs, InjectWritesSeriesThatKeepTheMass) {
     const VesselTree tree = read_tree_vtp(path("p/truth_tree.vtp"));
@@ -256,6 +278,22 @@ TEST_F(FlowVerbs, EmbolizeKeepsItsBeadsAndTheFlowFalls) {
     EXPECT_LT(found["mass_error_relative"], 1e-9);
     EXPECT_GT(lines_in(path("beads.csv")).size(), 2u);
     EXPECT_GT(lines_in(path("beads_plot.csv")).size(), 2u);
+}
+
+// What vessels take of a pressure is that of their flow, whatever the pressure behind them.
+TEST_F(FlowVerbs, EmbolizeSaysWhatTheVesselsTake) {
+    std::vector<double> taken_pa;
+    for (const char* outlet_mmhg : {"0", "15"}) {
+        const Outcome run =
+            run_cli({"embolize", path("p/truth_tree.vtp"), "--blood-flow-ml-min", "100000",
+                     "--inlet-pressure-mmhg", "16", "--outlet-pressure-mmhg", outlet_mmhg});
+        const std::string before = "the resolved vessels alone take ";
+        const std::size_t at = run.errors.find(before);
+        ASSERT_NE(at, std::string::npos) << run.errors;
+        taken_pa.push_back(std::stod(run.errors.substr(at + before.size())));
+    }
+    EXPECT_GT(taken_pa[0], 0.0);
+    EXPECT_NEAR(taken_pa[1], taken_pa[0], 1e-3 * taken_pa[0]);
 }
 
 TEST_F(FlowVerbs, FlowCurvesLeaveTheNumbersBesideThePlots) {

@@ -81,7 +81,7 @@ TEST(ArrivalTimes, TakeTheEarlierOfTwoPaths) {
     const double pi = 3.14159265358979323846;
     const double first = 4 * pi / 100;
     EXPECT_NEAR(times.arrival_s(3, 0.0), first + 10 * pi / 75, 1e-12);
-    EXPECT_NEAR(times.last_s(2), first + 30 * pi / 25, 1e-12);
+    EXPECT_NEAR(times.arrival_s(2, 30.0), first + 30 * pi / 25, 1e-12);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 // as -1.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -49,7 +50,10 @@ inline void add_arrivals(test::Figures& figures, const std::string& name,
     std::vector<double> numbers{finite(times.end_s())};
     for (int s = 0; s < static_cast<int>(network.segments.size()); ++s) {
         numbers.push_back(finite(times.first_s(s)));
-        numbers.push_back(finite(times.last_s(s)));
+        // At the later of both ends.
+        const double ends_s =
+            std::max(times.arrival_s(s, 0.0), times.arrival_s(s, length_mm(network, s)));
+        numbers.push_back(finite(ends_s));
         for (const double share : {0.1, 0.5, 0.9})
             numbers.push_back(finite(times.arrival_s(s, share * length_mm(network, s))));
     }

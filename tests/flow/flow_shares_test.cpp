@@ -80,6 +80,34 @@ TEST(FlowShares, WhereNoEndTakesMoreThanHalfNothingIsSaid) {
     EXPECT_EQ(warnings_of_ends(even, {1.0, 0.51, 0.2, 0.2, 0.09}).size(), 1U);
 }
 
+// Beside the thin branch that feeds three or four ends, a wide vessel runs to the same fork.
+TEST(FlowShares, AVesselThatClosesALoopIsNoEnd) {
+    for (const int ends : {3, 4}) {
+        VesselTree tree = broom({{20, 1.0}});
+        const Vec3 fork = tree.nodes[2].position_mm;
+        for (int i = 0; i < ends; ++i) {
+            VesselSegment end = tree.segments[1];
+            end.proximal_node = 2;
+            end.distal_node = static_cast<int>(tree.nodes.size());
+            end.parent = 1;
+            end.points_mm = {fork, fork + Vec3(0, 10.0 * i, 60.0)};
+            end.radii_mm = {1.5, 1.5};
+            tree.nodes.push_back({end.points_mm[1], 1.5});
+            tree.segments.push_back(end);
+        }
+        VesselSegment beside = tree.segments[1];
+        beside.closes_loop = true;
+        beside.points_mm = {Vec3::Zero(), 0.5 * fork + Vec3(0, 0, 5), fork};
+        beside.radii_mm = {3.5, 3.5, 3.5};
+        tree.segments.push_back(beside);
+        validate(tree);
+        const std::vector<double> shares = flow_shares(tree);
+        ASSERT_EQ(shares.size(), tree.segments.size());
+        EXPECT_GT(shares.back(), 0.9);
+        EXPECT_TRUE(warnings_of_ends(tree, shares).empty()) << ends << " ends";
+    }
+}
+
 TEST(FlowShares, ATreeOfFewEndsMayWellHaveAWideOne) {
     const VesselTree tree = broom({{60, 1.0}, {6, 3.8}, {60, 1.0}});
     EXPECT_TRUE(warnings_of_ends(tree, flow_shares(tree)).empty());

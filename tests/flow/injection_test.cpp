@@ -169,6 +169,34 @@ TEST(Injection, GoesOnBehindAVesselWhoseSideIsOpen) {
     EXPECT_GT(end_flow_g_s(open, 2), 0.0);
 }
 
+// Whether a vessel is torn at its very end, which takes its outlet away, or a hair before it.
+TEST(Injection, ATearAtTheEndOfAVesselLeavesTheBedsOfOthersAlone) {
+    const VesselTree tree = make_tree(71, 2);
+    const auto last = static_cast<int>(tree.segments.size()) - 1;
+    const double length = length_mm(tree.segments.back());
+    InjectionOptions options;
+    options.terminal_resistance_pa_s_mm3 = 0.5;
+    options.until_s = 0.1;
+    options.tear_areas_mm2 = {0.5};
+    Job job;
+    options.tears = {{last, length - 1e-4, 0.0}};
+    const InjectionResult before = inject(tree, options, job);
+    options.tears = {{last, length, 0.0}};
+    const InjectionResult at = inject(tree, options, job);
+    std::vector<int> others = before.network.outlet_nodes;
+    ASSERT_EQ(others.back(), tree.segments.back().distal_node);
+    others.pop_back();
+    ASSERT_EQ(at.network.outlet_nodes, others);
+    std::vector<double> beds = before.conditions.terminal_resistances;
+    beds.pop_back();
+    EXPECT_EQ(at.conditions.terminal_resistances, beds);
+    for (std::size_t o = 0; o < others.size(); ++o) {
+        const double flow = before.begin.outlet_flow_mm3_s[o];
+        EXPECT_GT(flow, 0.0);
+        EXPECT_NEAR(at.begin.outlet_flow_mm3_s[o], flow, 1e-3 * flow) << others[o];
+    }
+}
+
 TEST(Injection, SamplesDoNotChangeTheSolution) {
     const VesselTree tree = make_tree(67, 4);
     Job job;

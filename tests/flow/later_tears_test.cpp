@@ -211,6 +211,25 @@ TEST(LaterTears, OfAnEndLeaveWhatItHasDelivered) {
     EXPECT_NEAR(last.outlet_mass_g[0], last.delivered_g, 1e-9);
 }
 
+// And where an end that was torn off from the start closes, what leaves there is delivered again.
+TEST(LaterTears, OfAnEndThatClosesLetItDeliverAgain) {
+    InjectionOptions options = into_root();
+    options.until_s = 2.0;
+    options.tears = {{1, 40.0, 0.0}};
+    options.tear_areas_mm2 = {3.0};
+    options.tear_sides = {0};
+    options.later_tears = {{.from_s = 0.2}};  // the drug has not come to the end yet
+    const InjectionResult closed = run_torn(fork_with_equal_branches(), options);
+    EXPECT_NEAR(closed.balance.bled_mm3, 0.0, 1e-9);
+    EXPECT_NEAR(closed.balance.inside_mm3, tube_lumen_mm2 * 100.0, 1e-6);
+    EXPECT_NEAR(closed.balance.left_mm3, tube_lumen_mm2 * (2.0 * speed_mm_s(2.0) - 100.0), 1e-6);
+    ASSERT_EQ(closed.outlet_nodes, (std::vector<int>{2, 3}));
+    const InjectionSample& last = closed.series.back();
+    ASSERT_EQ(last.outlet_mass_g.size(), 2u);
+    EXPECT_GT(last.outlet_mass_g[0], 0.0);
+    EXPECT_NEAR(last.outlet_mass_g[0] + last.outlet_mass_g[1], last.delivered_g, 1e-9);
+}
+
 // After the injection has ended nothing drives what is left.
 TEST(LaterTears, MayComeAfterTheCatheterIsClosed) {
     InjectionOptions options = into_root();

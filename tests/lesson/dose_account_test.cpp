@@ -145,12 +145,10 @@ TEST(DoseCurve, WhatComesToALaterTearIsLost) {
     const DoseCurve whole(tree(), into({0, 0.0}), end_s, from(0));
     const DoseCurve torn(tree(), options, end_s, from(0));
     EXPECT_NEAR(torn.at(0.9 * torn_s).delivered_g, whole.at(0.9 * torn_s).delivered_g, 1e-9);
-    EXPECT_EQ(torn.at(0.9 * torn_s).leaked_g, 0.0);
     const Dose then = torn.at(torn_s), last = torn.at(end_s);
     EXPECT_GT(then.delivered_g, 1.0);
     EXPECT_NEAR(last.delivered_g, then.delivered_g, 1e-9);
-    EXPECT_NEAR(last.leaked_g, last.injected_g - then.injected_g, 1e-9);
-    EXPECT_EQ(whole.at(end_s).leaked_g, 0.0);
+    EXPECT_GT(last.injected_g, then.injected_g);
 }
 
 TEST(DoseAccount, AddsUpInjectionsAsFarAsTheyWent) {
@@ -281,6 +279,26 @@ struct WeighedPlay {
     std::unique_ptr<Session> session;
     DoseAccount account{test::small_patient()->tree, {}};
 };
+
+// What the session shows can be weighed, though it would take years to fill the vessels; what could
+// not be is refused there.
+TEST(DoseAccount, TheLeastInjectionThatIsShownIsWeighed) {
+    for (const double mass_flow_g_s : {1e-12, 1e-9}) {
+        WeighedPlay play;
+        play.inject(mass_flow_g_s);
+        play.play(6);
+        ASSERT_TRUE(play.drug().injection);
+        EXPECT_NEAR(play.account.total().injected_g, mass_flow_g_s * play.drug().time_s,
+                    1e-6 * mass_flow_g_s);
+    }
+    WeighedPlay play;
+    play.inject(1e-13);
+    play.play(1);
+    EXPECT_FALSE(play.drug().injection);
+    const std::string said = play.session->frame().statistics.message;
+    EXPECT_NE(said.find("mass flow in g/s is 1e-13"), std::string::npos) << said;
+    EXPECT_NE(said.find("Give a value from 1e-12"), std::string::npos) << said;
+}
 
 TEST(DoseAccount, WhereThePlayGoesBackAnInjectionCountsOnce) {
     WeighedPlay play;

@@ -52,6 +52,18 @@ TEST_F(PlayEventsTest, TheHandTakesHoldAndLetsGo) {
     EXPECT_THAT(see(), IsEmpty());
 }
 
+// Commands gather in one step where it is slow, and a grab takes the place of another one.
+TEST_F(PlayEventsTest, TheHandTakesHoldElsewhereWithinAStep) {
+    frame_.grab = GrabView{};
+    EXPECT_THAT(see({GrabPoint{}}), ElementsAre("Took hold"));
+    EXPECT_THAT(see({ReleaseGrab{}, GrabPoint{}}), ElementsAre("Let go", "Took hold"));
+    EXPECT_THAT(see({GrabVertex{}}), ElementsAre("Let go", "Took hold"));
+    EXPECT_THAT(see(), IsEmpty());
+    frame_.grab.reset();
+    EXPECT_THAT(see({GrabPoint{}, ReleaseGrab{}}), ElementsAre("Let go"));
+    EXPECT_THAT(see({GrabPoint{}, ReleaseGrab{}}), IsEmpty()) << "too short to be seen";
+}
+
 TEST_F(PlayEventsTest, AToolTouchesAndAShortBreakIsTheSameTouch) {
     frame_.tool = ToolView{};
     EXPECT_THAT(see({AddTool{"capsule", 2.0, 10.0, Vec3::UnitZ(), Vec3::Zero(), {}}}),

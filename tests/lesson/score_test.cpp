@@ -141,6 +141,23 @@ TEST(Score, IsRefusedWhereThePlayWasAnother) {
     }
 }
 
+// What cannot be measured is the reason, not another processor.
+TEST(Score, SaysWhyAPlayCannotBeScored) {
+    const Lesson lesson = small_lesson();
+    const Played played = play(lesson, small_play(), small_patient(), 20);
+    Job job;
+    int seen = 0;
+    try {
+        score(*played.recording, lesson, small_patient(), job, cpu_back_end(),
+              [&](const Frame&, const LessonStanding&) {
+                  if (++seen == 7) throw InputError("does not flow", "injection", "Inject more");
+              });
+        FAIL() << "the error is lost";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problem(), "does not flow");
+    }
+}
+
 // The vessel is held already where this recording begins, and no clock ran while it was taken.
 TEST(Score, WhatBeginsAmidAPlayPassesNoLesson) {
     Lesson lesson = small_lesson();

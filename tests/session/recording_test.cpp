@@ -144,6 +144,27 @@ TEST(Keyframes, AReplayFromOneGoesOnWithTheSameBits) {
     EXPECT_EQ(replay(begun, small_patient(), job, 629).began_at, 0u);
 }
 
+// The session takes itself back after an error of its watch: that is no reason to call the
+// recording another one, nor to hide the error.
+TEST(Replay, EndsWithTheErrorOfItsWatch) {
+    const auto session = new_session();
+    const auto recording = keep_recording(*session);
+    play(*session, 8);
+    Job job;
+    int seen = 0;
+    try {
+        replay(*recording, small_patient(), job, 0, cpu_back_end(),
+               [&](const std::vector<Command>&, const Frame&, const std::stop_token&) {
+                   if (++seen == 5) throw InputError("cannot flow", "the fifth frame", "Look away");
+                   return true;
+               });
+        FAIL() << "the error is lost";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.problem(), "cannot flow");
+    }
+    EXPECT_EQ(seen, 5);
+}
+
 // Of everything that a keyframe holds, whatever is changed is found: by the hash of its state or by
 // what reading it says.
 TEST(Keyframes, ADamagedOneIsRefused) {

@@ -49,6 +49,18 @@ TEST(LongestPath, RunsFromTheWidestRootToItsFarthestEnd) {
     EXPECT_THROW(point_on_longest_path(VesselTree{}, 0.5), InputError);
 }
 
+// The way back from the trunk's end to the root is the longest of all, but ends at no end.
+TEST(LongestPath, LeavesOutWhatClosesALoop) {
+    const VesselTree tree = two_trees();
+    VesselTree looped = tree;
+    looped.segments.push_back(vessel(3, 2, 1, {{30, 0, 0}, {15, 30, 0}, {0, 0, 0}}, 2.0));
+    looped.segments.back().closes_loop = true;
+    validate(looped);
+    for (const double share : {0.0, 0.5, 0.8, 1.0})
+        EXPECT_EQ(point_on_longest_path(looped, share), point_on_longest_path(tree, share))
+            << share;
+}
+
 ScriptAction at(double at_s, const std::string& what) {
     ScriptAction action;
     action.at_s = at_s;
