@@ -77,6 +77,7 @@ void HapticPlay::after_step() noexcept {
         model = {};
         say(std::string("Nothing is felt: ") + error.what());
     }
+    model.commands_taken = session_.commands_taken();
     const bool tool = model.tool;
     models_.publish();
     const std::scoped_lock lock(mutex_);
@@ -86,7 +87,7 @@ void HapticPlay::after_step() noexcept {
 void HapticPlay::run(const std::stop_token& stop, HapticDevice& device,
                      const ForceLoopOptions& options) {
     ForceLoop loop(
-        device, models_, [this](Command c) { session_.post(std::move(c)); }, options);
+        device, models_, [this](Command c) { return session_.post(std::move(c)); }, options);
     const auto period = std::chrono::duration_cast<Clock::duration>(
         std::chrono::duration<double>(device.traits().period_s));
     while (!stop.stop_requested()) {

@@ -43,12 +43,13 @@ struct Felt {
     Felt(Session& played, const SimulatedHand& hand, const HapticTraits& traits = {})
         : session(played),
           device(hand, traits),
-          loop(device, models, [this](const Command& c) { session.post(c); }) {}
+          loop(device, models, [this](const Command& c) { return session.post(c); }) {}
     // A second is 60 steps and 1000 ticks.
     void play(int steps) {
         for (int i = 0; i < steps; ++i) {
             step = session.step();
             feed.fill(*session.world().deform(), 1.0 / 60.0, models.back());
+            models.back().commands_taken = session.commands_taken();
             most_contacts =
                 std::max(most_contacts, static_cast<int>(models.back().contacts.size()));
             models.publish();
