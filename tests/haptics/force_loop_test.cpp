@@ -219,6 +219,17 @@ struct TurningBench {
     }
 };
 
+// A tool that is hindered, by whatever turned it.
+TEST(ForceLoop, WhatTheToolHasStillToTurnIsFelt) {
+    TurningBench bench(0.0);
+    LocalModel model = pressed_beside_its_centre();
+    model.left_rad = Vec3(0, 0.01, 0);
+    bench.hand_over(model);
+    EXPECT_NEAR(bench.force_after(40),
+                pressed_un + 0.01 * stiffness_un_per_rad(bench.device.traits()), 1e-3 * pressed_un);
+    EXPECT_EQ(bench.turns, 0u);
+}
+
 // What was posted is felt on until a model has it.
 TEST(ForceLoop, ATurnThatIsUnderWayIsFeltOn) {
     TurningBench bench(1.0);

@@ -244,6 +244,20 @@ TEST(PatchFeed, InTheGapOfATornVesselNothingIsFelt) {
     EXPECT_TRUE(model.contacts.empty());
 }
 
+TEST(PatchFeed, GivesWhatTheToolHasStillToTurn) {
+    const auto session = new_session(touchable());
+    session->post(ball());
+    session->step();
+    DeformPart& part = *session->world().deform();
+    PatchFeed feed;
+    LocalModel model;
+    feed.fill(part, 1.0 / 60.0, model);
+    EXPECT_EQ(model.left_rad, Vec3(0, 0, 0));
+    part.turn_tool(Vec3(0, 0.1, 0));
+    feed.fill(part, 1.0 / 60.0, model);
+    EXPECT_EQ(model.left_rad, Vec3(0, 0.1, 0));
+}
+
 TEST(PatchFeed, WithoutAToolThereIsNothing) {
     const auto session = new_session(touchable());
     Felt felt(*session, {.path = down(3.0)});
