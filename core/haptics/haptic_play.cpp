@@ -61,26 +61,30 @@ std::string HapticPlay::message() const {
     return message_;
 }
 
-void HapticPlay::say(std::string message) {
+void HapticPlay::say(std::string message, bool of_step) {
     const std::scoped_lock lock(mutex_);
     message_ = std::move(message);
+    of_step_ = of_step;
 }
 
 void HapticPlay::after_step() noexcept {
     if (!attached_) return;
     LocalModel& model = models_.back();
+    bool filled = true;
     try {
         model.tool = false;
         const World& world = session_.world();
-        if (world.deform() != nullptr) feed_.fill(*world.deform(), world.spec().dt_s, model);
+        if (world.deform() != nullptr) fill_(*world.deform(), world.spec().dt_s, model);
     } catch (const std::exception& error) {
+        filled = false;
         model = {};
-        say(std::string("Nothing is felt: ") + error.what());
+        say(std::string("Nothing is felt: ") + error.what(), true);
     }
     model.commands_taken = session_.commands_taken();
     const bool tool = model.tool;
     models_.publish();
     const std::scoped_lock lock(mutex_);
+    if (filled && std::exchange(of_step_, false)) message_.clear();
     if (std::exchange(tool_, tool) != tool) tool_comes_.notify_one();
 }
 

@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <stdexcept>
 
 #include "core/base/error.h"
 #include "core/haptics/simulated_device.h"
@@ -148,6 +149,21 @@ TEST_F(HapticPlayTest, ALostDeviceIsSaidAndThePlayGoesOn) {
     session->step();
     EXPECT_TRUE(ticks.wait_for([](int, const Tick& t) { return t.tool; }));
     EXPECT_EQ(haptics.message(), "");
+}
+
+TEST_F(HapticPlayTest, NoLongerSaysThatNothingIsFeltOnceItIsFeltAgain) {
+    bool fails = true;
+    HapticPlay failing(*session, [&](const DeformPart&, double, LocalModel&) {
+        if (fails) throw std::runtime_error("no memory is left");
+    });
+    session->on_frame([&] { failing.after_step(); });
+    failing.attach(device());
+    session->step();
+    EXPECT_EQ(failing.message(), "Nothing is felt: no memory is left");
+    fails = false;
+    session->step();
+    EXPECT_EQ(failing.message(), "");
+    session->on_frame({});
 }
 
 TEST_F(HapticPlayTest, RefusesTraitsThatCannotBe) {
