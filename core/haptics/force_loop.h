@@ -21,7 +21,7 @@
 namespace hepatica {
 
 struct ForceLoopOptions {
-    double step_s = 1.0 / 60.0;  // of the simulation
+    double step_s = 1.0 / 60.0;  // of the simulation; HapticPlay takes its scene's instead
     // For measurements of their effects. By default the coupling is the stiffest that the device's
     // traits allow.
     std::optional<double> coupling_un_per_mm{}, turn_coupling_un_mm{};

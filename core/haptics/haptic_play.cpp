@@ -43,11 +43,13 @@ void HapticPlay::attach(std::shared_ptr<HapticDevice> device, const ForceLoopOpt
         tool_ = false;
     }
     attached_ = true;
+    ForceLoopOptions of_scene = options;
+    of_scene.step_s = session_.world().spec().dt_s;
     // A resting session makes no frame, from which the loop would learn of the tool, without a
     // command.
     if (session_.world().deform() != nullptr) session_.post(ShiftTool{});
     thread_ = std::jthread(
-        [this, options](const std::stop_token& stop) { run(stop, *device_, options); });
+        [this, of_scene](const std::stop_token& stop) { run(stop, *device_, of_scene); });
 }
 
 void HapticPlay::detach() {

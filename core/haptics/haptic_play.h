@@ -34,7 +34,8 @@ class HapticPlay {
     ~HapticPlay() { detach(); }
 
     // --- any one thread ------------------------------------------------------------------------
-    // Replaces the attached device. Throws InputError for traits out of range.
+    // Replaces the attached device. The step of the options is the scene's, whatever they say.
+    // Throws InputError for traits out of range.
     void attach(std::shared_ptr<HapticDevice> device, const ForceLoopOptions& options = {});
     // Switches the force off and ends the thread, within a period.
     void detach();
