@@ -25,8 +25,8 @@ bool finite(const HapticSample& sample) {
 
 }  // namespace
 
-ForceLoop::ForceLoop(HapticDevice& device, TripleBuffer<LocalModel>& models,
-                     std::function<void(Command)> post, const ForceLoopOptions& options)
+ForceLoop::ForceLoop(HapticDevice& device, TripleBuffer<LocalModel>& models, Post post,
+                     const ForceLoopOptions& options)
     : device_(device),
       models_(models),
       post_(std::move(post)),
@@ -43,7 +43,8 @@ Vec3 ForceLoop::place_of(const HapticPose& handle) const {
     return grip_->tool_mm + (handle.at_mm - grip_->handle.at_mm);
 }
 
-// Measured from the tool's pose in the model, whose remaining rotation is due to earlier commands.
+// Measured from the tool's pose in the model: what the commands so far will still turn it by, and
+// what the handle has turned since the last of them.
 Vec6 ForceLoop::way_to(const HapticPose& handle) const {
     Vec6 way = way_between(led_, handle);
     way.head<3>() = place_of(handle) - centre_mm_;
@@ -66,7 +67,10 @@ void ForceLoop::take(const LocalModel& model, const HapticPose& handle) {
     }
     local_.take(model);
     centre_mm_ = model.centre_mm;
+    std::erase_if(posted_turns_,
+                  [&](const PostedTurn& turn) { return turn.command <= model.commands_taken; });
     left_rad_ = model.left_rad;
+    for (const PostedTurn& turn : posted_turns_) left_rad_ += turn.by_rad;
     fading_.setZero();
     if (grip_ && local_.contacts() > 0) fading_ = before - local_.at(way_to(handle)).both();
     if (!fading_.allFinite()) fading_.setZero();
@@ -94,7 +98,9 @@ void ForceLoop::lead(const HapticPose& handle) {
         led_.at_mm = handle.at_mm;
     }
     if (way.tail<3>().norm() > least_turn_rad) {
-        post_(TurnTool{way.tail<3>()});
+        const Vec3 by_rad = way.tail<3>();
+        posted_turns_.push_back({post_(TurnTool{by_rad}), by_rad});
+        left_rad_ += by_rad;
         led_.turned = handle.turned;
     }
 }

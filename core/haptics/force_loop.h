@@ -2,13 +2,15 @@
 // The haptic loop: from one sample of the device to the force in response, a thousand times a
 // second, and from its pose to commands, once per step of the simulation. A tick reads the device
 // and the newest local model and otherwise depends only on its own state: no clock, no lock except
-// for posting a command, and no allocation except to take a new model, once per step.
+// for posting a command, and no allocation except to take a new model and to post, once per step.
 //
 //   device pose ─► local model in series with the coupling ─► limits ─► passivity ─► device force
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "core/haptics/haptic_device.h"
 #include "core/haptics/local_model.h"
@@ -19,7 +21,7 @@
 namespace hepatica {
 
 struct ForceLoopOptions {
-    double step_s = 1.0 / 60.0;  // of the simulation
+    double step_s = 1.0 / 60.0;  // of the simulation; HapticPlay takes its scene's instead
     // For measurements of their effects. By default the coupling is the stiffest that the device's
     // traits allow.
     std::optional<double> coupling_un_per_mm{}, turn_coupling_un_mm{};
@@ -38,11 +40,12 @@ struct Tick {
 // Use it on one thread. Device and models must outlive it.
 class ForceLoop {
   public:
-    // `post` takes the commands that lead the tool, for example Session::post. A tool that comes
-    // into hand is led from its position by the displacement of the handle since then, so that
-    // taking another tool brings the hand back to the middle of its workspace.
-    ForceLoop(HapticDevice& device, TripleBuffer<LocalModel>& models,
-              std::function<void(Command)> post, const ForceLoopOptions& options = {});
+    // Takes a command that leads the tool and returns its number, as Session::post does.
+    using Post = std::function<std::uint64_t(Command)>;
+    // A tool that comes into hand is led from its position by the displacement of the handle since
+    // then, so that taking another tool brings the hand back to the middle of its workspace.
+    ForceLoop(HapticDevice& device, TripleBuffer<LocalModel>& models, Post post,
+              const ForceLoopOptions& options = {});
 
     Tick tick();
     const PassivityController& passivity() const { return passivity_; }
@@ -57,7 +60,7 @@ class ForceLoop {
 
     HapticDevice& device_;
     TripleBuffer<LocalModel>& models_;
-    std::function<void(Command)> post_;
+    Post post_;
     ForceLoopOptions options_;
     LocalForce local_;
     PassivityController passivity_;
@@ -68,9 +71,16 @@ class ForceLoop {
         Vec3 tool_mm;
     };
     std::optional<Grip> grip_;
-    Vec3 centre_mm_ = Vec3::Zero(), left_rad_ = Vec3::Zero();  // as in the model
-    HapticPose led_;              // pose of the last commands; the model's rotation counts from it
-    Vec6 fading_ = Vec6::Zero();  // force of the last model minus that of this one
+    Vec3 centre_mm_ = Vec3::Zero();  // as in the model
+    // A turn that was posted, but is not in the model yet.
+    struct PostedTurn {
+        std::uint64_t command;
+        Vec3 by_rad;
+    };
+    std::vector<PostedTurn> posted_turns_;
+    Vec3 left_rad_ = Vec3::Zero();  // that the tool of the model will turn by all commands so far
+    HapticPose led_;                // pose of the last commands
+    Vec6 fading_ = Vec6::Zero();    // force of the last model minus that of this one
     int ticks_in_step_ = 1, since_model_ = 0, since_lead_ = 0;  // ticks
     std::uint64_t number_ = 0;
     std::uint64_t tool_number_ = 0;  // of the tool in hand

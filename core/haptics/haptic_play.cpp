@@ -43,11 +43,13 @@ void HapticPlay::attach(std::shared_ptr<HapticDevice> device, const ForceLoopOpt
         tool_ = false;
     }
     attached_ = true;
+    ForceLoopOptions of_scene = options;
+    of_scene.step_s = session_.world().spec().dt_s;
     // A resting session makes no frame, from which the loop would learn of the tool, without a
     // command.
     if (session_.world().deform() != nullptr) session_.post(ShiftTool{});
     thread_ = std::jthread(
-        [this, options](const std::stop_token& stop) { run(stop, *device_, options); });
+        [this, of_scene](const std::stop_token& stop) { run(stop, *device_, of_scene); });
 }
 
 void HapticPlay::detach() {
@@ -61,32 +63,37 @@ std::string HapticPlay::message() const {
     return message_;
 }
 
-void HapticPlay::say(std::string message) {
+void HapticPlay::say(std::string message, bool of_step) {
     const std::scoped_lock lock(mutex_);
     message_ = std::move(message);
+    of_step_ = of_step;
 }
 
 void HapticPlay::after_step() noexcept {
     if (!attached_) return;
     LocalModel& model = models_.back();
+    bool filled = true;
     try {
         model.tool = false;
         const World& world = session_.world();
-        if (world.deform() != nullptr) feed_.fill(*world.deform(), world.spec().dt_s, model);
+        if (world.deform() != nullptr) fill_(*world.deform(), world.spec().dt_s, model);
     } catch (const std::exception& error) {
+        filled = false;
         model = {};
-        say(std::string("Nothing is felt: ") + error.what());
+        say(std::string("Nothing is felt: ") + error.what(), true);
     }
+    model.commands_taken = session_.commands_taken();
     const bool tool = model.tool;
     models_.publish();
     const std::scoped_lock lock(mutex_);
+    if (filled && std::exchange(of_step_, false)) message_.clear();
     if (std::exchange(tool_, tool) != tool) tool_comes_.notify_one();
 }
 
 void HapticPlay::run(const std::stop_token& stop, HapticDevice& device,
                      const ForceLoopOptions& options) {
     ForceLoop loop(
-        device, models_, [this](Command c) { session_.post(std::move(c)); }, options);
+        device, models_, [this](Command c) { return session_.post(std::move(c)); }, options);
     const auto period = std::chrono::duration_cast<Clock::duration>(
         std::chrono::duration<double>(device.traits().period_s));
     while (!stop.stop_requested()) {

@@ -11,10 +11,12 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "core/haptics/force_loop.h"
 #include "core/haptics/patch_feed.h"
@@ -26,14 +28,19 @@ class HapticPlay {
   public:
     // The session must outlive it and must no longer call after_step() when it ends.
     explicit HapticPlay(Session& session) : session_(session) {}
+    // With other local models than those of a PatchFeed, made as by PatchFeed::fill.
+    using Fill = std::function<void(const DeformPart& part, double dt_s, LocalModel& model)>;
+    HapticPlay(Session& session, Fill fill) : session_(session), fill_(std::move(fill)) {}
     ~HapticPlay() { detach(); }
 
     // --- any one thread ------------------------------------------------------------------------
-    // Replaces the attached device. Throws InputError for traits out of range.
+    // Replaces the attached device. The step of the options is the scene's, whatever they say.
+    // Throws InputError for traits out of range.
     void attach(std::shared_ptr<HapticDevice> device, const ForceLoopOptions& options = {});
     // Switches the force off and ends the thread, within a period.
     void detach();
-    // Empty, or what has happened to the device and what can be done.
+    // Empty, or what has happened to the device and what can be done, or why nothing is felt at
+    // present.
     std::string message() const;
 
     // --- the thread that steps -----------------------------------------------------------------
@@ -46,10 +53,13 @@ class HapticPlay {
 
   private:
     void run(const std::stop_token& stop, HapticDevice& device, const ForceLoopOptions& options);
-    void say(std::string message);
+    void say(std::string message, bool of_step = false);
 
     Session& session_;
-    PatchFeed feed_;                   // of the thread that steps
+    PatchFeed feed_;  // of the thread that steps
+    Fill fill_ = [this](const DeformPart& part, double dt_s, LocalModel& model) {
+        feed_.fill(part, dt_s, model);
+    };
     TripleBuffer<LocalModel> models_;  // from there to the loop
     std::function<void(const Tick&)> see_;
     std::atomic<bool> attached_ = false;
@@ -57,6 +67,7 @@ class HapticPlay {
     std::condition_variable_any tool_comes_;
     bool tool_ = false;  // a tool is in hand; under mutex_
     std::string message_;
+    bool of_step_ = false;  // the message came from after_step(); under mutex_
     std::shared_ptr<HapticDevice> device_;
     std::jthread thread_;
 };

@@ -32,6 +32,8 @@ struct LocalModel {
     std::uint64_t tool_number = 0;  // another number: another tool
     Vec3 centre_mm = Vec3::Zero();  // position of the tool
     Vec3 left_rad = Vec3::Zero();   // its remaining rotation
+    // Number of the newest command that is in the model; later ones are under way to the next.
+    std::uint64_t commands_taken = 0;
     std::vector<LocalContact> contacts;
     // Compliance of pads and body [mm/uN], symmetric positive definite; one row per contact.
     Eigen::MatrixXd compliance;

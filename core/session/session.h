@@ -67,8 +67,8 @@ class Session {
     // Queues a command, which is applied before the next step. Never waits for a step. A command
     // with a value out of range is then refused: the frame's message names it and the world is
     // unchanged. Of several consecutive MoveGrab only the newest is applied, and likewise of
-    // consecutive MoveTool with share 1.
-    void post(Command command) { inbox_.post(std::move(command)); }
+    // consecutive MoveTool with share 1. Returns the command's number, see commands_taken().
+    std::uint64_t post(Command command) { return inbox_.post(std::move(command)); }
 
     // `tell` is called after every published frame, on the thread that steps; it must neither wait
     // nor throw. It replaces an earlier one, which is never called after this returns; an empty
@@ -139,6 +139,10 @@ class Session {
     // the same bits as there. Throws InputError where patient or scene is another one, and where it
     // tears and no setting of the dial can.
     void restore(const Keyframe& keyframe);
+
+    // Number, as post() returned it, of the newest command that has had its effect, if it has one;
+    // 0: none.
+    std::uint64_t commands_taken() const { return inbox_.commands_taken(); }
 
     // Hash of everything that determines later steps.
     std::uint64_t state_hash() const;

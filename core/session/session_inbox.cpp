@@ -18,15 +18,18 @@ bool supersedes(const Command& later, const Command& earlier) {
 
 }  // namespace
 
-void SessionInbox::post(Command command) {
+std::uint64_t SessionInbox::post(Command command) {
+    std::uint64_t number = 0;
     {
         const std::scoped_lock lock(mutex_);
+        number = ++posted_;
         if (!commands_.empty() && supersedes(command, commands_.back()))
             commands_.back() = std::move(command);
         else
             commands_.push_back(std::move(command));
     }
     arrival_.notify_one();
+    return number;
 }
 
 void SessionInbox::hand_over(QualityDial dial) {
@@ -57,6 +60,7 @@ void SessionInbox::post_first(Command command) {
 
 std::vector<Command> SessionInbox::take_commands() {
     const std::scoped_lock lock(mutex_);
+    taken_ = posted_;
     return std::exchange(commands_, {});
 }
 

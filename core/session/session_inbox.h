@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -24,8 +25,8 @@ class SessionInbox {
 
     // --- any thread -----------------------------------------------------------------------------
     // Of several consecutive MoveGrab only the newest is kept, and likewise of consecutive MoveTool
-    // with share 1.
-    void post(Command command);
+    // with share 1. Returns the command's number: 1, 2 and so on.
+    std::uint64_t post(Command command);
     // The newest dial and the newest recording replace earlier ones that were not taken yet.
     void hand_over(QualityDial dial);
     void hand_over(BeginRecording begin);
@@ -36,6 +37,8 @@ class SessionInbox {
     // The command is applied before all that are queued.
     void post_first(Command command);
     std::vector<Command> take_commands();
+    // Number of the newest command that was taken, or replaced by one that was; 0: none.
+    std::uint64_t commands_taken() const { return taken_; }
     std::optional<QualityDial> take_dial();
     std::optional<BeginRecording> take_recording();
     // Sleeps until something is handed over or a stop is requested.
@@ -52,6 +55,8 @@ class SessionInbox {
     std::vector<Command> commands_;
     std::optional<QualityDial> dial_;
     std::optional<BeginRecording> recording_;
+    std::uint64_t posted_ = 0;  // commands so far
+    std::uint64_t taken_ = 0;   // of the thread that steps
     bool waiting_ = false;
 };
 

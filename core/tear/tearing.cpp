@@ -156,7 +156,6 @@ bool Tearing::part_overloaded(const TearLoads& loads) {
     if (!law_.bare_limit) add_neighbours(parting);
     if (parting.empty()) return false;
     part(parting, law_.bare_limit ? softening_.opening_mm : softening_.peak_mm());
-    for (const int j : parting) load_[j] = 0.0;
     return true;
 }
 
@@ -199,6 +198,8 @@ void Tearing::part(std::span<const int> joints, double most_mm) {
     // What bears nothing is bound by nothing.
     for (const int j : joints)
         most_mm_[j].fill(factor_[j] * weakness_[j] > 0.0 ? most_mm : softening_.opening_mm);
+    if (!load_.empty())
+        for (const int j : joints) load_[j] = 0.0;
     parted_.insert(parted_.end(), joints.begin(), joints.end());
     std::ranges::sort(parted_);
     if (!begun_ && topology_.vertex_count() > before) {

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "tests/haptics/wall.h"
@@ -33,11 +35,14 @@ struct Bench {
     SimulatedDevice device;
     TripleBuffer<LocalModel> models;
     std::vector<Command> posted;
+    std::uint64_t number = 0;  // of the last command
     ForceLoop loop;
 
     explicit Bench(const SimulatedHand& hand, const HapticTraits& traits = {})
-        : device(hand, traits),
-          loop(device, models, [this](Command c) { posted.push_back(std::move(c)); }) {}
+        : device(hand, traits), loop(device, models, [this](Command c) {
+              posted.push_back(std::move(c));
+              return ++number;
+          }) {}
     void hand_over(const LocalModel& model) {
         models.back() = model;
         models.publish();
@@ -157,6 +162,108 @@ TEST(ForceLoop, AHandThatMovesWakesASessionThatRests) {
     EXPECT_LE(bench.posted.size(), 4u);
 }
 
+// A handle that turns by a thousandth of a radian about y in each period, up to a limit, and is
+// held where it is.
+class TurningDevice final : public HapticDevice {
+  public:
+    explicit TurningDevice(double most_rad) : most_rad_(most_rad) {}
+    const HapticTraits& traits() const override { return traits_; }
+    std::optional<HapticSample> read() noexcept override {
+        const double turned_rad = std::min(most_rad_, 1e-3 * static_cast<double>(number_));
+        const Eigen::AngleAxisd turned(turned_rad, Vec3::UnitY());
+        return HapticSample{{Vec3::Zero(), Eigen::Quaterniond(turned)}, ++number_, 0.0};
+    }
+    void write(const HapticForce&) noexcept override {}
+
+  private:
+    HapticTraits traits_;
+    double most_rad_;
+    std::uint64_t number_ = 0;
+};
+
+constexpr double beside_mm = 10.0, pressed_un = 1e5;
+
+// Pressed from below, beside its centre: turning the tool about y presses more.
+LocalModel pressed_beside_its_centre() {
+    LocalModel model = free_tool();
+    model.contacts = {{Vec3(beside_mm, 0, 0), -Vec3::UnitZ(), pressed_un}};
+    model.compliance = Eigen::MatrixXd::Constant(1, 1, 1e-6);
+    return model;
+}
+
+// By how much the force grows per radian: the contact in series with the coupling.
+double stiffness_un_per_rad(const HapticTraits& traits) {
+    const double give = 1e-6 + 1.0 / coupling_limit(traits.damping_un_s_per_mm, traits) +
+                        beside_mm * beside_mm / coupling_limit(traits.turn_damping_un_mm_s, traits);
+    return beside_mm / give;
+}
+
+// A loop that a turning handle leads, and no control of passivity.
+struct TurningBench {
+    TurningDevice device;
+    TripleBuffer<LocalModel> models;
+    std::uint64_t turns = 0;
+    ForceLoop loop;
+
+    explicit TurningBench(double most_rad)
+        : device(most_rad),
+          loop(device, models, [this](const Command&) { return ++turns; }, {.controlled = false}) {}
+    void hand_over(const LocalModel& model) {
+        models.back() = model;
+        models.publish();
+    }
+    double force_after(int ticks) {
+        double force = 0.0;
+        for (int i = 0; i < ticks; ++i) force = loop.tick().force.force_un.z();
+        return force;
+    }
+};
+
+// A tool that is hindered, by whatever turned it.
+TEST(ForceLoop, WhatTheToolHasStillToTurnIsFelt) {
+    TurningBench bench(0.0);
+    LocalModel model = pressed_beside_its_centre();
+    model.left_rad = Vec3(0, 0.01, 0);
+    bench.hand_over(model);
+    EXPECT_NEAR(bench.force_after(40),
+                pressed_un + 0.01 * stiffness_un_per_rad(bench.device.traits()), 1e-3 * pressed_un);
+    EXPECT_EQ(bench.turns, 0u);
+}
+
+// What was posted is felt on until a model has it.
+TEST(ForceLoop, ATurnThatIsUnderWayIsFeltOn) {
+    TurningBench bench(1.0);
+    bench.hand_over(pressed_beside_its_centre());
+    double last = 0.0;
+    for (int i = 0; i < 40; ++i) {
+        const double force = bench.loop.tick().force.force_un.z();
+        EXPECT_GE(force, last) << i;
+        last = force;
+    }
+    EXPECT_EQ(bench.turns, 2u);
+    const double stiffness = stiffness_un_per_rad(bench.device.traits());
+    EXPECT_NEAR(last, pressed_un + 0.039 * stiffness, 1e-3 * pressed_un);
+}
+
+// A command that comes in the middle of a step is not in that step's model.
+TEST(ForceLoop, ATurnThatNoStepHasTakenOutlastsAModel) {
+    TurningBench bench(0.02);
+    LocalModel model = pressed_beside_its_centre();
+    bench.hand_over(model);
+    const double turned = pressed_un + 0.02 * stiffness_un_per_rad(bench.device.traits());
+    EXPECT_NEAR(bench.force_after(40), turned, 1e-3 * pressed_un);
+    ASSERT_EQ(bench.turns, 2u);
+    bench.hand_over(model);
+    EXPECT_NEAR(bench.force_after(40), turned, 1e-3 * pressed_un);
+    model.commands_taken = bench.turns;
+    model.left_rad = Vec3(0, 0.02, 0);  // taken, but hindered
+    bench.hand_over(model);
+    EXPECT_NEAR(bench.force_after(40), turned, 1e-3 * pressed_un);
+    model.left_rad.setZero();
+    bench.hand_over(model);
+    EXPECT_NEAR(bench.force_after(40), pressed_un, 1e-3 * pressed_un);
+}
+
 // The pads' forces of a new step come in over that step, not at once.
 TEST(ForceLoop, ANewModelDoesNotJerk) {
     Bench bench({.mass_g = 1e9});  // a handle that stays
@@ -233,7 +340,7 @@ class WorklessDevice final : public HapticDevice {
 TEST(ForceLoop, WorkThatIsNoNumberIsALoss) {
     WorklessDevice device;
     TripleBuffer<LocalModel> models;
-    ForceLoop loop(device, models, [](const Command&) {});
+    ForceLoop loop(device, models, [](const Command&) { return std::uint64_t{0}; });
     for (int i = 1; i < 10; ++i) EXPECT_FALSE(loop.tick().lost) << i;
     EXPECT_TRUE(loop.tick().lost);
 }
@@ -253,7 +360,7 @@ class StuckDevice final : public HapticDevice {
 TEST(ForceLoop, ADeviceThatIsStuckCountsAsLost) {
     StuckDevice device;
     TripleBuffer<LocalModel> models;
-    ForceLoop loop(device, models, [](const Command&) {});
+    ForceLoop loop(device, models, [](const Command&) { return std::uint64_t{0}; });
     int ticks = 0;
     while (!loop.tick().lost && ticks < 1000) ++ticks;
     EXPECT_GT(ticks, 20);

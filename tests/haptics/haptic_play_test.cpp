@@ -8,12 +8,14 @@
 
 #include <chrono>
 #include <cmath>
+#include <stdexcept>
 
 #include "core/base/error.h"
 #include "core/haptics/simulated_device.h"
 #include "core/scene/deform_part.h"
 #include "core/scene/world.h"
 #include "tests/haptics/touchable_patient.h"
+#include "tests/session/recorded.h"
 
 namespace hepatica {
 namespace {
@@ -148,6 +150,50 @@ TEST_F(HapticPlayTest, ALostDeviceIsSaidAndThePlayGoesOn) {
     session->step();
     EXPECT_TRUE(ticks.wait_for([](int, const Tick& t) { return t.tool; }));
     EXPECT_EQ(haptics.message(), "");
+}
+
+// The tool is led once in 50 ms, not once in a sixtieth of a second.
+TEST(HapticPlayOfAnotherStep, LeadsTheToolOnceInAStepOfTheScene) {
+    SceneSpec spec = touchable();
+    spec.dt_s = 0.05;
+    const auto session = new_session(spec);
+    const auto recording = test::keep_recording(*session);
+    Ticks ticks;
+    HapticPlay haptics(*session);
+    haptics.on_tick([&](const Tick& tick) { ticks.see(tick); });
+    session->on_frame([&] { haptics.after_step(); });
+    session->post(ball());
+    session->step();
+    SimulatedHand hand;
+    hand.path = [](double t) {
+        return HapticPose{.turned = Eigen::Quaterniond(Eigen::AngleAxisd(0.1 * t, Vec3::UnitX()))};
+    };
+    haptics.attach(std::make_shared<SimulatedDevice>(hand, HapticTraits{}));
+    session->step();  // from its frame the loop learns of the tool
+    EXPECT_TRUE(ticks.wait_for([](int count, const Tick&) { return count >= 120; }));
+    haptics.detach();
+    session->step();  // takes what was posted meanwhile
+    int turns = 0;
+    for (const Command& command : recording->steps.back().commands)
+        turns += std::holds_alternative<TurnTool>(command) ? 1 : 0;
+    EXPECT_GE(turns, 2);
+    EXPECT_LE(turns, ticks.count() / 50);
+    session->on_frame({});
+}
+
+TEST_F(HapticPlayTest, NoLongerSaysThatNothingIsFeltOnceItIsFeltAgain) {
+    bool fails = true;
+    HapticPlay failing(*session, [&](const DeformPart&, double, LocalModel&) {
+        if (fails) throw std::runtime_error("no memory is left");
+    });
+    session->on_frame([&] { failing.after_step(); });
+    failing.attach(device());
+    session->step();
+    EXPECT_EQ(failing.message(), "Nothing is felt: no memory is left");
+    fails = false;
+    session->step();
+    EXPECT_EQ(failing.message(), "");
+    session->on_frame({});
 }
 
 TEST_F(HapticPlayTest, RefusesTraitsThatCannotBe) {

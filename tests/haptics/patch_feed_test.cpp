@@ -43,12 +43,13 @@ struct Felt {
     Felt(Session& played, const SimulatedHand& hand, const HapticTraits& traits = {})
         : session(played),
           device(hand, traits),
-          loop(device, models, [this](const Command& c) { session.post(c); }) {}
+          loop(device, models, [this](const Command& c) { return session.post(c); }) {}
     // A second is 60 steps and 1000 ticks.
     void play(int steps) {
         for (int i = 0; i < steps; ++i) {
             step = session.step();
             feed.fill(*session.world().deform(), 1.0 / 60.0, models.back());
+            models.back().commands_taken = session.commands_taken();
             most_contacts =
                 std::max(most_contacts, static_cast<int>(models.back().contacts.size()));
             models.publish();
@@ -241,6 +242,20 @@ TEST(PatchFeed, InTheGapOfATornVesselNothingIsFelt) {
     ASSERT_EQ(session->step().deform.tool.contacts, 0);
     feed.fill(part, 1.0 / 60.0, model);
     EXPECT_TRUE(model.contacts.empty());
+}
+
+TEST(PatchFeed, GivesWhatTheToolHasStillToTurn) {
+    const auto session = new_session(touchable());
+    session->post(ball());
+    session->step();
+    DeformPart& part = *session->world().deform();
+    PatchFeed feed;
+    LocalModel model;
+    feed.fill(part, 1.0 / 60.0, model);
+    EXPECT_EQ(model.left_rad, Vec3(0, 0, 0));
+    part.turn_tool(Vec3(0, 0.1, 0));
+    feed.fill(part, 1.0 / 60.0, model);
+    EXPECT_EQ(model.left_rad, Vec3(0, 0.1, 0));
 }
 
 TEST(PatchFeed, WithoutAToolThereIsNothing) {

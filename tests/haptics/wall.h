@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "core/haptics/force_loop.h"
 #include "core/haptics/simulated_device.h"
@@ -68,10 +69,12 @@ inline WallResult press(WallPress press) {
     first.compliance.resize(0, 0);
     models.back() = first;
     models.publish();
+    std::uint64_t posted = 0;
     ForceLoop loop(
         device, models,
         [&](const Command& command) {
             if (const auto* move = std::get_if<MoveTool>(&command)) led = move->target_mm;
+            return ++posted;
         },
         press.options);
     WallResult result;

@@ -33,6 +33,21 @@ TEST(SessionInbox, KeepsTheNewestOfConsecutiveMovesAndTheOrderOfAllElse) {
     EXPECT_TRUE(inbox.take_commands().empty());
 }
 
+// One that was replaced counts as taken with the one that replaced it.
+TEST(SessionInbox, NumbersCommandsAndKnowsWhichWereTaken) {
+    SessionInbox inbox;
+    EXPECT_EQ(inbox.post(to(1)), 1u);
+    EXPECT_EQ(inbox.post(to(2)), 2u);
+    EXPECT_EQ(inbox.commands_taken(), 0u);
+    inbox.post_first(FinishInjection{});
+    inbox.take_commands();
+    EXPECT_EQ(inbox.commands_taken(), 2u);
+    EXPECT_EQ(inbox.post(SetPaused{true}), 3u);
+    EXPECT_EQ(inbox.commands_taken(), 2u);
+    inbox.take_commands();
+    EXPECT_EQ(inbox.commands_taken(), 3u);
+}
+
 // A move of the tool by a share of its way adds to the one before.
 TEST(SessionInbox, KeepsEveryMoveThatGoesOnlyAShareOfItsWay) {
     SessionInbox inbox;

@@ -166,6 +166,27 @@ TEST(TearLimits, WhatBearsNothingIsBroken) {
                     .empty());
 }
 
+// What is shown between a cut and the next step.
+TEST(TearLimits, WhatABladePartsHasNoLoad) {
+    const TetMesh mesh = kuhn_brick(Vec3(3, 1, 1), {3, 1, 1});
+    Tearing tearing(mesh, {.strength_pa = 1000.0}, {});
+    const std::vector<Mat3> stress(mesh.tetrahedra.size(), Mat3(700.0 * Mat3::Identity()));
+    const std::vector<double> energy(stress.size(), 1.0), mass(mesh.vertices_mm.size(), 1.0);
+    ASSERT_FALSE(tearing.part_overloaded({stress, energy, mesh.vertices_mm, mass}));
+    const auto line =
+        tearing.crossing(Vec3(1.0, -1, -1), Vec3(0, 3, 0), Vec3(0, 0, 3), mesh.vertices_mm);
+    ASSERT_FALSE(line.empty());
+    for (const int j : line) ASSERT_NEAR(tearing.loads()[j], 0.7, 1e-12);
+    tearing.cut(line);
+    ASSERT_EQ(tearing.loads().size(), tearing.topology().joints().size());
+    for (std::size_t j = 0; j < tearing.loads().size(); ++j) {
+        if (tearing.topology().parted(static_cast<int>(j)))
+            EXPECT_EQ(tearing.loads()[j], 0.0) << j;
+        else
+            EXPECT_NEAR(tearing.loads()[j], 0.7, 1e-12) << j;
+    }
+}
+
 TEST(TearLimits, ALawWithoutAStopGoesOnWithWhatAnotherStopped) {
     const TetMesh mesh = kuhn_brick(Vec3(3, 1, 1), {3, 1, 1});
     const std::vector<double> energy(mesh.tetrahedra.size(), 1.0), mass(64, 1.0);

@@ -73,11 +73,12 @@ void GrabSprings::for_each_block(const Grab& grab, std::span<const Vec3> positio
         }
 }
 
+// Rows of held nodes are skipped, because they are not assembled anew in every step.
 void GrabSprings::add_stiffness(std::span<const Vec3> positions_mm, double factor,
                                 BlockMatrix& matrix) const {
     for (const Grab& grab : grabs_)
         for_each_block(grab, positions_mm, matrix, [&](int i, int j, const Mat3& block) {
-            matrix.block[matrix.find(i, j)] += factor * block;
+            if (!held(i) && !held(j)) matrix.block[matrix.find(i, j)] += factor * block;
         });
 }
 

@@ -4,6 +4,8 @@
 // ledger is `grab`.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/deform/potentials/grab.h"
@@ -29,15 +31,21 @@ class GrabSprings final : public Potential {
                      const BlockMatrix& pattern, std::span<Vec3> product) const override;
     void mark_held(std::span<const Vec3> positions_mm, std::span<char> held) const override;
     void join_pieces(std::span<const int> piece_of_node, DisjointSets& pieces) const override;
+    void begin_step(const BodyState&, double, std::span<const std::uint8_t> held) override {
+        held_ = held;
+    }
+    void end_step() override { held_ = {}; }
     void book(double energy_nj, EnergyLedger& ledger) const override { ledger.grab = energy_nj; }
 
   private:
+    bool held(int node) const { return !held_.empty() && held_[node] != 0; }
     // Calls visit(i, j, block) for every nonzero block of the stiffness of one grab.
     template <class Visit>
     void for_each_block(const Grab& grab, std::span<const Vec3> positions_mm,
                         const BlockMatrix& pattern, const Visit& visit) const;
 
     std::vector<Grab> grabs_;
+    std::span<const std::uint8_t> held_;  // during a step
 };
 
 }  // namespace hepatica

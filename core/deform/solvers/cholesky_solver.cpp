@@ -15,6 +15,16 @@ namespace {
 // Where the single-precision factor needs more iterations than this, double precision is used.
 constexpr int most_polishing_iterations = 10;
 
+// A factor sees nothing of the residual at pivots that it has dropped, so that it cannot tell the
+// error there: the residual stands for it.
+SolveReport with_dropped(SolveReport report, const SolveLimits& limits) {
+    if (report.dropped_pivots == 0) return report;
+    report.energy_error = std::max(report.energy_error, std::min(1.0, report.relative_residual));
+    report.converged = report.converged && (report.energy_error <= limits.energy_tolerance ||
+                                            report.relative_residual <= limits.residual_tolerance);
+    return report;
+}
+
 }  // namespace
 
 EliminationTree CholeskySolver::analyse(const BlockMatrix& pattern) {
@@ -140,13 +150,13 @@ SolveReport CholeskySolver::solve_by(TreeFactor<T>& factor, std::span<const Vec3
     if (report.converged) {
         own_up_unless_finite(report, x);
         product_known_ = report.converged;
-        if (report.converged) return report;
+        if (report.converged) return with_dropped(report, limits);
     }
     const auto precondition = [&](const std::vector<Vec3>& r, std::vector<Vec3>& z) {
         z.resize(r.size());
         factor.solve(r, z);
     };
-    return polish(report, precondition, rhs, x, limits);
+    return with_dropped(polish(report, precondition, rhs, x, limits), limits);
 }
 
 SolveReport CholeskySolver::solve(std::span<const Vec3> rhs, std::span<Vec3> x,

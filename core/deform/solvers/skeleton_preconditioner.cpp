@@ -132,13 +132,17 @@ SolveReport SkeletonSolver::solve(std::span<const Vec3> rhs, std::span<Vec3> x,
     spent_ += std::max(0, report.iterations - fresh_iterations_);
     worn_ = spent_ >= iterations_to_prepare;
     if (report.converged || lagged.max_iterations == limits.max_iterations) return report;
-    // The old preconditioner fits badly: prepare it again and continue from the current x.
+    // The old preconditioner fits badly: prepare it again and continue from the current x. How many
+    // iterations a solve with it takes from the start is not known then: the next matrix gets one
+    // of its own, and with it a count. By the old count a body that has become harder for good
+    // would be interrupted in every solve.
     const int iterations = report.iterations;
     prepare_anew();
     SolveLimits rest = limits;
     rest.max_iterations -= iterations;
     report = iterate(rhs, x, rest);
     report.iterations += iterations;
+    worn_ = true;
     return report;
 }
 

@@ -54,7 +54,8 @@ class SkeletonPreconditioner {
 
 struct SkeletonSettings {
     // Prepare for every matrix. Otherwise a preconditioner is kept until its additional iterations,
-    // compared with a fresh one, have cost as much as preparing a fresh one.
+    // compared with a fresh one, have cost as much as preparing a fresh one. One that was made in
+    // the middle of a solve serves that matrix alone.
     bool always_fresh = false;
 };
 
@@ -89,7 +90,7 @@ class SkeletonSolver final : public LinearSolver {
     ConjugateGradient iteration_;
     bool fresh_ = false;          // the preconditioner is that of *matrix_
     bool worn_ = true;            // to be prepared again before the next solve
-    SolveLimits fresh_limits_{};  // limits of the first solve with this preconditioner
+    SolveLimits fresh_limits_{};  // limits of the last solve that was fresh from its start
     int fresh_iterations_ = 0;    // iterations of that solve
     int spent_ = 0;               // additional iterations of all later solves
 };

@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // hepatica::GovernedStepper: what tears after a step, and how the back end follows.
+#include <span>
 #include <vector>
 
 #include "core/deform/stepper/governed_stepper.h"
 
 namespace hepatica {
+namespace {
+
+// The vertices on both sides of these joints.
+std::vector<int> vertices_at(const TornTopology& topology, std::span<const int> joints) {
+    std::vector<int> vertices;
+    for (const int j : joints)
+        for (int k = 0; k < 3; ++k)
+            for (const int v : topology.sides(topology.joints()[j], k)) vertices.push_back(v);
+    return vertices;
+}
+
+}  // namespace
 
 TearLoads GovernedStepper::tear_loads() {
     tearing_->take_openings(back_end_->ties());
@@ -41,12 +54,7 @@ void GovernedStepper::weaken(std::span<const int> joints, double factor) {
     if (!tearing_) return;
     tearing_->weaken(joints, factor);
     wake();
-    if (!region_) return;
-    std::vector<int> around;
-    for (const int j : joints)
-        for (int k = 0; k < 3; ++k)
-            around.push_back(tearing_->topology().sides(tearing_->topology().joints()[j], k)[0]);
-    if (region_->wake(around)) change_region();
+    if (region_ && region_->wake(vertices_at(tearing_->topology(), joints))) change_region();
 }
 
 void GovernedStepper::cut(const Vec3& corner_mm, const Vec3& first_edge_mm,
@@ -55,9 +63,13 @@ void GovernedStepper::cut(const Vec3& corner_mm, const Vec3& first_edge_mm,
     const std::vector<int> joints =
         tearing_->crossing(corner_mm, first_edge_mm, second_edge_mm, positions_mm());
     if (joints.empty()) return;
+    std::vector<int> tied = joints;
+    std::erase_if(tied, [&](int j) { return !tearing_->topology().parted(j); });
     tearing_->measure(tear_loads());
     tearing_->cut(joints);
     follow_tear();
+    // Joints that only lose their ties make no new vertices, around which it would wake.
+    if (region_ && region_->wake(vertices_at(tearing_->topology(), tied))) change_region();
 }
 
 }  // namespace hepatica

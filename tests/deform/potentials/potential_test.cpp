@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "core/base/error.h"
 #include "core/deform/potentials/potential_list.h"
@@ -104,6 +106,34 @@ TEST(Potential, StiffnessIsThatOfItsForceAndItsFormThatOfItsMatrix) {
             change -= d[i].dot(above[i] - below[i]) / (2 * h);
         EXPECT_NEAR(0.5 * form, change, 1e-5 * std::abs(form) + 1e-6);
     }
+}
+
+// Rows of held nodes are not cleared from step to step: what is added to them stays.
+TEST(Potential, AGrabAddsNothingBetweenNodesThatAreHeld) {
+    const Body body = brick();
+    PotentialList potentials(body);
+    act(body, potentials);
+    const std::array<int, 4> grabbed = potentials.grabs()[0].vertices;
+    std::vector<std::uint8_t> held(body.rest_positions_mm.size(), 0);
+    held[grabbed[0]] = held[grabbed[1]] = 1;
+    const std::vector<Vec3> x = moved(body);
+    const BodyState state{x, std::vector<Vec3>(x.size(), Vec3::Zero())};
+    BlockMatrix matrix;
+    Assembly(body).gather_stiffness(0.0, matrix);
+    potentials.begin_step(state, 0.01, held);
+    for (int step = 0; step < 3; ++step) potentials.add_stiffness(x, 2.0, matrix);
+    potentials.end_step();
+    for (int i = 0; i < matrix.rows(); ++i)
+        for (int k = matrix.row_begin[i]; k < matrix.row_begin[i + 1]; ++k) {
+            const int j = matrix.column[k];
+            if (i != j && (held[i] != 0 || held[j] != 0))
+                EXPECT_TRUE(matrix.block[k].isZero(0.0)) << i << ", " << j;
+        }
+    // Outside of a step nobody is held.
+    const int between = matrix.find(grabbed[0], grabbed[1]);
+    ASSERT_GE(between, 0);
+    potentials.add_stiffness(x, 2.0, matrix);
+    EXPECT_FALSE(matrix.block[between].isZero(0.0));
 }
 
 TEST(Potential, EnergiesByPieceAddUpAndEachBooksItsOwnTerm) {

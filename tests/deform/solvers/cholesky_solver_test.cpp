@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/deform/solvers/automatic_solver.h"
+#include "core/deform/solvers/node_loops.h"
 #include "tests/deform/support/test_bodies.h"
 
 namespace hepatica {
@@ -247,7 +248,22 @@ TEST(CholeskySolver, ReportsDroppedPivots) {
     load[lost].setZero();
     CholeskySolver other;
     other.prepare(matrix, rest);
-    EXPECT_EQ(other.solve(load, x, {}).dropped_pivots, 3);
+    const SolveReport without = other.solve(load, x, {});
+    EXPECT_EQ(without.dropped_pivots, 3);
+    EXPECT_TRUE(without.converged);
+    // No motion bears a load on what is lost, be it beside others or alone.
+    load[lost] = Vec3(1, -2, 3).normalized() * std::sqrt(dot(load, load));
+    const SolveReport beside = other.solve(load, x, {});
+    EXPECT_EQ(beside.dropped_pivots, 3);
+    EXPECT_FALSE(beside.converged);
+    EXPECT_NEAR(beside.relative_residual, std::sqrt(0.5), 1e-3);
+    EXPECT_GE(beside.energy_error, beside.relative_residual);
+    for (int v = 0; v < matrix.rows(); ++v)
+        if (v != lost) load[v].setZero();
+    const SolveReport alone = other.solve(load, x, {});
+    EXPECT_FALSE(alone.converged);
+    EXPECT_EQ(alone.relative_residual, 1.0);
+    EXPECT_EQ(alone.energy_error, 1.0);
 }
 
 TEST(CholeskySolver, FollowsAChangeOfPattern) {

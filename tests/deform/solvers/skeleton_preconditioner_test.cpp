@@ -287,6 +287,41 @@ TEST(SkeletonSolver, IsMadeAnewAfterASolveThatOnlyPreconditionedByItAndTookLong)
     EXPECT_TRUE(made_anew_after(1, false));
 }
 
+// Every second vertex is so much stiffer that the kept preconditioner serves no longer, and that
+// one of its own takes more iterations, too.
+BlockMatrix stiffer_at_every_second(BlockMatrix matrix) {
+    const auto scale = [](int vertex) { return vertex % 2 == 0 ? 1.0 : 30.0; };
+    for (int i = 0; i < matrix.rows(); ++i)
+        for (int k = matrix.row_begin[i]; k < matrix.row_begin[i + 1]; ++k)
+            matrix.block[k] *= scale(i) * scale(matrix.column[k]);
+    return matrix;
+}
+
+// A solve that was interrupted to prepare anew says nothing of how many iterations a whole one
+// takes: the next one is counted. Then the preconditioner is kept again.
+TEST(SkeletonSolver, CountsAnewWhereABodyHasBecomeHarder) {
+    const Case bar = bent_bar(10, 2, 0.5);
+    const BlockMatrix harder = stiffer_at_every_second(bar.matrix);
+    SkeletonSolver solver(bar.body.skeleton, bar.body.mesh.vertices_mm);
+    const auto iterations = [&](const BlockMatrix& matrix) {
+        solver.prepare(matrix, bar.positions);
+        std::vector<Vec3> x(bar.load.size(), Vec3::Zero());
+        const SolveReport report = solver.solve(bar.load, x, {});
+        EXPECT_TRUE(report.converged);
+        return report.iterations;
+    };
+    const int easy = iterations(bar.matrix);
+    iterations(harder);
+    ASSERT_TRUE(solver.made_from_latest()) << "it was not interrupted";
+    const int counted = iterations(harder);
+    EXPECT_TRUE(solver.made_from_latest());
+    ASSERT_GT(counted, easy + 10);
+    for (int again = 0; again < 3; ++again) {
+        EXPECT_LE(iterations(harder), counted + 3);
+        EXPECT_FALSE(solver.made_from_latest()) << again;
+    }
+}
+
 TEST(AutomaticSolver, PassesOnThatItsPreconditionerIsWorn) {
     const Case bulky = make_case(test::make_bar(60.0, 36.0, 15, 9), 0.1, 60.0);
     const auto solver = make_linear_solver(LinearSolverKind::automatic, bulky.body.skeleton,
