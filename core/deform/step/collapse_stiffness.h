@@ -36,9 +36,11 @@ class CollapseStiffness {
     // one comparison per element, and a singular value decomposition for candidates.
     void find(const ElementSlots& slots, std::span<const Vec3> positions_mm);
     bool any() const { return !collapsed_.empty(); }
+    // Forgets what find() found: for a matrix without it.
+    void leave_out() { collapsed_.clear(); }
     // To be called after the body's nodes were split.
     void forget() {
-        collapsed_.clear();
+        leave_out();
         least_nj_.clear();
     }
 

@@ -153,6 +153,8 @@ void IncrementalPotential::assemble(const StepUnderway& step) {
     if (collapse_counts_) {
         collapse_.find(assembly_.slots(), step.positions);
         collapse_.add_to(matrix_, dt * dt);
+    } else {
+        collapse_.leave_out();  // an earlier matrix may have had it
     }
     cut_held(matrix_);
     for_each_node(step.positions.size(), [&](std::size_t i) {

@@ -33,7 +33,7 @@ bool is_inverted(const ElementGroup& group, int e, std::span<const Vec3> x) {
     return false;
 }
 
-// The rigid motion from rest that best fits the nodes around the patch.
+// The rigid motion from rest that best fits some nodes.
 struct RestFit {
     Mat3 rotation = Mat3::Identity();
     Vec3 from = Vec3::Zero(), to = Vec3::Zero();
@@ -106,10 +106,31 @@ Part part_of(const Body& whole, const std::vector<int>& elements, const IsFree& 
     return part;
 }
 
+// The nodes of each connected piece, ascending.
+std::vector<std::vector<int>> nodes_of_pieces(const AssemblyPlan& plan) {
+    std::vector<std::vector<int>> nodes;
+    const std::vector<int> piece = connected_pieces(plan);
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+        nodes.resize(std::max(nodes.size(), static_cast<std::size_t>(piece[i]) + 1));
+        nodes[piece[i]].push_back(static_cast<int>(i));
+    }
+    return nodes;
+}
+
+// The motion of one piece of a part, by the nodes that surround the patch. Fewer than three fix no
+// rotation; then all of its nodes count.
+RestFit motion_of_piece(const Body& part, const std::vector<int>& piece,
+                        const std::vector<Vec3>& now) {
+    constexpr std::size_t least_around = 3;
+    std::vector<int> around;
+    for (const int i : piece)
+        if (part.fixed[i]) around.push_back(i);
+    return motion_of(around.size() < least_around ? piece : around, part.rest_positions_mm, now);
+}
+
 // Displacements of the free nodes of a part, in rest coordinates, at which its linear elastic
 // forces vanish while the fixed nodes are displaced by `change`.
-std::vector<Vec3> balanced(const Part& part, const std::vector<Vec3>& change) {
-    Assembly assembly(part.body);
+std::vector<Vec3> balanced(const Part& part, Assembly& assembly, const std::vector<Vec3>& change) {
     assembly.evaluate(part.body.rest_positions_mm);
     BlockMatrix matrix;
     assembly.gather_stiffness(1.0, matrix);
@@ -193,31 +214,37 @@ void InversionRecovery::grow(Patch& patch) const {
 }
 
 // All positions, with the patch moved to the solution of linear elasticity between the surrounding
-// nodes, relative to the rigid motion that fits these best. None where the patch is still inverted.
+// nodes. Each connected piece is moved relative to the rigid motion that fits its own nodes best,
+// because what is torn off may be anywhere. None where the patch is still inverted.
 std::optional<std::vector<Vec3>> InversionRecovery::span_patch(const Patch& patch,
                                                                std::span<const Vec3> positions_mm) {
     const auto is_free = [&](int i) { return patch.index[i] >= 0 && body_.fixed[i] == 0; };
     const Part part = part_of(body_, elements_around(patch), is_free);
     const std::vector<Vec3>& rest = part.body.rest_positions_mm;
     std::vector<Vec3> now;
-    std::vector<int> around, all(rest.size());
-    std::iota(all.begin(), all.end(), 0);
-    for (const int i : all) {
-        now.push_back(positions_mm[part.node[i]]);
-        if (part.body.fixed[i]) around.push_back(i);
-    }
-    const bool held = !around.empty();
-    const RestFit motion = motion_of(held ? around : all, rest, now);
+    for (const int node : part.node) now.push_back(positions_mm[node]);
+    Assembly assembly(part.body);
+    const std::vector<std::vector<int>> pieces = nodes_of_pieces(assembly.plan());
+    std::vector<RestFit> motions;
+    // Deviation of the surrounding nodes from their piece's motion, in rest coordinates.
     std::vector<Vec3> change(rest.size(), Vec3::Zero());
-    // Deviation of the surrounding nodes from the rigid motion, in rest coordinates.
-    for (const int i : around) change[i] = motion.rotation.transpose() * (now[i] - motion(rest[i]));
-    unknowns_ += 3 * static_cast<int>(rest.size() - around.size());
-    if (held) change = balanced(part, change);
-    for (const int i : all)
-        if (!part.body.fixed[i]) now[i] = motion(rest[i]) + motion.rotation * change[i];
+    std::size_t around = 0;
+    for (const std::vector<int>& piece : pieces) {
+        const RestFit& motion = motions.emplace_back(motion_of_piece(part.body, piece, now));
+        for (const int i : piece) {
+            if (!part.body.fixed[i]) continue;
+            change[i] = motion.rotation.transpose() * (now[i] - motion(rest[i]));
+            ++around;
+        }
+    }
+    unknowns_ += 3 * static_cast<int>(rest.size() - around);
+    if (around > 0) change = balanced(part, assembly, change);
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+        for (const int i : pieces[p])
+            if (!part.body.fixed[i]) now[i] = motions[p](rest[i]) + motions[p].rotation * change[i];
     if (!all_finite(now) || !inverted_elements(part.body, now).empty()) return std::nullopt;
     std::vector<Vec3> x(positions_mm.begin(), positions_mm.end());
-    for (const int i : all) x[part.node[i]] = now[i];
+    for (std::size_t i = 0; i < now.size(); ++i) x[part.node[i]] = now[i];
     return x;
 }
 

@@ -3,7 +3,7 @@
 // the forces do not restore and which real tissue cannot have. This class finds positions without
 // inversion: it moves the smallest patch around the inverted elements to the solution of linear
 // elasticity with the surrounding nodes as boundary values, and enlarges the patch until no element
-// is inverted.
+// is inverted. A loose piece without surrounding nodes gets back its shape where it is.
 #pragma once
 
 #include <functional>

@@ -18,12 +18,18 @@ RayleighDamping bounded_below(const RayleighDamping& error, const RayleighDampin
 void VelocityError::add_to(IncrementalPotential& potential, const Body& body, double dt_s) {
     const RayleighDamping error = bounded_below(error_, body.damping, dt_s);
     potential.assembly().gather_stiffness(dt_s * error.beta_s, matrix_);
-    for (int i = 0; i < matrix_.rows(); ++i)
-        matrix_.block[matrix_.diagonal[i]].diagonal().array() +=
-            dt_s * error.alpha_per_s * body.mass_g[i];
     potential.cut_held(matrix_);
-    for (std::size_t k = 0; k < matrix_.block.size(); ++k)
-        potential.matrix().block[k] += matrix_.block[k];
+    // The rows that are not live keep what they held when they were.
+    for (const int i : potential.live().rows()) {
+        Mat3& own = matrix_.block[matrix_.diagonal[i]];
+        if (potential.held(i))
+            own.setZero();  // a negative E would outweigh the unit block of a held node
+        else
+            own.diagonal().array() += dt_s * error.alpha_per_s * body.mass_g[i];
+    }
+    for (const int i : potential.live().rows())
+        for (int k = matrix_.row_begin[i]; k < matrix_.row_begin[i + 1]; ++k)
+            potential.matrix().block[k] += matrix_.block[k];
 }
 
 }  // namespace hepatica

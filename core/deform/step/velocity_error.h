@@ -21,11 +21,12 @@ class VelocityError {
     }
     bool any() const { return error_.alpha_per_s != 0.0 || error_.beta_s != 0.0; }
 
-    // Adds dt E to the potential's matrix. A negative E is limited so that the least share of
-    // inertia and of stiffness remains in the matrix.
+    // Adds dt E to the live rows of the potential's matrix, and nothing to the unit blocks of held
+    // nodes. A negative E is limited so that the least share of inertia and of stiffness remains in
+    // the matrix.
     void add_to(IncrementalPotential& potential, const Body& body, double dt_s);
 
-    // dt E of the last step.
+    // dt E of the last step; rows that are not live are meaningless.
     const BlockMatrix& matrix() const { return matrix_; }
 
   private:

@@ -13,6 +13,7 @@
 #include "core/deform/step/assembly.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/stepper_checkpoint.h"
+#include "core/mesh/brick_mesh.h"
 #include "tests/deform/support/random_field.h"
 #include "tests/deform/support/test_bodies.h"
 
@@ -209,6 +210,47 @@ TEST_F(DrawnOut, GoesOnFromACheckpointToTheBit) {
         EXPECT_TRUE(
             std::ranges::equal(restored->velocities_mm_per_s(), further->velocities_mm_per_s()))
             << frame;
+    }
+}
+
+// Both ends are fixed, so that what has collapsed stays collapsed.
+BodyDescription bar_between_walls() {
+    BodyDescription body;
+    body.mesh = kuhn_brick(Vec3(40, 8, 8), {10, 2, 2});
+    for (const Vec3& x : body.mesh.vertices_mm) body.fixed.push_back(x.x() == 0.0 || x.x() == 40.0);
+    return body;
+}
+
+// The steps after tension was switched off are those of a stepper that never had it: neither their
+// damping nor their ledger counts what an earlier matrix had.
+TEST(CollapseStiffness, LeavesNothingBehindWhereTensionIsSwitchedOff) {
+    const BodyDescription body = bar_between_walls();
+    StepperOptions with;
+    with.solver = LinearSolverKind::cholesky;
+    with.linear.energy_tolerance = 1e-10;
+    StepperOptions without = with, published = with;
+    without.tension = false;
+    published.published = true;
+    std::vector<Vec3> drawn_out = body.mesh.vertices_mm;
+    for (Vec3& x : drawn_out) x.x() *= 5.0;
+    const std::vector<Vec3> at_rest(drawn_out.size(), Vec3::Zero());
+    for (const StepperOptions& then : {without, published}) {
+        const auto played = make_cpu_stepper(body, with), fresh = make_cpu_stepper(body, then);
+        played->set_state(drawn_out, at_rest);
+        played->step(frame_s);
+        ASSERT_TRUE(played->set_options(then));
+        for (Stepper* stepper : {played.get(), fresh.get()}) stepper->set_state(drawn_out, at_rest);
+        for (int k = 0; k < 3; ++k) {
+            const EnergyLedger energy = played->step(frame_s).energy;
+            EXPECT_LT(std::abs(energy.imbalance), 1e-9 * energy_handled(energy)) << k;
+            fresh->step(frame_s);
+            for (std::size_t v = 0; v < drawn_out.size(); ++v)
+                EXPECT_LT((played->positions_mm()[v] - fresh->positions_mm()[v]).norm(), 1e-6) << k;
+        }
+        const auto restored = make_cpu_stepper(body, then);
+        restored->restore(checkpoint_from_bytes(to_bytes(played->checkpoint())));
+        for (Stepper* stepper : {played.get(), restored.get()}) stepper->step(frame_s);
+        EXPECT_EQ(restored->state_hash(), played->state_hash());
     }
 }
 

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/deform/step/assembly.h"
 #include "core/deform/stepper/cpu_back_end.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/mesh/brick_mesh.h"
@@ -129,6 +131,48 @@ TEST(InversionRecovery, KeepsThePlaceOfAFreeBody) {
     ASSERT_TRUE(recovered);
     for (std::size_t i = 0; i < place.size(); ++i)
         EXPECT_LT(((*recovered)[i] - place[i]).norm(), 0.5);
+}
+
+// A fragment that lies far from its place at rest stays where it is, whatever else is put right
+// with it: a free cube beside a clamped bar, an element of each turned inside out.
+TEST(InversionRecovery, KeepsThePlaceOfALoosePiece) {
+    BodyDescription description;
+    description.mesh = kuhn_brick(Vec3(80, 8, 8), {20, 2, 2});
+    const std::size_t first = description.mesh.vertices_mm.size();
+    const TetMesh cube = kuhn_brick(Vec3(4, 4, 4), {1, 1, 1});
+    for (const Vec3& x : cube.vertices_mm)
+        description.mesh.vertices_mm.emplace_back(x + Vec3(40, 20, 0));
+    for (auto nodes : cube.tetrahedra) {
+        for (int& node : nodes) node += static_cast<int>(first);
+        description.mesh.tetrahedra.push_back(nodes);
+    }
+    for (const Vec3& x : description.mesh.vertices_mm) description.fixed.push_back(x[0] == 0.0);
+    const Body body = build_body(description, ElementModel::corotated, ElementOrder::linear);
+    std::vector<Vec3> folded = body.rest_positions_mm;
+    for (std::size_t i = first; i < folded.size(); ++i) folded[i] += Vec3(0, 150, 0);
+    for (std::size_t i = 0; i < folded.size(); ++i) {
+        if (body.rest_positions_mm[i] == Vec3(80, 8, 8)) folded[i] -= Vec3(10, 10, 10);
+        if (body.rest_positions_mm[i] == Vec3(44, 24, 4)) folded[i] -= Vec3(8, 8, 8);
+    }
+    const auto centre = [first](const std::vector<Vec3>& x) {
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t i = first; i < x.size(); ++i) sum += x[i];
+        return Vec3(sum / static_cast<double>(x.size() - first));
+    };
+    const int inverted_of_cube =
+        static_cast<int>(std::ranges::count_if(inverted_elements(body, folded), [&](int e) {
+            return description.mesh.tetrahedra[e][0] >= static_cast<int>(first);
+        }));
+    ASSERT_GT(inverted_of_cube, 0);
+    ASSERT_GT(static_cast<int>(inverted_elements(body, folded).size()), inverted_of_cube);
+    const Assembly assembly(body);
+    const auto recovered = InversionRecovery(body).recover(
+        folded, [&](std::span<const Vec3> x) { return assembly.energy(x); });
+    ASSERT_TRUE(recovered);
+    EXPECT_TRUE(inverted_elements(body, *recovered).empty());
+    EXPECT_LT((centre(*recovered) - centre(folded)).norm(), 1e-6);
+    for (std::size_t i = 0; i < first; ++i)
+        EXPECT_LT(((*recovered)[i] - body.rest_positions_mm[i]).norm(), 1e-3);
 }
 
 // A beam turned back through its clamp finds its way out, and no step makes energy.
