@@ -110,7 +110,7 @@ struct Blade {
 // computed on another thread and shown by FinishInjection.
 struct InjectDrug {
     Vec3 point_mm = Vec3::Zero();
-    double mass_flow_g_s = default_injection::mass_flow_g_s;     // > 0
+    double mass_flow_g_s = default_injection::mass_flow_g_s;     // 1e-12 to 1e15
     double void_fraction = default_injection::void_fraction;     // volume share, 0 to below 1
     std::string second_phase = default_injection::second_phase;  // gas, lipiodol or carrier
     std::string pressure_model =
