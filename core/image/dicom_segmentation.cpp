@@ -87,6 +87,15 @@ void require_upright(const std::vector<DicomSlice>& frames) {
     }
 }
 
+// The number of steps from the first level to the last. Counted gap by gap: the step may be a tenth
+// beside the true one, and over the whole extent that would add up to slices more or fewer.
+std::int64_t steps_through(const std::vector<double>& levels, double step_mm) {
+    double steps = 0.0;
+    for (std::size_t i = 1; i < levels.size(); ++i)
+        steps += std::round((levels[i] - levels[i - 1]) / step_mm);
+    return std::llround(steps);
+}
+
 struct Place {
     PlacedGrid placed;
     double first_level_mm = 0.0;
@@ -99,7 +108,7 @@ Place place_of(const std::vector<DicomSlice>& frames, const fs::path& file) {
     const std::vector<double> levels = levels_of(frames);
     double step_mm = step_of(levels, first.stated_spacing_mm, file);
     const double extent_mm = levels.back() - levels.front();
-    const auto steps = static_cast<std::int64_t>(std::llround(extent_mm / step_mm));
+    const std::int64_t steps = steps_through(levels, step_mm);
     if (steps > 0) step_mm = extent_mm / static_cast<double>(steps);
     const Vec3 origin_mm =
         first.position_mm + normal * (levels.front() - first.position_mm.dot(normal));
