@@ -3526,6 +3526,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>hat Schichten im Abstand %1, wo sonst %2 dazwischen liegen</translation>
     </message>
     <message>
+        <source>has slices whose distance changes: slice %1 lies more than half a step from its place</source>
+        <translation>hat Schichten, deren Abstand sich ändert: Schicht %1 liegt mehr als einen halben Abstand neben ihrem Platz</translation>
+    </message>
+    <message>
         <source>lies %1 beside the first frame: the segmentation of a series that a tilted gantry has sheared is not read</source>
         <translation>liegt %1 neben dem ersten Einzelbild: Die Segmentierung einer Serie mit geneigter Gantry wird nicht gelesen</translation>
     </message>
@@ -3548,6 +3552,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>the gap %1 is %2, elsewhere it is %3</source>
         <translation>die Lücke %1 beträgt %2, sonst %3</translation>
+    </message>
+    <message>
+        <source>lies where the distance between slices changes: it is %1 on average up to there, and %2 in the whole series</source>
+        <translation>liegt dort, wo sich der Abstand der Schichten ändert: Bis dahin beträgt er im Mittel %1, in der ganzen Serie %2</translation>
     </message>
     <message>
         <source>Export the series again, complete, as axial slices of one size</source>
