@@ -5198,6 +5198,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Nur %1 % der Leber liegen zwischen %2 und %3 HU und hängen wie Gefäße zusammen; das Gewebe selbst hat %4 HU</translation>
     </message>
     <message>
+        <source>what lies between %1 and %2 HU is darker than the tissue, which has %3 HU</source>
+        <translation>Was zwischen %1 und %2 HU liegt, ist dunkler als das Gewebe, das %3 HU hat</translation>
+    </message>
+    <message>
+        <source>what lies between %1 and %2 HU and hangs together as vessels do rises only %3 HU above the tissue, which has %4 HU</source>
+        <translation>Was zwischen %1 und %2 HU liegt und wie Gefäße zusammenhängt, hebt sich nur um %3 HU vom Gewebe ab, das %4 HU hat</translation>
+    </message>
+    <message>
         <source>The slices are %1 mm apart: thin branches may be broken or missing. Up to 1.5 mm is better.</source>
         <translation>Die Schichten liegen %1 mm auseinander: Dünne Äste können unterbrochen sein oder fehlen. Besser sind bis zu 1,5 mm.</translation>
     </message>
