@@ -59,10 +59,6 @@ FloatVolume resample(const FloatVolume& volume, const Grid& target, Interpolatio
 // function, 1 from one half on (or nearest neighbour).
 Mask resample(const Mask& mask, const Grid& target, Interpolation how, Job& job);
 
-// resample() onto respaced(); may also be finer than the source.
-Volume resample_to_spacing(const Volume& volume, const Vec3& spacing_mm, Interpolation how,
-                           Job& job);
-
 FloatVolume to_float(const Volume& volume);
 
 // Smooths with a Gaussian of the given standard deviation along each axis (0 skips an axis); the

@@ -162,9 +162,4 @@ Mask resample(const Mask& mask, const Grid& target, Interpolation how, Job& job)
     });
 }
 
-Volume resample_to_spacing(const Volume& volume, const Vec3& spacing_mm, Interpolation how,
-                           Job& job) {
-    return resample(volume, respaced(volume.grid, spacing_mm), how, job);
-}
-
 }  // namespace hepatica
