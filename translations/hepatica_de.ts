@@ -3526,6 +3526,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>hat Schichten im Abstand %1, wo sonst %2 dazwischen liegen</translation>
     </message>
     <message>
+        <source>has slices whose distance changes: slice %1 lies more than half a step from its place</source>
+        <translation>hat Schichten, deren Abstand sich ändert: Schicht %1 liegt mehr als einen halben Abstand neben ihrem Platz</translation>
+    </message>
+    <message>
         <source>lies %1 beside the first frame: the segmentation of a series that a tilted gantry has sheared is not read</source>
         <translation>liegt %1 neben dem ersten Einzelbild: Die Segmentierung einer Serie mit geneigter Gantry wird nicht gelesen</translation>
     </message>
@@ -3548,6 +3552,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>the gap %1 is %2, elsewhere it is %3</source>
         <translation>die Lücke %1 beträgt %2, sonst %3</translation>
+    </message>
+    <message>
+        <source>lies where the distance between slices changes: it is %1 on average up to there, and %2 in the whole series</source>
+        <translation>liegt dort, wo sich der Abstand der Schichten ändert: Bis dahin beträgt er im Mittel %1, in der ganzen Serie %2</translation>
     </message>
     <message>
         <source>Export the series again, complete, as axial slices of one size</source>
@@ -5188,6 +5196,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>only %1 % of the liver lie between %2 and %3 HU and hang together as vessels do; the tissue itself has %4 HU</source>
         <translation>Nur %1 % der Leber liegen zwischen %2 und %3 HU und hängen wie Gefäße zusammen; das Gewebe selbst hat %4 HU</translation>
+    </message>
+    <message>
+        <source>what lies between %1 and %2 HU is darker than the tissue, which has %3 HU</source>
+        <translation>Was zwischen %1 und %2 HU liegt, ist dunkler als das Gewebe, das %3 HU hat</translation>
+    </message>
+    <message>
+        <source>what lies between %1 and %2 HU and hangs together as vessels do rises only %3 HU above the tissue, which has %4 HU</source>
+        <translation>Was zwischen %1 und %2 HU liegt und wie Gefäße zusammenhängt, hebt sich nur um %3 HU vom Gewebe ab, das %4 HU hat</translation>
     </message>
     <message>
         <source>The slices are %1 mm apart: thin branches may be broken or missing. Up to 1.5 mm is better.</source>

@@ -62,6 +62,8 @@ constexpr std::array sentences_image{
     Words::id("Export the segmentation as NIfTI or NRRD"),
     Words::id("has one slice and no spacing of slices (0018,0088)"),
     Words::id("has slices %1 apart where %2 lie between others"),
+    Words::id("has slices whose distance changes: slice %1 lies more than half a step from its "
+              "place"),
     Words::id("lies %1 beside the first frame: the segmentation of a series that a tilted gantry "
               "has sheared is not read"),
     Words::id("its slices are stacked aslant by %1 degrees, which is more than any gantry tilts"),
@@ -69,6 +71,8 @@ constexpr std::array sentences_image{
     Words::id("%1 slice is missing %2 (at %3 to %4)"),
     Words::id("%1 slices are missing %2 (at %3 to %4)"),
     Words::id("the gap %1 is %2, elsewhere it is %3"),
+    Words::id("lies where the distance between slices changes: it is %1 on average up to there, "
+              "and %2 in the whole series"),
     Words::id("Export the series again, complete, as axial slices of one size"),
     Words::id("has a pixel spacing of %1"),
     Words::id("has an orientation that is no pair of perpendicular directions"),

@@ -186,6 +186,9 @@ constexpr std::array sentences_patient{
     Words::id("the window from %1 to %2 HU takes in the liver's own tissue, which has %3 HU"),
     Words::id("only %1 % of the liver lie between %2 and %3 HU and hang together as vessels do; "
               "the tissue itself has %4 HU"),
+    Words::id("what lies between %1 and %2 HU is darker than the tissue, which has %3 HU"),
+    Words::id("what lies between %1 and %2 HU and hangs together as vessels do rises only %3 HU "
+              "above the tissue, which has %4 HU"),
     Words::id("The slices are %1 mm apart: thin branches may be broken or missing. Up to 1.5 mm is "
               "better."),
     Words::id("Choose a window that reaches from between tissue and vessels to above the brightest "

@@ -53,6 +53,12 @@ struct ElementHead {
     std::uint32_t length = 0;
 };
 
+// The encoding of what lies within an element. A sequence with VR UN is encoded without value
+// representations (PS3.5 6.2.2).
+DataEncoding encoding_within(const ElementHead& head, const DataEncoding& around) {
+    return {around.explicit_vr && head.vr[0] != 'U', around.big_endian};
+}
+
 constexpr const char* deflated_syntax = "1.2.840.10008.1.2.1.99";
 
 class Parser {
@@ -129,8 +135,7 @@ class Parser {
 
     // Keeps short values and skips the rest.
     void take(const ElementHead& head, const DataEncoding& encoding, DicomHeader& header) {
-        // A sequence with VR UN is encoded without value representations (PS3.5 6.2.2).
-        const DataEncoding within{encoding.explicit_vr && head.vr[0] != 'U', encoding.big_endian};
+        const DataEncoding within = encoding_within(head, encoding);
         if (std::ranges::count(functional_groups, head.tag) > 0) {
             return look_into(head.length, within, 0, header);
         }
@@ -184,7 +189,7 @@ class Parser {
 
     void take_of_group(const ElementHead& head, const DataEncoding& encoding, int depth,
                        DicomHeader& header) {
-        const DataEncoding within{encoding.explicit_vr && head.vr[0] != 'U', encoding.big_endian};
+        const DataEncoding within = encoding_within(head, encoding);
         if (std::ranges::count(described_in, head.tag) > 0)
             return look_into(head.length, within, depth + 1, header);
         if (head.length == undefined_length) {
@@ -219,7 +224,7 @@ class Parser {
             const ElementHead head = read_head(encoding);
             if (head.tag == item_end) return;
             if (head.length == undefined_length)
-                skip_sequence(encoding, depth + 1);
+                skip_sequence(encoding_within(head, encoding), depth + 1);
             else
                 skip(head.length);
         }

@@ -30,6 +30,7 @@
 #include "core/image/dicom_header.h"
 #include "core/image/dicom_rle.h"
 #include "core/image/header_text.h"
+#include "core/image/hounsfield.h"
 #include "core/image/memory_limit.h"
 #include "core/image/voxel_file.h"
 
@@ -192,12 +193,6 @@ std::vector<double> read_pixels(const DicomSlice& slice) {
 
 namespace {
 
-std::int16_t clamped(double hu) {
-    constexpr double low = std::numeric_limits<std::int16_t>::min();
-    constexpr double high = std::numeric_limits<std::int16_t>::max();
-    return static_cast<std::int16_t>(std::lround(std::clamp(hu, low, high)));
-}
-
 bool is_same(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b));
 }
@@ -270,15 +265,19 @@ PlacedGrid place(const OrderedSeries& series, const UprightStack& stack) {
         first.file.parent_path().string());
 }
 
-// Writes the values of slice z into the volume.
-void fill_slice(Volume& volume, const PlacedGrid& placed, const UprightStack& stack, std::size_t z,
-                const std::vector<double>& hu, std::int16_t padding_value) {
-    std::size_t i = 0;
+// Writes the values of slice z into the volume; returns how many had to be clamped.
+std::size_t fill_slice(Volume& volume, const PlacedGrid& placed, const UprightStack& stack,
+                       std::size_t z, const std::vector<double>& hu, std::int16_t padding_value) {
+    std::size_t i = 0, clamped = 0;
     for (int y = 0; y < stack.rows(); ++y)
-        for (int x = 0; x < stack.columns(); ++x, ++i)
+        for (int x = 0; x < stack.columns(); ++x, ++i) {
+            const bool is_padding = std::isnan(hu[i]);
+            if (!is_padding && !fits_hounsfield(hu[i])) ++clamped;
             volume.voxels[placed.first + x * placed.strides[0] + y * placed.strides[1] +
                           static_cast<std::ptrdiff_t>(z) * placed.strides[2]] =
-                std::isnan(hu[i]) ? padding_value : clamped(hu[i]);
+                is_padding ? padding_value : nearest_hounsfield(hu[i]);
+        }
+    return clamped;
 }
 
 // False where there is nothing. Throws InputError where that cannot be looked up.
@@ -344,19 +343,21 @@ Volume read_dicom(const fs::path& folder, const DicomWish& wish, Job& job, ReadR
     const Index3& dims = placed.grid.dims;
     require_memory(bytes_of(dims[0], dims[1], dims[2], sizeof(std::int16_t)), folder.string());
     Volume volume(placed.grid);
-    std::atomic<std::size_t> done{0}, padding{0};
+    std::atomic<std::size_t> done{0}, padding{0}, clamped{0};
     const std::size_t count = series.slices.size();
     parallel_blocks(count, 1, [&](std::size_t z, std::size_t) {
         job.throw_if_cancelled();
         std::vector<double> hu = read_pixels(series.slices[z]);
         padding += std::ranges::count_if(hu, [](double value) { return std::isnan(value); });
-        fill_slice(volume, placed, stack, z, stack.moved(z, std::move(hu)), wish.padding_value);
+        clamped +=
+            fill_slice(volume, placed, stack, z, stack.moved(z, std::move(hu)), wish.padding_value);
         job.advance(0.5 + 0.5 * static_cast<double>(++done) / static_cast<double>(count));
     });
     if (padding > 0)
         remarks.push_back(std::to_string(padding) + " of " + std::to_string(volume.voxels.size()) +
                           " voxels are padding around the scan (0028,0120) and became " +
                           std::to_string(wish.padding_value));
+    if (clamped > 0) remarks.push_back(remark_on_clamped(clamped));
     return volume;
 }
 

@@ -87,6 +87,18 @@ void require_upright(const std::vector<DicomSlice>& frames) {
     }
 }
 
+// Each level's number of steps from the first. Counted gap by gap: the step may be a tenth beside
+// the true one, and over the whole extent that would add up to slices more or fewer.
+std::vector<std::int64_t> places_of(const std::vector<double>& levels, double step_mm) {
+    std::vector<std::int64_t> places{0};
+    double steps = 0.0;
+    for (std::size_t i = 1; i < levels.size(); ++i) {
+        steps += std::round((levels[i] - levels[i - 1]) / step_mm);
+        places.push_back(std::llround(steps));
+    }
+    return places;
+}
+
 struct Place {
     PlacedGrid placed;
     double first_level_mm = 0.0;
@@ -99,8 +111,13 @@ Place place_of(const std::vector<DicomSlice>& frames, const fs::path& file) {
     const std::vector<double> levels = levels_of(frames);
     double step_mm = step_of(levels, first.stated_spacing_mm, file);
     const double extent_mm = levels.back() - levels.front();
-    const auto steps = static_cast<std::int64_t>(std::llround(extent_mm / step_mm));
+    const std::vector<std::int64_t> places = places_of(levels, step_mm);
+    const std::int64_t steps = places.back();
     if (steps > 0) step_mm = extent_mm / static_cast<double>(steps);
+    if (const auto astray = furthest_astray(levels, places))
+        refuse(file, "has slices whose distance changes: slice " +
+                         std::to_string(places[*astray] + 1) +
+                         " lies more than half a step from its place");
     const Vec3 origin_mm =
         first.position_mm + normal * (levels.front() - first.position_mm.dot(normal));
     require_memory(bytes_of(first.columns, first.rows, steps + 1, sizeof(std::uint16_t)),

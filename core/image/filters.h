@@ -58,10 +58,9 @@ FloatVolume resample(const FloatVolume& volume, const Grid& target, Interpolatio
 // A mask on another grid, as 0 and 1 whatever its labels: linear interpolation of the indicator
 // function, 1 from one half on (or nearest neighbour).
 Mask resample(const Mask& mask, const Grid& target, Interpolation how, Job& job);
-
-// resample() onto respaced(); may also be finer than the source.
-Volume resample_to_spacing(const Volume& volume, const Vec3& spacing_mm, Interpolation how,
-                           Job& job);
+// The same, linearly, but 0 beyond the mask's own grid: a mask that is cut to its object has the
+// object at its border, and that would be repeated.
+Mask resample_within(const Mask& mask, const Grid& target, Job& job);
 
 FloatVolume to_float(const Volume& volume);
 

@@ -119,6 +119,15 @@ std::int16_t to_hu(float value) {
     return static_cast<std::int16_t>(std::lround(std::clamp(value, low, high)));
 }
 
+// Whether all of a grid's voxels have their centres in another one.
+bool covers(const Grid& whole, const Grid& part) {
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto along = [&](std::size_t a) { return (corner >> a & 1) ? part.dims[a] - 1 : 0; };
+        if (!holds(whole, part.to_mm(along(0), along(1), along(2)))) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 Grid respaced(const Grid& grid, const Vec3& spacing_mm) {
@@ -162,9 +171,15 @@ Mask resample(const Mask& mask, const Grid& target, Interpolation how, Job& job)
     });
 }
 
-Volume resample_to_spacing(const Volume& volume, const Vec3& spacing_mm, Interpolation how,
-                           Job& job) {
-    return resample(volume, respaced(volume.grid, spacing_mm), how, job);
+Mask resample_within(const Mask& mask, const Grid& target, Job& job) {
+    Mask found = resample(mask, target, Interpolation::linear, job);
+    if (covers(mask.grid, target)) return found;
+    for_each_voxel(found.voxels.size(), job, [&](std::size_t i) {
+        if (found.voxels[i] == 0) return;
+        const auto [x, y, z] = target.index_of(i);
+        if (!holds(mask.grid, target.to_mm(x, y, z))) found.voxels[i] = 0;
+    });
+    return found;
 }
 
 }  // namespace hepatica

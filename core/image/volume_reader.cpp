@@ -18,6 +18,7 @@
 #include "core/image/dicom_segmentation.h"
 #include "core/image/filters.h"
 #include "core/image/header_text.h"
+#include "core/image/hounsfield.h"
 #include "core/image/series_choice.h"
 #include "core/image/voxel_file.h"
 #include "core/image/voxel_loop.h"
@@ -78,8 +79,6 @@ Volume read_volume_file(const fs::path& path, Job& job, ReadRemarks& remarks) {
     read_values(
         file, placed,
         [&](std::ptrdiff_t at, std::ptrdiff_t step, std::span<const double> values) {
-            constexpr double low = std::numeric_limits<std::int16_t>::min();
-            constexpr double high = std::numeric_limits<std::int16_t>::max();
             for (double value : values) {
                 if (!std::isfinite(value)) {
                     if (missing.empty()) missing.resize(volume.voxels.size(), 0);
@@ -87,9 +86,8 @@ Volume read_volume_file(const fs::path& path, Job& job, ReadRemarks& remarks) {
                     ++not_numbers;
                     value = air_hu;
                 }
-                if (value < low || value > high) ++clamped;
-                volume.voxels[at] =
-                    static_cast<std::int16_t>(std::lround(std::clamp(value, low, high)));
+                if (!fits_hounsfield(value)) ++clamped;
+                volume.voxels[at] = nearest_hounsfield(value);
                 at += step;
             }
         },
@@ -101,8 +99,7 @@ Volume read_volume_file(const fs::path& path, Job& job, ReadRemarks& remarks) {
                           " values are not numbers (NaN or infinite): " + std::to_string(filled) +
                           " became the mean of their neighbours, the others air");
     }
-    if (clamped > 0)
-        remarks.push_back(std::to_string(clamped) + " values lie outside 16 bits and were clamped");
+    if (clamped > 0) remarks.push_back(remark_on_clamped(clamped));
     return volume;
 }
 

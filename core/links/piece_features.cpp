@@ -35,10 +35,8 @@ double mean_of(const std::vector<double>& values) {
 }
 
 float nearest(const FloatVolume& image, const Vec3& p) {
-    const Index3 at = nearest_voxel(image.grid, p);
-    const Index3& dims = image.grid.dims;
-    return image.at(std::clamp(at[0], 0, dims[0] - 1), std::clamp(at[1], 0, dims[1] - 1),
-                    std::clamp(at[2], 0, dims[2] - 1));
+    const auto [x, y, z] = nearest_voxel(image.grid, p);
+    return image.at(x, y, z);
 }
 
 Vec3 direction_at(const LinePiece& piece, std::size_t i) {

@@ -272,9 +272,12 @@ void add_streaks(FloatVolume& image, const Disturbances& d, std::uint64_t seed) 
     for (int k = 0; k < d.streaks; ++k) {
         const double angle = random.uniform(0.0, std::numbers::pi);
         const Vec3 normal(std::cos(angle), std::sin(angle), 0.0);
-        const Vec3 through =
-            grid.to_mm(Vec3(random.uniform() * grid.dims[0], random.uniform() * grid.dims[1],
-                            random.uniform() * grid.dims[2]));
+        // One draw a statement, the last axis first: within one expression each compiler would draw
+        // in an order of its own.
+        const double at_z = random.uniform() * grid.dims[2];
+        const double at_y = random.uniform() * grid.dims[1];
+        const double at_x = random.uniform() * grid.dims[0];
+        const Vec3 through = grid.to_mm(Vec3(at_x, at_y, at_z));
         const double width_mm = random.uniform(0.8, 3.0), high_mm = random.uniform(1.0, 6.0);
         const double height_hu = random.uniform(-1.0, 1.0) * d.streak_hu;
         for (int z = 0; z < grid.dims[2]; ++z) {

@@ -46,6 +46,14 @@ Vec3 across(const Vec3& unit, double angle) {
     return std::cos(angle) * a + std::sin(angle) * b;
 }
 
+// A vector across the chord, of at most this share of its length. The size is drawn first, then the
+// angle: both draws in one expression would come in an order that each compiler chooses.
+Vec3 draw_sway(const Vec3& chord, double length, double most, PhantomRandom& random) {
+    const double share = random.uniform(0.0, most);
+    const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
+    return across(chord, angle) * share * length;
+}
+
 Bend draw_bend(std::span<const GrownBranch> branches, const GrownBranch& branch,
                PhantomRandom& random) {
     const Vec3 chord = direction(branch);
@@ -59,9 +67,8 @@ Bend draw_bend(std::span<const GrownBranch> branches, const GrownBranch& branch,
         branch.parent < 0 ? chord : direction_at_end(branches, branches[branch.parent]);
     bend.begin_tangent = (follows * incoming + (1.0 - follows) * chord).normalized();
     bend.end_tangent = (0.6 * direction_at_end(branches, branch) + 0.4 * chord).normalized();
-    const double full = 2.0 * std::numbers::pi;
-    bend.sway_a = across(chord, random.uniform(0.0, full)) * random.uniform(0.0, 0.05) * length;
-    bend.sway_b = across(chord, random.uniform(0.0, full)) * random.uniform(0.0, 0.03) * length;
+    bend.sway_a = draw_sway(chord, length, 0.05, random);
+    bend.sway_b = draw_sway(chord, length, 0.03, random);
     return bend;
 }
 

@@ -44,6 +44,28 @@ void require_window_beside_tissue(const std::pair<double, double>& window_hu,
                      "window", choose_a_window);
 }
 
+// Why the window does not show vessels: they are too few in it (`share` of the liver), or too
+// faint.
+[[noreturn]] void refuse_window(const std::pair<double, double>& window_hu, double share,
+                                const ContrastStatistics& measured) {
+    const std::string range =
+        fixed_text(window_hu.first, 0) + " and " + fixed_text(window_hu.second, 0) + " HU";
+    const std::string tissue = fixed_text(measured.parenchyma_hu, 0) + " HU";
+    if (share < least_vessel_share)
+        throw InputError("only " + fixed_text(100.0 * share, 2) + " % of the liver lie between " +
+                             range + " and hang together as vessels do; the tissue itself has " +
+                             tissue,
+                         "window", choose_a_window);
+    if (measured.contrast_hu() < 0.0)
+        throw InputError(
+            "what lies between " + range + " is darker than the tissue, which has " + tissue,
+            "window", choose_a_window);
+    throw InputError(
+        "what lies between " + range + " and hangs together as vessels do rises only " +
+            fixed_text(measured.contrast_hu(), 0) + " HU above the tissue, which has " + tissue,
+        "window", choose_a_window);
+}
+
 // The vessels away from the liver's border, where ribs, kidneys and heart show through.
 Mask within(const Mask& vessels, const Mask& interior) {
     Mask inner = vessels;
@@ -128,13 +150,7 @@ void require_contrast(const ContrastStatistics& measured, const DetectedVessels&
     for (std::size_t i = 0; i < vessels.size(); ++i) inner += vessels[i] && interior.voxels[i];
     const double share = static_cast<double>(inner) / static_cast<double>(size);
     if (share >= least_vessel_share && measured.contrast_hu() >= least_contrast_hu) return;
-    if (window_hu)
-        throw InputError("only " + fixed_text(100.0 * share, 2) + " % of the liver lie between " +
-                             fixed_text(window_hu->first, 0) + " and " +
-                             fixed_text(window_hu->second, 0) +
-                             " HU and hang together as vessels do; the tissue itself has " +
-                             fixed_text(measured.parenchyma_hu, 0) + " HU",
-                         "window", choose_a_window);
+    if (window_hu) refuse_window(*window_hu, share, measured);
     throw InputError(
         "the vessels do not stand out from the liver: the brightest structures cover " +
             fixed_text(100.0 * share, 2) + " % of it and rise " +

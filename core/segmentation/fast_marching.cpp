@@ -33,10 +33,10 @@ class Front {
         queue_.push({time, voxel});
     }
 
-    // slowness(voxel) = 1 / speed; infinity closes the voxel. stop(voxel) is asked when a voxel is
-    // settled. `expected`: number of voxels, for the progress only.
-    template <class Slowness, class Stop>
-    void march(const Slowness& slowness, const Stop& stop, std::size_t expected, Job& job) {
+    // slowness(voxel) = 1 / speed; infinity closes the voxel. `expected`: number of voxels, for the
+    // progress only.
+    template <class Slowness>
+    void march(const Slowness& slowness, std::size_t expected, Job& job) {
         std::size_t arrived = 0;
         while (!queue_.empty()) {
             const Arrival next = queue_.top();
@@ -47,7 +47,6 @@ class Front {
                 job.advance(
                     std::min(1.0, static_cast<double>(arrived) /
                                       static_cast<double>(std::max<std::size_t>(expected, 1))));
-            if (stop(next.voxel)) break;
             const Index3 at = grid_.index_of(next.voxel);
             for (int axis = 0; axis < 3; ++axis)
                 for (const int side : {-1, 1}) {
@@ -65,12 +64,8 @@ class Front {
         }
     }
 
-    // The arrival times; tentative values of voxels that were not settled are reset to infinity.
-    FloatVolume take() {
-        for (std::size_t i = 0; i < known_.size(); ++i)
-            if (!known_[i]) time_.voxels[i] = never;
-        return std::move(time_);
-    }
+    // The arrival times; infinity where the front did not come.
+    FloatVolume take() { return std::move(time_); }
 
   private:
     struct Arrival {
@@ -188,8 +183,7 @@ FloatVolume march_inwards(const Grid& grid, MarchingOrder order, const Inside& i
                 if (std::isfinite(nearest)) front.set(voxel, distance_to_plane(gap));
             }
     }
-    front.march([&](std::size_t i) { return inside(i) ? 1.0f : never; },
-                [](std::size_t) { return false; }, objects, job);
+    front.march([&](std::size_t i) { return inside(i) ? 1.0f : never; }, objects, job);
     FloatVolume distance = front.take();
     for_each_voxel(distance.voxels.size(), job, [&](std::size_t i) {
         if (distance.voxels[i] == never) distance.voxels[i] = 0.0f;
@@ -216,20 +210,11 @@ FloatVolume distance_from_level_set(const FloatVolume& level, MarchingOrder orde
 }
 
 FloatVolume arrival_times(const FloatVolume& speed, const std::vector<std::size_t>& starts,
-                          MarchingOrder order, Job& job, const std::vector<std::size_t>& until) {
+                          MarchingOrder order, Job& job) {
     Front front(speed.grid, order);
     for (const std::size_t start : starts) front.set(start, 0.0f);
-    std::vector<std::size_t> wanted = until;
-    std::sort(wanted.begin(), wanted.end());
-    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-    std::size_t missing = wanted.size();
-    const bool early = !wanted.empty();
     front.march(
         [&](std::size_t i) { return speed.voxels[i] > 0.0f ? 1.0f / speed.voxels[i] : never; },
-        [&](std::size_t i) {
-            if (early && std::binary_search(wanted.begin(), wanted.end(), i)) --missing;
-            return early && missing == 0;
-        },
         speed.grid.count(), job);
     return front.take();
 }

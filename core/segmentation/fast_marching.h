@@ -25,11 +25,9 @@ FloatVolume distance_from_boundary(const Mask& object, MarchingOrder order, Job&
 FloatVolume distance_from_level_set(const FloatVolume& level, MarchingOrder order, Job& job);
 
 // Arrival time (mm / speed) of a front that starts at the given voxels (offsets into the grid) at
-// time 0 and moves with speed[voxel] >= 0; infinity where it does not arrive. The march ends once
-// every voxel of `until` has been reached (empty list: the whole grid). Throws Cancelled.
+// time 0 and moves with speed[voxel] >= 0; infinity where it does not arrive. Throws Cancelled.
 FloatVolume arrival_times(const FloatVolume& speed, const std::vector<std::size_t>& starts,
-                          MarchingOrder order, Job& job,
-                          const std::vector<std::size_t>& until = {});
+                          MarchingOrder order, Job& job);
 
 // Where the fronts from opposite sides collide: object voxels (distance > 0) at which the slope of
 // the distance, 1 elsewhere, is below `slope`. 1 on such voxels, 0 elsewhere. They gather on the

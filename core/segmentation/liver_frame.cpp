@@ -67,27 +67,6 @@ FloatVolume part_of(const Volume& ct, const IndexBox& box, const Job& job) {
     return part;
 }
 
-// Whether all of a grid's voxels have their centres in another one.
-bool covers(const Grid& whole, const Grid& part) {
-    for (int corner = 0; corner < 8; ++corner) {
-        const auto along = [&](std::size_t a) { return (corner >> a & 1) ? part.dims[a] - 1 : 0; };
-        if (!holds(whole, part.to_mm(along(0), along(1), along(2)))) return false;
-    }
-    return true;
-}
-
-// The liver on the cubes, without what lies beyond its own grid: there resample() repeats the
-// border, and a mask cut to the liver has liver at its border.
-Mask liver_on(const Grid& cubes, const Mask& liver, Job& job) {
-    Mask found = resample(liver, cubes, Interpolation::linear, job);
-    if (covers(liver.grid, cubes)) return found;
-    for_each_voxel(found.voxels.size(), job, [&](std::size_t i) {
-        const auto [x, y, z] = cubes.index_of(i);
-        if (!holds(liver.grid, cubes.to_mm(x, y, z))) found.voxels[i] = 0;
-    });
-    return found;
-}
-
 }  // namespace
 
 LiverFrame make_liver_frame(const Volume& ct, const Mask& liver, double spacing_mm, Job& job) {
@@ -108,7 +87,8 @@ LiverFrame make_liver_frame(const Volume& ct, const Mask& liver, double spacing_
     frame.intensity =
         in_part(job, 0.3, 0.5, [&] { return resample(part, cubes, Interpolation::linear, job); });
     part = FloatVolume();
-    const Mask resampled = in_part(job, 0.5, 0.6, [&] { return liver_on(cubes, liver, job); });
+    const Mask resampled =
+        in_part(job, 0.5, 0.6, [&] { return resample_within(liver, cubes, job); });
     const JobPart rest(job, 0.6, 1.0);
     frame.liver = close_liver(resampled, closing_mm, job);
     return frame;

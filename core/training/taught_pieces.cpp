@@ -40,11 +40,15 @@ std::vector<TaughtPiece> taught_on(const Phantom& patient, const SegmentationOpt
     return taught;
 }
 
-std::vector<TaughtPiece> taught_by(std::uint64_t number, double line_share, Job& job) {
-    const Phantom patient = make_phantom(random_patient(number), job);
+SegmentationOptions options_taught_with(std::uint64_t number, const Phantom& patient, Job& job) {
     SegmentationOptions options;
     if (number % liver_found_every != 0) options.liver = sloppy_liver(patient.liver, number, job);
-    return taught_on(patient, options, line_share, job);
+    return options;
+}
+
+std::vector<TaughtPiece> taught_by(std::uint64_t number, double line_share, Job& job) {
+    const Phantom patient = make_phantom(random_patient(number), job);
+    return taught_on(patient, options_taught_with(number, patient, job), line_share, job);
 }
 
 }  // namespace hepatica

@@ -18,8 +18,12 @@ struct TaughtPiece {
     float share = 0.0f;  // share of its points within 2 mm of a true centreline
 };
 
-// The pieces of the patient with this number (random_patient.h). In two patients of three a
-// sloppily drawn liver mask is given, in the third the liver is found. Otherwise as taught_on().
+// What the patient with this number is segmented with: in two patients of three a sloppily drawn
+// liver mask is given, in the third the liver is found. Throws Cancelled.
+SegmentationOptions options_taught_with(std::uint64_t number, const Phantom& patient, Job& job);
+
+// The pieces of the patient with this number (random_patient.h), segmented with those options.
+// Otherwise as taught_on().
 std::vector<TaughtPiece> taught_by(std::uint64_t number, double line_share, Job& job);
 
 // The pieces of any patient whose vessels are known. Empty where no line rises above the noise.

@@ -49,6 +49,23 @@ TEST(DicomRescale, ThatIsMissingIsSaidWhereValuesHaveNoSign) {
     EXPECT_TRUE(mentions(remarks, "9 slices state no rescale")) << remarks.size();
 }
 
+// They were flattened without a word.
+TEST(DicomRescale, ToValuesBeyondSixteenBitsIsSaidWithTheirNumber) {
+    Volume volume(small_grid(), 40);
+    volume.voxels[0] = 400;
+    volume.voxels[5] = 327;
+    volume.voxels[700] = -400;
+    const DicomFolder folder(volume);
+    folder.edit_all(slope, "100");
+    ReadRemarks remarks;
+    const Volume read = folder.read(&remarks);
+    EXPECT_EQ(read.voxels[0], 32767);
+    EXPECT_EQ(read.voxels[5], 32700);
+    EXPECT_EQ(read.voxels[700], -32768);
+    EXPECT_EQ(read.voxels[1], 4000);
+    EXPECT_TRUE(mentions(remarks, "2 values lie outside 16 bits and were clamped"));
+}
+
 // Twelve bits in the upper part of the word, with an overlay in the lower.
 TEST(DicomHighBit, OfBitsThatDoNotBeginAtTheLowestIsHonoured) {
     Volume low_values(small_grid());

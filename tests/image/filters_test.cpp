@@ -249,7 +249,8 @@ TEST(Resample, ClampsHounsfieldUnitsThatOvershoot) {
     for (int y = 0; y < 4; ++y)
         for (int z = 0; z < 4; ++z) volume.at(3, y, z) = -32768;
     Job job;
-    const Volume fine = resample_to_spacing(volume, {0.25, 1, 1}, Interpolation::cubic, job);
+    const Volume fine =
+        resample(volume, respaced(grid, Vec3(0.25, 1, 1)), Interpolation::cubic, job);
     for (int x = 0; x < fine.grid.dims[0]; ++x) {
         const double source = grid.to_index(fine.grid.to_mm(x, 1, 1))[0];
         if (std::abs(source - 3.0) > 1.0) {

@@ -65,6 +65,7 @@ TEST(ImageFigures, OfFilters) {
     const Volume volume = hills();
     Figures figures;
     const Grid finer = respaced(volume.grid, Vec3(0.7, 1.4, 1.9));
+    const Grid coarser = respaced(volume.grid, Vec3(1.5, 1.0, 2.0));
     figures.add("finer", values_of(finer));
     for (const auto& [name, how] :
          {std::pair{"nearest", Interpolation::nearest}, std::pair{"linear", Interpolation::linear},
@@ -72,8 +73,7 @@ TEST(ImageFigures, OfFilters) {
         figures.add(name, values_of(resample(volume, finer, how, job)));
         figures.add(std::string(name) + ".float",
                     values_of(resample(to_float(volume), finer, how, job)));
-        figures.add(std::string(name) + ".spaced",
-                    values_of(resample_to_spacing(volume, Vec3(1.5, 1.0, 2.0), how, job)));
+        figures.add(std::string(name) + ".spaced", values_of(resample(volume, coarser, how, job)));
     }
     figures.add("mask", resample(heights(volume, 40), finer, Interpolation::linear, job).voxels);
     for (const Vec3& sigma : {Vec3(0.6, 0.0, 1.5), Vec3(3.0, 2.5, 7.0)}) {

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/image/volume_writer.h"
 #include "core/patient/patient_case.h"
 #include "core/reconstruction/built_in_patient.h"
+#include "core/reconstruction/detected_vessels.h"
 #include "core/reconstruction/from_voxels.h"
 #include "core/reconstruction/given_vessels.h"
 #include "core/reconstruction/plausible_skeleton.h"
@@ -261,6 +263,36 @@ TEST(ReconstructionLimits, TumoursWithoutALiverAreRefused) {
         EXPECT_EQ(error.place(), (folder / "vessels.nii.gz").string());
     }
     fs::remove_all(folder);
+}
+
+// A liver of 1000 voxels, so many of which are vessels, in a window.
+std::string problem_of_window(std::size_t vessels, double vessel_hu) {
+    DetectedVessels found;
+    const Grid grid{{10, 10, 10}};
+    found.tissue.interior = Mask(grid, 1);
+    found.detection.vessels = Mask(grid);
+    std::fill_n(found.detection.vessels.voxels.begin(), vessels, std::uint8_t{1});
+    try {
+        require_contrast({110.0, 5.0, vessel_hu}, found, std::pair{114.0, 125.0});
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.place(), "window");
+        return error.problem();
+    }
+    return "";
+}
+
+// Vessels that were enough, but too faint, were once told to be too few.
+TEST(ReconstructionLimits, AWindowIsToldWhetherItsVesselsAreTooFewOrTooFaint) {
+    EXPECT_EQ(problem_of_window(18, 114.0),
+              "what lies between 114 and 125 HU and hangs together as vessels do rises only 4 HU "
+              "above the tissue, which has 110 HU");
+    EXPECT_EQ(problem_of_window(18, 90.0),
+              "what lies between 114 and 125 HU is darker than the tissue, which has 110 HU");
+    EXPECT_EQ(problem_of_window(1, 114.0),
+              "only 0.10 % of the liver lie between 114 and 125 HU and hang together as vessels "
+              "do; the tissue itself has 110 HU");
+    EXPECT_EQ(problem_of_window(1, 170.0), problem_of_window(1, 114.0));
+    EXPECT_EQ(problem_of_window(18, 170.0), "");
 }
 
 }  // namespace

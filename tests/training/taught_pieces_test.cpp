@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/phantom/random_patient.h"
@@ -41,6 +44,33 @@ TEST(SharesOfTruth, CountPointsWithinTwoMillimetres) {
     EXPECT_FLOAT_EQ(shares[0], 1.0f);
     EXPECT_FLOAT_EQ(shares[1], 0.4f);
     EXPECT_FLOAT_EQ(shares[2], 0.0f);
+}
+
+// Real livers are found in one case and drawn in another: a model that was taught with one kind
+// alone would choose otherwise.
+TEST(TaughtPieces, AreOfTwoDrawnLiversForEachOneThatIsFound) {
+    Job job;
+    Phantom patient;
+    patient.liver = Mask(Grid{{30, 30, 30}});
+    const Grid& grid = patient.liver.grid;
+    for (std::size_t i = 0; i < patient.liver.voxels.size(); ++i) {
+        const auto [x, y, z] = grid.index_of(i);
+        patient.liver.voxels[i] = (grid.to_mm(x, y, z) - grid.to_mm(14, 15, 15)).norm() < 10.0;
+    }
+    std::vector<Mask> drawn;
+    for (std::uint64_t number = 1; number <= 6; ++number) {
+        const SegmentationOptions options = options_taught_with(number, patient, job);
+        ASSERT_EQ(options.liver.has_value(), number % 3 != 0) << number;
+        EXPECT_FALSE(options.window_hu.has_value()) << number;
+        if (options.liver) drawn.push_back(*options.liver);
+    }
+    for (const Mask& liver : drawn) {
+        EXPECT_TRUE(same_grid(liver.grid, grid));
+        EXPECT_NE(liver.voxels, patient.liver.voxels) << "it was not drawn sloppily";
+        EXPECT_GT(std::ranges::count(liver.voxels, 1), 1000);
+        EXPECT_EQ(std::ranges::count(drawn, liver.voxels, &Mask::voxels), 1)
+            << "two patients have the same drawing";
+    }
 }
 
 TEST(TaughtPieces, HoldVesselsAndWhatIsNone) {
