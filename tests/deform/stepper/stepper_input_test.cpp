@@ -62,6 +62,11 @@ TEST_P(StepperInput, RefusesABodyThatDoesNotFit) {
         [](BodyDescription& b) { b.tether_pa_per_mm2 = nan; },
         [](BodyDescription& b) { b.mesh.tetrahedra.clear(); },
         [](BodyDescription& b) { b.material.young_modulus_pa = -1.0; },
+        [](BodyDescription& b) { b.self = SelfPad{.thickness_edges = 0.0}; },
+        [](BodyDescription& b) { b.self = SelfPad{.thickness_edges = nan}; },
+        [](BodyDescription& b) { b.self = SelfPad{.pressure_moduli = -1.0}; },
+        [](BodyDescription& b) { b.self = SelfPad{.pressure_moduli = HUGE_VAL}; },
+        [](BodyDescription& b) { b.self = SelfPad{.friction = nan}; },
     };
     for (std::size_t f = 0; f < std::size(faults); ++f) {
         BodyDescription body = bar_body();
