@@ -89,6 +89,7 @@ TEST_P(StepperInput, RefusesOptionsOutOfRangeEvenAsleep) {
         [](StepperOptions& o) { o.newton_tolerance = 0.0; },
         [](StepperOptions& o) { o.newton_tolerance = HUGE_VAL; },
         [](StepperOptions& o) { o.substeps = 0; },
+        [](StepperOptions& o) { o.swing_substeps = 0; },
         [](StepperOptions& o) { o.velocity_error.alpha_per_s = nan; },
         [](StepperOptions& o) { o.velocity_error.beta_s = HUGE_VAL; },
     };
