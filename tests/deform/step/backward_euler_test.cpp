@@ -76,6 +76,21 @@ TEST(BackwardEuler, AStepThatOnlyFindsWaysUphillUsesUpItsBudgetAndStops) {
         EXPECT_EQ(state.positions_mm[i], body.rest_positions_mm[i]);
 }
 
+// One iterate suffices in free flight without damping, and began from the present velocity as well.
+TEST(BackwardEuler, SaysThatAStepInFreeFlightWasPredicted) {
+    BodyDescription description;
+    description.mesh = kuhn_brick(Vec3(40, 8, 8), {10, 2, 2});
+    for (const double damping_ratio : {0.0, Material{}.damping_ratio}) {
+        description.material.damping_ratio = damping_ratio;
+        const Body body = build_body(description, ElementModel::corotated, ElementOrder::linear);
+        BackwardEuler integrator(body, {}, make_block_jacobi_solver());
+        const PotentialList none(body);
+        BodyState state{body.rest_positions_mm,
+                        std::vector<Vec3>(body.mass_g.size(), Vec3(100, 0, 0))};
+        EXPECT_TRUE(integrator.advance(state, 1.0 / 60.0, none).predicted) << damping_ratio;
+    }
+}
+
 // Numbers so large that forces overflow: no direction is one, and the step says so.
 TEST(BackwardEuler, AStepWithoutAFiniteDirectionStopsTheBodyAndSaysSo) {
     const Body body = clamped_bar();
