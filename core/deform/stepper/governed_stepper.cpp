@@ -222,6 +222,7 @@ bool GovernedStepper::set_options(const StepperOptions& options) {
         other->set_overlaps(back_end_->overlaps());
         if (region_) other->freeze(frozen_nodes());
         back_end_ = std::move(other);
+        stress_pa_.clear();  // of the other element model, where nothing moves either
         if (options.model != options_.model) find_resting_energies();
     }
     options_ = options;
