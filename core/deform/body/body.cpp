@@ -62,6 +62,17 @@ void check_every_vertex_is_used(const BodyDescription& d) {
                "Remove it from the mesh");
 }
 
+void check_pad(const SelfPad& pad) {
+    const auto check_size = [](double value, const char* name) {
+        if (!(value > 0.0 && std::isfinite(value)))
+            reject("is " + number_text(value), name, "Give more than 0");
+    };
+    check_size(pad.thickness_edges, "thickness");
+    check_size(pad.pressure_moduli, "pressure");
+    if (!(pad.friction >= 0.0 && std::isfinite(pad.friction)))
+        reject("is " + number_text(pad.friction), "friction", "Give 0 or more");
+}
+
 }  // namespace
 
 void validate(const BodyDescription& d, ElementModel model, ElementOrder order) {
@@ -79,8 +90,7 @@ void validate(const BodyDescription& d, ElementModel model, ElementOrder order) 
         reject("there is no quadratic form of springs or hexahedra", "the body",
                "Choose linear order, or tetrahedra of the corotated or neohookean model");
     if (d.obstacles) validate(*d.obstacles);
-    if (d.self && !(d.self->friction >= 0.0 && std::isfinite(d.self->friction)))
-        reject("is " + number_text(d.self->friction), "friction", "Give 0 or more");
+    if (d.self) check_pad(*d.self);
     if (d.tear) {
         validate(*d.tear);
         if (order == ElementOrder::quadratic || !d.hexahedra.empty())

@@ -154,8 +154,10 @@ StepReport BackwardEuler::advance_in_halves(BodyState& state, double dt_s,
     halves.newton_iterations += tried.newton_iterations;
     halves.linear_solves += tried.linear_solves;
     halves.linear_iterations += tried.linear_iterations;
+    halves.dropped_pivots = std::max(halves.dropped_pivots, tried.dropped_pivots);
     halves.degraded = true;
-    halves.message = "the step was cut in halves: it would have made energy";
+    if (halves.message.empty())
+        halves.message = "the step was cut in halves: it would have made energy";
     return halves;
 }
 

@@ -320,7 +320,10 @@ bool NewtonStep::find_velocity(StepUnderway& step, int most_solves, StepReport& 
     step.standing = step.value;
     if (settings_.tension) potential_.find_tension();
     if (settings_.line_search) predict(step);
-    if (iterate_from_here(step, most_solves, report)) return true;
+    if (iterate_from_here(step, most_solves, report)) {
+        report.predicted = step.predicted;
+        return true;
+    }
     if (step.predicted) stay_at_start(step);
     return false;
 }
@@ -363,7 +366,6 @@ bool NewtonStep::iterate_from_here(StepUnderway& step, int most_solves, StepRepo
             most = step.step_length < 1.0 ? std::min(1 + iterates_after_cut(step), most_solves) : 1;
         if (step.iterate + 1 >= most) break;
     }
-    report.predicted = step.predicted;
     if (step.step_length < 1.0) {
         report.degraded = report.shortened = true;
         report.message = "the step was shortened: it would have made energy";

@@ -222,9 +222,22 @@ bool GovernedStepper::set_options(const StepperOptions& options) {
         other->set_overlaps(back_end_->overlaps());
         if (region_) other->freeze(frozen_nodes());
         back_end_ = std::move(other);
+        stress_pa_.clear();  // of the other element model, where nothing moves either
+        if (options.model != options_.model) find_resting_energies();
     }
     options_ = options;
     return true;
+}
+
+// What sleeps is not woken by another element model, which stores other energies where it lies.
+void GovernedStepper::find_resting_energies() {
+    const EnergyLedger now = back_end_->energies();
+    resting_.kinetic = now.kinetic;
+    resting_.elastic = now.elastic;
+    resting_.grab = now.grab;
+    resting_.tether = now.tether;
+    resting_.contact = now.contact;
+    resting_.cohesion = now.cohesion;
 }
 
 std::span<const Vec3> GovernedStepper::positions_mm() const {

@@ -54,6 +54,7 @@ class GovernedStepper final : public LiveStepper {
 
   private:
     bool asleep() const;
+    void find_resting_energies();
     void wake();
     std::vector<std::uint8_t> frozen_nodes() const;
     LiveRegion new_region(const LiveRegionOptions& options) const;

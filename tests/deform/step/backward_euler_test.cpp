@@ -76,6 +76,48 @@ TEST(BackwardEuler, AStepThatOnlyFindsWaysUphillUsesUpItsBudgetAndStops) {
         EXPECT_EQ(state.positions_mm[i], body.rest_positions_mm[i]);
 }
 
+// The report of a step that was cut in halves: by a first try that found no way, whose solve
+// dropped pivots, or with a half that says so itself.
+TEST(BackwardEuler, AStepInHalvesReportsThePivotsOfEverySolve) {
+    const Body body = clamped_bar();
+    PotentialList weight(body);
+    weight.set_gravity(Vec3(0, 0, -units::standard_gravity));
+    for (const int dropping : {1, 2}) {
+        int solves = 0;
+        test::OddSolver* odd = nullptr;
+        auto made = std::make_unique<test::OddSolver>(solves, 1, [&] {
+            if (solves + 1 == dropping) odd->drops = 3;
+        });
+        odd = made.get();
+        odd->drops = dropping == 1 ? 3 : 0;
+        BackwardEuler integrator(body, {}, std::move(made));
+        BodyState state{body.rest_positions_mm,
+                        std::vector<Vec3>(body.mass_g.size(), Vec3::Zero())};
+        const StepReport report = integrator.advance(state, 0.01, weight);
+        ASSERT_GE(report.linear_solves, 3) << "the step was not cut";
+        EXPECT_EQ(report.dropped_pivots, 3) << dropping;
+        EXPECT_TRUE(report.degraded);
+        EXPECT_NE(report.message.find(dropping == 1 ? "cut in halves" : "positive definite"),
+                  std::string::npos)
+            << report.message;
+    }
+}
+
+// One iterate suffices in free flight without damping, and began from the present velocity as well.
+TEST(BackwardEuler, SaysThatAStepInFreeFlightWasPredicted) {
+    BodyDescription description;
+    description.mesh = kuhn_brick(Vec3(40, 8, 8), {10, 2, 2});
+    for (const double damping_ratio : {0.0, Material{}.damping_ratio}) {
+        description.material.damping_ratio = damping_ratio;
+        const Body body = build_body(description, ElementModel::corotated, ElementOrder::linear);
+        BackwardEuler integrator(body, {}, make_block_jacobi_solver());
+        const PotentialList none(body);
+        BodyState state{body.rest_positions_mm,
+                        std::vector<Vec3>(body.mass_g.size(), Vec3(100, 0, 0))};
+        EXPECT_TRUE(integrator.advance(state, 1.0 / 60.0, none).predicted) << damping_ratio;
+    }
+}
+
 // Numbers so large that forces overflow: no direction is one, and the step says so.
 TEST(BackwardEuler, AStepWithoutAFiniteDirectionStopsTheBodyAndSaysSo) {
     const Body body = clamped_bar();

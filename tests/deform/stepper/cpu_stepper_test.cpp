@@ -12,6 +12,7 @@
 #include "core/base/units.h"
 #include "core/deform/body/energy_ledger.h"
 #include "core/deform/step/backward_euler.h"
+#include "core/deform/stepper/stepper_checkpoint.h"
 #include "core/mesh/brick_mesh.h"
 #include "tests/deform/support/random_field.h"
 
@@ -213,6 +214,36 @@ TEST(CpuStepper, FallsAsleepAndWakes) {
     EXPECT_TRUE(asleep);
     stepper->set_gravity(2.0 * gravity);
     EXPECT_FALSE(stepper->step(1.0 / 60.0).asleep);
+}
+
+// Another element model would bend the body otherwise. It does so with the next motion, and until
+// then the energies are those that it stores where the body lies.
+TEST(CpuStepper, SleepsOnUnderOtherOptionsAndReportsTheirEnergies) {
+    BodyDescription body = clamped_beam(Vec3(20, 8, 8), {5, 2, 2});
+    body.material.damping_ratio = 1.0;
+    StepperOptions options{.model = ElementModel::spring, .linear = {.energy_tolerance = 1e-6}};
+    const auto stepper = make_cpu_stepper(body, options);
+    stepper->set_gravity(gravity);
+    bool asleep = false;
+    for (int i = 0; i < 600 && !asleep; ++i) asleep = stepper->step(1.0 / 60.0).asleep;
+    ASSERT_TRUE(asleep);
+    const double before = stepper->energies().elastic;
+    const BodyState resting = stepper->state();
+    options.model = ElementModel::neohookean;
+    ASSERT_TRUE(stepper->set_options(options));
+    const StepReport report = stepper->step(1.0 / 60.0);
+    EXPECT_TRUE(report.asleep);
+    EXPECT_EQ(stepper->state().positions_mm, resting.positions_mm);
+    EXPECT_GT(std::abs(report.energy.elastic - before), 1e-3 * before);
+    EXPECT_DOUBLE_EQ(report.energy.elastic, stepper->energies().elastic);
+    const auto restored = make_cpu_stepper(body, options);
+    restored->restore(stepper->checkpoint());
+    EXPECT_EQ(restored->state_hash(), stepper->state_hash());
+    for (Stepper* other : {stepper.get(), restored.get()}) {
+        other->set_gravity(1.01 * gravity);
+        EXPECT_FALSE(other->step(1.0 / 60.0).asleep);
+    }
+    EXPECT_EQ(restored->state_hash(), stepper->state_hash());
 }
 
 TEST(CpuStepper, RefusesWhatCannotBeSimulated) {

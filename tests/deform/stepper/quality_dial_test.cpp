@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/error.h"
 
 namespace hepatica {
@@ -48,6 +50,10 @@ TEST(QualityDial, RefusesWhatIsNoMeasurement) {
     EXPECT_THROW(QualityDial({}), InputError);
     EXPECT_THROW(QualityDial({point(0, 0.1)}), InputError);
     EXPECT_THROW(QualityDial({point(1, -0.001)}), InputError);
+    const double nan = std::nan("");
+    for (const auto& wrong :
+         {point(nan, 0.1), point(INFINITY, 0.1), point(1, nan), point(1, INFINITY)})
+        EXPECT_THROW(QualityDial({point(2, 0.05), wrong}), InputError);
     EXPECT_NO_THROW(QualityDial({point(1, 0.0)}));
 }
 

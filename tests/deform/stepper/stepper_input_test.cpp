@@ -62,6 +62,11 @@ TEST_P(StepperInput, RefusesABodyThatDoesNotFit) {
         [](BodyDescription& b) { b.tether_pa_per_mm2 = nan; },
         [](BodyDescription& b) { b.mesh.tetrahedra.clear(); },
         [](BodyDescription& b) { b.material.young_modulus_pa = -1.0; },
+        [](BodyDescription& b) { b.self = SelfPad{.thickness_edges = 0.0}; },
+        [](BodyDescription& b) { b.self = SelfPad{.thickness_edges = nan}; },
+        [](BodyDescription& b) { b.self = SelfPad{.pressure_moduli = -1.0}; },
+        [](BodyDescription& b) { b.self = SelfPad{.pressure_moduli = HUGE_VAL}; },
+        [](BodyDescription& b) { b.self = SelfPad{.friction = nan}; },
     };
     for (std::size_t f = 0; f < std::size(faults); ++f) {
         BodyDescription body = bar_body();
@@ -84,6 +89,7 @@ TEST_P(StepperInput, RefusesOptionsOutOfRangeEvenAsleep) {
         [](StepperOptions& o) { o.newton_tolerance = 0.0; },
         [](StepperOptions& o) { o.newton_tolerance = HUGE_VAL; },
         [](StepperOptions& o) { o.substeps = 0; },
+        [](StepperOptions& o) { o.swing_substeps = 0; },
         [](StepperOptions& o) { o.velocity_error.alpha_per_s = nan; },
         [](StepperOptions& o) { o.velocity_error.beta_s = HUGE_VAL; },
     };

@@ -15,6 +15,7 @@ namespace hepatica::test {
 class OddSolver final : public LinearSolver {
   public:
     std::vector<int> worn;  // iterations of each solve that was reported to wear()
+    int drops = 0;          // pivots that the next solve reports as dropped
 
     // Counts its solves in `count`; the first `uphill` of them give the answer with its sign
     // turned. `told` is called behind each solve.
@@ -28,7 +29,8 @@ class OddSolver final : public LinearSolver {
     SolveReport solve(std::span<const Vec3> rhs, std::span<Vec3> x,
                       const SolveLimits& limits) override {
         ++count_;
-        const SolveReport report = solver_->solve(rhs, x, limits);
+        SolveReport report = solver_->solve(rhs, x, limits);
+        report.dropped_pivots = std::exchange(drops, 0);
         if (uphill_ > 0) {
             --uphill_;
             for (Vec3& value : x) value *= -1.0;
