@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Error against cost of the solver's settings on a given body: measure_body_tradeoff() of
 // tradeoff.h.
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -218,10 +217,10 @@ std::string measure_motion(const Scene& scene, const Setting& setting,
         stepper->set_grabs(scene.pull.grabs(body, f));
         meter.step(*stepper, setting.live ? 1 : setting.options.substeps, job);
         scene.watch(setting.mesh, *stepper, motion);
+        if (f + 1 < frames_before_a_forecast) continue;
         const double needed_s = 1e-3 * meter.last_wall_ms() * (Pull::frames - f - 1);
-        if (f + 1 >= frames_before_a_forecast && needed_s > clock.left_s())
-            return "needs " + seconds_text(needed_s) + " more, " +
-                   seconds_text(std::max(0.0, clock.left_s())) + " were left";
+        std::string reason = why_no_time(needed_s, clock.left_s());
+        if (!reason.empty()) return reason;
     }
     if (setting.on_device && !stepper->on_device()) return left;
     return {};

@@ -4,10 +4,12 @@
 
 #include <cmath>
 #include <set>
+#include <string>
 
 #include "core/base/error.h"
 #include "core/scene/setting_json.h"
 #include "core/study/pull_trial.h"
+#include "core/study/timing.h"
 #include "core/study/tradeoff.h"
 #include "core/study/vessel_body.h"
 #include "tests/support/emulated_back_end.h"
@@ -94,6 +96,14 @@ TEST(BodyTradeoff, FindsThatShorterStepsMissLess) {
     EXPECT_GT(four, 0.0);
     EXPECT_LT(four, 0.5 * one);
     EXPECT_GT(few_iterations, one);
+}
+
+// After the last frame nothing is left to do, and what was measured counts, however late it is.
+TEST(Budget, LeavesOutOnlyWhatIsStillToBeDone) {
+    EXPECT_EQ(why_no_time(0.0, -0.5), "");
+    EXPECT_EQ(why_no_time(1.0, 1.0), "");
+    EXPECT_EQ(why_no_time(1.0, 0.5), "needs 1 s more, 0.5 s were left");
+    EXPECT_EQ(why_no_time(1.0, -0.5), "needs 1 s more, 0 s were left");
 }
 
 // What the budget does not allow is named, with the reason; nothing runs on.
