@@ -61,6 +61,14 @@ class LonelyScript : public testing::Test {
         return shell(environment + " '" + (folder_ / "scripts" / name).string() + "' " + words);
     }
 
+    // Puts a program in the place of one that the script calls.
+    void stand_in(const std::string& name, const std::string& commands) const {
+        const fs::path file = folder_ / name;
+        fs::create_directories(file.parent_path());
+        std::ofstream(file) << "#!/bin/sh\n" << commands << "\n";
+        fs::permissions(file, fs::perms::owner_all);
+    }
+
     const fs::path folder_ = fs::path(testing::TempDir()) / "script alone";
 };
 
@@ -69,6 +77,26 @@ TEST_F(LonelyScript, OfTheFuzzersSaysHowTheyAreBuilt) {
     EXPECT_NE(unbuilt.exit_code, 0);
     EXPECT_TRUE(says(unbuilt, "scripts/build fuzz fuzz_trees")) << unbuilt.output;
     EXPECT_FALSE(says(unbuilt, "Traceback")) << unbuilt.output;
+}
+
+// As where a library is missing: nothing was run, and the empty table looked like success.
+TEST_F(LonelyScript, OfTheFuzzersNamesOneThatDoesNotStart) {
+    for (const std::string name : {"trees", "json", "images"})
+        stand_in("build/fuzz/bin/fuzz_" + name, "echo 'no such library' >&2; exit 127");
+    const ShellAnswer answered = answer("fuzz", "60");
+    EXPECT_NE(answered.exit_code, 0);
+    EXPECT_TRUE(says(answered, "fuzz_trees does not start: no such library")) << answered.output;
+}
+
+// It used no time and found nothing, so that its turn came again for ever.
+TEST_F(LonelyScript, OfTheFuzzersEndsWithAReaderThatEndsByItself) {
+    for (const std::string name : {"trees", "json", "images"})
+        stand_in("build/fuzz/bin/fuzz_" + name,
+                 "[ -z \"$READER\" ] || exit 1; echo '  " + name + "_reader' >&2");
+    const ShellAnswer answered = answer("fuzz", "60 json_reader");
+    EXPECT_NE(answered.exit_code, 0);
+    EXPECT_TRUE(says(answered, "json_reader ended by itself (1)")) << answered.output;
+    EXPECT_FALSE(says(answered, "Traceback")) << answered.output;
 }
 
 TEST_F(LonelyScript, OfTheAccuracyEndsWithAWordWhereItFails) {
