@@ -109,6 +109,42 @@ TEST_F(LonelyScript, OfTheAccuracyEndsWithAWordWhereItFails) {
     EXPECT_TRUE(says(failed, "out/accuracy/log")) << failed.output;
 }
 
+// Of two patients; one key may be left out.
+std::string comparison_without(const std::string& key) {
+    std::string commands =
+        "[ \"$1\" = compare ] || exit 0\ncase \"$2\" in\n*p1.hep) "
+        "bias=-0.100 ;;\n*) bias=0.050 ;;\nesac\necho \"{\"\n";
+    for (const std::string column : {"dice", "cldice", "centreline_mean_mm", "centreline_p95_mm",
+                                     "length_found", "radius_bias_mm", "radius_mae_mm",
+                                     "bifurcation_recall", "bifurcation_precision", "components"})
+        if (column != key)
+            commands += "echo '\"" + column + "\": '" +
+                        (column == "radius_bias_mm" ? std::string("$bias") : "0.912") + "','\n";
+    return commands + "echo \"}\"";
+}
+
+TEST_F(LonelyScript, OfTheAccuracyShowsTheWorstWithItsSign) {
+    stand_in("cli", comparison_without(""));
+    const ShellAnswer answered =
+        answer("measure_accuracy", "--seeds 1-2", "HEPATICA_CLI=./cli LC_ALL=de_DE.UTF-8");
+    EXPECT_EQ(answered.exit_code, 0) << answered.output;
+    EXPECT_TRUE(says(answered, "| mean | 0.912 | 0.912 | 0.912 | 0.912 | 0.912 | -0.025 |"))
+        << answered.output;
+    EXPECT_TRUE(says(answered, "| worst | 0.912 | 0.912 | 0.912 | 0.912 | 0.912 | -0.100 |"))
+        << answered.output;
+}
+
+// A value that is missing was printed as 0.000: a perfect distance.
+TEST_F(LonelyScript, OfTheAccuracyNamesAValueThatIsMissing) {
+    for (const std::string column : {"dice", "centreline_mean_mm"}) {
+        stand_in("cli", comparison_without(column));
+        const ShellAnswer answered =
+            answer("measure_accuracy", "--seeds 1-1", "HEPATICA_CLI=./cli");
+        EXPECT_NE(answered.exit_code, 0);
+        EXPECT_TRUE(says(answered, "compare says nothing of " + column)) << answered.output;
+    }
+}
+
 TEST_F(LonelyScript, OfThePackagesSaysWhichSystemItIsFor) {
     std::ofstream(folder_ / "scripts" / "packages.txt") << "a-package # of Debian\n";
     const fs::path bin = folder_ / "bin";  // of a system without apt
