@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "tests/support/shell.h"
@@ -143,6 +144,35 @@ TEST_F(LonelyScript, OfTheAccuracyNamesAValueThatIsMissing) {
         EXPECT_NE(answered.exit_code, 0);
         EXPECT_TRUE(says(answered, "compare says nothing of " + column)) << answered.output;
     }
+}
+
+// GoogleTest names a skipped test twice; the names of some have a capital D.
+TEST_F(LonelyScript, OfTheDeviceCountsEachSkippedTestOnce) {
+    stand_in("bin/nvidia-smi", "echo 9.0");
+    stand_in("bin/nproc", "echo 1");
+    stand_in("bin/cmake", "");
+    stand_in("bin/compute-sanitizer", "");
+    stand_in("build/solver-only/bin/gpu_bench", "echo '{}' >\"$1\"");
+    stand_in("build/solver-only/bin/gpu_tests", R"(cat <<'LOG'
+[ RUN      ] Gpu/TwoBackEnds.OneStepAgrees/device_corotated
+[  SKIPPED ] Gpu/TwoBackEnds.OneStepAgrees/device_corotated (0 ms)
+[ RUN      ] DeviceSkeleton.CorrectsOnADeviceAsWell
+[  SKIPPED ] DeviceSkeleton.CorrectsOnADeviceAsWell (0 ms)
+[ RUN      ] OfNodes/Products.AreThoseOfADenseMatrixOnADevice/0
+[  SKIPPED ] OfNodes/Products.AreThoseOfADenseMatrixOnADevice/0, where GetParam() = 3 (12 ms)
+[  SKIPPED ] 3 tests, listed below:
+[  SKIPPED ] Gpu/TwoBackEnds.OneStepAgrees/device_corotated
+[  SKIPPED ] DeviceSkeleton.CorrectsOnADeviceAsWell
+[  SKIPPED ] OfNodes/Products.AreThoseOfADenseMatrixOnADevice/0, where GetParam() = 3
+LOG
+)");
+    const ShellAnswer answered =
+        answer("gpu_check", "", "PATH='" + (folder_ / "bin").string() + "':\"$PATH\"");
+    EXPECT_NE(answered.exit_code, 0) << "tests were skipped";
+    std::ifstream result(folder_ / "build" / "gpu_check" / "gpu_check.json");
+    const std::string json{std::istreambuf_iterator<char>(result), {}};
+    EXPECT_NE(json.find("\"device_tests_skipped\": 3,"), std::string::npos)
+        << json << answered.output;
 }
 
 TEST_F(LonelyScript, OfThePackagesSaysWhichSystemItIsFor) {
