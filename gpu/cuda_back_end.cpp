@@ -188,8 +188,7 @@ StepReport CudaBackEnd::advance(double dt_s, const std::stop_token& stop) {
     if (reason) say_once("The processor makes the steps: " + *reason);
     if (made && device_) {
         ++cuda_.share->device;
-        cuda_.share->solves.seconds += device_->solve_cost().seconds;
-        cuda_.share->solves.kernel_bytes += device_->solve_cost().kernel_bytes;
+        cuda_.share->solves += device_->solve_cost();
         cpu_->follow(device_->state(), report);
         return report;
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Error against cost of the solver's settings on a given body: measure_body_tradeoff() of
 // tradeoff.h.
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -21,7 +20,8 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr int frames_before_a_forecast = 2;
-constexpr int frames_to_fall_asleep = 90;
+constexpr int most_frames_to_sleep = 90;
+constexpr const char* no_time_left = "no time was left";
 
 struct Setting {
     std::size_t mesh = 0;
@@ -189,17 +189,9 @@ std::unique_ptr<Stepper> new_stepper(const BodyDescription& body, const Setting&
 }
 
 std::unique_ptr<Stepper> stepper_for(const BodyDescription& body, const Setting& setting,
-                                     const TradeoffOptions& how, const Job& job) {
-    if (setting.live) {
-        auto stepper = new_stepper(body, setting, setting.options, how);
-        for (int f = 0; f < frames_to_fall_asleep; ++f) {
-            job.throw_if_cancelled();
-            if (stepper->step(frame_s, job.stop_token()).asleep) break;
-        }
-        return stepper;
-    }
+                                     const TradeoffOptions& how) {
     StepperOptions options = setting.options;
-    options.substeps = 1;  // the meter makes the substeps one by one
+    if (!setting.live) options.substeps = 1;  // the meter makes the substeps one by one
     return new_stepper(body, setting, options, how);
 }
 
@@ -209,19 +201,21 @@ std::string measure_motion(const Scene& scene, const Setting& setting,
                            const std::function<void(double)>& progress, FrameMeter& meter,
                            CentrelineMotion& motion) {
     const BodyDescription& body = scene.meshes[setting.mesh];
-    if (clock.left_s() <= 0.0) return "no time was left";
-    const auto stepper = stepper_for(body, setting, options, job);
+    if (clock.left_s() <= 0.0) return no_time_left;
+    const auto stepper = stepper_for(body, setting, options);
     const char* const left = "the device leaves such steps to the processor";
     if (setting.on_device && !stepper->on_device()) return left;
+    if (setting.live && !let_fall_asleep(*stepper, most_frames_to_sleep, clock, job))
+        return no_time_left;
     for (int f = 0; f < Pull::frames; ++f) {
         progress(f / static_cast<double>(Pull::frames));
         stepper->set_grabs(scene.pull.grabs(body, f));
         meter.step(*stepper, setting.live ? 1 : setting.options.substeps, job);
         scene.watch(setting.mesh, *stepper, motion);
+        if (f + 1 < frames_before_a_forecast) continue;
         const double needed_s = 1e-3 * meter.last_wall_ms() * (Pull::frames - f - 1);
-        if (f + 1 >= frames_before_a_forecast && needed_s > clock.left_s())
-            return "needs " + seconds_text(needed_s) + " more, " +
-                   seconds_text(std::max(0.0, clock.left_s())) + " were left";
+        std::string reason = why_no_time(needed_s, clock.left_s());
+        if (!reason.empty()) return reason;
     }
     if (setting.on_device && !stepper->on_device()) return left;
     return {};

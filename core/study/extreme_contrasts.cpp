@@ -10,6 +10,7 @@
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/study/extreme_cases.h"
 #include "core/study/reference_beam.h"
+#include "core/study/touch_bodies.h"
 #include "core/study/trial.h"
 
 namespace hepatica {
@@ -24,7 +25,7 @@ double beam_tip_mm(const BeamSpec& spec, const AlongBeam& stiffness, const Along
     const double length = spec.length_mm, h = length / n, nu = spec.material.poisson_ratio;
     const double area = spec.section_mm * spec.section_mm;
     const double inertia = area * area / 12.0;
-    const double kappa = 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu);
+    const double kappa = shear_coefficient(spec.material);
     const double q = spec.material.density_g_mm3 * area * spec.gravity_mm_s2;
     double shear = 0.0, moment = 0.0, tip = 0.0;
     for (int i = n - 1; i >= 0; --i) {  // from the tip to the clamp
@@ -147,10 +148,6 @@ ExtremeRow run_sliver(const std::string& element, double angle_deg, double dt,
 
 using Deform = std::function<Vec3(const Vec3& rest, std::mt19937_64& random)>;
 
-double random_between(std::mt19937_64& random, double low, double high) {
-    return low + (high - low) * static_cast<double>(random() >> 11) * 0x1.0p-53;
-}
-
 // Starts from a severely deformed shape and must return to rest by itself.
 ExtremeRow run_broken_start(const std::string& element, double dt, const Deform& deform,
                             const ExtremeRun& how) {
@@ -198,8 +195,7 @@ void add_shapes(std::vector<ExtremeCase>& cases) {
         {"turned back", [](const Vec3& x, std::mt19937_64&) { return Vec3(-x[0], x[1], x[2]); }},
         {"stretched 10 times", [](const Vec3& x, std::mt19937_64&) { return Vec3(10.0 * x); }},
         {"random", [](const Vec3&, std::mt19937_64& r) {
-             return Vec3(random_between(r, 0, 80), random_between(r, 0, 40),
-                         random_between(r, 0, 40));
+             return Vec3(uniform(r, 0, 80), uniform(r, 0, 40), uniform(r, 0, 40));
          }}};
     for (const Start& start : starts)
         for (const char* element : {"corotated", "neohookean", "corotated-10", "hexahedron"})

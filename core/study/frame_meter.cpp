@@ -2,9 +2,9 @@
 #include "core/study/frame_meter.h"
 
 #include "core/base/frame_time.h"
-#include "core/study/timing.h"
 
 namespace hepatica {
+
 void FrameMeter::step(Stepper& stepper, int parts, const Job& job) {
     const FrameTimer timer;
     for (int part = 0; part < parts; ++part) {
@@ -22,6 +22,15 @@ void FrameMeter::book(TradeoffPoint& point) const {
     point.step_ms = point.frame_ms / point.options.substeps;
     point.dt_s = frame_s / point.options.substeps;
     point.iterations = iterations_ / (static_cast<double>(frames()) * point.options.substeps);
+}
+
+bool let_fall_asleep(Stepper& stepper, int most_frames, const BudgetClock& clock, const Job& job) {
+    for (int f = 0; f < most_frames; ++f) {
+        job.throw_if_cancelled();
+        if (clock.left_s() <= 0.0) return false;
+        if (stepper.step(frame_s, job.stop_token()).asleep) break;
+    }
+    return true;
 }
 
 }  // namespace hepatica

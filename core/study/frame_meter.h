@@ -8,6 +8,7 @@
 
 #include "core/base/job.h"
 #include "core/deform/stepper/stepper.h"
+#include "core/study/timing.h"
 #include "core/study/tradeoff.h"
 
 namespace hepatica {
@@ -28,5 +29,9 @@ class FrameMeter {
     double last_wall_ms_ = 0.0;
     double iterations_ = 0.0;
 };
+
+// Steps a body until it sleeps, for `most_frames` at most. False where the clock's time is over
+// before that. Throws Cancelled soon after the job was cancelled.
+bool let_fall_asleep(Stepper& stepper, int most_frames, const BudgetClock& clock, const Job& job);
 
 }  // namespace hepatica

@@ -107,8 +107,10 @@ void hold(Session& session, const VesselTree& tree, const Job& job) {
                          .point_mm = place,
                          .side = Vec3(along.cross(down))});
     session.step(job);
+    session.update_frame();  // its message says why there is no tool
     if (!session.world().deform()->tool())
-        throw InputError(session.frame().statistics.message, "", "");
+        throw InputError(session.frame().statistics.message, "the forceps of the benchmark",
+                         "Name another case");
     session.post(ShiftTool{6.0 * down});
     for (int i = 0; i < 30; ++i) session.step(job);
     session.post(CloseForceps{});

@@ -53,10 +53,14 @@ BodyDescription clamped_beam(const BeamSpec& spec, const Discretisation& discret
     return body;
 }
 
+double shear_coefficient(const Material& material) {
+    const double nu = material.poisson_ratio;
+    return 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu);
+}
+
 double timoshenko_tip_mm(const BeamSpec& spec) {
-    const double nu = spec.material.poisson_ratio, length = spec.length_mm;
+    const double length = spec.length_mm, kappa = shear_coefficient(spec.material);
     const double shear_modulus = lame_of(spec.material).mu_pa;
-    const double kappa = 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu);
     const double q = weight_per_length(spec);
     return q * std::pow(length, 4) / (8.0 * bending_stiffness(spec)) +
            q * length * length / (2.0 * kappa * shear_modulus * spec.section_mm * spec.section_mm);

@@ -35,6 +35,8 @@ BeamSpec short_beam(const Discretisation& discretisation);
 // The beam as a body, of Kuhn bricks or of one hexahedron per cell.
 BodyDescription clamped_beam(const BeamSpec& spec, const Discretisation& discretisation);
 
+// Share of a rectangular section that carries shear (Cowper 1966).
+double shear_coefficient(const Material& material);
 // Tip deflection by linear theory: bending and shear.
 double timoshenko_tip_mm(const BeamSpec& spec);
 // Period of the first bending mode (Euler-Bernoulli).

@@ -67,6 +67,14 @@ inline std::string seconds_text(double seconds) {
     return text.str();
 }
 
+// Why work of that long is left out; empty where there is time for it. Nothing that is left to do
+// needs no time, whatever the clock says.
+inline std::string why_no_time(double needed_s, double left_s) {
+    if (!(needed_s > 0.0) || needed_s <= left_s) return {};
+    return "needs " + seconds_text(needed_s) + " more, " + seconds_text(std::max(0.0, left_s)) +
+           " were left";
+}
+
 // The quantile at `share` in [0, 1], rounded down to a value; 0.5 is the median, which a cold first
 // call or a disturbed one hardly affects. Requires at least one value.
 inline double quantile(std::vector<double> values, double share) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/tradeoff.h"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -147,12 +146,10 @@ TradeoffPoint measure_beam(BeamSpec spec, const Setting& setting, const BeamRefe
         progress(i / static_cast<double>(rest_frames));
         meter.step(*stepper, setting.substeps, job);
         tips.push_back(tip_motion(spec, body, *stepper));
-        const double left = clock.left_s();
-        const double needed = 1e-3 * meter.last_wall_ms() * (rest_frames - i - 1);
-        if (i == 0 || needed <= left) continue;
-        point.not_measured = "needs " + seconds_text(needed) + " more, " +
-                             seconds_text(std::max(0.0, left)) + " were left";
-        break;
+        if (i == 0) continue;
+        const double needed_s = 1e-3 * meter.last_wall_ms() * (rest_frames - i - 1);
+        point.not_measured = why_no_time(needed_s, clock.left_s());
+        if (!point.not_measured.empty()) break;
     }
     meter.book(point);
     if (!point.not_measured.empty()) return point;

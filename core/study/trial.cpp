@@ -94,6 +94,16 @@ bool Trial::require_close(double value, double expected, double allowed,
     return require(row_.error <= allowed, what.str());
 }
 
+bool Trial::require_all_close(std::span<const double> values, double expected, double allowed,
+                              const std::string& reference) {
+    const auto distance = [&](double value) {
+        const double apart = std::abs(value - expected);
+        return std::isfinite(apart) ? apart : HUGE_VAL;
+    };
+    const double furthest = *std::ranges::max_element(values, {}, distance);
+    return require_close(furthest, expected, allowed, reference);
+}
+
 bool Trial::require_positive_volumes(const BodyDescription& body, ElementModel model,
                                      ElementOrder order) {
     const BodyState state = stepper_.state();

@@ -38,6 +38,10 @@ class Trial {
     // Records the relative error, and fails the row where it is larger than allowed or not a
     // number.
     bool require_close(double value, double expected, double allowed, const std::string& reference);
+    // The same of at least one value, judged by the one that is furthest from what is expected, or
+    // is not a number.
+    bool require_all_close(std::span<const double> values, double expected, double allowed,
+                           const std::string& reference);
 
     // Requires that no element of the body, tetrahedron or hexahedron, is flat or inverted at a
     // corner or an integration point. Body, model and order must be those of the stepper.

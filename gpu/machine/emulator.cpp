@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -77,9 +78,13 @@ class Emulator final : public MachineBy<Emulator> {
 
   private:
     void* take(std::size_t bytes) override {
-        void* memory = std::calloc(bytes, 1);
+        // As a device aligns its memory. Kernels keep numbers that need more than malloc gives.
+        constexpr std::size_t alignment = 256;
+        if (bytes > std::numeric_limits<std::size_t>::max() - alignment) throw std::bad_alloc();
+        const std::size_t whole = (bytes + alignment - 1) / alignment * alignment;
+        void* const memory = std::aligned_alloc(alignment, whole);
         if (memory == nullptr) throw std::bad_alloc();
-        return memory;
+        return std::memset(memory, 0, whole);
     }
     void give_back(void* memory) noexcept override { std::free(memory); }
     void copy_in(void* to, const void* from, std::size_t bytes) override {

@@ -141,6 +141,7 @@ template <class Real>
 SolveReport DeviceSolver<Real>::solve(const SystemView<Real>& system, View<const Vector3<double>> b,
                                       const DeviceSkeleton<Real>* skeleton,
                                       const SolveLimits& limits, const std::stop_token& stop) {
+    cost_ = {};
     SolveReport report;
     report.method = skeleton != nullptr ? "skeleton" : "block-jacobi";
     const double rhs_squared = nodes_.read(BeginSolve{b, solution_.view(), residual_.view()})[0];

@@ -20,6 +20,12 @@ namespace hepatica::gpu {
 struct SolveCost {
     double seconds = 0.0;
     std::size_t kernel_bytes = 0;  // see bytes_of
+
+    SolveCost& operator+=(const SolveCost& more) {
+        seconds += more.seconds;
+        kernel_bytes += more.kernel_bytes;
+        return *this;
+    }
 };
 
 template <class Real>
@@ -38,7 +44,8 @@ class DeviceSolver {
     View<const Vector3<double>> solution() const { return solution_.read(); }
     View<const Vector3<double>> residual() const { return residual_.read(); }  // b - A x
 
-    const SolveCost& cost() const { return cost_; }  // of the last solve
+    // Of the last solve; none where its right-hand side was zero.
+    const SolveCost& cost() const { return cost_; }
 
     // The value carried from one solve to the next, see ConjugateGradient.
     double smallest_ritz() const { return smallest_ritz_; }

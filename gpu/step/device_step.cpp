@@ -90,7 +90,7 @@ class Step final : public DeviceStep {
                  const std::stop_token& stop) override;
     const std::string& left_because() const override { return left_because_; }
 
-    const SolveCost& solve_cost() const override { return solver_.cost(); }
+    const SolveCost& solve_cost() const override { return solve_cost_; }
     double solver_memory() const override { return solver_.smallest_ritz(); }
     void set_solver_memory(double memory) override { solver_.remember(memory); }
 
@@ -159,6 +159,7 @@ class Step final : public DeviceStep {
     BodyState state_, end_;   // end_: memory for the state at the end of a step
     PinnedVectors pinned_;    // the vectors of both
     std::string left_because_;
+    SolveCost solve_cost_;  // of the step
 };
 
 // Sets all arrays with one entry per node of the present body.
@@ -320,6 +321,7 @@ bool Step<Real>::solve(Underway& step, const SolveLimits& limits, StepReport& re
     const SolveReport solved =
         solver_.solve(step_matrix(dt), step.predicted ? steepest_.read() : rhs_.read(),
                       skeleton_.get(), limits, stop);
+    solve_cost_ += solver_.cost();
     report.linear_solves = report.newton_iterations = 1;
     report.linear_iterations = solved.iterations;
     report.linear_residual = solved.relative_residual;
@@ -437,6 +439,7 @@ template <class Real>
 bool Step<Real>::advance(double dt_s, const SolveLimits& limits, StepReport& report,
                          const std::stop_token& stop) {
     left_because_.clear();
+    solve_cost_ = {};
     const BodyState began = guard_.any() ? state_ : BodyState{};
     std::optional<StepReport> made;
     double left_s = dt_s;

@@ -49,7 +49,9 @@ class DeviceStep {
     // energy or could not be solved for.
     virtual const std::string& left_because() const = 0;
 
-    virtual const SolveCost& solve_cost() const = 0;  // of the last step's linear solve
+    // Of the last step's linear solves: one, or one for each part of a step that is split at an
+    // impact.
+    virtual const SolveCost& solve_cost() const = 0;
 
     // The value that the linear solver carries from one step to the next.
     virtual double solver_memory() const = 0;

@@ -10,6 +10,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -164,6 +165,91 @@ TEST(TestsNamed, InListsAndScriptsAreThere) {
     for (const auto& entry : fs::recursive_directory_iterator(source_root / "tests"))
         if (entry.path().filename() == "CMakeLists.txt") checked += check(tree, entry.path());
     EXPECT_GE(checked, 5);
+}
+
+// The words of a list of sources that the thread sanitizer builds nothing of, see hepatica_tests().
+std::set<std::string> beside_threads(const std::string& list) {
+    const std::size_t threads = list.find("OF_THREADS");
+    if (threads == std::string::npos) return {};
+    const std::size_t sources = list.rfind("SOURCES", threads);
+    std::istringstream words(list.substr(sources, threads - sources));
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
+// Names as ctest has them of the tests in some folders.
+struct NamesOfCtest {
+    std::vector<std::string> all, of_threads;  // of_threads: what the thread sanitizer builds
+
+    explicit NamesOfCtest(const std::vector<std::string>& folders) {
+        for (const std::string& folder : folders) {
+            const fs::path root = source_root / "tests" / folder;
+            const auto left_out = beside_threads(text_of(root / "CMakeLists.txt"));
+            for (const auto& entry : fs::recursive_directory_iterator(root)) {
+                if (entry.path().extension() != ".cpp") continue;
+                const fs::path file = entry.path().lexically_relative(root);
+                for (const std::string& test : tests_in(text_of(entry.path()))) {
+                    all.push_back(folder + "." + test);
+                    if (!left_out.contains(file.generic_string())) of_threads.push_back(all.back());
+                }
+            }
+        }
+    }
+};
+
+// Of an expression with alternatives, in parentheses or not, each one: a(b|c) is ab and ac.
+std::vector<std::string> alternatives(const std::string& expression) {
+    std::vector<std::string> found;
+    std::size_t begin = 0, open = std::string::npos, close = std::string::npos;
+    for (std::size_t at = 0, depth = 0; at <= expression.size(); ++at) {
+        const char c = at < expression.size() ? expression[at] : '|';
+        if (c == '(' && depth++ == 0 && open == std::string::npos) open = at;
+        if (c == ')' && --depth == 0 && close == std::string::npos) close = at;
+        if (c != '|' || depth > 0) continue;
+        const std::string one = expression.substr(begin, at - begin);
+        if (open == std::string::npos) {
+            found.push_back(one);
+        } else {
+            const std::string before = expression.substr(begin, open - begin);
+            for (const std::string& inner :
+                 alternatives(expression.substr(open + 1, close - open - 1)))
+                for (const std::string& after :
+                     alternatives(expression.substr(close + 1, at - close - 1)))
+                    found.push_back(before + inner + after);
+        }
+        begin = at + 1;
+        open = close = std::string::npos;
+    }
+    return found;
+}
+
+bool any_is_called(const std::vector<std::string>& names, const std::string& expression) {
+    const std::regex called(expression);
+    return std::ranges::any_of(
+        names, [&](const std::string& name) { return std::regex_search(name, called); });
+}
+
+// What ./test runs under the sanitizers and what it leaves out, in quotation marks or on lines of
+// their own.
+TEST(TestsNamed, InTheTestCommandAreThere) {
+    const std::string command = text_of(source_root / "test");
+    const std::size_t tsan = command.find("under tsan");
+    ASSERT_NE(tsan, std::string::npos);
+    static const std::regex expression(R"('(\^[^']*)'|\n +(\^\S+))");
+    const NamesOfCtest names({"base", "flow", "deform", "tear", "fuzz", "session", "ui_threads"});
+    int checked = 0;
+    for (const std::smatch& match : all_matches(command, expression)) {
+        const bool threads = static_cast<std::size_t>(match.position()) > tsan;
+        for (const std::string& one : alternatives(match[match[1].matched ? 1 : 2].str())) {
+            EXPECT_TRUE(any_is_called(threads ? names.of_threads : names.all, one)) << one;
+            ++checked;
+        }
+    }
+    EXPECT_GT(checked, 30);
+    EXPECT_EQ(alternatives("a(b|c(d|e)f)g|h"),
+              (std::vector<std::string>{"abg", "acdfg", "acefg", "h"}));
+    EXPECT_TRUE(any_is_called(names.all, R"(^deform\.ManyContacts\.)"));
+    EXPECT_FALSE(any_is_called(names.of_threads, R"(^deform\.ManyContacts\.)"));
+    EXPECT_TRUE(any_is_called(names.of_threads, R"(^deform\.CpuStepper\.)"));
 }
 
 TEST(TestsNamed, TheCheckItselfObjects) {

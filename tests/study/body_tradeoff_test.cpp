@@ -3,13 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <set>
+#include <string>
 
 #include "core/base/error.h"
+#include "core/deform/stepper/live_stepper.h"
 #include "core/scene/setting_json.h"
+#include "core/study/frame_meter.h"
 #include "core/study/pull_trial.h"
+#include "core/study/timing.h"
 #include "core/study/tradeoff.h"
 #include "core/study/vessel_body.h"
+#include "tests/session/failing_stepper.h"
 #include "tests/support/emulated_back_end.h"
 
 namespace hepatica {
@@ -94,6 +100,28 @@ TEST(BodyTradeoff, FindsThatShorterStepsMissLess) {
     EXPECT_GT(four, 0.0);
     EXPECT_LT(four, 0.5 * one);
     EXPECT_GT(few_iterations, one);
+}
+
+// After the last frame nothing is left to do, and what was measured counts, however late it is.
+TEST(Budget, LeavesOutOnlyWhatIsStillToBeDone) {
+    EXPECT_EQ(why_no_time(0.0, -0.5), "");
+    EXPECT_EQ(why_no_time(1.0, 1.0), "");
+    EXPECT_EQ(why_no_time(1.0, 0.5), "needs 1 s more, 0.5 s were left");
+    EXPECT_EQ(why_no_time(1.0, -0.5), "needs 1 s more, 0 s were left");
+}
+
+// A body falls asleep before it is pulled where only what moves is computed, within the budget.
+TEST(Budget, HoldsWhileABodyFallsAsleep) {
+    Job job;
+    int steps = 0;
+    const auto count = std::make_shared<test::Fault>(
+        [&](const std::string& call) { steps += call == "begin step" ? 1 : 0; });
+    test::FailingStepper stepper(make_live_stepper(bar(), {.sleeping = false}), count);
+    EXPECT_FALSE(let_fall_asleep(stepper, 90, BudgetClock(0.0), job));
+    EXPECT_EQ(steps, 0);
+    EXPECT_TRUE(let_fall_asleep(stepper, 90, BudgetClock(1e9), job));
+    EXPECT_LT(steps, 90);
+    EXPECT_TRUE(stepper.step(1.0 / 60.0, {}).asleep);
 }
 
 // What the budget does not allow is named, with the reason; nothing runs on.

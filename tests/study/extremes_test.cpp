@@ -6,6 +6,7 @@
 
 #include <set>
 #include <stop_token>
+#include <string>
 
 #include "core/base/error.h"
 #include "core/scene/deform_part.h"
@@ -91,6 +92,20 @@ TEST(Extremes, EverythingHoldsInASampleOfTears) {
     }
     EXPECT_GT(torn, 6);
     EXPECT_GT(splits, 60);
+}
+
+// What the row is about is a thousandth of the spin.
+TEST(Extremes, ASpinThatLosesNothingIsNotTakenForOneThatLosesWhatItShould) {
+    ExtremeRun short_run;
+    short_run.most_steps = 100;  // a thousandth of those after which it is expected
+    for (const ExtremeCase& extreme : extreme_cases()) {
+        if (extreme.name.find("spinning") == std::string::npos) continue;
+        const ExtremeRow row = extreme.run(short_run);
+        EXPECT_GT(row.error, 0.9);
+        EXPECT_NE(row.note.find("loss of spin"), std::string::npos) << row.note;
+        return;
+    }
+    FAIL() << "there is no such row";
 }
 
 class QuickExtremes : public testing::TestWithParam<const char*> {};

@@ -5,7 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
+
+#include "core/base/error.h"
 #include "core/haptics/local_model.h"
+#include "tests/session/small_patient.h"
 
 namespace hepatica {
 namespace {
@@ -25,6 +30,24 @@ TEST(HapticStudy, FeelsAFullPatchWhileThePlayRuns) {
     EXPECT_LE(study.p999_us, study.longest_us);
     EXPECT_GT(study.steps, 1);
     EXPECT_GT(study.tetrahedra, 1000);
+}
+
+// Forceps without a direction are refused. Their error had no words.
+TEST(HapticStudy, SaysWhyTheForcepsFindNoPlace) {
+    const auto bent = std::make_shared<PatientCase>(*test::small_patient());
+    auto& longest = *std::ranges::max_element(
+        bent->tree.segments, {}, [](const auto& segment) { return segment.points_mm.size(); });
+    const std::size_t middle = longest.points_mm.size() / 2;
+    longest.points_mm[middle] = longest.points_mm[middle - 1];
+    Job job;
+    try {
+        study_haptics(bent, {}, job);
+        FAIL() << "forceps without a direction were taken";
+    } catch (const InputError& error) {
+        EXPECT_FALSE(error.problem().empty());
+        EXPECT_EQ(error.place(), "the forceps of the benchmark");
+        EXPECT_FALSE(error.remedy().empty());
+    }
 }
 
 }  // namespace

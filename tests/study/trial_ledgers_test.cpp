@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <memory>
+#include <vector>
 
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/mesh/brick_mesh.h"
@@ -170,6 +171,25 @@ TEST_F(TrialOfLedgers, ComparesWithReferencesRelatively) {
     EXPECT_FALSE(trial.require_close(2.1, 2.0, 0.0499, "a book"));
     EXPECT_FALSE(row_.note.empty());
     EXPECT_FALSE(trial.require_close(std::nan(""), 2.0, 1.0, "a book"));
+}
+
+TEST_F(TrialOfLedgers, JudgesManyValuesByTheOneFurthestAway) {
+    for (const double far : {1.5, 2.5}) {
+        ExtremeRow row;
+        Trial trial(*stepper_, row, {});
+        EXPECT_FALSE(trial.require_all_close(std::vector{2.01, far, 2.0}, 2.0, 0.1, "a book"));
+        EXPECT_NEAR(row.error, 0.25, 1e-12);
+        EXPECT_TRUE(row.note.starts_with(far < 2.0 ? "1.5 " : "2.5 ")) << row.note;
+    }
+    Trial trial(*stepper_, row_, {});
+    EXPECT_TRUE(trial.require_all_close(std::vector{2.01, 2.1, 1.99}, 2.0, 0.1, "a book"));
+    EXPECT_NEAR(row_.error, 0.05, 1e-12);
+    for (const std::vector<double>& spoiled :
+         {std::vector{2.0, std::nan(""), 2.1}, std::vector{std::nan(""), 2.0}}) {
+        ExtremeRow row;
+        EXPECT_FALSE(Trial(*stepper_, row, {}).require_all_close(spoiled, 2.0, 1.0, "a book"));
+        EXPECT_FALSE(row.note.empty());
+    }
 }
 
 TEST_F(TrialOfLedgers, AllowsWhatIsJustAllowed) {

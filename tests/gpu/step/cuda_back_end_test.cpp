@@ -12,6 +12,7 @@
 #include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_back_end.h"
 #include "core/deform/stepper/governed_stepper.h"
+#include "core/mesh/brick_mesh.h"
 #include "gpu/machine/device_error.h"
 #include "tests/deform/support/two_bars.h"
 #include "tests/gpu/support/gpu_bodies.h"
@@ -236,6 +237,28 @@ TEST(CudaBackEnd, ABodyAtRestStaysThereOnTheDevice) {
     EXPECT_EQ(cuda.share->device, 20);
     const Body& body = back_end->body();
     EXPECT_LT(relative_distance(back_end->state().positions_mm, body.rest_positions_mm), 1e-6);
+}
+
+// A step without a right-hand side solves nothing; it was booked with what another had cost.
+TEST(CudaBackEnd, BooksNothingWhereNothingIsSolved) {
+    const gpu::CudaOptions cuda;
+    BodyDescription brick;  // of cells of a millimetre, which have no forces of rounding at rest
+    brick.mesh = kuhn_brick(Vec3(8, 2, 2), {8, 2, 2});
+    for (const Vec3& x : brick.mesh.vertices_mm) brick.fixed.push_back(x.x() == 0.0 ? 1 : 0);
+    const auto back_end = gpu::make_cuda_back_end(brick, test::exact_options("corotated"),
+                                                  gpu::make_emulator(), cuda);
+    const BodyState rest = back_end->state();
+    back_end->set_gravity({0.0, -9810.0, 0.0});
+    back_end->advance(frame_s);
+    const gpu::SolveCost moved = cuda.share->solves;
+    EXPECT_GT(moved.kernel_bytes, 0u);
+    EXPECT_GT(moved.seconds, 0.0);
+    back_end->set_gravity(Vec3::Zero());
+    back_end->set_state(rest);
+    EXPECT_EQ(back_end->advance(frame_s).linear_iterations, 0);
+    EXPECT_EQ(cuda.share->device, 2);
+    EXPECT_EQ(cuda.share->solves.kernel_bytes, moved.kernel_bytes);
+    EXPECT_EQ(cuda.share->solves.seconds, moved.seconds);
 }
 
 // What has no kernels is computed by the processor, to its bits, and said once.

@@ -192,6 +192,27 @@ TEST_P(Contact, AnyOrderOfBlocksGivesTheSameBits) {
     }
 }
 
+// A bar that swings towards a ball within one step: what both parts' solves cost is booked, which
+// is all but a little of what such a step does.
+TEST(CudaBackEnd, BooksTheSolvesOfEachPartOfAStep) {
+    const TouchingBody body = touching_body("obstacle");
+    const auto options = options_of(LinearSolverKind::block_jacobi, Precision::single_precision);
+    const gpu::CudaOptions cuda;
+    const std::shared_ptr<gpu::Machine> machine = gpu::make_emulator();
+    const auto gpu = gpu::make_cuda_back_end(body.description, options, machine, cuda);
+    BodyState state = gpu->state();
+    for (std::size_t i = 0; i < state.positions_mm.size(); ++i)
+        if (gpu->body().fixed[i] == 0)
+            state.velocities_mm_per_s[i] = Vec3(0, 0, 2.0 * state.positions_mm[i].x());
+    gpu->set_state(state);
+    const std::size_t before = machine->traffic().kernel_bytes;
+    const StepReport report = gpu->advance(frame_s);
+    EXPECT_EQ(cuda.share->device, 1);
+    EXPECT_GE(report.linear_solves, 2);
+    EXPECT_GT(static_cast<double>(cuda.share->solves.kernel_bytes),
+              0.9 * static_cast<double>(machine->traffic().kernel_bytes - before));
+}
+
 TEST(CudaBackEnd, ForgetsAToolThatIsTakenAway) {
     TouchingBody body = touching_body("probe");
     const auto options = options_of(LinearSolverKind::block_jacobi, Precision::double_precision);

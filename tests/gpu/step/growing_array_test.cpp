@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An array on a machine that is set again and again: it holds what was set last, and what did not
-// change was not copied.
+// Arrays on a machine: they lie where their values may lie and are zero at first. One that is set
+// again and again holds what was set last, and what did not change was not copied.
 #include "gpu/step/growing_array.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
+#include "gpu/kernels/element_kernels.h"
+#include "gpu/machine/array.h"
 #include "gpu/machine/emulator.h"
 
 namespace hepatica {
@@ -63,6 +66,30 @@ TEST(GrowingArray, CopiesThePartsThatChanged) {
     copied_by(values);
     values.resize(100000, 5);
     EXPECT_LT(copied_by(values)[1], 2 * 16384 + 1);
+}
+
+// What kernels keep may want more than malloc gives: 32 bytes for three numbers in double.
+TEST(Array, LiesWhereItsValuesMayLie) {
+    const auto machine = gpu::make_emulator();
+    for (const std::size_t size : {1u, 3u, 100u, 10000u, 100000u}) {
+        using Padded = gpu::Aligned3<double>;
+        const gpu::Array<Padded> first(*machine, size), second(*machine, size);
+        for (const gpu::Array<Padded>* array : {&first, &second})
+            EXPECT_EQ(reinterpret_cast<std::uintptr_t>(array->read().data) % alignof(Padded), 0u)
+                << size;
+    }
+}
+
+// Arrays are zero at first, also in memory that held something before.
+TEST(Array, IsZeroAtFirst) {
+    const auto machine = gpu::make_emulator();
+    for (int round = 0; round < 3; ++round) {
+        gpu::Array<int> array(*machine, 1000);
+        std::vector<int> held(array.size(), -1);
+        array.download(held);
+        EXPECT_EQ(held, std::vector<int>(1000, 0));
+        array.upload(std::vector<int>(1000, 7));
+    }
 }
 
 }  // namespace
