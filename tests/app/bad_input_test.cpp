@@ -311,6 +311,19 @@ TEST_F(BadInput, APhantomCancelledInAnyStageLeavesNothing) {
     EXPECT_GE(interrupted, 2);
 }
 
+// Limits below a slice's header, amid it, and amid its pixels.
+TEST_F(BadInput, APhantomThatFindsTheDiskFullLeavesNothing) {
+    for (const long bytes : {0L, 300L, 1000L, 2000L}) {
+        const Outcome run = run_cli({"phantom", path("p"), "--dims", "32,32,32", "--spacing",
+                                     "5,5,5", "--generations", "1"},
+                                    {.file_bytes = bytes});
+        EXPECT_EQ(run.exit_code, 1) << bytes << ": " << run.errors;
+        EXPECT_TRUE(files().empty()) << bytes;
+        if (bytes < 2000) continue;  // then its message is cut off, too
+        EXPECT_NE(run.errors.find(path("p/ct/slice_0001.dcm")), std::string::npos) << run.errors;
+    }
+}
+
 // Killed at once it would leave its temporary folder.
 TEST_F(BadInput, APhantomWhoseTerminalIsClosedLeavesNothing) {
     const Outcome run =
