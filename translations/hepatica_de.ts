@@ -3854,6 +3854,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>seine Segmentierung %1</translation>
     </message>
     <message>
+        <source>cannot be written: the disk takes no more</source>
+        <translation>lässt sich nicht schreiben: Der Datenträger nimmt nichts mehr auf</translation>
+    </message>
+    <message>
+        <source>Free some space there, or choose another folder</source>
+        <translation>Schaffen Sie dort Platz, oder wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
         <source>Export the CT again, or install the program again</source>
         <translation>Exportieren Sie das CT noch einmal, oder installieren Sie das Programm neu</translation>
     </message>
