@@ -4306,6 +4306,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>ist kein JSON</translation>
     </message>
     <message>
+        <source>is given twice</source>
+        <translation>ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>Leave one of the two out</source>
+        <translation>Lassen Sie eines von beiden weg</translation>
+    </message>
+    <message>
         <source>Begin with a lesson that is whole</source>
         <translation>Beginnen Sie mit einer vollständigen Lektion</translation>
     </message>
