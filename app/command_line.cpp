@@ -18,6 +18,7 @@
 #include "app/progress_display.h"
 #include "app/readable.h"
 #include "core/base/error.h"
+#include "core/base/quoted_name.h"
 
 namespace hepatica {
 
@@ -64,18 +65,32 @@ void refuse_senseless_values(const CLI::App& app) {
         }
 }
 
+// The verb or group of this name; null where there is none.
+const CLI::App* verb_of(const CLI::App& group, const std::string& name) {
+    const auto verbs = group.get_subcommands([](const CLI::App*) { return true; });
+    const auto found =
+        std::ranges::find_if(verbs, [&](const CLI::App* verb) { return verb->get_name() == name; });
+    return found == verbs.end() ? nullptr : *found;
+}
+
+// Names the verb that is not there, or the help of the one that is: `bench step` is in a group.
 int report_usage(const CLI::App& program, int argc, const char* const* argv,
                  const CLI::ParseError& error) {
-    const auto verbs = program.get_subcommands([](const CLI::App*) { return true; });
-    const bool known = argc > 1 && std::ranges::any_of(verbs, [&](const CLI::App* verb) {
-                           return verb->get_name() == argv[1];
-                       });
-    if (argc > 1 && argv[1][0] != '-' && !known)
-        spdlog::error("there is no verb \"{}\"", argv[1]);
+    const CLI::App* at = &program;
+    std::string known;
+    int next = 1;
+    for (; next < argc; ++next) {
+        const CLI::App* const verb = verb_of(*at, argv[next]);
+        if (verb == nullptr) break;
+        at = verb;
+        known += verb->get_name() + " ";
+    }
+    const bool is_group = at->get_require_subcommand_min() > 0;
+    if (is_group && next < argc && argv[next][0] != '-')
+        spdlog::error("there is no verb \"{}{}\"", known, argv[next]);
     else
         spdlog::error("{}", error.what());
-    const std::string verb = known ? std::string(argv[1]) + " " : "";
-    spdlog::error("See `hepatica-cli {}--help`", verb);
+    spdlog::error("See `hepatica-cli {}--help`", known);
     return exit_bad_usage;
 }
 
@@ -173,15 +188,38 @@ int CommandLine::run_verb() {
     } catch (const Error& error) {
         return report(error, exit_bad_input);
     } catch (const std::filesystem::filesystem_error& error) {
-        spdlog::error("{}: {}", error.path1().string(), error.code().message());
+        const std::string other =
+            error.path2().empty() ? "" : " (with " + error.path2().string() + ")";
+        spdlog::error("{}: {}{}", error.path1().string(), error.code().message(), other);
+        spdlog::error("Check that it is there, may be used, and leads round in no circle of links");
         return exit_bad_input;
     } catch (const std::bad_alloc&) {
-        spdlog::error("not enough memory; give a smaller image or crop it with --liver-mask");
+        spdlog::error("not enough memory");
+        spdlog::error(
+            "Close other programs, or give less: a smaller image or one cropped with --liver-mask, "
+            "or a case of fewer --tetrahedra");
         return exit_internal;
     } catch (const std::exception& error) {
         spdlog::error("internal error: {}", error.what());
         return exit_internal;
     }
+}
+
+CLI::Validator whole_number_from(std::int64_t least) {
+    const std::string range = std::to_string(least) + " or more";
+    const auto check = [=](const std::string& text) -> std::string {
+        std::int64_t value = 0;
+        const char* const end = text.data() + text.size();
+        const auto [rest, error] = std::from_chars(text.data(), end, value);
+        if (error == std::errc{} && rest == end && value >= least) return {};
+        return "\"" + text + "\" is no whole number; give " + range;
+    };
+    return {check, range};
+}
+
+void require_utf8(const std::string& option, const std::string& text) {
+    if (!is_utf8(text))
+        throw UsageError("is no text in UTF-8", option, "Write it in letters of UTF-8");
 }
 
 std::array<double, 3> parse_triple(const std::string& option, const std::string& text) {

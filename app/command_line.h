@@ -13,6 +13,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -61,6 +62,14 @@ class CommandLine {
     bool json_ = false;
     bool quiet_ = false;
 };
+
+// Lets whole numbers from `least` on pass that fit into 64 bits; CLI11 wraps those that an unsigned
+// option cannot hold.
+CLI::Validator whole_number_from(std::int64_t least);
+
+// Throws UsageError that names the option where the text is no UTF-8, which neither JSON nor HTML
+// could hold.
+void require_utf8(const std::string& option, const std::string& text);
 
 // Parses "1,2,3", given to `option`, into three values. Throws UsageError that names the option.
 std::array<double, 3> parse_triple(const std::string& option, const std::string& text);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <variant>
 
 #include "core/base/hash.h"
 #include "core/deform/step/damping_regression.h"
@@ -72,9 +74,29 @@ void add_step(const SessionStep& step, MeasuredPlay& result) {
     result.tool_force_max_un = std::max(result.tool_force_max_un, tool.force_un.norm());
 }
 
+bool resumes(const Command& command) {
+    const auto* pause = std::get_if<SetPaused>(&command);
+    return (pause != nullptr && !pause->paused) || std::holds_alternative<ResetWorld>(command) ||
+           std::holds_alternative<RestoreSnapshot>(command);
+}
+
+// The last step whose commands may end a pause; 0 where there is none.
+std::size_t last_resume(const std::vector<std::vector<Command>>& commands) {
+    for (std::size_t step = commands.size(); step > 0; --step)
+        if (std::ranges::any_of(commands[step - 1], resumes)) return step - 1;
+    return 0;
+}
+
 std::string stopped_by(const TearSpec& spec, const TearReport& report) {
     if (!report.stopped) return "none";
     return spec.stop == TearStop::entropy ? "entropy" : "vertices";
+}
+
+// Null where the play went on to its end.
+Json why_stopped(const FrameStatistics& statistics, const MeasuredPlay& played) {
+    if (statistics.diverged) return statistics.message;
+    if (!played.paused_at) return nullptr;
+    return "the script paused it at step " + std::to_string(*played.paused_at);
 }
 
 Json value_if(bool known, const Json& value) {
@@ -172,13 +194,23 @@ MeasuredPlay measure_play(Session& session, const std::vector<std::vector<Comman
     MotionRecorder motion;
     DeformPart* deform = session.world().deform();
     std::string setting;
-    for (const std::vector<Command>& now : commands) {
+    const std::size_t resumed_at = last_resume(commands);
+    for (std::size_t i = 0; i < commands.size(); ++i) {
         session.finish_injection();
-        for (const Command& command : now) session.post(command);
+        const std::vector<std::string> idle = moves_of_nothing(session.world(), commands[i]);
+        for (const Command& command : commands[i]) session.post(command);
         const FrameTimer timer;
         const SessionStep step = session.step(job);
-        if (step.paused) break;
-        if (result.table) result.table->add(step, timer.passed());
+        const FrameTime took = timer.passed();
+        for (const auto* refused : {&step.refused, &idle})
+            for (const std::string& message : *refused) result.refusals.add(step.step, message);
+        if (step.paused) {
+            session.update_frame();
+            if (i < resumed_at && !session.frame().statistics.diverged) continue;
+            result.paused_at = step.step;
+            break;
+        }
+        if (result.table) result.table->add(step, took);
         add_step(step, result);
         result.finite = result.finite && is_finite(session.world());
         session.update_frame();
@@ -213,7 +245,8 @@ Json answer_of(Session& session, const MeasuredPlay& played) {
     answer.update(tear_of(world, played));
     answer["mass_error_relative"] = flow != nullptr ? flow->mass_error_relative() : 0.0;
     answer["finite"] = played.finite;
-    answer["stopped_because"] = statistics.diverged ? Json(statistics.message) : Json(nullptr);
+    answer["stopped_because"] = why_stopped(statistics, played);
+    answer["refused"] = played.refusals.json();
     answer["state_hash"] = to_hex(session.state_hash());
     return answer;
 }

@@ -3,11 +3,13 @@
 // reports: times, solver, contacts, tears, blood loss, and errors of conserved quantities.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/command_line.h"
+#include "app/refusals.h"
 #include "app/step_table.h"
 #include "app/step_times.h"
 #include "core/scene/world.h"
@@ -36,6 +38,8 @@ struct MeasuredPlay {
     TearReport tear;                       // of the last step
     double torn_nj = 0.0;                  // fracture energy
     bool finite = true;
+    Refusals refusals;
+    std::optional<std::uint64_t> paused_at;  // the step at which a pause ended the play
 };
 
 // Optional measurements.
@@ -44,7 +48,9 @@ struct PlayWishes {
     bool table = false;  // record a line for each step
 };
 
-// Posts commands[i] before step i; ends early where the session pauses itself. Throws Cancelled.
+// Posts commands[i] before step i, and warns of those that are refused. Steps of a pause are not
+// measured. Ends early where the session pauses itself after an error, and where the commands pause
+// it and none that follows resumes it. Throws Cancelled.
 MeasuredPlay measure_play(Session& session, const std::vector<std::vector<Command>>& commands,
                           const PlayWishes& wishes, Job& job);
 

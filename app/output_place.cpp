@@ -10,6 +10,8 @@
 
 #include "core/base/error.h"
 #include "core/base/file_extension.h"
+#include "core/base/regular_file.h"
+#include "core/base/special_file.h"
 #include "core/patient/patient_case.h"
 
 namespace hepatica {
@@ -59,7 +61,15 @@ void require_writable_file(const fs::path& file, const std::string& ending) {
                          file.string(), "Name a file that ends in " + ending);
     if (std::error_code ignored; fs::is_directory(file, ignored))
         throw InputError("is a folder", file.string(), "Name a file");
-    require_writable(file);
+    if (!is_special_file(file)) return require_writable(file);
+    if (access(file.c_str(), W_OK) != 0)
+        throw InputError("cannot be written (" + std::generic_category().message(errno) + ")",
+                         file.string(), "Choose another place");
+}
+
+void require_growing_file(const fs::path& file, const std::string& ending) {
+    require_writable_file(file, ending);
+    require_regular_file(file, "Name a file");
 }
 
 void require_different(const std::vector<fs::path>& files) {

@@ -16,8 +16,13 @@ void require_writable(const std::filesystem::path& place);
 
 // The same for a file in the format of this ending (".csv"), and throws UsageError where its name
 // has another ending, and InputError where a folder has that name. A name without an ending is
-// accepted.
+// accepted, and so is a device, a pipe or a socket, which is written into
+// (core/base/atomic_write.h).
 void require_writable_file(const std::filesystem::path& file, const std::string& ending);
+
+// The same for a file that grows while its work goes on, and throws InputError for a device, a pipe
+// or a socket: opening a pipe waits for its reader, who may never come.
+void require_growing_file(const std::filesystem::path& file, const std::string& ending);
 
 // Throws UsageError where two of these files, to write or to read, are one: the last would
 // overwrite the first. Empty paths are none.

@@ -3862,6 +3862,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>seine Segmentierung %1</translation>
     </message>
     <message>
+        <source>cannot be written: the disk takes no more</source>
+        <translation>lässt sich nicht schreiben: Der Datenträger nimmt nichts mehr auf</translation>
+    </message>
+    <message>
+        <source>Free some space there, or choose another folder</source>
+        <translation>Schaffen Sie dort Platz, oder wählen Sie einen anderen Ordner</translation>
+    </message>
+    <message>
         <source>Export the CT again, or install the program again</source>
         <translation>Exportieren Sie das CT noch einmal, oder installieren Sie das Programm neu</translation>
     </message>
@@ -4304,6 +4312,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>is not JSON</source>
         <translation>ist kein JSON</translation>
+    </message>
+    <message>
+        <source>is given twice</source>
+        <translation>ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>Leave one of the two out</source>
+        <translation>Lassen Sie eines von beiden weg</translation>
     </message>
     <message>
         <source>Begin with a lesson that is whole</source>

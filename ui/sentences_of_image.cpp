@@ -154,6 +154,8 @@ constexpr std::array sentences_image{
     Words::id("its segmentation cannot be written: the helper that does it was ended by signal %1"),
     Words::id("its segmentation cannot be written: the helper that does it ended with %1"),
     Words::id("its segmentation %1"),
+    Words::id("cannot be written: the disk takes no more"),
+    Words::id("Free some space there, or choose another folder"),
     Words::id("Export the CT again, or install the program again"),
     Words::id("is an enhanced CT, all of its slices in one file"),
     Words::id("%1 is no share of the usual threshold"),

@@ -76,6 +76,8 @@ constexpr std::array sentences_lesson{
     Words::id("is %1, not true or false"),
     Words::id("Remove it: hepatica-cli lesson scores its recording again"),
     Words::id("is not JSON"),
+    Words::id("is given twice"),
+    Words::id("Leave one of the two out"),
     Words::id("Begin with a lesson that is whole"),
     Words::id("%1: \"%2\" %3"),
     Words::id("%1 lies %2 beside the vessels of this patient, as if it was clicked on another one: "

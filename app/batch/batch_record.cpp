@@ -42,6 +42,9 @@ double liver_ml(const PatientCase& patient) {
 void open_batch(const fs::path& out, const Json& options) {
     const fs::path mark = out / batch_mark;
     Json begun = read_json(mark);
+    if (fs::exists(mark) && !begun.is_object())
+        throw InputError("is damaged: it says with which options the batch was begun",
+                         mark.string(), "Put it back as it was, or give another --out");
     // Older versions always used the scans' names.
     if (begun.is_object() && !begun.contains("keep_names")) begun["keep_names"] = true;
     if (fs::exists(mark) && nlohmann::json(begun) != nlohmann::json(options))

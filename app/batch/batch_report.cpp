@@ -23,14 +23,15 @@ std::string number(double value) {
     return text;
 }
 
-void add_patient(const BatchRecord& record, HtmlReport& page) {
+// `patient` as his files are called; his record, which is JSON, may have had to replace bytes of it.
+void add_patient(const std::string& patient, const BatchRecord& record, HtmlReport& page) {
     page.add_heading(record.patient);
     if (!record.done) {
         page.add_paragraph("Failed: " + record.reason);
         return;
     }
     if (record.has_picture)
-        page.add_picture("pictures/" + record.patient + ".png",
+        page.add_picture("pictures/" + patient + ".png",
                          "The vessels of " + record.patient + " from the front.");
     page.add_paragraph("Length of the vessels " + number(record.vessels_mm) + " mm; made in " +
                        number(record.seconds) + " s.");
@@ -69,7 +70,7 @@ void write_batch_report(const std::filesystem::path& out,
                        std::to_string(patients.size() - done - failed) +
                        " to do. The same as a table: summary.csv.");
     for (const std::string& patient : patients)
-        if (const auto record = read_record(out, patient)) add_patient(*record, page);
+        if (const auto record = read_record(out, patient)) add_patient(patient, *record, page);
     page.write(out / "index.html");
 }
 

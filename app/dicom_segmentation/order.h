@@ -12,10 +12,15 @@
 
 namespace hepatica::dicom_segmentation {
 
+// The exit code of the helper where the file to write cannot be written; 1 where anything else is
+// refused.
+inline constexpr int exit_unwritable = 3;
+
 // Why no segmentation can be written, and what the user can do.
 struct Refusal {
     std::string problem;
     std::string remedy;
+    int exit_code = 1;
 };
 
 struct Segment {

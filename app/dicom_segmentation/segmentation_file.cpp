@@ -171,7 +171,7 @@ void refer_to(DcmSegmentation& file, SourceSlices& source) {
 // write reports its own failure.
 void save(DcmFileFormat& format, const std::filesystem::path& file) {
     const Refusal refusal{"cannot be written: the disk takes no more",
-                          "Free some space there, or choose another folder"};
+                          "Free some space there, or choose another folder", exit_unwritable};
     std::FILE* const out = std::fopen(file.c_str(), "wb");
     if (out == nullptr) throw refusal;
     std::setvbuf(out, nullptr, _IONBF, 0);

@@ -2,7 +2,8 @@
 // hepatica-dicom-segmentation FOLDER VERSION FILE: writes the segments described in FOLDER
 // (order.h) as a DICOM segmentation of the CT slices named there. It is a separate program, which
 // core/image/segmentation_writer.cpp starts under limits, because DCMTK parses CT headers from
-// untrusted sources. On failure it writes two lines to standard error: the problem and the remedy.
+// untrusted sources. On failure it writes two lines to standard error: the problem and the remedy;
+// where it is FILE that cannot be written, it ends with exit_unwritable.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/oflog/oflog.h>
@@ -18,7 +19,7 @@ namespace {
 
 int refused(const Refusal& refusal) {
     std::fprintf(stderr, "%s\n%s\n", refusal.problem.c_str(), refusal.remedy.c_str());
-    return 1;
+    return refusal.exit_code;
 }
 
 int run(const std::filesystem::path& folder, const char* version,

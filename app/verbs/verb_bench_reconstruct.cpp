@@ -166,7 +166,7 @@ void add_bench_reconstruct(CommandLine& line) {
     verb.add_option("--spacing", options->spacing, "Size of its voxels, x,y,z [mm]")
         ->capture_default_str();
     verb.add_option("--seed", options->seed, "Which synthetic patient")
-        ->check(CLI::NonNegativeNumber)
+        ->check(whole_number_from(0))
         ->capture_default_str();
     for (const char* of_synthetic : {"--dims", "--spacing", "--seed"})
         ct->excludes(verb.get_option(of_synthetic));

@@ -98,7 +98,7 @@ void add_bench_refinement(CommandLine& line) {
         "The level of the Gaussian refinement: noise of the surface against volume lost",
         [options](Job& job) { return run_bench_refinement(*options, job); });
     verb.add_option("--seed", options->seed, "Which synthetic patient")
-        ->check(CLI::NonNegativeNumber)
+        ->check(whole_number_from(0))
         ->capture_default_str();
     verb.add_option("--generations", options->generations, "Of its vessels")->capture_default_str();
     verb.add_option("--recursions", options->recursions, "0 to so many")

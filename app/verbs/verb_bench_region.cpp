@@ -40,7 +40,7 @@ void add_bench_region(CommandLine& line) {
         ->check(CLI::Range(0, 100000));
     verb.add_option("--tether-pa-per-mm2", options->tether_pa_per_mm2,
                     "Pull of the surrounding tissue; by default a scene's")
-        ->check(CLI::NonNegativeNumber);
+        ->check(CLI::Range(0.0, 1e9));
     verb.add_option("--wake-radii", options->region.wake_radii,
                     "Strain at the border that wakes a stretch; by default a scene's")
         ->check(CLI::Range(1e-9, 1.0));

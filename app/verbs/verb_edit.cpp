@@ -129,8 +129,13 @@ TreeEdit drawn_vessel(const EditChoices& options, const PatientCase& patient, Jo
 // Parses X,Y,Z,SYSTEM.
 TreeEdit seed_in(const std::string& text) {
     const auto comma = text.find_last_of(',');
-    if (comma == std::string::npos)
-        throw UsageError("\"" + text + "\" is no seed", "--seed", "Write X,Y,Z,SYSTEM in mm");
+    const auto commas = std::ranges::count(text, ',');
+    if (commas != 3) {
+        const bool place_alone = commas == 2 && !system_named(text.substr(comma + 1));
+        throw UsageError("\"" + text + "\" " + (place_alone ? "names no system" : "is no seed"),
+                         "--seed",
+                         "Write X,Y,Z,SYSTEM in mm, where SYSTEM is one of " + list_of_systems());
+    }
     TreeEdit edit;
     edit.kind = TreeEditKind::seed_system;
     const auto numbers = parse_triple("--seed", text.substr(0, comma));
@@ -313,7 +318,7 @@ void add_edit(CommandLine& line) {
                     "any erased")
         ->check(CLI::Range(1, most_tumours));
     verb.add_option("--undo", options->undo, "Take back so many of the last edits first")
-        ->check(CLI::NonNegativeNumber);
+        ->check(whole_number_from(0));
     verb.add_option("--accept-bridges", options->accept,
                     "Build the bridges that are offered with this confidence or more")
         ->check(CLI::Range(0.0, 1.0));

@@ -133,6 +133,7 @@ void add_embolize(CommandLine& line) {
     verb.add_option("--batch", embolization.batch, "Beads between two solutions of the flow")
         ->capture_default_str();
     verb.add_option("--seed", embolization.seed, "Of the beads' choices at bifurcations")
+        ->check(whole_number_from(0))
         ->capture_default_str();
     verb.add_option("--stasis-fraction", embolization.stasis_fraction,
                     "Share of the first flow that counts as stasis")

@@ -104,7 +104,9 @@ void add_extremes(CommandLine& line) {
         ->check(CLI::IsMember({"stability", "touch", "tear"}))
         ->capture_default_str();
     choices->of_campaigns = {
-        verb.add_option("--seed", choices->campaign.seed, "Of the campaign")->capture_default_str(),
+        verb.add_option("--seed", choices->campaign.seed, "Of the campaign")
+            ->check(whole_number_from(0))
+            ->capture_default_str(),
         verb.add_option("--trials", choices->campaign.trials, "Of the campaign")
             ->check(CLI::Range(1, 1000000))
             ->capture_default_str(),

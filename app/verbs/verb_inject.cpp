@@ -162,6 +162,11 @@ Json run_inject(InjectChoices options, Job& job) {
     for (const std::string& point : options.tears_mm)
         injection.tears.push_back(parse_point("--tear-mm", point, tree));
     if (options.as_published) options.fluid.model = published_pressure_model;
+    for (const int closed : injection.closed_segments)
+        if (closed < 0 || closed >= static_cast<int>(tree.segments.size()))
+            throw InputError("there is no such segment: the tree has " +
+                                 std::to_string(tree.segments.size()) + ", numbered from 0",
+                             "--close " + std::to_string(closed), "Close one of these");
     injection.wedged = !options.free_tip;
     injection.law = options.fluid.law();
     injection.liquid = options.fluid.liquid();

@@ -114,6 +114,7 @@ void write_report(const fs::path& file, const std::string& title, const OpenedPa
 }
 
 Json run_play(const PlayChoices& options, Job& job) {
+    require_utf8("--name", options.name);
     const fs::path report = options.out / "report.html";
     require_writable_folder(options.out);
     const fs::path made = case_of(options);

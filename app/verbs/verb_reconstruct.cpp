@@ -16,7 +16,6 @@
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
 #include "core/base/program_files.h"
-#include "core/base/quoted_name.h"
 #include "core/patient/doubts_json.h"
 #include "core/patient/liver_segments.h"
 #include "core/reconstruction/reconstruct.h"
@@ -118,8 +117,7 @@ void parse(ReconstructChoices& options) {
     reconstruct.method = methods.at(options.method);
     reconstruct.model = parse_model(options);
     if (options.thinning == "parallel") reconstruct.thinning = ThinningMethod::parallel;
-    if (!is_utf8(reconstruct.name))
-        throw UsageError("is no text in UTF-8", "--name", "Write it in letters of UTF-8");
+    require_utf8("--name", reconstruct.name);
     if (options.as_published) use_as_published(reconstruct);
 }
 

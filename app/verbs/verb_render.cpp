@@ -227,7 +227,7 @@ void add_render(CommandLine& line) {
     CLI::Option* time =
         verb.add_option("--time-s", options->time_s,
                         "Time: of the drug since its injection, or of the recorded play [s]")
-            ->check(CLI::NonNegativeNumber);
+            ->check(CLI::Range(0.0, 1e9));
     verb.add_option("--at-mm", options->at_mm, "Inject here, X,Y,Z in LPS [mm]; else at the root")
         ->needs(time)
         ->excludes(recording);

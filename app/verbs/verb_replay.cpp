@@ -29,6 +29,11 @@ struct ReplayChoices {
 Json run_replay(const ReplayChoices& options, Job& job) {
     const Recording recording = read_recording(options.file);
     for (const std::string& warning : recording.warnings) spdlog::warn("{}", warning);
+    if (options.from_step > recording.steps.size())
+        throw InputError("is behind the end of the recording, which has " +
+                             std::to_string(recording.steps.size()) + " steps",
+                         "--from-step " + std::to_string(options.from_step),
+                         "Name an earlier step");
     constexpr int building_and_replaying = 2;
     auto patient = std::make_shared<const PatientCase>(recorded_patient(
         recording, options.file, options.patient, nullptr, building_and_replaying, job));
@@ -59,9 +64,9 @@ void add_replay(CommandLine& line) {
     verb.add_option("file", options->file, "Recording")->required();
     verb.add_option("--patient", options->patient,
                     "Case that was recorded; none: the one beside the recording that fits");
-    verb.add_option(
-        "--from-step", options->from_step,
-        "Begin at the last keyframe (every ten seconds of play) at or before this step");
+    verb.add_option("--from-step", options->from_step,
+                    "Begin at the last keyframe (every ten seconds of play) at or before this step")
+        ->check(whole_number_from(0));
     verb.add_flag("--verify", options->verify, "Fail (exit code 1) where it diverges");
 }
 

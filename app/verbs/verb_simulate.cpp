@@ -99,7 +99,7 @@ void explain_quality(double wanted, const SceneSpec& spec, const PatientCase& pa
 Json run_simulate(const SimulateChoices& options, Job& job) {
     const BackEndChoice back_end = choose_back_end(options.backend);
     require_different({options.script, options.record, options.final_mesh, options.steps_csv});
-    if (!options.record.empty()) require_writable_file(options.record, ".hrec");
+    if (!options.record.empty()) require_growing_file(options.record, ".hrec");
     if (!options.final_mesh.empty()) require_writable_file(options.final_mesh, ".vtu");
     if (!options.steps_csv.empty()) require_writable_file(options.steps_csv, ".csv");
     std::optional<ThreadLimit> limit;

@@ -17,6 +17,8 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/special_file.h"
+#include "core/base/temporary_folder.h"
 
 namespace hepatica {
 
@@ -63,11 +65,49 @@ fs::path without_trailing_slash(const fs::path& path) {
                      "Check that the folder exists, may be written and has free space");
 }
 
-// The target of a link; the link itself stays.
+// The target of a link, also of one where nothing is yet; the link itself stays. A link into a
+// folder that is not there, as of a share that is not mounted, is refused with that place.
 fs::path behind_links(const fs::path& target) {
+    constexpr int most_links = 40;  // as many as the system follows
     std::error_code error;
-    const fs::path real = fs::weakly_canonical(target, error);
-    return error ? fs::absolute(target) : real;
+    fs::path place = target;
+    int links = 0;
+    for (; fs::is_symlink(fs::symlink_status(place, error)); ++links) {
+        if (links == most_links)
+            throw_unwritable(target,
+                             std::make_error_code(std::errc::too_many_symbolic_link_levels));
+        const fs::path next = fs::read_symlink(place, error);
+        if (error) throw_unwritable(target, error);
+        place = place.parent_path() / next;
+    }
+    const fs::path real = fs::weakly_canonical(place, error);
+    if (error) return fs::absolute(target);
+    if (links > 0 && !fs::exists(fs::absolute(real).parent_path(), error))
+        throw_unwritable(real, std::make_error_code(std::errc::no_such_file_or_directory));
+    return real;
+}
+
+// Calls write(temporary). What an error names below the hidden temporary, which is gone by then, is
+// named as what it would have become.
+void write_as(const fs::path& target, const fs::path& temporary,
+              const std::function<void(const fs::path&)>& write) {
+    try {
+        write(temporary);
+    } catch (const InputError& error) {
+        const std::string hidden = temporary.string();
+        if (!error.place().starts_with(hidden)) throw;
+        throw InputError(error.problem(), target.string() + error.place().substr(hidden.size()),
+                         error.remedy());
+    }
+}
+
+// Writes among the temporary files first, because many writers go back in what they write.
+void write_into(const fs::path& special, const std::function<void(const fs::path&)>& write) {
+    const TemporaryFolder folder;
+    const fs::path whole = folder.path() / special.filename();
+    write_as(special, whole, write);
+    if (const std::error_code error = write_into_special_file(whole, special))
+        throw_unwritable(special, error);
 }
 
 // Exchanges `fresh` and `old`, in one step if the file system supports it. Otherwise `old` is moved
@@ -105,10 +145,11 @@ void make_parent(const fs::path& target) {
 
 void write_file_atomically(const fs::path& target,
                            const std::function<void(const fs::path&)>& write) {
+    if (is_special_file(target)) return write_into(target, write);
     const fs::path file = behind_links(target);
     make_parent(file);
     const Temporary temporary(file);
-    write(temporary.path());
+    write_as(target, temporary.path(), write);
     take_permissions(file, temporary.path());
     std::error_code error;
     fs::rename(temporary.path(), file, error);
@@ -120,7 +161,7 @@ void write_text_atomically(const fs::path& file, std::string_view text) {
         std::ofstream out(temporary, std::ios::binary);
         out.write(text.data(), static_cast<std::streamsize>(text.size()));
         out.flush();
-        if (!out) throw_unwritable(file, std::error_code(errno, std::generic_category()));
+        if (!out) throw_unwritable(temporary, std::error_code(errno, std::generic_category()));
     });
 }
 
@@ -159,7 +200,7 @@ void replace_folder(const fs::path& target, const std::function<void(const fs::p
     fs::create_directory(temporary.path(), error);
     if (error) throw_unwritable(target, error);
     take_permissions(folder, temporary.path());
-    write(temporary.path());
+    write_as(without_trailing_slash(target), temporary.path(), write);
     const bool replaces = fs::exists(folder);
     if (replaces)  // rename() cannot replace a folder that is not empty
         exchange(temporary.path(), folder, error);
@@ -260,7 +301,7 @@ void write_files_atomically(const fs::path& folder,
     const Temporary temporary(folder / "files");  // on the file system of `folder`
     fs::create_directory(temporary.path(), error);
     if (error) throw_unwritable(folder, error);
-    write(temporary.path());
+    write_as(without_trailing_slash(folder), temporary.path(), write);
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(temporary.path()))
         files.push_back(entry.path());

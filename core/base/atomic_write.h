@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files and folders that appear complete or not at all: written beside their target under a
 // temporary name, then renamed. On any exception the temporary is removed and the previous content
-// stays. Links are followed: their target is replaced. Thread-safe, also between programs and for
-// the same target: the last writer wins with its complete content.
+// stays. Links are followed: their target is replaced, or made where nothing is yet. What an
+// InputError of a writer names below the temporary is named as what it would have become.
+// Thread-safe, also between programs and for the same target: the last writer wins with its
+// complete content.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +15,9 @@ namespace hepatica {
 
 // Calls write(temporary_path), which must create that file, then renames it to `file`. The
 // temporary keeps the extension of `file`, because many writers choose their format by it. Missing
-// parent folders are created. Throws InputError, naming `file`, if the folder cannot be written or
-// the disk is full.
+// parent folders are created, but not those of a link's target. A device, a pipe or a socket is
+// written into once the temporary is complete, and stays. Throws InputError, naming `file`, if the
+// folder cannot be written or the disk is full, and where nobody reads a pipe.
 void write_file_atomically(const std::filesystem::path& file,
                            const std::function<void(const std::filesystem::path&)>& write);
 

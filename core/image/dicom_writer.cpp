@@ -8,7 +8,10 @@
 
 #include <array>
 #include <cstdio>
+#include <fstream>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/atomic_write.h"
@@ -175,6 +178,18 @@ void set_pixels(gdcm::DataSet& data, const Volume& volume, int z) {
     data.Replace(pixels);
 }
 
+// Through memory: GDCM ends the program where its stream fails amid an element, as on a full disk.
+void write_slice(gdcm::Writer& writer, const fs::path& temporary, const fs::path& file) {
+    std::ostringstream bytes;
+    writer.SetStream(bytes);
+    bool written = writer.Write();
+    std::ofstream out(temporary, std::ios::binary);
+    out << std::move(bytes).str();
+    written = written && out.flush();
+    if (!written)
+        throw InputError("cannot be written", file.string(), "Check that the disk has free space");
+}
+
 }  // namespace
 
 bool is_written_slice(const fs::path& file) {
@@ -206,10 +221,7 @@ void write_dicom_series(const fs::path& folder, const Volume& volume, const Dico
                 gdcm::TransferSyntax::ExplicitVRLittleEndian);
             std::array<char, 32> name{};
             std::snprintf(name.data(), name.size(), "slice_%04d.dcm", z + 1);
-            writer.SetFileName((temporary / name.data()).c_str());
-            if (!writer.Write())
-                throw InputError("cannot be written", (folder / name.data()).string(),
-                                 "Check that the disk has free space");
+            write_slice(writer, temporary / name.data(), folder / name.data());
         }
     };
     renew_folder_atomically(folder, write_slices, is_written_slice);

@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* segmentation_helper = "hepatica-dicom-segmentation";
+constexpr int exit_unwritable = 3;  // of the helper, as in app/dicom_segmentation/order.h
 constexpr ChildLimits helper_limits{std::uint64_t{2} << 30, 120};
 
 using Pixels = std::vector<std::uint8_t>;
@@ -130,6 +131,9 @@ void run_helper(const fs::path& order, const std::string& version, const fs::pat
         helper(segmentation_helper), {order.string(), version, file.string()}, helper_limits, job);
     using End = ChildOutcome::End;
     if (outcome.end == End::exited && outcome.number == 0) return;
+    if (outcome.end == End::exited && outcome.number == exit_unwritable)
+        throw InputError("cannot be written: the disk takes no more", file.string(),
+                         "Free some space there, or choose another folder");
     std::istringstream lines(as_utf8(outcome.errors));
     std::string problem, remedy;
     if (outcome.end == End::exited && outcome.number == 1 && std::getline(lines, problem) &&

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text_file.h"
+#include "core/base/written_json.h"
 #include "core/flow/fluid.h"
 #include "core/lesson/lesson_fields.h"
 #include "core/lesson/predicate_json.h"
@@ -182,13 +183,20 @@ Course course_from(const LessonFields& fields) {
     return course;
 }
 
+Json json_of(const std::string& text, const std::string& place) {
+    try {
+        return parse_written<Json>(text);
+    } catch (const Json::exception&) {
+        throw InputError("is not JSON", place, lesson_remedy);
+    }
+}
+
 // Parses a text with `from`. Errors of other rooms get the file's name.
 template <class From>
 auto parsed(const std::string& text, const std::string& place, const From& from,
             bool unfinished = false) {
-    const Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) throw InputError("is not JSON", place, lesson_remedy);
     try {
+        const Json json = json_of(text, place);
         return from(LessonFields(json, place, "", unfinished));
     } catch (const InputError& error) {
         if (error.place().starts_with(place)) throw;

@@ -13,6 +13,7 @@
 #include "core/base/number_text.h"
 #include "core/base/text_file.h"
 #include "core/base/unknown_key.h"
+#include "core/base/written_json.h"
 #include "core/scene/setting_json.h"
 
 namespace hepatica {
@@ -256,10 +257,25 @@ SceneSpec scene_from_json(const Json& json) {
     return spec;
 }
 
+namespace {
+
+// Null where the file holds no JSON.
+Json json_in(const std::filesystem::path& file) {
+    const std::string text = read_text_file(file, "Give a scene file (JSON) or a case");
+    try {
+        return parse_written<Json>(text);
+    } catch (const InputError& error) {
+        throw InputError(error.place() + " " + error.problem(), file.string(), error.remedy());
+    } catch (const Json::exception&) {
+        return nullptr;
+    }
+}
+
+}  // namespace
+
 SceneFile read_scene(const std::filesystem::path& file) {
-    Json json =
-        Json::parse(read_text_file(file, "Give a scene file (JSON) or a case"), nullptr, false);
-    if (json.is_discarded() || !json.is_object())
+    Json json = json_in(file);
+    if (!json.is_object())
         throw InputError("is not a JSON object", file.string(),
                          "Give a scene file: {\"case\": \"NAME.hep\", \"deform\": {}}");
     SceneFile scene;

@@ -14,6 +14,7 @@
 #include "core/base/program_files.h"
 #include "core/base/text_file.h"
 #include "core/base/unknown_key.h"
+#include "core/base/written_json.h"
 
 namespace hepatica {
 
@@ -355,13 +356,12 @@ Script read_script(const std::filesystem::path& file) {
 }
 
 Script script_of(const std::string& text, const std::filesystem::path& file) {
-    const Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded() || !json.is_object() || !json.contains("actions") ||
-        !json["actions"].is_array())
-        throw InputError("is not a script", file.string(), with_example("Give a script"));
     Script script;
     std::size_t number = 0;
     try {
+        const Json json = parse_written<Json>(text);
+        if (!json.is_object() || !json.contains("actions") || !json["actions"].is_array())
+            throw InputError("is not a script", "", with_example("Give a script"));
         know(json, {"name", "scene", "actions"});
         script.name = json.value("name", file.stem().string());
         if (json.contains("scene")) script.scene = scene_from_json(json["scene"]);
@@ -373,7 +373,7 @@ Script script_of(const std::string& text, const std::filesystem::path& file) {
         const std::string where = number == 0 ? "" : ", action " + std::to_string(number);
         const std::string what = error.place().empty() ? "" : error.place() + " ";
         throw InputError(what + error.problem(), file.string() + where, error.remedy());
-    } catch (const Json::exception& error) {  // a value has the wrong type
+    } catch (const Json::exception& error) {  // no JSON, or a value has the wrong type
         throw InputError(json_problem(error), file.string(), with_example("Give a script"));
     }
     std::ranges::stable_sort(script.actions, {}, &ScriptAction::at_s);

@@ -101,11 +101,16 @@ bool Session::apply_and_record(const Command& command, const std::stop_token& st
     try {
         apply(command, stop);
     } catch (const InputError& error) {
-        message_ = error.what();
+        say_refused(error.what());
         return false;
     }
     if (!begins_way(command)) recorded_.commands.push_back(as_recorded(command));
     return true;
+}
+
+void Session::say_refused(const char* why) {
+    message_ = why;
+    refused_.emplace_back(why);
 }
 
 // Each piece of a timed move is applied as an immediate move, which would end the timed one.
@@ -138,7 +143,7 @@ void Session::take_dial(QualityDial dial) {
         whole_dial_ = std::move(dial);
     } catch (const InputError& error) {
         dial_ = before;
-        message_ = error.what();
+        say_refused(error.what());
     }
 }
 
@@ -282,6 +287,7 @@ SessionStep Session::step(const std::stop_token& stop) {
         done.deform = world_->step(stop);
         guard_state();
     });
+    done.refused = std::exchange(refused_, {});
     if (failed_ && stop.stop_requested()) {
         stopped_ = true;
         --step_;

@@ -50,6 +50,7 @@ struct SessionStep {
     bool paused = false;           // whether simulated time stood still
     bool stopped = false;          // it was stopped midway and does not count, see Session::step
     StepReport deform;             // of the deforming body; empty where the scene has none
+    std::vector<std::string> refused;  // in words: each command of this step that was refused
 };
 
 class Session {
@@ -155,6 +156,8 @@ class Session {
     void apply_waiting_commands(const std::stop_token& stop);
     // False where the command is refused.
     bool apply_and_record(const Command& command, const std::stop_token& stop);
+    // Says it in the frame and in the step.
+    void say_refused(const char* why);
     // Applies this step's pieces of timed moves.
     void lead_on(const std::stop_token& stop);
     struct Apply;  // one operator per command
@@ -199,8 +202,9 @@ class Session {
     bool failed_ = false;       // the world may be half changed; cleared by recover()
     bool stopped_ = false;      // the last step was stopped midway; see recorded_
     std::string message_;
-    RecordedStep recorded_;           // the present step
-    std::uint64_t played_steps_ = 0;  // steps during which it was not paused
+    std::vector<std::string> refused_;  // in the present step
+    RecordedStep recorded_;             // the present step
+    std::uint64_t played_steps_ = 0;    // steps during which it was not paused
     std::shared_ptr<const Keyframe> last_good_;
     double real_time_factor_ = 1.0;
     bool resting_ = false;

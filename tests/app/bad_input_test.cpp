@@ -10,7 +10,9 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "core/base/hash.h"
 #include "core/base/job.h"
@@ -311,6 +313,19 @@ TEST_F(BadInput, APhantomCancelledInAnyStageLeavesNothing) {
     EXPECT_GE(interrupted, 2);
 }
 
+// Limits below a slice's header, amid it, and amid its pixels.
+TEST_F(BadInput, APhantomThatFindsTheDiskFullLeavesNothing) {
+    for (const long bytes : {0L, 300L, 1000L, 2000L}) {
+        const Outcome run = run_cli({"phantom", path("p"), "--dims", "32,32,32", "--spacing",
+                                     "5,5,5", "--generations", "1"},
+                                    {.file_bytes = bytes});
+        EXPECT_EQ(run.exit_code, 1) << bytes << ": " << run.errors;
+        EXPECT_TRUE(files().empty()) << bytes;
+        if (bytes < 2000) continue;  // then its message is cut off, too
+        EXPECT_NE(run.errors.find(path("p/ct/slice_0001.dcm")), std::string::npos) << run.errors;
+    }
+}
+
 // Killed at once it would leave its temporary folder.
 TEST_F(BadInput, APhantomWhoseTerminalIsClosedLeavesNothing) {
     const Outcome run =
@@ -390,6 +405,47 @@ TEST(BadUsage, ExitsWithTwoAndSaysWhereHelpIs) {
     EXPECT_EQ(run_cli({"--help"}).exit_code, 0);
     EXPECT_EQ(run_cli({"reconstruct", "--help"}).exit_code, 0);
     EXPECT_NE(run_cli({"fly"}).errors.find("fly"), std::string::npos);
+}
+
+TEST(BadUsage, OfAVerbInAGroupIsToldOfThatVerb) {
+    for (const auto& [call, said, help] :
+         {std::tuple<std::vector<std::string>, std::string, std::string>{
+              {"bench", "nosuch"}, "there is no verb \"bench nosuch\"", "cli bench --help"},
+          {{"bench", "step", "--bogus"}, "--bogus", "cli bench step --help"},
+          {{"bench"}, "subcommand", "cli bench --help"},
+          {{"fly", "step"}, "there is no verb \"fly\"", "cli --help"}}) {
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 2) << run.errors;
+        EXPECT_NE(run.errors.find(said), std::string::npos) << run.errors;
+        EXPECT_NE(run.errors.find(help), std::string::npos) << run.errors;
+    }
+}
+
+// It would stand in a report that says that it is UTF-8, and in a case, which cannot hold it.
+TEST(BadUsage, ANameThatIsNoTextIsRefused) {
+    for (const std::vector<std::string>& call :
+         {std::vector<std::string>{"play", "none.hep", "--name", "x\xff"},
+          {"reconstruct", "none", "--out", "none.hep", "--name", "x\xff"}}) {
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 2) << call[0] << ": " << run.errors;
+        EXPECT_NE(run.errors.find("--name: is no text in UTF-8"), std::string::npos) << run.errors;
+    }
+}
+
+TEST_F(BadInput, AScriptWithAKeyTwiceIsRefused) {
+    std::ofstream(folder_ / "s.json")
+        << R"({"actions": [{"at_s": 0, "do": "release"}], "actions": []})";
+    const Outcome run = run_cli({"simulate", path("none.hep"), "--script", path("s.json")});
+    EXPECT_EQ(run.exit_code, 1) << run.errors;
+    EXPECT_NE(run.errors.find("actions is given twice"), std::string::npos) << run.errors;
+}
+
+TEST_F(BadInput, ALinkToItselfIsNoPlaceToWriteTo) {
+    fs::create_symlink("loop.csv", folder_ / "loop.csv");
+    const Outcome run = run_cli({"inject", path("none.vtp"), "--csv", path("loop.csv")});
+    EXPECT_EQ(run.exit_code, 1) << run.errors;
+    EXPECT_NE(run.errors.find("loop.csv: "), std::string::npos) << run.errors;
+    EXPECT_NE(run.errors.find("circle of links"), std::string::npos) << run.errors;
 }
 
 }  // namespace

@@ -49,6 +49,23 @@ TEST(BadValue, OfVeinsThatAPhantomLacksIsRefused) {
         EXPECT_NE(run.errors.find(named), std::string::npos) << run.errors;
 }
 
+// It was wrapped into a large one, of which the message spoke.
+TEST(BadValue, OfAWholeNumberIsNotWrapped) {
+    for (const std::vector<std::string>& call :
+         {std::vector<std::string>{"replay", "none.hrec", "--from-step", "-5"},
+          {"replay", "none.hrec", "--from-step", "99999999999999999999999"},
+          {"embolize", "none.vtp", "--seed", "-3"},
+          {"extremes", "--suite", "touch", "--seed", "-3"},
+          {"edit", "none.hep", "--undo", "-1"},
+          {"render", "none.hep", "--out", "none.png", "--time-s", "-1"}}) {
+        const Outcome run = run_cli(call);
+        EXPECT_EQ(run.exit_code, 2) << call[0] << ": " << run.errors;
+        EXPECT_NE(run.errors.find(call[call.size() - 2] + ": "), std::string::npos) << run.errors;
+        EXPECT_NE(run.errors.find(call.back()), std::string::npos) << run.errors;
+        EXPECT_LT(run.errors.size(), 300u) << "a range of 300 digits helps nobody: " << run.errors;
+    }
+}
+
 TEST(BadValue, OfABenchmarkIsRefused) {
     for (const std::vector<std::string>& call :
          {std::vector<std::string>{"bench", "contacts", "--steps", "5", "--budget-ms", "-1"},

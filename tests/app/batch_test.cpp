@@ -193,6 +193,37 @@ TEST_F(Batch, GoesOnOnlyAsItWasBegun) {
         << without_livers.errors;
 }
 
+// A mark that says nothing would let every later call pass, with whatever options.
+TEST_F(Batch, GoesOnOnlyWhereItsMarkSaysHowItWasBegun) {
+    const std::vector<std::string> more{"--task", "2", "--of", "3"};
+    EXPECT_EQ(answer(call(more)).at("made_now"), 1);
+    const std::string mark = text_of(root() / "out/batch.json");
+    for (const char* damaged : {"{", "", "null", "[]"}) {
+        std::ofstream(root() / "out/batch.json") << damaged;
+        const Outcome run = run_cli(call({"--method", "vesselness"}));
+        EXPECT_EQ(run.exit_code, 1) << damaged << run.errors;
+        EXPECT_NE(run.errors.find("batch.json: is damaged"), std::string::npos) << run.errors;
+        EXPECT_EQ(text_of(root() / "out/batch.json"), damaged);
+    }
+    std::ofstream(root() / "out/batch.json") << mark;
+    EXPECT_EQ(answer(call(more)).at("made_now"), 0);
+}
+
+// Its record holds the name as JSON can; its picture is called as the scan is.
+TEST_F(Batch, ThePictureOfANameThatIsNoTextIsFound) {
+    const fs::path scan = root() / "scans/dora\xff.nii.gz";
+    std::ofstream(scan) << "no image";
+    const std::vector<std::string> more{"--task", "2", "--of", "4"};
+    answer(call(more));
+    std::ofstream(root() / "out/records/dora\xff.json")
+        << R"({"patient": "dora?", "state": "done", "seconds": 1, "reason": "", "vessels_mm": 1,
+               "liver_ml": 1, "doubts": [], "picture": true})";
+    answer(call(more));
+    fs::remove(scan);
+    const std::string page = text_of(root() / "out/index.html");
+    EXPECT_NE(page.find("pictures/dora%FF.png"), std::string::npos) << page;
+}
+
 TEST_F(Batch, SharesOfAnArrayOfJobsMakeTheWhole) {
     EXPECT_EQ(answer(call({"--task", "1", "--of", "2"})).at("made_now"), 2);
     EXPECT_EQ(states(), (States{{"anton", "done"}, {"berta", "to do"}, {"carla", "done"}}));

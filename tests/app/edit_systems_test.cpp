@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vessels given to a system through the real program: what changes nothing is said.
+// Vessels given to a system through the real program: what changes nothing is said, and what is
+// missing where it cannot be done.
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include "tests/app/tour.h"
 #include "tests/patient/parted_patient.h"
@@ -32,6 +34,26 @@ TEST(EditSystems, SaysThatAVesselHadTheSystemThatItIsGivenTo) {
     EXPECT_EQ(said_of("[" + give + "portal\"}, " + give + "hepatic\"}]").find("given to already"),
               std::string::npos)
         << "each is judged by the edits before it";
+    fs::remove_all(folder);
+}
+
+// The place was written as it should be; what is missing is the system.
+TEST(EditSystems, SaysWhatIsMissingOfASeed) {
+    const fs::path folder = fs::path(testing::TempDir()) / "edit seeds";
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    write_case(folder / "p.hep", test::patient_with_bridges());
+    for (const auto& [seed, said] :
+         {std::pair<std::string, std::string>{"1,2,3", "names no system"},
+          {",portal", "is no seed"},
+          {"1,2,portal", "is no seed"},
+          {"1,2,x,portal", "is not three numbers"},
+          {"1,2,3,nowhere", "there is no vascular system nowhere"}}) {
+        const test::Outcome run =
+            test::run_cli({"edit", (folder / "p.hep").string(), "--seed", seed});
+        EXPECT_EQ(run.exit_code, 2) << seed << run.errors;
+        EXPECT_NE(run.errors.find(said), std::string::npos) << run.errors;
+    }
     fs::remove_all(folder);
 }
 

@@ -215,6 +215,10 @@ TEST_F(FlowVerbs, RefuseWhatIsNotThere) {
         EXPECT_EQ(run.exit_code, 1) << call[0] << " " << call.back() << ": " << run.errors;
         EXPECT_EQ(run.output, "");
     }
+    const Outcome closed = run_cli({"inject", path("p/truth_tree.vtp"), "--close", "99999"});
+    EXPECT_NE(closed.errors.find("--close 99999: there is no such segment: the tree has "),
+              std::string::npos)
+        << closed.errors;
 }
 
 // An option that would change nothing is refused, and named: who gave it believes that it counts.

@@ -2,9 +2,11 @@
 // Where the verbs write: a name that promises another format is refused, and a path of which more
 // than the last folder is missing is taken for mistyped, by every verb alike.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/tree/files/tree_io.h"
@@ -121,6 +123,24 @@ TEST_F(OutputPlace, AFolderIsNoFileToWrite) {
         EXPECT_NE(run.errors.find(taken + ": is a folder"), std::string::npos) << run.errors;
         EXPECT_EQ(run.errors.find("[1/"), std::string::npos) << run.errors;
     }
+}
+
+// What is in its place was replaced by a file, or waited for.
+TEST_F(OutputPlace, APipeStaysAPipe) {
+    const std::string pipe = path("pipe");
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    for (const auto& [call, said] :
+         {std::pair<std::vector<std::string>, std::string>{
+              {"inject", path("p/truth_tree.vtp"), "--csv", pipe}, "cannot be written"},
+          {{"simulate", path("p.hep"), "--script", HEPATICA_ASSETS "/scripts/drag.json", "--steps",
+            "1", "--record", pipe},
+           "is a pipe, a socket or a device"}}) {
+        const Outcome run = run_cli(call, {.seconds = 120});
+        EXPECT_EQ(run.exit_code, 1) << call[0] << ": " << run.errors;
+        EXPECT_NE(run.errors.find(pipe + ": " + said), std::string::npos) << run.errors;
+        EXPECT_TRUE(fs::is_fifo(pipe)) << call[0];
+    }
+    fs::remove(pipe);
 }
 
 TEST_F(OutputPlace, ACaseIsNotNamedLikeAFile) {

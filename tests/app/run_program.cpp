@@ -34,6 +34,7 @@ std::string text_of(const fs::path& file) {
         const rlimit limit{bytes, bytes};
         setrlimit(RLIMIT_FSIZE, &limit);
     }
+    if (limits.seconds > 0) alarm(limits.seconds);
     std::vector<char*> argv;
     std::string program = limits.program.empty() ? HEPATICA_CLI : limits.program;
     argv.push_back(program.data());

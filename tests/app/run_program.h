@@ -21,6 +21,7 @@ struct RunLimits {
     int signal = SIGINT;         // by this signal: Ctrl-C, unless another one is named
     bool ignored = false;        // which was ignored when the program began
     std::string program{};       // another one than hepatica-cli
+    unsigned seconds = 0;        // ended by SIGALRM after so many, where it might wait for ever
 };
 
 Outcome run_cli(const std::vector<std::string>& arguments, const RunLimits& limits = {});

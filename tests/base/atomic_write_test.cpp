@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/atomic_write.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "core/base/error.h"
 
@@ -172,6 +178,87 @@ TEST_F(AtomicWrite, WritesThroughALink) {
     EXPECT_FALSE(fs::exists(folder_ / "real" / "a.txt"));
     EXPECT_EQ(read(folder_ / "real" / "b.txt"), "b");
     EXPECT_EQ(entries(), 3);
+}
+
+TEST_F(AtomicWrite, MakesTheTargetOfALinkThatLeadsToNothingYet) {
+    fs::create_directories(folder_ / "real");
+    fs::create_symlink("real/a.txt", folder_ / "second.txt");
+    fs::create_symlink("second.txt", folder_ / "first.txt");
+    write_text_atomically(folder_ / "first.txt", "new");
+    for (const char* name : {"first.txt", "second.txt"})
+        EXPECT_TRUE(fs::is_symlink(folder_ / name)) << name;
+    EXPECT_EQ(read(folder_ / "real" / "a.txt"), "new");
+    // As into a share that is not mounted, and in a circle.
+    fs::create_symlink("no share/a.txt", folder_ / "away.txt");
+    fs::create_symlink("circle.txt", folder_ / "circle.txt");
+    for (const auto& [link, named] :
+         {std::pair{"away.txt", "no share/a.txt"}, {"circle.txt", "circle.txt"}}) {
+        try {
+            write_text_atomically(folder_ / link, "new");
+            ADD_FAILURE() << link;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.place(), (folder_ / named).string());
+        }
+        EXPECT_TRUE(fs::is_symlink(folder_ / link)) << link;
+    }
+    EXPECT_FALSE(fs::exists(folder_ / "no share"));
+}
+
+// A rename would put a file in its place.
+TEST_F(AtomicWrite, WritesIntoAPipeAndWaitsForNoReader) {
+    const fs::path pipe = folder_ / "pipe.csv";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_THROW(write_text_atomically(pipe, "unread"), InputError);
+    const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+    ASSERT_GE(reader, 0);
+    fs::create_symlink(pipe, folder_ / "link.csv");
+    write_text_atomically(pipe, "one ");
+    write_file_atomically(folder_ / "link.csv", [](const fs::path& temporary) {
+        EXPECT_EQ(temporary.extension(), ".csv");
+        std::ofstream(temporary) << "two";
+    });
+    std::array<char, 64> read_back{};
+    const ssize_t count = ::read(reader, read_back.data(), read_back.size());
+    close(reader);
+    EXPECT_EQ(std::string(read_back.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))),
+              "one two");
+    EXPECT_TRUE(fs::is_fifo(pipe));
+    EXPECT_EQ(entries(), 2) << "the pipe and its link";
+}
+
+// The temporary is hidden, and gone by the time that somebody reads its name.
+TEST_F(AtomicWrite, NamesWhatATemporaryWouldHaveBecome) {
+    const auto place_of = [](const auto& write) {
+        try {
+            write();
+        } catch (const InputError& error) {
+            return error.place();
+        }
+        return std::string("none");
+    };
+    const auto fail_at = [](const char* below) {
+        return [below](const fs::path& temporary) {
+            throw InputError("cannot be written", (temporary / below).string(), "");
+        };
+    };
+    EXPECT_EQ(place_of([&] { write_folder_atomically(folder_ / "q.hep/", fail_at("tree.swc")); }),
+              (folder_ / "q.hep" / "tree.swc").string());
+    EXPECT_EQ(place_of([&] { write_files_atomically(folder_ / "out", fail_at("a.csv")); }),
+              (folder_ / "out" / "a.csv").string());
+    EXPECT_EQ(place_of([&] {
+                  write_folder_atomically(folder_ / "outer", [&](const fs::path& temporary) {
+                      write_file_atomically(temporary / "inner.txt", [](const fs::path& file) {
+                          throw InputError("cannot be written", file.string() + ", line 1", "");
+                      });
+                  });
+              }),
+              (folder_ / "outer" / "inner.txt").string() + ", line 1");
+    EXPECT_EQ(place_of([&] {
+                  write_folder_atomically(folder_ / "q.hep", [](const fs::path&) {
+                      throw InputError("cannot be read", "/elsewhere/ct", "");
+                  });
+              }),
+              "/elsewhere/ct");
 }
 
 TEST_F(AtomicWrite, WritesFilesThroughLinks) {

@@ -111,6 +111,18 @@ TEST(LessonFile, NamesThePlaceAndTheValueOfWhateverIsWrong) {
     EXPECT_EQ(refusal("/about", gone), "");
 }
 
+TEST(LessonFile, HasNoKeyTwice) {
+    std::string text = good().dump();
+    text.insert(1, "\"name\": \"another\", ");
+    try {
+        lesson_of(text, "file");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.place(), "file: name");
+        EXPECT_EQ(error.problem(), "is given twice");
+    }
+}
+
 TEST(LessonFile, IsNoJsonOrNotThere) {
     EXPECT_THROW(lesson_of("{", "file"), InputError);
     EXPECT_THROW(lesson_of("[]", "file"), InputError);

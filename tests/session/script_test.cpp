@@ -268,6 +268,26 @@ TEST_F(ScriptFile, KnowsTheKeysThatMayBeLeftOut) {
               "");
 }
 
+// The last of the two was taken in silence.
+TEST_F(ScriptFile, RefusesAKeyThatIsGivenTwice) {
+    const auto said_of = [&](const std::string& text) {
+        try {
+            read(text);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("nothing");
+    };
+    EXPECT_NE(said_of(R"({"actions": [{"do": "release"}], "actions": []})")
+                  .find(file_.string() + ": actions is given twice"),
+              std::string::npos);
+    EXPECT_NE(refusal(R"({"at_s": 0, "do": "release", "at_s": 5})").find("at_s is given twice"),
+              std::string::npos);
+    // What is no JSON is named by its place, and a number that is none by its value.
+    EXPECT_NE(said_of("{\"actions\":\n[NaN]}").find("line 2"), std::string::npos);
+    EXPECT_NE(refusal(R"({"do": "release", "at_s": 1e400})").find("1e400"), std::string::npos);
+}
+
 TEST(ShippedScripts, AreRead) {
     int read = 0;
     for (const auto& entry :

@@ -278,5 +278,19 @@ TEST(Session, TearingEndsWhileTheHandHoldsWhatItMade) {
     EXPECT_EQ(session->frame().positions_mm.size(), 3 * whole);
 }
 
+// A frame has one message, but a step keeps what was refused of each of its commands.
+TEST(Session, KeepsWhatOfItsCommandsWasRefused) {
+    const auto session = new_session();
+    session->post(GrabVertex{-7});
+    session->post(SetGravity{});
+    session->post(SetTether{-1.0});
+    const SessionStep step = session->step();
+    ASSERT_EQ(step.refused.size(), 2u);
+    EXPECT_NE(step.refused[0].find("-7"), std::string::npos) << step.refused[0];
+    session->update_frame();
+    EXPECT_EQ(step.refused[1], session->frame().statistics.message);
+    EXPECT_TRUE(session->step().refused.empty());
+}
+
 }  // namespace
 }  // namespace hepatica
