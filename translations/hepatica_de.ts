@@ -9516,5 +9516,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>This lesson is played without tools; a drag or the arrows turn the view</source>
         <translation>Diese Lektion kommt ohne Werkzeuge aus; Ziehen oder die Pfeile drehen die Ansicht</translation>
     </message>
+    <message>
+        <source>Confirmed: its system counts as sure from now on (%1)</source>
+        <translation>Bestätigt: Sein System gilt von nun an als sicher (%1)</translation>
+    </message>
 </context>
 </TS>
