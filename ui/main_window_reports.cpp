@@ -45,8 +45,8 @@ void MainWindow::write_report_into(const std::filesystem::path& chosen,
     queued.kind = JobKind::report;
     // Told apart from another report that waits: of another lesson, or of another play of it.
     const QDateTime played = QFileInfo(to_text(recording)).lastModified();
-    const QString title =
-        Words::tr("Writing the report on %1 (%2)").arg(called, QLocale().toString(played, "HH:mm:ss"));
+    const QString title = Words::tr("Writing the report on %1 (%2)")
+                              .arg(called, QLocale().toString(played, "HH:mm:ss"));
     queued.title = title.toStdString();
     queued.begin = [this, order, chosen, called, played]() -> BackgroundJob::Work {
         const QString program =
