@@ -23,7 +23,8 @@ std::string number(double value) {
     return text;
 }
 
-// `patient` as his files are called; his record, which is JSON, may have had to replace bytes of it.
+// `patient` as his files are called; his record, which is JSON, may have had to replace bytes of
+// it.
 void add_patient(const std::string& patient, const BatchRecord& record, HtmlReport& page) {
     page.add_heading(record.patient);
     if (!record.done) {
