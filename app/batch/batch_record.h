@@ -28,8 +28,8 @@ struct BatchRecord {
 // The file that marks `out` as a batch's folder.
 inline constexpr const char* batch_mark = "batch.json";
 
-// Starts a batch in `out`, or resumes it. Throws InputError where it was begun with other options, and
-// where its mark does not say with which.
+// Starts a batch in `out`, or resumes it. Throws InputError where it was begun with other options,
+// and where its mark does not say with which.
 void open_batch(const std::filesystem::path& out, const nlohmann::ordered_json& options);
 
 // Nothing where a patient has no record, or an unreadable one.
