@@ -12,6 +12,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <new>
 #include <utility>
 
@@ -206,13 +207,14 @@ int CommandLine::run_verb() {
 }
 
 CLI::Validator whole_number_from(std::int64_t least) {
-    const std::string range = std::to_string(least) + " or more";
+    const std::string range = "from " + std::to_string(least) + " to " +
+                              std::to_string(std::numeric_limits<std::int64_t>::max());
     const auto check = [=](const std::string& text) -> std::string {
         std::int64_t value = 0;
         const char* const end = text.data() + text.size();
         const auto [rest, error] = std::from_chars(text.data(), end, value);
         if (error == std::errc{} && rest == end && value >= least) return {};
-        return "\"" + text + "\" is no whole number; give " + range;
+        return "\"" + text + "\" is no whole number " + range;
     };
     return {check, range};
 }

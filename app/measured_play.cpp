@@ -205,6 +205,8 @@ MeasuredPlay measure_play(Session& session, const std::vector<std::vector<Comman
         for (const auto* refused : {&step.refused, &idle})
             for (const std::string& message : *refused) result.refusals.add(step.step, message);
         if (step.paused) {
+            job.throw_if_cancelled();
+            job.advance(static_cast<double>(i + 1) / static_cast<double>(commands.size()));
             session.update_frame();
             if (i < resumed_at && !session.frame().statistics.diverged) continue;
             result.paused_at = step.step;

@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file_extension.h"
-#include "core/base/regular_file.h"
+#include "core/base/linked_place.h"
 #include "core/base/special_file.h"
 #include "core/patient/patient_case.h"
 
@@ -36,10 +36,12 @@ void require_writable(const fs::path& place) {
         !place.has_filename() && fs::is_regular_file(without_trailing_slash(place), ignored))
         throw InputError("is a file and no folder", place.string(),
                          "Leave the slash at its end out, or name another folder");
-    const fs::path folder = without_trailing_slash(fs::absolute(place)).parent_path();
+    std::error_code ignored;
+    fs::path target = without_trailing_slash(fs::absolute(place));
+    if (fs::is_symlink(fs::symlink_status(target, ignored))) target = place_behind_links(target);
+    const fs::path folder = target.parent_path();
     fs::path above = folder;
     int missing = 0;
-    std::error_code ignored;
     for (; !fs::exists(above, ignored) && above.has_relative_path(); ++missing)
         above = above.parent_path();
     if (!fs::is_directory(above, ignored))
@@ -69,12 +71,14 @@ void require_writable_file(const fs::path& file, const std::string& ending) {
 
 void require_growing_file(const fs::path& file, const std::string& ending) {
     require_writable_file(file, ending);
-    require_regular_file(file, "Name a file");
+    if (is_special_file(file))
+        throw InputError("is a pipe, a socket or a device, not a file", file.string(),
+                         "Name a file");
 }
 
 void require_different(const std::vector<fs::path>& files) {
     for (std::size_t i = 0; i < files.size(); ++i)
-        for (std::size_t k = 0; k < i && !files[i].empty(); ++k)
+        for (std::size_t k = 0; k < i && !files[i].empty() && !is_special_file(files[i]); ++k)
             if (!files[k].empty() && fs::weakly_canonical(fs::absolute(files[k])) ==
                                          fs::weakly_canonical(fs::absolute(files[i])))
                 throw UsageError("is named twice", files[i].string(),

@@ -25,7 +25,7 @@ void require_writable_file(const std::filesystem::path& file, const std::string&
 void require_growing_file(const std::filesystem::path& file, const std::string& ending);
 
 // Throws UsageError where two of these files, to write or to read, are one: the last would
-// overwrite the first. Empty paths are none.
+// overwrite the first. Empty paths are none; devices and pipes take several.
 void require_different(const std::vector<std::filesystem::path>& files);
 
 // The same as require_writable() for a folder that a verb writes files into, and that may exist.

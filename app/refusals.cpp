@@ -12,6 +12,9 @@ namespace hepatica {
 
 namespace {
 
+// A sentence may hold numbers, so that a long way out of range has another in every step.
+constexpr std::size_t most_sentences = 100;
+
 template <class... Kinds>
 bool is_one_of(const Command& command) {
     return (std::holds_alternative<Kinds>(command) || ...);
@@ -25,8 +28,11 @@ void Refusals::add(std::uint64_t step, const std::string& message) {
         ++known->times;
         return;
     }
+    if (all_.size() == most_sentences) return;
     spdlog::warn("step {}: {}", step, message);
     all_.push_back({step, message, 1});
+    if (all_.size() == most_sentences)
+        spdlog::warn("further commands that are refused for other reasons are not told of");
 }
 
 nlohmann::ordered_json Refusals::json() const {

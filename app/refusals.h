@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a session refused while a script was played: told as it happens, each sentence once, and
-// kept for the answer. Without it a play would measure another script than the one that was given.
+// kept for the answer, up to a hundred of them. Without it a play would measure another script than
+// the one that was given.
 #pragma once
 
 #include <cstdint>

@@ -300,23 +300,21 @@ PatientCase CaseEditing::wanted() const {
     return with_edited_tree(wanted, workspace_.edits());
 }
 
-// Where a correction before it turns out to be impossible, the worker says so.
-bool CaseEditing::is_refused(const TreeEdit& edit) const {
-    if (!gives_system(edit)) return false;
-    try {
-        const VesselTree tree = wanted().tree;
-        if (!is_given_already(tree, edit)) return false;
-        if (settles_a_doubt(tree, edit)) {
-            callbacks_.say(Words::tr("Confirmed: its system counts as sure from now on (%1)")
-                               .arg(translated(title_of(edit.system))));
-            return false;
+void CaseEditing::add(const TreeEdit& edit) {
+    bool is_given = false, settles = false;
+    if (gives_system(edit)) try {
+            const VesselTree tree = wanted().tree;
+            is_given = is_given_already(tree, edit);
+            settles = settles_a_doubt(tree, edit);
+        } catch (const InputError&) {
+            // A correction before it is impossible, of which the worker tells.
         }
-    } catch (const InputError&) {
-        return false;
-    }
-    callbacks_.say(Words::tr("Nothing to do: it is of this system already (%1)")
-                       .arg(translated(title_of(edit.system))));
-    return true;
+    if (!is_given || settles) callbacks_.add(edit);
+    if (!is_given) return;
+    const QString words = settles
+                              ? Words::tr("Confirmed: its system counts as sure from now on (%1)")
+                              : Words::tr("Nothing to do: it is of this system already (%1)");
+    callbacks_.say(words.arg(translated(title_of(edit.system))));
 }
 
 void CaseEditing::update_panel() {
@@ -382,7 +380,7 @@ void CaseEditing::click(const TreePoint& point) {
         edit.to_mm = std::exchange(edit.at_mm, *link_from_mm_);
         begin_link({});
     }
-    if (!is_refused(edit)) callbacks_.add(edit);
+    add(edit);
 }
 
 void CaseEditing::click_at(const Vec3& place_mm) {

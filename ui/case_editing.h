@@ -82,8 +82,8 @@ class CaseEditing {
     // The tree with all wanted corrections, whose body may still be made. Throws InputError where
     // one of them is not possible.
     PatientCase wanted() const;
-    // Whether it is of the system already that it would be given to; says so.
-    bool is_refused(const TreeEdit& edit) const;
+    // Asks for the correction, unless it gives a vessel to the system that it surely has; says so.
+    void add(const TreeEdit& edit);
     // Lists and draws the gaps that are undecided and have enough confidence.
     void show_bridges();
     std::vector<Bridge> undecided() const;

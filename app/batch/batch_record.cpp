@@ -41,17 +41,19 @@ double liver_ml(const PatientCase& patient) {
 
 void open_batch(const fs::path& out, const Json& options) {
     const fs::path mark = out / batch_mark;
-    Json begun = read_json(mark);
-    if (fs::exists(mark) && !begun.is_object())
+    // Asked once: another job of the same batch may write it meanwhile.
+    const bool was_begun = fs::exists(mark);
+    Json begun = was_begun ? read_json(mark) : Json();
+    if (was_begun && !begun.is_object())
         throw InputError("is damaged: it says with which options the batch was begun",
                          mark.string(), "Put it back as it was, or give another --out");
     // Older versions always used the scans' names.
     if (begun.is_object() && !begun.contains("keep_names")) begun["keep_names"] = true;
-    if (fs::exists(mark) && nlohmann::json(begun) != nlohmann::json(options))
+    if (was_begun && nlohmann::json(begun) != nlohmann::json(options))
         throw InputError("was begun with other options", out.string(),
                          "Repeat those in " + mark.string() + ", or give another --out");
     fs::create_directories(out / "records");
-    if (!fs::exists(mark)) write_text_atomically(mark, options.dump(2) + "\n");
+    if (!was_begun) write_text_atomically(mark, options.dump(2) + "\n");
 }
 
 std::optional<BatchRecord> read_record(const fs::path& out, const std::string& patient) {

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/linked_place.h"
 #include "core/base/special_file.h"
 #include "core/base/temporary_folder.h"
 
@@ -58,33 +59,6 @@ class Temporary {
 
 fs::path without_trailing_slash(const fs::path& path) {
     return path.has_filename() ? path : path.parent_path();
-}
-
-[[noreturn]] void throw_unwritable(const fs::path& target, const std::error_code& reason) {
-    throw InputError("cannot be written (" + reason.message() + ")", target.string(),
-                     "Check that the folder exists, may be written and has free space");
-}
-
-// The target of a link, also of one where nothing is yet; the link itself stays. A link into a
-// folder that is not there, as of a share that is not mounted, is refused with that place.
-fs::path behind_links(const fs::path& target) {
-    constexpr int most_links = 40;  // as many as the system follows
-    std::error_code error;
-    fs::path place = target;
-    int links = 0;
-    for (; fs::is_symlink(fs::symlink_status(place, error)); ++links) {
-        if (links == most_links)
-            throw_unwritable(target,
-                             std::make_error_code(std::errc::too_many_symbolic_link_levels));
-        const fs::path next = fs::read_symlink(place, error);
-        if (error) throw_unwritable(target, error);
-        place = place.parent_path() / next;
-    }
-    const fs::path real = fs::weakly_canonical(place, error);
-    if (error) return fs::absolute(target);
-    if (links > 0 && !fs::exists(fs::absolute(real).parent_path(), error))
-        throw_unwritable(real, std::make_error_code(std::errc::no_such_file_or_directory));
-    return real;
 }
 
 // Calls write(temporary). What an error names below the hidden temporary, which is gone by then, is
@@ -146,7 +120,7 @@ void make_parent(const fs::path& target) {
 void write_file_atomically(const fs::path& target,
                            const std::function<void(const fs::path&)>& write) {
     if (is_special_file(target)) return write_into(target, write);
-    const fs::path file = behind_links(target);
+    const fs::path file = place_behind_links(target);
     make_parent(file);
     const Temporary temporary(file);
     write_as(target, temporary.path(), write);
@@ -190,7 +164,7 @@ std::optional<fs::path> move_foreign(const fs::path& was, const fs::path& is,
 
 void replace_folder(const fs::path& target, const std::function<void(const fs::path&)>& write,
                     const std::function<bool(const fs::path&)>& is_own) {
-    const fs::path folder = behind_links(without_trailing_slash(target));
+    const fs::path folder = place_behind_links(without_trailing_slash(target));
     std::error_code error;
     if (fs::exists(folder, error) && !fs::is_directory(folder, error))  // it would be moved aside
         throw_unwritable(target, std::make_error_code(std::errc::not_a_directory));
@@ -310,7 +284,7 @@ void write_files_atomically(const fs::path& folder,
     std::vector<Move> moves;
     for (const fs::path& file : files) {
         const fs::path place = folder / file.filename();
-        Move move{file, behind_links(place)};
+        Move move{file, place_behind_links(place)};
         if (fs::is_symlink(fs::symlink_status(place, error))) {
             move.fresh = beside_links.emplace_back(move.target).path();
             fs::copy(file, move.fresh, fs::copy_options::recursive, error);

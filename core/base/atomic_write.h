@@ -16,8 +16,8 @@ namespace hepatica {
 // Calls write(temporary_path), which must create that file, then renames it to `file`. The
 // temporary keeps the extension of `file`, because many writers choose their format by it. Missing
 // parent folders are created, but not those of a link's target. A device, a pipe or a socket is
-// written into once the temporary is complete, and stays. Throws InputError, naming `file`, if the
-// folder cannot be written or the disk is full, and where nobody reads a pipe.
+// written into once the temporary is complete, and stays. Throws InputError, naming `file` or where
+// its link leads, if the folder cannot be written, the disk is full, or nobody reads a pipe.
 void write_file_atomically(const std::filesystem::path& file,
                            const std::function<void(const std::filesystem::path&)>& write);
 

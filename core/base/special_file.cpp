@@ -3,6 +3,7 @@
 #include "core/base/special_file.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -37,19 +38,23 @@ class OpenPlace {
     int descriptor_;
 };
 
-// It has a reader by now, who may be slow.
-bool wait_from_now_on(int descriptor) {
-    const int flags = fcntl(descriptor, F_GETFL);
-    return flags >= 0 && fcntl(descriptor, F_SETFL, flags & ~O_NONBLOCK) == 0;
+// A reader may be slow. A signal ends the waiting, so that it can end the program.
+std::error_code wait_until_taken(int descriptor) {
+    pollfd place{descriptor, POLLOUT, 0};
+    return poll(&place, 1, -1) < 0 ? last_error() : std::error_code();
 }
 
 std::error_code write_all(int descriptor, const char* bytes, std::size_t count) {
     while (count > 0) {
         const ssize_t written = write(descriptor, bytes, count);
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return last_error();
-        bytes += written;
-        count -= static_cast<std::size_t>(written);
+        if (written >= 0) {
+            bytes += written;
+            count -= static_cast<std::size_t>(written);
+        } else if (errno != EAGAIN) {
+            return last_error();
+        } else if (const std::error_code error = wait_until_taken(descriptor)) {
+            return error;
+        }
     }
     return {};
 }
@@ -68,7 +73,6 @@ std::error_code write_into_special_file(const fs::path& from, const fs::path& to
     struct stat found {};
     if (place.descriptor() < 0 || fstat(place.descriptor(), &found) != 0) return last_error();
     if (S_ISBLK(found.st_mode)) return std::make_error_code(std::errc::operation_not_permitted);
-    if (!wait_from_now_on(place.descriptor())) return last_error();
     std::array<char, 1 << 16> block{};
     while (in) {
         in.read(block.data(), block.size());

@@ -11,8 +11,9 @@ namespace hepatica {
 // Whether it is, or a link leads to, a device, a pipe or a socket.
 bool is_special_file(const std::filesystem::path& file);
 
-// Writes all bytes of `from` into it. A pipe that nobody reads, which would be waited for, and a
-// disk as a whole are refused.
+// Writes all bytes of `from` into it, and waits for a slow reader until a signal comes
+// (std::errc::interrupted). A pipe that nobody has opened to read and a disk as a whole are
+// refused.
 std::error_code write_into_special_file(const std::filesystem::path& from,
                                         const std::filesystem::path& to);
 

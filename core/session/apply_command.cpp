@@ -171,7 +171,7 @@ void Session::Apply::operator()(const FinishInjection&) const {
 void Session::Apply::operator()(const UseContact& c) const {
     deform();
     if (!world.use_contact(c.self, c.obstacles, c.friction))
-        session.say_refused("This case knows neither liver nor tumours: nothing stands in the way");
+        session.message_ = "This case knows neither liver nor tumours: nothing stands in the way";
     session.dial_.forget_costs();
     session.last_good_ = std::make_shared<const Keyframe>(session.keyframe());
 }

@@ -50,7 +50,8 @@ struct SessionStep {
     bool paused = false;           // whether simulated time stood still
     bool stopped = false;          // it was stopped midway and does not count, see Session::step
     StepReport deform;             // of the deforming body; empty where the scene has none
-    std::vector<std::string> refused;  // in words: each command of this step that was refused
+    std::vector<std::string>
+        refused;  // in words: what was refused of this step, or came to nothing
 };
 
 class Session {

@@ -448,5 +448,14 @@ TEST_F(BadInput, ALinkToItselfIsNoPlaceToWriteTo) {
     EXPECT_NE(run.errors.find("circle of links"), std::string::npos) << run.errors;
 }
 
+// As of a share that is not mounted: said before the work, which would be lost at its end.
+TEST_F(BadInput, ALinkIntoAFolderThatIsNotThereIsNoPlaceToWriteTo) {
+    fs::create_symlink(folder_ / "no share" / "x.csv", folder_ / "away.csv");
+    const Outcome run = run_cli({"inject", path("none.vtp"), "--csv", path("away.csv")});
+    EXPECT_EQ(run.exit_code, 1) << run.errors;
+    EXPECT_NE(run.errors.find(path("no share/x.csv") + ": cannot be written"), std::string::npos)
+        << run.errors;
+}
+
 }  // namespace
 }  // namespace hepatica

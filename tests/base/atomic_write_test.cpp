@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -224,6 +225,22 @@ TEST_F(AtomicWrite, WritesIntoAPipeAndWaitsForNoReader) {
               "one two");
     EXPECT_TRUE(fs::is_fifo(pipe));
     EXPECT_EQ(entries(), 2) << "the pipe and its link";
+}
+
+// More than a pipe holds, and nobody takes it out: without an end by signals this would not return.
+TEST_F(AtomicWrite, WaitsForASlowReaderUntilASignalComes) {
+    const fs::path pipe = folder_ / "pipe.csv";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+    ASSERT_GE(reader, 0);
+    const auto before = std::signal(SIGALRM, [](int) {});
+    const itimerval ticks{{0, 20'000}, {0, 20'000}};
+    const itimerval none{};
+    setitimer(ITIMER_REAL, &ticks, nullptr);
+    EXPECT_THROW(write_text_atomically(pipe, std::string(1 << 20, 'x')), InputError);
+    setitimer(ITIMER_REAL, &none, nullptr);
+    std::signal(SIGALRM, before);
+    close(reader);
 }
 
 // The temporary is hidden, and gone by the time that somebody reads its name.

@@ -6,11 +6,11 @@
 namespace hepatica {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string doubled_in(const std::string& text) {
     try {
-        parse_written<Json>(text);
+        parse_written<OrderedJson>(text);
     } catch (const InputError& error) {
         return error.place();
     }
@@ -26,9 +26,9 @@ TEST(WrittenJson, HasNoKeyOfAnObjectTwice) {
 
 TEST(WrittenJson, IsWhatTheLibraryReads) {
     const std::string text = R"({"b": [1, 2.5, {"c": null}], "a": {"d": "x", "e": true}})";
-    EXPECT_EQ(parse_written<Json>(text).dump(), Json::parse(text).dump());
-    EXPECT_THROW(parse_written<Json>("{"), Json::exception);
-    EXPECT_THROW(parse_written<Json>("[1e400]"), Json::exception);
+    EXPECT_EQ(parse_written<OrderedJson>(text).dump(), OrderedJson::parse(text).dump());
+    EXPECT_THROW(parse_written<OrderedJson>("{"), OrderedJson::exception);
+    EXPECT_THROW(parse_written<OrderedJson>("[1e400]"), OrderedJson::exception);
 }
 
 }  // namespace
