@@ -56,6 +56,8 @@ void HapticPlay::detach() {
     attached_ = false;
     thread_ = {};  // requests a stop and waits for it
     device_.reset();
+    const std::scoped_lock lock(mutex_);
+    if (std::exchange(of_step_, false)) message_.clear();
 }
 
 std::string HapticPlay::message() const {
@@ -65,6 +67,7 @@ std::string HapticPlay::message() const {
 
 void HapticPlay::say(std::string message, bool of_step) {
     const std::scoped_lock lock(mutex_);
+    if (of_step && !attached_) return;  // a device that was lost is told of
     message_ = std::move(message);
     of_step_ = of_step;
 }
@@ -110,10 +113,12 @@ void HapticPlay::run(const std::stop_token& stop, HapticDevice& device,
             std::this_thread::sleep_until(due);
         } while (tick.tool && !tick.lost && !stop.stop_requested());
         if (tick.lost) {
-            attached_ = false;
-            return say("The " + device.traits().name +
+            const std::scoped_lock lock(mutex_);
+            attached_ = of_step_ = false;
+            message_ = "The " + device.traits().name +
                        " no longer answers: its force is off and the play goes on. Check its cable "
-                       "and its power, then attach it again");
+                       "and its power, then attach it again";
+            return;
         }
     }
     device.write({});

@@ -193,6 +193,11 @@ TEST_F(HapticPlayTest, NoLongerSaysThatNothingIsFeltOnceItIsFeltAgain) {
     fails = false;
     session->step();
     EXPECT_EQ(failing.message(), "");
+    fails = true;
+    session->step();
+    EXPECT_NE(failing.message(), "");
+    failing.detach();
+    EXPECT_EQ(failing.message(), "") << "of a device that is no longer there";
     session->on_frame({});
 }
 

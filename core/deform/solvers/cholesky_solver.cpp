@@ -147,10 +147,11 @@ SolveReport CholeskySolver::solve_by(TreeFactor<T>& factor, std::span<const Vec3
         std::isfinite(rhs_squared) && std::isfinite(energy) &&
         (report.relative_residual == 0.0 || report.energy_error <= limits.energy_tolerance ||
          report.relative_residual <= limits.residual_tolerance);
+    report = with_dropped(report, limits);
     if (report.converged) {
         own_up_unless_finite(report, x);
         product_known_ = report.converged;
-        if (report.converged) return with_dropped(report, limits);
+        if (report.converged) return report;
     }
     const auto precondition = [&](const std::vector<Vec3>& r, std::vector<Vec3>& z) {
         z.resize(r.size());

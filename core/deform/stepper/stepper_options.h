@@ -36,9 +36,9 @@ struct StepperOptions {
     // Makes the steps on the processor even where the scene is played on a device.
     bool on_processor = false;
     // Skips the steps of a body whose nodes have all moved slower than 1e-5 mean edge lengths per
-    // second for half a second of simulated time, until a force or the state changes. Options that
-    // change meanwhile wake nothing, so that a dial that is turned moves nothing that rests: they
-    // act with the next motion.
+    // second for half a second of simulated time, until a force or the state changes. Other options
+    // that change meanwhile wake nothing, so that a dial that is turned moves nothing that rests:
+    // they act with the next motion.
     bool sleeping = true;
     // Computes nonlinear_loss of each step by integrating the forces along its path, so that a
     // force that is not the gradient of its energy appears as imbalance (see energy_ledger.h). For

@@ -135,7 +135,8 @@ TEST(InversionRecovery, KeepsThePlaceOfAFreeBody) {
 
 // A fragment that lies far from its place at rest stays where it is, whatever else is put right
 // with it: a free cube beside a clamped bar, an element of each turned inside out.
-TEST(InversionRecovery, KeepsThePlaceOfALoosePiece) {
+// A bar that is held at one end, and beside it a cube.
+BodyDescription bar_and_loose_cube() {
     BodyDescription description;
     description.mesh = kuhn_brick(Vec3(80, 8, 8), {20, 2, 2});
     const std::size_t first = description.mesh.vertices_mm.size();
@@ -147,6 +148,12 @@ TEST(InversionRecovery, KeepsThePlaceOfALoosePiece) {
         description.mesh.tetrahedra.push_back(nodes);
     }
     for (const Vec3& x : description.mesh.vertices_mm) description.fixed.push_back(x[0] == 0.0);
+    return description;
+}
+
+TEST(InversionRecovery, KeepsThePlaceOfALoosePiece) {
+    const BodyDescription description = bar_and_loose_cube();
+    const std::size_t first = description.mesh.vertices_mm.size() - 8;
     const Body body = build_body(description, ElementModel::corotated, ElementOrder::linear);
     std::vector<Vec3> folded = body.rest_positions_mm;
     for (std::size_t i = first; i < folded.size(); ++i) folded[i] += Vec3(0, 150, 0);
@@ -173,6 +180,30 @@ TEST(InversionRecovery, KeepsThePlaceOfALoosePiece) {
     EXPECT_LT((centre(*recovered) - centre(folded)).norm(), 1e-6);
     for (std::size_t i = 0; i < first; ++i)
         EXPECT_LT(((*recovered)[i] - body.rest_positions_mm[i]).norm(), 1e-3);
+}
+
+// One node fixes no rotation; the rest of the piece may turn, but not be drawn, about it.
+TEST(InversionRecovery, TurnsAPieceAboutTheOneNodeThatHoldsIt) {
+    BodyDescription description = bar_and_loose_cube();
+    const std::size_t first = description.mesh.vertices_mm.size() - 8;
+    description.fixed[first] = true;
+    const Body body = build_body(description, ElementModel::corotated, ElementOrder::linear);
+    const std::vector<Vec3>& rest = body.rest_positions_mm;
+    std::vector<Vec3> folded = rest;
+    for (std::size_t i = first; i < folded.size(); ++i) folded[i] += Vec3(0, 150, 0);
+    for (std::size_t i = first; i < folded.size(); ++i)
+        if (rest[i] == Vec3(44, 24, 4)) folded[i] -= Vec3(8, 8, 8);
+    ASSERT_FALSE(inverted_elements(body, folded).empty());
+    const Assembly assembly(body);
+    const auto recovered = InversionRecovery(body).recover(
+        folded, [&](std::span<const Vec3> x) { return assembly.energy(x); });
+    ASSERT_TRUE(recovered);
+    EXPECT_TRUE(inverted_elements(body, *recovered).empty());
+    EXPECT_EQ((*recovered)[first], folded[first]);
+    for (std::size_t i = first; i < rest.size(); ++i)
+        for (std::size_t k = first; k < i; ++k)
+            EXPECT_NEAR(((*recovered)[i] - (*recovered)[k]).norm(), (rest[i] - rest[k]).norm(),
+                        1e-3);
 }
 
 // A beam turned back through its clamp finds its way out, and no step makes energy.
