@@ -71,7 +71,7 @@ TEST(ValidTree, IsTheForkAndEachFaultInItIsNamedWithItsSegment) {
 }
 
 TEST(ValidTree, MayBeEmptyAndSureOrNotAtAll) {
-    EXPECT_NO_THROW(validate({}));
+    EXPECT_NO_THROW(validate(VesselTree{}));
     for (const double confidence : {0.0, 1.0})
         EXPECT_EQ(problem_of([confidence](VesselTree& tree) {
                       for (VesselSegment& segment : tree.segments)
