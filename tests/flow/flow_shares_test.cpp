@@ -59,8 +59,12 @@ TEST(FlowShares, WarningsNameTheTreeThatTheirShareIsOf) {
     const VesselTree one = broom({{60, 1.0}, {6, 3.8}, {60, 1.0}, {70, 1.2}});
     VesselTree both = one;
     const auto first = static_cast<int>(one.segments.size());
+    const auto first_node = static_cast<int>(one.nodes.size());
+    both.nodes.insert(both.nodes.end(), one.nodes.begin(), one.nodes.end());
     for (VesselSegment segment : one.segments) {
         if (segment.parent >= 0) segment.parent += first;
+        segment.proximal_node += first_node;
+        segment.distal_node += first_node;
         segment.system = VascularSystem::hepatic;
         both.segments.push_back(std::move(segment));
     }
