@@ -131,7 +131,9 @@ TreeEdit seed_in(const std::string& text) {
     const auto comma = text.find_last_of(',');
     const auto commas = std::ranges::count(text, ',');
     if (commas != 3) {
-        const bool place_alone = commas == 2 && !system_named(text.substr(comma + 1));
+        // A system's number, as the 3 of 1,2,3 might be, stands behind three numbers.
+        const bool place_alone =
+            commas == 2 && text.find_first_not_of("+-.,0123456789eE") == std::string::npos;
         throw UsageError("\"" + text + "\" " + (place_alone ? "names no system" : "is no seed"),
                          "--seed",
                          "Write X,Y,Z,SYSTEM in mm, where SYSTEM is one of " + list_of_systems());
