@@ -118,21 +118,14 @@ std::vector<std::vector<int>> nodes_of_pieces(const AssemblyPlan& plan) {
 }
 
 // The motion of one piece of a part, by the nodes that surround the patch. Fewer than three fix no
-// rotation; then all of its nodes tell it, and those that surround the patch only the place.
+// rotation; then all of its nodes count.
 RestFit motion_of_piece(const Body& part, const std::vector<int>& piece,
                         const std::vector<Vec3>& now) {
     constexpr std::size_t least_around = 3;
     std::vector<int> around;
     for (const int i : piece)
         if (part.fixed[i]) around.push_back(i);
-    const std::vector<Vec3>& rest = part.rest_positions_mm;
-    if (around.size() >= least_around) return motion_of(around, rest, now);
-    RestFit motion = motion_of(piece, rest, now);
-    Vec3 astray = Vec3::Zero();
-    for (const int i : around)
-        astray += (now[i] - motion(rest[i])) / static_cast<double>(around.size());
-    motion.to += astray;
-    return motion;
+    return motion_of(around.size() < least_around ? piece : around, part.rest_positions_mm, now);
 }
 
 // Displacements of the free nodes of a part, in rest coordinates, at which its linear elastic
