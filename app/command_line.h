@@ -63,8 +63,8 @@ class CommandLine {
     bool quiet_ = false;
 };
 
-// Lets whole numbers from `least` on pass that fit into 64 bits; CLI11 wraps those that an unsigned
-// option cannot hold.
+// Lets whole numbers from `least` to 2^63 - 1 pass; CLI11 wraps those that an unsigned option
+// cannot hold.
 CLI::Validator whole_number_from(std::int64_t least);
 
 // Throws UsageError that names the option where the text is no UTF-8, which neither JSON nor HTML

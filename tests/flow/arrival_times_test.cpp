@@ -84,5 +84,21 @@ TEST(ArrivalTimes, TakeTheEarlierOfTwoPaths) {
     EXPECT_NEAR(times.arrival_s(2, 30.0), first + 30 * pi / 25, 1e-12);
 }
 
+// One front from each end, each a little beyond the place where they meet.
+TEST(ArrivalTimes, TakeTheEarlierOfTwoFrontsThatMeet) {
+    FlowNetwork network;
+    network.node_count = 2;
+    network.cones = {{1, 1, 10}};
+    network.segments = {{0, 1, 0, 1, 0}};
+    const double volume = volume_mm3(network, 0);
+    ArrivalTimes times(network);
+    times.set_from_proximal(0, {{0.0, 0.0}, {0.8 * volume, 0.8}});
+    times.set_from_distal(0, {{0.4 * volume, 0.9}, {volume, 0.1}});
+    for (const auto& [at_mm, expected_s] :
+         {std::pair{0.0, 0.0}, {3.0, 0.3}, {5.0, 0.5}, {6.1, 0.61}, {7.0, 0.5}, {10.0, 0.1}})
+        EXPECT_NEAR(times.arrival_s(0, at_mm), expected_s, 1e-12) << at_mm;
+    EXPECT_EQ(times.first_s(0), 0.0);
+}
+
 }  // namespace
 }  // namespace hepatica
