@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -18,6 +17,7 @@
 
 #include "app/progress_display.h"
 #include "app/readable.h"
+#include "app/writing_signals.h"
 #include "core/base/error.h"
 #include "core/base/quoted_name.h"
 
@@ -144,10 +144,7 @@ CLI::App& CommandLine::add_to(CLI::App& parent, const std::string& name,
 
 int CommandLine::run(int argc, const char* const* argv) {
     set_up_log(false);
-    // Exceeding the limit on file sizes must fail like a full disk, not kill the program; likewise
-    // a closed pipe.
-    std::signal(SIGXFSZ, SIG_IGN);
-    std::signal(SIGPIPE, SIG_IGN);
+    ignore_signals_of_writing();
     try {
         program_.parse(argc, argv);
     } catch (const CLI::Success& success) {

@@ -23,6 +23,7 @@
 #include "app/readable.h"
 #include "app/report/report_main.h"
 #include "app/users_cache.h"
+#include "app/writing_signals.h"
 #include "core/opening/case_segmentation.h"
 #include "core/patient/patient_case.h"
 #include "ui/language.h"
@@ -175,6 +176,7 @@ int refuse(const QString& problem) {
 
 int main(int argc, char** argv) {
     using namespace hepatica;
+    ignore_signals_of_writing();
     if (asks_for_report(argc, argv)) return report_main(argc, argv);
     prepare_opengl();
     if (const QString problem = display_problem(); !problem.isEmpty()) {

@@ -13,6 +13,7 @@
 
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/tree/files/vtk_errors.h"
 
 namespace hepatica {
 namespace {
@@ -58,10 +59,11 @@ void write_png(const std::filesystem::path& file, const Picture& picture) {
     }
     write_file_atomically(file, [&](const std::filesystem::path& temporary) {
         vtkNew<vtkPNGWriter> writer;
+        VtkErrors errors(writer);
         writer->SetInputData(image);
         writer->SetFileName(temporary.c_str());
         writer->Write();
-        if (writer->GetErrorCode() != 0) {
+        if (errors.any() || writer->GetErrorCode() != 0) {
             throw InputError("the picture cannot be written", file.string(),
                              "choose a folder you may write to, on a disk with room");
         }
@@ -70,6 +72,7 @@ void write_png(const std::filesystem::path& file, const Picture& picture) {
 
 Picture read_png(const std::filesystem::path& file) {
     vtkNew<vtkPNGReader> reader;
+    VtkErrors errors(reader);
     const bool readable =
         std::filesystem::is_regular_file(file) && reader->CanReadFile(file.c_str());
     if (readable) {

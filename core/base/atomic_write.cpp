@@ -238,10 +238,13 @@ struct Move {
     fs::path fresh;
     fs::path target;
     bool replaces = false;  // an older file, which is then at `fresh`
+    bool special = false;   // the target is a pipe or a device, which is written into
 };
 
 void make(const Move& move, std::error_code& error) {
-    if (move.replaces)
+    if (move.special)
+        error = write_into_special_file(move.fresh, move.target);
+    else if (move.replaces)
         exchange(move.fresh, move.target, error);
     else
         fs::rename(move.fresh, move.target, error);
@@ -249,10 +252,30 @@ void make(const Move& move, std::error_code& error) {
 
 void undo(const Move& move) {
     std::error_code ignored;
+    if (move.special) return;  // what a pipe or a device took does not come back
     if (move.replaces)
         exchange(move.fresh, move.target, ignored);
     else
         fs::rename(move.target, move.fresh, ignored);
+}
+
+// The move of a finished file to `place`. A link may lead to another file system: what goes there
+// is copied beside its target first.
+Move move_of(const fs::path& file, const fs::path& place, std::deque<Temporary>& beside_links) {
+    std::error_code error;
+    if (is_special_file(place) && !fs::is_directory(file, error))
+        return {.fresh = file, .target = place, .special = true};
+    Move move{file, place_behind_links(place)};
+    if (fs::is_symlink(fs::symlink_status(place, error))) {
+        move.fresh = beside_links.emplace_back(move.target).path();
+        fs::copy(file, move.fresh, fs::copy_options::recursive, error);
+        if (error) throw_unwritable(place, error);
+    }
+    // A folder is never exchanged: what it holds would be removed with the temporary.
+    move.replaces = fs::exists(move.target, error) && !fs::is_directory(move.target, error) &&
+                    !fs::is_directory(file, error);
+    if (move.replaces) take_permissions(move.target, move.fresh);
+    return move;
 }
 
 // Makes all moves, or undoes those made and throws.
@@ -280,22 +303,12 @@ void write_files_atomically(const fs::path& folder,
     for (const auto& entry : fs::directory_iterator(temporary.path()))
         files.push_back(entry.path());
     std::ranges::sort(files);
-    std::deque<Temporary> beside_links;  // a link may lead to another file system
+    std::deque<Temporary> beside_links;
     std::vector<Move> moves;
-    for (const fs::path& file : files) {
-        const fs::path place = folder / file.filename();
-        Move move{file, place_behind_links(place)};
-        if (fs::is_symlink(fs::symlink_status(place, error))) {
-            move.fresh = beside_links.emplace_back(move.target).path();
-            fs::copy(file, move.fresh, fs::copy_options::recursive, error);
-            if (error) throw_unwritable(place, error);
-        }
-        // A folder is never exchanged: what it holds would be removed with the temporary.
-        move.replaces = fs::exists(move.target, error) && !fs::is_directory(move.target, error) &&
-                        !fs::is_directory(file, error);
-        if (move.replaces) take_permissions(move.target, move.fresh);
-        moves.push_back(move);
-    }
+    for (const fs::path& file : files)
+        moves.push_back(move_of(file, folder / file.filename(), beside_links));
+    // Last, because they cannot be undone.
+    std::ranges::stable_partition(moves, [](const Move& move) { return !move.special; });
     make_all(moves);
     made.keep();
 }

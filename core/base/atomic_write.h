@@ -40,7 +40,8 @@ void renew_folder_atomically(const std::filesystem::path& folder,
 
 // Calls write(temporary_folder) with an empty folder, then moves its files into `folder`, in the
 // order of their names. Other files there stay; older files of these names are replaced, and links
-// followed. If write() throws, none is, and a folder that was missing is not left behind; if a move
+// followed. A device, a pipe or a socket of such a name is written into after all others, and
+// stays. If write() throws, nothing is, and a folder that was missing is not left behind; if a move
 // fails, those before it are undone as far as the file system lets them. Not one step: a reader in
 // between, or a crash, finds some files of either kind. Throws InputError as above.
 void write_files_atomically(const std::filesystem::path& folder,

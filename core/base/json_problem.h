@@ -8,11 +8,15 @@
 
 namespace hepatica {
 
-inline std::string json_problem(const std::exception& error) {
+inline std::string message_of_json(const std::exception& error) {
     const std::string text = error.what();
     const std::size_t end =
         text.starts_with("[json.exception.") ? text.find("] ") : std::string::npos;
-    return "is damaged (" + (end == std::string::npos ? text : text.substr(end + 2)) + ")";
+    return end == std::string::npos ? text : text.substr(end + 2);
+}
+
+inline std::string json_problem(const std::exception& error) {
+    return "is damaged (" + message_of_json(error) + ")";
 }
 
 }  // namespace hepatica

@@ -71,8 +71,10 @@ struct InjectionOptions {
     // Time between the samples of the series, which does not affect the solution; none: a hundredth
     // of the time to inject the volume of the tree.
     std::optional<double> step_s;
-    FrontOptions front;                  // its injection_end_s is ignored
-    std::vector<TreePoint> territories;  // whose drug is to be followed
+    FrontOptions front;  // its injection_end_s is ignored
+    // Whose drug is to be followed, each as the flow at the start has it: what a later flow carries
+    // into other vessels, as behind a tear that closes again, counts in none.
+    std::vector<TreePoint> territories;
     bool record_filled_lengths = false;  // per segment and sample
     // Of each of `tears`, the opening at both stumps, above 0; empty: nothing holds the flow up
     // there. As many as tears, or none.

@@ -24,8 +24,10 @@ struct Territory {
     double volume_mm3 = 0.0;            // of the lumen downstream, weighted by passed_share
 };
 
-// Downstream follows the solved flow, not the root of the tree. `point` is a point of the vessel
-// tree. Costs O(segments); throws InputError where there is no such segment.
+// Downstream follows the solved flow, not the root of the tree, and is downstream of that one flow:
+// vessels and outlets that get nothing from the point in it are none of the territory's, also where
+// flow from the point reaches them later. `point` is a point of the vessel tree. Costs O(segments);
+// throws InputError where there is no such segment.
 Territory territory_of(const FlowNetwork& network, const FlowSolution& solution,
                        const TreePoint& point);
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/json_problem.h"
 #include "core/base/text_file.h"
 #include "core/base/written_json.h"
 #include "core/flow/fluid.h"
@@ -186,8 +187,8 @@ Course course_from(const LessonFields& fields) {
 Json json_of(const std::string& text, const std::string& place) {
     try {
         return parse_written<Json>(text);
-    } catch (const Json::exception&) {
-        throw InputError("is not JSON", place, lesson_remedy);
+    } catch (const Json::exception& error) {
+        throw InputError(json_problem(error), place, lesson_remedy);
     }
 }
 

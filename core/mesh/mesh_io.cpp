@@ -2,13 +2,11 @@
 // Written by VTK, read by the parser of core/tree/files/vtk_file.h.
 #include "core/mesh/mesh_io.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
@@ -22,6 +20,7 @@
 #include "core/base/error.h"
 #include "core/base/patient_space.h"
 #include "core/mesh/surface.h"
+#include "core/tree/files/vtk_errors.h"
 #include "core/tree/files/vtk_file.h"
 
 namespace hepatica {
@@ -51,29 +50,17 @@ vtkNew<vtkCellArray> cells_of(const std::vector<std::array<int, N>>& cells) {
     return array;
 }
 
-// Records VTK's errors, which it would otherwise print; the caller turns them into an exception.
-vtkSmartPointer<vtkCallbackCommand> error_listener(bool& failed) {
-    auto listener = vtkSmartPointer<vtkCallbackCommand>::New();
-    listener->SetClientData(&failed);
-    listener->SetCallback(
-        [](vtkObject*, unsigned long, void* client, void*) { *static_cast<bool*>(client) = true; });
-    return listener;
-}
-
 template <class Writer, class Data>
 void write(const fs::path& file, Data* data) {
     write_file_atomically(file, [&](const fs::path& temporary) {
         vtkNew<Writer> writer;
-        bool failed = false;
-        const auto listener = error_listener(failed);
-        const unsigned long tag = writer->AddObserver(vtkCommand::ErrorEvent, listener);
+        VtkErrors errors(writer);
         writer->SetFileName(temporary.c_str());
         writer->SetInputData(data);
         writer->SetDataModeToAppended();
         writer->EncodeAppendedDataOff();
         const bool written = writer->Write() != 0;
-        writer->RemoveObserver(tag);
-        if (!written || failed || writer->GetErrorCode() != 0 || !fs::exists(temporary))
+        if (!written || errors.any() || writer->GetErrorCode() != 0 || !fs::exists(temporary))
             throw InputError("cannot be written", file.string(),
                              "Check that the folder may be written and has free space");
     });

@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/json_number.h"
+#include "core/base/json_problem.h"
 #include "core/base/number_text.h"
 #include "core/base/text_file.h"
 #include "core/base/unknown_key.h"
@@ -259,15 +260,16 @@ SceneSpec scene_from_json(const Json& json) {
 
 namespace {
 
-// Null where the file holds no JSON.
+constexpr const char* scene_remedy = R"(Give a scene file: {"case": "NAME.hep", "deform": {}})";
+
 Json json_in(const std::filesystem::path& file) {
     const std::string text = read_text_file(file, "Give a scene file (JSON) or a case");
     try {
         return parse_written<Json>(text);
     } catch (const InputError& error) {
         throw InputError(error.place() + " " + error.problem(), file.string(), error.remedy());
-    } catch (const Json::exception&) {
-        return nullptr;
+    } catch (const Json::exception& error) {
+        throw InputError(json_problem(error), file.string(), scene_remedy);
     }
 }
 
@@ -275,9 +277,7 @@ Json json_in(const std::filesystem::path& file) {
 
 SceneFile read_scene(const std::filesystem::path& file) {
     Json json = json_in(file);
-    if (!json.is_object())
-        throw InputError("is not a JSON object", file.string(),
-                         "Give a scene file: {\"case\": \"NAME.hep\", \"deform\": {}}");
+    if (!json.is_object()) throw InputError("is not a JSON object", file.string(), scene_remedy);
     SceneFile scene;
     const auto found = json.find("case");
     if (found == json.end() || !found->is_string())

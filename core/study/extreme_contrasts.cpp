@@ -194,8 +194,11 @@ void add_shapes(std::vector<ExtremeCase>& cases) {
         {"crushed", [](const Vec3&, std::mt19937_64&) { return Vec3(40, 20, 20); }},
         {"turned back", [](const Vec3& x, std::mt19937_64&) { return Vec3(-x[0], x[1], x[2]); }},
         {"stretched 10 times", [](const Vec3& x, std::mt19937_64&) { return Vec3(10.0 * x); }},
-        {"random", [](const Vec3&, std::mt19937_64& r) {
-             return Vec3(uniform(r, 0, 80), uniform(r, 0, 40), uniform(r, 0, 40));
+        {"random", [](const Vec3&, std::mt19937_64& random) {
+             const double z = uniform(random, 0, 40);
+             const double y = uniform(random, 0, 40);
+             const double x = uniform(random, 0, 80);
+             return Vec3(x, y, z);
          }}};
     for (const Start& start : starts)
         for (const char* element : {"corotated", "neohookean", "corotated-10", "hexahedron"})

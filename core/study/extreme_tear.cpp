@@ -91,9 +91,11 @@ class TearTrial {
         return trial.require(wrong.empty(), wrong);
     }
 
-    Vec3 vertex() {
-        const auto& x = stepper_->positions_mm();
-        return x[static_cast<std::size_t>(uniform(random_, 0.0, static_cast<double>(x.size())))];
+    // A way of random direction, 1 to 20 mm long.
+    Vec3 random_way() {
+        const Vec3 direction = random_direction(random_);
+        const double length_mm = uniform(random_, 1.0, 20.0);
+        return length_mm * direction;
     }
 
     // Weakens some joints, as a cut line would.
@@ -112,14 +114,16 @@ class TearTrial {
 
     // Chooses a new goal and what is held on the way there; sometimes cuts, which is a transaction.
     bool begin_goal(Trial& trial, SplitCheck& check) {
-        const Vec3 at = vertex();
-        goal_mm_ = at + uniform(random_, 0.2, 1.0) * extent_.reach_mm * random_direction(random_);
+        const Vec3 at = random_point(stepper_->positions_mm(), random_);
+        const Vec3 direction = random_direction(random_);
+        const double share = uniform(random_, 0.2, 1.0);
+        goal_mm_ = at + share * extent_.reach_mm * direction;
         gone_mm_ = 0.0;
         axis_ = random_direction(random_);
         if (play_ == TearPlay::cut || uniform(random_, 0.0, 1.0) < 0.1) {
             const EnergyLedger before = stepper_->energies();
-            const Vec3 way = uniform(random_, 1.0, 20.0) * random_direction(random_);
-            const Vec3 edge = uniform(random_, 1.0, 20.0) * random_direction(random_);
+            const Vec3 way = random_way();
+            const Vec3 edge = random_way();
             stepper_->cut(at - 0.5 * (way + edge), way, edge);
             if (!holds(trial, check.after_step(*stepper_, before))) return false;
         }

@@ -70,11 +70,6 @@ class TouchTrial {
     }
 
   private:
-    Vec3 vertex() {
-        const auto& x = stepper_->positions_mm();
-        return x[static_cast<std::size_t>(uniform(random_, 0.0, static_cast<double>(x.size())))];
-    }
-
     // Places a tool beside the body, or grabs a vessel by its end.
     void begin() {
         if (play_ == Play::drag || play_ == Play::knot) {
@@ -93,8 +88,10 @@ class TouchTrial {
 
     // Chooses a vessel, or a place beyond it, as goal; forceps open and close in turn.
     void choose_goal() {
-        goal_mm_ =
-            vertex() + uniform(random_, 0.0, 0.3) * extent_.reach_mm * random_direction(random_);
+        const Vec3 direction = random_direction(random_);
+        const double share = uniform(random_, 0.0, 0.3);
+        const Vec3 vessel = random_point(stepper_->positions_mm(), random_);
+        goal_mm_ = vessel + share * extent_.reach_mm * direction;
         ++goals_;
         if (play_ != Play::squeeze) return;
         const double widest = widest_opening_mm(*stepper_->tool());
@@ -113,8 +110,10 @@ class TouchTrial {
             return;
         }
         stepper_->lead_tool(next(stepper_->tool()->centre_mm()));
-        if (play_ != Play::sphere)
-            stepper_->turn_tool(uniform(random_, 0.0, 0.1) * random_direction(random_));
+        if (play_ == Play::sphere) return;
+        const Vec3 axis = random_direction(random_);
+        const double angle = uniform(random_, 0.0, 0.1);
+        stepper_->turn_tool(angle * axis);
     }
 
     bool look(Trial& trial) const {

@@ -15,6 +15,11 @@ Vec3 random_direction(std::mt19937_64& random) {
     return d.normalized();
 }
 
+Vec3 random_point(std::span<const Vec3> points_mm, std::mt19937_64& random) {
+    const double number = uniform(random, 0.0, static_cast<double>(points_mm.size()));
+    return points_mm[static_cast<std::size_t>(number)];
+}
+
 BodyExtent extent_of(const BodyDescription& body) {
     BodyExtent extent;
     for (const Vec3& x : body.mesh.vertices_mm) extent.middle_mm += x;

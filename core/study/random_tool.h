@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tools of random size that approach a body from a random side, for the campaigns of the stability
-// suite.
+// Tools of random size that approach a body from a random side, and random goals of their way, for
+// the campaigns of the stability suite.
 #pragma once
 
 #include <random>
+#include <span>
 #include <string>
 
 #include "core/deform/body/body.h"
@@ -13,6 +14,9 @@ namespace hepatica {
 
 // A unit vector; draws three numbers or more.
 Vec3 random_direction(std::mt19937_64& random);
+
+// One of these points, of which there must be one at least.
+Vec3 random_point(std::span<const Vec3> points_mm, std::mt19937_64& random);
 
 // The mean of the vertices, and the distance of the furthest one from it.
 struct BodyExtent {

@@ -51,7 +51,8 @@ double uniform(std::mt19937_64& random, double low, double high) {
 VesselTree random_study_tree(std::mt19937_64& random) {
     const double radius = uniform(random, 2.0, 5.0);
     VesselTree tree = study_tree(1 + static_cast<int>(uniform(random, 0.0, 4.0)), radius);
-    const Waves bend(random, uniform(random, 12.0, 40.0) * radius, 0.5);
+    const double length_mm = uniform(random, 12.0, 40.0) * radius;
+    const Waves bend(random, length_mm, 0.5);
     for (VesselNode& node : tree.nodes) node.position_mm = bend.moved(node.position_mm);
     for (VesselSegment& segment : tree.segments)
         for (Vec3& x : segment.points_mm) x = bend.moved(x);

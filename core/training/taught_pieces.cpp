@@ -46,9 +46,14 @@ SegmentationOptions options_taught_with(std::uint64_t number, const Phantom& pat
     return options;
 }
 
-std::vector<TaughtPiece> taught_by(std::uint64_t number, double line_share, Job& job) {
-    const Phantom patient = make_phantom(random_patient(number), job);
+std::vector<TaughtPiece> taught_by_made(const PatientMaker& make, std::uint64_t number,
+                                        double line_share, Job& job) {
+    const Phantom patient = make(random_patient(number), job);
     return taught_on(patient, options_taught_with(number, patient, job), line_share, job);
+}
+
+std::vector<TaughtPiece> taught_by(std::uint64_t number, double line_share, Job& job) {
+    return taught_by_made(make_phantom, number, line_share, job);
 }
 
 }  // namespace hepatica

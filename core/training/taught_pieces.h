@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/base/job.h"
@@ -25,6 +26,12 @@ SegmentationOptions options_taught_with(std::uint64_t number, const Phantom& pat
 // The pieces of the patient with this number (random_patient.h), segmented with those options.
 // Otherwise as taught_on().
 std::vector<TaughtPiece> taught_by(std::uint64_t number, double line_share, Job& job);
+
+// The same, where `make` makes the patient of the options for this number: a smaller one, as tests
+// need it.
+using PatientMaker = std::function<Phantom(const PhantomOptions& options, Job& job)>;
+std::vector<TaughtPiece> taught_by_made(const PatientMaker& make, std::uint64_t number,
+                                        double line_share, Job& job);
 
 // The pieces of any patient whose vessels are known. Empty where no line rises above the noise.
 // Throws NoLiverFound; InputError where a given liver or another option cannot be used; Cancelled.

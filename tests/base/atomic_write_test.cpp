@@ -227,6 +227,35 @@ TEST_F(AtomicWrite, WritesIntoAPipeAndWaitsForNoReader) {
     EXPECT_EQ(entries(), 2) << "the pipe and its link";
 }
 
+// A file was put in the place of each.
+TEST_F(AtomicWrite, WritesIntoAPipeAmongFiles) {
+    const fs::path pipe = folder_ / "a.csv";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    fs::create_symlink("/dev/null", folder_ / "null.csv");
+    write_text_atomically(folder_ / "b.txt", "old");
+    const auto write = [&] {
+        write_files_atomically(folder_, [](const fs::path& temporary) {
+            for (const char* name : {"a.csv", "b.txt", "null.csv"})
+                std::ofstream(temporary / name) << "new";
+        });
+    };
+    EXPECT_THROW(write(), InputError) << "nobody reads it";
+    EXPECT_EQ(read(folder_ / "b.txt"), "old");
+    const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+    ASSERT_GE(reader, 0);
+    write();
+    std::array<char, 64> read_back{};
+    const ssize_t count = ::read(reader, read_back.data(), read_back.size());
+    close(reader);
+    EXPECT_EQ(std::string(read_back.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))),
+              "new");
+    EXPECT_EQ(read(folder_ / "b.txt"), "new");
+    EXPECT_TRUE(fs::is_fifo(pipe));
+    EXPECT_TRUE(fs::is_symlink(folder_ / "null.csv"));
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+    EXPECT_EQ(entries(), 3);
+}
+
 // More than a pipe holds, and nobody takes it out: without an end by signals this would not return.
 TEST_F(AtomicWrite, WaitsForASlowReaderUntilASignalComes) {
     const fs::path pipe = folder_ / "pipe.csv";

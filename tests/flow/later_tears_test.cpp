@@ -196,6 +196,24 @@ TEST(LaterTears, ThatHaveClosedLeaveThePressureOfTheTip) {
     EXPECT_NEAR(is.series.back().inlet_pressure_pa, pressure_pa, 1e-6 * pressure_pa);
 }
 
+// As injection.h has it: the vessel behind the tear got nothing at the start.
+TEST(LaterTears, ThatCloseLeaveTerritoriesAsTheyWereAtTheStart) {
+    InjectionOptions options = into_root();
+    options.until_s = 1.0;
+    options.tears = {{1, 5.0, 0.0}};
+    options.tear_areas_mm2 = {tube_lumen_mm2};
+    options.tear_sides = {0};
+    options.later_tears = {LaterTears{.from_s = 0.2}};
+    options.territories = {{0, 0.0, 0.0}};
+    const InjectionResult closed = run_torn(fork_with_equal_branches(), options);
+    const InjectionSample& end = closed.series.back();
+    ASSERT_EQ(end.outlet_mass_g.size(), 2u);
+    const double behind_g = 35.0 * tube_lumen_mm2 * closed.drug.density_g_mm3;
+    EXPECT_GT(end.outlet_mass_g[0], 0.1) << "the drug goes on";
+    EXPECT_NEAR(end.territory_mass_g.at(0),
+                end.inside_g + end.delivered_g - behind_g - end.outlet_mass_g[0], 1e-6);
+}
+
 // The end of a vessel is torn off: what went through it until then counts as delivered, what comes
 // afterwards does not.
 TEST(LaterTears, OfAnEndLeaveWhatItHasDelivered) {

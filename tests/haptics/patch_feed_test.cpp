@@ -244,6 +244,82 @@ TEST(PatchFeed, InTheGapOfATornVesselNothingIsFelt) {
     EXPECT_TRUE(model.contacts.empty());
 }
 
+// The small patient's vessels and, beside them, the same once more.
+std::shared_ptr<const PatientCase> twice_the_small_patient(const Vec3& beside_mm) {
+    auto patient = std::make_shared<PatientCase>(*small_patient());
+    const VesselTree one = patient->tree;
+    const int vertices = static_cast<int>(patient->mesh.vertices_mm.size());
+    const int nodes = static_cast<int>(one.nodes.size());
+    const int segments = static_cast<int>(one.segments.size());
+    for (VesselNode node : one.nodes) {
+        node.position_mm += beside_mm;
+        patient->tree.nodes.push_back(node);
+    }
+    for (VesselSegment segment : one.segments) {
+        segment.proximal_node += nodes;
+        segment.distal_node += nodes;
+        if (segment.parent >= 0) segment.parent += segments;
+        for (Vec3& point : segment.points_mm) point += beside_mm;
+        patient->tree.segments.push_back(segment);
+    }
+    TetMesh& mesh = patient->mesh;
+    for (int v = 0; v < vertices; ++v)
+        mesh.vertices_mm.push_back(Vec3(mesh.vertices_mm[v] + beside_mm));
+    for (std::array<int, 4> corners : small_patient()->mesh.tetrahedra) {
+        for (int& corner : corners) corner += vertices;
+        mesh.tetrahedra.push_back(corners);
+    }
+    patient->surface = surface_of(mesh).mesh;
+    return patient;
+}
+
+// The first of two like vessels is cut, then it is whole again and the second is cut, which splits
+// as many vertices. The tool then presses where the first was cut.
+TEST(PatchFeed, FollowsATearThatSplitsAsManyVerticesElsewhere) {
+    const Vec3 beside_mm(256, 0, 0);
+    const auto patient = twice_the_small_patient(beside_mm);
+    SceneSpec spec = touchable();
+    spec.tear.emplace();
+    Job job;
+    Session session(patient, spec, job);
+    const auto& points = patient->tree.segments[0].points_mm;
+    const std::size_t m = points.size() / 2;
+    const Vec3 across = (points[m + 1] - points[m - 1]).normalized().unitOrthogonal();
+    AddTool ball{.radius_mm = 4.0, .direction = -across, .point_mm = points[m] + 25.0 * across};
+    session.post(ball);  // without a tool the feed would begin anew
+    session.step();
+    DeformPart& part = *session.world().deform();
+    const int whole = part.torn()->vertex_count();
+    PatchFeed feed;
+    LocalModel model;
+    const auto cut_at = [&](const Vec3& place) {
+        part.cut(patient->tree, place - 15.0 * across, place + 15.0 * across);
+        feed.fill(part, 1.0 / 60.0, model);
+        return part.torn()->vertex_count() - whole;
+    };
+    const int split = cut_at(points[m]);
+    ASSERT_GT(split, 0);
+    part.mend();
+    ASSERT_EQ(cut_at(points[m] + beside_mm), split);
+
+    ball.point_mm = points[m];
+    session.post(ball);
+    session.step();
+    session.post(ShiftTool{-across});
+    test::play(session, 30);
+    ASSERT_EQ(part.torn()->vertex_count() - whole, split) << "the press itself tears nothing";
+    feed.fill(part, 1.0 / 60.0, model);
+    LocalModel expected;
+    PatchFeed fresh;
+    fresh.fill(part, 1.0 / 60.0, expected);
+    ASSERT_FALSE(expected.contacts.empty());
+    ASSERT_EQ(model.contacts.size(), expected.contacts.size());
+    for (std::size_t i = 0; i < expected.contacts.size(); ++i) {
+        EXPECT_EQ(model.contacts[i].at_mm, expected.contacts[i].at_mm) << i;
+        EXPECT_EQ(model.contacts[i].force_un, expected.contacts[i].force_un) << i;
+    }
+}
+
 TEST(PatchFeed, GivesWhatTheToolHasStillToTurn) {
     const auto session = new_session(touchable());
     session->post(ball());

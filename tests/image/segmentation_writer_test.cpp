@@ -5,10 +5,8 @@
 #include <gdcmSequenceOfItems.h>
 #include <gdcmStringFilter.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <cmath>
-#include <csignal>
 #include <cstdlib>
 #include <functional>
 
@@ -19,6 +17,7 @@
 #include "core/image/volume_writer.h"
 #include "tests/image/dicom_folder.h"
 #include "tests/image/enhanced_ct.h"
+#include "tests/support/small_disk.h"
 
 namespace hepatica {
 namespace {
@@ -353,26 +352,6 @@ TEST(SegmentationWriter, HasAFrameOfReferenceWhereTheCtLacksOne) {
     expect_segment(scan, 1, [&](int x, int y, int z) { return scan.vessel.at(x, y, z) != 0; });
 }
 
-// Files of this process and its children take so many bytes, as on a disk that is full.
-class DiskOf {
-  public:
-    explicit DiskOf(std::uintmax_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-        getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit small{bytes, before_.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &small);
-    }
-    ~DiskOf() {
-        setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-    DiskOf(const DiskOf&) = delete;
-    DiskOf& operator=(const DiskOf&) = delete;
-
-  private:
-    rlimit before_{};
-    void (*handler_)(int);
-};
-
 // A file that was cut off would be shown as if it were whole.
 TEST(SegmentationWriter, SaysThatTheDiskIsFullAndLeavesNothing) {
     const Scan scan;
@@ -384,7 +363,7 @@ TEST(SegmentationWriter, SaysThatTheDiskIsFullAndLeavesNothing) {
     constexpr std::uintmax_t few = 200;
     for (const std::uintmax_t missing : {few, whole / 3}) {
         const std::string said = refusal([&] {
-            const DiskOf disk(whole - missing);
+            const test::DiskOf disk(whole - missing);
             scan.write();
         });
         EXPECT_TRUE(said.starts_with(scan.file.string() + ": cannot be written: the disk takes no "

@@ -123,6 +123,16 @@ TEST(LessonFile, HasNoKeyTwice) {
     }
 }
 
+TEST(LessonFile, IsNamedWithTheLineThatIsDamaged) {
+    for (const char* text : {"{\"name\":\n1e400}", "{\"name\":\nNaN}"}) try {
+            lesson_of(text, "file");
+            FAIL() << text;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.place(), "file");
+            EXPECT_THAT(error.problem(), HasSubstr("line 2, column")) << text;
+        }
+}
+
 TEST(LessonFile, IsNoJsonOrNotThere) {
     EXPECT_THROW(lesson_of("{", "file"), InputError);
     EXPECT_THROW(lesson_of("[]", "file"), InputError);

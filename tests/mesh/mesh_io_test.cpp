@@ -16,6 +16,7 @@
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"
 #include "tests/mesh/random_tree.h"
+#include "tests/support/small_disk.h"
 
 namespace hepatica {
 namespace {
@@ -112,6 +113,22 @@ TEST_F(MeshIo, LeavesNothingWhereItCannotWrite) {
     Job job;
     const TetMesh mesh = tetrahedralize(test::random_tree(1, 1), {}, job);
     EXPECT_THROW(write_vtu(folder_ / "file" / "mesh.vtu", mesh), InputError);
+}
+
+// Our message names the file; VTK told of its own pipeline.
+TEST_F(MeshIo, IsRefusedOnAFullDiskInOurWordsAlone) {
+    Job job;
+    const TetMesh mesh = tetrahedralize(test::random_tree(1, 1), {}, job);
+    testing::internal::CaptureStderr();
+    std::string problem;
+    try {
+        const test::DiskOf full(1000);
+        write_vtu(folder_ / "full.vtu", mesh);
+    } catch (const InputError& error) {
+        problem = error.what();
+    }
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_NE(problem.find("full.vtu"), std::string::npos) << problem;
 }
 
 }  // namespace

@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 #include "core/base/error.h"
 #include "render/palette.h"
 #include "tests/support/comma_locale.h"
+#include "tests/support/small_disk.h"
 
 namespace hepatica {
 namespace {
@@ -44,6 +47,21 @@ TEST(Picture, names_the_file_that_cannot_be_written_or_read) {
     std::ofstream(text) << "not a picture";
     EXPECT_THROW(read_png(text), InputError);
     fs::remove(text);
+}
+
+// Our message names the file. The PNG library has a line of its own.
+TEST(Picture, is_refused_on_a_full_disk_without_a_word_of_vtk) {
+    Picture picture = chessboard(100, 100);
+    for (std::size_t i = 0; i < picture.rgb.size(); ++i)  // hardly compressed
+        picture.rgb[i] = static_cast<std::uint8_t>((i * 2654435761u) >> 16);
+    testing::internal::CaptureStderr();
+    {
+        const test::DiskOf full(2000);
+        EXPECT_THROW(write_png(fs::temp_directory_path() / "hepatica_full.png", picture),
+                     InputError);
+    }
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(said.find("ERR|"), std::string::npos) << said;
 }
 
 TEST(Palette, the_drugs_map_rises_in_lightness) {

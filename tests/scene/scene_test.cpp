@@ -125,6 +125,16 @@ TEST(SceneFile, NamesItsCaseRelativeToItself) {
         EXPECT_THROW(read_scene(folder / "bad.json"), InputError) << text;
     }
     EXPECT_THROW(read_scene(folder / "missing.json"), InputError);
+    for (const char* text : {"{\"case\":\n1e400}", "{\"case\":\nNaN}"}) {
+        std::ofstream(folder / "bad.json") << text;
+        try {
+            read_scene(folder / "bad.json");
+            ADD_FAILURE() << text;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.place(), (folder / "bad.json").string());
+            EXPECT_NE(error.problem().find("line 2, column"), std::string::npos) << error.what();
+        }
+    }
     std::filesystem::remove_all(folder);
 }
 

@@ -286,6 +286,7 @@ TEST_F(ScriptFile, RefusesAKeyThatIsGivenTwice) {
     // What is no JSON is named by its place, and a number that is none by its value.
     EXPECT_NE(said_of("{\"actions\":\n[NaN]}").find("line 2"), std::string::npos);
     EXPECT_NE(refusal(R"({"do": "release", "at_s": 1e400})").find("1e400"), std::string::npos);
+    EXPECT_NE(said_of("{\"actions\":\n[1e400]}").find("line 2"), std::string::npos);
 }
 
 TEST(ShippedScripts, AreRead) {

@@ -89,6 +89,33 @@ TEST(TaughtPieces, HoldVesselsAndWhatIsNone) {
     EXPECT_GT(none, 5);
 }
 
+// Another patient, or one liver drawn like another's, would teach a model that is not of its seed.
+TEST(TaughtPieces, AreOfThePatientAndTheLiverOfTheirNumber) {
+    Job job;
+    std::vector<PhantomOptions> asked;
+    const PatientMaker make = [&](const PhantomOptions& options, Job& making) {
+        asked.push_back(options);
+        return make_phantom(small_patient(options.seed), making);
+    };
+    const auto taught = taught_by_made(make, 5, 0.75, job);
+    const PhantomOptions chosen = random_patient(5);
+    ASSERT_EQ(asked.size(), 1u);
+    EXPECT_EQ(asked[0].seed, 5u);
+    EXPECT_EQ(asked[0].contrast_hu, chosen.contrast_hu);
+    EXPECT_EQ(asked[0].dims, chosen.dims);
+    EXPECT_EQ(asked[0].disturbances, chosen.disturbances);
+    const Phantom patient = make_phantom(small_patient(5), job);
+    SegmentationOptions options;
+    options.liver = sloppy_liver(patient.liver, 5, job);
+    const auto expected = taught_on(patient, options, 0.75, job);
+    ASSERT_EQ(taught.size(), expected.size());
+    ASSERT_FALSE(taught.empty());
+    for (std::size_t i = 0; i < taught.size(); ++i) {
+        EXPECT_EQ(taught[i].features, expected[i].features);
+        EXPECT_EQ(taught[i].share, expected[i].share);
+    }
+}
+
 TEST(TaughtPieces, AreRefusedWithoutALiver) {
     Job job;
     Phantom patient;

@@ -5,6 +5,7 @@
 #include "core/base/json_problem.h"
 #include "core/base/number_text.h"
 #include "core/base/patient_space.h"
+#include "core/base/written_json.h"
 #include "core/image/brush.h"
 #include "core/tree/editing/tree_edit.h"
 #include "core/tree/files/tree_json.h"
@@ -119,6 +120,15 @@ TreeEdit read_edit(const nlohmann::json& value, const std::string& place) {
     }
 }
 
+// Edits come from people, too, as lists for the command line.
+nlohmann::json list_of_edits(const std::string& text, const std::string& place) {
+    try {
+        return parse_written<nlohmann::json>(text);
+    } catch (const InputError& error) {
+        throw InputError(error.place() + " " + error.problem(), place, error.remedy());
+    }
+}
+
 }  // namespace
 
 std::string edits_to_json(const std::vector<TreeEdit>& edits) {
@@ -147,7 +157,7 @@ std::string edits_to_json(const std::vector<TreeEdit>& edits) {
 
 std::vector<TreeEdit> edits_from_json(const std::string& text, const std::string& place) {
     try {
-        const nlohmann::json list = nlohmann::json::parse(text);
+        const nlohmann::json list = list_of_edits(text, place);
         if (!list.is_array())
             throw InputError("is not a list of edits", place, "Give a JSON array of edits");
         std::vector<TreeEdit> edits;

@@ -31,6 +31,7 @@
 #include "core/base/patient_space.h"
 #include "core/tree/extraction/line_graph.h"
 #include "core/tree/files/tree_files.h"
+#include "core/tree/files/vtk_errors.h"
 #include "core/tree/files/vtk_file.h"
 
 namespace hepatica {
@@ -340,9 +341,10 @@ void write_tree_vtp(const std::filesystem::path& file, const VesselTree& tree) {
     add_field_data(tree, lines);
     write_file_atomically(file, [&](const std::filesystem::path& temporary) {
         vtkNew<vtkXMLPolyDataWriter> writer;
+        VtkErrors errors(writer);
         writer->SetFileName(temporary.c_str());
         writer->SetInputData(lines);
-        if (writer->Write() == 0 || writer->GetErrorCode() != 0)
+        if (writer->Write() == 0 || errors.any() || writer->GetErrorCode() != 0)
             throw InputError("cannot be written", file.string(),
                              "Choose a folder that can be written and has space left");
     });

@@ -2,9 +2,6 @@
 // Parses the XML with VTK's parser, and decodes data arrays with checked sizes.
 #include "core/tree/files/vtk_document.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLDataParser.h>
@@ -20,6 +17,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text_file.h"
+#include "core/tree/files/vtk_errors.h"
 
 namespace hepatica {
 
@@ -144,17 +142,11 @@ VtkDocument::VtkDocument(const std::filesystem::path& file)
     : file_(file),
       bytes_(read_text_file(file, "Give a file of VTK's XML formats")),
       parser_(VtkXmlParser::New()) {
-    bool failed = false;
-    vtkNew<vtkCallbackCommand> on_error;  // with an observer VTK does not write to the terminal
-    on_error->SetClientData(&failed);
-    on_error->SetCallback(
-        [](vtkObject*, unsigned long, void* flag, void*) { *static_cast<bool*>(flag) = true; });
-    const unsigned long tag = parser_->AddObserver(vtkCommand::ErrorEvent, on_error);
+    VtkErrors errors(parser_.get());
     std::ifstream in(file, std::ios::binary);
     parser_->SetStream(&in);
-    const bool parsed = parser_->Parse() != 0 && !failed && !parser_->too_deep();
+    const bool parsed = parser_->Parse() != 0 && !errors.any() && !parser_->too_deep();
     parser_->SetStream(nullptr);
-    parser_->RemoveObserver(tag);
     if (!parsed || root() == nullptr) refuse("is damaged, or no XML file of VTK");
     encoding_ = encoding_of(*this, root());
 }

@@ -2,10 +2,7 @@
 // Decodes base64, headers and compressed blocks.
 #include "core/tree/files/vtk_payload.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
 #include <vtkLZ4DataCompressor.h>
-#include <vtkNew.h>
 #include <vtkSmartPointer.h>
 #include <vtkZLibDataCompressor.h>
 
@@ -15,6 +12,7 @@
 #include <vector>
 
 #include "core/base/base64.h"
+#include "core/tree/files/vtk_errors.h"
 
 namespace hepatica {
 
@@ -118,8 +116,7 @@ std::string compressed(Stretches data, const VtkEncoding& encoding,
     std::size_t all = 0;
     for (const std::size_t bytes : blocks.compressed_bytes) all += bytes;
     const vtkSmartPointer<vtkDataCompressor> compressor = made(encoding.compressor);
-    vtkNew<vtkCallbackCommand> silent;  // with an observer VTK does not write to the terminal
-    compressor->AddObserver(vtkCommand::ErrorEvent, silent);
+    VtkErrors errors(compressor);
     std::string packed = data.next(all), bytes;
     std::size_t at = 0;
     for (std::size_t b = 0; b < blocks.compressed_bytes.size(); ++b) {

@@ -422,6 +422,18 @@ TEST(TreeEditJson, WhatIsWrongIsNamedByTheNumberOfItsEdit) {
     }
 }
 
+// The last of the two was taken in silence.
+TEST(TreeEditJson, AKeyThatIsGivenTwiceIsRefused) {
+    try {
+        edits_from_json(R"([{"edit":"cut_link","at_mm":[1,2,3],"at_mm":[4,5,6]}])", "more.json");
+        ADD_FAILURE() << "one of the two was taken";
+    } catch (const InputError& error) {
+        EXPECT_EQ(error.place(), "more.json");
+        EXPECT_EQ(error.problem(), "at_mm is given twice");
+        EXPECT_EQ(error.remedy(), "Leave one of the two out");
+    }
+}
+
 TEST(TreeEditJson, BadTextIsRefused) {
     for (const char* text :
          {"[{\"edit\":\"paint_tumour\",\"at_mm\":[0,0,0],\"radius_mm\":2}]",
