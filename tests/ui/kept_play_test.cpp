@@ -212,6 +212,38 @@ TEST_F(KeptPlayWindowTest, is_seen_whole_after_a_review_that_was_looked_at_close
     EXPECT_TRUE(wait_for([&] { return outside() == 0; }));
 }
 
+// Neither the free play nor an empty dock is seen between two reviews.
+TEST_F(KeptPlayWindowTest, stays_behind_while_a_review_follows_another) {
+    open_built_in();
+    inject();
+    const auto injected = window_.frame().drug.injection;
+    look_back();
+    const auto other = to_path(folder_.filePath("other.hrec"));
+    std::filesystem::copy(file_, other);
+    window_.open(to_text(other));
+    EXPECT_TRUE(dock().reviewing());
+    EXPECT_TRUE(dock().isVisible());
+    EXPECT_EQ(dock().file(), file_) << "until the other one is there";
+    EXPECT_EQ(window_.frame().drug.injection, nullptr) << "the free play goes on";
+    ASSERT_TRUE(wait_for([this] { return dock().complete(); }));
+    EXPECT_EQ(dock().file(), other);
+    EXPECT_EQ(window_.frame().drug.injection, nullptr);
+    click("reviewLeave");
+    EXPECT_TRUE(wait_for([&] { return window_.frame().drug.injection == injected; }));
+}
+
+TEST_F(KeptPlayWindowTest, a_review_outlasts_a_recording_that_cannot_be_read) {
+    open_built_in();
+    look_back();
+    window_.open(folder_.filePath("none.hrec"));
+    ASSERT_TRUE(wait_for([this] { return window_.messages().text().contains("none.hrec"); }));
+    ASSERT_TRUE(wait_for([this] { return !dock().busy(); }));
+    EXPECT_TRUE(dock().complete());
+    EXPECT_EQ(dock().file(), file_);
+    line().set_at(30.2 / 60);
+    EXPECT_TRUE(shows_step(29));
+}
+
 // A recording that cannot be read is not being read any more.
 TEST_F(KeptPlayWindowTest, nothing_is_said_to_be_read_after_a_failure) {
     open_built_in();
