@@ -19,8 +19,8 @@
 
 namespace hepatica {
 
-MessageBar::MessageBar(QWidget* pictures)
-    : OverlayBar(Qt::TopEdge, pictures),
+MessageBar::MessageBar(QWidget* pictures, Qt::Edge edge)
+    : OverlayBar(edge, pictures),
       label_(new QLabel(this)),
       more_(new QToolButton(this)),
       first_{new QPushButton(this), {}},
@@ -104,6 +104,15 @@ void MessageBar::offer(Offer& offer, const QString& button, std::function<void()
     offer.button->setText(QString(button).replace("&", "&&"));  // names may hold one
     offer.button->show();
     write();  // the label has less room now
+}
+
+int MessageBar::height_of_line() {
+    ensurePolished();  // the theme has margins
+    const bool hidden = first_.button->isHidden();
+    first_.button->show();
+    const int height = sizeHint().height();
+    first_.button->setHidden(hidden);
+    return height;
 }
 
 QString MessageBar::text() const {
