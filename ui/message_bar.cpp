@@ -107,7 +107,7 @@ void MessageBar::offer(Offer& offer, const QString& button, std::function<void()
 }
 
 int MessageBar::height_of_line() {
-    ensurePolished();  // the theme has margins
+    ensurePolished();  // margins are the theme's
     const bool hidden = first_.button->isHidden();
     first_.button->show();
     const int height = sizeHint().height();
