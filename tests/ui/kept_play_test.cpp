@@ -209,6 +209,23 @@ TEST_F(KeptPlayWindowTest, does_not_end_where_the_user_stays) {
     EXPECT_TRUE(wait_for([&] { return window_.frame().drug.injection == injected; }));
 }
 
+// Begun to be reviewed while the other one was on his way.
+TEST_F(KeptPlayWindowTest, does_not_end_where_the_user_stays_when_the_other_patient_arrives) {
+    open_built_in();
+    inject();
+    const auto injected = window_.frame().drug.injection;
+    endless_ = true;
+    window_.open(OpenRequest{true, {}});
+    look_back();
+    EXPECT_EQ(play_ends_asked_, 0);
+    play_may_end_ = false;
+    endless_ = false;
+    ASSERT_TRUE(wait_for([this] { return play_ends_asked_ == 1 && !window_.busy(); }));
+    EXPECT_TRUE(dock().complete());
+    click("reviewLeave");
+    EXPECT_TRUE(wait_for([&] { return window_.frame().drug.injection == injected; }));
+}
+
 // A lesson on a case opens it, also where its patient is shown already.
 TEST_F(KeptPlayWindowTest, does_not_end_with_a_lesson_that_opens_a_case_where_the_user_stays) {
     Lesson lesson;
