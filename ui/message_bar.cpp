@@ -8,6 +8,7 @@
 #include <QResizeEvent>
 #include <QStyle>
 #include <QToolButton>
+#include <algorithm>
 #include <initializer_list>
 #include <utility>
 
@@ -106,13 +107,14 @@ void MessageBar::offer(Offer& offer, const QString& button, std::function<void()
     write();  // the label has less room now
 }
 
+// Whatever of it is hidden now.
 int MessageBar::height_of_line() {
     ensurePolished();  // margins are the theme's
-    const bool hidden = first_.button->isHidden();
-    first_.button->show();
-    const int height = sizeHint().height();
-    first_.button->setHidden(hidden);
-    return height;
+    int height = label_->fontMetrics().height();
+    for (int i = 0; i < layout()->count(); ++i)
+        height = std::max(height, layout()->itemAt(i)->widget()->sizeHint().height());
+    const QMargins around = layout()->contentsMargins() + contentsMargins();
+    return height + around.top() + around.bottom();
 }
 
 QString MessageBar::text() const {

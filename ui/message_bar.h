@@ -41,7 +41,7 @@ class MessageBar : public OverlayBar {
     std::function<void(int branch)> on_branch;
     void dismiss() { hide(); }
     QString text() const;  // plain, one paragraph per line; empty while hidden
-    // Of a message in one line beside a button, in points.
+    // Of a message in one line beside buttons, in points.
     int height_of_line();
     bool open() const { return open_; }  // the whole text is visible
     // An open message is folded to one line when the user clicks or scrolls in `picture`.
