@@ -29,8 +29,15 @@ constexpr double line = 22.0;  // between lines of text
 constexpr double bar = 10.0, gap = 5.0;
 constexpr double swatch = 13.0;
 constexpr double text_after_swatch = 21.0;
+constexpr double between_names = 16.0;  // in one line
 constexpr double widest_bar = 236.0;
 constexpr double least_shrunk = 0.6;
+
+// A legend that hides no more than this part of the vessels hides hardly any.
+constexpr int hidden_share = 50;  // as a fraction of 1
+// In a narrower picture there is no room for a legend beside the scale bar, nor, mostly, beside the
+// vessels: a view beside slices is so narrow on a screen of 1280 points.
+constexpr double narrow_points = 640.0;
 
 double height_of(const LegendRow& row) {
     return line + (row.colours.size() > 1 ? bar + gap + line : 0.0);
@@ -72,6 +79,32 @@ bool is_small(const Legend::Room& room) {
     return room.width < 300.0 * room.point || room.height < 200.0 * room.point;
 }
 
+bool is_narrow(const Legend::Room& room) {
+    return room.width < narrow_points * room.point;
+}
+
+// Beside which another one may stand.
+bool is_name(const LegendRow& row) {
+    return row.colours.size() == 1 && row.at_right.empty() && !row.faint && !row.passing;
+}
+
+// A bar of colours is as wide as a line of names, and an explanation belongs below its row.
+bool may_be_lines(const std::vector<LegendRow>& rows) {
+    return std::ranges::count_if(rows, is_name) > 1 &&
+           std::ranges::none_of(
+               rows, [](const LegendRow& row) { return row.faint || row.colours.size() > 1; });
+}
+
+// What does not come and go with the pointer.
+std::vector<LegendRow> steady_of(std::vector<LegendRow> rows) {
+    std::erase_if(rows, [](const LegendRow& row) { return row.passing; });
+    return rows;
+}
+
+int all_in(const Legend::Room& room, const Legend::Count& count) {
+    return count({{0.0, 0.0, double(room.width), double(room.height)}})[0];
+}
+
 // Where a legend of this size may lie: lower right, upper right, upper left; the orientation cube
 // is in the lower left corner.
 std::vector<PictureBox> legend_corners(const Legend::Room& room, double width, double height) {
@@ -82,7 +115,7 @@ std::vector<PictureBox> legend_corners(const Legend::Room& room, double width, d
     const bool beside_caption = room.caption + width + 3.0 * margin * r <= room.width;
     const double right_top = beside_caption ? top : below_caption;
     // In a narrow picture the legend goes above the scale bar.
-    double foot = room.covered_bottom + (room.width < 640.0 * r ? (margin + 36.0) * r : margin * r);
+    double foot = room.covered_bottom + (is_narrow(room) ? (margin + 36.0) * r : margin * r);
     // Above the cube where it would lie on it.
     if (right - width < room.cube_right) foot = std::max(foot, room.cube_top + gap * r);
     // But never out of the picture.
@@ -129,6 +162,8 @@ double Legend::width_of(const std::vector<LegendRow>& rows, double point) {
         double text = width_of(row.text, size);
         if (!row.at_right.empty()) text += width_of("m" + row.at_right, size);
         if (row.colours.size() == 1) text += text_after_swatch * point;
+        for (const auto& [colour, name] : row.beside)
+            text += (between_names + text_after_swatch) * point + width_of(name, size);
         width = std::max({width, text, row.colours.size() > 1 ? widest_bar * point : 0.0});
     }
     return std::ceil(width);
@@ -172,6 +207,15 @@ void Legend::draw_row(const LegendRow& row, double left, double top, double widt
     if (swatched)
         draw_swatch({left, base, left + swatch * point, base + swatch * point}, row.colours[0],
                     point, look);
+    double end =
+        left + text_after_swatch * point + (row.beside.empty() ? 0.0 : width_of(row.text, size));
+    for (const auto& [colour, name] : row.beside) {
+        const double from = end + between_names * point;
+        draw_swatch({from, base, from + swatch * point, base + swatch * point}, colour, point,
+                    look);
+        write(name, from + text_after_swatch * point, base, VTK_TEXT_LEFT, look.text, size);
+        end = from + text_after_swatch * point + width_of(name, size);
+    }
     if (row.colours.size() < 2) return;
     const double upper = top - line * point, lower = upper - bar * point;
     draw_bar(row, {left, lower, left + width, upper}, point, look.text);
@@ -238,14 +282,32 @@ std::vector<LegendRow> Legend::fitting(const std::vector<LegendRow>& rows, doubl
     return fitted;
 }
 
+std::vector<LegendRow> Legend::in_lines(const std::vector<LegendRow>& rows, double widest,
+                                        double point) {
+    std::vector<LegendRow> lines;
+    for (const LegendRow& row : rows) {
+        if (is_name(row) && !lines.empty() && is_name(lines.back())) {
+            LegendRow longer = lines.back();
+            longer.beside.emplace_back(row.colours.front(), row.text);
+            if (width_of({longer}, point) <= widest) {
+                lines.back() = std::move(longer);
+                continue;
+            }
+        }
+        lines.push_back(row);
+    }
+    return lines;
+}
+
 // Letters shrink before anything is cut off.
-Legend::Layout Legend::laid_out(const std::vector<LegendRow>& rows, const Room& room,
-                                bool left_out) {
+Legend::Layout Legend::laid_out(const std::vector<LegendRow>& rows, const Room& room, bool left_out,
+                                bool in_lines) {
     const double widest = room.width - 2.0 * margin * room.point;
     Layout layout;
     std::vector<LegendRow> said = rows;
     if (left_out && !said.empty()) said.back().text += " …";
-    layout.rows = fitting(said, widest, room.point);
+    layout.rows =
+        in_lines ? this->in_lines(said, widest, room.point) : fitting(said, widest, room.point);
     const double needed = width_of(layout.rows, room.point);
     layout.point = room.point * std::clamp(widest / std::max(needed, 1.0), least_shrunk, 1.0);
     layout.corners = legend_corners(room, std::min(width_of(layout.rows, layout.point), widest),
@@ -253,9 +315,26 @@ Legend::Layout Legend::laid_out(const std::vector<LegendRow>& rows, const Room& 
     return layout;
 }
 
+Legend::Layout Legend::of_narrow(const std::vector<LegendRow>& rows, const Room& room,
+                                 bool left_out, const Count& count) {
+    Layout below = laid_out(rows, room, left_out);
+    if (!is_narrow(room) || !may_be_lines(rows)) {
+        in_lines_ = false;
+        return below;
+    }
+    if (count) {
+        const std::vector<LegendRow> steady = steady_of(rows);
+        const auto hidden_by = [&](bool in_lines) {
+            return std::ranges::min(count(laid_out(steady, room, left_out, in_lines).corners));
+        };
+        const int hidden = hidden_by(false);
+        in_lines_ = hidden_share * hidden > all_in(room, count) && hidden_by(true) < hidden;
+    }
+    return in_lines_ ? laid_out(rows, room, left_out, true) : below;
+}
+
 Legend::Layout Legend::beside_vessels(std::vector<LegendRow> rows, std::size_t wanted,
                                       const Room& room, const Count& count) {
-    constexpr int hidden_share = 50;  // as a fraction of 1: of the vessels in the picture
     if (!is_small(room))
         most_rows_ = std::numeric_limits<std::size_t>::max();
     else if (count)
@@ -263,9 +342,10 @@ Legend::Layout Legend::beside_vessels(std::vector<LegendRow> rows, std::size_t w
     while (rows.size() > most_rows_) leave_out_least(rows);
     const auto laid = [&] { return laid_out(rows, room, rows.size() < wanted); };
     leaves_out_ = rows.size() < wanted;
+    if (!is_small(room)) return of_narrow(rows, room, leaves_out_, count);
     Layout layout = laid();
-    if (!count || !is_small(room)) return layout;
-    const int all = count({{0.0, 0.0, double(room.width), double(room.height)}})[0];
+    if (!count) return layout;
+    const int all = all_in(room, count);
     while (!rows.empty()) {
         const std::vector<int> hidden = count(layout.corners);
         if (hidden_share * *std::ranges::min_element(hidden) <= all) break;
@@ -279,8 +359,7 @@ Legend::Layout Legend::beside_vessels(std::vector<LegendRow> rows, std::size_t w
 
 // Passing rows do not choose it.
 void Legend::choose_corner(const Layout& layout, const Room& room, const Count& count) {
-    std::vector<LegendRow> steady = layout.rows;
-    std::erase_if(steady, [](const LegendRow& row) { return row.passing; });
+    const std::vector<LegendRow> steady = steady_of(layout.rows);
     const std::vector<int> held = count(layout.corners);
     corner_ = least_covered(
         steady.size() == layout.rows.size() ? held : count(laid_out(steady, room).corners));

@@ -4,7 +4,8 @@
 // where a row would not fit. Minor rows are left out where the legend would be higher than half of
 // the picture, and others where it would be higher than the picture. In a small picture as many are
 // left out, or all, as it takes to hide hardly any vessel. An ellipsis behind the last row says
-// that some are left out.
+// that some are left out. In a narrow picture names of colours stand beside each other where they
+// would hide vessels below each other, and hide fewer so.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -61,7 +62,11 @@ class Legend {
         double point = 1.0;
         std::vector<PictureBox> corners;
     };
-    Layout laid_out(const std::vector<LegendRow>& rows, const Room& room, bool left_out = false);
+    Layout laid_out(const std::vector<LegendRow>& rows, const Room& room, bool left_out = false,
+                    bool in_lines = false);
+    // The layout with names beside each other where that hides fewer vessels.
+    Layout of_narrow(const std::vector<LegendRow>& rows, const Room& room, bool left_out,
+                     const Count& count);
     // The layout with as many rows as leave the vessels of a small picture visible, of `wanted`
     // many.
     Layout beside_vessels(std::vector<LegendRow> rows, std::size_t wanted, const Room& room,
@@ -72,6 +77,9 @@ class Legend {
                double size);
     // Width of a text in pixels at a letter size in pixels.
     double width_of(const std::string& text, double size);
+    // Puts names of colours that follow each other into as few lines as hold them.
+    std::vector<LegendRow> in_lines(const std::vector<LegendRow>& rows, double widest,
+                                    double point);
     // Moves text at the right end of a row to a row of its own where it does not fit.
     std::vector<LegendRow> fitting(const std::vector<LegendRow>& rows, double widest, double point);
     // Width in pixels that all rows need.
@@ -86,6 +94,7 @@ class Legend {
     vtkRenderer& renderer_;
     std::size_t corner_ = 0;
     std::size_t most_rows_;  // that a small picture had room for when it was last counted
+    bool in_lines_ = false;  // names stood beside each other when it was last counted
     PictureBox box_;
     bool leaves_out_ = false;
     vtkSmartPointer<vtkPoints> points_;

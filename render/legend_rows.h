@@ -66,6 +66,7 @@ struct LegendRow {
     bool faint = false;            // an explanation of the row above it
     bool minor = false;            // left out first where the picture has no room
     bool passing = false;          // comes and goes with the pointer
+    std::vector<std::pair<Colour, std::string>> beside = {};  // more swatches in the same line
 };
 
 // The rows from top to bottom. The drug's colours come before the colours of systems and segments.

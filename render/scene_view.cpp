@@ -77,7 +77,7 @@ bool SceneView::show(const Frame& frame) {
     const LegendContent explained = parts_->legend;
     const bool tree_changed = parts_->tree.update(frame);
     const bool pull_changed = parts_->grab.update(frame.grab);
-    const bool tool_changed = parts_->tool.update(frame.tool);
+    const bool tool_changed = parts_->tool.update(frame.tool, frame.positions_mm);
     const bool obstacles_changed = parts_->obstacles.update(frame.obstacles);
     if (obstacles_changed) {
         parts_->fit_wall_to_liver();

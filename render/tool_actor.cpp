@@ -27,6 +27,7 @@
 #include "render/actor_settings.h"
 #include "render/bead.h"
 #include "render/before_vessels.h"
+#include "render/nearest_in_hull.h"
 #include "render/palette.h"
 #include "render/projection.h"
 
@@ -96,6 +97,19 @@ vtkSmartPointer<vtkPolyData> capsule(const ToolView::Part& part) {
     polydata->SetPolys(cells);
     polydata->GetPointData()->SetNormals(normals);
     return polydata;
+}
+
+// The mean of the contacts, which counts tumours and the liver's wall as well, led to what the jaws
+// touch of the vessels.
+Vec3 held_place(const ToolView& tool, std::span<const float> positions_mm) {
+    std::vector<Vec3> touched;
+    for (const int vertex : tool.touched) {
+        const std::size_t first = 3 * static_cast<std::size_t>(vertex);
+        if (first + 2 < positions_mm.size())
+            touched.emplace_back(positions_mm[first], positions_mm[first + 1],
+                                 positions_mm[first + 2]);
+    }
+    return touched.empty() ? tool.at_mm : nearest_in_hull(touched, tool.at_mm);
 }
 
 }  // namespace
@@ -176,7 +190,7 @@ void ToolActor::remove_part() {
     parts_.pop_back();
 }
 
-bool ToolActor::update(const std::optional<ToolView>& tool) {
+bool ToolActor::update(const std::optional<ToolView>& tool, std::span<const float> positions_mm) {
     if (tool == shown_) return false;
     shown_ = tool;
     const std::size_t count = tool ? tool->parts.size() : 0;
@@ -189,7 +203,7 @@ bool ToolActor::update(const std::optional<ToolView>& tool) {
     }
     const bool holds = tool && !tool->touched.empty() && tool->grip_un >= least_un;
     held_->SetVisibility(holds);
-    if (holds) held_->SetPosition(tool->at_mm.x(), tool->at_mm.y(), tool->at_mm.z());
+    if (holds) held_->SetPosition(held_place(*tool, positions_mm).data());
     place_arrow();
     return true;
 }

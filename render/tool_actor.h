@@ -8,6 +8,7 @@
 #include <vtkSmartPointer.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,8 +38,9 @@ class ToolActor {
     // Takes effect with the next update(); English by default.
     void set_words(PictureWords words) { words_ = std::move(words); }
     void set_colour(const Colour& colour);  // palette::tool by default
-    // None hides the tool. Returns true if the picture changed.
-    bool update(const std::optional<ToolView>& tool);
+    // None hides the tool. `positions_mm`: three for each vertex of the body; without, what jaws
+    // hold is marked at the mean of their contacts. Returns true if the picture changed.
+    bool update(const std::optional<ToolView>& tool, std::span<const float> positions_mm = {});
     // Call before each picture. `mm_per_point`: size of one screen point at the focal plane;
     // `pixel_ratio`: pixels of a point.
     void set_scale(double mm_per_point, double pixel_ratio);

@@ -8150,6 +8150,18 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>&amp;Weiter üben</translation>
     </message>
     <message>
+        <source>A free play with tears or an injection waits behind what is shown, and ends with this.</source>
+        <translation>Hinter dem Gezeigten wartet ein freies Üben mit Rissen oder einer Injektion; es endet hiermit.</translation>
+    </message>
+    <message>
+        <source>It lasts no longer than its patient and the back end that computes it. Cancel leaves all as it is.</source>
+        <translation>Es dauert nicht länger als sein Patient und der Rechenkern, der es berechnet. Abbrechen lässt alles, wie es ist.</translation>
+    </message>
+    <message>
+        <source>&amp;End the play</source>
+        <translation>Üben &amp;beenden</translation>
+    </message>
+    <message>
         <source>would stand in an obstacle</source>
         <translation>stünde in einem Hindernis</translation>
     </message>

@@ -26,6 +26,7 @@ void KeptPlay::take(std::unique_ptr<Simulation> play, Shown shown) {
         play->post(put_away);
     play->post(SetPaused{true});
     play_ = std::move(play);
+    ++number_;
     shown_ = std::move(shown);
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "ui/quality_panel.h"
@@ -32,6 +33,8 @@ class KeptPlay {
     // Of the play that was given back last.
     const Shown& shown() const { return shown_; }
     void drop() { play_.reset(); }
+    // Which play is kept, as a number that no other one has; nullopt: none.
+    std::optional<int> kept() const { return play_ ? std::optional(number_) : std::nullopt; }
     // A dial of this back end.
     void use_dial(const QualityDial& dial, const std::string& back_end) {
         if (play_ && back_end == shown_.back_end) play_->use_dial(dial);
@@ -40,6 +43,7 @@ class KeptPlay {
   private:
     std::unique_ptr<Simulation> play_;
     Shown shown_;
+    int number_ = 0;  // of the play that was taken last
     bool goes_on_ = false;
     const Simulation* given_ = nullptr;  // back, and perhaps not gone on yet
     std::uint64_t step_ = 0;             // of its frame then

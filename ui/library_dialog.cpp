@@ -89,7 +89,7 @@ void LibraryDialog::build() {
     row->addWidget(choose_);
     column->addLayout(row);
     auto* middle = new QHBoxLayout;
-    middle->addWidget(cases_below_messages(), 1);
+    middle->addWidget(cases_above_messages(), 1);
     middle->addLayout(of_chosen_case());
     column->addLayout(middle, 1);
     auto* foot = new QHBoxLayout;
@@ -100,8 +100,9 @@ void LibraryDialog::build() {
     column->addLayout(foot);
 }
 
-// A message takes its room from the list, whose first row of pictures it would cover otherwise.
-QWidget* LibraryDialog::cases_below_messages() {
+// A line is kept free for messages, so that no picture is covered, or moves under the mouse, where
+// one comes or goes. One that is opened takes what it needs beyond that from the list's foot.
+QWidget* LibraryDialog::cases_above_messages() {
     auto* cases = new QWidget;
     auto* column = new QVBoxLayout(cases);
     column->setContentsMargins(0, 0, 0, 0);
@@ -115,9 +116,11 @@ QWidget* LibraryDialog::cases_below_messages() {
     list_->setMovement(QListView::Static);
     list_->setWordWrap(true);
     column->addWidget(list_);
-    messages_ = new MessageBar(cases);
-    messages_->on_cover = [this, column] {
-        column->setContentsMargins(0, messages_->covered(), 0, 0);
+    messages_ = new MessageBar(cases, Qt::BottomEdge);
+    const int line = messages_->height_of_line();
+    column->setContentsMargins(0, 0, 0, line);
+    messages_->on_cover = [this, column, line] {
+        column->setContentsMargins(0, 0, 0, std::max(line, messages_->covered()));
     };
     connect(list_, &QListWidget::currentRowChanged, this, [this] { show_chosen(); });
     connect(list_, &QListWidget::itemActivated, this, [this] { open_->click(); });

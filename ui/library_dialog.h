@@ -55,12 +55,12 @@ class LibraryDialog : public QDialog {
     void open_and_take_in(const std::filesystem::path& from);
     // Whether a case lies in the library's folder.
     bool holds(const std::filesystem::path& place) const;
-    // What is said above the cases: failures, and a name that is taken.
+    // What is said below the cases: failures, and a name that is taken.
     MessageBar& messages() { return *messages_; }
 
   private:
     void build();
-    QWidget* cases_below_messages();
+    QWidget* cases_above_messages();
     QLayout* of_chosen_case();
     QWidget* buttons();
     void ask_what_to_take_in();

@@ -115,6 +115,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     build_tool_bar();
     if (!questions) questions = questions_in_dialogs(*this, settings_);
     end_lesson_ = questions->end_lesson;
+    end_play_ = questions->end_play;
     make_keeper(std::move(patients), std::move(*questions));
     dial_ = std::make_unique<DialKeeper>([this](const QualityDial& dial) {
         if (patient_) patient_->simulation->use_dial(dial);
@@ -312,6 +313,7 @@ void MainWindow::make_keeper(Patients patients, PatientKeeper::Questions questio
         if (place == workspace().folder()) dial_->case_was_written();
         library_->refresh();
     };
+    screen.kept_play = [this] { return kept_play_.kept(); };
     screen.remake_painted = [this] { view_layout_->remake_painted(); };
     screen.image_read = [this](std::shared_ptr<const Volume> ct) { show_image(std::move(ct)); };
     screen.not_opened = [this] {

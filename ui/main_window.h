@@ -372,6 +372,7 @@ class MainWindow : public QMainWindow {
     bool slices_for_image_ = false;
     bool may_close_ = false;
     std::function<bool(const std::string& lesson)> end_lesson_;  // asks; see Questions
+    std::function<bool()> end_play_;                             // likewise
     bool in_close_event_ = false;
     std::unique_ptr<PatientKeeper> keeper_;
     std::unique_ptr<Recovery> recovery_;

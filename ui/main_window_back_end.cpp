@@ -32,6 +32,9 @@ void MainWindow::say_of_back_end(const std::string& words) {
 
 void MainWindow::choose_back_end(const std::string& name) {
     if (name == back_ends_->chosen()) return;
+    // A play that waits behind what is shown would be computed anew.
+    if (kept_play_.kept() && !end_play_()) return quality_->show_back_end(back_ends_->chosen());
+    kept_play_.drop();
     settings_.set_back_end(QString::fromStdString(name));
     back_ends_->choose(name);
     if (!patient_) return;

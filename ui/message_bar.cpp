@@ -8,6 +8,7 @@
 #include <QResizeEvent>
 #include <QStyle>
 #include <QToolButton>
+#include <algorithm>
 #include <initializer_list>
 #include <utility>
 
@@ -19,8 +20,8 @@
 
 namespace hepatica {
 
-MessageBar::MessageBar(QWidget* pictures)
-    : OverlayBar(Qt::TopEdge, pictures),
+MessageBar::MessageBar(QWidget* pictures, Qt::Edge edge)
+    : OverlayBar(edge, pictures),
       label_(new QLabel(this)),
       more_(new QToolButton(this)),
       first_{new QPushButton(this), {}},
@@ -104,6 +105,16 @@ void MessageBar::offer(Offer& offer, const QString& button, std::function<void()
     offer.button->setText(QString(button).replace("&", "&&"));  // names may hold one
     offer.button->show();
     write();  // the label has less room now
+}
+
+// Whatever of it is hidden now.
+int MessageBar::height_of_line() {
+    ensurePolished();  // margins are the theme's
+    int height = label_->fontMetrics().height();
+    for (int i = 0; i < layout()->count(); ++i)
+        height = std::max(height, layout()->itemAt(i)->widget()->sizeHint().height());
+    const QMargins around = layout()->contentsMargins() + contentsMargins();
+    return height + around.top() + around.bottom();
 }
 
 QString MessageBar::text() const {

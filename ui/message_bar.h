@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bar over the top of the pictures for failures and notices: what, where, and what to do. It stays
+// Bar over an edge of the pictures for failures and notices: what, where, and what to do. It stays
 // until dismissed or replaced. A message longer than a line opens on demand, so that no vessel is
 // covered; buttons offer what can be done at once.
 #pragma once
@@ -23,7 +23,7 @@ QStringList lines_of(const Failure& failure);
 // UI thread only.
 class MessageBar : public OverlayBar {
   public:
-    explicit MessageBar(QWidget* pictures);
+    explicit MessageBar(QWidget* pictures, Qt::Edge edge = Qt::TopEdge);
 
     void show_failure(const Failure& failure);
     void show_notice(const QString& text);
@@ -40,7 +40,9 @@ class MessageBar : public OverlayBar {
     // Called with the index of a branch whose name in the message was clicked.
     std::function<void(int branch)> on_branch;
     void dismiss() { hide(); }
-    QString text() const;                // plain, one paragraph per line; empty while hidden
+    QString text() const;  // plain, one paragraph per line; empty while hidden
+    // Of a message in one line beside buttons, in points.
+    int height_of_line();
     bool open() const { return open_; }  // the whole text is visible
     // An open message is folded to one line when the user clicks or scrolls in `picture`.
     void fold_when_used(QWidget& picture) { picture.installEventFilter(this); }

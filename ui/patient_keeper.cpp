@@ -29,10 +29,13 @@ PatientKeeper::PatientKeeper(Ways ways, Questions questions, Screen screen,
 
 void PatientKeeper::open(const OpenRequest& request) {
     const OpenRequest wanted = with_absolute_paths(request);
+    ended_play_.reset();
     const auto go = [this, wanted] {
+        if (!play_let_go()) return screen_.not_opened();
         leave_patient([this, wanted] { start_opening(wanted); }, screen_.not_opened);
     };
-    const bool asks = workspace_.dirty() || !workspace_.strokes().empty();
+    const bool asks =
+        workspace_.dirty() || !workspace_.strokes().empty() || screen_.kept_play().has_value();
     asks ? look_first(wanted, go) : go();
 }
 
@@ -118,13 +121,14 @@ void PatientKeeper::choose_series(OpenRequest request,
     start_opening(request, title_of_series(request.reconstruct.ct, series, *chosen));
 }
 
-// The former patient may have been corrected while this one was prepared.
+// The former patient may have been corrected or played on while this one was prepared.
 void PatientKeeper::arrived(const OpenRequest& request,
                             const std::shared_ptr<LoadedPatient>& loaded) {
     opening_.reset();
     const auto show = [this, request, loaded] {
         // The case was saved again after it was read, so what was read is outdated.
         if (written_.contains(loaded->folder)) return start_opening(request);
+        if (!play_let_go()) return screen_.not_opened();
         jobs_.drop(JobKind::correct);
         jobs_.drop(JobKind::remake);
         workspace_.open(*loaded, request.reconstruct.series);

@@ -62,6 +62,8 @@ class PatientKeeper {
         // Folder of the case; nullopt: cancelled. `proposed`: its present folder, or just a name.
         std::function<std::optional<std::filesystem::path>(const std::filesystem::path& proposed)>
             where_to_save;
+        // Whether a play that waits behind what is shown may end: it is lost with its patient.
+        std::function<bool()> end_play = [] { return true; };
         // Whether the window may close although this lesson is being played.
         std::function<bool(const std::string& lesson)> end_lesson = [](const std::string&) {
             return true;
@@ -85,6 +87,8 @@ class PatientKeeper {
         // A case was written there.
         std::function<void(const std::filesystem::path&)> case_written =
             [](const std::filesystem::path&) {};
+        // Which play waits behind what is shown, and ends where another patient is; nullopt: none.
+        std::function<std::optional<int>()> kept_play = [] { return std::optional<int>(); };
         // Should call remake() with the voxels and the pending strokes; may refuse.
         std::function<void()> remake_painted = [] {};
     };
@@ -174,6 +178,8 @@ class PatientKeeper {
     std::filesystem::path proposed_folder() const;
     // Asks what to do with pending strokes; true if they do not keep the user from leaving.
     bool strokes_let_go(const std::function<void()>& stay);
+    // Likewise about the play that waits behind what is shown.
+    bool play_let_go();
     void wait_to_go(std::function<void()> go, std::function<void()> stay);
     void take_back_remaking();
     bool waits_for_remaking() const;
@@ -191,6 +197,7 @@ class PatientKeeper {
     // Version of the workspace whose changes the user discarded.
     std::optional<std::uint64_t> discarded_version_;
     std::optional<std::uint64_t> dropped_strokes_;  // likewise, strokes_version()
+    std::optional<int> ended_play_;                 // likewise, kept_play()
     // The workspace's origin of which was said that its rebuilding stays.
     std::uint64_t told_of_rebuilding_ = 0;
     std::set<std::filesystem::path> written_;  // cases written since the last opening began to read

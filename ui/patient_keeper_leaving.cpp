@@ -63,6 +63,14 @@ bool PatientKeeper::strokes_let_go(const std::function<void()>& stay) {
     return false;
 }
 
+bool PatientKeeper::play_let_go() {
+    const std::optional<int> play = screen_.kept_play();
+    if (!play || play == ended_play_) return true;
+    if (!questions_.end_play()) return false;
+    ended_play_ = play;
+    return true;
+}
+
 void PatientKeeper::go_when_archived(std::function<void()> go, std::function<void()> stay) {
     if (!jobs_.holds(JobKind::archive)) return go();
     wait_to_go(std::move(go), std::move(stay));

@@ -68,6 +68,21 @@ bool ask_end_lesson(QWidget& parent, const std::string& lesson) {
     return box.clickedButton() == quit;
 }
 
+bool ask_end_play(QWidget& parent) {
+    QMessageBox box(QMessageBox::Question, "Hepatica",
+                    Words::tr("A free play with tears or an injection waits behind what is shown, "
+                              "and ends with this."),
+                    QMessageBox::Cancel, &parent);
+    box.setInformativeText(Words::tr(
+        "It lasts no longer than its patient and the back end that computes it. Cancel leaves all "
+        "as it is."));
+    QPushButton* end = box.addButton(Words::tr("&End the play"), QMessageBox::DestructiveRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    box.setEscapeButton(QMessageBox::Cancel);
+    box.exec();
+    return box.clickedButton() == end;
+}
+
 bool ask_replace(QWidget& parent, const QString& name) {
     return QMessageBox::question(
                &parent, "Hepatica",
@@ -106,6 +121,7 @@ PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& s
     questions.end_lesson = [&parent](const std::string& lesson) {
         return ask_end_lesson(parent, lesson);
     };
+    questions.end_play = [&parent] { return ask_end_play(parent); };
     return questions;
 }
 

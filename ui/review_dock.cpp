@@ -5,7 +5,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMainWindow>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStyle>
@@ -15,17 +14,9 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/lesson/attempts.h"
-#include "core/lesson/lesson_file.h"
-#include "core/lesson/review.h"
-#include "core/lesson/score.h"
-#include "core/opening/recorded_case.h"
-#include "core/session/recording_file.h"
 #include "ui/core_words.h"
 #include "ui/elided_label.h"
 #include "ui/lesson_marks.h"
-#include "ui/paths.h"
-#include "ui/recording_dialog.h"
 #include "ui/review_list.h"
 #include "ui/review_play.h"
 #include "ui/time_line.h"
@@ -33,11 +24,8 @@
 
 namespace hepatica {
 
-namespace fs = std::filesystem;
-
 namespace {
 constexpr int tick_ms = 16;
-constexpr int height_at_first = 200;
 constexpr std::array<double, 6> speeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 constexpr int real_time = 3;  // index of the speed 1
 
@@ -54,14 +42,6 @@ QToolButton* add_button(QHBoxLayout& row, const char* name, QStyle::StandardPixm
 }
 
 }  // namespace
-
-// A recording with what it needs; `request` opens its patient if he is not the shown one.
-struct ReviewDock::Found {
-    std::shared_ptr<const Recording> recording;
-    std::optional<Lesson> lesson;
-    std::vector<PlayNote> notes;
-    std::optional<OpenRequest> request;
-};
 
 ReviewDock::ReviewDock(Ways ways, QWidget* parent)
     : QDockWidget(Words::tr("Review"), parent), ways_(std::move(ways)) {
@@ -180,125 +160,6 @@ QWidget* ReviewDock::build_notes() {
     return box;
 }
 
-void ReviewDock::open(const fs::path& recording, const std::string& lesson) {
-    if (ways_.lesson_runs())
-        return ways_.failed({Words::id("a lesson is being played, which this would end"),
-                             recording.string(), Words::id("Leave the lesson first")});
-    if (reviewing()) leave();
-    forget();
-    file_ = recording;
-    name_ = title_of(facts_of(file_));
-    BackgroundJob::Callbacks callbacks;
-    callbacks.failed = [this](const Failure& failure) { ways_.failed(failure); };
-    const QString reading = Words::tr("Reading the recording…");
-    callbacks.ended = [this, reading] {
-        ways_.unsay(reading);
-        job_.reset();
-    };
-    ways_.say(reading);
-    job_ = std::make_unique<BackgroundJob>(
-        [this, file = recording, lesson,
-         shown = ways_.patient()](Job& job) -> std::function<void()> {
-            Found found;
-            found.recording = std::make_shared<const Recording>(read_recording(file));
-            found.lesson = lesson.empty() ? built_in_lesson_of(*found.recording)
-                                          : std::optional(find_lesson(lesson));
-            found.notes = read_notes(file);
-            const std::uint64_t wanted = found.recording->patient_hash;
-            if (shown == nullptr || hash_of(*shown) != wanted) {
-                found.request.emplace();
-                const CaseSearch search = case_beside(file, wanted, job);
-                if (search.found)
-                    found.request->reconstruct.ct = *search.found;
-                else if (found.lesson && found.lesson->patient == "built-in")
-                    found.request->built_in = true;
-            }
-            return [this, found = std::move(found)] { take(found); };
-        },
-        std::move(callbacks));
-}
-
-void ReviewDock::take(Found found) {
-    recording_ = std::move(found.recording);
-    lesson_ = std::move(found.lesson);
-    notes_ = std::move(found.notes);
-    for (const std::string& warning : recording_->warnings) ways_.say(translated(warning));
-    // The job that called this still exists; the next one begins after it.
-    if (!found.request) return QTimer::singleShot(0, this, [this] { begin(); });
-    OpenRequest& request = *found.request;
-    if (request.reconstruct.ct.empty()) {
-        const fs::path known = ways_.known_case(recording_->patient_hash);
-        if (!known.empty() && is_case(known))
-            request.reconstruct.ct = known;
-        else if (!request.built_in && (!known.empty() || ways_.patient() != nullptr))
-            return ask_for_case();
-        else
-            request.built_in = true;  // perhaps it was played on him
-    }
-    waits_ = true;
-    ways_.open(request);
-}
-
-void ReviewDock::open_case(const fs::path& place) {
-    OpenRequest request;
-    request.reconstruct.ct = place;
-    waits_ = true;
-    ways_.open(request);
-}
-
-void ReviewDock::ask_for_case() {
-    const fs::path known = ways_.known_case(recording_->patient_hash);
-    Failure failure{Words::id("was played on another patient, of whom no case lies beside it"),
-                    file_.string(), Words::id("Choose the case that was played on")};
-    if (!known.empty())
-        failure.problem = Words::tr(
-                              "was played on %1, which is not there any more or holds other "
-                              "vessels by now")
-                              .arg(to_text(known))
-                              .toStdString();
-    if (ways_.work_is_unsaved())
-        failure.remedy = Words::id("Open the unsaved work first (File > Open unsaved work)");
-    asks_ = true;
-    ways_.choose_case(failure, [this, asked = std::weak_ptr(recording_)](const fs::path& place) {
-        if (!asked.expired() && asked.lock() == recording_) open_case(place);
-    });
-}
-
-void ReviewDock::patient_shown() {
-    const bool comes_by_hand =
-        asks_ && ways_.patient() && hash_of(*ways_.patient()) == recording_->patient_hash;
-    if (std::exchange(waits_, false) || comes_by_hand)
-        return QTimer::singleShot(0, this, [this] { begin(); });
-    // A review of another patient ends, even if nothing of it is shown yet.
-    if (patient_ != nullptr && ways_.patient() != patient_) forget();
-}
-
-void ReviewDock::begin() {
-    const auto patient = ways_.patient();
-    if (recording_ == nullptr || patient == nullptr) return;
-    if (hash_of(*patient) != recording_->patient_hash) return ask_for_case();
-    asks_ = false;
-    patient_ = patient;
-    marked_.reset();
-    if (lesson_ && is_same_scene(recording_->scene, lesson_->scene))
-        marked_ = std::make_unique<const MarkedLesson>(*lesson_, patient);
-    tape_ = std::make_shared<ReviewTape>();
-    BackgroundJob::Callbacks callbacks;
-    callbacks.progress = [this](const JobProgress& now) { show_progress(now); };
-    callbacks.failed = [this](const Failure& failure) { ways_.failed(failure); };
-    callbacks.ended = [this] {
-        job_.reset();
-        show_progress({});
-    };
-    job_ = std::make_unique<BackgroundJob>(
-        [recording = recording_, lesson = with_course_pass(lesson_, file_), patient, tape = tape_,
-         back_end = ways_.back_end](Job& job) -> std::function<void()> {
-            review(*recording, lesson, patient, *tape, job, back_end(recording->back_end));
-            return [] {};
-        },
-        std::move(callbacks));
-}
-
 std::vector<MarkView> ReviewDock::marks_in(const Frame& frame) const {
     return reviewing() ? marks_in(frame, *tape_, marked_.get()) : std::vector<MarkView>();
 }
@@ -319,31 +180,11 @@ QString gone_through(const QString& name, double fraction) {
 }
 
 void ReviewDock::show_progress(const JobProgress& progress) {
-    if (tape_ == nullptr) return;
-    const auto first = tape_->at(0.0);
-    if (first == nullptr) return;
-    if (!reviewing()) {
-        screen_ = std::make_shared<ReviewScreen>();
-        screen_->tape = tape_;
-        screen_->wanted = first;
-        screen_->hold = [this] { set_playing(!playing()); };
-        screen_->touched = [this] {
-            ways_.say(Words::tr("This is a recording. Leave the review to play yourself."));
-        };
-        ways_.use(std::make_unique<ReviewPlay>(screen_));
-        screen_->gone = [this] { forget(); };
-        at_s_ = 0.0;
-        show();
-        raise();
-        // The view keeps its room; the user can drag the border for a longer list.
-        if (auto* window = qobject_cast<QMainWindow*>(parentWidget()))
-            window->resizeDocks({this}, {height_at_first}, Qt::Vertical);
-        set_playing(true);
-    }
+    if (!reviewing()) return;
     QString name = name_;
     if (comparing())
         name = Words::tr("%1, and beside it %2").arg(side_by_side_[0], side_by_side_[1]);
-    title_->setText(complete() ? name : gone_through(name, progress.fraction));
+    title_->setText(all_computed() ? name : gone_through(name, progress.fraction));
     const QSignalBlocker quiet(line_);
     line_->set_end(end_s());
     show_events();
@@ -359,7 +200,7 @@ void ReviewDock::show_events() {
 
 void ReviewDock::set_playing(bool playing) {
     if (!reviewing()) return;
-    if (playing && complete() && at_s_ >= end_s()) go_to(0.0);
+    if (playing && all_computed() && at_s_ >= end_s()) go_to(0.0);
     since_tick_.start();
     playing ? clock_.start() : clock_.stop();
     play_->setIcon(style()->standardIcon(playing ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
@@ -370,7 +211,7 @@ void ReviewDock::tick() {
     const double wall_s = 1e-3 * static_cast<double>(since_tick_.restart());
     const double speed = speeds[static_cast<std::size_t>(speed_->currentIndex())];
     go_to(at_s_ + speed * wall_s);
-    if (complete() && at_s_ >= end_s()) set_playing(false);
+    if (all_computed() && at_s_ >= end_s()) set_playing(false);
 }
 
 void ReviewDock::go_to(double at_s) {
@@ -425,11 +266,16 @@ bool ReviewDock::keep(std::vector<PlayNote> notes) {
 
 void ReviewDock::leave() {
     if (!reviewing()) return hide();
-    forget();
+    forget_shown();
     ways_.use(nullptr);
 }
 
 void ReviewDock::forget() {
+    next_.reset();
+    forget_shown();
+}
+
+void ReviewDock::forget_shown() {
     clock_.stop();
     job_.reset();
     other_job_.reset();
@@ -444,7 +290,6 @@ void ReviewDock::forget() {
     marked_.reset();
     lesson_.reset();
     notes_.clear();
-    waits_ = asks_ = false;
     events_->fill({}, {}, {});
     line_->set_ticks({});
     note_->clear();  // half typed about a moment of this recording

@@ -82,15 +82,13 @@ class ReviewDock : public QDockWidget {
 
     // Reads the recording and finds its patient: the shown one, a case beside the recording, or the
     // built-in one if nobody is shown or its lesson is played on him. Shows the recording from the
-    // beginning while the rest is still computed. `lesson`: file or id; empty: the built-in lesson
-    // with that scene, if any.
+    // beginning while the rest is still computed; what was reviewed before stays until then.
+    // `lesson`: file or id; empty: the built-in lesson with that scene, if any.
     void open(const std::filesystem::path& recording, const std::string& lesson = {});
     // Stops the review and all reading; the simulation stays.
     void end() { forget(); }
     // The patient being opened will not come: a recording that waits for him is dropped.
-    void patient_not_shown() {
-        if (waits_) forget();
-    }
+    void patient_not_shown();
     // Another patient is shown: a recording that waited for him, or asked for his case, begins; one
     // of another patient ends.
     void patient_shown();
@@ -100,11 +98,12 @@ class ReviewDock : public QDockWidget {
     // A recording is shown.
     bool reviewing() const { return screen_ != nullptr; }
     bool of_lesson() const { return reviewing() && lesson_.has_value(); }
-    // All frames of the recording, and of the one beside it, are computed.
-    bool complete() const { return reviewing() && job_ == nullptr && other_job_ == nullptr; }
+    // All frames of the recording, and of the one beside it, are computed, and no other one is to
+    // be shown in its place.
+    bool complete() const { return all_computed() && !reads_next(); }
 
     // A recording is being read or computed, or waits for its patient.
-    bool busy() const { return waits_ || (job_ != nullptr && !complete()); }
+    bool busy() const { return job_ != nullptr || reads_next(); }
     // The lesson's marks in a frame at the shown moment; empty without a lesson.
     std::vector<MarkView> marks_in(const Frame& frame) const;
     double at_s() const { return at_s_; }
@@ -117,7 +116,10 @@ class ReviewDock : public QDockWidget {
     // `marked`: the lesson of the tape; null: none on these vessels.
     std::vector<MarkView> marks_in(const Frame& frame, const ReviewTape& tape,
                                    const MarkedLesson* marked) const;
-    struct Found;  // a recording that was read, with what it needs
+    struct Found;             // a recording that was read, with what it needs
+    struct Next;              // the one that is to be shown
+    bool reads_next() const;  // or waits for its patient
+    bool all_computed() const { return reviewing() && job_ == nullptr && other_job_ == nullptr; }
     void build();
     QWidget* build_heading();
     QWidget* build_controls();
@@ -126,6 +128,9 @@ class ReviewDock : public QDockWidget {
     void open_case(const std::filesystem::path& place);
     void ask_for_case();
     void begin();
+    // Whether the recording of this tape is shown, which it is from its first frame on.
+    bool shows(const std::shared_ptr<ReviewTape>& tape);
+    void show_next();
     void show_progress(const JobProgress& progress);
     void show_events();
     void set_playing(bool playing);
@@ -139,6 +144,7 @@ class ReviewDock : public QDockWidget {
     double end_s() const;  // of the longer recording
     void leave();
     void forget();
+    void forget_shown();
 
     Ways ways_;
     std::filesystem::path file_;
@@ -147,12 +153,11 @@ class ReviewDock : public QDockWidget {
     std::shared_ptr<const Recording> recording_;
     std::optional<Lesson> lesson_;
     std::unique_ptr<const MarkedLesson> marked_;  // null: no lesson on these vessels
-    bool waits_ = false;                          // for its patient, who is being opened
-    bool asks_ = false;  // for his case: whoever opens it begins the review
     std::shared_ptr<const PatientCase> patient_;  // the patient it was begun on
     std::unique_ptr<BackgroundJob> job_;
     std::shared_ptr<ReviewTape> tape_;
     std::shared_ptr<ReviewScreen> screen_;
+    std::shared_ptr<Next> next_;  // null: none
     std::unique_ptr<BackgroundJob> other_job_;
     std::shared_ptr<ReviewTape> other_tape_;
     // Of the lesson of that recording: made on another thread before the first of its frames is on

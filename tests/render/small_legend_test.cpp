@@ -105,6 +105,57 @@ TEST(SmallLegend, OfAPictureThatIsNotSmallHasAllItsRows) {
     EXPECT_FALSE(legend.leaves_out());
 }
 
+LegendContent three_systems() {
+    LegendContent content;
+    content.systems = {VascularSystem::portal, VascularSystem::hepatic, VascularSystem::artery};
+    return content;
+}
+
+// The view beside slices in a window of 1280 x 800: the patient leaves room at its edges alone.
+TEST(SmallLegend, NamesColoursBesideEachOtherWhereTheyWouldHideVessels) {
+    LegendOverVessels legend(490, 325, {60, 60, 460, 270});
+    EXPECT_DOUBLE_EQ(height_of(legend.box_of(three_systems(), 1.0)), 22.0);
+    EXPECT_EQ(legend.share_hidden(), 0.0);
+    EXPECT_LE(legend.box().right, 490.0);
+    EXPECT_FALSE(legend.leaves_out());
+    EXPECT_DOUBLE_EQ(height_of(legend.box_of(three_systems(), 1.0, false)), 22.0)
+        << "also while the picture moves";
+    LegendContent more = three_systems();
+    more.tumours = more.torn = true;
+    EXPECT_DOUBLE_EQ(height_of(legend.box_of(more, 1.0)), 44.0) << "five are two lines";
+}
+
+TEST(SmallLegend, NamesColoursBelowEachOtherWhereThereIsRoom) {
+    LegendOverVessels aside(490, 325, {60, 60, 300, 270}), wide(700, 325, {60, 60, 680, 270});
+    for (LegendOverVessels* legend : {&aside, &wide})
+        EXPECT_DOUBLE_EQ(height_of(legend->box_of(three_systems(), 1.0)), 66.0);
+    EXPECT_EQ(aside.share_hidden(), 0.0);
+}
+
+// The swatch of each name is in its colour, and no name lies on another.
+TEST(SmallLegend, DrawsEachOfTheColoursThatStandBesideEachOther) {
+    LegendOverVessels legend(490, 325, {60, 60, 460, 270});
+    legend.box_of(three_systems(), 1.0);
+    const Picture drawn = legend.drawn(three_systems(), dark_look);
+    const PictureBox box = legend.box();
+    int before = static_cast<int>(box.left) - 1;
+    for (const VascularSystem system : three_systems().systems) {
+        const Colour colour = palette::vessel_system(system);
+        int found = -1;
+        for (int x = before + 1; x < static_cast<int>(box.right) && found < 0; ++x) {
+            const int row = 325 - 1 - static_cast<int>(box.bottom + 22.0 - 16.0 + 6.0);
+            const auto first =
+                3 * (static_cast<std::size_t>(row) * 490 + static_cast<std::size_t>(x));
+            bool same = true;
+            for (std::size_t c = 0; c < 3; ++c)
+                same &= std::abs(drawn.rgb[first + c] - 255.0 * colour[c]) < 3.0;
+            if (same) found = x;
+        }
+        ASSERT_GE(found, 0) << "behind " << before;
+        before = found;
+    }
+}
+
 // The legend is as wide as its one row, which an ellipsis makes wider.
 TEST(SmallLegend, SaysThatRowsAreLeftOut) {
     LegendContent one;

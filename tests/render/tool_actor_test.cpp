@@ -125,6 +125,17 @@ class ToolInTheScene : public testing::ScenePictures {
         const int red = drawn.rgb[first], green = drawn.rgb[first + 1], blue = drawn.rgb[first + 2];
         return green > red + 50 && green > blue;
     }
+    // The vertices of the trunk below and above this place of its axis: what is touched has the
+    // colour of the mark, and the place itself is to be seen.
+    static std::vector<int> touched_around(const Frame& frame, const Vec3& place_mm) {
+        std::vector<int> touched;
+        for (std::size_t v = 0; 3 * v + 2 < frame.positions_mm.size(); ++v) {
+            const float* at = &frame.positions_mm[3 * v];
+            const double away_mm = (Vec3(at[0], at[1], at[2]) - place_mm).norm();
+            if (away_mm > 8.0 && away_mm < 14.0) touched.push_back(static_cast<int>(v));
+        }
+        return touched;
+    }
 };
 
 // Its metal is bright, and would be lost on a bright ground.
@@ -173,7 +184,7 @@ TEST_F(ToolInTheScene, what_jaws_hold_is_marked_through_them_and_the_vessel) {
                          {Vec3(30, 12, -40), Vec3(-8, 12, -40), 5.0}};
     frame.tool->tip_mm = Vec3(-8, 0, -40);
     frame.tool->at_mm = held;
-    frame.tool->touched = {0};
+    frame.tool->touched = touched_around(frame, held);
     EXPECT_FALSE(is_marked(frame, held));
     frame.tool->grip_un = 20.0;
     EXPECT_FALSE(is_marked(frame, held)) << "too little to count as a force";
@@ -181,10 +192,25 @@ TEST_F(ToolInTheScene, what_jaws_hold_is_marked_through_them_and_the_vessel) {
     EXPECT_TRUE(is_marked(frame, held));
     frame.tool->touched.clear();
     EXPECT_FALSE(is_marked(frame, held)) << "jaws on a tumour hold no vessel";
-    frame.tool->touched = {0};
+    frame.tool->touched = touched_around(frame, held);
     EXPECT_TRUE(is_marked(frame, held));
     frame.tool.reset();
     EXPECT_FALSE(is_marked(frame, held)) << "it is put away";
+}
+
+// A tumour that the jaws lean on draws the mean of their contacts to its side.
+TEST_F(ToolInTheScene, what_jaws_hold_is_marked_on_the_vessel_also_where_they_lean_on_a_tumour) {
+    Frame frame = testing::fake_frame(0.0);
+    const Vec3 held(0, 0, -40), beside(-20, 0, -40);
+    frame.tool.emplace();
+    frame.tool->parts = {{Vec3(30, -12, -40), Vec3(-8, -12, -40), 5.0},
+                         {Vec3(30, 12, -40), Vec3(-8, 12, -40), 5.0}};
+    frame.tool->tip_mm = Vec3(-8, 0, -40);
+    frame.tool->at_mm = beside;
+    frame.tool->touched = touched_around(frame, held);
+    frame.tool->grip_un = 300e3;
+    EXPECT_FALSE(is_marked(frame, beside));
+    EXPECT_TRUE(is_marked(frame, held - Vec3(5.4, 0, 0))) << "on the side of the trunk";
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // What a message lies beside instead of upon: the pictures of the library's cases, and the panel of
 // the empty view.
 #include <QListWidget>
+#include <QToolButton>
 
 #include "tests/ui/fake_window_test.h"
 #include "ui/library_dialog.h"
@@ -18,15 +19,36 @@ TEST_F(CoveredByMessages, ThePicturesOfCasesAreNot) {
     library.show();
     ASSERT_TRUE(testing::wait_for([&] { return library.isVisible(); }));
     auto* list = library.findChild<QListWidget*>("library");
-    const auto top_of = [&](const QWidget* shown) { return shown->mapTo(&library, QPoint()).y(); };
-    const int before = top_of(list);
-    library.messages().show_notice("There is a case of this name here already.");
+    ASSERT_TRUE(testing::wait_for([&] { return !library.busy(); }));
+    const QRect before = list->geometry();
+    ASSERT_GT(before.height(), 0);
+    MessageBar& messages = library.messages();
+    for (const bool offers : {false, true}) {
+        const QString text = "There is a case of this name here already.";
+        offers ? messages.show_notice(text, "Keep both", [] {}) : messages.show_notice(text);
+        ASSERT_TRUE(testing::wait_for([&] { return messages.covered() > 0; }));
+        QApplication::sendPostedEvents();
+        EXPECT_EQ(list->geometry(), before) << "nothing moves under the mouse";
+        EXPECT_GE(messages.y(), list->geometry().bottom());
+        messages.dismiss();
+        QApplication::sendPostedEvents();
+        EXPECT_EQ(list->geometry(), before);
+    }
+}
+
+// One that is opened covers no picture either.
+TEST_F(CoveredByMessages, ThePicturesOfCasesAreNotByOneOfManyLines) {
+    LibraryDialog& library = window_.library();
+    library.show();
+    ASSERT_TRUE(testing::wait_for([&] { return library.isVisible() && !library.busy(); }));
+    auto* list = library.findChild<QListWidget*>("library");
+    const int top = list->y();
+    MessageBar& messages = library.messages();
+    messages.show_notice(QString("A line.\n").repeated(6) + "The last one.");
+    messages.findChild<QToolButton*>("moreOfMessage")->click();
     ASSERT_TRUE(testing::wait_for(
-        [&] { return top_of(list) >= top_of(&library.messages()) + library.messages().height(); }));
-    EXPECT_GT(library.messages().height(), 0);
-    EXPECT_EQ(top_of(&library.messages()), before) << "in the list's place";
-    library.messages().dismiss();
-    EXPECT_TRUE(testing::wait_for([&] { return top_of(list) == before; }));
+        [&] { return messages.open() && messages.y() >= list->geometry().bottom(); }));
+    EXPECT_EQ(list->y(), top);
 }
 
 // The lower the view, the nearer its panel is to the message.

@@ -3,6 +3,7 @@
 #include "ui/kept_play.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QStatusBar>
 #include <algorithm>
 #include <cstddef>
@@ -186,11 +187,97 @@ TEST_F(KeptPlayWindowTest, ends_with_its_patient) {
     look_back();
     window_.open(OpenRequest{true, {}});
     ASSERT_TRUE(wait_for([this] { return opened_ == 2 && !window_.busy(); }));
+    EXPECT_EQ(play_ends_asked_, 1);
     paint();
     look_back();
     click("reviewLeave");
     paint();
     EXPECT_EQ(window_.frame().drug.injection, nullptr);
+}
+
+TEST_F(KeptPlayWindowTest, does_not_end_where_the_user_stays) {
+    open_built_in();
+    inject();
+    const auto injected = window_.frame().drug.injection;
+    look_back();
+    play_may_end_ = false;
+    window_.open(OpenRequest{true, {}});
+    ASSERT_TRUE(wait_for([this] { return play_ends_asked_ == 1 && !window_.busy(); }));
+    EXPECT_EQ(opened_, 1);
+    EXPECT_TRUE(dock().complete()) << "the review goes on";
+    click("reviewLeave");
+    EXPECT_TRUE(wait_for([&] { return window_.frame().drug.injection == injected; }));
+}
+
+// Begun to be reviewed while the other one was on his way.
+TEST_F(KeptPlayWindowTest, does_not_end_where_the_user_stays_when_the_other_patient_arrives) {
+    open_built_in();
+    inject();
+    const auto injected = window_.frame().drug.injection;
+    endless_ = true;
+    window_.open(OpenRequest{true, {}});
+    look_back();
+    EXPECT_EQ(play_ends_asked_, 0);
+    play_may_end_ = false;
+    endless_ = false;
+    ASSERT_TRUE(wait_for([this] { return play_ends_asked_ == 1 && !window_.busy(); }));
+    EXPECT_TRUE(dock().complete());
+    click("reviewLeave");
+    EXPECT_TRUE(wait_for([&] { return window_.frame().drug.injection == injected; }));
+}
+
+// A lesson on a case opens it, also where its patient is shown already.
+TEST_F(KeptPlayWindowTest, does_not_end_with_a_lesson_that_opens_a_case_where_the_user_stays) {
+    Lesson lesson;
+    lesson.name = "Pull";
+    lesson.patient = "built-in";  // whoever the test opens is not called so
+    lesson.scene = played().recording.scene;
+    lesson.tools = {LessonTool::pull};
+    lesson.steps = {{"Pull", "", {{Quantity::time_s, -1, true, 1000.0}}, 0.0, {}}};
+    const auto place = to_path(folder_.filePath("lesson.json"));
+    write_lesson(place, lesson);
+    open_built_in();
+    inject();
+    const auto injected = window_.frame().drug.injection;
+    look_back();
+    play_may_end_ = false;
+    window_.lessons().start(place.string());
+    ASSERT_TRUE(wait_for([this] { return play_ends_asked_ == 1 && !window_.busy(); }));
+    EXPECT_EQ(opened_, 1);
+    EXPECT_FALSE(window_.lessons().playing());
+    EXPECT_TRUE(dock().complete());
+    click("reviewLeave");
+    EXPECT_TRUE(wait_for([&] { return window_.frame().drug.injection == injected; }));
+    EXPECT_FALSE(window_.lessons().playing()) << "the lesson is not waited for";
+}
+
+// In the panel of settings the back end that computes it stays chosen.
+TEST_F(KeptPlayWindowTest, does_not_end_with_another_back_end_where_the_user_stays) {
+    open_built_in();
+    inject();
+    const auto injected = window_.frame().drug.injection;
+    look_back();
+    play_may_end_ = false;
+    auto* box = window_.findChild<QComboBox*>("back_end");
+    const QVariant before = box->currentData();
+    const int other = box->findData(QString("cuda"));
+    ASSERT_GE(other, 0);
+    box->setCurrentIndex(other);
+    emit box->activated(other);
+    EXPECT_EQ(play_ends_asked_, 1);
+    EXPECT_EQ(box->currentData(), before);
+    EXPECT_EQ(settings_.back_end(), before.toString());
+    click("reviewLeave");
+    EXPECT_TRUE(wait_for([&] { return window_.frame().drug.injection == injected; }));
+}
+
+TEST_F(KeptPlayWindowTest, nobody_is_asked_about_a_play_in_which_nothing_happened) {
+    open_built_in();
+    look_back();
+    play_may_end_ = false;
+    window_.open(OpenRequest{true, {}});
+    ASSERT_TRUE(wait_for([this] { return opened_ == 2 && !window_.busy(); }));
+    EXPECT_EQ(play_ends_asked_, 0);
 }
 
 // The review had the view for itself: what is left of it must not hide the vessels.
@@ -210,6 +297,38 @@ TEST_F(KeptPlayWindowTest, is_seen_whole_after_a_review_that_was_looked_at_close
     ASSERT_GT(outside(), 0);
     click("reviewLeave");
     EXPECT_TRUE(wait_for([&] { return outside() == 0; }));
+}
+
+// Neither the free play nor an empty dock is seen between two reviews.
+TEST_F(KeptPlayWindowTest, stays_behind_while_a_review_follows_another) {
+    open_built_in();
+    inject();
+    const auto injected = window_.frame().drug.injection;
+    look_back();
+    const auto other = to_path(folder_.filePath("other.hrec"));
+    std::filesystem::copy(file_, other);
+    window_.open(to_text(other));
+    EXPECT_TRUE(dock().reviewing());
+    EXPECT_TRUE(dock().isVisible());
+    EXPECT_EQ(dock().file(), file_) << "until the other one is there";
+    EXPECT_EQ(window_.frame().drug.injection, nullptr) << "the free play goes on";
+    ASSERT_TRUE(wait_for([this] { return dock().complete(); }));
+    EXPECT_EQ(dock().file(), other);
+    EXPECT_EQ(window_.frame().drug.injection, nullptr);
+    click("reviewLeave");
+    EXPECT_TRUE(wait_for([&] { return window_.frame().drug.injection == injected; }));
+}
+
+TEST_F(KeptPlayWindowTest, a_review_outlasts_a_recording_that_cannot_be_read) {
+    open_built_in();
+    look_back();
+    window_.open(folder_.filePath("none.hrec"));
+    ASSERT_TRUE(wait_for([this] { return window_.messages().text().contains("none.hrec"); }));
+    ASSERT_TRUE(wait_for([this] { return !dock().busy(); }));
+    EXPECT_TRUE(dock().complete());
+    EXPECT_EQ(dock().file(), file_);
+    line().set_at(30.2 / 60);
+    EXPECT_TRUE(shows_step(29));
 }
 
 // A recording that cannot be read is not being read any more.

@@ -16,6 +16,7 @@
 #include <QScrollArea>
 #include <QTabWidget>
 #include <algorithm>
+#include <memory>
 
 #include "core/base/error.h"
 #include "core/lesson/lesson_writer.h"
@@ -96,6 +97,25 @@ TEST_F(LessonEditorTest, keeps_what_is_not_saved) {
     field<QLineEdit>("lessonName").setText("Mine");
     EXPECT_TRUE(wait_for([&] { return std::filesystem::exists(folder_.path() / "unsaved.json"); }));
     EXPECT_EQ(kept().name, "Mine");
+}
+
+// As where the program ends while one types: Qt takes the focus away when the editor's members are
+// gone, so that no field may say any more what was typed.
+TEST_F(LessonEditorTest, ends_while_a_value_is_typed) {
+    auto editor = std::make_unique<LessonEditor>(ways(), folder_.path() / "other.json", nullptr);
+    editor->show_editor();
+    auto* flows = editor->findChild<QCheckBox*>("lessonFlows");
+    if (!flows->isChecked()) flows->click();
+    auto* speed = editor->findChild<QDoubleSpinBox*>("lessonDrugSpeed");
+    editor->activateWindow();
+    speed->setFocus();
+    ASSERT_TRUE(wait_for([speed] { return speed->hasFocus(); }));
+    speed->selectAll();
+    QTest::keyClicks(speed, "7");
+    bool heard = false;
+    QObject::connect(speed, &QDoubleSpinBox::valueChanged, speed, [&] { heard = true; });
+    editor.reset();
+    EXPECT_FALSE(heard);
 }
 
 // What it left is offered at once, however long the desktop takes to ask how it ended.

@@ -103,6 +103,10 @@ class WindowTest : public ::testing::Test {
             while_asked_();
             return lesson_may_end_;
         };
+        answers.end_play = [this] {
+            ++play_ends_asked_;
+            return play_may_end_;
+        };
         return answers;
     }
 
@@ -113,6 +117,8 @@ class WindowTest : public ::testing::Test {
     int lesson_ends_asked_ = 0;
     std::function<void()> while_asked_ = [] {};  // whether a lesson may end
     bool lesson_may_end_ = true;
+    int play_ends_asked_ = 0;
+    bool play_may_end_ = true;
     std::optional<std::filesystem::path> save_place_;
     std::filesystem::path proposed_place_;  // when it was asked last
     QTemporaryDir folder_;

@@ -63,7 +63,12 @@ LessonEditor::LessonEditor(Ways ways, std::filesystem::path kept_copy, QWidget* 
     build();
 }
 
-LessonEditor::~LessonEditor() = default;
+// Qt closes the window when the members are gone, and the field that then loses the focus would
+// still change the lesson. Not hidden here, as a course editor is: that would keep a draft which
+// was let go, and call the window that owns the editor, of which little is left.
+LessonEditor::~LessonEditor() {
+    for (QObject* part : findChildren<QObject*>()) part->blockSignals(true);
+}
 
 void LessonEditor::build() {
     const LessonPage::Changes changes{
