@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "core/base/parallel.h"
@@ -16,7 +15,10 @@ namespace {
 
 template <class T>
 struct PacketOf {
-    typedef T Type __attribute__((vector_size(32)));  // NOLINT: a vector type has no using
+    // NOLINTBEGIN: a vector type has no using
+    typedef T Type __attribute__((vector_size(32)));
+    typedef T Anywhere __attribute__((vector_size(32), aligned(sizeof(T)), may_alias));
+    // NOLINTEND
 };
 template <class T>
 using Packet = typename PacketOf<T>::Type;
@@ -25,14 +27,12 @@ constexpr int lanes = front_alignment<T>;
 
 template <class T>
 Packet<T> load(const T* p) {
-    Packet<T> value;
-    std::memcpy(&value, p, sizeof value);
-    return value;
+    return *reinterpret_cast<const typename PacketOf<T>::Anywhere*>(p);
 }
 
 template <class T>
 void store(T* p, const Packet<T>& value) {
-    std::memcpy(p, &value, sizeof value);
+    *reinterpret_cast<typename PacketOf<T>::Anywhere*>(p) = value;
 }
 
 template <class T>
@@ -42,6 +42,21 @@ T sum_of(const Packet<T>& packet) {
     else
         return ((packet[0] + packet[1]) + (packet[2] + packet[3])) +
                ((packet[4] + packet[5]) + (packet[6] + packet[7]));
+}
+
+// Calls visit.operator()<C>() with the number of columns as a constant.
+template <class Visit>
+void with_columns(int columns, const Visit& visit) {
+    switch (columns) {
+        case 1:
+            return visit.template operator()<1>();
+        case 2:
+            return visit.template operator()<2>();
+        case 3:
+            return visit.template operator()<3>();
+        default:
+            return visit.template operator()<4>();
+    }
 }
 
 // target(0:4R, 0:C) -= a(0:4R, 0:depth) b(0:C, 0:depth)^T; all column-major, a and b with the same
@@ -73,27 +88,18 @@ template <int C, class T>
 void subtract_rows(const T* a, const T* b, std::ptrdiff_t stride, int depth, T* target,
                    std::ptrdiff_t target_stride, int rows) {
     int i = 0;
-    for (; i + 3 * lanes<T> <= rows; i += 3 * lanes<T>) {
+    for (; i + 2 * lanes<T> < rows; i += 3 * lanes<T>)
         subtract_tile<3, C>(a + i, b, stride, depth, target + i, target_stride);
-    }
-    for (; i < rows; i += lanes<T>) {
+    if (i + lanes<T> < rows)
+        subtract_tile<2, C>(a + i, b, stride, depth, target + i, target_stride);
+    else if (i < rows)
         subtract_tile<1, C>(a + i, b, stride, depth, target + i, target_stride);
-    }
 }
 
+// First row of the packet that a row lies in.
 template <class T>
-void subtract_columns(int columns, const T* a, const T* b, std::ptrdiff_t stride, int depth,
-                      T* target, std::ptrdiff_t target_stride, int rows) {
-    switch (columns) {
-        case 1:
-            return subtract_rows<1>(a, b, stride, depth, target, target_stride, rows);
-        case 2:
-            return subtract_rows<2>(a, b, stride, depth, target, target_stride, rows);
-        case 3:
-            return subtract_rows<3>(a, b, stride, depth, target, target_stride, rows);
-        default:
-            return subtract_rows<4>(a, b, stride, depth, target, target_stride, rows);
-    }
+std::ptrdiff_t packet_of(int row) {
+    return row / lanes<T> * lanes<T>;
 }
 
 constexpr int strip = 4;  // columns that are eliminated together
@@ -102,34 +108,108 @@ constexpr int strip = 4;  // columns that are eliminated together
 constexpr int deep = 96;
 constexpr std::size_t shared_rows = 192, shared_strips = 6;
 
-// Unblocked elimination of `columns` columns to which all earlier columns have been applied.
+// The rows and columns of a strip that meet: lower triangle of L, and 1 / L(c, c).
 template <class T>
-int eliminate_strip(T* panel, std::ptrdiff_t stride, int first, int columns,
-                    const T* entry_diagonal, const PivotRule& rule) {
-    int lost = 0;
-    for (int j = first; j < first + columns; ++j) {
-        T* column = panel + j * stride;
-        for (int p = first; p < j; ++p) {
-            const T* earlier = panel + p * stride;
-            const T factor = earlier[j];
-            for (int i = j; i < stride; ++i) column[i] -= factor * earlier[i];
-        }
-        T pivot = column[j];
-        if (!(pivot > static_cast<T>(rule.smallest) * entry_diagonal[j - first])) {
-            ++lost;
-            if (rule.drop || !(entry_diagonal[j - first] > T(0))) {
-                std::fill(column + j, column + stride, T(0));
-                column[j] = std::numeric_limits<T>::infinity();
+struct StripCorner {
+    std::array<std::array<T, strip>, strip> entry;  // entry[column][row]
+    std::array<T, strip> inverse;
+    int lost;
+};
+
+// Eliminates the corner alone. A dropped column is zero with an infinite diagonal; its inverse is
+// 0.
+template <int C, class T>
+void eliminate_corner(const T* from, std::ptrdiff_t stride, const T* entry_diagonal,
+                      const PivotRule& rule, StripCorner<T>& corner) {
+    auto& entry = corner.entry;
+    corner.lost = 0;
+    for (int c = 0; c < C; ++c)
+        for (int r = 0; r < C; ++r) entry[c][r] = from[c * stride + r];
+    for (int c = 0; c < C; ++c) {
+        for (int p = 0; p < c; ++p)
+            for (int r = c; r < C; ++r) entry[c][r] -= entry[p][c] * entry[p][r];
+        T pivot = entry[c][c];
+        corner.inverse[c] = T(0);
+        if (!(pivot > static_cast<T>(rule.smallest) * entry_diagonal[c])) {
+            ++corner.lost;
+            if (rule.drop || !(entry_diagonal[c] > T(0))) {
+                for (int r = c + 1; r < C; ++r) entry[c][r] = T(0);
+                entry[c][c] = std::numeric_limits<T>::infinity();
                 continue;
             }
-            pivot = entry_diagonal[j - first];
+            pivot = entry_diagonal[c];
         }
         const T root = std::sqrt(pivot);
-        const T inverse = T(1) / root;
-        for (int i = j + 1; i < stride; ++i) column[i] *= inverse;
-        column[j] = root;
+        corner.inverse[c] = T(1) / root;
+        for (int r = c + 1; r < C; ++r) entry[c][r] *= corner.inverse[c];
+        entry[c][c] = root;
     }
-    return lost;
+}
+
+// Unblocked elimination of C columns to which all earlier columns have been applied. Whole packets
+// are computed from the one that the strip's first row lies in; what is above the diagonal becomes
+// garbage.
+template <int C, class T>
+int eliminate_columns(T* panel, std::ptrdiff_t stride, int first, const T* entry_diagonal,
+                      const PivotRule& rule) {
+    T* columns = panel + first * stride;
+    StripCorner<T> corner;
+    eliminate_corner<C>(columns + first, stride, entry_diagonal, rule, corner);
+    for (std::ptrdiff_t i = packet_of<T>(first); i < stride; i += lanes<T>) {
+        Packet<T> value[C];
+        for (int c = 0; c < C; ++c) {
+            value[c] = load<T>(columns + c * stride + i);
+            for (int p = 0; p < c; ++p) value[c] -= corner.entry[p][c] * value[p];
+            value[c] = corner.inverse[c] == T(0) ? Packet<T>{} : value[c] * corner.inverse[c];
+            store<T>(columns + c * stride + i, value[c]);
+        }
+    }
+    for (int c = 0; c < C; ++c)
+        for (int r = 0; r < C; ++r) columns[c * stride + first + r] = corner.entry[c][r];
+    return corner.lost;
+}
+
+// Solves with C columns of L, of which the first is column `first`, and subtracts their products
+// from the rows below. Rows up to the next packet are treated one by one, because their packet
+// holds rows above.
+template <int C, class T>
+void forward_columns(const T* panel, std::ptrdiff_t stride, int first, T* x) {
+    const T* columns = panel + first * stride;
+    std::array<T, C> value;
+    for (int c = 0; c < C; ++c) {
+        value[c] = x[first + c];
+        for (int p = 0; p < c; ++p) value[c] -= columns[p * stride + first + c] * value[p];
+        value[c] /= columns[c * stride + first + c];
+        x[first + c] = value[c];
+    }
+    std::ptrdiff_t i = first + C;
+    for (; i < stride && i % lanes<T> != 0; ++i)
+        for (int c = 0; c < C; ++c) x[i] -= columns[c * stride + i] * value[c];
+    for (; i < stride; i += lanes<T>) {
+        Packet<T> left = load<T>(x + i);
+        for (int c = 0; c < C; ++c) left -= load<T>(columns + c * stride + i) * value[c];
+        store<T>(x + i, left);
+    }
+}
+
+// Solves with the transpose of C columns of L; the rows below are known.
+template <int C, class T>
+void backward_columns(const T* panel, std::ptrdiff_t stride, int first, T* x) {
+    const T* columns = panel + first * stride;
+    std::array<T, C> sum{};
+    std::ptrdiff_t i = first + C;
+    for (; i < stride && i % lanes<T> != 0; ++i)
+        for (int c = 0; c < C; ++c) sum[c] += columns[c * stride + i] * x[i];
+    Packet<T> sums[C] = {};
+    for (; i < stride; i += lanes<T>) {
+        const Packet<T> known = load<T>(x + i);
+        for (int c = 0; c < C; ++c) sums[c] += load<T>(columns + c * stride + i) * known;
+    }
+    for (int c = C; c-- > 0;) {
+        sum[c] += sum_of<T>(sums[c]);
+        for (int r = c + 1; r < C; ++r) sum[c] += columns[c * stride + first + r] * x[first + r];
+        x[first + c] = (x[first + c] - sum[c]) / columns[c * stride + first + c];
+    }
 }
 
 }  // namespace
@@ -144,61 +224,66 @@ int factor_front(T* panel, T* remainder, int pivots, int rest, PivotRule rule,
         const int columns = std::min(strip, pivots - j);
         std::array<T, strip> diagonal{};
         for (int c = 0; c < columns; ++c) diagonal[c] = panel[(j + c) * stride + j + c];
-        const auto rows = static_cast<std::size_t>(stride - j);
-        parallel_blocks(rows, j < deep ? rows : shared_rows, [&](std::size_t begin, auto end) {
-            subtract_columns(columns, panel + j + begin, panel + j, stride, j,
-                             panel + j * stride + j + begin, stride, static_cast<int>(end - begin));
+        const std::ptrdiff_t top = packet_of<T>(j);
+        const auto subtract = [&](std::size_t begin, std::size_t end) {
+            with_columns(columns, [&]<int C>() {
+                subtract_rows<C>(panel + top + begin, panel + j, stride, j,
+                                 panel + j * stride + top + begin, stride,
+                                 static_cast<int>(end - begin));
+            });
+        };
+        const auto rows = static_cast<std::size_t>(stride - top);
+        if (j < deep)
+            subtract(0, rows);
+        else
+            parallel_blocks(rows, shared_rows, subtract);
+        with_columns(columns, [&]<int C>() {
+            lost += eliminate_columns<C>(panel, stride, j, diagonal.data(), rule);
         });
-        lost += eliminate_strip(panel, stride, j, columns, diagonal.data(), rule);
     }
-    const std::ptrdiff_t rest_stride = padded<T>(rest);
     if (rest == 0) return lost;
-    const auto strips = static_cast<std::size_t>((rest + strip - 1) / strip);
-    parallel_blocks(strips, pivots < deep ? strips : shared_strips, [&](auto begin, auto end) {
+    const std::ptrdiff_t rest_stride = padded<T>(rest);
+    const auto subtract = [&](std::size_t begin, std::size_t end) {
         for (int j = strip * static_cast<int>(begin);
              j < std::min(rest, strip * static_cast<int>(end)); j += strip) {
             throw_if_stopped(stop);
-            const T* rows = panel + pivots + j;
-            subtract_columns(std::min(strip, rest - j), rows, rows, stride, pivots,
-                             remainder + j * rest_stride + j, rest_stride, padded<T>(rest - j));
+            const std::ptrdiff_t top = packet_of<T>(j);
+            with_columns(std::min(strip, rest - j), [&]<int C>() {
+                subtract_rows<C>(panel + pivots + top, panel + pivots + j, stride, pivots,
+                                 remainder + j * rest_stride + top, rest_stride,
+                                 static_cast<int>(rest_stride - top));
+            });
         }
-    });
+    };
+    const auto strips = static_cast<std::size_t>((rest + strip - 1) / strip);
+    if (pivots < deep)
+        subtract(0, strips);
+    else
+        parallel_blocks(strips, shared_strips, subtract);
     return lost;
 }
 
 template <class T>
-void forward_front(const T* panel, int pivots, int rest, T* head, T* tail) {
+void forward_front(const T* panel, int pivots, int rest, T* x) {
     const std::ptrdiff_t stride = padded<T>(pivots + rest);
-    for (int j = 0; j < pivots; ++j) {
-        const T* column = panel + j * stride;
-        const T value = head[j] / column[j];
-        head[j] = value;
-        for (int i = j + 1; i < pivots; ++i) head[i] -= column[i] * value;
-        for (int i = 0; i < rest; ++i) tail[i] -= column[pivots + i] * value;
-    }
+    for (int j = 0; j < pivots; j += strip)
+        with_columns(std::min(strip, pivots - j),
+                     [&]<int C>() { forward_columns<C>(panel, stride, j, x); });
 }
 
 template <class T>
-void backward_front(const T* panel, int pivots, int rest, T* head, const T* tail) {
+void backward_front(const T* panel, int pivots, int rest, T* x) {
     const std::ptrdiff_t stride = padded<T>(pivots + rest);
-    for (int j = pivots - 1; j >= 0; --j) {
-        const T* column = panel + j * stride;
-        Packet<T> sums{};
-        int i = 0;
-        for (; i + lanes<T> <= rest; i += lanes<T>)
-            sums += load<T>(column + pivots + i) * load<T>(tail + i);
-        T sum = sum_of<T>(sums);
-        for (; i < rest; ++i) sum += column[pivots + i] * tail[i];
-        for (i = j + 1; i < pivots; ++i) sum += column[i] * head[i];
-        head[j] = (head[j] - sum) / column[j];
-    }
+    for (int j = (pivots - 1) / strip * strip; j >= 0; j -= strip)
+        with_columns(std::min(strip, pivots - j),
+                     [&]<int C>() { backward_columns<C>(panel, stride, j, x); });
 }
 
 template int factor_front(double*, double*, int, int, PivotRule, const std::stop_token&);
 template int factor_front(float*, float*, int, int, PivotRule, const std::stop_token&);
-template void forward_front(const double*, int, int, double*, double*);
-template void forward_front(const float*, int, int, float*, float*);
-template void backward_front(const double*, int, int, double*, const double*);
-template void backward_front(const float*, int, int, float*, const float*);
+template void forward_front(const double*, int, int, double*);
+template void forward_front(const float*, int, int, float*);
+template void backward_front(const double*, int, int, double*);
+template void backward_front(const float*, int, int, float*);
 
 }  // namespace hepatica

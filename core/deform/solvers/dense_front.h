@@ -37,12 +37,14 @@ template <class T>
 int factor_front(T* panel, T* remainder, int pivots, int rest, PivotRule rule,
                  const std::stop_token& stop = {});
 
-// head := L11^-1 head; tail -= L21 head.
+// x holds the front's right-hand side: `pivots` entries, `rest` entries, and zeros up to
+// padded(pivots + rest); both parts of L stand in the panel.
+// x1 := L11^-1 x1; x2 -= L21 x1.
 template <class T>
-void forward_front(const T* panel, int pivots, int rest, T* head, T* tail);
+void forward_front(const T* panel, int pivots, int rest, T* x);
 
-// head := L11^-T (head - L21^T tail).
+// x1 := L11^-T (x1 - L21^T x2).
 template <class T>
-void backward_front(const T* panel, int pivots, int rest, T* head, const T* tail);
+void backward_front(const T* panel, int pivots, int rest, T* x);
 
 }  // namespace hepatica

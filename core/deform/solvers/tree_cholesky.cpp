@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/base/large_vector.h"
 #include "core/base/parallel.h"
 #include "core/deform/solvers/dense_front.h"
 
@@ -49,36 +50,52 @@ template <class T>
 void make_room(std::vector<T>& values, std::size_t size) {
     if (size > values.capacity()) {
         std::vector<T>().swap(values);
-        values.reserve(size + size / 8);
+        reserve_large(values, size + size / 8);
     }
     values.resize(size);
+}
+
+// Clears what a front may use of `columns` columns: from the packet that holds the diagonal.
+template <class T>
+void clear_lower(T* front, std::ptrdiff_t stride, int columns) {
+    for (int c = 0; c < columns; ++c) {
+        const int top = c / front_alignment<T> * front_alignment<T>;
+        std::fill(front + c * stride + top, front + (c + 1) * stride, T(0));
+    }
+}
+
+// Rows are read in the order of elimination, which no processor foresees: each is asked for while
+// the ones before it are copied.
+constexpr std::size_t rows_ahead = 2;
+
+void fetch_row(const BlockMatrix& matrix, int i) {
+    constexpr int cache_line = 64;
+    const auto* first = reinterpret_cast<const char*>(matrix.block.data() + matrix.row_begin[i]);
+    const auto* last = reinterpret_cast<const char*>(matrix.block.data() + matrix.row_begin[i + 1]);
+    for (; first < last; first += cache_line) __builtin_prefetch(first);
 }
 
 }  // namespace
 
 template <class T>
 void TreeFactor<T>::lay_out_fronts() {
-    for (auto* begins : {&panel_begin_, &remainder_begin_, &head_begin_, &tail_begin_})
-        begins->clear();
-    std::size_t panel = 0, remainder = 0, head = 0, tail = 0;
+    for (auto* begins : {&panel_begin_, &remainder_begin_, &side_begin_}) begins->clear();
+    std::size_t panel = 0, remainder = 0, side = 0;
     for (const Supernode& own : tree_.supernodes) {
         panel_begin_.push_back(panel);
         remainder_begin_.push_back(remainder);
-        head_begin_.push_back(head);
-        tail_begin_.push_back(tail);
+        side_begin_.push_back(side);
         const std::size_t columns = 3 * static_cast<std::size_t>(own.count);
         const std::size_t rows = 3 * static_cast<std::size_t>(own.rest());
-        panel += static_cast<std::size_t>(padded<T>(static_cast<int>(columns + rows))) * columns +
-                 front_alignment<T>;
+        const auto stride = static_cast<std::size_t>(padded<T>(static_cast<int>(columns + rows)));
+        panel += stride * columns + front_alignment<T>;
         remainder +=
             static_cast<std::size_t>(padded<T>(static_cast<int>(rows))) * rows + front_alignment<T>;
-        head += columns;
-        tail += rows;
+        side += stride;
     }
     make_room(panels_, panel);
     make_room(remainders_, remainder);
-    make_room(heads_, head);
-    make_room(tails_, tail + front_alignment<T>);
+    make_room(sides_, side);
     dropped_.assign(tree_.supernodes.size(), 0);
     dirty_.assign(tree_.supernodes.size(), 0);
 }
@@ -107,7 +124,7 @@ void TreeFactor<T>::plan(const BlockMatrix& pattern, EliminationTree tree) {
 
 template <class T>
 std::size_t TreeFactor<T>::bytes() const {
-    return sizeof(T) * (panels_.size() + remainders_.size() + heads_.size() + tails_.size()) +
+    return sizeof(T) * (panels_.size() + remainders_.size() + sides_.size()) +
            sizeof(int) * (block_row_.size() + 2 * tree_.rows.size() + 3 * dropped_.size());
 }
 
@@ -119,10 +136,12 @@ void TreeFactor<T>::factor_supernode(const BlockMatrix& matrix, int s,
     const std::ptrdiff_t stride = padded<T>(columns + rest), rest_stride = padded<T>(rest);
     T* panel = panels_.data() + panel_begin_[s];
     T* remainder = remainders_.data() + remainder_begin_[s];
-    std::fill(panel, panel + stride * columns, T(0));
-    std::fill(remainder, remainder + rest_stride * rest, T(0));
+    clear_lower(panel, stride, columns);
+    clear_lower(remainder, rest_stride, rest);
+    const auto last = tree_.vertex_at.size() - 1;
     for (int c = 0; c < own.count; ++c) {
         const int v = tree_.vertex_at[own.first + c];
+        fetch_row(matrix, tree_.vertex_at[std::min<std::size_t>(own.first + c + rows_ahead, last)]);
         for (int k = matrix.row_begin[v]; k < matrix.row_begin[v + 1]; ++k) {
             if (block_row_[k] < 0) continue;
             T* target = panel + 3 * c * stride + 3 * block_row_[k];
@@ -185,14 +204,11 @@ int TreeFactor<T>::dropped_pivots() const {
     return std::accumulate(dropped_.begin(), dropped_.end(), 0);
 }
 
-// Adds a front's contribution to a right-hand side to that of its parent.
+// Adds what a front passes on of its right-hand side to that of its parent.
 template <class T>
-void TreeFactor<T>::pass_up(const Supernode& child, const T* passed, T* parent_head,
-                            T* parent_tail) const {
-    const int count = tree_.supernodes[child.parent].count;
+void TreeFactor<T>::pass_up(const Supernode& child, const T* passed, T* parent_side) const {
     for (int r = 0; r < child.rest(); ++r) {
-        const int place = tree_.place_in_parent[child.rows_begin + r];
-        T* to = place < count ? parent_head + 3 * place : parent_tail + 3 * (place - count);
+        T* to = parent_side + 3 * tree_.place_in_parent[child.rows_begin + r];
         for (int a = 0; a < 3; ++a) to[a] += passed[3 * r + a];
     }
 }
@@ -202,27 +218,30 @@ void TreeFactor<T>::forward(std::span<const Vec3> b) {
     using Vector = Eigen::Matrix<T, 3, 1>;
     climb(tree_, [&](int s) {
         const Supernode& own = tree_.supernodes[s];
-        T* head = heads_.data() + head_begin_[s];
-        T* tail = tails_.data() + tail_begin_[s];
+        const int columns = 3 * own.count, rest = 3 * own.rest();
+        T* side = sides_.data() + side_begin_[s];
         for (int c = 0; c < own.count; ++c) {
-            Eigen::Map<Vector>(head + 3 * c) = b[tree_.vertex_at[own.first + c]].template cast<T>();
+            Eigen::Map<Vector>(side + 3 * c) = b[tree_.vertex_at[own.first + c]].template cast<T>();
         }
-        std::fill(tail, tail + 3 * own.rest(), T(0));
+        std::fill(side + columns, side + padded<T>(columns + rest), T(0));
         for (int k = own.children_begin; k < own.children_end; ++k) {
             const Supernode& child = tree_.supernodes[tree_.children[k]];
-            pass_up(child, tails_.data() + tail_begin_[tree_.children[k]], head, tail);
+            pass_up(child, sides_.data() + side_begin_[tree_.children[k]] + 3 * child.count, side);
         }
-        forward_front(panels_.data() + panel_begin_[s], 3 * own.count, 3 * own.rest(), head, tail);
+        forward_front(panels_.data() + panel_begin_[s], columns, rest, side);
     });
 }
 
 template <class T>
 double TreeFactor<T>::inverse_form(std::span<const Vec3> b) {
     forward(b);
-    return parallel_sum(heads_.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    return parallel_sum(tree_.supernodes.size(), 64, [&](std::size_t begin, std::size_t end) {
         double sum = 0.0;
-        for (std::size_t i = begin; i < end; ++i)
-            sum += static_cast<double>(heads_[i]) * static_cast<double>(heads_[i]);
+        for (std::size_t s = begin; s < end; ++s) {
+            const T* side = sides_.data() + side_begin_[s];
+            for (int i = 0; i < 3 * tree_.supernodes[s].count; ++i)
+                sum += static_cast<double>(side[i]) * static_cast<double>(side[i]);
+        }
         return sum;
     });
 }
@@ -233,23 +252,18 @@ void TreeFactor<T>::solve(std::span<const Vec3> b, std::span<Vec3> x) {
     forward(b);
     descend(tree_, [&](int s) {
         const Supernode& own = tree_.supernodes[s];
-        T* head = heads_.data() + head_begin_[s];
-        T* tail = tails_.data() + tail_begin_[s];
+        T* side = sides_.data() + side_begin_[s];
         if (own.parent >= 0) {
-            const Supernode& parent = tree_.supernodes[own.parent];
-            const T* parent_head = heads_.data() + head_begin_[own.parent];
-            const T* parent_tail = tails_.data() + tail_begin_[own.parent];
+            const T* parent_side = sides_.data() + side_begin_[own.parent];
             for (int r = 0; r < own.rest(); ++r) {
-                const int place = tree_.place_in_parent[own.rows_begin + r];
-                const T* from = place < parent.count ? parent_head + 3 * place
-                                                     : parent_tail + 3 * (place - parent.count);
-                for (int a = 0; a < 3; ++a) tail[3 * r + a] = from[a];
+                const T* from = parent_side + 3 * tree_.place_in_parent[own.rows_begin + r];
+                for (int a = 0; a < 3; ++a) side[3 * (own.count + r) + a] = from[a];
             }
         }
-        backward_front(panels_.data() + panel_begin_[s], 3 * own.count, 3 * own.rest(), head, tail);
+        backward_front(panels_.data() + panel_begin_[s], 3 * own.count, 3 * own.rest(), side);
         for (int c = 0; c < own.count; ++c) {
             x[tree_.vertex_at[own.first + c]] =
-                Eigen::Map<const Vector>(head + 3 * c).template cast<double>();
+                Eigen::Map<const Vector>(side + 3 * c).template cast<double>();
         }
     });
 }
@@ -262,38 +276,39 @@ Eigen::MatrixXd TreeFactor<T>::inverse_block(std::span<const SparseLoad> loads) 
     for (const SparseLoad& load : loads)
         for (const int v : load.vertices) on_path[tree_.supernode_of[tree_.position_of[v]]] = 1;
     std::vector<int> path;
-    std::vector<std::size_t> head_of(on_path.size()), tail_of(on_path.size());
-    std::size_t heads = 0, tails = 0;
+    std::vector<std::size_t> head_of(on_path.size()), side_of(on_path.size());
+    std::size_t heads = 0, sides = 0;
     for (std::size_t s = 0; s < on_path.size(); ++s) {
         if (!on_path[s]) continue;
         const Supernode& own = tree_.supernodes[s];
         path.push_back(static_cast<int>(s));
         head_of[s] = std::exchange(heads, heads + 3 * static_cast<std::size_t>(own.count));
-        tail_of[s] = std::exchange(tails, tails + 3 * static_cast<std::size_t>(own.rest()));
+        side_of[s] = std::exchange(sides, sides + padded<T>(3 * (own.count + own.rest())));
         if (own.parent >= 0) on_path[own.parent] = 1;
     }
     Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> y =
         Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>::Zero(
             static_cast<Eigen::Index>(heads), static_cast<Eigen::Index>(loads.size()));
     parallel_blocks(loads.size(), 1, [&](std::size_t j, std::size_t) {
-        T* head = y.col(static_cast<Eigen::Index>(j)).data();
-        std::vector<T> tail(tails + front_alignment<T>, T(0));
+        std::vector<T> side(sides, T(0));
         std::vector<char> reached(on_path.size(), 0);
         for (std::size_t i = 0; i < loads[j].vertices.size(); ++i) {
             const int at = tree_.position_of[loads[j].vertices[i]], s = tree_.supernode_of[at];
-            T* to = head + head_of[s] + 3 * (at - tree_.supernodes[s].first);
+            T* to = side.data() + side_of[s] + 3 * (at - tree_.supernodes[s].first);
             for (int a = 0; a < 3; ++a) to[a] += static_cast<T>(loads[j].forces[i][a]);
             reached[s] = 1;
         }
         for (const int s : path) {
             const Supernode& own = tree_.supernodes[s];
             if (!reached[s]) continue;
-            T* passed = tail.data() + tail_of[s];
+            T* own_side = side.data() + side_of[s];
             forward_front(panels_.data() + panel_begin_[s], 3 * own.count, 3 * own.rest(),
-                          head + head_of[s], passed);
+                          own_side);
+            std::copy_n(own_side, 3 * own.count,
+                        y.col(static_cast<Eigen::Index>(j)).data() + head_of[s]);
             if (own.parent < 0) continue;
             reached[own.parent] = 1;
-            pass_up(own, passed, head + head_of[own.parent], tail.data() + tail_of[own.parent]);
+            pass_up(own, own_side + 3 * own.count, side.data() + side_of[own.parent]);
         }
     });
     const Eigen::MatrixXd exact = y.template cast<double>();

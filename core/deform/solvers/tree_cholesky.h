@@ -67,15 +67,16 @@ class TreeFactor {
     void lay_out_fronts();
     void factor_supernode(const BlockMatrix& matrix, int s, const std::stop_token& stop);
     void forward(std::span<const Vec3> b);
-    void pass_up(const Supernode& child, const T* passed, T* parent_head, T* parent_tail) const;
+    void pass_up(const Supernode& child, const T* passed, T* parent_side) const;
 
     EliminationTree tree_;
     std::vector<std::size_t> panel_begin_, remainder_begin_;
     std::vector<T> panels_, remainders_;
     std::vector<int> block_row_;  // row of each block of A in its front; -1: above the diagonal
     std::vector<int> dropped_;    // per supernode
-    std::vector<std::size_t> head_begin_, tail_begin_;
-    std::vector<T> heads_, tails_;  // right-hand sides and contributions of each front
+    // Right-hand side of each front: of its columns, then what it passes to its parent.
+    std::vector<std::size_t> side_begin_;
+    std::vector<T> sides_;
     std::vector<char> dirty_;
     int eliminated_ = 0;
 };

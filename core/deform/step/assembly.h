@@ -4,6 +4,7 @@
 // from the lists of the plan. The order of summation does not depend on threads.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -62,11 +63,21 @@ class Assembly {
   private:
     using Wide = ElementSlots::Wide;
 
-    small::Matrix3<double> upper_block(int k) const;
+    // A block above the diagonal and its transpose, by columns; the fourth lanes are not used.
+    struct BlockPair {
+        std::array<Wide, 3> upper, lower;
+    };
+    BlockPair upper_block(int k) const;
 
-    // Calls visit(row) for every row of a live element.
+    // Number of the r-th row of a live element, in ascending order.
+    int row(std::size_t r) const;
+    // Calls visit(begin, end) for blocks of these rows.
     template <class Visit>
-    void for_each_row(const Visit& visit) const;
+    void for_each_row_block(const Visit& visit) const;
+    // The blocks of row i above the diagonal, and their mirrors in other rows.
+    void gather_upper(int i, double factor, BlockMatrix& matrix) const;
+    // What makes row i sum to zero; all other blocks of the row must be there.
+    void gather_diagonal(int i, BlockMatrix& matrix) const;
 
     const Body& body_;
     std::shared_ptr<AssemblyPlan> plan_;

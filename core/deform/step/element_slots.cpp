@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/large_vector.h"
 #include "core/base/parallel.h"
 #include "core/deform/body/element_dispatch.h"
 #include "core/tear/joint.h"
@@ -56,14 +57,19 @@ ElementSlots::ElementSlots(const Body& body, Tangent tangent,
         const ElementGroup& group = body.groups[g];
         const GroupSlots& slots = plan_->groups[g];
         auto& rest = rest_of_four_.emplace_back();
+        if (slots.four_at_a_time) reserve_large(rest, packs_of(group));
         for (std::size_t p = 0; slots.four_at_a_time && p < packs_of(group); ++p)
             rest.push_back(gather_rest(group.tetrahedra, p * lanes));
         energy_.emplace_back(group.size(), 0.0);
         pull_.emplace_back(slots.in_factors ? group.size() : 0, 0.0);
         factors = factors || slots.in_factors;
     }
+    reserve_large(force_, plan_->force_slots);
     force_.assign(plan_->force_slots, Wide(0.0));
-    if (factors) turned_gradient_.assign(plan_->force_slots, Wide(0.0));
+    if (factors) {
+        reserve_large(turned_gradient_, plan_->force_slots);
+        turned_gradient_.assign(plan_->force_slots, Wide(0.0));
+    }
     block_.resize(plan_->block_slots);
 }
 

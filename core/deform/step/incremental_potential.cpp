@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/base/large_vector.h"
 #include "core/deform/solvers/node_loops.h"
 
 namespace hepatica {
@@ -27,6 +28,7 @@ void IncrementalPotential::lay_out() {
     matrix_.column = plan.column;
     matrix_.diagonal = plan.diagonal;
     matrix_.alone.clear();
+    reserve_large(matrix_.block, plan.column.size());
     matrix_.block.resize(plan.column.size());
     for_each_node(matrix_.block.size(), [&](std::size_t k) { matrix_.block[k].setZero(); });
     const auto nodes = static_cast<std::size_t>(body_.node_count());
