@@ -192,26 +192,6 @@ void forward_columns(const T* panel, std::ptrdiff_t stride, int first, T* x) {
     }
 }
 
-// Solves with the transpose of C columns of L; the rows below are known.
-template <int C, class T>
-void backward_columns(const T* panel, std::ptrdiff_t stride, int first, T* x) {
-    const T* columns = panel + first * stride;
-    std::array<T, C> sum{};
-    std::ptrdiff_t i = first + C;
-    for (; i < stride && i % lanes<T> != 0; ++i)
-        for (int c = 0; c < C; ++c) sum[c] += columns[c * stride + i] * x[i];
-    Packet<T> sums[C] = {};
-    for (; i < stride; i += lanes<T>) {
-        const Packet<T> known = load<T>(x + i);
-        for (int c = 0; c < C; ++c) sums[c] += load<T>(columns + c * stride + i) * known;
-    }
-    for (int c = C; c-- > 0;) {
-        sum[c] += sum_of<T>(sums[c]);
-        for (int r = c + 1; r < C; ++r) sum[c] += columns[c * stride + first + r] * x[first + r];
-        x[first + c] = (x[first + c] - sum[c]) / columns[c * stride + first + c];
-    }
-}
-
 }  // namespace
 
 template <class T>
@@ -274,9 +254,18 @@ void forward_front(const T* panel, int pivots, int rest, T* x) {
 template <class T>
 void backward_front(const T* panel, int pivots, int rest, T* x) {
     const std::ptrdiff_t stride = padded<T>(pivots + rest);
-    for (int j = (pivots - 1) / strip * strip; j >= 0; j -= strip)
-        with_columns(std::min(strip, pivots - j),
-                     [&]<int C>() { backward_columns<C>(panel, stride, j, x); });
+    const T* below = x + pivots;
+    for (int j = pivots - 1; j >= 0; --j) {
+        const T* column = panel + j * stride;
+        Packet<T> sums{};
+        int i = 0;
+        for (; i + lanes<T> <= rest; i += lanes<T>)
+            sums += load<T>(column + pivots + i) * load<T>(below + i);
+        T sum = sum_of<T>(sums);
+        for (; i < rest; ++i) sum += column[pivots + i] * below[i];
+        for (i = j + 1; i < pivots; ++i) sum += column[i] * x[i];
+        x[j] = (x[j] - sum) / column[j];
+    }
 }
 
 template int factor_front(double*, double*, int, int, PivotRule, const std::stop_token&);
