@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/large_vector.h"
+
 namespace hepatica {
 namespace {
 
@@ -43,6 +45,20 @@ TEST(LargePages, AreAskedForWhereABlockIsLarge) {
     EXPECT_TRUE(advised(large)) << flags_at(large.data());
     plain.resize(std::size_t{96} << 20);
     EXPECT_FALSE(advised(plain)) << flags_at(plain.data());
+}
+
+TEST(LargePages, AreAskedForByVectorsThatReserveThem) {
+    if (!std::filesystem::exists("/sys/kernel/mm/transparent_hugepage"))
+        GTEST_SKIP() << "this system has no large pages";
+    std::vector<std::uint8_t> values{1, 2, 3};
+    reserve_large(values, std::size_t{96} << 20);
+    const std::uint8_t* const begin = values.data();
+    values.resize(std::size_t{96} << 20, 7);
+    EXPECT_EQ(values.data(), begin);  // the room was there
+    EXPECT_TRUE(advised(values)) << flags_at(values.data());
+    EXPECT_EQ(values[0] + values[1] + values[2], 6);
+    reserve_large(values, 5);
+    EXPECT_EQ(values.size(), std::size_t{96} << 20);
 }
 
 TEST(LargePages, LeaveContentsAsTheyAre) {

@@ -28,8 +28,10 @@ void IncrementalPotential::lay_out() {
     matrix_.column = plan.column;
     matrix_.diagonal = plan.diagonal;
     matrix_.alone.clear();
-    reserve_large(matrix_.block, plan.column.size());
-    matrix_.block.resize(plan.column.size());
+    const std::size_t blocks = plan.column.size();
+    // A body that tears will need some more.
+    if (blocks > matrix_.block.capacity()) reserve_large(matrix_.block, blocks + blocks / 8);
+    matrix_.block.resize(blocks);
     for_each_node(matrix_.block.size(), [&](std::size_t k) { matrix_.block[k].setZero(); });
     const auto nodes = static_cast<std::size_t>(body_.node_count());
     elastic_force_.assign(nodes, Vec3::Zero());
