@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
 
 #include "core/base/error.h"
@@ -52,8 +53,8 @@ TEST(Picture, names_the_file_that_cannot_be_written_or_read) {
 // Our message names the file. The PNG library has a line of its own.
 TEST(Picture, is_refused_on_a_full_disk_without_a_word_of_vtk) {
     Picture picture = chessboard(100, 100);
-    for (std::size_t i = 0; i < picture.rgb.size(); ++i)  // hardly compressed
-        picture.rgb[i] = static_cast<std::uint8_t>((i * 2654435761u) >> 16);
+    std::mt19937 random(1);  // nothing compresses that
+    for (std::uint8_t& value : picture.rgb) value = static_cast<std::uint8_t>(random());
     testing::internal::CaptureStderr();
     {
         const test::DiskOf full(2000);

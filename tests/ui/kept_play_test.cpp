@@ -312,8 +312,7 @@ TEST_F(KeptPlayWindowTest, stays_behind_while_a_review_follows_another) {
     EXPECT_TRUE(dock().isVisible());
     EXPECT_EQ(dock().file(), file_) << "until the other one is there";
     EXPECT_EQ(window_.frame().drug.injection, nullptr) << "the free play goes on";
-    ASSERT_TRUE(wait_for([this] { return dock().complete(); }));
-    EXPECT_EQ(dock().file(), other);
+    ASSERT_TRUE(wait_for([&] { return dock().file() == other && dock().complete(); }));
     EXPECT_EQ(window_.frame().drug.injection, nullptr);
     click("reviewLeave");
     EXPECT_TRUE(wait_for([&] { return window_.frame().drug.injection == injected; }));

@@ -39,7 +39,8 @@ TEST_F(TornLesson, keeps_the_colours_of_vessels) {
         paint();
         const QImage picture = window_.view().picture();
         int grey = 0, vessel = 0;
-        for (int y = 0; y < picture.height() / 2; ++y)  // above the legend
+        // Between the places of a legend, which stands above or below the vessels.
+        for (int y = picture.height() / 6; y < picture.height() / 2; ++y)
             for (int x = 0; x < picture.width(); ++x) {
                 const QColor colour = picture.pixelColor(x, y);
                 if (colour.value() < 90) continue;  // background and shade
