@@ -308,7 +308,7 @@ void write_files_atomically(const fs::path& folder,
     for (const fs::path& file : files)
         moves.push_back(move_of(file, folder / file.filename(), beside_links));
     // Last, because they cannot be undone.
-    std::ranges::stable_partition(moves, [](const Move& move) { return !move.special; });
+    std::stable_partition(moves.begin(), moves.end(), [](const Move& m) { return !m.special; });
     make_all(moves);
     made.keep();
 }
