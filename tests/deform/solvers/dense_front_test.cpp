@@ -7,6 +7,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Dense>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -61,6 +62,23 @@ TEST(DenseFront, OfEverySizeIsTheCholeskyFactorAndItsSchurComplement) {
             EXPECT_LE(error_of_front<float>(matrix, pivots), 1e-5) << pivots << " + " << rest;
         }
     }
+}
+
+// Three pivots, of which the second is negative, and one row that remains.
+TEST(DenseFront, ADroppedPivotPassesNothingOn) {
+    constexpr int stride = padded<double>(4);
+    std::vector<double> panel(3 * stride + front_alignment<double>, 0.0);
+    std::vector<double> remainder(padded<double>(1) + front_alignment<double>, 0.0);
+    const double diagonal[] = {4.0, -1.0, 9.0}, row[] = {2.0, 5.0, 3.0};
+    for (int j = 0; j < 3; ++j) {
+        panel[j * stride + j] = diagonal[j];
+        panel[j * stride + 3] = row[j];
+    }
+    remainder[0] = 10.0;
+    EXPECT_EQ(factor_front(panel.data(), remainder.data(), 3, 1, {1e-14, true}), 1);
+    EXPECT_EQ(panel[stride + 1], std::numeric_limits<double>::infinity());
+    EXPECT_EQ(panel[stride + 3], 0.0);
+    EXPECT_DOUBLE_EQ(remainder[0], 10.0 - 1.0 - 1.0);
 }
 
 TEST(DenseFront, SharedByThreadsIsThatOfOne) {
