@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vectors in large memory pages. What every step of a simulation reads, tens of megabytes, takes
-// fewer entries of the processor's table of pages than it has, which small pages outrun.
+// Vectors in large memory pages. What every step of a simulation reads, tens of megabytes, lies in
+// more small pages than a processor keeps the addresses of, but in few large ones.
 #pragma once
 
 #include <cstddef>
