@@ -121,6 +121,7 @@ class CudaBackEnd final : public StepBackEnd {
     EnergyLedger energies() const override { return cpu_->energies(); }
     double grab_energy() const override { return cpu_->grab_energy(); }
     double contact_energy() const override { return cpu_->contact_energy(); }
+    double cohesion_energy() const override { return cpu_->cohesion_energy(); }
     double kinetic_energy() const override { return cpu_->kinetic_energy(); }
 
     // The CPU's solver memory, with the device's appended at the end.

@@ -22,6 +22,7 @@ namespace {
 
 using Place2 = std::array<double, 2>;
 
+constexpr double width_pt = 2.0;  // of lines
 constexpr double letters_pt = 16.0;
 constexpr double least_shrunk_letters = 0.6;
 // To the picture's edge, where a window may draw its frame: 4 pixels, 8 on a dense screen.
@@ -29,9 +30,8 @@ constexpr double edge_pt = 0.3 * letters_pt;
 
 }  // namespace
 
-MeasureMarks::MeasureMarks(vtkRenderer& renderer, double width_points)
+MeasureMarks::MeasureMarks(vtkRenderer& renderer)
     : renderer_(renderer),
-      width_points_(width_points),
       points_(vtkSmartPointer<vtkPoints>::New()),
       quads_(vtkSmartPointer<vtkCellArray>::New()),
       polydata_(vtkSmartPointer<vtkPolyData>::New()),
@@ -139,7 +139,7 @@ void MeasureMarks::update(const Place& place, double point, double covered_top,
         for (const Vec3& position : measure.points_mm)
             if (const std::optional<Place2> at = place(position)) line.push_back(*at);
         if (line.empty() || line.size() < measure.points_mm.size()) continue;
-        add_line(line, width_points_ * point);
+        add_line(line, width_pt * point);
         if (measure.text.empty()) continue;
         vtkTextActor& text = next_text(belongs.size());
         belongs.push_back(line.back());

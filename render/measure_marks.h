@@ -34,7 +34,7 @@ struct MeasureView {
 // Draws into the two-dimensional layer of one renderer, which must outlive it; not thread-safe.
 class MeasureMarks {
   public:
-    explicit MeasureMarks(vtkRenderer& renderer, double width_points = 2.0);
+    explicit MeasureMarks(vtkRenderer& renderer);
 
     // Colours of lines and letters, and of the background behind the letters.
     void set_colours(const Colour& lines, const Colour& ground);
@@ -66,7 +66,6 @@ class MeasureMarks {
     std::array<double, 2> fit(vtkTextActor& text, double widest, double point);
 
     vtkRenderer& renderer_;
-    double width_points_;
     std::vector<PictureBox> labels_;
     std::vector<MeasureView> measures_;
     vtkSmartPointer<vtkPoints> points_;

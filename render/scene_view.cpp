@@ -45,8 +45,6 @@ vtkSmartPointer<vtkLight> add_light(vtkRenderer& renderer, const Vec3& from, con
 SceneView::SceneView(vtkRenderWindow& window) : parts_(std::make_unique<Parts>(window)) {
     vtkRenderer& renderer = *parts_->renderer;
     renderer.SetGradientBackground(true);
-    parts_->stroke_rim.set_colours(palette::rim, palette::rim);
-    parts_->stroke.set_colours(palette::grab_line, palette::rim);
     set_look(dark_look);
     parts_->find_colours_shown();
     renderer.AutomaticLightCreationOff();
@@ -134,9 +132,9 @@ void SceneView::render(double pixel_ratio) {
         const Pixel pixel = projection.pixel_of(position_mm);
         return std::array{pixel.x, height - pixel.y};
     };
-    for (MeasureMarks* marks : {&parts_->stroke_rim, &parts_->stroke, &parts_->measures})
-        marks->update(place, pixel_ratio, parts_->picture_size().covered_top,
-                      parts_->picture_size().covered_bottom);
+    parts_->stroke.update(place, pixel_ratio);
+    parts_->measures.update(place, pixel_ratio, parts_->picture_size().covered_top,
+                            parts_->picture_size().covered_bottom);
     parts_->bridges.set_pixel_ratio(pixel_ratio);
     parts_->crosshair.set_pixel_ratio(pixel_ratio);
     parts_->prepare_volume();
@@ -189,10 +187,7 @@ const std::vector<std::uint8_t>& SceneView::highlight() const {
 }
 
 void SceneView::set_stroke(const std::optional<std::array<Vec3, 2>>& stroke) {
-    std::vector<MeasureView> line;
-    if (stroke) line.push_back({{(*stroke)[0], (*stroke)[1]}, ""});
-    parts_->stroke_rim.show(line);
-    parts_->stroke.show(std::move(line));
+    parts_->stroke.show(stroke);
 }
 
 bool SceneView::set_crosshair(const std::optional<Vec3>& position_mm) {

@@ -28,6 +28,7 @@
 #include "render/orientation_marker.h"
 #include "render/palette.h"
 #include "render/scene_view.h"
+#include "render/stroke_line.h"
 #include "render/tool_actor.h"
 #include "render/tree_actor.h"
 #include "render/volume_actor.h"
@@ -104,9 +105,7 @@ struct SceneView::Parts {
     ObstacleActors obstacles{*renderer};
     VolumeActor volume{*renderer};
     GrabActor grab;
-    // A line that is drawn to cut, over everything, with a dark rim.
-    // Of what lies over the picture the first drawn is in front.
-    MeasureMarks stroke{*renderer, 3.5}, stroke_rim{*renderer, 7.0};
+    StrokeLine stroke{*renderer};
     WeakLineActor weak_lines;
     CrosshairActor crosshair;
     ToolActor tool{*renderer};

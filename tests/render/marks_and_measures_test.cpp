@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "render/measure_marks.h"
+#include "render/palette.h"
 #include "tests/render/fake_frame.h"
 #include "tests/render/scene_pictures.h"
 #include "tests/render/screenshot.h"
@@ -42,6 +43,33 @@ TEST_F(MarksAndMeasures, a_mark_its_number_and_that_it_is_reached_are_each_seen)
     EXPECT_FALSE(view_.set_marks({{beside, "1", true}})) << "as it was";
     view_.set_marks({});
     EXPECT_TRUE(look_alike(picture(), without));
+}
+
+// Which of two things in the layer over the picture is in front depends on the driver, so that a
+// rim behind the line would hide it on some.
+TEST_F(MarksAndMeasures, a_stroke_and_its_rim_are_both_seen) {
+    view_.show(fake_frame());
+    const Picture without = picture();
+    view_.set_stroke(std::array{Vec3(-30, 0, -20), Vec3(30, 0, 20)});
+    const Picture stroke = picture();
+    const auto pixels_of = [&](const Colour& colour) {
+        int count = 0;
+        for (std::size_t p = 0; p < stroke.rgb.size(); p += 3) {
+            bool like = false;
+            for (std::size_t c = 0; c < 3; ++c)
+                like = like || stroke.rgb[p + c] != without.rgb[p + c];
+            for (std::size_t c = 0; c < 3; ++c)
+                like = like && std::abs(stroke.rgb[p + c] - 255.0 * colour[c]) < 30.0;
+            count += like ? 1 : 0;
+        }
+        return count;
+    };
+    const int line = pixels_of(palette::grab_line), rim = pixels_of(palette::rim);
+    EXPECT_GT(line, 100);
+    EXPECT_GT(rim, 100);
+    EXPECT_LT(std::abs(line - rim), line / 2) << "as wide as its rim on both sides together";
+    view_.set_stroke(std::nullopt);
+    EXPECT_EQ(picture().rgb, without.rgb);
 }
 
 // Behind the vessels, or in a pool of blood.

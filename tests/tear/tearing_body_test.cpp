@@ -218,7 +218,8 @@ TEST(TearingBody, ANotchedBarBreaksAtItsNotch) {
     for (const Vec3& place : torn_places(*stepper)) EXPECT_NEAR(place.x(), 12.0, 2.5);
 }
 
-// Joints that soften still bind the two sides, until a blade goes through them.
+// Joints that soften still bind the two sides, until a blade goes through them. What they have
+// stored is gone with them, and booked as the blade's.
 TEST(TearingBody, ABladeCutsWhatHasBegunToTear) {
     BodyDescription body =
         bar(Vec3(20, 4, 4), {15, 3, 3}, {.strength_pa = 1e5, .fracture_energy_j_m2 = 300.0});
@@ -241,8 +242,14 @@ TEST(TearingBody, ABladeCutsWhatHasBegunToTear) {
     stepper->cut(Vec3(middle, -5, -5), Vec3(0, 14, 0), Vec3(0, 0, 14));
     EXPECT_EQ(tearing.report().pieces, 2);
     EXPECT_LT(tearing.ties().size(), bound);
+    const double stored = stored_energy(report.energy);
+    const EnergyLedger cut = stepper->energies();
+    EXPECT_LT(cut.tool_work, -1e-3 * stored);
+    EXPECT_NEAR(stored_energy(cut) - stored, cut.tool_work, 1e-9 * stored);
     stepper->set_grabs({});
-    EXPECT_LE(stored_energy(stepper->step(frame_s).energy), stored_energy(report.energy));
+    const EnergyLedger after = stepper->step(frame_s).energy;
+    EXPECT_LE(stored_energy(after), stored);
+    EXPECT_NEAR(stored_energy(after) - stored, explained_change(after), 1e-9 * stored);
 }
 
 TEST(TearingBody, AWholeBarBreaksAtItsClamp) {

@@ -22,7 +22,7 @@ struct EnergyLedger {
     double contact = 0.0;          // stored in the pads of tools and between surfaces
     double cohesion = 0.0;         // stored in the bonds between parted joints
     double gravity_work = 0.0;     // done on the body during the step
-    double tool_work = 0.0;        // done by moving targets during the step
+    double tool_work = 0.0;        // done by moving targets during the step, by cuts before it
     double damping_loss = 0.0;     // >= 0
     double friction_loss = 0.0;    // >= 0
     double integrator_loss = 0.0;  // of backward Euler for a body of constant stiffness: (|change

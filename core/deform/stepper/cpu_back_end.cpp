@@ -158,6 +158,9 @@ class OwnCpuBackEnd final : public CpuBackEnd {
     }
     double grab_energy() const override { return potentials_->grab_energy(state_.positions_mm); }
     double contact_energy() const override { return outside_energies().contact; }
+    double cohesion_energy() const override {
+        return potentials_->ties() ? outside_energies().cohesion : 0.0;
+    }
     double kinetic_energy() const override {
         return hepatica::kinetic_energy(body_, state_.velocities_mm_per_s);
     }

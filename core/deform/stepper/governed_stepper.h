@@ -96,7 +96,7 @@ class GovernedStepper final : public LiveStepper {
     ToolLoad tool_load_;          // of the last step
     SelfLoad self_load_;          // of the last step
     ObstacleLoad obstacle_load_;  // of the last step
-    double tool_work_ = 0.0;      // of grabs and tool since the last step [nJ]
+    double tool_work_ = 0.0;      // of grabs, tool and blade since the last step [nJ]
     double lost_ = 0.0;           // kinetic energy of nodes frozen since the last step [nJ]
     double still_s_ = 0.0;    // time for which every node has been slower than the sleep threshold
     double settled_s_ = 0.0;  // the same for the threshold of the search for inverted elements

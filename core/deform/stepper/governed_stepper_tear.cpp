@@ -66,8 +66,12 @@ void GovernedStepper::cut(const Vec3& corner_mm, const Vec3& first_edge_mm,
     std::vector<int> tied = joints;
     std::erase_if(tied, [&](int j) { return !tearing_->topology().parted(j); });
     tearing_->measure(tear_loads());
+    const double before = back_end_->cohesion_energy();
     tearing_->cut(joints);
     follow_tear();
+    const double after = back_end_->cohesion_energy();
+    tool_work_ += after - before;
+    resting_.cohesion = after;
     // Joints that only lose their ties make no new vertices, around which it would wake.
     if (region_ && region_->wake(vertices_at(tearing_->topology(), tied))) change_region();
 }

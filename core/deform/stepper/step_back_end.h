@@ -89,6 +89,7 @@ class StepBackEnd {
     // Single terms of energies() [nJ].
     virtual double grab_energy() const = 0;
     virtual double contact_energy() const = 0;
+    virtual double cohesion_energy() const = 0;
     virtual double kinetic_energy() const = 0;
 
     // The state that the linear solver carries from step to step. restore() throws InputError and
