@@ -18,9 +18,12 @@ void bring_to_front(const QDockWidget& dock) {
             if (tabs->tabText(tab) == dock.windowTitle()) tabs->setCurrentIndex(tab);
 }
 
+// What the mouse presses is in sight; if it moved away, it would not be clicked.
 void bring_into_sight(QWidget* focused, const QWidget& window) {
+    const bool pressed = QApplication::mouseButtons() != Qt::NoButton;
     for (QWidget* up = focused; up != nullptr && up != &window; up = up->parentWidget()) {
-        if (auto* scroll = qobject_cast<QScrollArea*>(up)) scroll->ensureWidgetVisible(focused);
+        auto* scroll = qobject_cast<QScrollArea*>(up);
+        if (scroll && !pressed) scroll->ensureWidgetVisible(focused);
         const auto* dock = qobject_cast<QDockWidget*>(up);
         if (dock && dock->visibleRegion().isEmpty()) bring_to_front(*dock);
     }

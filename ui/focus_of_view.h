@@ -12,8 +12,9 @@ namespace hepatica {
 // Effective for controls of the view's window as long as the view lives.
 void give_focus_back_to(QWidget& view);
 
-// A control that gets the focus is scrolled into sight, and its panel comes to the front; a panel
-// that goes behind another gives the focus to the view. For the panels that the window has by now.
+// A control that gets the focus is scrolled into sight, unless the mouse presses it, and its panel
+// comes to the front; a panel that goes behind another gives the focus to the view. For the panels
+// that the window has by now.
 void keep_focus_in_sight(QMainWindow& window, QWidget& view);
 
 }  // namespace hepatica

@@ -271,7 +271,9 @@ void LessonDock::leave() {
 bool LessonDock::begins_with(const Command& command) {
     if (!watch_ || !on_screen_ || !clock_stands()) return false;
     const bool lets_it_run = std::holds_alternative<SetPaused>(command);
-    const bool does_something = !objection_to(command, Lesson{}).empty();
+    const auto* drug = std::get_if<PlayDrug>(&command);
+    const bool does_something =
+        !objection_to(command, Lesson{}).empty() || (drug != nullptr && drug->playing);
     if (lets_it_run || does_something) read_first_ = stands_at_end_ = false;
     note_interruption();
     return does_something;

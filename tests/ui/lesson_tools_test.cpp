@@ -250,6 +250,18 @@ TEST_F(LessonToolsTest, its_clock_stands_from_the_verdict_on_until_something_is_
     EXPECT_TRUE(wait_for([&] { return clock->isHidden(); }));
 }
 
+// The button would say that the drug runs while nothing moves.
+TEST_F(LessonToolsTest, after_the_verdict_a_drug_that_is_to_run_on_lets_the_play_go_on) {
+    Lesson lesson = new_lesson();
+    lesson.limits = {{Quantity::time_s, -1, false, 0.5}};
+    begin(lesson);
+    ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
+    auto* clock = window_.lessons().findChild<QLabel*>("lessonClock");
+    ASSERT_TRUE(wait_for([&] { return clock->text().startsWith("The play is paused as it was"); }));
+    EXPECT_FALSE(window_.lessons().begins_with(PlayDrug{false}));
+    EXPECT_TRUE(window_.lessons().begins_with(PlayDrug{true}));
+}
+
 // The tool is gone and the wheel has another meaning, while the eyes are on the vessels.
 TEST_F(LessonToolsTest, that_the_tool_is_put_away_at_the_verdict_is_said) {
     Lesson lesson = new_lesson();
