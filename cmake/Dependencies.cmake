@@ -57,7 +57,7 @@ else()
         list(APPEND vtk_components IOImage FiltersCore FiltersSources FiltersGeneral
             ImagingCore InteractionStyle RenderingCore RenderingOpenGL2 RenderingFreeType RenderingAnnotation
             RenderingUI RenderingVolume RenderingVolumeOpenGL2 ChartsCore ViewsContext2D RenderingContextOpenGL2)
-        find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Test)
+        find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets OpenGL OpenGLWidgets Multimedia Test)
     endif()
     if(HEPATICA_UI_THREADS)
         find_package(Qt6 6.4 REQUIRED COMPONENTS Core)

@@ -111,6 +111,10 @@ constexpr std::array table{
                "Ctrl+Backspace",
                Words::id("After the simulation diverged: take back the last moments and go on"),
                false, true},
+    ActionSpec{sounds, Words::id("&Play"), Words::id("Sounds"), "",
+               Words::id("Tones before something tears, when it tears or bleeds, when a step is "
+                         "reached, and at the verdict"),
+               true},
     ActionSpec{view_anterior, Words::id("&View"), Words::id("&Anterior"), "A",
                Words::id("Look from the front")},
     ActionSpec{view_posterior, Words::id("&View"), Words::id("&Posterior"), "P",

@@ -54,6 +54,7 @@ enum class ActionId {
     pause_simulation,
     reset,
     restore,
+    sounds,
     view_anterior,
     view_posterior,
     view_left,

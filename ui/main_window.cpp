@@ -40,6 +40,7 @@
 #include "ui/on_screen.h"
 #include "ui/paths.h"
 #include "ui/play_recorder.h"
+#include "ui/play_sounds.h"
 #include "ui/plot_panel.h"
 #include "ui/popup_guard.h"
 #include "ui/progress_strip.h"
@@ -129,6 +130,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     connect_views();
     connect_panels();
     connect_help();
+    connect_sounds();
     connect_context();
     connect_volume();
     connect_measuring();

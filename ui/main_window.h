@@ -42,6 +42,7 @@ class LiverKeeper;
 class MessageBar;
 class MessageLog;
 class PlayRecorder;
+class PlaySounds;
 class ProgressStrip;
 class QualityPanel;
 class ReviewDock;
@@ -132,6 +133,7 @@ class MainWindow : public QMainWindow {
     void connect_tools();
     void connect_views();
     void connect_help();
+    void connect_sounds();
 
     // main_window_views.cpp: panels that are shown and hidden, surroundings of the vessels,
     // measuring, appearance.
@@ -254,6 +256,7 @@ class MainWindow : public QMainWindow {
     void show_newest_frame();
     // Shows the marks of the lesson being played or edited. True if they have moved.
     bool show_marks();
+    void sound(const Frame& frame);
     std::optional<Vec3> middle_of_chosen_branch() const;
     void keep_dial();  // stores it in the case
     // The dial is measured while nobody plays and no job runs.
@@ -383,6 +386,7 @@ class MainWindow : public QMainWindow {
     VolumeLook volume_look_;
     std::unique_ptr<VolumeKeeper> volume_;
     std::unique_ptr<ViewRuler> ruler_;
+    std::unique_ptr<PlaySounds> sounds_;
 };
 
 }  // namespace hepatica

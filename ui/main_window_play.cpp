@@ -23,6 +23,7 @@
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
 #include "ui/paths.h"
+#include "ui/play_sounds.h"
 #include "ui/quality_panel.h"
 #include "ui/review_dock.h"
 #include "ui/second_view.h"
@@ -49,6 +50,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     lessons_->end_play();  // before the first of the new frames
     kept_play_.drop();
     shows_free_play_ = true;
+    sounds_->begin();
     patient_ = std::move(patient);
     dial_->show(patient_->patient, back_ends_->for_play());
     hovered_vertex_ = -1;
@@ -123,6 +125,7 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
         kept_play_.take(std::move(patient_->simulation),
                         {back_ends_->chosen(), quality_->choices(), curves_->tears()});
     patient_->simulation = std::move(simulation);
+    sounds_->begin();
     patient_->simulation->update_frame();
     match_anatomy();
     curves_->clear();
@@ -296,6 +299,7 @@ void MainWindow::follow(const Frame& frame) {
     (*actions_)[ActionId::restore].setEnabled(frame.statistics.diverged);
     inject_->show_drug(frame.drug);
     curves_->follow(patient_->patient, frame.drug, plays_freely());
+    sound(frame);
 }
 
 void MainWindow::show_figures_soon() {
@@ -318,6 +322,7 @@ void MainWindow::show_figures() {
         if (std::exchange(cuts_message_, {}) == messages_->text()) messages_->dismiss();
     curves_->follow_tear(frame, lessons_->shows_play() || review_->of_lesson());
     lessons_->show_figures();
+    sound(frame);  // the verdict may come after the last frame
     allow_tools();
     const bool injected = frame.drug.arrival_s != nullptr;
     curves_->set_time(injected ? std::optional(frame.drug.time_s) : std::nullopt);

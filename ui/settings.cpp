@@ -28,6 +28,7 @@ const char* const mouse_scheme_key = "mouse_scheme";
 const char* const language_key = "language";
 const char* const back_end_key = "back_end";
 const char* const curves_come_key = "curves_come";
+const char* const sounds_key = "sounds";
 const char* const flow_units_key = "flow_units";
 const char* const trainee_key = "trainee";
 const char* const volume_key = "volume/shown";
@@ -204,6 +205,14 @@ bool Settings::curves_come() const {
 
 void Settings::set_curves_come(bool come) {
     if (store_) store_->setValue(curves_come_key, come);
+}
+
+bool Settings::sounds() const {
+    return store_ && store_->value(sounds_key, false).toBool();
+}
+
+void Settings::set_sounds(bool on) {
+    if (store_) store_->setValue(sounds_key, on);
 }
 
 QString Settings::flow_units() const {

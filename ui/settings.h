@@ -87,6 +87,9 @@ class Settings {
     // Whether curves appear by themselves: until the user closes them.
     bool curves_come() const;
     void set_curves_come(bool come);
+    // Whether plays sound, see PlaySounds; off by default.
+    bool sounds() const;
+    void set_sounds(bool on);
     // See flow_units_named(); empty: none chosen.
     QString flow_units() const;
     void set_flow_units(const QString& name);
