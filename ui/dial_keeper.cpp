@@ -56,10 +56,15 @@ void DialKeeper::show(std::shared_ptr<const PatientCase> patient, const DeformBa
 void DialKeeper::take(std::vector<QualityPoint> points) {
     points_ = std::move(points);
     write();
-    // If a device has failed, there may be points of the processor alone.
-    if (auto own = points_for(back_end_, points_); !own.empty())
-        found_(dial_of_points(std::move(own)));
+    if (const std::optional<QualityDial> own = dial()) found_(*own);
     if (!next_dial_setting(points_, back_end_)) worker_.reset();
+}
+
+std::optional<QualityDial> DialKeeper::dial() const {
+    // If a device has failed, there may be points of the processor alone.
+    std::vector<QualityPoint> own = points_for(back_end_, points_);
+    if (own.empty()) return std::nullopt;
+    return dial_of_points(std::move(own));
 }
 
 void DialKeeper::keep_in(const std::filesystem::path& folder, const PatientCase* body) {

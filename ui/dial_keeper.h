@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/deform/stepper/quality_dial.h"
@@ -41,6 +42,9 @@ class DialKeeper {
     // While busy (somebody plays or another job runs), and for a second afterwards, nothing is
     // measured.
     void set_busy(bool busy);
+    // The dial of the shown patient so far, for a play that begins now; nullopt: nothing was
+    // measured.
+    std::optional<QualityDial> dial() const;
     // Whether settings of the shown patient remain to be measured.
     bool has_work() const { return worker_ != nullptr; }
 

@@ -125,6 +125,8 @@ void MainWindow::use(std::unique_ptr<Simulation> simulation) {
         kept_play_.take(std::move(patient_->simulation),
                         {back_ends_->chosen(), quality_->choices(), curves_->tears()});
     patient_->simulation = std::move(simulation);
+    // What was measured since the patient was opened; a play that comes back was told.
+    if (const auto dial = dial_->dial(); dial && !comes_back) patient_->simulation->use_dial(*dial);
     sounds_->begin();
     patient_->simulation->update_frame();
     match_anatomy();

@@ -13,6 +13,7 @@
 
 #include "core/lesson/lesson_draft.h"
 #include "core/lesson/lesson_writer.h"
+#include "core/scene/measured_dial.h"
 #include "tests/ui/lesson_window_test.h"
 #include "ui/lesson_marks.h"
 #include "ui/message_bar.h"
@@ -248,6 +249,14 @@ TEST_F(LessonToolsTest, its_clock_stands_from_the_verdict_on_until_something_is_
     EXPECT_TRUE(wait_for([&] { return !window_.frame().statistics.paused; }));
     QTest::mouseRelease(&window_.view(), Qt::LeftButton, {}, on_widget(mark));
     EXPECT_TRUE(wait_for([&] { return clock->isHidden(); }));
+}
+
+TEST_F(LessonToolsTest, its_play_has_the_dial_that_was_measured_on_these_vessels_before) {
+    open_built_in();
+    const auto own = [this] { return is_of_own_body(window_.frame().statistics.error_reference); };
+    ASSERT_TRUE(wait_for(own)) << "nobody plays, so that it is measured";
+    begin(new_lesson());
+    EXPECT_TRUE(wait_for(own));
 }
 
 // The button would say that the drug runs while nothing moves.

@@ -47,8 +47,10 @@ TEST_F(Dial, IsMeasuredWhileNobodyPlaysAndKeptWithTheCase) {
     keeper_.show(patient);
     keeper_.keep_in(folder_, patient.get());
     EXPECT_TRUE(keeper_.has_work());
+    EXPECT_FALSE(keeper_.dial().has_value());
     keeper_.set_busy(false);
     ASSERT_TRUE(wait_for_dials(1));
+    EXPECT_TRUE(keeper_.dial().has_value()) << "for a play that begins now";
     PatientCase read = read_case_without_voxels(folder_);
     EXPECT_GE(measured_points(read).size(), 1u);
     ASSERT_TRUE(wait_for_dials(6));
