@@ -74,9 +74,9 @@ std::vector<LegendRow> with_room(std::vector<LegendRow> rows, const Legend::Room
     return rows;
 }
 
-// Smaller than half of a narrow window.
+// One of four views on a screen of 1280 by 800 points, or smaller.
 bool is_small(const Legend::Room& room) {
-    return room.width < 300.0 * room.point || room.height < 200.0 * room.point;
+    return room.width < 480.0 * room.point || room.height < 320.0 * room.point;
 }
 
 bool is_narrow(const Legend::Room& room) {
@@ -340,11 +340,10 @@ Legend::Layout Legend::beside_vessels(std::vector<LegendRow> rows, std::size_t w
     else if (count)
         most_rows_ = rows.size();
     while (rows.size() > most_rows_) leave_out_least(rows);
-    const auto laid = [&] { return laid_out(rows, room, rows.size() < wanted); };
+    const auto laid = [&] { return of_narrow(rows, room, rows.size() < wanted, count); };
     leaves_out_ = rows.size() < wanted;
-    if (!is_small(room)) return of_narrow(rows, room, leaves_out_, count);
     Layout layout = laid();
-    if (!count) return layout;
+    if (!is_small(room) || !count) return layout;
     const int all = all_in(room, count);
     while (!rows.empty()) {
         const std::vector<int> hidden = count(layout.corners);
