@@ -9532,5 +9532,17 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Confirmed: its system counts as sure from now on (%1)</source>
         <translation>Bestätigt: Sein System gilt von nun an als sicher (%1)</translation>
     </message>
+    <message>
+        <source>Sounds</source>
+        <translation>Töne</translation>
+    </message>
+    <message>
+        <source>Tones before something tears, when it tears or bleeds, when a step is reached, and at the verdict</source>
+        <translation>Töne, bevor etwas reißt, wenn es reißt oder blutet, wenn ein Schritt erreicht ist, und beim Urteil</translation>
+    </message>
+    <message>
+        <source>This computer has no device for sound now: nothing will be heard</source>
+        <translation>Dieser Rechner hat zurzeit kein Gerät für Ton: Es wird nichts zu hören sein</translation>
+    </message>
 </context>
 </TS>
