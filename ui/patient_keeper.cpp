@@ -199,6 +199,7 @@ void PatientKeeper::redo() {
         workspace_.redo_stroke();
         return screen_.changed();
     }
+    if (!step->edit) return redo_remaking();
     workspace_.redo() ? correct() : screen_.changed();
 }
 
@@ -266,21 +267,34 @@ BackgroundJob::Work PatientKeeper::remaking(std::shared_ptr<const Volume> ct,
 }
 
 void PatientKeeper::take_back_remaking() {
+    exchange_vessels(Words::tr("Taking the rebuilding back"), &Workspace::before_remaking,
+                     &Workspace::take_back_remaking);
+}
+
+void PatientKeeper::redo_remaking() {
+    exchange_vessels(Words::tr("Rebuilding the vessels"), &Workspace::remaking_again,
+                     &Workspace::redo_remaking);
+}
+
+void PatientKeeper::exchange_vessels(const QString& title,
+                                     std::shared_ptr<const PatientCase> (Workspace::*which)() const,
+                                     void (Workspace::*take)()) {
     QueuedJob queued;
     queued.kind = JobKind::remake;
-    queued.title = Words::tr("Taking the rebuilding back").toStdString();
-    queued.begin = [this]() -> BackgroundJob::Work {
-        return [this, before = workspace_.before_remaking()](Job& job) -> std::function<void()> {
-            if (before == nullptr) return [] {};  // something else was done meanwhile
-            auto loaded = std::make_shared<LoadedPatient>(ways_.play_on(before, job));
-            return [this, before, loaded] {
-                if (workspace_.before_remaking() != before) return;
-                workspace_.take_back_remaking();
-                loaded->warnings = workspace_.warnings();
-                screen_.show(std::move(*loaded), true);
-                screen_.changed();
+    queued.title = title.toStdString();
+    queued.begin = [this, which, take]() -> BackgroundJob::Work {
+        return
+            [this, which, take, other = (workspace_.*which)()](Job& job) -> std::function<void()> {
+                if (other == nullptr) return [] {};  // something else was done meanwhile
+                auto loaded = std::make_shared<LoadedPatient>(ways_.play_on(other, job));
+                return [this, which, take, other, loaded] {
+                    if ((workspace_.*which)() != other) return;
+                    (workspace_.*take)();
+                    loaded->warnings = workspace_.warnings();
+                    screen_.show(std::move(*loaded), true);
+                    screen_.changed();
+                };
             };
-        };
     };
     queued.failed = [this, title = queued.title](const Failure& failure) {
         screen_.failed(title, failure);

@@ -182,6 +182,11 @@ class PatientKeeper {
     bool play_let_go();
     void wait_to_go(std::function<void()> go, std::function<void()> stay);
     void take_back_remaking();
+    void redo_remaking();
+    // Exchanges the patient for `which`, if that is still the next step once his play is there.
+    void exchange_vessels(const QString& title,
+                          std::shared_ptr<const PatientCase> (Workspace::*which)() const,
+                          void (Workspace::*take)());
     bool waits_for_remaking() const;
     void add_writing(QueuedJob job);
     BackgroundJob::Work writing(const std::filesystem::path& folder);

@@ -23,6 +23,7 @@ void Workspace::open(const OpenedPatient& opened, int series) {
     warnings_ = opened.warnings;
     warnings_of_image_ = opened.warnings_of_image;
     undone_.clear();
+    taken_back_.clear();
     remade_.clear();
     strokes_ = {};
     ++strokes_version_;
@@ -30,6 +31,7 @@ void Workspace::open(const OpenedPatient& opened, int series) {
 }
 
 void Workspace::take_up(const LeftEdits& left) {
+    taken_back_.clear();
     strokes_ = PendingStrokes(left.strokes);
     ++strokes_version_;
     if (left.measured) measured_ = *left.measured;
@@ -41,16 +43,21 @@ void Workspace::want(Edits edits) {
     ++version_;
 }
 
+void Workspace::forget_undone() {
+    undone_.clear();
+    taken_back_.clear();
+}
+
 void Workspace::add(const TreeEdit& edit) {
     Edits edits = edits_;
     edits.push_back(edit);
-    undone_.clear();
+    forget_undone();
     strokes_.forget_undone();
     want(std::move(edits));
 }
 
 void Workspace::add_stroke(const BrushStroke& stroke) {
-    undone_.clear();
+    forget_undone();
     strokes_.add(stroke, edits_.size());
     ++strokes_version_;
 }
@@ -82,6 +89,7 @@ bool Workspace::undo_passes_rebuilding() const {
 
 std::optional<Workspace::Step> Workspace::next_redo() const {
     if (redo_is_of_stroke()) return Step{strokes_.next_again(), std::nullopt};
+    if (remaking_again() != nullptr) return Step{};
     if (undone_.empty()) return std::nullopt;
     return Step{std::nullopt, undone_.back()};
 }
@@ -147,36 +155,68 @@ void Workspace::show_remade(std::shared_ptr<const PatientCase> before,
     const Edits added = added_since(before->corrections.edits);
     wanted.insert(wanted.end(), added.begin(), added.end());
     if (remade_.size() == most_remakings) remade_.erase(remade_.begin());
-    remade_.push_back({std::move(before), patient->corrections.edits.size(), never_saved_,
-                       strokes_.take_first(strokes, wanted.size()), std::move(warnings_)});
+    remade_.push_back({std::move(before),
+                       patient,
+                       never_saved_,
+                       strokes_.take_first(strokes, wanted.size()),
+                       std::move(warnings_),
+                       {}});
     warnings_ = std::move(warnings);
     warnings_.insert(warnings_.end(), warnings_of_image_.begin(), warnings_of_image_.end());
     ++strokes_version_;
-    patient_ = std::move(patient);
+    forget_undone();
     never_saved_ = true;
-    base_.clear();
-    ++origin_;
-    undone_.clear();
+    show_other(std::move(patient));
     want(std::move(wanted));
 }
 
+// One with other vessels, on which nothing on disk can be repeated.
+void Workspace::show_other(std::shared_ptr<const PatientCase> patient) {
+    patient_ = std::move(patient);
+    base_.clear();
+    ++origin_;
+    want(patient_->corrections.edits);
+}
+
 std::shared_ptr<const PatientCase> Workspace::before_remaking() const {
-    if (remade_.empty() || edits_.size() > remade_.back().edits) return nullptr;
+    if (remade_.empty() || edits_.size() > remade_.back().after->corrections.edits.size())
+        return nullptr;
     return remade_.back().before;
 }
 
 void Workspace::take_back_remaking() {
     if (before_remaking() == nullptr) return;
-    patient_ = remade_.back().before;
-    base_.clear();
-    ++origin_;
-    never_saved_ = remade_.back().was_never_saved;
-    strokes_.put_back(remade_.back().strokes);
-    warnings_ = std::move(remade_.back().warnings);
-    ++strokes_version_;
+    Remaking remaking = std::move(remade_.back());
     remade_.pop_back();
+    never_saved_ = remaking.was_never_saved;
+    strokes_.put_back(remaking.strokes);
+    ++strokes_version_;
+    std::swap(warnings_, remaking.warnings);
+    remaking.undone = std::move(undone_);
     undone_.clear();
-    want(patient_->corrections.edits);
+    show_other(remaking.before);
+    taken_back_.push_back(std::move(remaking));
+}
+
+std::shared_ptr<const PatientCase> Workspace::remaking_again() const {
+    if (taken_back_.empty() || !undone_.empty()) return nullptr;
+    const Remaking& last = taken_back_.back();
+    const bool as_it_began =
+        edits_ == last.before->corrections.edits && strokes_.made() == last.strokes;
+    return as_it_began ? last.after : nullptr;
+}
+
+void Workspace::redo_remaking() {
+    if (remaking_again() == nullptr) return;
+    Remaking remaking = std::move(taken_back_.back());
+    taken_back_.pop_back();
+    remaking.was_never_saved = std::exchange(never_saved_, true);
+    strokes_.take_first(remaking.strokes.size(), remaking.after->corrections.edits.size());
+    ++strokes_version_;
+    std::swap(warnings_, remaking.warnings);
+    undone_ = std::move(remaking.undone);
+    show_other(remaking.after);
+    remade_.push_back(std::move(remaking));
 }
 
 void Workspace::give_up_edits() {

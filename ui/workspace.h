@@ -86,6 +86,11 @@ class Workspace {
     std::shared_ptr<const PatientCase> before_remaking() const;
     // Returns to before_remaking(), if that is not null.
     void take_back_remaking();
+    // The rebuilt patient, if the next step to redo is a rebuild that was taken back; else null.
+    std::shared_ptr<const PatientCase> remaking_again() const;
+    // Returns to remaking_again(), if that is not null. Its strokes are in the vessels again, and
+    // what was undone after it can be redone.
+    void redo_remaking();
     // No other body will come: returns to the corrections of the shown one.
     void give_up_edits();
 
@@ -125,16 +130,19 @@ class Workspace {
 
   private:
     struct Remaking {
-        std::shared_ptr<const PatientCase> before;
-        std::size_t edits = 0;  // number of corrections of the rebuilt patient
+        std::shared_ptr<const PatientCase> before, after;
         bool was_never_saved = false;
         std::vector<PendingStroke> strokes;  // that it was made of
-        std::vector<std::string> warnings;   // from before
+        // From before; of one that was taken back, from after it.
+        std::vector<std::string> warnings;
+        Edits undone;  // of one that was taken back: corrections after it
     };
     // That can be undone; each holds a whole patient.
     static constexpr std::size_t most_remakings = 5;
 
     void want(Edits edits);
+    void forget_undone();
+    void show_other(std::shared_ptr<const PatientCase> patient);
     Edits added_since(const Edits& begun_with) const;
 
     std::string title_;
@@ -150,7 +158,7 @@ class Workspace {
     std::vector<KeptMeasurement> measured_, saved_measured_;
     bool never_saved_ = false;  // although it should be saved
     std::vector<std::string> warnings_, warnings_of_image_;
-    std::vector<Remaking> remade_;
+    std::vector<Remaking> remade_, taken_back_;
     PendingStrokes strokes_;
     std::uint64_t strokes_version_ = 0;
     std::uint64_t version_ = 0;

@@ -419,6 +419,59 @@ TEST_F(Keeper, a_stroke_is_not_taken_back_through_a_rebuilding) {
     EXPECT_EQ(edits().size(), 1u);
 }
 
+TEST_F(Keeper, a_rebuilding_that_was_taken_back_is_done_again_with_what_followed_it) {
+    add(1);
+    ASSERT_TRUE(ward.finish());
+    ward.keeper().add_stroke({{Vec3::Zero()}, 2.0, false});
+    remake(7);
+    ASSERT_TRUE(ward.finish());
+    add(2);
+    ASSERT_TRUE(ward.finish());
+    const auto undo = [&] {
+        ward.keeper().undo();
+        return ward.finish();
+    };
+    const auto redo = [&] {
+        ward.keeper().redo();
+        return ward.finish();
+    };
+    ASSERT_TRUE(undo() && undo());
+    EXPECT_NE(label(), 7);
+    EXPECT_EQ(ward.workspace().strokes().size(), 1u) << "it waits for a rebuilding again";
+    ASSERT_TRUE(redo());
+    EXPECT_EQ(label(), 7);
+    EXPECT_TRUE(ward.workspace().strokes().empty());
+    EXPECT_EQ(edits(), std::vector{1});
+    ASSERT_TRUE(redo());
+    EXPECT_EQ(edits(), (std::vector{1, 2}));
+    EXPECT_FALSE(ward.workspace().next_redo().has_value());
+    ASSERT_TRUE(undo() && undo());
+    EXPECT_NE(label(), 7) << "and taken back once more";
+    // What was undone before it is redone before it.
+    ASSERT_TRUE(undo() && undo());
+    EXPECT_TRUE(edits().empty());
+    EXPECT_TRUE(ward.workspace().strokes().empty());
+    ASSERT_TRUE(redo() && redo() && redo() && redo());
+    EXPECT_EQ(label(), 7);
+    EXPECT_EQ(edits(), (std::vector{1, 2}));
+}
+
+TEST_F(Keeper, a_rebuilding_that_was_taken_back_is_gone_once_something_else_is_done) {
+    remake(7);
+    ASSERT_TRUE(ward.finish());
+    ward.keeper().undo();
+    ASSERT_TRUE(ward.finish());
+    ASSERT_TRUE(ward.workspace().next_redo().has_value());
+    add(3);
+    ASSERT_TRUE(ward.finish());
+    ward.keeper().undo();
+    ASSERT_TRUE(ward.finish());
+    ward.keeper().redo();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(edits(), std::vector{3});
+    EXPECT_FALSE(ward.workspace().next_redo().has_value());
+}
+
 TEST_F(Keeper, a_case_is_proposed_where_it_lies_or_by_its_name_alone) {
     ward.keeper().ask_and_save();
     EXPECT_EQ(ward.proposed, FakeWard::path_of("a.hep"));

@@ -75,6 +75,11 @@ TEST(Workspace, warnings_of_the_image_outlast_a_rebuilding_and_all_come_back_wit
               (std::vector<std::string>{"a piece is left out", "thick slices"}));
     workspace.take_back_remaking();
     EXPECT_EQ(workspace.warnings(), opened.warnings);
+    EXPECT_FALSE(workspace.dirty());
+    workspace.redo_remaking();
+    EXPECT_EQ(workspace.warnings(),
+              (std::vector<std::string>{"a piece is left out", "thick slices"}));
+    EXPECT_TRUE(workspace.dirty());
 }
 
 // A rebuilding that is asked for once more takes the place of the first, and of corrections that
