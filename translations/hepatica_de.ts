@@ -9544,5 +9544,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>This computer has no device for sound now: nothing will be heard</source>
         <translation>Dieser Rechner hat zurzeit kein Gerät für Ton: Es wird nichts zu hören sein</translation>
     </message>
+    <message>
+        <source>It lacks what is not saved yet: save the case, then copy it once more.</source>
+        <translation>Es fehlt, was noch nicht gespeichert ist: Speichern Sie den Fall, dann kopieren Sie ihn noch einmal.</translation>
+    </message>
 </context>
 </TS>

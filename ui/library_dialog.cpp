@@ -363,9 +363,13 @@ void LibraryDialog::give_away(const fs::path& to) {
             std::vector<Lesson> lessons = lessons_not_beside(from, job);
             for (const fs::path& file : files) lessons.push_back(read_lesson(file));
             write_with_lessons(to, read_case(from), lessons);
-            return [this, said = what_was_given(to, lessons.size())] {
+            return [this, from, said = what_was_given(to, lessons.size())] {
                 reread_ = true;
                 said_ = said;
+                if (ways_.shows_more_than(from))
+                    said_ += " " + Words::tr(
+                                       "It lacks what is not saved yet: save the case, then "
+                                       "copy it once more.");
             };
         });
 }

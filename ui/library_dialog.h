@@ -31,6 +31,8 @@ class LibraryDialog : public QDialog {
         std::function<void(const QString& doing, const Failure&)> failed;
         // Begins the lesson on the patient of that case.
         std::function<void(const ShelvedLesson&, const QString& place)> begin_lesson;
+        // Whether the window shows that case with work that is not saved in it.
+        std::function<bool(const std::filesystem::path& place)> shows_more_than;
     };
     // `settings` must outlive the dialog.
     LibraryDialog(Settings& settings, Ways ways, QWidget* parent);

@@ -378,7 +378,8 @@ void MainWindow::connect_files() {
          [this](const QString& doing, const Failure& failure) { fail(doing, failure); },
          [this](const ShelvedLesson& lesson, const QString& place) {
              lessons_->start_on(lesson.file.string(), place);
-         }},
+         },
+         [this](const std::filesystem::path& place) { return shows_more_than(place); }},
         this);
     actions_->on(ActionId::open_library, [this] { library_->open_library(); });
     actions_->on(ActionId::open_case, [this] { ask_for_case(); });

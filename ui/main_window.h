@@ -227,6 +227,7 @@ class MainWindow : public QMainWindow {
     // `asks`: the window in which the table is shown.
     void save_table(QWidget& asks, const QString& proposed, const std::string& csv);
     void save_plots(bool picture);
+    bool shows_more_than(const std::filesystem::path& folder) const;
     void ask_and_save_film(double end_s, const std::function<void(double at_s)>& go_to);
     void say_no_film();  // it was cancelled
     void remember(const std::filesystem::path& path);

@@ -308,6 +308,11 @@ void MainWindow::save_picture(const QString& file) {
     statusBar()->showMessage(Words::tr("Saved %1").arg(file), 6000);
 }
 
+// Work that is not saved in the case of this folder.
+bool MainWindow::shows_more_than(const std::filesystem::path& folder) const {
+    return workspace().has_patient() && workspace().folder() == folder && workspace().unsaved();
+}
+
 void MainWindow::ask_and_save_film(double end_s, const std::function<void(double)>& go_to) {
     const QString start = settings_.last_folder();
     const bool as_pictures = ffmpeg_program().isEmpty();
@@ -338,6 +343,7 @@ void MainWindow::save_film(const std::filesystem::path& place, double end_s,
                              Words::id("Open the recording again"));
         go_to(at_s);
         patient_->simulation->update_frame();
+        show_marks();
         view_->show_frame(frame());
         const QImage first = view_->picture();
         return second_view_->shown() ? beside(first, second_view_->view().picture()) : first;

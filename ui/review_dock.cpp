@@ -101,7 +101,9 @@ QWidget* ReviewDock::build_heading() {
     connect(film, &QPushButton::clicked, this, [this] {
         if (!complete()) return ways_.say(Words::tr("The recording is still being read."));
         set_playing(false);
+        const double before_s = at_s_;
         ways_.save_film(end_s(), [this](double at_s) { go_to(at_s); });
+        go_to(before_s);
     });
     row->addWidget(film);
     auto* leave_button = new QPushButton(Words::tr("Leave &the review"));

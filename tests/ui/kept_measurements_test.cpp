@@ -9,6 +9,7 @@
 #include "core/patient/patient_case.h"
 #include "tests/patient/parted_patient.h"
 #include "tests/ui/window_test.h"
+#include "ui/library_dialog.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
 #include "ui/slices/view_layout.h"
@@ -87,6 +88,23 @@ TEST_F(KeptMeasurements, CountAsUnsavedAndAreThereWhenTheCaseIsOpenedAgain) {
     EXPECT_EQ((std::vector<std::string>{made()[0].text, made()[1].text}), texts);
     EXPECT_EQ(window_.view().scene().measures().size(), 2u);
     EXPECT_FALSE(window_.isWindowModified());
+}
+
+TEST_F(KeptMeasurements, ACopyOfTheCaseLacksThemUntilTheyAreSavedAndThatIsSaid) {
+    settings_.set_library_folder(folder_.path());
+    save();
+    LibraryDialog& library = window_.library();
+    const auto said_of_copy = [&](const char* name) {
+        window_.actions()[ActionId::open_library].trigger();
+        EXPECT_TRUE(wait_for([&] { return !library.busy() && !library.cases().empty(); }));
+        library.give_away(to_path(folder_.filePath(name)));
+        EXPECT_TRUE(wait_for([&] { return !library.busy(); }));
+        return library.messages().text();
+    };
+    EXPECT_FALSE(said_of_copy("whole.hepz").contains("not saved yet"));
+    measure_distance();
+    ASSERT_TRUE(window_.isWindowModified());
+    EXPECT_TRUE(said_of_copy("without.hepz").contains("not saved yet"));
 }
 
 TEST_F(KeptMeasurements, OfAPatientWhoWasNeverSavedAreAskedAboutBeforeTheyAreLost) {

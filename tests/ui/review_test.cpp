@@ -232,13 +232,41 @@ TEST_F(ReviewWindowTest, a_film_of_it_has_every_moment) {
               static_cast<int>(window_.view().width() * window_.view().devicePixelRatioF()) / 2);
 }
 
+// As they stood at each moment, not when the film was asked for.
+TEST_F(ReviewWindowTest, a_film_shows_when_the_marks_of_the_lesson_are_reached) {
+    Lesson lesson;
+    lesson.name = "Wait";
+    lesson.scene = played().recording.scene;
+    lesson.tools = {LessonTool::pull};
+    lesson.marks = {{"the mark", {std::nullopt, 0.5}}};
+    lesson.steps = {{"Look", "", {{Quantity::moved_mm, 0, true, 0.0}}, 0.5, {}}};
+    const std::filesystem::path place = to_path(folder_.filePath("lesson.json"));
+    write_lesson(place, lesson);
+    open_built_in();
+    dock().open(file_, place.string());
+    ASSERT_TRUE(wait_for([this] { return dock().complete(); }));
+    const auto reached = [this] {
+        const std::vector<MarkView>& marks = window_.view().scene().marks();
+        return marks.size() == 1 && marks.front().reached;
+    };
+    std::vector<bool> seen;
+    window_.save_film(to_path(folder_.filePath("film")), 1.2, [&](double at_s) {
+        seen.push_back(reached());  // in the picture before
+        line().set_at(at_s);
+    });
+    EXPECT_FALSE(seen.at(2));
+    EXPECT_TRUE(seen.back());
+}
+
 TEST_F(ReviewWindowTest, a_film_without_ffmpeg_is_said_to_be_pictures_in_a_folder_that_one_names) {
     open_built_in();
     look_back();
     const auto as_before = qScopeGuard([path = qgetenv("PATH")] { qputenv("PATH", path); });
     qputenv("PATH", folder_.path().toLocal8Bit());  // where no program lies
     choose_file(folder_.filePath("new film"));
+    line().set_at(0.5);
     click("reviewFilm");
+    EXPECT_NEAR(dock().at_s(), 0.5, 1e-9) << "the review is where it was";
     EXPECT_TRUE(window_.messages().text().contains("ffmpeg, which is not installed"));
     EXPECT_TRUE(std::filesystem::exists(to_path(folder_.filePath("new film/00000.png"))));
     choose_file(folder_.path());
