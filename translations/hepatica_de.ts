@@ -9548,5 +9548,9 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>It lacks what is not saved yet: save the case, then copy it once more.</source>
         <translation>Es fehlt, was noch nicht gespeichert ist: Speichern Sie den Fall, dann kopieren Sie ihn noch einmal.</translation>
     </message>
+    <message>
+        <source>, apart from all others: begin on a centreline to hang it there</source>
+        <translation>, getrennt von allen anderen: Beginnen Sie auf einer Mittellinie, dann hängt es dort</translation>
+    </message>
 </context>
 </TS>

@@ -435,18 +435,21 @@ void CaseEditing::draw(const Volume& ct, const std::vector<Vec3>& places_mm,
          answered](Job& job) -> std::function<void()> {
             TreeEdit edit = drawing_of(traced_vessel(part, places_mm, contrast_hu, job));
             if (radius_mm) std::ranges::fill(edit.radii_mm, *radius_mm);
-            edited(patient->tree, edit);  // throws now, while the places can still be changed
-            return [this, edit, answered] { add_drawn(edit, answered); };
+            // Throws now, while the places can still be changed.
+            const VesselTree with_it = edited(patient->tree, edit);
+            const bool apart = roots(with_it).size() > roots(patient->tree).size();
+            return [this, edit, apart, answered] { add_drawn(edit, apart, answered); };
         },
         std::move(callbacks));
 }
 
-void CaseEditing::add_drawn(const TreeEdit& edit, const VesselPen::Answered& answered) {
+void CaseEditing::add_drawn(const TreeEdit& edit, bool apart, const VesselPen::Answered& answered) {
     callbacks_.add(edit);
-    answered({true, Words::tr("A vessel of %L1 mm, radius %L2 mm")
-                        .arg(arclengths_mm(edit.path_mm).back(), 0, 'f', 0)
-                        .arg(edit.radii_mm[edit.radii_mm.size() / 2], 0, 'f', 1)
-                        .toStdString()});
+    QString said = Words::tr("A vessel of %L1 mm, radius %L2 mm")
+                       .arg(arclengths_mm(edit.path_mm).back(), 0, 'f', 0)
+                       .arg(edit.radii_mm[edit.radii_mm.size() / 2], 0, 'f', 1);
+    if (apart) said += Words::tr(", apart from all others: begin on a centreline to hang it there");
+    answered({true, said.toStdString()});
 }
 
 }  // namespace hepatica

@@ -76,7 +76,8 @@ class CaseEditing {
 
     void click_chosen();
     void begin_link(const std::optional<Vec3>& from_mm);
-    void add_drawn(const TreeEdit& edit, const VesselPen::Answered& answered);
+    // `apart`: it touches no other vessel.
+    void add_drawn(const TreeEdit& edit, bool apart, const VesselPen::Answered& answered);
     void choose_bridge(int bridge);
     void accept_all();
     // The tree with all wanted corrections, whose body may still be made. Throws InputError where

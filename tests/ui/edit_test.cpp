@@ -87,8 +87,10 @@ class Editing : public testing::WindowTest {
         ASSERT_TRUE(testing::wait_for([&] { return !views.slices().empty(); }));
     }
     // Clicks along the vessel of tube_ct() in the axial slice, to be drawn.
-    void point_out_the_tube() {
-        const Vec3 begin = test::tube_begin_mm, end = test::tube_end_mm;
+    // From this share of its length on; it begins in the trunk.
+    void point_out_the_tube(double from = 0.0) {
+        const Vec3 end = test::tube_end_mm;
+        const Vec3 begin = test::tube_begin_mm + from * (end - test::tube_begin_mm);
         show_slices(test::tube_ct());
         window_.view_layout().slices().set_crosshair(begin);
         emit child<QComboBox>("measure").activated(4);
@@ -345,6 +347,7 @@ TEST_F(Editing, a_vessel_is_drawn_by_clicks_in_the_slices) {
     EXPECT_TRUE(child<QLabel>("slicePlace").text().startsWith("Not drawn: it was stopped"));
     child<QPushButton>("drawVessel").click();
     ASSERT_TRUE(testing::wait_for([&] { return !pen.draws(); }));
+    EXPECT_FALSE(child<QLabel>("slicePlace").text().contains("apart from all others"));
     ASSERT_EQ(saved().corrections.edits.size(), 1u);
     EXPECT_EQ(saved_.corrections.edits[0].kind, TreeEditKind::draw_vessel);
     EXPECT_EQ(saved_.tree.segments.size(), before + 2);  // the trunk has a fork more
@@ -354,6 +357,16 @@ TEST_F(Editing, a_vessel_is_drawn_by_clicks_in_the_slices) {
     wait();
     EXPECT_TRUE(saved().corrections.edits.empty());
     EXPECT_EQ(saved_.tree.segments.size(), before);
+}
+
+// No blood would reach it.
+TEST_F(Editing, a_vessel_that_is_drawn_apart_from_all_others_is_told_of) {
+    point_out_the_tube(0.5);
+    child<QPushButton>("drawVessel").click();
+    const VesselPen& pen = window_.view_layout().slices().pen();
+    ASSERT_TRUE(testing::wait_for([&] { return !pen.draws(); }));
+    EXPECT_TRUE(child<QLabel>("slicePlace").text().contains("apart from all others"))
+        << child<QLabel>("slicePlace").text().toStdString();
 }
 
 TEST_F(Editing, a_vessel_is_drawn_as_wide_as_its_field_says) {
