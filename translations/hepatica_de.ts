@@ -4234,8 +4234,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>laufende Injektionen</translation>
     </message>
     <message>
-        <source>vessels held by the hand</source>
-        <translation>von der Hand gehaltene Gefäße</translation>
+        <source>vessels held by hand or tool</source>
+        <translation>von Hand oder Werkzeug gehaltene Gefäße</translation>
     </message>
     <message>
         <source>distance of the tip to</source>
@@ -7230,7 +7230,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>keine laufenden Injektionen</translation>
     </message>
     <message>
-        <source>no vessels held by the hand</source>
+        <source>no vessels held by hand or tool</source>
         <translation>keine Gefäße in der Hand</translation>
     </message>
     <message>

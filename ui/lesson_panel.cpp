@@ -40,7 +40,7 @@ QString row_of(const BoundStanding& bound, const std::vector<std::string>& marks
                const char* kept, const char* broken) {
     const bool known = !std::isnan(bound.value);
     QString now = known ? translated(to_words_beside(bound.predicate, bound.value, units)) : "";
-    // Else it would read "no vessels held by the hand 1".
+    // Else it would read "no vessels held by hand or tool 1".
     if (known && allows_none(bound.predicate)) now = Words::tr("counted: %1").arg(now);
     return QString(
                "<tr><td width='18'>%1</td><td>%2</td>"

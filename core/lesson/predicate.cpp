@@ -39,7 +39,7 @@ constexpr std::array<QuantityWords, 29> table{{
     {elsewhere_filled, "elsewhere_filled", "share of the rest that the drug has reached", "",
      false},
     {drug_present, "drug_present", "injections that are running", "", false},
-    {holding, "holding", "vessels held by the hand", "", false},
+    {holding, "holding", "vessels held by hand or tool", "", false},
     {distance_mm, "distance_mm", "distance of the tip to", "mm", true},
     {moved_mm, "moved_mm", "way moved by", "mm", true},
     {touch_mm, "touch_mm", "distance of the touch to", "mm", true},

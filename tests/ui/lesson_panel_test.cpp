@@ -119,7 +119,7 @@ TEST_F(LessonPanelTest, says_that_the_play_is_paused_after_the_verdict) {
 TEST_F(LessonPanelTest, says_of_what_must_not_be_that_the_number_beside_it_was_counted) {
     standing_.limits = {{{Quantity::holding, -1, false, 0.0}, 1.0, false}};
     panel_.show_standing(standing_);
-    EXPECT_TRUE(text("lessonLimits").contains("no vessels held by the hand"));
+    EXPECT_TRUE(text("lessonLimits").contains("no vessels held by hand or tool"));
     EXPECT_TRUE(text("lessonLimits").contains("<b>counted: 1</b>"))
         << text("lessonLimits").toStdString();
 }

@@ -72,7 +72,7 @@ TEST(LessonWords, SayWhatWasMeasuredWithThreeDigitsAtMost) {
 
 TEST(LessonWords, SayThatNoneIsAllowedWhereNoneIs) {
     EXPECT_EQ(to_words(Predicate{Quantity::holding, -1, false, 0.0}, {}, computed),
-              "no vessels held by the hand");
+              "no vessels held by hand or tool");
     EXPECT_EQ(to_words(Predicate{Quantity::pieces_off, -1, false, 1.0}, {}, computed),
               "pieces off at most 1");
     EXPECT_EQ(to_words(Predicate{Quantity::pieces_off, -1, true, 0.0}, {}, computed),
