@@ -7231,7 +7231,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>no vessels held by hand or tool</source>
-        <translation>keine Gefäße in der Hand</translation>
+        <translation>keine Gefäße an Hand oder Werkzeug</translation>
     </message>
     <message>
         <source>the lesson does not allow this: %1</source>
