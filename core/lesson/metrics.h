@@ -23,7 +23,7 @@ struct LessonMetrics {
     double largest_stretch = 1.0;
     int joints_broken = 0;
     int pieces_off = 0;
-    double torn_area_mm2 = 0.0;  // of the separated faces, at rest
+    double torn_area_mm2 = 0.0;  // at rest, of what has come apart wholly
     double blood_lost_g = 0.0;
     double injected_g = 0.0;        // of the drug
     double delivered_g = 0.0;       // through the outlets of the vessels

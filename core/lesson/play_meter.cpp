@@ -201,11 +201,11 @@ void PlayMeter::see_tear(const Frame& frame) {
     surface_.see(frame);
     moment_.stretch = surface_.largest();
     metrics_.largest_stretch = std::max(metrics_.largest_stretch, moment_.stretch);
-    metrics_.torn_area_mm2 = std::max(metrics_.torn_area_mm2, surface_.torn_area_mm2());
     moment_.leak_g_s = frame.tear ? frame.tear->leak_g_s : 0.0;
     if (!frame.tear) return;
     const auto raise = [](auto& metric, auto value) { metric = std::max(metric, value); };
     raise(metrics_.joints_broken, frame.tear->joints_broken - before_.joints_broken);
+    raise(metrics_.torn_area_mm2, frame.tear->torn_area_mm2 - before_.torn_area_mm2);
     raise(metrics_.pieces_off, frame.tear->pieces - before_.pieces);
     raise(metrics_.blood_lost_g, frame.tear->leaked_g - before_.leaked_g);
 }

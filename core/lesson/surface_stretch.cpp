@@ -15,13 +15,11 @@ constexpr double least_area_mm2 = 1e-6;  // triangles below it are ignored
 void SurfaceStretch::take_surface(const Frame& frame) {
     surface_ = frame.surface;
     triangles_.clear();
-    area_mm2_ = 0.0;
     for (const std::array<int, 3>& t : *surface_) {
         const Vec3& p = rest_mm_[frame.origin_of(t[0])];
         const Vec3 e1 = rest_mm_[frame.origin_of(t[1])] - p;
         const Vec3 e2 = rest_mm_[frame.origin_of(t[2])] - p;
         const double area = 0.5 * e1.cross(e2).norm();
-        area_mm2_ += area;
         Rest rest;
         if (area > least_area_mm2) {
             const double length = e1.norm();
@@ -30,7 +28,6 @@ void SurfaceStretch::take_surface(const Frame& frame) {
         }
         triangles_.push_back(rest);
     }
-    if (whole_mm2_ < 0.0) whole_mm2_ = area_mm2_;
 }
 
 void SurfaceStretch::see(const Frame& frame) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Largest principal stretch of a deforming surface, sqrt(lambda_max(F'F)) over its triangles with
-// the in-plane deformation gradient F, and the area of the faces separated by tearing.
+// the in-plane deformation gradient F.
 #pragma once
 
 #include <array>
@@ -22,9 +22,6 @@ class SurfaceStretch {
     void see(const Frame& frame);
 
     double largest() const { return largest_; }  // 1 at rest
-    // Half the growth of the surface's rest area since the first frame: a separated face has two
-    // sides. Before the first frame meaningless.
-    double torn_area_mm2() const { return 0.5 * (area_mm2_ - whole_mm2_); }
 
   private:
     // Of a triangle with rest edges e1, e2: the inverse [a, b; 0, c] of the upper triangular R with
@@ -37,8 +34,6 @@ class SurfaceStretch {
     std::vector<Vec3> rest_mm_;
     std::shared_ptr<const std::vector<std::array<int, 3>>> surface_;
     std::vector<Rest> triangles_;
-    double area_mm2_ = 0.0;
-    double whole_mm2_ = -1.0;  // < 0: not yet seen
     double largest_ = 1.0;
 };
 

@@ -59,6 +59,7 @@ void DeformPart::show_tear(TearView& view) const {
             view.rims = std::make_shared<const std::vector<std::uint8_t>>(std::move(rims));
     }
     view.joints_broken = report.joints_broken;
+    view.torn_area_mm2 = report.torn_area_mm2;
     view.pieces = report.pieces;
     view.entropy_nats = report.entropy_nats;
     view.entropy_produced_nats = report.entropy_produced_nats;

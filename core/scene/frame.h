@@ -91,6 +91,7 @@ struct LeakView {
 // How the vessels are torn.
 struct TearView {
     int joints_broken = 0;
+    double torn_area_mm2 = 0.0;  // see TearReport
     int pieces = 1;
     double entropy_nats = 0.0;
     double entropy_produced_nats = 0.0;

@@ -25,7 +25,9 @@ struct TearState {
 // What a frame shows of the tear.
 struct TearReport {
     int joints_parted = 0;
-    int joints_broken = 0;  // completely come apart
+    int joints_broken = 0;       // completely come apart
+    double torn_area_mm2 = 0.0;  // at rest, of what nothing binds any more: a third of a joint's
+                                 // for each of its corners
     int vertices_split = 0;
     int pieces = 1;
     double entropy_nats = 0.0;

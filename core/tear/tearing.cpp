@@ -310,13 +310,16 @@ void Tearing::count() {
     TearReport& report = report_;
     report.joints_parted = static_cast<int>(parted_.size());
     report.joints_broken = report.vertices_split = 0;
+    report.torn_area_mm2 = 0.0;
     for (const int j : parted_) {
-        bool broken = true;
+        const Joint& joint = topology_.joints()[j];
+        int free = 0;
         for (int k = 0; k < 3; ++k) {
-            const auto sides = topology_.sides(topology_.joints()[j], k);
-            broken = broken && sides[0] != sides[1] && apart(most_mm_[j][k]);
+            const auto sides = topology_.sides(joint, k);
+            free += sides[0] != sides[1] && apart(most_mm_[j][k]) ? 1 : 0;
         }
-        report.joints_broken += broken ? 1 : 0;
+        report.joints_broken += free == 3 ? 1 : 0;
+        report.torn_area_mm2 += joint.area_mm2 * free / 3.0;
     }
     for (int v = 0; v < topology_.vertex_count(); ++v)
         report.vertices_split += topology_.parents()[v] != v ? 1 : 0;

@@ -137,6 +137,7 @@ TEST(PlayMeter, TearsCountFromTheBeginningOn) {
     Frame before = rest_frame();
     before.tear.emplace();
     before.tear->joints_broken = 4;
+    before.tear->torn_area_mm2 = 12.0;
     before.tear->pieces = 2;
     before.tear->leaked_g = 0.5;
     before.tear->leak_g_s = 3.0;
@@ -145,10 +146,12 @@ TEST(PlayMeter, TearsCountFromTheBeginningOn) {
     EXPECT_EQ(meter.moment().leak_g_s, 3.0);
     Frame later = before;
     later.tear->joints_broken = 9;
+    later.tear->torn_area_mm2 = 20.0;
     later.tear->pieces = 3;
     later.tear->leaked_g = 2.0;
     meter.see(later);
     EXPECT_EQ(meter.metrics().joints_broken, 5);
+    EXPECT_DOUBLE_EQ(meter.metrics().torn_area_mm2, 8.0);
     EXPECT_EQ(meter.metrics().pieces_off, 1);
     EXPECT_DOUBLE_EQ(meter.metrics().blood_lost_g, 1.5);
     meter.see(before);

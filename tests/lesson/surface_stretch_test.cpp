@@ -63,22 +63,5 @@ TEST(SurfaceStretch, OfAWholeBodyIsThatOfItsMostStretchedTriangle) {
     EXPECT_NEAR(stretch.largest(), 1.25, 1e-3);
 }
 
-// Two faces of 3 mm2 appear where one was.
-TEST(SurfaceStretch, CountsEachFaceThatCameApartOnce) {
-    const std::vector<Vec3> rest{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}, {0, 0, 5}};
-    SurfaceStretch stretch(rest);
-    Frame frame;
-    for (const Vec3& p : rest)
-        for (int axis = 0; axis < 3; ++axis)
-            frame.positions_mm.push_back(static_cast<float>(p[axis]));
-    using Triangles = std::vector<std::array<int, 3>>;
-    frame.surface = std::make_shared<const Triangles>(Triangles{{0, 1, 3}});
-    stretch.see(frame);
-    EXPECT_EQ(stretch.torn_area_mm2(), 0.0);
-    frame.surface = std::make_shared<const Triangles>(Triangles{{0, 1, 3}, {0, 1, 2}, {0, 2, 1}});
-    stretch.see(frame);
-    EXPECT_DOUBLE_EQ(stretch.torn_area_mm2(), 3.0);
-}
-
 }  // namespace
 }  // namespace hepatica

@@ -252,6 +252,35 @@ TEST(TearingBody, ABladeCutsWhatHasBegunToTear) {
     EXPECT_NEAR(stored_energy(after) - stored, explained_change(after), 1e-9 * stored);
 }
 
+// Half of what the surface has grown by at rest, without what is parted but bound still.
+TEST(TearingBody, TheTornAreaIsThatOfWhatNothingBindsAnyMore) {
+    BodyDescription body =
+        bar(Vec3(20, 4, 4), {15, 3, 3}, {.strength_pa = 1e5, .fracture_energy_j_m2 = 300.0});
+    clamp_at_0(body);
+    const auto surface_mm2 = [&](const Stepper& stepper) {
+        const TornTopology& topology = stepper.tearing()->topology();
+        const auto rest = [&](int v) { return body.mesh.vertices_mm[topology.parents()[v]]; };
+        double area = 0.0;
+        for (const auto& t : topology.surface())
+            area += 0.5 * (rest(t[1]) - rest(t[0])).cross(rest(t[2]) - rest(t[0])).norm();
+        return area;
+    };
+    const auto pulled = make_cpu_stepper(body, {}), cut = make_cpu_stepper(body, {});
+    const double whole = surface_mm2(*pulled);
+    const TearReport& report = pulled->tearing()->report();
+    for (int k = 1; k < 400 && report.joints_parted < 10; ++k) {
+        pulled->set_grabs(pull_of(body, 20.0, 0.2 * k));
+        pulled->step(frame_s);
+    }
+    ASSERT_GE(report.joints_parted, 10);
+    ASSERT_GT(surface_mm2(*pulled), whole + 1.0);
+    EXPECT_EQ(report.torn_area_mm2, 0.0) << "all that is parted is bound";
+    cut->cut(Vec3(9.1, -5, -5), Vec3(0.3, 14, 0), Vec3(0, 0, 14));
+    const double grown = surface_mm2(*cut) - whole;
+    EXPECT_GT(grown, 2.0 * 16.0);
+    EXPECT_NEAR(cut->tearing()->report().torn_area_mm2, 0.5 * grown, 1e-9 * grown);
+}
+
 TEST(TearingBody, AWholeBarBreaksAtItsClamp) {
     BodyDescription body = bar(Vec3(20, 4, 4), {15, 3, 3}, {.strength_pa = 1e5});
     clamp_at_0(body);
