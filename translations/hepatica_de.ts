@@ -472,18 +472,6 @@
         <translation>es ziehen (im Modus Ziehen)</translation>
     </message>
     <message>
-        <source>Left drag beside the vessels, right drag</source>
-        <translation>Linksziehen neben den Gefäßen, Rechtsziehen</translation>
-    </message>
-    <message>
-        <source>orbit</source>
-        <translation>drehen</translation>
-    </message>
-    <message>
-        <source>Middle drag, Shift + left drag</source>
-        <translation>Ziehen mit der mittleren Taste, Umschalt + Linksziehen</translation>
-    </message>
-    <message>
         <source>Wheel</source>
         <translation>Mausrad</translation>
     </message>
@@ -7134,10 +7122,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Wählen Sie den Ordner seiner DICOM-Serie oder die Datei eines Volumens.</translation>
     </message>
     <message>
-        <source>pan; View &gt; Mouse has other ways</source>
-        <translation>verschieben; Ansicht &gt; Maus kennt andere Arten</translation>
-    </message>
-    <message>
         <source>A lesson was left unsaved when the program ended. It is kept: Lesson &gt; Edit lessons shows it as it was.</source>
         <translation>Eine Lektion war nicht gespeichert, als das Programm endete. Sie ist aufgehoben: Lektion &gt; Lektionen bearbeiten zeigt sie, wie sie war.</translation>
     </message>
@@ -9551,6 +9535,18 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>, apart from all others: begin on a centreline to hang it there</source>
         <translation>, getrennt von allen anderen: Beginnen Sie auf einer Mittellinie, dann hängt es dort</translation>
+    </message>
+    <message>
+        <source>Left drag beside the vessels</source>
+        <translation>Linksziehen neben den Gefäßen</translation>
+    </message>
+    <message>
+        <source>orbit; with Shift pan</source>
+        <translation>drehen; mit der Umschalttaste verschieben</translation>
+    </message>
+    <message>
+        <source>Other drags, as chosen in View &gt; Mouse</source>
+        <translation>Sonst, wie unter Ansicht &gt; Maus gewählt</translation>
     </message>
 </context>
 </TS>

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <utility>
 
+#include "ui/mouse_scheme.h"
 #include "ui/tool_icons.h"
 #include "ui/words.h"
 
@@ -207,10 +208,9 @@ constexpr std::array<std::pair<const char*, const char*>, 4> keys_in_slices{{
     {Words::id("Delete in a slice"), Words::id("take the last point or stroke back")},
 }};
 
-constexpr std::array<std::pair<const char*, const char*>, 19> gestures{{
+constexpr std::array<std::pair<const char*, const char*>, 18> gestures{{
     {Words::id("Left drag on a vessel"), Words::id("pull it (in Pull mode)")},
-    {Words::id("Left drag beside the vessels, right drag"), Words::id("orbit")},
-    {Words::id("Middle drag, Shift + left drag"), Words::id("pan; View > Mouse has other ways")},
+    {Words::id("Left drag beside the vessels"), Words::id("orbit; with Shift pan")},
     {Words::id("Wheel"), Words::id("zoom")},
     {Words::id("Click in Inject mode, Ctrl + click, double-click on a vessel"),
      Words::id("inject there")},
@@ -366,7 +366,7 @@ void Actions::enable(const ActionSpec& spec) {
          forbidden ? Words::tr("The lesson does not allow this: %1").arg(plain(spec.text)) : tip);
 }
 
-QString Actions::cheat_sheet() {
+QString Actions::cheat_sheet(const MouseScheme& scheme) {
     QString html = "<table cellspacing='6'>";
     const auto row = [&](const QString& left, const QString& right) {
         html += "<tr><td><b>" + left.toHtmlEscaped() + "</b></td><td>" + right.toHtmlEscaped() +
@@ -380,6 +380,7 @@ QString Actions::cheat_sheet() {
         for (const auto& [left, right] : rows) row(Words::tr(left), Words::tr(right));
     };
     group(Words::tr("Mouse"), gestures);
+    row(Words::tr("Other drags, as chosen in View > Mouse"), Words::tr(scheme.tip));
     group(Words::tr("Keys in the view of the vessels"), keys_in_the_view);
     group(Words::tr("Keys in a slice"), keys_in_slices);
     const char* menu = "";

@@ -18,6 +18,8 @@ class QWidget;
 
 namespace hepatica {
 
+struct MouseScheme;
+
 enum class ActionId {
     open_case,
     open_library,
@@ -130,8 +132,8 @@ class Actions {
     // empty: there is none such.
     QString objection_to(const QKeySequence& keys) const;
 
-    // All keys and mouse gestures as HTML.
-    static QString cheat_sheet();
+    // All keys and mouse gestures as HTML; those of the camera are the scheme's.
+    static QString cheat_sheet(const MouseScheme& scheme);
 
   private:
     void enable(const ActionSpec& spec);

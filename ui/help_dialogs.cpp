@@ -9,6 +9,7 @@
 
 #include "ui/actions.h"
 #include "ui/guide.h"
+#include "ui/mouse_scheme.h"
 #include "ui/on_screen.h"
 #include "ui/words.h"
 
@@ -25,7 +26,7 @@ void show_guide(QWidget& parent) {
     guide->activateWindow();
 }
 
-void show_cheat_sheet(QWidget& parent) {
+void show_cheat_sheet(QWidget& parent, const QString& mouse_scheme) {
     if (auto* shown = parent.findChild<QDialog*>("cheatSheet"); shown && shown->isVisible()) {
         shown->raise();
         return shown->activateWindow();
@@ -37,7 +38,7 @@ void show_cheat_sheet(QWidget& parent) {
     resize_on_screen(*sheet, {620, 640});
     auto* text = new QTextBrowser(sheet);
     text->setFrameShape(QFrame::NoFrame);
-    text->setHtml(Actions::cheat_sheet());
+    text->setHtml(Actions::cheat_sheet(mouse_scheme_named(mouse_scheme)));
     auto* column = new QVBoxLayout(sheet);
     column->addWidget(text);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, sheet);

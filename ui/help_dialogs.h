@@ -10,7 +10,8 @@ namespace hepatica {
 
 // Only one guide is open at a time.
 void show_guide(QWidget& parent);
-void show_cheat_sheet(QWidget& parent);
+// `mouse_scheme`: see mouse_scheme_named().
+void show_cheat_sheet(QWidget& parent, const QString& mouse_scheme);
 void show_about(QWidget& parent, const QString& renderer);
 
 }  // namespace hepatica

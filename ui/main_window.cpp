@@ -489,7 +489,8 @@ void MainWindow::connect_views() {
 void MainWindow::connect_help() {
     actions_->on(ActionId::guide,
                  [this] { attempt(Words::tr("Guide"), [this] { show_guide(*this); }); });
-    actions_->on(ActionId::cheat_sheet, [this] { show_cheat_sheet(*this); });
+    actions_->on(ActionId::cheat_sheet,
+                 [this] { show_cheat_sheet(*this, settings_.mouse_scheme()); });
     actions_->on(ActionId::messages, [this] { log_->show(); });
     actions_->on(ActionId::about,
                  [this] { show_about(*this, QString::fromStdString(view_->renderer_name())); });

@@ -17,6 +17,7 @@
 #include "ui/actions.h"
 #include "ui/decimal_spin_box.h"
 #include "ui/main_window.h"
+#include "ui/mouse_scheme.h"
 #include "ui/paths.h"
 #include "ui/patient_wizard.h"
 #include "ui/pixel_mapping.h"
@@ -186,16 +187,21 @@ TEST(SafeMode, knows_until_it_ends_where_a_ct_lies) {
 
 TEST(ActionTable, has_no_key_twice_and_explains_everything) {
     QSet<QString> keys;
+    const QString sheet = Actions::cheat_sheet(mouse_scheme_named("usual"));
     for (const ActionSpec& spec : action_table()) {
         EXPECT_FALSE(QString(spec.tip).isEmpty()) << spec.text;
         if (!*spec.keys) continue;
         EXPECT_FALSE(keys.contains(spec.keys)) << spec.keys;
         EXPECT_FALSE(QKeySequence::fromString(spec.keys).isEmpty()) << spec.keys;
         keys.insert(spec.keys);
-        EXPECT_TRUE(Actions::cheat_sheet().contains(QString(spec.tip).toHtmlEscaped()));
+        EXPECT_TRUE(sheet.contains(QString(spec.tip).toHtmlEscaped()));
     }
-    EXPECT_FALSE(Actions::cheat_sheet().contains("robe: Probe")) << "its tip begins with its name";
-    EXPECT_TRUE(Actions::cheat_sheet().contains("Rod probe: the mouse leads"));
+    EXPECT_FALSE(sheet.contains("robe: Probe")) << "its tip begins with its name";
+    EXPECT_TRUE(sheet.contains("Rod probe: the mouse leads"));
+    EXPECT_TRUE(sheet.contains("Right drag orbits"));
+    const QString of_slicer = Actions::cheat_sheet(mouse_scheme_named("slicer"));
+    EXPECT_TRUE(of_slicer.contains("Right drag zooms"));
+    EXPECT_FALSE(of_slicer.contains("Right drag orbits"));
 }
 
 TEST(SurfaceAnatomy, knows_what_lies_downstream) {
