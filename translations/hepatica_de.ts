@@ -9548,5 +9548,13 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Other drags, as chosen in View &gt; Mouse</source>
         <translation>Sonst, wie unter Ansicht &gt; Maus gewählt</translation>
     </message>
+    <message>
+        <source>Tumour masks</source>
+        <translation>Tumormasken</translation>
+    </message>
+    <message>
+        <source>optional: targets of a drug; next file after a semicolon</source>
+        <translation>optional: Ziele eines Wirkstoffs; weitere Dateien nach Semikolon</translation>
+    </message>
 </context>
 </TS>

@@ -80,6 +80,10 @@ PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
     vessel_mask_ = add_path(*form_, Words::tr("Vessel mask"), false);
     vessel_mask_->setObjectName("vesselMask");
     vessel_mask_->setPlaceholderText(Words::tr("optional: replaces the segmentation"));
+    tumour_masks_ = add_path(*form_, Words::tr("Tumour masks"), false);
+    tumour_masks_->setObjectName("tumourMasks");
+    tumour_masks_->setPlaceholderText(
+        Words::tr("optional: targets of a drug; next file after a semicolon"));
     window_ = new QLineEdit(this);
     window_->setObjectName("window");
     window_->setPlaceholderText(
@@ -151,8 +155,8 @@ void PatientWizard::set_ct(const QString& path, int series) {
     look_for_series();
 }
 
-std::array<QLineEdit*, 6> PatientWizard::edits() const {
-    return {ct_, liver_mask_, vessel_mask_, window_, portal_seeds_, hepatic_seeds_};
+std::array<QLineEdit*, 7> PatientWizard::edits() const {
+    return {ct_, liver_mask_, vessel_mask_, tumour_masks_, window_, portal_seeds_, hepatic_seeds_};
 }
 
 QStringList PatientWizard::entries() const {
@@ -230,6 +234,8 @@ ReconstructOptions PatientWizard::options() const {
     for (const auto& [edit, mask] : {std::pair(liver_mask_, &options.liver_mask),
                                      std::pair(vessel_mask_, &options.vessel_mask)})
         if (const QString file = edit->text().trimmed(); !file.isEmpty()) *mask = to_path(file);
+    for (const QString& file : tumour_masks_->text().split(';', Qt::SkipEmptyParts))
+        if (!file.trimmed().isEmpty()) options.tumour_masks.push_back(to_path(file.trimmed()));
     const std::vector<double> window = numbers_in(window_->text(), Words::id("Window"));
     if (window.size() == 2 && window[0] < window[1]) {
         options.window_hu = {window[0], window[1]};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Dialog for the options of a reconstruction: CT, series of a DICOM folder, liver mask, vessel
-// mask, window and seeds. Only the CT is required.
+// mask, tumour masks, window and seeds. Only the CT is required.
 #pragma once
 
 #include <QDialog>
@@ -39,7 +39,7 @@ class PatientWizard : public QDialog {
     void set_entries(const QStringList& entries);
 
   private:
-    std::array<QLineEdit*, 6> edits() const;  // the CT first
+    std::array<QLineEdit*, 7> edits() const;  // the CT first
     int chosen_series() const;                // numbered from 1; 0: none was chosen
     QLineEdit* add_path(QFormLayout& form, const QString& label, bool folders_too);
     // Lists the series of the CT's folder in the background and offers them if there are several.
@@ -52,6 +52,7 @@ class PatientWizard : public QDialog {
     QComboBox* series_;
     QLineEdit* liver_mask_;
     QLineEdit* vessel_mask_;
+    QLineEdit* tumour_masks_;
     QLineEdit* window_;
     QLineEdit* portal_seeds_;
     QLineEdit* hepatic_seeds_;

@@ -49,6 +49,7 @@ TEST_F(Wizard, fills_the_options_from_its_fields) {
     field("ct").setText(" /data/ct ");
     field("liverMask").setText("/data/liver.nii.gz");
     field("vesselMask").setText("/data/vessels.nii.gz");
+    field("tumourMasks").setText("/data/one.nii.gz; /data/other tumour.nii.gz;");
     field("window").setText("140 260,5");
     field("portalSeeds").setText("1 2 3; 4,5 -6 7");
     field("hepaticSeeds").setText("-8 9 10");
@@ -56,6 +57,8 @@ TEST_F(Wizard, fills_the_options_from_its_fields) {
     EXPECT_EQ(options.ct, fs::path("/data/ct"));
     EXPECT_EQ(options.liver_mask, fs::path("/data/liver.nii.gz"));
     EXPECT_EQ(options.vessel_mask, fs::path("/data/vessels.nii.gz"));
+    EXPECT_EQ(options.tumour_masks,
+              (std::vector<fs::path>{"/data/one.nii.gz", "/data/other tumour.nii.gz"}));
     EXPECT_EQ(options.window_hu, std::pair(140.0, 260.5));
     ASSERT_EQ(options.seeds.size(), 3u);
     EXPECT_EQ(options.seeds[0].position_mm, Vec3(1, 2, 3));
@@ -70,6 +73,7 @@ TEST_F(Wizard, leaves_out_what_is_left_empty) {
     const ReconstructOptions options = wizard_.options();
     EXPECT_FALSE(options.liver_mask || options.vessel_mask || options.window_hu);
     EXPECT_TRUE(options.seeds.empty());
+    EXPECT_TRUE(options.tumour_masks.empty());
 }
 
 // Two series of an examination, the thin one the better.
