@@ -7,6 +7,7 @@
 #include <QIcon>
 #include <QPainter>
 #include <QPalette>
+#include <QPointF>
 #include <QPointer>
 #include <QProxyStyle>
 #include <QStyleFactory>
@@ -16,6 +17,7 @@
 #include <array>
 #include <cstdlib>
 #include <utility>
+#include <vector>
 
 namespace hepatica {
 namespace {
@@ -26,6 +28,7 @@ QToolTip { color: {text}; background: {button}; border: 1px solid {frame}; paddi
 QMainWindow::separator { background: {frame}; width: 4px; height: 4px; }
 QToolBar { background: {bar}; border: none; spacing: 4px; padding: 4px; }
 QToolBar QToolButton { padding: 5px 8px; border-radius: 4px; }
+QToolBar QToolButton#qt_toolbar_ext_button { padding: 0px; }
 QToolBar QToolButton:hover { background: {button_hover}; }
 QToolBar QToolButton:checked { background: {accent}; color: {accent_text}; }
 QToolBar QToolButton:checked:disabled { background: {bar}; color: {disabled}; }
@@ -231,24 +234,34 @@ class Style : public QProxyStyle {
         draw_check_box(*option, *painter);
     }
 
-    // Close buttons of docks: Fusion's own cross is dark in every theme.
+    // Fusion's own close buttons of docks, and arrows behind the last tool that a bar has room for,
+    // are dark in every theme.
     QIcon standardIcon(StandardPixmap which, const QStyleOption* option,
                        const QWidget* widget) const override {
-        if (which != SP_TitleBarCloseButton && which != SP_DockWidgetCloseButton)
-            return QProxyStyle::standardIcon(which, option, widget);
-        constexpr int side = 32;  // for screens with two pixels per point
-        QPixmap cross(side, side);
-        cross.fill(Qt::transparent);
-        QPainter painter(&cross);
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(QPen(theme_.text, side / 8.0, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(side / 4, side / 4, 3 * side / 4, 3 * side / 4);
-        painter.drawLine(side / 4, 3 * side / 4, 3 * side / 4, side / 4);
-        return QIcon(cross);
+        if (which == SP_ToolBarHorizontalExtensionButton)
+            return drawn({{{0.2, 0.25}, {0.45, 0.5}, {0.2, 0.75}},
+                          {{0.55, 0.25}, {0.8, 0.5}, {0.55, 0.75}}});
+        if (which == SP_TitleBarCloseButton || which == SP_DockWidgetCloseButton)
+            return drawn({{{0.25, 0.25}, {0.75, 0.75}}, {{0.25, 0.75}, {0.75, 0.25}}});
+        return QProxyStyle::standardIcon(which, option, widget);
     }
 
   private:
     static constexpr int ring_px = 2, beside_text_px = 5;
+
+    // Lines across a square with sides of 1, in the colour of text.
+    QIcon drawn(const std::vector<std::vector<QPointF>>& lines) const {
+        constexpr int side = 32;  // for screens with two pixels per point
+        QPixmap picture(side, side);
+        picture.fill(Qt::transparent);
+        QPainter painter(&picture);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.scale(side, side);
+        painter.setPen(QPen(theme_.text, 1.0 / 8.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        for (const std::vector<QPointF>& line : lines)
+            painter.drawPolyline(line.data(), static_cast<int>(line.size()));
+        return QIcon(picture);
+    }
 
     // A bar, because a theme's shades may be too similar.
     void mark_chosen_tab(const QStyleOption& option, QPainter& painter) const {

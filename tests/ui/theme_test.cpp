@@ -5,8 +5,11 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QMainWindow>
 #include <QStyle>
 #include <QTableWidget>
+#include <QToolBar>
+#include <QToolButton>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -189,6 +192,28 @@ TEST_F(ChosenTheme, TicksWhatIsChecked) {
         EXPECT_GT(ground, 40) << theme.name;
         EXPECT_GE(contrast(theme.accent_text, theme.accent), 4.5) << theme.name;
         EXPECT_GE(contrast(theme.link, theme.window), 3.0) << theme.name << ": the frame of focus";
+    }
+}
+
+// Else nobody finds the tools that have no room.
+TEST_F(ChosenTheme, ShowsThatABarHasMoreTools) {
+    for (const Theme& theme : themes()) {
+        apply_theme(*qApp, theme);
+        QMainWindow window;
+        auto* bar = new QToolBar(&window);
+        for (int i = 0; i < 20; ++i) bar->addAction("a tool");
+        window.addToolBar(bar);
+        window.resize(300, 100);
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+        auto* more = bar->findChild<QToolButton*>("qt_toolbar_ext_button");
+        ASSERT_TRUE(more != nullptr && more->isVisible());
+        const QImage shown = more->grab().toImage();
+        int seen = 0;
+        for (int y = 0; y < shown.height(); ++y)
+            for (int x = 0; x < shown.width(); ++x)
+                seen += contrast(shown.pixelColor(x, y), theme.bar) >= 3.0 ? 1 : 0;
+        EXPECT_GT(seen, 10) << theme.name;
     }
 }
 
