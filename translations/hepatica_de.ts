@@ -8885,10 +8885,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Ein Tumor als Zielgebiet</translation>
     </message>
     <message>
-        <source>Tumour %1 (%L2 ml)</source>
-        <translation>Tumor %1 (%L2 ml)</translation>
-    </message>
-    <message>
         <source>This tumour reaches beyond the part of the CT about the liver that a case keeps (at %1): what lies outside of it is left out. Undo takes it back.</source>
         <translation>Dieser Tumor reicht über den Teil des CTs um die Leber hinaus, den ein Fall behält (bei %1): Was außerhalb liegt, fällt weg. „Rückgängig“ nimmt ihn zurück.</translation>
     </message>
@@ -9555,6 +9551,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>optional: targets of a drug; next file after a semicolon</source>
         <translation>optional: Ziele eines Wirkstoffs; weitere Dateien nach Semikolon</translation>
+    </message>
+    <message>
+        <source>More about its flow</source>
+        <translation>Mehr zu seiner Strömung</translation>
+    </message>
+    <message>
+        <source>Tumour %1 (%L2 ml), its nearest branch %L3 mm from its middle</source>
+        <translation>Tumor %1 (%L2 ml), der nächste Ast %L3 mm von seiner Mitte</translation>
     </message>
 </context>
 </TS>

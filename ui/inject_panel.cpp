@@ -20,6 +20,7 @@
 #include "core/scene/default_injection.h"
 #include "core/scene/scene_spec.h"
 #include "ui/decimal_spin_box.h"
+#include "ui/folded_form.h"
 #include "ui/lesson_tools.h"
 #include "ui/words.h"
 
@@ -130,11 +131,14 @@ QWidget* InjectPanel::make_settings() {
         "Share of the volume that oil or gas takes (the void fraction of the pressure law)"));
     connect(void_fraction_, &QDoubleSpinBox::valueChanged, this, [this] { show_flow_range(); });
     form->addRow(Words::tr("Share of oil or gas"), void_fraction_);
-    viscosity_ = new DecimalSpinBox(0.0, 1000.0, 0.0, 1, "mPa s", box);
+    auto* more = new FoldedForm(Words::tr("More about its flow"), box);
+    more->setObjectName("moreOfInjection");
+    form->addRow(more);
+    viscosity_ = new DecimalSpinBox(0.0, 1000.0, 0.0, 1, "mPa s", more);
     viscosity_->setSpecialValueText(Words::tr("of the mixture"));
     viscosity_->setToolTip(Words::tr("Viscosity of what is injected; 0 takes that of the mixture"));
-    form->addRow(Words::tr("Viscosity"), viscosity_);
-    model_ = new QComboBox(box);
+    more->form().addRow(Words::tr("Viscosity"), viscosity_);
+    model_ = new QComboBox(more);
     for (const LawChoice& law : models) {
         model_->addItem(Words::tr(law.words), law.name);
         model_->setItemData(model_->count() - 1, Words::tr(law.tip), Qt::ToolTipRole);
@@ -142,7 +146,7 @@ QWidget* InjectPanel::make_settings() {
     model_->setCurrentIndex(model_->findData(default_injection::pressure_model));
     model_->setToolTip(
         Words::tr("How the pressure along a vessel is computed from the flow through it"));
-    form->addRow(Words::tr("Pressure law"), model_);
+    more->form().addRow(Words::tr("Pressure law"), model_);
     return box;
 }
 

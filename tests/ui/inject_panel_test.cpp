@@ -7,11 +7,13 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSlider>
+#include <QToolButton>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "core/lesson/lesson_file.h"
 #include "core/session/script.h"
+#include "ui/folded_form.h"
 
 namespace hepatica {
 namespace {
@@ -43,6 +45,24 @@ TEST(InjectPanel, OffersTheDrugOfALesson) {
         read_script(HEPATICA_SOURCE_DIR "/tests/lesson/plays/embolization_passes.json");
     EXPECT_EQ(std::get<InjectDrug>(play.actions.at(0).command.value()).void_fraction,
               panel.injection_at(Vec3::Zero()).void_fraction);
+}
+
+// So that the button of the drug's clock stands in sight.
+TEST(InjectPanel, FoldsWhatFewNeed) {
+    InjectPanel panel([](const Command&) {});
+    panel.show();
+    auto& more = *dynamic_cast<FoldedForm*>(panel.findChild<QWidget*>("moreOfInjection"));
+    auto& law = *more.findChild<QComboBox*>();
+    auto& title = *more.findChild<QToolButton*>();
+    EXPECT_FALSE(law.isVisible());
+    EXPECT_EQ(panel.injection_at(Vec3::Zero()).pressure_model,
+              InjectDrug{Vec3::Zero()}.pressure_model);
+    const int before = panel.sizeHint().height();
+    title.click();
+    EXPECT_TRUE(law.isVisible());
+    EXPECT_GT(panel.sizeHint().height(), before);
+    title.click();
+    EXPECT_FALSE(law.isVisible());
 }
 
 TEST(InjectPanel, GivesTheDrugFromBeforeALessonBack) {

@@ -145,6 +145,14 @@ TEST_F(LessonEditorTest, a_tumour_is_chosen_as_the_target) {
     const Vec3 feeds = place_that_feeds(patient_->tree, on_vessel(1));
     EXPECT_LT((*lesson().target->point_mm - feeds).norm(), 0.1);
     EXPECT_EQ(drawn_.size(), 2u) << "it is seen on the vessels";
+    // Far from every branch that may feed it, its own may be missing.
+    tumours_ = {{1, 0.5, on_vessel(0)}, {4, 2.25, on_vessel(1) + Vec3(0, 300, 0)}};
+    editor_.tumours_changed();
+    const double aside_mm =
+        (place_that_feeds(patient_->tree, tumours_[1].middle_mm) - tumours_[1].middle_mm).norm();
+    EXPECT_GT(aside_mm, 100.0);
+    EXPECT_TRUE(button.menu()->actions()[1]->text().contains(
+        QString("branch %L1 mm from").arg(aside_mm, 0, 'f', 0)));
     field<QPushButton>("lessonTumour").menu()->actions()[0]->trigger();
     EXPECT_LT((*lesson().target->point_mm - place_that_feeds(patient_->tree, on_vessel(0))).norm(),
               0.1);

@@ -368,9 +368,11 @@ std::vector<TumourPlace> LessonEditor::targets() const {
     std::vector<TumourPlace> targets;
     const std::shared_ptr<const PatientCase> patient = ways_.patient();
     if (patient == nullptr || patient->tree.segments.empty()) return targets;
-    for (const Tumour& tumour : ways_.tumours())
+    for (const Tumour& tumour : ways_.tumours()) {
+        const Vec3 from_mm = place_that_feeds(patient->tree, tumour.middle_mm);
         targets.push_back(
-            {tumour.number, tumour.volume_ml, place_that_feeds(patient->tree, tumour.middle_mm)});
+            {tumour.number, tumour.volume_ml, from_mm, (from_mm - tumour.middle_mm).norm()});
+    }
     return targets;
 }
 

@@ -108,7 +108,10 @@ void PlacesPage::offer_tumours() {
     }
     for (const TumourPlace& tumour : tumours_()) {
         QAction* action = tumour_->menu()->addAction(
-            Words::tr("Tumour %1 (%L2 ml)").arg(tumour.number).arg(tumour.volume_ml, 0, 'f', 1));
+            Words::tr("Tumour %1 (%L2 ml), its nearest branch %L3 mm from its middle")
+                .arg(tumour.number)
+                .arg(tumour.volume_ml, 0, 'f', 1)
+                .arg(tumour.aside_mm, 0, 'f', 0));
         connect(action, &QAction::triggered, this, [this, from_mm = tumour.from_mm] {
             wait_no_more();
             set_place(target, {rounded(from_mm), std::nullopt}, false);

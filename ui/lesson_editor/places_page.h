@@ -16,6 +16,7 @@ struct TumourPlace {
     int number = 0;
     double volume_ml = 0.0;
     Vec3 from_mm = Vec3::Zero();
+    double aside_mm = 0.0;  // from its middle to there
 };
 
 class PlacesPage : public LessonPage {
