@@ -19,44 +19,15 @@
 #include "core/deform/stepper/stepper_checkpoint.h"
 #include "core/mesh/brick_mesh.h"
 #include "core/tear/tearing.h"
+#include "tests/tear/bars.h"
 
 namespace hepatica {
 namespace {
 
-BodyDescription bar(const Vec3& size_mm, const Index3& cells, const TearLaw& law,
-                    double young_modulus_pa = 0.5e6) {
-    BodyDescription body;
-    body.mesh = kuhn_brick(size_mm, cells);
-    body.material.young_modulus_pa = young_modulus_pa;
-    body.material.poisson_ratio = 0.3;
-    body.fixed.assign(body.mesh.vertices_mm.size(), 0);
-    body.tear = law;
-    return body;
-}
-
-void clamp_at_0(BodyDescription& body) {
-    for (std::size_t v = 0; v < body.fixed.size(); ++v)
-        body.fixed[v] = body.mesh.vertices_mm[v].x() < 1e-9;
-}
-
-Grab spring(int vertex, const Vec3& target_mm, double stiffness = 1e6) {
-    Grab grab;
-    grab.vertices[0] = vertex;
-    grab.target_mm = target_mm;
-    grab.stiffness_un_per_mm = stiffness;
-    grab.force_limit_un = 1e12;
-    return grab;
-}
-
-// Every vertex of the far end is led by (x, 0, 0).
-std::vector<Grab> pull_of(const BodyDescription& body, double length_mm, double x_mm) {
-    std::vector<Grab> grabs;
-    for (std::size_t v = 0; v < body.mesh.vertices_mm.size(); ++v)
-        if (body.mesh.vertices_mm[v].x() > length_mm - 1e-9)
-            grabs.push_back(
-                spring(static_cast<int>(v), body.mesh.vertices_mm[v] + Vec3(x_mm, 0, 0)));
-    return grabs;
-}
+using test::bar;
+using test::clamp_at_0;
+using test::pull_of;
+using test::spring;
 
 // Pulls the bar until it is in two pieces; how many steps that took.
 int pull_apart(Stepper& stepper, const BodyDescription& body, double length_mm, double step_mm) {
@@ -216,73 +187,6 @@ TEST(TearingBody, ANotchedBarBreaksAtItsNotch) {
     ASSERT_EQ(stepper->tearing()->report().pieces, 1);
     EXPECT_GT(pull_apart(*stepper, body, 20.0, 0.2), 0);
     for (const Vec3& place : torn_places(*stepper)) EXPECT_NEAR(place.x(), 12.0, 2.5);
-}
-
-// Joints that soften still bind the two sides, until a blade goes through them. What they have
-// stored is gone with them, and booked as the blade's.
-TEST(TearingBody, ABladeCutsWhatHasBegunToTear) {
-    BodyDescription body =
-        bar(Vec3(20, 4, 4), {15, 3, 3}, {.strength_pa = 1e5, .fracture_energy_j_m2 = 300.0});
-    clamp_at_0(body);
-    const auto stepper = make_cpu_stepper(body, {});
-    stepper->cut(Vec3(12.0, -1, -1), Vec3(0, 6, 0), Vec3(0, 0, 2.5));
-    const Tearing& tearing = *stepper->tearing();
-    StepReport report;
-    const auto binds = [&] {
-        return tearing.ties().size() >= 20 &&
-               report.energy.cohesion > 0.01 * stored_energy(report.energy);
-    };
-    for (int k = 1; k < 400 && !binds(); ++k) {
-        stepper->set_grabs(pull_of(body, 20.0, 0.2 * k));
-        report = stepper->step(frame_s);
-    }
-    const std::size_t bound = tearing.ties().size();
-    ASSERT_GE(bound, 20u);
-    ASSERT_EQ(tearing.report().pieces, 1);
-    double middle = 0.0;
-    for (const SofteningTie& tie : tearing.ties())
-        for (const int v : tie.vertices)
-            middle += stepper->positions_mm()[v].x() / (2.0 * static_cast<double>(bound));
-    stepper->cut(Vec3(middle, -5, -5), Vec3(0, 14, 0), Vec3(0, 0, 14));
-    EXPECT_EQ(tearing.report().pieces, 2);
-    EXPECT_LT(tearing.ties().size(), bound);
-    const double stored = stored_energy(report.energy);
-    const EnergyLedger cut = stepper->energies();
-    EXPECT_LT(cut.tool_work, -1e-3 * stored);
-    EXPECT_NEAR(stored_energy(cut) - stored, cut.tool_work, 1e-9 * stored);
-    stepper->set_grabs({});
-    const EnergyLedger after = stepper->step(frame_s).energy;
-    EXPECT_LE(stored_energy(after), stored);
-    EXPECT_NEAR(stored_energy(after) - stored, explained_change(after), 1e-9 * stored);
-}
-
-// Half of what the surface has grown by at rest, without what is parted but bound still.
-TEST(TearingBody, TheTornAreaIsThatOfWhatNothingBindsAnyMore) {
-    BodyDescription body =
-        bar(Vec3(20, 4, 4), {15, 3, 3}, {.strength_pa = 1e5, .fracture_energy_j_m2 = 300.0});
-    clamp_at_0(body);
-    const auto surface_mm2 = [&](const Stepper& stepper) {
-        const TornTopology& topology = stepper.tearing()->topology();
-        const auto rest = [&](int v) { return body.mesh.vertices_mm[topology.parents()[v]]; };
-        double area = 0.0;
-        for (const auto& t : topology.surface())
-            area += 0.5 * (rest(t[1]) - rest(t[0])).cross(rest(t[2]) - rest(t[0])).norm();
-        return area;
-    };
-    const auto pulled = make_cpu_stepper(body, {}), cut = make_cpu_stepper(body, {});
-    const double whole = surface_mm2(*pulled);
-    const TearReport& report = pulled->tearing()->report();
-    for (int k = 1; k < 400 && report.joints_parted < 10; ++k) {
-        pulled->set_grabs(pull_of(body, 20.0, 0.2 * k));
-        pulled->step(frame_s);
-    }
-    ASSERT_GE(report.joints_parted, 10);
-    ASSERT_GT(surface_mm2(*pulled), whole + 1.0);
-    EXPECT_EQ(report.torn_area_mm2, 0.0) << "all that is parted is bound";
-    cut->cut(Vec3(9.1, -5, -5), Vec3(0.3, 14, 0), Vec3(0, 0, 14));
-    const double grown = surface_mm2(*cut) - whole;
-    EXPECT_GT(grown, 2.0 * 16.0);
-    EXPECT_NEAR(cut->tearing()->report().torn_area_mm2, 0.5 * grown, 1e-9 * grown);
 }
 
 TEST(TearingBody, AWholeBarBreaksAtItsClamp) {
