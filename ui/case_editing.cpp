@@ -419,21 +419,22 @@ void CaseEditing::draw(const Volume& ct, const std::vector<Vec3>& places_mm,
         tell(failure);
         answered({false, Words::tr("Not drawn: why stands above").toStdString()});
     };
+    const double contrast_hu = blood_contrast_hu(ct, patient->tree);
+    const std::vector<Vec3> joined = joined_in_blood(ct, patient->tree, places_mm, contrast_hu);
     // The worker copies its part of the CT, because another CT may be shown before it ends.
     Volume part;
     try {
-        part = traced_part(ct, places_mm);
+        part = traced_part(ct, joined);
     } catch (const InputError&) {
         return refuse(failure_of(std::current_exception()));
     }
-    const double contrast_hu = blood_contrast_hu(ct, patient->tree);
     BackgroundJob::Callbacks callbacks;
     callbacks.failed = refuse;
     callbacks.ended = [] {};
     drawing_ = std::make_unique<BackgroundJob>(
-        [this, patient, part = std::move(part), places_mm, radius_mm, contrast_hu,
+        [this, patient, part = std::move(part), joined, radius_mm, contrast_hu,
          answered](Job& job) -> std::function<void()> {
-            TreeEdit edit = drawing_of(traced_vessel(part, places_mm, contrast_hu, job));
+            TreeEdit edit = drawing_of(traced_vessel(part, joined, contrast_hu, job));
             if (radius_mm) std::ranges::fill(edit.radii_mm, *radius_mm);
             // Throws now, while the places can still be changed.
             const VesselTree with_it = edited(patient->tree, edit);

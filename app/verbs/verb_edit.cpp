@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "app/output_place.h"
 #include "app/verbs/brush_dab.h"
@@ -123,7 +124,9 @@ TreeEdit drawn_vessel(const EditChoices& options, const PatientCase& patient, Jo
     for (std::size_t i = 0; i < options.places.size(); i += 3)
         places.emplace_back(options.places[i], options.places[i + 1], options.places[i + 2]);
     const Volume ct = image_of(patient, options.ct, job);
-    return drawing_of(traced_vessel(ct, places, blood_contrast_hu(ct, patient.tree), job));
+    const double contrast_hu = blood_contrast_hu(ct, patient.tree);
+    places = joined_in_blood(ct, patient.tree, std::move(places), contrast_hu);
+    return drawing_of(traced_vessel(ct, places, contrast_hu, job));
 }
 
 // Parses X,Y,Z,SYSTEM.

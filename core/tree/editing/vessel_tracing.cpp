@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/median.h"
@@ -17,6 +18,7 @@
 #include "core/tree/extraction/gap_paths.h"
 #include "core/tree/extraction/inscribed_radius.h"
 #include "core/tree/extraction/lumen_measurement.h"
+#include "core/tree/station.h"
 
 namespace hepatica {
 
@@ -28,6 +30,7 @@ constexpr double least_contrast_hu = 15;  // as for gaps (gap_bridging.cpp)
 constexpr double longest_step_mm = 50.0;
 constexpr double same_place_mm = 0.5;
 constexpr std::size_t voxels_between_checks = 4096;
+constexpr double farthest_from_wall_mm = 8.0;  // of an end that is led into a vessel
 constexpr double wide_voxels = 3.0;  // radius from which blurring spares the middle of a lumen
 
 std::size_t offset_of(const Grid& grid, const Index3& voxel) {
@@ -219,7 +222,41 @@ class Tracer {
     double vessel_hu_ = 0.0;
 };
 
+// Whether the CT is at least as bright all along the straight line.
+bool is_bright_along(const Volume& ct, const Vec3& from_mm, const Vec3& to_mm, double least_hu) {
+    const double voxel_mm = ct.grid.spacing_mm.minCoeff();
+    const int steps = 1 + static_cast<int>(2.0 * (to_mm - from_mm).norm() / voxel_mm);
+    for (int step = 0; step <= steps; ++step)
+        if (interpolate(ct, from_mm + step * (to_mm - from_mm) / steps) < least_hu) return false;
+    return true;
+}
+
+// The point of a centreline that an end of the clicks is to be led to; nullopt: none.
+std::optional<Vec3> vessel_of_same_blood(const Volume& ct, const VesselTree& tree,
+                                         const Vec3& end_mm, double blood_contrast_hu) {
+    const TreePoint nearest = nearest_point(tree, end_mm);
+    const Station station =
+        station_at(tree.segments[static_cast<std::size_t>(nearest.segment)], nearest.arclength_mm);
+    const double beyond_wall_mm = nearest.distance_mm - station.radius_mm;
+    if (beyond_wall_mm <= 0.0 || beyond_wall_mm > farthest_from_wall_mm) return std::nullopt;
+    if (!holds(ct.grid, end_mm) || !holds(ct.grid, station.position_mm)) return std::nullopt;
+    const double blood_hu = interpolate(ct, station.position_mm);
+    const bool same =
+        is_bright_along(ct, end_mm, station.position_mm, blood_hu - 0.5 * blood_contrast_hu);
+    return same ? std::optional(station.position_mm) : std::nullopt;
+}
+
 }  // namespace
+
+std::vector<Vec3> joined_in_blood(const Volume& ct, const VesselTree& tree,
+                                  std::vector<Vec3> clicks_mm, double blood_contrast_hu) {
+    if (clicks_mm.empty() || tree.segments.empty() || !(blood_contrast_hu > 0.0)) return clicks_mm;
+    const auto begin = vessel_of_same_blood(ct, tree, clicks_mm.front(), blood_contrast_hu);
+    const auto end = vessel_of_same_blood(ct, tree, clicks_mm.back(), blood_contrast_hu);
+    if (begin) clicks_mm.insert(clicks_mm.begin(), *begin);
+    if (end) clicks_mm.push_back(*end);
+    return clicks_mm;
+}
 
 double blood_contrast_hu(const Volume& ct, const VesselTree& tree) {
     const double voxel_mm = std::cbrt(ct.grid.spacing_mm.prod());

@@ -88,6 +88,45 @@ TEST(TracedVessel, ClicksBesideTheAxisAreDrawnIntoTheLumen) {
         EXPECT_LT(off_axis_mm(line.points_mm[i]), 0.8) << i;
 }
 
+// A tree of the tube's first 40 degrees, where the CT shows that the blood goes on.
+VesselTree begun_tube() {
+    VesselTree tree;
+    tree.nodes = {{on_arc(0.0)}, {on_arc(40.0)}};
+    VesselSegment segment;
+    segment.proximal_node = 0;
+    segment.distal_node = 1;
+    for (int degree = 0; degree <= 40; degree += 2) {
+        segment.points_mm.push_back(on_arc(degree));
+        segment.radii_mm.push_back(tube_mm);
+    }
+    tree.segments = {segment};
+    return tree;
+}
+
+TEST(TracedVessel, IsLedIntoTheVesselWhoseBloodItsEndLiesIn) {
+    const Volume ct = bent_tube();
+    const VesselTree tree = begun_tube();
+    const double contrast_hu = vessel_hu - parenchyma_hu;
+    const auto joined = [&](const std::vector<Vec3>& clicks, double contrast) {
+        return joined_in_blood(ct, tree, clicks, contrast);
+    };
+    const std::vector<Vec3> beyond{on_arc(60.0), on_arc(90.0)};  // 5 mm behind the tree's end
+    const std::vector<Vec3> led = joined(beyond, contrast_hu);
+    ASSERT_EQ(led.size(), 3u);
+    EXPECT_LT((led[0] - on_arc(40.0)).norm(), 0.1);
+    EXPECT_EQ(led[1], beyond[0]);
+    EXPECT_EQ(joined({beyond[1], beyond[0]}, contrast_hu).size(), 3u) << "at its other end as well";
+    EXPECT_EQ(joined(beyond, 0.0), beyond) << "nothing is known of blood";
+    const std::vector<Vec3> far{on_arc(100.0), on_arc(130.0)};
+    EXPECT_EQ(joined(far, contrast_hu), far);
+    const std::vector<Vec3> inside{on_arc(20.0), on_arc(70.0)};
+    EXPECT_EQ(joined(inside, contrast_hu).front(), inside.front()) << "it is joined as it is";
+    const Vec3 aside = arc_centre + (arc_mm + 5.0) / arc_mm * (on_arc(30.0) - arc_centre);
+    const std::vector<Vec3> in_tissue{aside, on_arc(90.0)};
+    EXPECT_EQ(joined(in_tissue, contrast_hu).front(), aside) << "tissue lies between";
+    EXPECT_EQ(joined({}, contrast_hu).size(), 0u);
+}
+
 TEST(TracedVessel, RefusesWhatItCannotFollow) {
     const Volume ct = bent_tube();
     const auto problem_of = [&](const std::vector<Vec3>& clicks) -> std::string {
