@@ -420,7 +420,7 @@ void CaseEditing::draw(const Volume& ct, const std::vector<Vec3>& places_mm,
         answered({false, Words::tr("Not drawn: why stands above").toStdString()});
     };
     const double contrast_hu = blood_contrast_hu(ct, patient->tree);
-    const std::vector<Vec3> joined = joined_in_blood(ct, patient->tree, places_mm, contrast_hu);
+    const std::vector<Vec3> joined = begun_in_vessel(ct, patient->tree, places_mm, contrast_hu);
     // The worker copies its part of the CT, because another CT may be shown before it ends.
     Volume part;
     try {

@@ -125,7 +125,7 @@ TreeEdit drawn_vessel(const EditChoices& options, const PatientCase& patient, Jo
         places.emplace_back(options.places[i], options.places[i + 1], options.places[i + 2]);
     const Volume ct = image_of(patient, options.ct, job);
     const double contrast_hu = blood_contrast_hu(ct, patient.tree);
-    places = joined_in_blood(ct, patient.tree, std::move(places), contrast_hu);
+    places = begun_in_vessel(ct, patient.tree, std::move(places), contrast_hu);
     return drawing_of(traced_vessel(ct, places, contrast_hu, job));
 }
 

@@ -222,39 +222,40 @@ class Tracer {
     double vessel_hu_ = 0.0;
 };
 
-// Whether the CT is at least as bright all along the straight line.
-bool is_bright_along(const Volume& ct, const Vec3& from_mm, const Vec3& to_mm, double least_hu) {
+// Twice a voxel, from one point to the other.
+std::vector<double> values_along(const Volume& ct, const Vec3& from_mm, const Vec3& to_mm) {
     const double voxel_mm = ct.grid.spacing_mm.minCoeff();
     const int steps = 1 + static_cast<int>(2.0 * (to_mm - from_mm).norm() / voxel_mm);
+    std::vector<double> values;
     for (int step = 0; step <= steps; ++step)
-        if (interpolate(ct, from_mm + step * (to_mm - from_mm) / steps) < least_hu) return false;
-    return true;
+        values.push_back(interpolate(ct, from_mm + step * (to_mm - from_mm) / steps));
+    return values;
 }
 
-// The point of a centreline that an end of the clicks is to be led to; nullopt: none.
-std::optional<Vec3> vessel_of_same_blood(const Volume& ct, const VesselTree& tree,
-                                         const Vec3& end_mm, double blood_contrast_hu) {
-    const TreePoint nearest = nearest_point(tree, end_mm);
+// The point of a centreline from which blood reaches `begin_mm`; nullopt: none does.
+std::optional<Vec3> place_of_its_blood(const Volume& ct, const VesselTree& tree,
+                                       const Vec3& begin_mm, double blood_contrast_hu) {
+    const TreePoint nearest = nearest_point(tree, begin_mm);
     const Station station =
         station_at(tree.segments[static_cast<std::size_t>(nearest.segment)], nearest.arclength_mm);
     const double beyond_wall_mm = nearest.distance_mm - station.radius_mm;
     if (beyond_wall_mm <= 0.0 || beyond_wall_mm > farthest_from_wall_mm) return std::nullopt;
-    if (!holds(ct.grid, end_mm) || !holds(ct.grid, station.position_mm)) return std::nullopt;
-    const double blood_hu = interpolate(ct, station.position_mm);
-    const bool same =
-        is_bright_along(ct, end_mm, station.position_mm, blood_hu - 0.5 * blood_contrast_hu);
-    return same ? std::optional(station.position_mm) : std::nullopt;
+    const Vec3& centre_mm = station.position_mm;
+    if (!holds(ct.grid, begin_mm) || !holds(ct.grid, centre_mm)) return std::nullopt;
+    const Vec3 wall_mm = begin_mm + beyond_wall_mm / nearest.distance_mm * (centre_mm - begin_mm);
+    const double blood_hu = median(values_along(ct, wall_mm, centre_mm));
+    const bool reached = std::ranges::min(values_along(ct, begin_mm, centre_mm)) >=
+                         blood_hu - 0.5 * blood_contrast_hu;
+    return reached ? std::optional(centre_mm) : std::nullopt;
 }
 
 }  // namespace
 
-std::vector<Vec3> joined_in_blood(const Volume& ct, const VesselTree& tree,
+std::vector<Vec3> begun_in_vessel(const Volume& ct, const VesselTree& tree,
                                   std::vector<Vec3> clicks_mm, double blood_contrast_hu) {
     if (clicks_mm.empty() || tree.segments.empty() || !(blood_contrast_hu > 0.0)) return clicks_mm;
-    const auto begin = vessel_of_same_blood(ct, tree, clicks_mm.front(), blood_contrast_hu);
-    const auto end = vessel_of_same_blood(ct, tree, clicks_mm.back(), blood_contrast_hu);
-    if (begin) clicks_mm.insert(clicks_mm.begin(), *begin);
-    if (end) clicks_mm.push_back(*end);
+    if (const auto begin = place_of_its_blood(ct, tree, clicks_mm.front(), blood_contrast_hu))
+        clicks_mm.insert(clicks_mm.begin(), *begin);
     return clicks_mm;
 }
 

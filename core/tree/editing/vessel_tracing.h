@@ -27,12 +27,12 @@ Centreline traced_vessel(const Volume& ct, const std::vector<Vec3>& clicks_mm,
 // Throws as traced_vessel() does for invalid places.
 Volume traced_part(const Volume& ct, const std::vector<Vec3>& clicks_mm);
 
-// The clicks, with the nearest point of a centreline before the first, or behind the last, where
-// that click lies up to 8 mm outside of every lumen but in blood that goes on to the vessel:
-// nowhere on the straight way there is the CT darker than the centreline's end by half of the
-// contrast. A tree may end before the blood that the CT shows. As they are where
-// `blood_contrast_hu` is 0, the tree is empty, or a click lies outside of the CT.
-std::vector<Vec3> joined_in_blood(const Volume& ct, const VesselTree& tree,
+// The clicks, with the nearest point of a centreline before the first where that one lies up to 8
+// mm outside of every lumen but in blood that goes on to the vessel: nowhere on the straight way
+// there is the CT darker than the median in the lumen by half of the contrast. A tree may end
+// before the blood that the CT shows. As they are where `blood_contrast_hu` is 0, the tree is
+// empty, or the click lies outside of the CT.
+std::vector<Vec3> begun_in_vessel(const Volume& ct, const VesselTree& tree,
                                   std::vector<Vec3> clicks_mm, double blood_contrast_hu);
 
 // Contrast of blood against the surroundings of the vessels, from the wide vessels of a tree; 0
