@@ -41,7 +41,7 @@ Colour mixed(const Colour& from, const Colour& to, double share) {
 Colour vessel_system(VascularSystem system, bool bright) {
     switch (system) {
         case VascularSystem::portal:
-            return bright ? Colour{0.72, 0.56, 1.00} : Colour{0.47, 0.43, 0.80};
+            return bright ? Colour{0.72, 0.56, 1.00} : Colour{0.42, 0.34, 0.76};
         case VascularSystem::hepatic:
             return bright ? Colour{0.20, 0.82, 1.00} : Colour{0.27, 0.55, 0.85};
         case VascularSystem::artery:

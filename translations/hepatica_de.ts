@@ -9560,5 +9560,17 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <source>Tumour %1 (%L2 ml), its nearest branch %L3 mm from its middle</source>
         <translation>Tumor %1 (%L2 ml), der nächste Ast %L3 mm von seiner Mitte</translation>
     </message>
+    <message>
+        <source>More tools</source>
+        <translation>Weitere Werkzeuge</translation>
+    </message>
+    <message>
+        <source>The file does not say how the patient lies in it (its qform and sform codes are 0): its axes were taken to lead to his right, front and head. Compare the sides in the slices</source>
+        <translation>Die Datei sagt nicht, wie der Patient in ihr liegt (ihre qform- und sform-Codes sind 0): Es wurde angenommen, dass ihre Achsen nach rechts, vorn und kopfwärts führen. Vergleichen Sie die Seiten in den Schichten</translation>
+    </message>
+    <message>
+        <source>The liver lies on the patient&apos;s left: the image may be mirrored, or say wrongly how he lies. Left and right are then exchanged everywhere</source>
+        <translation>Die Leber liegt links im Patienten: Das Bild ist vielleicht gespiegelt oder sagt falsch, wie er liegt. Links und rechts sind dann überall vertauscht</translation>
+    </message>
 </context>
 </TS>

@@ -369,6 +369,7 @@ void MainWindow::build_tool_bar() {
     (*actions_)[ActionId::play_pause].setIconText(Words::tr("Run"));
     (*actions_)[ActionId::reset].setIconText(Words::tr("Reset"));
     addToolBar(bar);
+    bar->findChild<QWidget*>("qt_toolbar_ext_button")->setAccessibleName(Words::tr("More tools"));
 }
 
 void MainWindow::connect_files() {

@@ -48,6 +48,11 @@ constexpr std::array sentences_image{
     Words::id("has pixels in the unknown encoding %1"),
     Words::id("holds several frames in one file"),
     Words::id("is a colour picture"),
+    Words::id("The file does not say how the patient lies in it (its qform and sform codes are "
+              "0): its axes were taken to lead to his right, front and head. Compare the sides in "
+              "the slices"),
+    Words::id("The liver lies on the patient's left: the image may be mirrored, or say wrongly how "
+              "he lies. Left and right are then exchanged everywhere"),
     Words::id("%1 slices state no rescale slope and intercept: their stored values were taken as "
               "Hounsfield units"),
     Words::id("%1 slices stood there twice and were read once"),

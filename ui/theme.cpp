@@ -13,6 +13,7 @@
 #include <QStyleFactory>
 #include <QStyleOption>
 #include <QTabBar>
+#include <QToolButton>
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -351,6 +352,12 @@ void apply_theme(QApplication& application, const Theme& theme) {
     application.setStyle(new Style(theme_named(theme.name)));
     application.setPalette(palette_of(theme));
     application.setStyleSheet(style_sheet(theme));
+    // Qt asks for this icon once.
+    for (QWidget* widget : QApplication::allWidgets())
+        if (auto* more = qobject_cast<QToolButton*>(widget);
+            more && more->objectName() == "qt_toolbar_ext_button")
+            more->setIcon(
+                application.style()->standardIcon(QStyle::SP_ToolBarHorizontalExtensionButton));
     delete application.findChild<QObject*>(FocusRing::name);
     new FocusRing(application);  // owned by the application
 }

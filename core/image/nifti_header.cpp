@@ -152,6 +152,7 @@ void place(const Nifti& n, VoxelFile& file) {
         place_by_quaternion(n, file);
     else
         file.axes = Vec3(n.pixdim[1], n.pixdim[2], n.pixdim[3]).asDiagonal();
+    file.orientation_assumed = n.sform <= 0 && n.qform <= 0;
     const int space_units = n.units & 7;
     const double millimetres = space_units == 1 ? 1000.0 : space_units == 3 ? 0.001 : 1.0;
     const Vec3 lps = Vec3(-1.0, -1.0, 1.0) * millimetres;

@@ -72,6 +72,12 @@ Volume read_volume_file(const fs::path& path, Job& job, ReadRemarks& remarks) {
     const VoxelFile file = read_header(path);
     require_affordable(file, sizeof(std::int16_t));
     const PlacedGrid placed = placed_grid(file.dims, file.axes, file.origin_mm, path.string());
+    if (file.orientation_assumed)
+        remarks.push_back(
+            "The file does not say how the patient lies in it (its qform and sform codes are 0): "
+            "its "
+            "axes were taken to lead to his right, front and head. Compare the sides in the "
+            "slices");
     Volume volume = filled_image(placed.grid, std::int16_t{0}, job);
     std::size_t not_numbers = 0;
     std::vector<std::uint8_t> missing;  // empty if every value is a number

@@ -41,8 +41,9 @@ struct VoxelFile {
     double slope = 1.0;  // value = slope * stored + intercept
     double intercept = 0.0;
     std::array<std::int64_t, 3> dims{};
-    Mat3 axes = Mat3::Identity();   // columns: step to the next voxel, LPS, mm
-    Vec3 origin_mm = Vec3::Zero();  // centre of the first voxel, LPS
+    Mat3 axes = Mat3::Identity();      // columns: step to the next voxel, LPS, mm
+    Vec3 origin_mm = Vec3::Zero();     // centre of the first voxel, LPS
+    bool orientation_assumed = false;  // the file does not say which way its axes lead
 };
 
 // A file's grid with its axes permuted and flipped to run as close to left, back and head as

@@ -12,6 +12,7 @@
 #include "core/image/morphology.h"
 #include "core/image/volume_reader.h"
 #include "core/patient/image_digest.h"
+#include "core/reconstruction/liver_side.h"
 #include "core/reconstruction/reconstruct_parameters.h"
 #include "core/reconstruction/seed_checks.h"
 #include "core/reconstruction/tumours.h"
@@ -154,6 +155,11 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
                           : segmented_anatomy(options, std::move(model), ct, warnings, job);
     patient.mask = std::move(anatomy.vessels);
     patient.organs = std::move(anatomy.organs);
+    if (lies_on_the_left(patient.organs, ct, job))
+        warnings.push_back(
+            "The liver lies on the patient's left: the image may be mirrored, or say wrongly how "
+            "he "
+            "lies. Left and right are then exchanged everywhere");
     mark_tumours(tumours, patient.organs, warnings, job);
     require_seeds_in_vessels(patient.mask, options.seeds);
     keep_portal_trunk(anatomy.portal_trunk_mm, patient.source.parameters_json);

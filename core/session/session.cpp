@@ -170,6 +170,7 @@ void Session::restore(const Keyframe& keyframe) {
     played_steps_ = keyframe.played_steps;
     dial_.set_automatic(keyframe.automatic);
     setting_changed_ = paused_ = diverged_ = failed_ = false;
+    measured_ms_.reset();
     hand_.stay();
     led_tool_.stay();
     message_.clear();
@@ -273,6 +274,13 @@ void Session::keep_step(SessionStep& step) {
     }
 }
 
+// Before a step and not behind the one that was measured: between the two the state is as it was
+// recorded, also where no further step comes.
+void Session::govern() {
+    const std::optional<double> step_ms = std::exchange(measured_ms_, std::nullopt);
+    if (step_ms && dial_.govern(*step_ms, budget_ms(), world_->deform())) setting_changed_ = true;
+}
+
 SessionStep Session::step(const std::stop_token& stop) {
     const Clock::time_point start = Clock::now();
     SessionStep done;
@@ -280,6 +288,7 @@ SessionStep Session::step(const std::stop_token& stop) {
     if (!std::exchange(stopped_, false)) recorded_ = {};
     shielded([&] {
         if (failed_) recover();
+        govern();
         begin_waiting_recording();
         apply_waiting_commands(stop);
         done.paused = paused_;
@@ -299,9 +308,7 @@ SessionStep Session::step(const std::stop_token& stop) {
     shielded([&] {
         resting_ = rests_after(done);
         publish(done, start, stop);
-        if (!done.paused && !done.deform.asleep &&
-            dial_.govern(done.step_ms, budget_ms(), world_->deform()))
-            setting_changed_ = true;
+        if (!done.paused && !done.deform.asleep) measured_ms_ = done.step_ms;
     });
     return done;
 }

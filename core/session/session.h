@@ -174,6 +174,7 @@ class Session {
     void take_back(bool open_hand, bool without_tool);
     // After an error: returns to the last good state and records that.
     void recover();
+    void govern();
     void keep_step(SessionStep& step);
     void show_to_watch(const Frame& frame, const std::stop_token& stop);
     // Shows an injection whose computation has ended.
@@ -191,9 +192,10 @@ class Session {
                  const std::stop_token& stop = {});
 
     SessionInbox inbox_;
-    QualityDial whole_dial_;        // with the settings that cannot tear
-    DialInUse dial_;                // while vessels tear: without them
-    bool setting_changed_ = false;  // the session changed the setting since the last step
+    QualityDial whole_dial_;             // with the settings that cannot tear
+    DialInUse dial_;                     // while vessels tear: without them
+    bool setting_changed_ = false;       // the session changed the setting since the last step
+    std::optional<double> measured_ms_;  // of the last step, if the governor is to know
     std::atomic<double> drawing_ms_{0.0};
     std::unique_ptr<World> world_;
     std::uint64_t step_ = 0;

@@ -37,8 +37,9 @@ class NiftiFile {
         bytes_.resize(size);
         return *this;
     }
+    void write() const { write_bytes(path_, bytes_); }
     std::string refusal_of_volume() {
-        write_bytes(path_, bytes_);
+        write();
         return refusal([&] {
             Job job;
             read_volume(path_, job);
@@ -50,6 +51,22 @@ class NiftiFile {
     std::filesystem::path path_;
     std::string bytes_;
 };
+
+TEST(Nifti, SaysThatNothingIsSaidOfHowThePatientLies) {
+    const TemporaryFolder folder;
+    NiftiFile file(folder);
+    const auto remarks = [&] {
+        file.write();
+        ReadRemarks heard;
+        Job job;
+        read_volume(file.path(), job, &heard);
+        return heard;
+    };
+    EXPECT_TRUE(remarks().empty());
+    file.set<std::int16_t>(252, 0).set<std::int16_t>(254, 0);  // qform_code and sform_code
+    ASSERT_EQ(remarks().size(), 1u);
+    EXPECT_NE(remarks()[0].find("does not say how the patient lies"), std::string::npos);
+}
 
 TEST(Nifti, ComesBackAsItWasWritten) {
     const TemporaryFolder folder;

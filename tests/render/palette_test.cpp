@@ -77,6 +77,18 @@ TEST(Palette, OfBrightSystemsHasContrastToBlackAndTellsThemApart) {
     }
 }
 
+// The usual colours are quieter, and told apart by all eyes as well.
+TEST(Palette, OfSystemsTellsThemApart) {
+    for (const VascularSystem system : vascular_systems)
+        for (const VascularSystem other : vascular_systems)
+            for (const Sight& sight : sights())
+                if (system != other)
+                    EXPECT_GE(distance(palette::vessel_system(system),
+                                       palette::vessel_system(other), sight),
+                              0.08)
+                        << title_of(system) << ", " << title_of(other) << ", " << sight.name;
+}
+
 // What else is shown while a drug is to be brought to its target.
 std::vector<Colour> colours_beside_a_target(bool bright) {
     std::vector<Colour> colours{{1.0, 1.0, 1.0},  // the drug's front

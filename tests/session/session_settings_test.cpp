@@ -2,6 +2,7 @@
 // What a person or the session itself chooses in mid-play: the dial, tissue, the wall.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/scene/deform_part.h"
@@ -205,6 +206,29 @@ TEST(Session, TakesAnotherDialInMidPlayAndRecordsWhatItUsesFromThere) {
     const ReplayResult same = replay(*kept, small_patient(), job);
     EXPECT_FALSE(same.diverged_at.has_value());
     EXPECT_EQ(same.state_hash, last.state_hash);
+}
+
+// It may be the last step, after which the automatic would have chosen another setting.
+TEST(Session, HasTheRecordedStateAfterEveryStepOfAutomaticQuality) {
+    const auto session = new_session();
+    const auto kept = keep_recording(*session);
+    // The second is chosen after some seventy steps, for it costs little more than the first, which
+    // is chosen at the start.
+    StepperOptions better;
+    better.substeps = 2;
+    session->use_dial(QualityDial({{{}, 13.0, 0.2, "a dial"}, {better, 13.5, 0.1, "a dial"}}));
+    session->post(SetAutomaticQuality{true});
+    const Vec3 hand = middle_of(small_patient()->tree, 1);
+    session->post(GrabPoint{hand});
+    int changed_after = 0;
+    for (int k = 0; k < 100; ++k) {
+        session->post(MoveGrab{hand + Vec3(3.0 * std::sin(0.2 * k), 0, 0)});
+        session->step();
+        EXPECT_EQ(session->state_hash(), kept->steps.back().state_hash) << k;
+        if (changed_after == 0 && session->world().deform()->setting().substeps == 2)
+            changed_after = k;
+    }
+    EXPECT_GT(changed_after, 60);
 }
 
 // What can tear is taken from this dial; the replay has the built-in one.

@@ -195,19 +195,19 @@ TEST_F(ChosenTheme, TicksWhatIsChecked) {
     }
 }
 
-// Else nobody finds the tools that have no room.
+// Else nobody finds the tools that have no room. The theme changes while the bar is shown.
 TEST_F(ChosenTheme, ShowsThatABarHasMoreTools) {
+    QMainWindow window;
+    auto* bar = new QToolBar(&window);
+    for (int i = 0; i < 20; ++i) bar->addAction("a tool");
+    window.addToolBar(bar);
+    window.resize(300, 100);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+    auto* more = bar->findChild<QToolButton*>("qt_toolbar_ext_button");
+    ASSERT_TRUE(more != nullptr && more->isVisible());
     for (const Theme& theme : themes()) {
         apply_theme(*qApp, theme);
-        QMainWindow window;
-        auto* bar = new QToolBar(&window);
-        for (int i = 0; i < 20; ++i) bar->addAction("a tool");
-        window.addToolBar(bar);
-        window.resize(300, 100);
-        window.show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
-        auto* more = bar->findChild<QToolButton*>("qt_toolbar_ext_button");
-        ASSERT_TRUE(more != nullptr && more->isVisible());
         const QImage shown = more->grab().toImage();
         int seen = 0;
         for (int y = 0; y < shown.height(); ++y)
