@@ -7872,7 +7872,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>No attempt at a lesson has ended yet. Each one is counted here once it has, under the name or number at the foot of the panel Lesson.</source>
-        <translation>Noch kein Versuch an einer Lektion ist beendet. Jeder wird hier gezählt, sobald er es ist, unter dem Namen oder der Nummer, die unten im Bereich Lektion steht.</translation>
+        <translation>Noch kein Versuch an einer Lektion ist beendet. Jeder wird hier gezählt, sobald er es ist, unter dem Namen oder der Nummer, die unten im Bedienfeld Lektion steht.</translation>
     </message>
     <message>
         <source>Name or number</source>
@@ -8858,7 +8858,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Key 9 draws cut lines; key 1 pulls again. Set &quot;Along a line&quot; in the panel Tool near 0: it is what the line leaves of the strength.</source>
-        <translation>Taste 9 zieht Schwächungslinien; Taste 1 zieht wieder. Stellen Sie „Entlang Linie“ im Bereich Werkzeug nahe 0: So viel lässt die Linie von der Festigkeit.</translation>
+        <translation>Taste 9 zieht Schwächungslinien; Taste 1 zieht wieder. Stellen Sie „Entlang Linie“ im Bedienfeld Werkzeug nahe 0: So viel lässt die Linie von der Festigkeit.</translation>
     </message>
     <message>
         <source>Rod probe: the mouse leads a rod that pushes the vessels</source>
@@ -9030,7 +9030,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Lower the flow in the panel Injection, then inject the emulsion until nine tenths of the target are full.</source>
-        <translation>Verringern Sie den Fluss im Bereich Injektion, und injizieren Sie dann die Emulsion, bis neun Zehntel des Zielgebiets gefüllt sind.</translation>
+        <translation>Verringern Sie den Fluss im Bedienfeld Injektion, und injizieren Sie dann die Emulsion, bis neun Zehntel des Zielgebiets gefüllt sind.</translation>
     </message>
     <message>
         <source>A little beyond the mark, slowly: a flow of 0.5 g/s, which is about 25 mL/min. At 2 g/s the emulsion runs back within seconds.</source>
@@ -9042,7 +9042,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>Pause in the panel Injection stops the pump too. Del would take the emulsion out again, and the target would be empty.</source>
-        <translation>Auch Pause im Bereich Injektion hält die Pumpe an. Entf nähme die Emulsion wieder heraus, und das Zielgebiet wäre leer.</translation>
+        <translation>Auch Pause im Bedienfeld Injektion hält die Pumpe an. Entf nähme die Emulsion wieder heraus, und das Zielgebiet wäre leer.</translation>
     </message>
     <message>
         <source>not begun</source>
@@ -9242,7 +9242,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>show what lies downstream; the panel Injection says its share of the flow</source>
-        <translation>zeigen, was stromabwärts liegt; seinen Anteil am Fluss sagt der Bereich Injektion</translation>
+        <translation>zeigen, was stromabwärts liegt; seinen Anteil am Fluss sagt das Bedienfeld Injektion</translation>
     </message>
     <message>
         <source>Settings: gravity, tissue, tearing, the drug&apos;s clock</source>

@@ -110,8 +110,9 @@ void MainWindow::show_jobs() {
 
 void MainWindow::remember(const std::filesystem::path& path) {
     settings_.add_recent_file(to_text(path));
+    if (!is_case(path)) return;  // what is made of a CT is not proposed beside it
     settings_.set_last_folder(to_text(path.parent_path()));
-    if (is_case(path)) settings_.set_case_folder(to_text(path.parent_path()));
+    settings_.set_case_folder(to_text(path.parent_path()));
 }
 
 void MainWindow::fail(const QString& doing, const Failure& failure) {
@@ -305,6 +306,7 @@ void MainWindow::save_picture(const QString& file) {
                              Words::id("choose a folder you may write to, on a disk with room"));
         }
     });
+    settings_.set_last_folder(QFileInfo(file).absolutePath());
     statusBar()->showMessage(Words::tr("Saved %1").arg(file), 6000);
 }
 
@@ -357,6 +359,7 @@ void MainWindow::save_film(const std::filesystem::path& place, double end_s,
     } catch (const Cancelled&) {
         return say_no_film();
     }
+    settings_.set_last_folder(to_text(place.parent_path()));
     statusBar()->showMessage(Words::tr("Saved %1").arg(to_text(place)), 6000);
 }
 

@@ -24,9 +24,10 @@ namespace hepatica {
 void MainWindow::write_report(const std::filesystem::path& recording, const std::string& lesson) {
     const QString folder = QFileDialog::getExistingDirectory(
         this, Words::tr("Folder for the report"), settings_.last_folder());
-    if (!folder.isEmpty())
-        attempt(Words::tr("Write the report"),
-                [&] { write_report_into(to_path(folder), recording, lesson); });
+    if (folder.isEmpty()) return;
+    settings_.set_last_folder(folder);
+    attempt(Words::tr("Write the report"),
+            [&] { write_report_into(to_path(folder), recording, lesson); });
 }
 
 void MainWindow::write_report_into(const std::filesystem::path& chosen,
