@@ -80,13 +80,14 @@ TEST(Palette, OfBrightSystemsHasContrastToBlackAndTellsThemApart) {
 // The usual colours are quieter, and told apart by all eyes as well.
 TEST(Palette, OfSystemsTellsThemApart) {
     for (const VascularSystem system : vascular_systems)
-        for (const VascularSystem other : vascular_systems)
+        for (const VascularSystem other : vascular_systems) {
+            if (system == other) continue;
             for (const Sight& sight : sights())
-                if (system != other)
-                    EXPECT_GE(distance(palette::vessel_system(system),
-                                       palette::vessel_system(other), sight),
-                              0.08)
-                        << title_of(system) << ", " << title_of(other) << ", " << sight.name;
+                EXPECT_GE(
+                    distance(palette::vessel_system(system), palette::vessel_system(other), sight),
+                    0.08)
+                    << title_of(system) << ", " << title_of(other) << ", " << sight.name;
+        }
 }
 
 // What else is shown while a drug is to be brought to its target.
