@@ -76,7 +76,7 @@ std::vector<LegendRow> with_room(std::vector<LegendRow> rows, const Legend::Room
 
 // One of four views on a screen of 1280 by 800 points, or smaller.
 bool is_small(const Legend::Room& room) {
-    return room.width < 480.0 * room.point || room.height < 320.0 * room.point;
+    return room.width < 300.0 * room.point || room.height < 300.0 * room.point;
 }
 
 bool is_narrow(const Legend::Room& room) {

@@ -41,9 +41,9 @@ Colour mixed(const Colour& from, const Colour& to, double share) {
 Colour vessel_system(VascularSystem system, bool bright) {
     switch (system) {
         case VascularSystem::portal:
-            return bright ? Colour{0.72, 0.56, 1.00} : Colour{0.42, 0.34, 0.76};
+            return bright ? Colour{0.72, 0.56, 1.00} : Colour{0.44, 0.38, 0.82};
         case VascularSystem::hepatic:
-            return bright ? Colour{0.20, 0.82, 1.00} : Colour{0.27, 0.55, 0.85};
+            return bright ? Colour{0.20, 0.82, 1.00} : Colour{0.26, 0.58, 0.86};
         case VascularSystem::artery:
             return bright ? Colour{1.00, 0.46, 0.38} : Colour{0.83, 0.27, 0.25};
         case VascularSystem::unknown:

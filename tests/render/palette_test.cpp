@@ -77,16 +77,23 @@ TEST(Palette, OfBrightSystemsHasContrastToBlackAndTellsThemApart) {
     }
 }
 
-// The usual colours are quieter, and told apart by all eyes as well.
+// The usual colours are quieter, and told apart by all eyes as well; the two systems of veins,
+// which every patient has, more clearly.
 TEST(Palette, OfSystemsTellsThemApart) {
-    for (const VascularSystem system : vascular_systems)
+    const auto least_of = [](VascularSystem one, VascularSystem other) {
+        const auto vein = [](VascularSystem system) {
+            return system == VascularSystem::portal || system == VascularSystem::hepatic;
+        };
+        return vein(one) && vein(other) ? 0.09 : 0.065;
+    };
+    for (const VascularSystem one : vascular_systems)
         for (const VascularSystem other : vascular_systems) {
-            if (system == other) continue;
+            if (one == other) continue;
             for (const Sight& sight : sights())
                 EXPECT_GE(
-                    distance(palette::vessel_system(system), palette::vessel_system(other), sight),
-                    0.08)
-                    << title_of(system) << ", " << title_of(other) << ", " << sight.name;
+                    distance(palette::vessel_system(one), palette::vessel_system(other), sight),
+                    least_of(one, other))
+                    << title_of(one) << ", " << title_of(other) << ", " << sight.name;
         }
 }
 
