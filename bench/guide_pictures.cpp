@@ -34,16 +34,23 @@ class GuidePictures : Photographer {
         QTest::mouseDClick(&window().view(), Qt::LeftButton, {}, on_vessel(0.02));
         QTest::qWait(6000);  // lets the drug flow
         window().actions()[ActionId::play_pause].trigger();
+        show_curves(true);
         settle();
         save("drug");
         window().actions()[ActionId::remove_drug].trigger();
-        window().actions()[ActionId::toggle_plots].trigger();
+        show_curves(false);
         volume();
         slices();
     }
 
   private:
     using Photographer::lead;
+
+    // They may have come by themselves.
+    void show_curves(bool shown) {
+        QAction& curves = window().actions()[ActionId::toggle_plots];
+        if (curves.isChecked() != shown) curves.trigger();
+    }
 
     void volume() {
         QAction& action = window().actions()[ActionId::toggle_volume];

@@ -313,7 +313,8 @@ class TypedReconstruction : public testing::FakeWindowTest {
 
 // A mask of another CT is noticed only once both were read.
 TEST_F(TypedReconstruction, that_fails_is_offered_as_it_was_typed) {
-    const QStringList typed{"0", "/no/ct", "/no/liver", "/no/vessels", "140 260", "20 20 20", "1"};
+    const QStringList typed{"0",           "/no/ct",  "/no/liver", "/no/vessels",
+                            "/no/tumours", "140 260", "20 20 20",  "1"};
     in_wizard([&](PatientWizard& wizard) {
         wizard.set_entries(typed);
         wizard.findChild<QLineEdit*>("hepaticSeeds")->setText("1 2 3");
