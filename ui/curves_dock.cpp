@@ -27,6 +27,7 @@ void CurvesDock::follow(std::shared_ptr<const PatientCase> patient, const DrugVi
     // It was removed.
     if (!drug.injection && std::exchange(followed_, nullptr)) {
         job_.reset();
+        coming_ = false;
         plots_->clear_injection();
     }
     if (!drug.injection || drug.injection == followed_) return;

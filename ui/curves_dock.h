@@ -43,7 +43,10 @@ class CurvesDock : public QDockWidget {
 
     // Whether it appears by itself when there is something to show; no longer once the user has
     // closed it, until he asks for it again.
-    void set_comes_by_itself(bool comes) { comes_by_itself_ = comes; }
+    void set_comes_by_itself(bool comes) {
+        comes_by_itself_ = comes;
+        coming_ = coming_ && comes;
+    }
     // Called when the user closes the dock.
     std::function<void(bool comes)> on_choice = [](bool) {};
     std::function<bool()> hand_drags;  // whether a mouse button is down; can be replaced in tests

@@ -192,6 +192,20 @@ TEST_F(PanelsTest, curves_come_when_the_hand_has_let_go) {
     EXPECT_FALSE(curves().isVisible()) << "nothing is left to show";
 }
 
+TEST_F(PanelsTest, curves_that_are_still_to_come_do_not_once_they_are_put_away) {
+    open_built_in();
+    bool drags = true;
+    curves().hand_drags = [&drags] { return drags; };
+    curves().come();
+    QAction& shown = window_.actions()[ActionId::toggle_plots];
+    shown.trigger();
+    ASSERT_TRUE(curves().isVisible());
+    shown.trigger();
+    drags = false;
+    curves().set_time(std::nullopt);
+    EXPECT_FALSE(curves().isVisible());
+}
+
 TEST_F(PanelsTest, curves_that_came_by_themselves_go_when_nothing_is_left_to_show) {
     open_built_in();
     curves().come();
