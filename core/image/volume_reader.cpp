@@ -75,8 +75,7 @@ Volume read_volume_file(const fs::path& path, Job& job, ReadRemarks& remarks) {
     if (file.orientation_assumed)
         remarks.push_back(
             "The file does not say how the patient lies in it (its qform and sform codes are 0): "
-            "its "
-            "axes were taken to lead to his right, front and head. Compare the sides in the "
+            "its axes were taken to lead to his right, front and head. Compare the sides in the "
             "slices");
     Volume volume = filled_image(placed.grid, std::int16_t{0}, job);
     std::size_t not_numbers = 0;
