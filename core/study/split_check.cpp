@@ -114,8 +114,17 @@ SplitCheck::SplitCheck(const BodyDescription& whole, const StepperOptions& optio
 std::string SplitCheck::after_step(const Stepper& stepper, const EnergyLedger& energy) {
     if (stepper.positions_mm().size() == mass_g_.size()) return {};
     ++splits_;
+    if (!in_place(stepper)) return "a vertex does not lie where it was split from";
     const std::string wrong = conserved(stepper, energy);
     return wrong.empty() ? well_formed(stepper) : wrong;
+}
+
+bool SplitCheck::in_place(const Stepper& stepper) const {
+    const auto positions = stepper.positions_mm();
+    const auto parents = stepper.tearing()->topology().parents();
+    for (std::size_t v = mass_g_.size(); v < parents.size(); ++v)
+        if (positions[v] != positions[static_cast<std::size_t>(parents[v])]) return false;
+    return true;
 }
 
 std::string SplitCheck::conserved(const Stepper& stepper, const EnergyLedger& energy) {

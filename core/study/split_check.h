@@ -21,6 +21,9 @@ class SplitCheck {
     // Checks that
     // - mass, momentum, angular momentum and kinetic energy are unchanged to 1e-12, and the stored
     //   energy did not grow
+    // - every new vertex lies where the one does that it was split from, so that the split turned
+    // no
+    //   tetrahedron inside out and moved nothing into anything
     // - positions are finite
     // - the tetrahedra around every vertex are connected by faces
     // - the surface is closed, and equals the surface of the topology.
@@ -33,6 +36,7 @@ class SplitCheck {
     int with_touching_edges() const { return with_touching_edges_; }
 
   private:
+    bool in_place(const Stepper& stepper) const;
     std::string conserved(const Stepper& stepper, const EnergyLedger& before);
     std::string well_formed(const Stepper& stepper);
 

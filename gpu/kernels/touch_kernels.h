@@ -36,7 +36,6 @@ struct PlacesView {
 struct PressPoints {
     View<const PadPoint> point;
     View<const PadCapsule> tool;
-    double pad;
     PlacesView place;
     View<TouchPull> pull;
 
@@ -47,7 +46,7 @@ struct PressPoints {
     HEPATICA_HOST_DEVICE void operator()(int k) const {
         Vector3<double> corners[3];
         for (int a = 0; a < 3; ++a) corners[a] = place[point[k].nodes[a]];
-        const PointPull is = pull_of(point[k], tool[point[k].part], pad, corners);
+        const PointPull is = pull_of(point[k], tool[point[k].part], corners);
         TouchPull& out = pull[k];
         out.active = is.pressed ? 1 : 0;
         if (!is.pressed) return;

@@ -20,11 +20,11 @@ template <class Touch>
 void add_nodes(const std::vector<Touch>& touches, std::vector<int>& nodes) {
     for (const Touch& touch : touches)
         for (int a = 0; a < 4; ++a) {
-            if constexpr (requires { touch.pad_mm; }) {
-                nodes.push_back(touch.nodes[a]);
-            } else {
+            if constexpr (requires { touch.weights; }) {
                 const bool has = a < static_cast<int>(std::size(touch.nodes));
                 nodes.push_back(has && touch.weights[a] != 0.0 ? touch.nodes[a] : -1);
+            } else {
+                nodes.push_back(touch.nodes[a]);
             }
         }
 }
@@ -54,7 +54,6 @@ void DeviceTouches::set_nodes(std::size_t nodes) {
 }
 
 void DeviceTouches::set(const TouchList& list) {
-    tool_pad_mm_ = list.tool_pad_mm;
     tool_.set(list.tool);
     points_.set(list.points);
     pairs_.set(list.pairs);
@@ -106,8 +105,8 @@ void DeviceTouches::list_by_node(std::vector<int> touch_nodes) {
 
 void DeviceTouches::press(View<const Vector3<double>> position) {
     const PlacesView place = places(position);
-    machine_.for_each(PressPoints{points_.read(), tool_.read(), tool_pad_mm_, place,
-                                  pulls_.view(0, points_.size())});
+    machine_.for_each(
+        PressPoints{points_.read(), tool_.read(), place, pulls_.view(0, points_.size())});
     machine_.for_each(PressPairs{pairs_.read(), place, pulls_.view(points_.size(), pairs_.size())});
     machine_.for_each(RubPoints{rubs_.read(), place, pulls_.view(pads(), rubs_.size())});
     machine_.for_each(

@@ -43,7 +43,6 @@ class DeviceTouches {
 
     Machine& machine_;
     int nodes_ = 0;
-    double tool_pad_mm_ = 1.0;
     Array<Vector3<double>> standing_;
     GrowingArray<int> row_;  // the host's copy is that without contacts
     GrowingArray<PadCapsule> tool_;

@@ -78,6 +78,16 @@ TEST_F(CutBar, MotionThatASplitTakesOrGivesIsSeen) {
     EXPECT_NE(check.after_step(*stepper_, stored), "");
 }
 
+TEST_F(CutBar, AVertexThatASplitMovesIsSeen) {
+    SplitCheck check(body_, {});
+    const EnergyLedger stored = stepper_->energies();
+    cut();
+    BodyState state = stepper_->state();
+    state.positions_mm.back().x() += 1e-9;
+    stepper_->set_state(state.positions_mm, state.velocities_mm_per_s);
+    EXPECT_THAT(check.after_step(*stepper_, stored), testing::HasSubstr("where it was split from"));
+}
+
 TEST_F(CutBar, EnergyThatASplitMakesIsSeen) {
     SplitCheck check(body_, {});
     const EnergyLedger stored = stepper_->energies();

@@ -4,8 +4,10 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/deform/body/torn_body.h"
 #include "core/deform/potentials/obstacle_contact.h"
 #include "core/deform/potentials/self_contact.h"
+#include "core/deform/potentials/tool_contact.h"
 
 namespace hepatica {
 
@@ -30,6 +32,7 @@ void BodySurfaces::set_overlaps(const SurfacesKept& kept) const {
 void BodySurfaces::let_go(std::span<const Vec3> positions_mm) const {
     if (self_) self_->pairs().let_go(positions_mm);
     if (obstacles_) obstacles_->let_go(positions_mm);
+    if (tool_) tool_->grow_thin_pads(positions_mm);
 }
 
 void BodySurfaces::find_overlaps(std::span<const Vec3> positions_mm) const {
@@ -37,11 +40,13 @@ void BodySurfaces::find_overlaps(std::span<const Vec3> positions_mm) const {
     if (obstacles_) obstacles_->find_overlaps(positions_mm);
 }
 
-SurfacesBeforeTear BodySurfaces::before_tear() const {
+SurfacesBeforeTear BodySurfaces::before_tear(std::span<const Vec3> positions_mm) const {
     SurfacesBeforeTear before;
     if (self_) before.self = std::make_shared<BeforeTear>(self_->pairs().before_tear());
     if (obstacles_)
         before.obstacles = std::make_shared<BeforeTear>(obstacles_->pairs().before_tear());
+    if (tool_) before.tool = tool_->before_tear(positions_mm);
+    before.nodes = static_cast<int>(positions_mm.size());
     return before;
 }
 
@@ -49,6 +54,7 @@ void BodySurfaces::follow_split(const SurfacesBeforeTear& before, std::span<cons
                                 std::span<const Vec3> positions_mm) const {
     if (before.self) self_->pairs().follow_split(*before.self, parents, positions_mm);
     if (before.obstacles) obstacles_->follow_split(*before.obstacles, parents, positions_mm);
+    if (tool_) tool_->follow_split(before.tool, nodes_before(parents, before.nodes), positions_mm);
 }
 
 }  // namespace hepatica

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/deform/potentials/load_input.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -71,6 +72,14 @@ void validate_tool(const Tool& tool, bool touchable) {
         require(opening >= 0.0 && std::isfinite(opening),
                 "is open by " + number_text(opening) + " mm");
     require(positive(tool.pad_mm), "has a pad of " + number_text(tool.pad_mm) + " mm");
+    for (std::size_t k = 0; k < tool.thin_pads.size(); ++k) {
+        const ThinPad& thin = tool.thin_pads[k];
+        require(positive(thin.pad_mm) && thin.pad_mm < tool.pad_mm,
+                "has a thin pad of " + number_text(thin.pad_mm) + " mm");
+        require(std::ranges::is_sorted(thin.corners) && thin.corners[0] >= 0 &&
+                    (k == 0 || tool.thin_pads[k - 1].corners < thin.corners),
+                "has thin pads that are not in order");
+    }
     require(positive(tool.pressure_pa), "has a pad of " + number_text(tool.pressure_pa) + " Pa");
     require(tool.friction >= 0.0 && std::isfinite(tool.friction),
             "has a friction of " + number_text(tool.friction));

@@ -17,6 +17,7 @@ struct PadPoint {
     int nodes[3];       // the corners of its triangle
     double weights[3];  // barycentric
     int part;           // of the tool
+    double pad_mm;      // of its triangle
     double strength_un;
     double dip_mm;  // how far its triangle bulges into the pad; subtracted from the gap
 };
@@ -28,19 +29,19 @@ struct PointPull {
     PadBarrier pad;      // its force acts along the normal on the surface
 };
 
-HEPATICA_HOST_DEVICE PointPull pull_of(const PadPoint& point, const PadCapsule& part, double pad_mm,
+HEPATICA_HOST_DEVICE PointPull pull_of(const PadPoint& point, const PadCapsule& part,
                                        const small::Vector3<double>* corners) {
     PointPull pull;
     pull.at = small::point_in(corners, point.weights);
     const small::OnSegment on = small::closest_on_segment(pull.at, part.begin, part.end);
     const double distance = std::sqrt(on.squared);
     const double gap = distance - part.radius_mm - point.dip_mm;
-    if (!(gap < pad_mm)) return pull;
+    if (!(gap < point.pad_mm)) return pull;
     pull.pressed = true;
     pull.along = on.along;
     const auto apart = pull.at - small::point_between(part.begin, part.end, on.along);
     for (int c = 0; c < 3; ++c) pull.normal[c] = apart[c] / distance;
-    pull.pad = pad_barrier(gap, pad_mm, point.strength_un);
+    pull.pad = pad_barrier(gap, point.pad_mm, point.strength_un);
     return pull;
 }
 

@@ -72,7 +72,7 @@ class PotentialList {
     // The ties of parted joints; null where the body does not tear.
     SofteningTies* ties() const { return ties_; }
     // What its surfaces keep from step to step.
-    BodySurfaces surfaces() const { return {self_, obstacles_}; }
+    BodySurfaces surfaces() const { return {self_, obstacles_, contact_}; }
 
     std::span<const std::unique_ptr<Potential>> all() const { return all_; }
 

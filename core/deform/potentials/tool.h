@@ -4,6 +4,7 @@
 // does it pass through anything.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <span>
 #include <vector>
@@ -23,6 +24,12 @@ struct ToolPart {
     Vec3 led_half_axis_mm = Vec3::Zero();
 };
 
+// The pad of a triangle that a tear has laid bare within the tool's pad; see thin_pads.h.
+struct ThinPad {
+    std::array<int, 3> corners{};  // its nodes, ascending
+    double pad_mm = 0.0;           // > 0 and thinner than the tool's
+};
+
 struct Tool {
     std::vector<ToolPart> parts;  // at least one
     double opening_mm = 0.0;      // current opening, >= 0; 0 without jaws
@@ -35,6 +42,7 @@ struct Tool {
     // The pad: its thickness, > 0, and its pressure where it is compressed to half, > 0. Compressed
     // by the share g it responds with pressure * g / (1 - g).
     double pad_mm = 0.0;
+    std::vector<ThinPad> thin_pads{};  // ascending by corners
     double pressure_pa = 0.0;
     double friction = 0.0;  // Coulomb's coefficient, >= 0
     // Against a greater force the tool neither advances nor closes; > 0.

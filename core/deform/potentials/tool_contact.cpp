@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/deform/potentials/point_stiffness.h"
+#include "core/deform/potentials/thin_pads.h"
 #include "core/deform/potentials/tool_load_sum.h"
 
 namespace hepatica {
@@ -35,7 +36,6 @@ void ToolContact::list_touches(std::span<const Vec3> positions_mm,
                                std::span<const Vec3> other_positions_mm, TouchList& list) const {
     if (!tool_) return;
     const std::vector<Capsule> shapes = tool_->shapes();
-    list.tool_pad_mm = tool_->pad_mm;
     for (const Capsule& shape : shapes) list.tool.push_back(pad_capsule(shape));
     list.points = pad_.points_near(*tool_, shapes, positions_mm, other_positions_mm);
 }
@@ -46,6 +46,21 @@ double ToolContact::least_gap_mm(std::span<const Vec3> positions_mm) const {
 
 bool ToolContact::free(std::span<const Vec3> positions_mm) const {
     return least_gap_mm(positions_mm) > 0.0 && std::isfinite(energy(positions_mm, positions_mm));
+}
+
+std::vector<ThinPad> ToolContact::before_tear(std::span<const Vec3> positions_mm) const {
+    return tool_ ? pads_before_split(*tool_, pad_.surface(), positions_mm) : std::vector<ThinPad>{};
+}
+
+void ToolContact::follow_split(std::span<const ThinPad> before, std::span<const int> node_before,
+                               std::span<const Vec3> positions_mm) {
+    if (tool_)
+        tool_->thin_pads =
+            thin_pads_after_split(before, *tool_, pad_.surface(), node_before, positions_mm);
+}
+
+void ToolContact::grow_thin_pads(std::span<const Vec3> positions_mm) {
+    if (tool_) hepatica::grow_thin_pads(*tool_, pad_.surface(), positions_mm);
 }
 
 // Counts the body's pad alone: a rigid obstacle needs no limit. The force on the jaws is the

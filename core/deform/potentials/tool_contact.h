@@ -40,6 +40,12 @@ class ToolContact final : public Potential {
     double least_gap_mm(std::span<const Vec3> positions_mm) const;
     // Whether the pad's energy is finite and the tool penetrates nothing.
     bool free(std::span<const Vec3> positions_mm) const;
+    // Pads of faces that a tear lays bare, see thin_pads.h: those before it, which are handed over
+    // to the contact of the torn body, and their growth. Nothing without a tool.
+    std::vector<ThinPad> before_tear(std::span<const Vec3> positions_mm) const;
+    void follow_split(std::span<const ThinPad> before, std::span<const int> node_before,
+                      std::span<const Vec3> positions_mm);
+    void grow_thin_pads(std::span<const Vec3> positions_mm);
     // The vertices of all patches whose boxes meet the box swept by the tool and its pad.
     std::vector<int> vertices_near_way(std::span<const Vec3> positions_mm) const;
     // Moves the tool past the resting body and obstacles until a gap falls to half the pad; see

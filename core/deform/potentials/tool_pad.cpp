@@ -6,11 +6,11 @@
 #include <iterator>
 
 #include "core/base/small_matrix_eigen.h"
+#include "core/deform/potentials/thin_pads.h"
 
 namespace hepatica {
 namespace {
 
-constexpr double dip_of_pad = 0.125;  // how far a triangle may bulge into the pad between points
 constexpr double most_stretch = 1.5;  // of the surface, up to which that holds
 constexpr int most_cuts = 32;         // per edge of a triangle
 
@@ -31,7 +31,8 @@ ToolPad::ToolPad(SurfacePatches surface, std::span<const Vec3> rest_mm)
 // radius R bulges there by s^2 / (6 R).
 void ToolPad::add_points_of(int triangle, const Tool& tool, double radius_mm, int part,
                             std::vector<PadPoint>& points) const {
-    const double pad = tool.pad_mm, edge = longest_edge_mm_[triangle];
+    const double pad = pad_of_triangle_mm(tool, surface_.triangles()[triangle]);
+    const double edge = longest_edge_mm_[triangle];
     const double apart = std::sqrt(6.0 * dip_of_pad * pad * radius_mm) / most_stretch;
     const int n = std::clamp(static_cast<int>(std::ceil(edge / apart)), 1, most_cuts);
     const double dip =
@@ -44,7 +45,7 @@ void ToolPad::add_points_of(int triangle, const Tool& tool, double radius_mm, in
             const double share = on_borders == 0 ? 6.0 : (on_borders == 1 ? 3.0 : 1.0);
             const double strength = share / (3.0 * n * n) * area_mm2_[triangle] * tool.pressure_pa;
             points.push_back(
-                {{a, b, c}, {static_cast<double>(n - i - j) / n, v, w}, part, strength, dip});
+                {{a, b, c}, {static_cast<double>(n - i - j) / n, v, w}, part, pad, strength, dip});
         }
 }
 
@@ -58,7 +59,7 @@ void ToolPad::add_contacts_of(int triangle, const Tool& tool, const Capsule& sha
     for (int a = 0; a < 3; ++a)
         corners[a] = small::from_eigen(positions_mm[surface_.triangles()[triangle][a]]);
     for (const PadPoint& point : points) {
-        const PointPull pull = pull_of(point, capsule, tool.pad_mm, corners);
+        const PointPull pull = pull_of(point, capsule, corners);
         if (!pull.pressed) continue;
         found.push_back({part,
                          pull.along,

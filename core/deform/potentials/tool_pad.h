@@ -34,6 +34,9 @@ PadCapsule pad_capsule(const Capsule& shape);
 // Thread-safe: const access only.
 class ToolPad {
   public:
+    // How far a triangle may bulge into the pad between its points, as a share of the pad.
+    static constexpr double dip_of_pad = 0.125;
+
     ToolPad(SurfacePatches surface, std::span<const Vec3> rest_mm);
 
     const SurfacePatches& surface() const { return surface_; }

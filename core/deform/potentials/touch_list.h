@@ -30,7 +30,6 @@ struct TieTouch {
 };
 
 struct TouchList {
-    double tool_pad_mm = 0.0;
     std::vector<PadCapsule> tool;
     std::vector<PadPoint> points;
     std::vector<PadPair> pairs;  // nodes after the body's are those of its obstacles

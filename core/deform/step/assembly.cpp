@@ -11,15 +11,15 @@ namespace {
 
 constexpr std::size_t row_block = 256;
 
-using Wide = ElementSlots::Wide;
-using Columns = std::array<Wide, 3>;  // of a 3x3 matrix; the fourth lanes are not used
+using Column = ElementSlots::Wide;
+using Columns = std::array<Column, 3>;  // of a 3x3 matrix; the fourth lanes are not used
 
 Columns transposed(const Columns& m) {
     const auto first = __builtin_shufflevector(m[0].v, m[1].v, 0, 4, 2, 6);
     const auto second = __builtin_shufflevector(m[0].v, m[1].v, 1, 5, 3, 7);
-    return {Wide(__builtin_shufflevector(first, m[2].v, 0, 1, 4, 5)),
-            Wide(__builtin_shufflevector(second, m[2].v, 0, 1, 5, 4)),
-            Wide(__builtin_shufflevector(first, m[2].v, 2, 3, 6, 7))};
+    return {Column(__builtin_shufflevector(first, m[2].v, 0, 1, 4, 5)),
+            Column(__builtin_shufflevector(second, m[2].v, 0, 1, 5, 4)),
+            Column(__builtin_shufflevector(first, m[2].v, 2, 3, 6, 7))};
 }
 
 // Writes nine entries, column by column.
@@ -32,7 +32,7 @@ void store(const Columns& m, Mat3& block) {
 
 Columns columns_of(const small::Matrix3<double>& m) {
     Columns columns;
-    for (int j = 0; j < 3; ++j) columns[j] = Wide::Vector{m(0, j), m(1, j), m(2, j), 0.0};
+    for (int j = 0; j < 3; ++j) columns[j] = Column::Vector{m(0, j), m(1, j), m(2, j), 0.0};
     return columns;
 }
 

@@ -212,7 +212,7 @@ void OwnCpuBackEnd::tear(const BodyDescription& whole, const TornBody& tear) {
     std::vector<Grab> grabs = potentials_->grabs();
     const Vec3 gravity = potentials_->gravity_mm_per_s2();
     const std::optional<Tool> tool = potentials_->tool();
-    const SurfacesBeforeTear surfaces = potentials_->surfaces().before_tear();
+    const SurfacesBeforeTear surfaces = potentials_->surfaces().before_tear(state_.positions_mm);
     const Body before =
         std::exchange(body_, build_body(torn(whole, tear), options_.model, options_.order));
     body_.parted_pairs = tear.parted_pairs;

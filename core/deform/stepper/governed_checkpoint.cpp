@@ -90,6 +90,7 @@ void GovernedStepper::restore_solver(const StepperCheckpoint& checkpoint,
                                      std::optional<Tearing> tearing) {
     const SurfacesKept overlaps = back_end_->overlaps();
     const BodyState present = back_end_->state();
+    const std::optional<Tool> tool = back_end_->tool();
     tearing_.swap(tearing);
     try {
         if (tearing_) follow_tear(*back_end_);
@@ -101,6 +102,7 @@ void GovernedStepper::restore_solver(const StepperCheckpoint& checkpoint,
             follow_tear(*back_end_);
             back_end_->set_grabs(grabs_);
             back_end_->set_state(present);
+            back_end_->set_tool(tool);
             if (region_) back_end_->freeze(frozen_nodes());
         }
         back_end_->set_overlaps(overlaps);

@@ -60,6 +60,16 @@ void fields(Visit& visit, auto& value) requires requires {
 
 template <class Visit>
 void fields(Visit& visit, auto& value) requires requires {
+    value.pad_mm;
+    value.corners;
+}
+{
+    for (auto& corner : value.corners) visit(corner);
+    visit(value.pad_mm);
+}
+
+template <class Visit>
+void fields(Visit& visit, auto& value) requires requires {
     value.start_mm;
 }
 {
@@ -216,7 +226,8 @@ class Writer {
     void behind_all(const auto& tool, const auto& made_with, const auto& self, const auto& overlaps,
                     const auto& tear, const auto& obstacles, const auto& began_mm,
                     const auto& coupled, double swing) {
-        const bool of_swing = swing > 0.0;
+        const bool of_thin_pads = any_thin(tool) || any_thin(made_with);
+        const bool of_swing = swing > 0.0 || of_thin_pads;
         const bool of_couplings = !coupled.numbers.empty() || of_swing;
         const bool of_friction =
             obstacles || overlaps.obstacles || !began_mm.empty() || of_couplings;
@@ -236,10 +247,17 @@ class Writer {
         if (!of_couplings) return;
         (*this)(coupled.pairs);
         (*this)(coupled.numbers);
-        if (of_swing) (*this)(swing);
+        if (!of_swing) return;
+        (*this)(swing);
+        if (!of_thin_pads) return;
+        (*this)(tool ? tool->tool.thin_pads : std::vector<ThinPad>{});
+        (*this)(made_with ? made_with->tool.thin_pads : std::vector<ThinPad>{});
     }
 
   private:
+    static bool any_thin(const auto& with_tool) {
+        return with_tool && !with_tool->tool.thin_pads.empty();
+    }
     void put(const void* data, std::size_t size) { sink_(data, size); }
     void put_length(std::size_t length) {
         const std::uint64_t wide = length;
@@ -335,6 +353,7 @@ class Reader {
             (*this)(swing);
             used = swing > 0.0;
         }
+        if (!rest_.empty()) used = take_thin_pads(tool) | take_thin_pads(made_with);
         if (!used) refuse("goes on after its end");
     }
 
@@ -344,6 +363,15 @@ class Reader {
     }
 
   private:
+    // Whether there were any.
+    bool take_thin_pads(auto& with_tool) {
+        std::vector<ThinPad> thin;
+        (*this)(thin);
+        if (thin.empty()) return false;
+        if (!with_tool) refuse("holds the pads of a tool that it has not");
+        with_tool->tool.thin_pads = std::move(thin);
+        return true;
+    }
     void take(void* data, std::size_t size) {
         if (rest_.size() < size) refuse("is cut off");
         if (size > 0) std::memcpy(data, rest_.data(), size);

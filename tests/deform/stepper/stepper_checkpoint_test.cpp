@@ -241,6 +241,18 @@ TEST(StepperCheckpointBytes, EveryFieldCountsInTheHash) {
         {"still", [](auto& c) { c.still_s += 1.0; }},
         {"settled", [](auto& c) { c.settled_s += 1.0; }},
         {"swing", [](auto& c) { c.swing_mm_per_s += 1.0; }},
+        {"thin pad",
+         [](auto& c) {
+             c.tool.emplace().tool.thin_pads.push_back({{1, 2, 3}, 0.1});
+         }},
+        {"thicker pad",
+         [](auto& c) {
+             c.tool.emplace().tool.thin_pads.push_back({{1, 2, 3}, 0.2});
+         }},
+        {"origin thin pad",
+         [](auto& c) {
+             c.solver.tool.emplace().tool.thin_pads.push_back({{1, 2, 3}, 0.1});
+         }},
         {"last kinetic", [](auto& c) { c.last_kinetic += 1.0; }},
         {"last elastic", [](auto& c) { c.last_elastic += 1.0; }},
         {"last grab", [](auto& c) { c.last_grab += 1.0; }},
