@@ -28,9 +28,17 @@ class GuidePictures : Photographer {
         lead(vessel, vessel + QPoint(80, 60), 20, 30);
         settle();
         save("pull");
+        window().actions()[ActionId::toggle_stretch].trigger();
+        settle();
+        save("stretch");
+        window().actions()[ActionId::toggle_stretch].trigger();
         QTest::mouseRelease(&window().view(), Qt::LeftButton, {}, vessel + QPoint(80, 60));
         window().actions()[ActionId::reset].trigger();
         settle();
+        hold_tool(Qt::Key_6, on_longest_path(0.8), QPoint(6, 40));
+        save("forceps");
+        put_tool_away();
+        window().actions()[ActionId::pull_mode].trigger();
         QTest::mouseDClick(&window().view(), Qt::LeftButton, {}, on_vessel(0.02));
         QTest::qWait(6000);  // lets the drug flow
         window().actions()[ActionId::play_pause].trigger();

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "core/patient/patient_case.h"
+#include "core/session/script.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/opengl_probe.h"
@@ -66,6 +67,26 @@ class Photographer {
             QTest::mouseMove(&window_.view(), from + (to - from) * i / moves);
             QTest::qWait(wait_ms);
         }
+    }
+    QPoint on_longest_path(double share) {
+        return pixel_of(point_on_longest_path(window_.workspace().patient()->tree, share));
+    }
+    // Takes the tool of this key in hand at a point of the view, closes it if it has jaws, and
+    // moves it.
+    void hold_tool(Qt::Key key, const QPoint& at, const QPoint& by) {
+        QTest::keyClick(&window_, key);
+        QTest::mouseMove(&window_.view(), at);
+        until([this] { return window_.frame().tool.has_value(); });
+        settle();
+        QTest::keyClick(&window_, Qt::Key_C);
+        settle();
+        lead(at, at + by, 20, 60);
+        settle();
+    }
+    void put_tool_away() {
+        QTest::keyClick(&window_, Qt::Key_Escape);
+        window_.actions()[ActionId::reset].trigger();
+        settle();
     }
     static void lead(SliceView& slice, const Vec3& place) {
         const QPointF at = slice.place_of(place).toPoint();

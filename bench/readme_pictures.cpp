@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "bench/photographer.h"
-#include "core/session/script.h"
 #include "ui/lesson_dock.h"
 #include "ui/slices/view_layout.h"
 
@@ -38,32 +37,17 @@ class ReadmePictures : Photographer {
   private:
     using Photographer::lead;
 
-    QPoint on_longest_path(double share) {
-        return pixel_of(point_on_longest_path(window().workspace().patient()->tree, share));
-    }
-
-    // Takes a tool in hand beside the longest branch, closes it if it has jaws, and moves it.
     void tool(
         Qt::Key key, const QString& name, const QPoint& by,
         const std::function<void()>& then = [] {}) {
-        VtkWidget& view = window().view();
         const QPoint vessel = on_longest_path(0.8);
-        QTest::keyClick(&window(), key);
-        QTest::mouseMove(&view, vessel);
-        until([this] { return window().frame().tool.has_value(); });
-        settle();
-        QTest::keyClick(&window(), Qt::Key_C);
-        settle();
-        lead(vessel, vessel + by, 20, 60);
-        settle();
+        hold_tool(key, vessel, by);
         then();
         QAction& annotations = window().actions()[ActionId::toggle_annotations];
         annotations.trigger();
-        save(around(vessel, view.picture()), name);
+        save(around(vessel, window().view().picture()), name);
         annotations.trigger();
-        QTest::keyClick(&window(), Qt::Key_Escape);
-        window().actions()[ActionId::reset].trigger();
-        settle();
+        put_tool_away();
     }
 
     void play_drug() {

@@ -73,6 +73,18 @@ void add_warnings(std::vector<LegendRow>& rows) {
     rows.push_back(std::move(ramp));
 }
 
+// The ramp follows the stretch's logarithm.
+void add_stretch(std::vector<LegendRow>& rows) {
+    LegendRow ramp;
+    ramp.text = "Stretch (length / length at rest)";
+    const double all = std::log(palette::largest_stretch);
+    for (int c = 0; c < ramp_cells; ++c)
+        ramp.colours.push_back(palette::stretch(std::exp(all * (c + 0.5) / ramp_cells)));
+    for (const double factor : {1.0, 1.25, 1.5, 2.0})
+        ramp.ticks.emplace_back(std::log(factor) / all, fixed_text(factor, factor == 1.25 ? 2 : 1));
+    rows.push_back(std::move(ramp));
+}
+
 }  // namespace
 
 void set_colours_shown(LegendContent& content, const std::vector<VascularSystem>& systems,
@@ -150,12 +162,17 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     for (std::size_t r = steady; r < rows.size(); ++r) rows[r].passing = !branch;
     if (content.gaps) swatch("A gap, and how sure", palette::bridge);
     if (content.lined) swatch("Cut line, not torn yet", palette::weak_line(), true);
-    if (content.torn) swatch("Cut or torn", palette::torn);
+    if (content.torn) {
+        swatch("Cut or torn", palette::torn);
+        swatch("Inside of what is torn", palette::torn_inside, true);
+    }
     if (content.bleeds) swatch("Blood (1/10 of the volume)", palette::bleeding);
     if (content.warned) add_warnings(rows);
+    if (content.stretched) add_stretch(rows);
     if (content.injected) add_drug(content, rows);
     if (content.reached_before)
         swatch("Reached by an earlier injection", palette::reached_before(content.bright));
+    if (content.stretched) return rows;
     if (!content.segments.empty()) add_segments(content, rows);
     for (const VascularSystem system : content.systems)
         swatch(with_capital(title_of(system)), palette::vessel_system(system, content.bright));

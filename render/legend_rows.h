@@ -24,8 +24,9 @@ struct LegendContent {
     bool injected = false;
     bool reached_before = false;  // what an injection before has reached is visible
     double drug_time_s = 0.0, drug_end_s = 0.0;
-    bool touched = false;  // a tool is in use, or a vessel is pulled
-    bool warned = false;   // vessels near their limit are coloured
+    bool touched = false;    // a tool is in use, or a vessel is pulled
+    bool stretched = false;  // they have the colours of their stretch instead of their systems'
+    bool warned = false;     // vessels near their limit are coloured
     bool torn = false;
     bool lined = false;  // a cut line holds still
     bool bleeds = false;

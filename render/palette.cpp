@@ -18,6 +18,22 @@ constexpr std::array<Colour, 6> drug_stops{{{0.60, 0.20, 0.016},
                                             {0.996, 0.79, 0.38},
                                             {1.000, 0.96, 0.72}}};
 
+constexpr std::array<Colour, 5> stretch_stops{{{0.33, 0.39, 0.47},
+                                               {0.43, 0.40, 0.66},
+                                               {0.65, 0.42, 0.76},
+                                               {0.86, 0.48, 0.78},
+                                               {0.97, 0.62, 0.86}}};
+
+// At `fraction` of the way along the stops; values outside [0, 1] are clamped.
+template <std::size_t n>
+Colour between(const std::array<Colour, n>& stops, double fraction) {
+    constexpr int intervals = static_cast<int>(n) - 1;
+    const double place = std::clamp(fraction, 0.0, 1.0) * intervals;
+    const int below = std::min(static_cast<int>(place), intervals - 1);
+    return mixed(stops[static_cast<std::size_t>(below)], stops[static_cast<std::size_t>(below) + 1],
+                 place - below);
+}
+
 double luminance(const Colour& colour) {
     const auto linear = [](double channel) {
         return channel <= 0.03928 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
@@ -101,12 +117,12 @@ Colour warning(const Colour& vessel, double load) {
     return weighted(near_limit, at_limit, std::min(1.0, (load - yellow) / (1.0 - yellow)));
 }
 
+Colour stretch(double factor) {
+    return between(stretch_stops, std::log(std::max(factor, 1.0)) / std::log(largest_stretch));
+}
+
 Colour drug(double fraction) {
-    constexpr int intervals = static_cast<int>(drug_stops.size()) - 1;
-    const double place = std::clamp(fraction, 0.0, 1.0) * intervals;
-    const int below = std::min(static_cast<int>(place), intervals - 1);
-    return mixed(drug_stops[static_cast<std::size_t>(below)],
-                 drug_stops[static_cast<std::size_t>(below) + 1], place - below);
+    return between(drug_stops, fraction);
 }
 
 std::string drug_glsl() {

@@ -24,9 +24,10 @@ inline constexpr Colour grab_line{0.30, 0.95, 0.85};
 inline constexpr Colour rim{0.02, 0.03, 0.05};      // dark, about a line over any colours
 inline constexpr Colour outline{0.13, 0.15, 0.18};  // outline of bright things on white paper
 inline constexpr Colour tool{0.74, 0.77, 0.80};
-inline constexpr Colour tool_rim{0.96, 0.98, 1.0};  // about a tool, seen through vessels
-inline constexpr Colour torn{0.45, 0.00, 0.35};     // the rim of a tear: wine, no red of blood
-inline constexpr Colour touch = grab_line;          // what a tool touches, and its force
+inline constexpr Colour tool_rim{0.96, 0.98, 1.0};      // about a tool, seen through vessels
+inline constexpr Colour torn{0.45, 0.00, 0.35};         // the rim of a tear: wine, no red of blood
+inline constexpr Colour torn_inside{0.93, 0.58, 0.52};  // what was inside: flesh, inside that rim
+inline constexpr Colour touch = grab_line;              // what a tool touches, and its force
 inline constexpr Colour bridge{0.98, 0.74, 0.30};
 inline constexpr Colour measure{1.0, 0.84, 0.35};     // measurements
 inline constexpr Colour bent_axis{0.95, 0.16, 0.14};  // the red line of the paper's Fig. 3
@@ -65,6 +66,11 @@ Colour liver_segment(int segment);
 // Colour of a vessel under `load`, the ratio of its load to the load at which it tears: its own
 // colour below 0.5, then towards yellow, and red at 1 and beyond.
 Colour warning(const Colour& vessel, double load);
+
+// Colour of a vessel that is stretched by this factor (SurfaceStretch): grey at 1 and below, pink
+// at largest_stretch and beyond, lighter with every stretch, along its logarithm.
+inline constexpr double largest_stretch = 2.0;
+Colour stretch(double factor);
 
 // Of a cut line that has not torn yet.
 Colour weak_line();

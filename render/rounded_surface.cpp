@@ -28,7 +28,8 @@ Eigen::Map<const Vec3f> at(const std::vector<float>& values, int index) {
 }  // namespace
 
 void RoundedSurface::set_topology(const std::vector<std::array<int, 3>>& triangles,
-                                  std::size_t vertex_count) {
+                                  std::size_t vertex_count,
+                                  const std::vector<std::array<int, 2>>& creases) {
     corner_count_ = vertex_count;
     std::vector<EdgeUse> uses;
     uses.reserve(3 * triangles.size());
@@ -49,6 +50,7 @@ void RoundedSurface::set_topology(const std::vector<std::array<int, 3>>& triangl
         middles[static_cast<std::size_t>(use.triangle)][static_cast<std::size_t>(use.side)] =
             static_cast<int>(corner_count_ + edges_.size()) - 1;
     }
+    find_seams(creases);
     triangles_.clear();
     triangles_.reserve(4 * triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -58,6 +60,23 @@ void RoundedSurface::set_topology(const std::vector<std::array<int, 3>>& triangl
     }
     positions_mm_.assign(3 * this->vertex_count(), 0.0f);
     normals_.assign(3 * this->vertex_count(), 0.0f);
+}
+
+void RoundedSurface::find_seams(const std::vector<std::array<int, 2>>& creases) {
+    seams_.clear();
+    const auto twin_of = [&creases](int bare) {
+        const auto crease =
+            std::ranges::lower_bound(creases, bare, {}, [](const auto& pair) { return pair[1]; });
+        return crease != creases.end() && (*crease)[1] == bare ? (*crease)[0] : -1;
+    };
+    for (std::size_t e = 0; e < edges_.size() && !creases.empty(); ++e) {
+        const int a = twin_of(edges_[e][0]), b = twin_of(edges_[e][1]);
+        if (a < 0 || b < 0) continue;
+        const std::array<int, 2> outer{std::min(a, b), std::max(a, b)};
+        const auto found = std::ranges::lower_bound(edges_, outer);
+        if (found != edges_.end() && *found == outer)
+            seams_.push_back({static_cast<std::size_t>(found - edges_.begin()), e});
+    }
 }
 
 void RoundedSurface::update(const SurfaceGeometry& surface) {
@@ -76,6 +95,9 @@ void RoundedSurface::update(const SurfaceGeometry& surface) {
             middle - roundness * 0.5f * (above_a + above_b);
         Eigen::Map<Vec3f>(normals_.data() + place) = normal;
     }
+    for (const auto& [outer, bare] : seams_)
+        Eigen::Map<Vec3f>(positions_mm_.data() + 3 * (corner_count_ + bare)) =
+            at(positions_mm_, static_cast<int>(corner_count_ + outer));
 }
 
 }  // namespace hepatica

@@ -16,7 +16,9 @@ namespace hepatica {
 // The surface's own vertices come first, then one per edge. Not thread-safe.
 class RoundedSurface {
   public:
-    void set_topology(const std::vector<std::array<int, 3>>& triangles, std::size_t vertex_count);
+    // `creases` as SurfaceGeometry has them; the surface has no gap there.
+    void set_topology(const std::vector<std::array<int, 3>>& triangles, std::size_t vertex_count,
+                      const std::vector<std::array<int, 2>>& creases = {});
     // Takes the positions and normals of the surface, which must have the vertex count given to
     // set_topology().
     void update(const SurfaceGeometry& surface);
@@ -29,8 +31,12 @@ class RoundedSurface {
     const std::vector<std::array<int, 2>>& edges() const { return edges_; }
 
   private:
+    void find_seams(const std::vector<std::array<int, 2>>& creases);
+
     std::size_t corner_count_ = 0;
-    std::vector<std::array<int, 2>> edges_;
+    std::vector<std::array<int, 2>> edges_;  // ascending
+    // Edges along creases: that of the outer triangles, and that of the bare ones.
+    std::vector<std::array<std::size_t, 2>> seams_;
     std::vector<std::array<int, 3>> triangles_;
     std::vector<float> positions_mm_;
     std::vector<float> normals_;

@@ -88,6 +88,7 @@ bool SceneView::show(const Frame& frame) {
     const bool force_changed = parts_->pull_force.show(pull_force, pull.target_mm);
     const bool blood_changed = parts_->bleeding.update(frame.tear);
     set_frame_shown(parts_->legend, frame, parts_->warned, parts_->least_drug_end_s);
+    parts_->legend.stretched = parts_->tree.shows_stretch();
     if (frame.drug.arrival_s || parts_->drug.arrival_s) {
         parts_->drug = frame.drug;
         parts_->find_colours_shown();
@@ -324,6 +325,15 @@ void SceneView::set_warnings_visible(bool visible) {
     parts_->warned = visible;
     if (!visible) parts_->legend.warned = false;
     parts_->tree.set_warnings(visible);
+}
+
+void SceneView::set_stretch_visible(bool visible) {
+    parts_->tree.set_stretch_shown(visible);
+    if (!visible) parts_->legend.stretched = false;
+}
+
+void SceneView::set_rest_positions(const std::vector<Vec3>& rest_mm) {
+    parts_->tree.set_rest_positions(rest_mm);
 }
 
 void SceneView::set_smoothing(Smoothing smoothing) {

@@ -107,6 +107,9 @@ class SceneView {
     void set_drug_scale(double least_end_s);
     // Whether vessels that are near tearing are coloured, from the next frame on; off by default.
     void set_warnings_visible(bool visible);
+    // See TreeActor; shown from the next frame on.
+    void set_stretch_visible(bool visible);
+    void set_rest_positions(const std::vector<Vec3>& rest_mm);
     void set_smoothing(Smoothing smoothing);  // `best` by default
     // While anything moves the legend keeps its corner, as it does with Smoothing::none; off by
     // default.

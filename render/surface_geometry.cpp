@@ -63,26 +63,41 @@ SurfaceGeometry::Change SurfaceGeometry::update(const Frame& frame) {
 void SurfaceGeometry::rebuild(const Frame& frame) {
     source_ = frame.surface;
     topology_version_ = frame.topology_version;
-    triangles_.clear();
+    triangles_.assign(source_ ? source_->size() : 0, {});
     frame_vertices_.clear();
-    if (source_) {
-        std::vector<int> surface_vertex(frame.positions_mm.size() / 3, -1);
-        triangles_.reserve(source_->size());
-        for (const auto& corners : *source_) {
-            std::array<int, 3> renumbered{};
-            for (std::size_t c = 0; c < 3; ++c) {
-                int& place = surface_vertex.at(static_cast<std::size_t>(corners[c]));
-                if (place < 0) {
-                    place = static_cast<int>(frame_vertices_.size());
-                    frame_vertices_.push_back(corners[c]);
-                }
-                renumbered[c] = place;
-            }
-            triangles_.push_back(renumbered);
-        }
+    creases_.clear();
+    const auto bare = frame.tear ? frame.tear->bare : nullptr;
+    const bool any_bare = bare && bare->size() == triangles_.size();
+    std::vector<int> outer(frame.positions_mm.size() / 3, -1);
+    add_triangles(outer, [&](std::size_t t) { return !any_bare || (*bare)[t] == 0; });
+    outer_count_ = frame_vertices_.size();
+    if (any_bare) {
+        std::vector<int> inner(outer.size(), -1);
+        add_triangles(inner, [&](std::size_t t) { return (*bare)[t] != 0; });
+        for (std::size_t v = outer_count_; v < frame_vertices_.size(); ++v)
+            if (const int twin = outer[static_cast<std::size_t>(frame_vertices_[v])]; twin >= 0)
+                creases_.push_back({twin, static_cast<int>(v)});
     }
     positions_mm_.assign(3 * frame_vertices_.size(), 0.0f);
     normals_.assign(3 * frame_vertices_.size(), 0.0f);
+}
+
+// Renumbers the triangles that are chosen; `surface_vertex` has the number of each vertex of the
+// frame, or -1.
+template <class Chosen>
+void SurfaceGeometry::add_triangles(std::vector<int>& surface_vertex, const Chosen& chosen) {
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+        if (!chosen(t)) continue;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const int vertex = (*source_)[t][c];
+            int& place = surface_vertex.at(static_cast<std::size_t>(vertex));
+            if (place < 0) {
+                place = static_cast<int>(frame_vertices_.size());
+                frame_vertices_.push_back(vertex);
+            }
+            triangles_[t][c] = place;
+        }
+    }
 }
 
 void SurfaceGeometry::compute_normals() {

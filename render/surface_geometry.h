@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vessel's surface as needed for drawing: only the vertices that triangles use, with smooth
-// normals, updated every frame in one pass over vertices and triangles. Depends on no toolkit.
+// The vessel's surface as needed for drawing: only the vertices that triangles use, with normals
+// that are smooth except for creases where a tear has laid the inside bare, updated every frame in
+// one pass over vertices and triangles. Depends on no toolkit.
 #pragma once
 
 #include <array>
@@ -29,6 +30,11 @@ class SurfaceGeometry {
     const std::vector<float>& normals() const { return normals_; }  // unit length, outward
     // For each surface vertex, its index among the frame's vertices.
     const std::vector<int>& frame_vertices() const { return frame_vertices_; }
+    // Whether a surface vertex belongs to triangles that a tear has laid bare.
+    bool bare(std::size_t surface_vertex) const { return surface_vertex >= outer_count_; }
+    // At a crease a vertex of the frame has two surface vertices: one of the triangles that were
+    // outside before, and, behind all of those, one of the bare triangles. Ascending by the latter.
+    const std::vector<std::array<int, 2>>& creases() const { return creases_; }
 
     // Bounding box of all surface vertices; lower > upper where there are none.
     Vec3 lower_mm() const { return lower_mm_; }
@@ -36,11 +42,15 @@ class SurfaceGeometry {
 
   private:
     void rebuild(const Frame& frame);
+    template <class Chosen>
+    void add_triangles(std::vector<int>& surface_vertex, const Chosen& chosen);
     void compute_normals();
 
     std::shared_ptr<const std::vector<std::array<int, 3>>> source_;
     std::uint64_t topology_version_ = 0;
-    std::vector<int> frame_vertices_;
+    std::vector<int> frame_vertices_;  // outer ones first, then those of bare triangles
+    std::size_t outer_count_ = 0;
+    std::vector<std::array<int, 2>> creases_;
     std::vector<std::array<int, 3>> triangles_;  // indices of surface vertices
     std::vector<float> positions_mm_;
     std::vector<float> normals_;

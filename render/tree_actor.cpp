@@ -50,8 +50,11 @@ bool TreeActor::update(const Frame& frame) {
     loads_ = loads;
     const bool reached_anew = frame.drug.reached_before != reached_before_;
     reached_before_ = frame.drug.reached_before;
-    if (rebuilt || touched_anew || warned_anew || torn_anew || reached_anew) take_colours();
-    if (change != SurfaceGeometry::Change::none) {
+    const bool moved = change != SurfaceGeometry::Change::none;
+    const bool stretched_anew = (moved || stretches_.empty()) && take_stretch(frame);
+    if (rebuilt || stretched_anew || touched_anew || warned_anew || torn_anew || reached_anew)
+        take_colours();
+    if (moved) {
         plain_is_old_ = rounded_is_old_ = true;
         take_positions();
     }
@@ -62,8 +65,8 @@ bool TreeActor::update(const Frame& frame) {
     drug_time_s_ = frame.drug.time_s;
     for (vtkActor* actor : actors()) drug_overlay::set_time(*actor, frame.drug, least_drug_end_s_);
     show_one();
-    return change != SurfaceGeometry::Change::none || new_drug || drug_moved || touched_anew ||
-           warned_anew || torn_anew || reached_anew;
+    return moved || stretched_anew || new_drug || drug_moved || touched_anew || warned_anew ||
+           torn_anew || reached_anew;
 }
 
 void TreeActor::set_rounded(bool rounded) {
@@ -101,6 +104,28 @@ void TreeActor::set_warnings(bool shown) {
     take_colours();
 }
 
+void TreeActor::set_stretch_shown(bool shown) {
+    stretch_shown_ = shown;
+    if (shown || stretches_.empty()) return;
+    stretches_.clear();
+    take_colours();
+}
+
+void TreeActor::set_rest_positions(const std::vector<Vec3>& rest_mm) {
+    if (rest_mm == stretch_.rest_mm()) return;
+    stretch_ = SurfaceStretch(rest_mm);
+    stretches_.clear();
+}
+
+bool TreeActor::take_stretch(const Frame& frame) {
+    const bool torn = frame.tear && frame.tear->origins;
+    const std::size_t at_rest = stretch_.rest_mm().size();
+    const bool moves = at_rest > 0 && (torn || frame.positions_mm.size() == 3 * at_rest);
+    stretches_.clear();
+    if (stretch_shown_ && moves && frame.surface) stretches_ = stretch_.of_vertices(frame);
+    return !stretches_.empty();
+}
+
 void TreeActor::set_clip(vtkPlane* plane) {
     plain_.set_clip(plane);
     rounded_.set_clip(plane);
@@ -131,7 +156,8 @@ void TreeActor::show_one() {
 }
 
 void TreeActor::take_topology() {
-    rounding_.set_topology(surface_.triangles(), surface_.frame_vertices().size());
+    rounding_.set_topology(surface_.triangles(), surface_.frame_vertices().size(),
+                           surface_.creases());
     plain_.set_triangles(surface_.triangles(), surface_.frame_vertices().size());
     rounded_.set_triangles(rounding_.triangles(), rounding_.vertex_count());
 }
@@ -162,18 +188,21 @@ Colour TreeActor::own_colour_of(std::size_t vertex, std::size_t origin) const {
     if (marked(target_))
         return lit ? palette::lit_drug_target(bright_) : palette::drug_target(bright_);
     if (lit) return palette::highlight(bright_);
+    if (vertex < stretches_.size()) return palette::stretch(stretches_[vertex]);
     const int segment = origin < segments_.size() ? segments_[origin] : 0;
     if (segment > 0) return palette::liver_segment(segment);
     return palette::vessel_system(
         origin < systems_.size() ? systems_[origin] : VascularSystem::unknown, bright_);
 }
 
-Colour TreeActor::colour_of(int vertex) const {
+Colour TreeActor::colour_of(int vertex, bool bare) const {
     if (std::ranges::binary_search(touched_, vertex)) return palette::touch;
     const auto shown = static_cast<std::size_t>(vertex);
     const bool split = origins_ && shown < origins_->size();
     const auto v = split ? static_cast<std::size_t>((*origins_)[shown]) : shown;
-    const Colour colour = split && (*rims_)[shown] ? palette::torn : own_colour_of(shown, v);
+    const bool torn = split && (*rims_)[shown] != 0;
+    const Colour colour =
+        torn ? bare ? palette::torn_inside : palette::torn : own_colour_of(shown, v);
     if (loads_ && shown < loads_->size()) return palette::warning(colour, (*loads_)[shown]);
     return colour;
 }
@@ -181,8 +210,9 @@ Colour TreeActor::colour_of(int vertex) const {
 void TreeActor::take_colours() {
     std::vector<std::uint8_t> rgba;
     rgba.reserve(4 * surface_.frame_vertices().size());
-    for (const int vertex : surface_.frame_vertices()) {
-        for (const double channel : colour_of(vertex))
+    const std::vector<int>& vertices = surface_.frame_vertices();
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+        for (const double channel : colour_of(vertices[v], surface_.bare(v)))
             rgba.push_back(static_cast<std::uint8_t>(std::lround(255.0 * channel)));
         rgba.push_back(255);
     }

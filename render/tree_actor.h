@@ -11,6 +11,7 @@
 
 #include "core/base/vascular_system.h"
 #include "core/scene/frame.h"
+#include "core/scene/surface_stretch.h"
 #include "render/drawn_surface.h"
 #include "render/palette.h"
 #include "render/rounded_surface.h"
@@ -48,6 +49,12 @@ class TreeActor {
     void set_drug_scale(double least_end_s) { least_drug_end_s_ = least_end_s; }
     // Whether vessels near their limit are coloured (palette::warning); off by default.
     void set_warnings(bool shown);
+    // Whether stretched vessels have the colours of their stretch (palette::stretch) instead of
+    // those of systems and segments; off by default. The rest positions are those of a body that
+    // moves; of frames with other vertices no stretch is shown.
+    void set_stretch_shown(bool shown);
+    void set_rest_positions(const std::vector<Vec3>& rest_mm);
+    bool shows_stretch() const { return !stretches_.empty(); }
     // Distances from the camera in mm between which the tree fades into the background.
     void set_fade(double near_mm, double far_mm);
 
@@ -67,13 +74,16 @@ class TreeActor {
     const SurfaceGeometry& surface() const { return surface_; }
 
   private:
-    Colour colour_of(int vertex) const;
+    // Of a vertex of the frame, of a triangle that a tear has laid bare or of another one.
+    Colour colour_of(int vertex, bool bare) const;
     // Without touch, tears and warnings; `origin` is the vertex of the whole body that it comes
     // from.
     Colour own_colour_of(std::size_t vertex, std::size_t origin) const;
     void take_topology();
     void take_colours();
     void take_arrival(const DrugView& drug);
+    // Returns true if it is to be drawn.
+    bool take_stretch(const Frame& frame);
     // Returns true if the touched vertices changed.
     bool take_touched(const std::optional<ToolView>& tool);
     // Uploads the positions of the visible surface if they are outdated.
@@ -98,6 +108,9 @@ class TreeActor {
     std::shared_ptr<const std::vector<std::uint8_t>> rims_;  // likewise
     std::shared_ptr<const std::vector<float>> loads_;        // likewise
     bool warnings_ = false;
+    bool stretch_shown_ = false;
+    SurfaceStretch stretch_{{}};
+    std::vector<float> stretches_;  // per vertex of the frame; empty: not shown
     std::shared_ptr<const std::vector<std::uint8_t>> reached_before_;  // see DrugView
     std::uint64_t drug_version_ = 0;
     const void* drug_source_ = nullptr;

@@ -65,6 +65,7 @@ enum class ActionId {
     view_inferior,
     toggle_annotations,
     toggle_halos,
+    toggle_stretch,
     toggle_liver,
     toggle_volume,
     toggle_clip,

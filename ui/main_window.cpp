@@ -459,20 +459,7 @@ void MainWindow::connect_views() {
             view_->draw_again();
         });
     }
-    QAction& annotations = (*actions_)[ActionId::toggle_annotations];
-    annotations.setChecked(true);
-    actions_->on(ActionId::toggle_annotations, [this, &annotations] {
-        view_->scene().set_annotations_visible(annotations.isChecked());
-        view_->draw_again();
-        second_view_->take_after_first();
-    });
-    QAction& halos = (*actions_)[ActionId::toggle_halos];
-    halos.setChecked(true);
-    actions_->on(ActionId::toggle_halos, [this, &halos] {
-        view_->scene().set_halos_visible(halos.isChecked());
-        view_->draw_again();
-        second_view_->take_after_first();
-    });
+    connect_picture_parts();
     QAction& slices = (*actions_)[ActionId::toggle_slices];
     actions_->on(ActionId::choose_threshold, [this, &slices] {
         if (!slices.isChecked()) slices.trigger();

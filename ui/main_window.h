@@ -144,6 +144,8 @@ class MainWindow : public QMainWindow {
     void remove_measurements();
     std::size_t show_in_slices(bool corrected);
     void tell_lost_diameters(std::size_t lost, const QString& said_before);
+    // Legend and scale, rims at crossings, colours of the stretch.
+    void connect_picture_parts();
     void connect_themes();
     void connect_mouse_schemes();
     void show_as_first(VtkWidget& view);  // the look and the mouse that were chosen

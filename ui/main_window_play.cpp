@@ -61,6 +61,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     scene.set_marks({});
     scene.set_vertex_systems(patient_->anatomy.vertex_systems());
     scene.set_vertex_segments({});
+    scene.set_rest_positions(patient_->patient->mesh.vertices_mm);
     ruler_->show_patient(patient_->patient);
     actions_->set_patient_shown(true);
     quality_->post_choices();
@@ -105,6 +106,7 @@ void MainWindow::match_anatomy() {
     patient_->anatomy = SurfaceAnatomy(
         patient.tree, moves ? patient.mesh.vertices_mm : patient.surface.vertices_mm, job);
     view_->scene().set_vertex_systems(patient_->anatomy.vertex_systems());
+    view_->scene().set_rest_positions(moves ? patient.mesh.vertices_mm : std::vector<Vec3>{});
     branches_->colour_vessels();  // if the branches of this patient are known
     use_body(moves);
 }

@@ -134,6 +134,27 @@ void MainWindow::connect_themes() {
     view_->scene().set_look(now.view);
 }
 
+void MainWindow::connect_picture_parts() {
+    const auto connect_part = [this](ActionId id, bool shown, auto show) {
+        QAction& action = (*actions_)[id];
+        action.setChecked(shown);
+        actions_->on(id, [this, &action, show] {
+            show(action.isChecked());
+            view_->draw_again();
+            second_view_->take_after_first();
+        });
+    };
+    SceneView& scene = view_->scene();
+    connect_part(ActionId::toggle_annotations, true,
+                 [&scene](bool shown) { scene.set_annotations_visible(shown); });
+    connect_part(ActionId::toggle_halos, true,
+                 [&scene](bool shown) { scene.set_halos_visible(shown); });
+    connect_part(ActionId::toggle_stretch, false, [this, &scene](bool shown) {
+        scene.set_stretch_visible(shown);
+        if (patient_) view_->show_frame(frame());
+    });
+}
+
 void MainWindow::show_as_first(VtkWidget& view) {
     SceneView& scene = view.scene();
     for (std::size_t t = 0; t < theme_actions.size(); ++t)
@@ -141,6 +162,8 @@ void MainWindow::show_as_first(VtkWidget& view) {
     scene.set_annotations_visible((*actions_)[ActionId::toggle_annotations].isChecked());
     scene.set_halos_visible((*actions_)[ActionId::toggle_halos].isChecked());
     scene.set_warnings_visible(tool_panel_->shows_warnings());
+    if (patient_) scene.set_rest_positions(patient_->patient->mesh.vertices_mm);
+    scene.set_stretch_visible((*actions_)[ActionId::toggle_stretch].isChecked());
     view.mouse().set_scheme(view_->mouse().scheme());
 }
 

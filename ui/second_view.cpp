@@ -51,6 +51,7 @@ void SecondView::show_frame(const std::shared_ptr<const Frame>& frame, std::vect
     if (is_new) make_view(of_vertices, caption);
     view_->scene().set_drug_scale(drug_scale_s_);
     const bool marks_moved = view_->scene().set_marks(std::move(marks));
+    frame_ = frame;
     view_->show_frame(*frame);
     if (marks_moved) view_->draw_again();
     if (is_new) follow_first();
@@ -59,6 +60,7 @@ void SecondView::show_frame(const std::shared_ptr<const Frame>& frame, std::vect
 void SecondView::take_after_first() {
     if (view_ == nullptr) return;
     as_first_(*view_);
+    if (frame_) view_->show_frame(*frame_);
     view_->draw_again();
 }
 
@@ -74,6 +76,7 @@ void SecondView::keep_clear(int bottom) {
 void SecondView::clear() {
     delete view_;
     view_ = nullptr;
+    frame_.reset();
     shared_.reset();
     hide();
 }

@@ -53,7 +53,8 @@ class SecondView : public QWidget {
     VtkWidget& first_;
     std::function<void(VtkWidget&)> as_first_;
     VtkWidget* view_ = nullptr;
-    std::optional<Sight> shared_;  // none: not yet
+    std::shared_ptr<const Frame> frame_;  // that is shown; null: none
+    std::optional<Sight> shared_;         // none: not yet
     double drug_scale_s_ = 0.0;
     int covered_bottom_ = 0;
 };

@@ -242,6 +242,8 @@ constexpr std::array sentences_play{
     Words::id("Liver segment"),
     Words::id("Liver segment %1"),
     Words::id("Load (% of what tears)"),
+    Words::id("Inside of what is torn"),
+    Words::id("Stretch (length / length at rest)"),
     Words::id("Tumour"),
     Words::id("Touch and force"),
     Words::id("A place of the lesson"),

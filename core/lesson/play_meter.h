@@ -11,10 +11,10 @@
 #include "core/lesson/dose_account.h"
 #include "core/lesson/lesson.h"
 #include "core/lesson/metrics.h"
-#include "core/lesson/surface_stretch.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/felt_force.h"
 #include "core/scene/frame.h"
+#include "core/scene/surface_stretch.h"
 #include "core/scene/vertex_places.h"
 
 namespace hepatica {

@@ -108,6 +108,8 @@ struct TearView {
     // For each vertex, the vertex of the whole body that it comes from.
     std::shared_ptr<const std::vector<int>> origins;
     std::shared_ptr<const std::vector<std::uint8_t>> rims;  // per vertex: 1 on a tear
+    // Per triangle of the surface: 1 where it was inside the whole body. Null where none was.
+    std::shared_ptr<const std::vector<std::uint8_t>> bare;
     // Per vertex: the largest load over limit of its joints (joints tear at 1), or 0 where that is
     // below a half. Null where all are 0.
     std::shared_ptr<const std::vector<float>> loads;

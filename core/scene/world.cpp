@@ -215,6 +215,7 @@ void World::follow_tear() {
         if (torn != nullptr) {
             topology_->become({torn->parents().begin(), torn->parents().end()}, torn->surface());
             tear_view_.origins = std::make_shared<const std::vector<int>>(origins_of(*torn));
+            tear_view_.bare = std::make_shared<const std::vector<std::uint8_t>>(torn->bare_faces());
         } else {
             std::vector<int> whole(patient_->mesh.vertices_mm.size());
             std::iota(whole.begin(), whole.end(), 0);

@@ -46,8 +46,8 @@ std::array<int, 2> TornTopology::sides(const Joint& joint, int k) const {
             tetrahedra_[joint.tetrahedra[1]][joint.corners[1][k]]};
 }
 
-std::vector<std::array<int, 3>> TornTopology::surface() const {
-    std::vector<std::array<int, 3>> triangles;
+template <class Visit>
+void TornTopology::for_each_open_face(const Visit& visit) const {
     for (std::size_t t = 0; t < tetrahedra_.size(); ++t)
         for (int i = 0; i < 4; ++i) {
             const int j = (*joint_opposite_)[t][i];
@@ -56,12 +56,24 @@ std::vector<std::array<int, 3>> TornTopology::surface() const {
                 const auto both = sides((*joints_)[j], k);
                 open = both[0] != both[1];
             }
-            if (!open) continue;
-            std::array<int, 3> triangle{};
-            for (int k = 0; k < 3; ++k) triangle[k] = tetrahedra_[t][face_corners[i][k]];
-            triangles.push_back(triangle);
+            if (open) visit(t, i, j);
         }
+}
+
+std::vector<std::array<int, 3>> TornTopology::surface() const {
+    std::vector<std::array<int, 3>> triangles;
+    for_each_open_face([&](std::size_t t, int i, int) {
+        std::array<int, 3> triangle{};
+        for (int k = 0; k < 3; ++k) triangle[k] = tetrahedra_[t][face_corners[i][k]];
+        triangles.push_back(triangle);
+    });
     return triangles;
+}
+
+std::vector<std::uint8_t> TornTopology::bare_faces() const {
+    std::vector<std::uint8_t> bare;
+    for_each_open_face([&](std::size_t, int, int joint) { bare.push_back(joint >= 0 ? 1 : 0); });
+    return bare;
 }
 
 std::vector<int> TornTopology::joints_at(int vertex) const {

@@ -30,6 +30,9 @@ class TornTopology {
     std::uint64_t version() const { return version_; }
     // The boundary, as boundary_triangles() gives it, but without a sort.
     std::vector<std::array<int, 3>> surface() const;
+    // Of each triangle of surface(): 1 where it is a side of a joint, 0 on the surface of the whole
+    // mesh.
+    std::vector<std::uint8_t> bare_faces() const;
     bool parted(int joint) const { return parted_[joint] != 0; }
     // The joint opposite a corner of a tetrahedron; -1: none, on the surface of the whole mesh.
     int joint_opposite(int tetrahedron, int corner) const {
@@ -57,6 +60,9 @@ class TornTopology {
     std::vector<int> piece_of_vertices(std::span<const std::array<int, 2>> ties) const;
 
   private:
+    // Calls visit(tetrahedron, corner opposite the face, joint or -1) for each face of surface().
+    template <class Visit>
+    void for_each_open_face(const Visit& visit) const;
     void find_tetrahedra_of_vertices();
     void split(int vertex, std::span<const double> volume_mm3);
 

@@ -212,13 +212,14 @@ TEST(LegendRows, SayWhatGreenAndRedMeanWhereTheyAreShown) {
     LegendContent content = content_of(near_tearing, true);
     content.systems = {VascularSystem::portal};
     EXPECT_EQ(texts_of(content),
-              (std::vector<std::string>{"Cut or torn", "Load (% of what tears)", "Portal vein"}));
+              (std::vector<std::string>{"Cut or torn", "Inside of what is torn",
+                                        "Load (% of what tears)", "Portal vein"}));
     EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::torn});
     content.touched = content.gaps = content.places = true;
-    EXPECT_EQ(
-        texts_of(content),
-        (std::vector<std::string>{"Touch and force", "A place of the lesson", "A gap, and how sure",
-                                  "Cut or torn", "Load (% of what tears)", "Portal vein"}));
+    EXPECT_EQ(texts_of(content),
+              (std::vector<std::string>{
+                  "Touch and force", "A place of the lesson", "A gap, and how sure", "Cut or torn",
+                  "Inside of what is torn", "Load (% of what tears)", "Portal vein"}));
     EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::touch});
     EXPECT_EQ(legend_rows(content)[1].colours, std::vector{palette::torn_circle});
     EXPECT_EQ(legend_rows(content)[2].colours, std::vector{palette::bridge});
@@ -242,6 +243,22 @@ TEST(LegendRows, LabelTheLoadsByTheColoursOfTheVessels) {
         for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(in_bar[c], on_vessel[c], 0.05) << label;
     }
     EXPECT_NE(bar.colours.front(), bar.colours.back());
+}
+
+// Systems and segments have other colours then; the ramp follows the logarithm.
+TEST(LegendRows, LabelTheStretchInsteadOfTheSystems) {
+    LegendContent content;
+    set_colours_shown(content, {VascularSystem::portal}, {});
+    content.segments = {5};
+    content.stretched = true;
+    const std::vector<LegendRow> rows = legend_rows(content);
+    ASSERT_EQ(rows.size(), 1u);
+    EXPECT_EQ(rows[0].text, "Stretch (length / length at rest)");
+    ASSERT_EQ(rows[0].ticks.size(), 4u);
+    for (const auto& [place, number] : rows[0].ticks)
+        EXPECT_NEAR(place, std::log2(std::stod(number)), 1e-9) << number;
+    EXPECT_EQ(rows[0].colours.front(),
+              palette::stretch(std::exp2(0.5 / static_cast<double>(rows[0].colours.size()))));
 }
 
 TEST(LegendPlace, HasARowMoreForGapsAndForPlaces) {
@@ -436,6 +453,7 @@ TEST(LegendRows, OfLessRankAreThoseThatExplainThemselves) {
     for (const LegendRow& row : legend_rows(content))
         if (row.minor) minor.push_back(row.text);
     EXPECT_EQ(minor, (std::vector<std::string>{"Touch and force", "A place of the lesson",
+                                               "Inside of what is torn",
                                                "axis: square root of time", "The drug's front"}));
 }
 

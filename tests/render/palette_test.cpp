@@ -129,6 +129,30 @@ TEST(Palette, TellsTargetHighlightAndWhatWasReachedBeforeFromEachOtherAndFromAll
         }
 }
 
+// Lightness alone orders the stretches, for all eyes, and warnings stand out from all of them.
+TEST(Palette, OfTheStretchGrowsLighterAndLeavesWarningsApart) {
+    for (const Sight& sight : sights()) {
+        const auto lightness = [&sight](double factor) {
+            return oklab(
+                       (sight.seen * linear(palette::stretch(factor))).cwiseMax(0.0).cwiseMin(1.0))
+                .x();
+        };
+        for (int i = 0; i < 20; ++i)
+            EXPECT_GT(lightness(std::exp2((i + 1) / 20.0)), lightness(std::exp2(i / 20.0)) + 0.005)
+                << sight.name << " " << i;
+        for (int i = 0; i <= 20; ++i) {
+            const Colour stretched = palette::stretch(std::exp2(i / 20.0));
+            for (const Colour& other :
+                 {palette::warning(stretched, 0.7), palette::warning(stretched, 1.0),
+                  palette::touch, palette::torn})
+                EXPECT_GE(distance(stretched, other, sight), 0.5 * sight.least_distance)
+                    << sight.name << " " << i;
+        }
+    }
+    EXPECT_EQ(palette::stretch(0.5), palette::stretch(1.0));
+    EXPECT_EQ(palette::stretch(3.0), palette::stretch(palette::largest_stretch));
+}
+
 // Both are there after a cut, side by side in the view and in its legend.
 TEST(Palette, TellsTornRimsFromBloodFromVesselsAndFromTheBackground) {
     std::vector<Colour> others{palette::bleeding, palette::background_top,
@@ -139,6 +163,14 @@ TEST(Palette, TellsTornRimsFromBloodFromVesselsAndFromTheBackground) {
     for (const Sight& sight : sights())
         for (const Colour& other : others)
             EXPECT_GE(distance(palette::torn, other, sight), 0.9 * sight.least_distance)
+                << sight.name;
+    // What lies within that rim.
+    others = {palette::torn, palette::bleeding, palette::tool, palette::touch};
+    for (const VascularSystem system : vascular_systems)
+        others.push_back(palette::vessel_system(system));
+    for (const Sight& sight : sights())
+        for (const Colour& other : others)
+            EXPECT_GE(distance(palette::torn_inside, other, sight), 0.7 * sight.least_distance)
                 << sight.name;
 }
 

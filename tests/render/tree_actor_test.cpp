@@ -77,6 +77,40 @@ TEST_P(TreeOnCard, takes_no_colours_and_no_times_of_arrival_where_only_the_body_
     EXPECT_GT(sent("scalarColor"), colours);
 }
 
+// The frame's bent vertices are stretched; their colours are taken while they move, until the
+// stretch is hidden again.
+TEST_P(TreeOnCard, takes_colours_with_every_motion_while_the_stretch_is_shown) {
+    std::vector<Vec3> rest_mm;
+    for (int v = 0; 3 * static_cast<std::size_t>(v) < first_.positions_mm.size(); ++v)
+        rest_mm.push_back(first_.place_mm(v));
+    tree_.set_rest_positions(rest_mm);
+    tree_.set_stretch_shown(true);
+    EXPECT_TRUE(tree_.update(first_)) << "the same frame looks different now";
+    EXPECT_TRUE(tree_.shows_stretch());
+    EXPECT_FALSE(tree_.update(first_));
+    context_.window().Render();
+    const vtkMTimeType at_rest = sent("scalarColor");
+    tree_.update(later(0.5, 1.0));
+    context_.window().Render();
+    EXPECT_GT(sent("scalarColor"), at_rest);
+    tree_.set_stretch_shown(false);
+    context_.window().Render();
+    const vtkMTimeType hidden = sent("scalarColor");
+    tree_.update(later(0.3, 1.0));
+    context_.window().Render();
+    EXPECT_EQ(sent("scalarColor"), hidden);
+    EXPECT_FALSE(tree_.shows_stretch());
+}
+
+// The frames of a scene without deformation have other vertices.
+TEST_P(TreeOnCard, shows_no_stretch_of_what_has_no_rest_positions) {
+    tree_.set_stretch_shown(true);
+    EXPECT_FALSE(tree_.update(first_));
+    tree_.set_rest_positions({Vec3::Zero(), Vec3::Zero()});
+    EXPECT_FALSE(tree_.update(first_));
+    EXPECT_FALSE(tree_.shows_stretch());
+}
+
 TEST_P(TreeOnCard, takes_colours_where_something_comes_near_its_limit_if_that_is_shown) {
     Frame near_limit = first_;
     near_limit.tear.emplace();

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 #include <random>
 #include <set>
@@ -101,6 +102,24 @@ TEST(TornTopology, ItsSurfaceIsTheBoundaryOfTheTornMesh) {
     topology.part(std::vector{0, 5, 9}, volumes_of(mesh));
     EXPECT_EQ(topology.surface(), boundary_triangles(torn_mesh(mesh, topology)));
     EXPECT_NE(topology.version(), version);
+}
+
+TEST(TornTopology, BareFacesAreThoseThatWereInside) {
+    const TetMesh mesh = kuhn_brick(Vec3(4, 2, 2), {4, 2, 2});
+    TornTopology topology(mesh);
+    EXPECT_EQ(std::ranges::count(topology.bare_faces(), 1), 0);
+    topology.part(on_plane(topology, 2.0), volumes_of(mesh));
+    const TetMesh torn = torn_mesh(mesh, topology);
+    const auto surface = topology.surface();
+    const auto bare = topology.bare_faces();
+    ASSERT_EQ(bare.size(), surface.size());
+    for (std::size_t t = 0; t < surface.size(); ++t) {
+        const bool on_plane = std::ranges::all_of(surface[t], [&](int v) {
+            return std::abs(torn.vertices_mm[static_cast<std::size_t>(v)].x() - 2.0) < 1e-9;
+        });
+        EXPECT_EQ(bare[t] != 0, on_plane) << t;
+    }
+    EXPECT_EQ(std::ranges::count(bare, 1), 16);
 }
 
 TEST(TornTopology, AJointInTheMiddlePartsNothing) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Largest principal stretch of a deforming surface, sqrt(lambda_max(F'F)) over its triangles with
-// the in-plane deformation gradient F.
+// Largest principal stretch of a deforming surface, sqrt(lambda_max(F'F)) of its triangles with
+// the in-plane deformation gradient F: of the whole surface, and at each of its vertices.
 #pragma once
 
 #include <array>
@@ -18,10 +18,15 @@ class SurfaceStretch {
     // Rest positions of the untorn body's vertices.
     explicit SurfaceStretch(std::vector<Vec3> rest_mm) : rest_mm_(std::move(rest_mm)) {}
 
-    // Call with the frames of one play in order. O(triangles).
-    void see(const Frame& frame);
+    const std::vector<Vec3>& rest_mm() const { return rest_mm_; }
 
-    double largest() const { return largest_; }  // 1 at rest
+    // The frame's vertices, or those that they come from (TearView), are those at rest.
+    // O(triangles), and more where the surface is another one than in the frame before.
+    void see(const Frame& frame);
+    double largest() const { return largest_; }  // in the frame that was seen last; at least 1
+
+    // The largest stretch of the triangles at each vertex, at least 1. Costs what see() does.
+    std::vector<float> of_vertices(const Frame& frame);
 
   private:
     // Of a triangle with rest edges e1, e2: the inverse [a, b; 0, c] of the upper triangular R with
@@ -30,6 +35,7 @@ class SurfaceStretch {
         double a = 0.0, b = 0.0, c = 0.0;
     };
     void take_surface(const Frame& frame);
+    double squared(std::size_t triangle, const Frame& frame) const;
 
     std::vector<Vec3> rest_mm_;
     std::shared_ptr<const std::vector<std::array<int, 3>>> surface_;
