@@ -6774,10 +6774,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Optionen des Netzes</translation>
     </message>
     <message>
-        <source>none yet</source>
-        <translation>noch keine</translation>
-    </message>
-    <message>
         <source>There is no case in this folder. Choose another one, or save a patient here: File &gt; Save case as.</source>
         <translation>In diesem Ordner liegt kein Fall. Wählen Sie einen anderen, oder speichern Sie hier einen Patienten: Datei &gt; Fall speichern unter.</translation>
     </message>
@@ -9571,6 +9567,34 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>The liver lies on the patient&apos;s left: the image may be mirrored, or say wrongly how he lies. Left and right are then exchanged everywhere</source>
         <translation>Die Leber liegt links im Patienten: Das Bild ist vielleicht gespiegelt oder sagt falsch, wie er liegt. Links und rechts sind dann überall vertauscht</translation>
+    </message>
+    <message>
+        <source>Stretc&amp;h as colours</source>
+        <translation>De&amp;hnung als Farben</translation>
+    </message>
+    <message>
+        <source>Colour the vessels by how far they are stretched instead of by system</source>
+        <translation>Die Gefäße nach ihrer Dehnung färben statt nach Systemen</translation>
+    </message>
+    <message>
+        <source>case of %1</source>
+        <translation>Fall vom %1</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Inside of what is torn</source>
+        <translation>Inneres des Gerissenen</translation>
+    </message>
+    <message>
+        <source>Stretch (length / length at rest)</source>
+        <translation>Dehnung (Länge / Länge in Ruhe)</translation>
+    </message>
+    <message>
+        <source>no gaps</source>
+        <translation>keine Lücken</translation>
     </message>
 </context>
 </TS>

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ui/core_sentences.h"
+#include "ui/patient_place.h"
 #include "ui/window_words.h"
 #include "ui/words.h"
 
@@ -139,7 +140,7 @@ bool is_english() {
 
 QString translated(const std::string& english) {
     const QString text = QString::fromStdString(english);
-    return is_english() ? text : in_words(text, 0);
+    return places_in_words(is_english() ? text : in_words(text, 0));
 }
 
 }  // namespace hepatica

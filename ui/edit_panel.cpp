@@ -201,7 +201,7 @@ void EditPanel::show_bridges(const QStringList& lines, std::size_t hidden) {
     accept_all_->setEnabled(!lines.isEmpty());
     if (lines.isEmpty())
         bridges_->addItem(hidden > 0 ? Words::tr("none; with less confidence: %1").arg(hidden)
-                                     : Words::tr("none yet"));
+                                     : Words::tr("no gaps"));
 }
 
 void EditPanel::show_edits(const QStringList& lines) {

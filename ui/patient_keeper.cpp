@@ -2,6 +2,7 @@
 #include "ui/patient_keeper.h"
 
 #include <QCoreApplication>
+#include <QDate>
 #include <QMetaObject>
 #include <exception>
 #include <utility>
@@ -372,8 +373,12 @@ bool PatientKeeper::ask_and_save() {
     return folder.has_value();
 }
 
-// "ct.nii.gz", a folder "ct" and a copy of unsaved work "ct.hep" all give "ct".
+// "ct.nii.gz" and a copy of unsaved work "ct.hep" both give "ct". A folder of DICOM slices is often
+// called as the patient, whom a case does not name.
 QString PatientKeeper::case_name() const {
+    std::error_code unreadable;
+    if (workspace_.folder().empty() && is_directory(workspace_.image(), unreadable))
+        return Words::tr("case of %1").arg(QDate::currentDate().toString(Qt::ISODate));
     QString name = translated(workspace_.title());
     for (const char* ending : {".gz", ".nii", ".mha", ".mhd", ".nrrd", ".nhdr", ".hep", ".hepz"})
         if (name.endsWith(ending)) name.chop(QString(ending).size());

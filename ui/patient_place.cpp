@@ -2,6 +2,7 @@
 #include "ui/patient_place.h"
 
 #include <QLocale>
+#include <QRegularExpression>
 #include <QStringList>
 #include <cmath>
 #include <regex>
@@ -36,6 +37,19 @@ QString patient_place_in_words(const Vec3& position_mm, int decimals) {
         in_words(position_mm.z(), decimals, Words::tr("%1 mm headwards"),
                  Words::tr("%1 mm feetwards"))}
         .join(", ");
+}
+
+QString places_in_words(const QString& text) {
+    static const QRegularExpression place(R"((?<![\d.])-?\d+\.\d, -?\d+\.\d, -?\d+\.\d mm\b)");
+    QString said;
+    qsizetype end = 0;
+    for (auto next = place.globalMatch(text); next.hasNext();) {
+        const QRegularExpressionMatch found = next.next();
+        said += text.mid(end, found.capturedStart() - end);
+        said += patient_place_in_words(*position_of(found.captured().toStdString()));
+        end = found.capturedEnd();
+    }
+    return said + text.mid(end);
 }
 
 std::optional<Vec3> position_of(const std::string& place) {

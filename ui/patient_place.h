@@ -17,6 +17,9 @@ QString patient_place(const Vec3& position_mm, int decimals = 0);
 // "12 mm left, 40 mm back, 155 mm headwards", for sentences: not everybody knows the letters.
 QString patient_place_in_words(const Vec3& position_mm, int decimals = 0);
 
+// A text in which every place that core wrote is said in words.
+QString places_in_words(const QString& text);
+
 // The position that core writes into messages as place_text() (core/base/patient_space.h); nullopt:
 // the text is another.
 std::optional<Vec3> position_of(const std::string& place);

@@ -31,6 +31,7 @@ SaveCaseDialog::SaveCaseDialog(const QString& folder, const QString& name,
     setOption(QFileDialog::DontUseNativeDialog);
     setAcceptMode(QFileDialog::AcceptSave);
     setFileMode(QFileDialog::AnyFile);
+    setLabelText(QFileDialog::Accept, Words::tr("&Save"));  // "Open" over a case, which is a folder
     selectFile(name);
     // A double click enters a folder; a case is left again, with its name selected.
     connect(this, &QFileDialog::directoryEntered, this, [this](const QString& entered) {

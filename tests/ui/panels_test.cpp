@@ -407,7 +407,7 @@ TEST(ProgressStripTest, cuts_no_words_before_its_bar_is_short) {
         EXPECT_EQ(label->shown(), label->text()) << pictures.width();
 }
 
-// "None yet" would say that there is no gap at all.
+// "No gaps" would say that there is none at all.
 TEST(EditPanelTest, says_how_many_gaps_the_slider_hides) {
     EditPanel panel;
     const auto listed = [&panel] {
@@ -416,7 +416,7 @@ TEST(EditPanelTest, says_how_many_gaps_the_slider_hides) {
                 return list->item(0)->text().toStdString();
         return std::string();
     };
-    EXPECT_EQ(listed(), "none yet");
+    EXPECT_EQ(listed(), "no gaps");
     panel.show_bridges({}, 3);
     EXPECT_EQ(listed(), "none; with less confidence: 3");
     panel.show_bridges({"63 %, 4.1 mm"}, 3);

@@ -27,6 +27,15 @@ TEST(PatientPlace, IsReadFromTheMessagesOfCore) {
         EXPECT_FALSE(position_of(other)) << other;
 }
 
+TEST(PatientPlace, IsSaidInWordsWhereverATextHoldsOne) {
+    EXPECT_EQ(
+        places_in_words("An end (1.5, -2.0, 3.0 mm), and one at -1.0, 0.0, -30.6 mm, of 3.2 mm"),
+        "An end (2 mm left, 2 mm front, 3 mm headwards), and one at 1 mm right, 0 mm back, "
+        "31 mm feetwards, of 3.2 mm");
+    for (const char* other : {"", "of 1.5 mm", "1.0, 2.0, 3.0", "1.2.0, 2.0, 3.0 mm"})
+        EXPECT_EQ(places_in_words(other), other);
+}
+
 // Everybody knows left and right, and nobody the axes.
 TEST(PatientPlace, OfAFailureIsSaidInWords) {
     const std::string place = place_text(Vec3(136.3, -117.2, 123.2));
