@@ -176,8 +176,9 @@ Json tear(const std::shared_ptr<const PatientCase>& patient, const std::filesyst
     page.add_heading("Fig. 3: Tearing along a cut line");
     page.add_paragraph(
         "As in the paper: the red line is the curvature of the pulled vessel, the yellow circles "
-        "show where its surface tore; a section is removed along cut lines set beforehand. Dark "
-        "red: torn rims; the green bead: the hand. The paper prints no figures; ours follow.");
+        "show where its surface tore; a section is removed along cut lines set beforehand. Wine: "
+        "torn rims; flesh: what was inside; the turquoise bead: the hand. The paper prints no "
+        "figures; ours follow.");
     show(page, album.pictures());
     const AlbumPicture force = album.add(figure.force, "fig3_force");
     page.add_picture(

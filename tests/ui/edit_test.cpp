@@ -10,18 +10,11 @@
 #include <QSlider>
 #include <QStatusBar>
 #include <algorithm>
-#include <cmath>
 #include <fstream>
-#include <stdexcept>
 
-#include "core/image/volume_writer.h"
-#include "core/lesson/lesson_draft.h"
-#include "core/lesson/lesson_writer.h"
-#include "core/patient/image_digest.h"
 #include "tests/patient/parted_patient.h"
 #include "tests/support/tube_ct.h"
-#include "tests/ui/window_test.h"
-#include "ui/lesson_dock.h"
+#include "tests/ui/editing_window.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
 #include "ui/slices/slice_view.h"
@@ -30,105 +23,7 @@
 namespace hepatica {
 namespace {
 
-// Hears what is posted to a simulation.
-class Overheard : public Simulation {
-  public:
-    Overheard(std::unique_ptr<Simulation> played, std::vector<Command>& heard)
-        : played_(std::move(played)), heard_(heard) {}
-    void post(Command command) override {
-        heard_.push_back(command);
-        played_->post(std::move(command));
-    }
-    void on_frame(std::function<void()> tell) override { played_->on_frame(std::move(tell)); }
-    bool update_frame() override { return played_->update_frame(); }
-    const Frame& frame() const override { return played_->frame(); }
-
-  private:
-    std::unique_ptr<Simulation> played_;
-    std::vector<Command>& heard_;
-};
-
-class Editing : public testing::WindowTest {
-  protected:
-    Editing()
-        : WindowTest({[](const OpenRequest& request, Job& job) {
-                          if (!request.built_in) return load_patient(request, job);
-                          return play(
-                              std::make_shared<const PatientCase>(test::patient_with_bridges()),
-                              job);
-                      },
-                      [this](const std::filesystem::path& path, const PatientCase& patient) {
-                          write_case(path, patient);
-                          saved_ = patient;
-                      },
-                      [this](std::shared_ptr<const PatientCase> patient, Job& job) {
-                          LoadedPatient loaded = play(std::move(patient), job);
-                          loaded.simulation =
-                              std::make_unique<Overheard>(std::move(loaded.simulation), heard_);
-                          return loaded;
-                      }}) {
-        open_built_in();
-    }
-
-    void click(const Vec3& point_mm) {
-        QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(point_mm));
-        wait();
-    }
-    // Of this CT, as if the patient had been reconstructed from it.
-    void show_slices(const Volume& ct) {
-        const auto file = to_path(folder_.filePath("ct.nii.gz"));
-        write_nifti(file, ct);
-        auto shown = std::make_shared<PatientCase>(*window_.workspace().patient());
-        shown->source.image_sha256 = digest_of(ct);
-        shown->source.image_grid = ct.grid;
-        ViewLayout& views = window_.view_layout();
-        views.show_patient(shown, {}, file);
-        window_.actions()[ActionId::toggle_slices].trigger();
-        ASSERT_TRUE(testing::wait_for([&] { return !views.slices().empty(); }));
-    }
-    // Clicks along the vessel of tube_ct() in the axial slice, to be drawn.
-    // From this share of its length on; it begins in the trunk.
-    void point_out_the_tube(double from = 0.0) {
-        const Vec3 end = test::tube_end_mm;
-        const Vec3 begin = test::tube_begin_mm + from * (end - test::tube_begin_mm);
-        show_slices(test::tube_ct());
-        window_.view_layout().slices().set_crosshair(begin);
-        emit child<QComboBox>("measure").activated(4);
-        SliceView& axial = window_.view_layout().slice_view(SliceDirection::axial);
-        for (const Vec3& place : {begin, Vec3(0.5 * (begin + end)), end})
-            QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.place_of(place).toPoint());
-    }
-    // What would be written now.
-    const PatientCase& saved() {
-        window_.save_case(folder_.filePath("p.hep"));
-        wait();
-        return saved_;
-    }
-    void choose_tool(const QString& name) {
-        auto* tools = window_.findChild<QComboBox*>("EditTool");
-        ASSERT_NE(tools, nullptr);
-        ASSERT_GE(tools->findText(name), 0);
-        tools->setCurrentIndex(tools->findText(name));
-    }
-
-    template <class T>
-    T& child(const char* name) {
-        T* found = window_.findChild<T*>(name);
-        if (found == nullptr) throw std::runtime_error(std::string("there is no ") + name);
-        return *found;
-    }
-    // The last command of this kind that a corrected patient's simulation was given.
-    template <class T>
-    std::optional<T> heard() const {
-        std::optional<T> last;
-        for (const Command& command : heard_)
-            if (const T* one = std::get_if<T>(&command)) last = *one;
-        return last;
-    }
-
-    PatientCase saved_;
-    std::vector<Command> heard_;
-};
+class Editing : public testing::EditingWindow {};
 
 TEST_F(Editing, a_click_on_a_dashed_line_bridges_the_gap_and_can_be_undone) {
     ASSERT_EQ(roots(saved().tree).size(), 2u);
@@ -322,80 +217,6 @@ TEST_F(Editing, a_click_in_a_slice_corrects_what_lies_there) {
     EXPECT_EQ(saved().corrections.edits.size(), 2u);
     QTest::keyClick(&axial, Qt::Key_Escape);
     EXPECT_EQ(child<QComboBox>("measure").currentText(), "Crosshair");
-}
-
-// A vessel that the tree lacks, bright in the CT, from the trunk of the tree of test_trees.h.
-TEST_F(Editing, a_vessel_is_drawn_by_clicks_in_the_slices) {
-    const Vec3 begin = test::tube_begin_mm, end = test::tube_end_mm;
-    point_out_the_tube();
-    ViewLayout& views = window_.view_layout();
-    SliceView& axial = views.slice_view(SliceDirection::axial);
-    const std::size_t before = saved().tree.segments.size();
-    // It is followed beside the window; until then its places stay, and Escape stops it.
-    const VesselPen& pen = views.slices().pen();
-    SliceView& coronal = views.slice_view(SliceDirection::coronal);
-    coronal.setFocus();
-    QTest::mouseClick(&child<QPushButton>("drawVessel"), Qt::LeftButton);
-    EXPECT_EQ(window_.focusWidget(), &coronal) << "the keys stay those of the slice";
-    EXPECT_TRUE(pen.draws());
-    QTest::mouseClick(&axial, Qt::LeftButton, {}, axial.place_of(begin).toPoint());
-    QTest::keyClick(&axial, Qt::Key_Delete);
-    EXPECT_EQ(pen.places_mm().size(), 3u);
-    QTest::keyClick(&axial, Qt::Key_Escape);
-    EXPECT_FALSE(pen.draws());
-    EXPECT_EQ(pen.places_mm().size(), 3u);
-    EXPECT_TRUE(child<QLabel>("slicePlace").text().startsWith("Not drawn: it was stopped"));
-    child<QPushButton>("drawVessel").click();
-    ASSERT_TRUE(testing::wait_for([&] { return !pen.draws(); }));
-    EXPECT_FALSE(child<QLabel>("slicePlace").text().contains("apart from all others"));
-    ASSERT_EQ(saved().corrections.edits.size(), 1u);
-    EXPECT_EQ(saved_.corrections.edits[0].kind, TreeEditKind::draw_vessel);
-    EXPECT_EQ(saved_.tree.segments.size(), before + 2);  // the trunk has a fork more
-    EXPECT_LT(nearest_point(saved_.tree, end).distance_mm, 0.6);
-    EXPECT_TRUE(views.slices().pen().places_mm().empty());
-    window_.actions()[ActionId::undo_edit].trigger();
-    wait();
-    EXPECT_TRUE(saved().corrections.edits.empty());
-    EXPECT_EQ(saved_.tree.segments.size(), before);
-}
-
-// No blood would reach it.
-TEST_F(Editing, a_vessel_that_is_drawn_apart_from_all_others_is_told_of) {
-    point_out_the_tube(0.5);
-    child<QPushButton>("drawVessel").click();
-    const VesselPen& pen = window_.view_layout().slices().pen();
-    ASSERT_TRUE(testing::wait_for([&] { return !pen.draws(); }));
-    EXPECT_TRUE(child<QLabel>("slicePlace").text().contains("apart from all others"))
-        << child<QLabel>("slicePlace").text().toStdString();
-}
-
-TEST_F(Editing, a_vessel_is_drawn_as_wide_as_its_field_says) {
-    auto& radius = child<QDoubleSpinBox>("vesselRadius");
-    EXPECT_TRUE(radius.isHidden());
-    point_out_the_tube();  // 1.8 mm wide
-    EXPECT_FALSE(radius.isHidden());
-    EXPECT_EQ(radius.text(), "measured");
-    radius.setValue(1.2);
-    child<QPushButton>("drawVessel").click();
-    const VesselPen& pen = window_.view_layout().slices().pen();
-    ASSERT_TRUE(testing::wait_for([&] { return !pen.draws(); }));
-    ASSERT_EQ(saved().corrections.edits.size(), 1u);
-    const std::vector<double>& radii_mm = saved_.corrections.edits[0].radii_mm;
-    EXPECT_EQ(radii_mm, std::vector<double>(radii_mm.size(), 1.2));
-    EXPECT_EQ(pen.radius_mm(), 1.2) << "kept for the next one";
-    radius.setValue(radius.minimum());
-    EXPECT_EQ(pen.radius_mm(), std::nullopt);
-}
-
-// It would come in the middle of the lesson and be refused, and its places be gone.
-TEST_F(Editing, a_vessel_is_not_drawn_on_when_a_lesson_begins) {
-    point_out_the_tube();
-    child<QPushButton>("drawVessel").click();
-    write_lesson(to_path(folder_.filePath("any.json")), new_lesson());
-    window_.lessons().start(folder_.filePath("any.json").toStdString());
-    ASSERT_TRUE(testing::wait_for([&] { return window_.lessons().playing(); }));
-    EXPECT_FALSE(window_.view_layout().slices().pen().draws());
-    EXPECT_EQ(window_.view_layout().slices().pen().places_mm().size(), 3u);
 }
 
 TEST_F(Editing, an_edit_that_leaves_nothing_is_refused_and_the_patient_stays) {
