@@ -9569,10 +9569,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Die Leber liegt links im Patienten: Das Bild ist vielleicht gespiegelt oder sagt falsch, wie er liegt. Links und rechts sind dann überall vertauscht</translation>
     </message>
     <message>
-        <source>Stretc&amp;h as colours</source>
-        <translation>De&amp;hnung als Farben</translation>
-    </message>
-    <message>
         <source>Colour the vessels by how far they are stretched instead of by system</source>
         <translation>Die Gefäße nach ihrer Dehnung färben statt nach Systemen</translation>
     </message>
@@ -9595,6 +9591,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>no gaps</source>
         <translation>keine Lücken</translation>
+    </message>
+    <message>
+        <source>Colour b&amp;y stretch</source>
+        <translation>Farben nach De&amp;hnung</translation>
     </message>
 </context>
 </TS>

@@ -132,7 +132,7 @@ constexpr std::array table{
                Words::id("Show legend, scale bar and orientation"), true},
     ActionSpec{toggle_halos, Words::id("&View"), Words::id("Rims at cr&ossings"), "X",
                Words::id("Set off the nearer of two crossing vessels by a thin rim"), true},
-    ActionSpec{toggle_stretch, Words::id("&View"), Words::id("Stretc&h as colours"), "Shift+S",
+    ActionSpec{toggle_stretch, Words::id("&View"), Words::id("Colour b&y stretch"), "Shift+S",
                Words::id("Colour the vessels by how far they are stretched instead of by system"),
                true, true},
     ActionSpec{toggle_liver, Words::id("&View"), Words::id("Li&ver"), "V",

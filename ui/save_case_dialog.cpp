@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/save_case_dialog.h"
 
+#include <QDialogButtonBox>
 #include <QDir>
 #include <QFileInfo>
-#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
 #include <system_error>
 #include <utility>
 
@@ -31,7 +33,14 @@ SaveCaseDialog::SaveCaseDialog(const QString& folder, const QString& name,
     setOption(QFileDialog::DontUseNativeDialog);
     setAcceptMode(QFileDialog::AcceptSave);
     setFileMode(QFileDialog::AnyFile);
-    setLabelText(QFileDialog::Accept, Words::tr("&Save"));  // "Open" over a case, which is a folder
+    // Over an existing case, which is a folder, the button would say "Open".
+    connect(
+        findChild<QLineEdit*>("fileNameEdit"), &QLineEdit::textChanged, this,
+        [this] {
+            auto* save = findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save);
+            if (save != nullptr && is_replaceable_case(chosen())) save->setText(Words::tr("&Save"));
+        },
+        Qt::QueuedConnection);
     selectFile(name);
     // A double click enters a folder; a case is left again, with its name selected.
     connect(this, &QFileDialog::directoryEntered, this, [this](const QString& entered) {

@@ -103,10 +103,10 @@ TEST_F(SavingCase, offers_to_save_over_an_old_case_and_not_to_open_it) {
     dialog.show();
     const auto* save = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save);
     ASSERT_NE(save, nullptr);
-    for (const char* name : {"new.hep", "old.hep", "plain"}) {
+    for (const char* name : {"new.hep", "old.hep", "old"}) {
         dialog.findChild<QLineEdit*>("fileNameEdit")->setText(name);
         QCoreApplication::processEvents();
-        EXPECT_EQ(save->text(), "&Save") << name;
+        EXPECT_EQ(save->text().toStdString(), "&Save") << name;
     }
 }
 
