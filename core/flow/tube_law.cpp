@@ -2,6 +2,7 @@
 #include "core/flow/tube_law.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace hepatica {
 
@@ -20,6 +21,12 @@ double open_share(double excess_pa, const TubeWall& wall) {
         (resists > pressed ? low : high) = middle;
     }
     return 0.5 * (low + high);
+}
+
+double slit_mm2(double length_mm, double pressure_pa, const TubeWall& wall) {
+    if (!(pressure_pa > 0.0)) return 0.0;
+    const double hoop_pa = pressure_pa / wall.thickness_per_radius;
+    return 0.5 * std::numbers::pi * length_mm * length_mm * hoop_pa / wall.young_modulus_pa;
 }
 
 double jet_loss(double share) {

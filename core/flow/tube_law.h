@@ -19,6 +19,12 @@ struct TubeWall {
 // as excess^-2/3.
 double open_share(double excess_pa, const TubeWall& wall);
 
+// What blood holds open of a slit through the wall, of this length along the surface: 2 pi a^2
+// sigma / E with the half length a and the wall's hoop stress sigma = p R / h, as of a crack in a
+// sheet (Tada, Paris and Irwin, The Stress Analysis of Cracks). The wall bulges beside a long slit
+// and opens it more. 0 where p <= 0.
+double slit_mm2(double length_mm, double pressure_pa, const TubeWall& wall);
+
 // Loss of a jet that leaves an opening with this area share and fills the vessel again, relative to
 // the dynamic pressure in the opening: (1/c - a)^2 by Borda and Carnot, with Weisbach's contraction
 // c = 0.62 + 0.38 a^3 before it. 0 at a = 1.

@@ -128,6 +128,17 @@ std::vector<BloodPool> handed_over(const std::vector<BloodPool>& from,
 
 }  // namespace
 
+double resting_pressure_pa(VascularSystem system, const RestingFlow& rest) {
+    switch (system) {
+        case VascularSystem::artery:
+            return rest.artery_pa;
+        case VascularSystem::hepatic:
+            return rest.cava_pa;
+        default:
+            return rest.portal_pa;
+    }
+}
+
 Bleeding::Bleeding(const VesselTree& tree, const RestingFlow& rest) : tree_(tree), rest_(rest) {}
 
 void Bleeding::set_tears(const std::vector<ThroughTear>& tears) {
@@ -172,14 +183,7 @@ std::vector<double> Bleeding::shares_of_loss() const {
 }
 
 double Bleeding::pressure_in(int segment) const {
-    switch (tree_.segments[static_cast<std::size_t>(segment)].system) {
-        case VascularSystem::artery:
-            return rest_.artery_pa;
-        case VascularSystem::hepatic:
-            return rest_.cava_pa;
-        default:
-            return rest_.portal_pa;
-    }
+    return resting_pressure_pa(tree_.segments[static_cast<std::size_t>(segment)].system, rest_);
 }
 
 // Shares are rounded to steps, so that a held tool does not cause a new solution at every step.

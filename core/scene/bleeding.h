@@ -29,6 +29,9 @@ struct RestingFlow {
     double aorta_pa = 12700.0;
 };
 
+// The pressure of the blood in a system's vessels at rest.
+double resting_pressure_pa(VascularSystem system, const RestingFlow& rest = {});
+
 // Blood where it was lost, at what is open or was.
 struct BloodPool {
     ThroughTear of;  // with its last opening

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+
+#include "core/tree/station.h"
 
 namespace hepatica {
 namespace {
@@ -12,6 +15,7 @@ struct Stretch {
     double from_mm = 0.0;
     double to_mm = 0.0;
     double length_mm() const { return to_mm - from_mm; }
+    double middle_mm() const { return 0.5 * (from_mm + to_mm); }
 };
 
 std::vector<int> ancestry(const VesselTree& tree, int segment) {
@@ -48,6 +52,37 @@ std::map<int, Stretch> way_between(const VesselTree& tree, const TreePoint& from
     return way;
 }
 
+// A section across a vessel, between what lies before it and all that it feeds. Near a fork it runs
+// between the branches, too. Vessels that touch farther away stay joined.
+class Section {
+  public:
+    Section(const VesselTree& tree, int segment, double at_mm)
+        : tree_(tree),
+          segment_(segment),
+          at_mm_(at_mm),
+          station_(station_at(tree.segments[static_cast<std::size_t>(segment)], at_mm)) {}
+
+    bool parts(const TreePoint& one, const TreePoint& other, const Vec3& between_mm) const {
+        return beyond(one) != beyond(other) &&
+               (between_mm - station_.position_mm).norm() <= reach_radii * station_.radius_mm;
+    }
+
+  private:
+    static constexpr double reach_radii = 3.0;
+
+    bool beyond(const TreePoint& place) const {
+        if (place.segment == segment_) return place.arclength_mm >= at_mm_;
+        int s = place.segment;
+        while (s >= 0 && s != segment_) s = tree_.segments[static_cast<std::size_t>(s)].parent;
+        return s == segment_;
+    }
+
+    const VesselTree& tree_;
+    int segment_;
+    double at_mm_;
+    Station station_;
+};
+
 }  // namespace
 
 std::vector<int> joints_along(const VesselTree& tree, std::span<const Joint> joints,
@@ -62,17 +97,13 @@ std::vector<int> joints_along(const VesselTree& tree, std::span<const Joint> joi
         return stretch != way.end() && place.arclength_mm >= stretch->second.from_mm &&
                place.arclength_mm <= stretch->second.to_mm;
     };
-    const auto crosses_section = [&](const TreePoint& one, const TreePoint& other) {
-        const auto& [segment, stretch] = *way.begin();
-        const double middle = 0.5 * (stretch.from_mm + stretch.to_mm);
-        return one.segment == segment && other.segment == segment &&
-               (one.arclength_mm < middle) != (other.arclength_mm < middle);
-    };
+    std::optional<Section> across;
+    if (section) across.emplace(tree, way.begin()->first, way.begin()->second.middle_mm());
     std::vector<int> found;
     for (std::size_t j = 0; j < joints.size(); ++j) {
         const TreePoint& one = tetrahedra[joints[j].tetrahedra[0]].on_tree;
         const TreePoint& other = tetrahedra[joints[j].tetrahedra[1]].on_tree;
-        if (section ? crosses_section(one, other) : on_way(one) && on_way(other))
+        if (across ? across->parts(one, other, joints[j].centre_mm) : on_way(one) && on_way(other))
             found.push_back(static_cast<int>(j));
     }
     return found;

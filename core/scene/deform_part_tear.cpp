@@ -20,6 +20,16 @@ namespace hepatica {
 namespace {
 
 constexpr double blade_radii = 1.3;  // reach of a blade to both sides of a vessel's axis
+// Within this of a fork, in radii, a section has the widths of two branches.
+constexpr double of_fork_radii = 1.5;
+
+double blade_reach_mm(const VesselTree& tree, const VertexPlace& place) {
+    const VesselSegment& vessel = tree.segments[static_cast<std::size_t>(place.on_tree.segment)];
+    const double from_ends =
+        std::min(place.on_tree.arclength_mm, length_mm(vessel) - place.on_tree.arclength_mm);
+    const double widths = from_ends < of_fork_radii * place.radius_mm ? 2.0 : 1.0;
+    return widths * blade_radii * place.radius_mm;
+}
 
 }  // namespace
 
@@ -188,7 +198,7 @@ void DeformPart::cut(const VesselTree& tree, const Vec3& from_mm, const Vec3& to
     const Vec3 middle = 0.5 * (from_mm + to_mm);
     const VertexPlace place = places()[vertex_near(middle)];
     BladeSweep sweep = blade_sweep(from_mm, to_mm, vessel_direction(tree, place.on_tree),
-                                   blade_radii * place.radius_mm);
+                                   blade_reach_mm(tree, place));
     // The way may be drawn on the vessel's wall, but the blade is centred on the vessel's axis, so
     // that nothing behind the vessel is cut.
     const Vec3 edge = sweep.edge_mm.normalized();

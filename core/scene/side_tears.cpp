@@ -245,17 +245,31 @@ double gape_mm2(const SideTear& tear, std::span<const Vec3> positions_mm) {
     return area;
 }
 
-double opening_mm2(const SideTear& tear, std::span<const Vec3> positions_mm) {
-    const double gape = gape_mm2(tear, positions_mm);
+// The sides of each gap that lie along the crack are the first and the third.
+double slit_length_mm(const SideTear& tear, std::span<const Vec3> positions_mm) {
+    const auto between = [&](int a, int b) {
+        return (positions_mm[static_cast<std::size_t>(a)] -
+                positions_mm[static_cast<std::size_t>(b)])
+            .norm();
+    };
+    double length = 0.0;
+    for (const auto& [a, b, d, c] : tear.gaps) length += 0.5 * (between(a, b) + between(c, d));
+    return length;
+}
+
+double opening_mm2(const SideTear& tear, std::span<const Vec3> positions_mm, double held_open_mm2) {
+    const double gape = std::max(gape_mm2(tear, positions_mm), held_open_mm2);
     if (!(gape >= least_gape_mm2)) return 0.0;
     const double octaves = std::round(steps_per_octave * std::log2(gape)) / steps_per_octave;
     return std::min(tear.most_mm2, std::exp2(octaves));
 }
 
-std::vector<ThroughTear> open_tears(const TornPlaces& torn, std::span<const Vec3> positions_mm) {
+std::vector<ThroughTear> open_tears(const TornPlaces& torn, std::span<const Vec3> positions_mm,
+                                    const HeldOpen& held_open_mm2) {
     std::vector<ThroughTear> tears = torn.through;
     for (const SideTear& side : torn.sides) {
-        const double area_mm2 = opening_mm2(side, positions_mm);
+        const double held_mm2 = held_open_mm2(side.at.segment, slit_length_mm(side, positions_mm));
+        const double area_mm2 = opening_mm2(side, positions_mm, held_mm2);
         if (area_mm2 > 0.0) tears.push_back({side.at, area_mm2, true});
     }
     return tears;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -38,11 +39,21 @@ std::vector<SideTear> side_tears(const VesselTree& tree, const Tearing& tearing,
 // The area of the gaps at these positions of the vertices.
 double gape_mm2(const SideTear& tear, std::span<const Vec3> positions_mm);
 
-// min(2 f A, gape). The gape is rounded to steps of a factor of 2^(1/4), so that a vessel that
-// moves does not cause a new solution of its flow at every step; 0 below 0.01 mm2.
-double opening_mm2(const SideTear& tear, std::span<const Vec3> positions_mm);
+// The length of the crack on the surface at these positions.
+double slit_length_mm(const SideTear& tear, std::span<const Vec3> positions_mm);
+
+// min(2 f A, gape), but at least what blood holds open (slit_mm2() in core/flow/tube_law.h).
+// Rounded to steps of a factor of 2^(1/4), so that a vessel that moves does not cause a new
+// solution of its flow at every step; 0 below 0.01 mm2.
+double opening_mm2(const SideTear& tear, std::span<const Vec3> positions_mm,
+                   double held_open_mm2 = 0.0);
+
+// The area that blood holds open of a slit of this length in the wall of a segment.
+using HeldOpen = std::function<double(int segment, double length_mm)>;
 
 // What is torn through, then the sides that are open at these positions.
-std::vector<ThroughTear> open_tears(const TornPlaces& torn, std::span<const Vec3> positions_mm);
+std::vector<ThroughTear> open_tears(
+    const TornPlaces& torn, std::span<const Vec3> positions_mm,
+    const HeldOpen& held_open_mm2 = [](int, double) { return 0.0; });
 
 }  // namespace hepatica

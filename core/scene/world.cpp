@@ -178,20 +178,31 @@ bool World::bleed() {
     // Made whole, no vessel shows where it bled.
     if (!same && searched_.joints_broken == 0) bleeding_->set_pools({});
     const std::vector<ThroughTear> before = bleeding_->tears();
-    bleeding_->set_tears(open_tears(torn_, deform_->positions_mm()));
+    bleeding_->set_tears(open_now(torn_));
     return bleeding_->tears() != before;
 }
 
 std::vector<ThroughTear> World::torn_now() {
     if (!deform_ || !deform_->tears()) return {};
-    return open_tears(deform_->torn_places(patient_->tree), deform_->positions_mm());
+    return open_now(deform_->torn_places(patient_->tree));
+}
+
+// A side whose lips have closed is held open by the blood within, as far as it is slit.
+std::vector<ThroughTear> World::open_now(const TornPlaces& torn) const {
+    return open_tears(torn, deform_->positions_mm(), [this](int segment, double length_mm) {
+        const VesselSegment& vessel = patient_->tree.segments[static_cast<std::size_t>(segment)];
+        return slit_mm2(length_mm, resting_pressure_pa(vessel.system), wall());
+    });
+}
+
+TubeWall World::wall() const {
+    return {.young_modulus_pa = deform_->body().material.young_modulus_pa};
 }
 
 // Pressed vessels bleed less.
 void World::press() {
     if (!bleeding_ || bleeding_->tears().empty()) return;
-    bleeding_->set_pressed(deform_->pressed(),
-                           {.young_modulus_pa = deform_->body().material.young_modulus_pa});
+    bleeding_->set_pressed(deform_->pressed(), wall());
 }
 
 // Where blood lies on the body as topology_ has it.

@@ -13,6 +13,7 @@
 
 #include "core/base/job.h"
 #include "core/deform/stepper/stepper.h"
+#include "core/flow/tube_law.h"
 #include "core/mesh/body_topology.h"
 #include "core/patient/patient_case.h"
 #include "core/scene/deform_back_end.h"
@@ -105,6 +106,8 @@ class World {
     void list_contact();
     std::shared_ptr<const Obstacles> known_obstacles();
     void part_out(const std::string& name, const PartCost& before, const SelfCost& cost);
+    std::vector<ThroughTear> open_now(const TornPlaces& torn) const;
+    TubeWall wall() const;
     bool bleed();  // whether other vessels are torn than before
     void press();
     void find_pools();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -18,6 +19,9 @@ namespace {
 
 constexpr std::size_t joint_block = 1024;
 constexpr double not_yet = -1.0;  // entropy is never below 0
+// Elastic energy per volume, relative to the strength, that rounding leaves in a body at rest:
+// strains of some 1e-7.
+constexpr double rounding_of_strength = 1e-14;
 // Joints that share a vertex with an overloaded one part at this share of their own limit. Their
 // ties bear the full strength, so that this weakens nothing.
 constexpr double share_of_neighbour = Tearing::warning_load;
@@ -46,6 +50,7 @@ Tearing::Tearing(const TetMesh& mesh, const TearLaw& law, std::span<const double
     for (const auto& [a, b, c, d] : mesh.tetrahedra)
         volume_mm3_.push_back(signed_volume_mm3(mesh.vertices_mm[a], mesh.vertices_mm[b],
                                                 mesh.vertices_mm[c], mesh.vertices_mm[d]));
+    whole_volume_mm3_ = std::accumulate(volume_mm3_.begin(), volume_mm3_.end(), 0.0);
     for (const Joint& joint : topology_.joints()) {
         double factor = law.tear_factor;
         if (!strength_factor.empty())
@@ -136,6 +141,27 @@ void Tearing::find_loads(const TearLoads& loads, double least, std::vector<doubl
     });
 }
 
+// How many of these joints, from the first on, may part within the budget of vertices.
+std::size_t Tearing::within_budget(std::span<const int> joints) const {
+    if (law_.stop != TearStop::vertices) return joints.size();
+    const auto fits = [&](std::size_t count) {
+        TornTopology parted = topology_;
+        parted.part(joints.first(count), volume_mm3_);
+        return parted.vertex_count() - topology_.vertex_count() + report_.vertices_split <=
+               law_.vertex_budget;
+    };
+    constexpr std::size_t corners = 3;  // of a joint: the most vertices that it splits off
+    const auto left =
+        static_cast<std::size_t>(std::max(0, law_.vertex_budget - report_.vertices_split));
+    if (corners * joints.size() <= left) return joints.size();
+    std::size_t low = 0, high = joints.size() + 1;  // low fits, high does not
+    while (high - low > 1) {
+        const std::size_t middle = low + (high - low) / 2;
+        (fits(middle) ? low : high) = middle;
+    }
+    return low;
+}
+
 bool Tearing::part_overloaded(const TearLoads& loads) {
     if (stopped_) {
         load_.clear();
@@ -155,6 +181,15 @@ bool Tearing::part_overloaded(const TearLoads& loads) {
     if (parting.size() > most_joints) parting.resize(most_joints);
     if (!law_.bare_limit) add_neighbours(parting);
     if (parting.empty()) return false;
+    if (law_.stop == TearStop::vertices) {
+        std::ranges::sort(parting, {}, rank);
+        parting.resize(within_budget(parting));
+        std::ranges::sort(parting);
+    }
+    if (parting.empty()) {
+        stopped_ = report_.stopped = true;
+        return false;
+    }
     part(parting, law_.bare_limit ? softening_.opening_mm : softening_.peak_mm());
     return true;
 }
@@ -258,6 +293,8 @@ void Tearing::measure(const TearLoads& loads) {
         elastic += share;
         for (const int v : topology_.tetrahedra()[t]) weights_[v] += share;
     }
+    // A body at rest stores what rounding leaves, whose distribution says nothing.
+    if (elastic <= rounding_of_strength * law_.strength_pa * whole_volume_mm3_) elastic = 0.0;
     entropy_ = entropy_nats(elastic > 0.0 ? std::span<const double>(weights_) : loads.mass_g);
     elastic_ = elastic;
     // For a body that was cut at rest, the first strained state is the reference.

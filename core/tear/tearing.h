@@ -105,6 +105,7 @@ class Tearing {
     bool apart(double most_mm) const { return most_mm >= softening_.opening_mm; }
     void part(std::span<const int> joints, double most_mm);
     void add_neighbours(std::vector<int>& overloaded) const;
+    std::size_t within_budget(std::span<const int> joints) const;
     void make_ties();
     void count();
     void report_entropy();
@@ -114,6 +115,7 @@ class Tearing {
     TornTopology topology_;
     std::vector<std::array<int, 4>> whole_;  // tetrahedra before anything tore
     std::vector<double> volume_mm3_;         // of each, at rest
+    double whole_volume_mm3_ = 0.0;
     std::vector<std::array<int, 2>> sides_;  // tetrahedra of each joint
     std::vector<double> factor_;             // of each joint: times the strength, without weakness
     std::vector<double> weakness_;           // of each joint

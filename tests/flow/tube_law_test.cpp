@@ -37,6 +37,20 @@ TEST(TubeLaw, AnOpenTubeHasNoJetAndASlitLosesAllOfIt) {
     EXPECT_GT(jet_loss(0.2), jet_loss(0.5));
 }
 
+// A crack of 2 a in a sheet under the stress s opens to an ellipse with the half axes a and 2 a
+// s/E.
+TEST(TubeLaw, ASlitIsHeldOpenAsACrackInASheet) {
+    const TubeWall wall{.young_modulus_pa = 5e5, .thickness_per_radius = 0.08};
+    for (const double length : {0.5, 3.0, 8.0})
+        for (const double pressure_pa : {670.0, 1070.0, 10700.0}) {
+            const double half = 0.5 * length;
+            const double wide = 2.0 * half * pressure_pa / 0.08 / 5e5;
+            EXPECT_NEAR(slit_mm2(length, pressure_pa, wall), std::numbers::pi * half * wide, 1e-12);
+        }
+    EXPECT_EQ(slit_mm2(3.0, 0.0, wall), 0.0);
+    EXPECT_EQ(slit_mm2(3.0, -10.0, wall), 0.0);
+}
+
 FlowNetwork straight_pipe(double radius_mm, double length_mm) {
     VesselTree tree;
     tree.nodes = {{Vec3(0, 0, 0)}, {Vec3(length_mm, 0, 0)}};

@@ -163,6 +163,28 @@ TEST(SideTears, OpenWiderTheWiderTheyGape) {
     EXPECT_LT(changes, 45) << "each is a solution of the flow";
 }
 
+// Lips that lie on each other are held open by the blood within, up to what has parted.
+TEST(SideTears, AreHeldOpenByTheBloodWithin) {
+    CutBar bar;
+    bar.cut_from_top(3);
+    const TornPlaces torn = bar.torn();
+    ASSERT_EQ(torn.sides.size(), 1u);
+    const SideTear& side = torn.sides[0];
+    const std::vector<Vec3> closed = bar.positions(3, 0.0);
+    EXPECT_EQ(opening_mm2(side, closed), 0.0);
+    EXPECT_NEAR(opening_mm2(side, closed, 0.7), 0.7, 0.1) << "in steps";
+    EXPECT_EQ(opening_mm2(side, closed, 1e6), side.most_mm2);
+    const double length = slit_length_mm(side, closed);
+    EXPECT_NEAR(length, 4.0 + 2.0 * 3.0, 1e-12) << "across the top and down both sides";
+    const std::vector<ThroughTear> open = open_tears(torn, closed, [&](int, double length_mm) {
+        EXPECT_EQ(length_mm, length);
+        return 0.7;
+    });
+    ASSERT_EQ(open.size(), 1u);
+    EXPECT_TRUE(open[0].side);
+    EXPECT_TRUE(open_tears(torn, closed).empty());
+}
+
 // Pulled open, let go, and pulled open again.
 TEST(SideTears, ThatCloseKeepTheBloodThatTheyHaveLost) {
     CutBar bar;

@@ -89,6 +89,35 @@ TEST(TearLimits, AJointPartsAtItsLimitAndNotBelow) {
     }
 }
 
+// However much is overloaded at once, no more is split off than the budget has.
+TEST(TearLimits, NoTransactionGoesBeyondTheBudgetOfVertices) {
+    const TetMesh mesh = kuhn_brick(Vec3(4, 3, 3), {4, 3, 3});
+    const std::size_t count = mesh.tetrahedra.size();
+    const std::vector<Mat3> stress(count, Mat3(1e9 * Mat3::Identity()));
+    const std::vector<double> energy(count, 1e12), mass(mesh.vertices_mm.size(), 1.0);
+    for (const bool bare : {true, false})
+        for (const int budget : {0, 1, 2, 7, 20}) {
+            Tearing tearing(mesh,
+                            {.strength_pa = 1e3,
+                             .bare_limit = bare,
+                             .stop = TearStop::vertices,
+                             .vertex_budget = budget},
+                            {});
+            for (int k = 0; k < 30; ++k) {
+                std::vector<Vec3> at = mesh.vertices_mm;
+                for (std::size_t v = at.size(); v < tearing.topology().parents().size(); ++v)
+                    at.push_back(at[static_cast<std::size_t>(tearing.topology().parents()[v])]);
+                const std::vector<double> masses(at.size(), 1.0);
+                const TearLoads loads{stress, energy, at, masses};
+                tearing.measure(loads);
+                tearing.part_overloaded(loads);
+                ASSERT_LE(tearing.report().vertices_split, budget) << bare << " " << k;
+            }
+            EXPECT_TRUE(tearing.report().stopped) << bare << " " << budget;
+            EXPECT_GE(tearing.report().vertices_split, budget - 2) << "nor much less";
+        }
+}
+
 // A budget of n vertices is used up by the n-th; one of entropy by what exceeds it.
 TEST(TearLimits, OfTheBudgets) {
     const TetMesh mesh = kuhn_brick(Vec3(3, 1, 1), {3, 1, 1});

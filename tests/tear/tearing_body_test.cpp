@@ -371,7 +371,8 @@ TEST(TearingBody, EachStopEndsTheTearAndNoneDoesNot) {
     EXPECT_FALSE(reports[0].stopped);
     EXPECT_TRUE(reports[1].stopped);
     EXPECT_TRUE(reports[2].stopped);
-    EXPECT_GE(reports[1].vertices_split, 10);
+    EXPECT_GT(reports[1].vertices_split, 0);
+    EXPECT_LE(reports[1].vertices_split, 10);
     EXPECT_GT(reports[0].joints_parted, reports[1].joints_parted);
     EXPECT_GT(reports[0].joints_parted, reports[2].joints_parted);
 }
@@ -389,6 +390,26 @@ TEST(TearingBody, StrainAloneProducesNoEntropy) {
         EXPECT_LT(stepper->step(frame_s).tear.entropy_produced_nats, 0.2) << k;
     }
     EXPECT_FALSE(stepper->tearing()->report().stopped);
+}
+
+// A body that is no brick of round numbers stores at rest what rounding leaves, everywhere alike.
+TEST(TearingBody, WhatRoundingLeavesAtRestIsNoStrainedState) {
+    TearLaw law{.strength_pa = 1e5};
+    BodyDescription body = bar(Vec3(20, 4, 4), {10, 2, 2}, law);
+    double phase = 0.0;
+    for (Vec3& x : body.mesh.vertices_mm) {
+        phase += 1.0;
+        x += Vec3(71.3, -40.1, 113.7) + 0.1 * Vec3(std::sin(phase), std::cos(3 * phase), 0.3);
+    }
+    body.fixed.assign(body.mesh.vertices_mm.size(), 0);
+    for (std::size_t v = 0; v < body.fixed.size(); ++v)
+        body.fixed[v] = body.mesh.vertices_mm[v].x() < 72.0;
+    const auto stepper = make_cpu_stepper(body, {});
+    stepper->step(frame_s);
+    stepper->cut(Vec3(82.3, -60, 100), Vec3(0, 60, 0), Vec3(0, 0, 17));
+    ASSERT_GT(stepper->tearing()->report().vertices_split, 0);
+    EXPECT_EQ(stepper->step(frame_s).tear.entropy_produced_nats, 0.0);
+    EXPECT_EQ(stepper->tearing()->state().entropy_before_nats, -1.0) << "not known yet";
 }
 
 TEST(TearingBody, RefusesElementsAndSolversThatCannotTear) {

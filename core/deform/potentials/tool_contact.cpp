@@ -68,6 +68,7 @@ void ToolContact::grow_thin_pads(std::span<const Vec3> positions_mm) {
 ToolResistance ToolContact::resistance_at(std::span<const Capsule> shapes,
                                           std::span<const Vec3> positions_mm) const {
     ToolResistance sum;
+    std::vector<double> on_part_un(tool_->parts.size(), 0.0);
     Vec3 centre = Vec3::Zero();
     for (const Capsule& shape : shapes) centre += shape.centre_mm;
     centre /= static_cast<double>(shapes.size());
@@ -75,9 +76,15 @@ ToolResistance ToolContact::resistance_at(std::span<const Capsule> shapes,
         const Vec3 force = contact.force_un * contact.normal;
         sum.force_un -= force;
         sum.torque_un_mm -= (contact.at_mm - centre).cross(force);
-        sum.grip_un -= force.dot(tool_->parts[contact.part].opens);
+        const double outwards_un = -force.dot(tool_->parts[contact.part].opens);
+        sum.grip_un += outwards_un;
+        on_part_un[contact.part] += outwards_un;
         sum.closed = sum.closed || !std::isfinite(contact.energy_nj);
     }
+    double least_un = std::numeric_limits<double>::infinity();
+    for (std::size_t p = 0; p < tool_->parts.size(); ++p)
+        if (!tool_->parts[p].opens.isZero(0.0)) least_un = std::min(least_un, on_part_un[p]);
+    if (std::isfinite(least_un)) sum.held_un = std::max(0.0, least_un);
     return sum;
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace hepatica {
@@ -12,6 +13,7 @@ namespace {
 constexpr int halvings_to_limit = 12;
 constexpr double sagitta_of_gap = 1.0 / 40.0;
 constexpr double least_turn_rad = 1e-9;
+constexpr double most_pads_with_held = 0.3;  // a step
 
 struct Way {
     Tool& tool;
@@ -20,6 +22,7 @@ struct Way {
     const ResistanceAt& resistance;
 
     void go(const Vec3& motion_mm);
+    void go_on(const Vec3& motion_mm, double limit_un);
     void turn(const Vec3& by_rad);
     void open(double by_mm);
 
@@ -40,7 +43,25 @@ struct Way {
     }
 };
 
+// What jaws hold goes with them, so that across them the force on a standing body says nothing of
+// the force that is left when it has moved. They are led there until that exceeds the limit, and no
+// faster than what they hold follows in a step, because it would be kicked ahead of them otherwise.
 void Way::go(const Vec3& motion_mm) {
+    for (ToolPart& part : tool.parts) part.led_by_mm.setZero();
+    const ToolResistance now = resistance(tool.shapes());
+    if (now.held_un == 0.0) return go_on(motion_mm, tool.force_limit_un);
+    const Vec3 across = tool.parts.front().opens.normalized();
+    const Vec3 with_held = motion_mm.dot(across) * across;
+    go_on(motion_mm - with_held, tool.force_limit_un);
+    if (with_held.isZero(0.0) ||
+        (with_held.dot(now.force_un) < 0.0 && now.force_un.norm() > tool.force_limit_un))
+        return;
+    const double most_mm = most_pads_with_held * tool.pad_mm;
+    go_on(std::min(1.0, most_mm / with_held.norm()) * with_held,
+          std::numeric_limits<double>::max());
+}
+
+void Way::go_on(const Vec3& motion_mm, double limit_un) {
     const std::vector<Capsule> begin = tool.shapes();
     Vec3 gone = slide(begin, surfaces, motion_mm, keep_mm);
     const auto there = [&](double share) {
@@ -51,12 +72,12 @@ void Way::go(const Vec3& motion_mm) {
     const ToolResistance end = resistance(there(1.0));
     const bool against = gone.dot(end.force_un) < 0.0;
     const double share = share_within(there, end, [&](const ToolResistance& r) {
-        return against && r.force_un.norm() > tool.force_limit_un;
+        return against && r.force_un.norm() > limit_un;
     });
     if (share < 1.0) gone *= share;
     for (ToolPart& part : tool.parts) {
         part.shape.centre_mm += gone;
-        part.led_by_mm = gone;
+        part.led_by_mm += gone;
     }
 }
 

@@ -17,6 +17,7 @@ struct ToolResistance {
     Vec3 force_un = Vec3::Zero();
     Vec3 torque_un_mm = Vec3::Zero();  // about the centre
     double grip_un = 0.0;              // against closing the jaws
+    double held_un = 0.0;              // the least force that presses a jaw outwards; 0: none held
     bool closed = false;               // a gap is closed: the tool must not be there
 };
 using ResistanceAt = std::function<ToolResistance(std::span<const Capsule>)>;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "core/scene/tools/tool_kinds.h"
 
 namespace hepatica {
@@ -7,6 +9,8 @@ namespace {
 // Distance from the jaws' tips to the point between them, as a share of their length.
 constexpr double place_from_tips = 0.25;
 constexpr double friction_of_teeth = 0.6;
+// Thicker than other tools': in a step jaws take what they hold along by a part of it.
+constexpr double pad_in_radii = 0.25;
 
 }  // namespace
 
@@ -23,6 +27,7 @@ void make_forceps(Tool& tool, const ToolChoice& choice, const Vec3& direction,
                        .radius_mm = choice.radius_mm},
              .opens = which * side});
     tool.friction = friction_of_teeth;
+    tool.pad_mm = std::clamp(pad_in_radii * choice.radius_mm, 0.1, 0.5);
 }
 
 }  // namespace hepatica

@@ -58,8 +58,8 @@ Tool tool_of(const ToolChoice& choice, const Vec3& point_mm, double modulus_pa,
     if (!point_mm.allFinite())
         throw InputError("is not finite", "the place of the tool", "Give finite numbers");
     Tool tool;
-    kind->second(tool, choice, choice.direction.normalized(), point_mm);
     tool.pad_mm = std::clamp(0.1 * choice.radius_mm, 0.1, 0.5);
+    kind->second(tool, choice, choice.direction.normalized(), point_mm);
     tool.pressure_pa = 2.0 * modulus_pa;
     tool.force_limit_un = hand_pressure_pa * M_PI * choice.radius_mm * choice.radius_mm;
     return tool;

@@ -3,6 +3,7 @@
 // it, exchange momentum with what they lift, and pass through nothing; a hook holds aside.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -10,6 +11,7 @@
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/live_stepper.h"
 #include "core/deform/stepper/stepper_checkpoint.h"
+#include "core/mesh/brick_mesh.h"
 #include "tests/deform/support/tool_oracles.h"
 
 namespace hepatica {
@@ -118,6 +120,41 @@ TEST(ToolJaws, SlipWhereThePullIsStrongerThanTheirFriction) {
     // The jaws have gone on by three millimetres, what was between them by much less.
     EXPECT_NEAR(pinch.stepper().tool()->centre_mm().x() - tool, 3.0, 1e-6);
     EXPECT_LT(std::abs(pinch.held_mm() - held), 1.0);
+}
+
+// Led across themselves jaws take along what they hold, as fast as a hand goes, and the force on
+// them is that of what they bend.
+TEST(ToolJaws, TakeWhatTheyHoldAlongAcrossThemselves) {
+    BodyDescription body;
+    body.mesh = kuhn_brick(Vec3(40, 4, 4), {20, 2, 2});
+    for (const Vec3& x : body.mesh.vertices_mm) body.fixed.push_back(x.x() < 0.1);
+    body.touchable = true;
+    const auto stepper = make_cpu_stepper(body, {});
+    Tool jaws = jaws_at(Vec3(30, 2, 2), Vec3(0, 15, 0), 2.0, 12.0);
+    jaws.pad_mm = 0.5;
+    jaws.friction = 0.6;
+    jaws.force_limit_un = 2.5e6;
+    stepper->set_tool(jaws);
+    stepper->open_tool(0.0);
+    for (int k = 0; k < 120; ++k) stepper->step(frame_s);
+    const Vec3 from = stepper->tool()->centre_mm();
+    constexpr double way_mm = 8.0;
+    double hardest_un = 0.0;
+    for (int k = 1; k <= 90; ++k) {
+        stepper->lead_tool(from + std::min(1.0, k / 60.0) * way_mm * Vec3::UnitZ());
+        const StepReport report = stepper->step(frame_s);
+        hardest_un = std::max(hardest_un, report.tool.force_un.norm());
+        EXPECT_GT(report.tool.grip_un, 1e6) << k;
+    }
+    EXPECT_NEAR(stepper->tool()->centre_mm().z() - from.z(), way_mm, 0.1);
+    EXPECT_LT(hardest_un, 1.5 * jaws.force_limit_un);
+    // What they hold has gone along.
+    const auto& rest = body.mesh.vertices_mm;
+    const auto held = static_cast<std::size_t>(
+        std::ranges::find_if(rest,
+                             [](const Vec3& x) { return (x - Vec3(30, 2, 2)).norm() < 0.1; }) -
+        rest.begin());
+    EXPECT_NEAR(stepper->positions_mm()[held].z() - rest[held].z(), way_mm, 0.1 * way_mm);
 }
 
 // A free brick is taken, lifted and let go: all its momentum is the tool's.
