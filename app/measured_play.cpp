@@ -66,9 +66,9 @@ void add_step(const SessionStep& step, MeasuredPlay& result) {
     result.penetration_max_mm = std::max({result.penetration_max_mm, -tool.least_gap_mm,
                                           -self.least_gap_mm, -obstacles.least_gap_mm});
     if (step.deform.momentum_exchanged_g_mm_per_s > 0.0)
-        result.momentum_error_relative =
-            std::max(result.momentum_error_relative, step.deform.momentum_error_g_mm_per_s /
-                                                         step.deform.momentum_exchanged_g_mm_per_s);
+        result.momentum_error_relative = std::max(
+            result.momentum_error_relative.value_or(0.0),
+            step.deform.momentum_error_g_mm_per_s / step.deform.momentum_exchanged_g_mm_per_s);
     result.tear = step.deform.tear;
     result.torn_nj += step.deform.energy.tear_loss;
     result.tool_force_max_un = std::max(result.tool_force_max_un, tool.force_un.norm());
@@ -143,8 +143,8 @@ Json touch_of(World& world, const MeasuredPlay& played) {
         {"tool_at_limit_steps", value_if(tools, played.tool_at_limit_steps)},
         {"intersections_at_end",
          self || beside ? Json(crossing_pairs(*world.deform())) : Json(nullptr)},
-        {"momentum_error_relative",
-         value_if(self || world.spec().tear, played.momentum_error_relative)}};
+        {"momentum_error_relative", value_if(played.momentum_error_relative.has_value(),
+                                             played.momentum_error_relative.value_or(0.0))}};
 }
 
 Json tear_of(World& world, const MeasuredPlay& played) {

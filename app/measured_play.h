@@ -34,9 +34,10 @@ struct MeasuredPlay {
     double penetration_max_mm = 0.0;
     double tool_force_max_un = 0.0;
     int hand_at_limit_steps = 0, tool_at_limit_steps = 0;
-    double momentum_error_relative = 0.0;  // see MomentumBalance
-    TearReport tear;                       // of the last step
-    double torn_nj = 0.0;                  // fracture energy
+    // See MomentumBalance; none where no step exchanged momentum that it measures.
+    std::optional<double> momentum_error_relative;
+    TearReport tear;       // of the last step
+    double torn_nj = 0.0;  // fracture energy
     bool finite = true;
     Refusals refusals;
     std::optional<std::uint64_t> paused_at;  // the step at which a pause ended the play

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "core/flow/fluid.h"
+#include "render/actor_settings.h"
 #include "render/palette.h"
 
 namespace hepatica {
@@ -67,6 +68,12 @@ BleedingActor::~BleedingActor() {
     for (const auto& cloud : clouds_) renderer_.RemoveActor(cloud);
 }
 
+void BleedingActor::set_clip(vtkPlane* plane) {
+    clip_ = plane;
+    for (const auto* balls : {&pools_, &clouds_})
+        for (const auto& ball : *balls) clip_by(plane, *ball->GetMapper());
+}
+
 bool BleedingActor::update(const std::optional<TearView>& tear) {
     const std::size_t count = tear ? tear->leaks.size() : 0;
     if (count == 0 && pools_.empty()) return false;
@@ -79,6 +86,7 @@ bool BleedingActor::update(const std::optional<TearView>& tear) {
         pools_.push_back(new_leak_ball(palette::bleeding, pool_opacity));
         clouds_.push_back(new_leak_ball(palette::drug(1.0), cloud_opacity));
         clouds_.back()->SetVisibility(false);
+        for (const auto& ball : {pools_.back(), clouds_.back()}) clip_by(clip_, *ball->GetMapper());
         renderer_.AddActor(pools_.back());
         renderer_.AddActor(clouds_.back());
     }

@@ -12,6 +12,7 @@
 #include "core/scene/frame.h"
 
 class vtkActor;
+class vtkPlane;
 class vtkRenderer;
 
 namespace hepatica {
@@ -33,10 +34,14 @@ class BleedingActor {
     // Costs nothing where nothing bleeds. Returns true if the picture changed; a sphere that grew
     // or moved by less than 0.1 mm is not redrawn.
     bool update(const std::optional<TearView>& tear);
+    // Draws only what lies on the plane's positive side; null draws all. The plane must outlive its
+    // use.
+    void set_clip(vtkPlane* plane);
 
   private:
     vtkRenderer& renderer_;
     std::vector<vtkSmartPointer<vtkActor>> pools_, clouds_;
+    vtkPlane* clip_ = nullptr;
 };
 
 }  // namespace hepatica

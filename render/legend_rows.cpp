@@ -74,14 +74,14 @@ void add_warnings(std::vector<LegendRow>& rows) {
 }
 
 // The ramp follows the stretch's logarithm.
-void add_stretch(std::vector<LegendRow>& rows) {
+void add_stretch(bool bright, std::vector<LegendRow>& rows) {
     LegendRow ramp;
     ramp.text = "Stretch (length / length at rest)";
     const double all = std::log(palette::largest_stretch);
     for (int c = 0; c < ramp_cells; ++c)
-        ramp.colours.push_back(palette::stretch(std::exp(all * (c + 0.5) / ramp_cells)));
-    for (const double factor : {1.0, 1.25, 1.5, 2.0})
-        ramp.ticks.emplace_back(std::log(factor) / all, fixed_text(factor, factor == 1.25 ? 2 : 1));
+        ramp.colours.push_back(palette::stretch(std::exp(all * (c + 0.5) / ramp_cells), bright));
+    for (const double factor : {1.0, 1.2, 1.4, 1.6})
+        ramp.ticks.emplace_back(std::log(factor) / all, fixed_text(factor, 1));
     rows.push_back(std::move(ramp));
 }
 
@@ -168,7 +168,7 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
     }
     if (content.bleeds) swatch("Blood (1/10 of the volume)", palette::bleeding);
     if (content.warned) add_warnings(rows);
-    if (content.stretched) add_stretch(rows);
+    if (content.stretched) add_stretch(content.bright, rows);
     if (content.injected) add_drug(content, rows);
     if (content.reached_before)
         swatch("Reached by an earlier injection", palette::reached_before(content.bright));

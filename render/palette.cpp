@@ -18,11 +18,16 @@ constexpr std::array<Colour, 6> drug_stops{{{0.60, 0.20, 0.016},
                                             {0.996, 0.79, 0.38},
                                             {1.000, 0.96, 0.72}}};
 
-constexpr std::array<Colour, 5> stretch_stops{{{0.33, 0.39, 0.47},
-                                               {0.43, 0.40, 0.66},
-                                               {0.65, 0.42, 0.76},
-                                               {0.86, 0.48, 0.78},
-                                               {0.97, 0.62, 0.86}}};
+constexpr std::array<Colour, 5> stretch_stops{{{0.38, 0.45, 0.52},
+                                               {0.55, 0.47, 0.58},
+                                               {0.74, 0.49, 0.66},
+                                               {0.91, 0.53, 0.73},
+                                               {0.98, 0.63, 0.82}}};
+constexpr std::array<Colour, 5> bright_stretch_stops{{{0.53, 0.60, 0.68},
+                                                      {0.69, 0.61, 0.72},
+                                                      {0.86, 0.62, 0.76},
+                                                      {0.98, 0.66, 0.82},
+                                                      {1.00, 0.76, 0.92}}};
 
 // At `fraction` of the way along the stops; values outside [0, 1] are clamped.
 template <std::size_t n>
@@ -117,8 +122,9 @@ Colour warning(const Colour& vessel, double load) {
     return weighted(near_limit, at_limit, std::min(1.0, (load - yellow) / (1.0 - yellow)));
 }
 
-Colour stretch(double factor) {
-    return between(stretch_stops, std::log(std::max(factor, 1.0)) / std::log(largest_stretch));
+Colour stretch(double factor, bool bright) {
+    return between(bright ? bright_stretch_stops : stretch_stops,
+                   std::log(std::max(factor, 1.0)) / std::log(largest_stretch));
 }
 
 Colour drug(double fraction) {

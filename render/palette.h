@@ -69,8 +69,8 @@ Colour warning(const Colour& vessel, double load);
 
 // Colour of a vessel that is stretched by this factor (SurfaceStretch): grey at 1 and below, pink
 // at largest_stretch and beyond, lighter with every stretch, along its logarithm.
-inline constexpr double largest_stretch = 2.0;
-Colour stretch(double factor);
+inline constexpr double largest_stretch = 1.6;
+Colour stretch(double factor, bool bright = false);
 
 // Of a cut line that has not torn yet.
 Colour weak_line();

@@ -274,6 +274,7 @@ void SceneView::set_clip(const std::optional<ClipPlane>& plane) {
     parts_->liver.set_clip(drawn);
     parts_->tumours.set_clip(drawn);
     parts_->obstacles.set_clip(drawn);
+    parts_->bleeding.set_clip(drawn);
     parts_->volume.set_clip(drawn);
 }
 

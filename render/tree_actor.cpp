@@ -188,7 +188,7 @@ Colour TreeActor::own_colour_of(std::size_t vertex, std::size_t origin) const {
     if (marked(target_))
         return lit ? palette::lit_drug_target(bright_) : palette::drug_target(bright_);
     if (lit) return palette::highlight(bright_);
-    if (vertex < stretches_.size()) return palette::stretch(stretches_[vertex]);
+    if (vertex < stretches_.size()) return palette::stretch(stretches_[vertex], bright_);
     const int segment = origin < segments_.size() ? segments_[origin] : 0;
     if (segment > 0) return palette::liver_segment(segment);
     return palette::vessel_system(

@@ -2313,10 +2313,6 @@
         <translation>Als Fall speichern? Auf Korrekturen, die noch entstehen, wird gewartet.</translation>
     </message>
     <message>
-        <source>There is a case %1 already. Replace it?</source>
-        <translation>Es gibt schon einen Fall %1. Soll er ersetzt werden?</translation>
-    </message>
-    <message>
         <source>(missing)</source>
         <translation>(fehlt)</translation>
     </message>
@@ -9133,10 +9129,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>%1 mm bis zur Marke %2, näher führen</translation>
     </message>
     <message>
-        <source>cut or torn: joints of the mesh broken: %1, pieces: %2</source>
-        <translation>geschnitten oder gerissen: gerissene Verbindungen des Netzes: %1, Stücke: %2</translation>
-    </message>
-    <message>
         <source>begun to tear, nothing is apart yet</source>
         <translation>angerissen, noch ist nichts getrennt</translation>
     </message>
@@ -9595,6 +9587,14 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Colour b&amp;y stretch</source>
         <translation>Farben nach De&amp;hnung</translation>
+    </message>
+    <message>
+        <source>There is a case “%1” already, of this patient or of another one. Replace it?</source>
+        <translation>Es gibt schon einen Fall „%1“, von diesem oder einem anderen Patienten. Soll er ersetzt werden?</translation>
+    </message>
+    <message>
+        <source>cut or torn: joints of the mesh broken: %1, pieces off: %2</source>
+        <translation>geschnitten oder gerissen: gerissene Verbindungen des Netzes: %1, abgetrennte Stücke: %2</translation>
     </message>
 </context>
 </TS>

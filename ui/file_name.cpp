@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/file_name.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QRegularExpression>
 
 namespace hepatica {
@@ -17,6 +19,14 @@ QString as_file_name(const QString& name, const QString& otherwise) {
     }
     clean.remove(ends);
     return clean.isEmpty() ? otherwise : clean;
+}
+
+QString free_name(const QString& folder, const QString& name) {
+    const QFileInfo wanted(name);
+    QString free = name;
+    for (int n = 2; QFileInfo::exists(QDir(folder).filePath(free)); ++n)
+        free = QString("%1 (%2).%3").arg(wanted.completeBaseName()).arg(n).arg(wanted.suffix());
+    return free;
 }
 
 }  // namespace hepatica

@@ -12,4 +12,7 @@ namespace hepatica {
 // left of it.
 QString as_file_name(const QString& name, const QString& otherwise);
 
+// The name itself, or "NAME (2).ENDING" and so on where the folder holds one of that name.
+QString free_name(const QString& folder, const QString& name);
+
 }  // namespace hepatica

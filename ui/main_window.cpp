@@ -3,6 +3,7 @@
 #include "ui/main_window.h"
 
 #include <QActionGroup>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QHBoxLayout>
 #include <QMenu>
@@ -230,6 +231,11 @@ void MainWindow::build_panels() {
     make_dock(*this, Words::id("Injection"), inject_);
     make_dock(*this, Words::id("Simulation"), quality_);
     edit_panel_ = new EditPanel;
+    // Whoever chooses what a click corrects wants to click.
+    connect(edit_panel_->findChild<QComboBox*>("EditTool"), &QComboBox::activated, this, [this] {
+        QAction& edit = (*actions_)[ActionId::edit_mode];
+        if (edit.isEnabled() && !edit.isChecked()) edit.trigger();
+    });
     QDockWidget* edit_dock = make_dock(*this, Words::id("Corrections"), edit_panel_);
     tabifyDockWidget(findChild<QDockWidget*>("Injection"), edit_dock);
     tool_panel_ =

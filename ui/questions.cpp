@@ -6,6 +6,7 @@
 #include <QPushButton>
 
 #include "ui/core_words.h"
+#include "ui/file_name.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
 #include "ui/plain_text.h"
@@ -84,10 +85,12 @@ bool ask_end_play(QWidget& parent) {
 }
 
 bool ask_replace(QWidget& parent, const QString& name) {
-    return QMessageBox::question(
-               &parent, "Hepatica",
-               as_plain(Words::tr("There is a case %1 already. Replace it?").arg(name)),
-               QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
+    return QMessageBox::question(&parent, "Hepatica",
+                                 as_plain(Words::tr("There is a case “%1” already, of this patient "
+                                                    "or of another one. Replace it?")
+                                              .arg(name)),
+                                 QMessageBox::Yes | QMessageBox::No,
+                                 QMessageBox::No) == QMessageBox::Yes;
 }
 
 }  // namespace
@@ -107,9 +110,11 @@ PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& s
     questions.where_to_save =
         [&parent,
          &settings](const std::filesystem::path& proposed) -> std::optional<std::filesystem::path> {
+        const bool has_place = proposed.has_parent_path();
         SaveCaseDialog dialog(
-            proposed.has_parent_path() ? to_text(proposed.parent_path()) : settings.case_folder(),
-            to_text(proposed.filename()),
+            has_place ? to_text(proposed.parent_path()) : settings.case_folder(),
+            has_place ? to_text(proposed.filename())
+                      : free_name(settings.case_folder(), to_text(proposed.filename())),
             [&parent](const QString& name) { return ask_replace(parent, name); },
             [&dialog](const QString& why) {
                 QMessageBox::warning(&dialog, "Hepatica", as_plain(why));

@@ -60,6 +60,7 @@ void ToolHand::take(const std::string& kind) {
 void ToolHand::forget() {
     kind_.clear();
     seen_.reset();
+    replaced_.reset();
     asked_ = false;
     mouse_at_.reset();
 }
@@ -83,8 +84,19 @@ Vec3 ToolHand::present_way() const {
     return along.isZero(0.0) ? way_of_instrument(view_.axes()) : Vec3(along.normalized());
 }
 
+// A frame from before the new tool came shows the old one; the new one is nearer to its place.
+bool ToolHand::is_still_the_old(const ToolView& tool) {
+    if (!replaced_) return false;
+    const double before_mm = (replaced_->tip_mm - replaced_->place_mm).norm();
+    const double now_mm = (tool.tip_mm - replaced_->place_mm).norm();
+    if (now_mm > 0.7 * before_mm && --replaced_->frames > 0) return true;
+    replaced_.reset();
+    return false;
+}
+
 void ToolHand::follow(const std::optional<ToolView>& tool) {
     if (kind_.empty()) return;
+    if (tool && !seen_ && is_still_the_old(*tool)) return;
     if (tool && !seen_) {
         depth_mm_ = tool->tip_mm;
         depth_asked_mm_ = 0.0;
@@ -189,6 +201,9 @@ void ToolHand::bring(const Vec3& tip_mm, const Vec3& direction) {
     AddTool tool{kind_, size_.radius_mm, length_mm, direction, tip_mm};
     if (kind_ == "forceps" || kind_ == "hook") tool.side = side_in_picture(view_.axes(), direction);
     post_(tool);
+    replaced_.reset();
+    if (seen_ && (seen_->tip_mm - tip_mm).norm() > least_notch_mm)
+        replaced_ = Replaced{seen_->tip_mm, tip_mm};
     seen_.reset();
     closed_ = false;
     asked_ = true;

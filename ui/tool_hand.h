@@ -69,6 +69,13 @@ class ToolHand {
     std::function<void(GripWatch::Seen)> on_empty_grip = [](GripWatch::Seen) {};
 
   private:
+    // A tool that a new one takes the place of.
+    struct Replaced {
+        Vec3 tip_mm = Vec3::Zero();    // its own
+        Vec3 place_mm = Vec3::Zero();  // where the new one is to come
+        int frames = 60;               // after which whatever is shown counts as new
+    };
+    bool is_still_the_old(const ToolView& tool);
     void bring(const Vec3& tip_mm, const Vec3& direction);
     void bring_to(const Pixel& at);
     // What one points at there: a vessel's surface, or a place at the depth of a mark.
@@ -86,7 +93,8 @@ class ToolHand {
     std::string kind_;  // empty: no tool
     ToolSize size_;
     std::optional<ToolView> seen_;
-    bool closed_ = false;  // jaws are commanded to be closed
+    std::optional<Replaced> replaced_;  // until a frame shows the new tool
+    bool closed_ = false;               // jaws are commanded to be closed
     GripWatch grip_;
     bool asked_ = false;  // a tool was requested and no frame has shown it yet
     HandPace pace_;

@@ -249,9 +249,9 @@ void ToolPanel::show_tear(const std::optional<TearView>& tear) {
     torn_->setToolTip({});
     if (!tear) return torn_->setText(Words::tr("nothing cut or torn"));
     QString text = tear->joints_broken > 0
-                       ? Words::tr("cut or torn: joints of the mesh broken: %1, pieces: %2")
+                       ? Words::tr("cut or torn: joints of the mesh broken: %1, pieces off: %2")
                              .arg(tear->joints_broken)
-                             .arg(tear->pieces)
+                             .arg(tear->pieces_off)
                    : is_split(*tear) ? Words::tr("begun to tear, nothing is apart yet")
                                      : Words::tr("nothing cut or torn");
     torn_->setToolTip(Words::tr("Damage, as entropy produced by tearing: %L1 nats")

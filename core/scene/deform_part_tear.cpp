@@ -71,6 +71,7 @@ void DeformPart::show_tear(TearView& view) const {
     view.joints_broken = report.joints_broken;
     view.torn_area_mm2 = report.torn_area_mm2;
     view.pieces = report.pieces;
+    view.pieces_off = report.pieces_off;
     view.entropy_nats = report.entropy_nats;
     view.entropy_produced_nats = report.entropy_produced_nats;
     view.stopped_by = !report.stopped                    ? ""

@@ -93,6 +93,7 @@ struct TearView {
     int joints_broken = 0;
     double torn_area_mm2 = 0.0;  // see TearReport
     int pieces = 1;
+    int pieces_off = 0;  // more than the whole body has
     double entropy_nats = 0.0;
     double entropy_produced_nats = 0.0;
     double leak_g_s = 0.0;  // out of stumps

@@ -30,6 +30,7 @@ struct TearReport {
                                  // for each of its corners
     int vertices_split = 0;
     int pieces = 1;
+    int pieces_off = 0;  // more than the whole body has
     double entropy_nats = 0.0;
     double entropy_produced_nats = 0.0;  // since the first split, >= 0
     bool stopped = false;                // by the law's stop criterion

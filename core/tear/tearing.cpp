@@ -361,6 +361,8 @@ void Tearing::count() {
     for (int v = 0; v < topology_.vertex_count(); ++v)
         report.vertices_split += topology_.parents()[v] != v ? 1 : 0;
     report.pieces = topology_.pieces(bound_pairs());
+    if (whole_pieces_ == 0) whole_pieces_ = report.pieces;  // called first on the whole body
+    report.pieces_off = report.pieces - whole_pieces_;
 }
 
 TearState Tearing::state() const {

@@ -116,6 +116,7 @@ class Tearing {
     std::vector<std::array<int, 4>> whole_;  // tetrahedra before anything tore
     std::vector<double> volume_mm3_;         // of each, at rest
     double whole_volume_mm3_ = 0.0;
+    int whole_pieces_ = 0;
     std::vector<std::array<int, 2>> sides_;  // tetrahedra of each joint
     std::vector<double> factor_;             // of each joint: times the strength, without weakness
     std::vector<double> weakness_;           // of each joint

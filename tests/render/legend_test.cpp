@@ -256,9 +256,9 @@ TEST(LegendRows, LabelTheStretchInsteadOfTheSystems) {
     EXPECT_EQ(rows[0].text, "Stretch (length / length at rest)");
     ASSERT_EQ(rows[0].ticks.size(), 4u);
     for (const auto& [place, number] : rows[0].ticks)
-        EXPECT_NEAR(place, std::log2(std::stod(number)), 1e-9) << number;
+        EXPECT_NEAR(place, std::log(std::stod(number)) / std::log(1.6), 1e-9) << number;
     EXPECT_EQ(rows[0].colours.front(),
-              palette::stretch(std::exp2(0.5 / static_cast<double>(rows[0].colours.size()))));
+              palette::stretch(std::pow(1.6, 0.5 / static_cast<double>(rows[0].colours.size()))));
 }
 
 TEST(LegendPlace, HasARowMoreForGapsAndForPlaces) {

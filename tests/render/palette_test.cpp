@@ -129,26 +129,33 @@ TEST(Palette, TellsTargetHighlightAndWhatWasReachedBeforeFromEachOtherAndFromAll
         }
 }
 
-// Lightness alone orders the stretches, for all eyes, and warnings stand out from all of them.
+// Lightness alone orders the stretches, for all eyes, and warnings and what is touched stand out
+// from all of them; at rest they have contrast to a black background.
 TEST(Palette, OfTheStretchGrowsLighterAndLeavesWarningsApart) {
-    for (const Sight& sight : sights()) {
-        const auto lightness = [&sight](double factor) {
-            return oklab(
-                       (sight.seen * linear(palette::stretch(factor))).cwiseMax(0.0).cwiseMin(1.0))
-                .x();
-        };
-        for (int i = 0; i < 20; ++i)
-            EXPECT_GT(lightness(std::exp2((i + 1) / 20.0)), lightness(std::exp2(i / 20.0)) + 0.005)
-                << sight.name << " " << i;
-        for (int i = 0; i <= 20; ++i) {
-            const Colour stretched = palette::stretch(std::exp2(i / 20.0));
-            for (const Colour& other :
-                 {palette::warning(stretched, 0.7), palette::warning(stretched, 1.0),
-                  palette::touch, palette::torn})
-                EXPECT_GE(distance(stretched, other, sight), 0.5 * sight.least_distance)
-                    << sight.name << " " << i;
+    constexpr int steps = 20;
+    const auto factor = [](int i) {
+        return std::pow(palette::largest_stretch, static_cast<double>(i) / steps);
+    };
+    for (const bool bright : {false, true})
+        for (const Sight& sight : sights()) {
+            SCOPED_TRACE(std::string(sight.name) + (bright ? ", bright" : ""));
+            const auto lightness = [&](int i) {
+                const Vec3 light = linear(palette::stretch(factor(i), bright));
+                return oklab((sight.seen * light).cwiseMax(0.0).cwiseMin(1.0)).x();
+            };
+            for (int i = 0; i < steps; ++i)
+                EXPECT_GT(lightness(i + 1), lightness(i) + (bright ? 0.003 : 0.005)) << i;
+            for (int i = 0; i <= steps; ++i) {
+                const Colour stretched = palette::stretch(factor(i), bright);
+                std::vector<Colour> others{palette::warning(stretched, 0.7),
+                                           palette::warning(stretched, 1.0), palette::torn};
+                if (!bright) others.push_back(palette::touch);
+                for (const Colour& other : others)
+                    EXPECT_GE(distance(stretched, other, sight), 0.5 * sight.least_distance) << i;
+            }
         }
-    }
+    EXPECT_GE(palette::contrast(palette::stretch(1.0), palette::background_top), 3.0);
+    EXPECT_GE(palette::contrast(palette::stretch(1.0, true), {0, 0, 0}), 7.0);
     EXPECT_EQ(palette::stretch(0.5), palette::stretch(1.0));
     EXPECT_EQ(palette::stretch(3.0), palette::stretch(palette::largest_stretch));
 }

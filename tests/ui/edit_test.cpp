@@ -100,6 +100,16 @@ TEST_F(Editing, gaps_are_shown_and_bridged_by_their_confidence) {
               acceptances(test::patient_with_bridges(), 0.0).size());
 }
 
+// Else a click on a vessel would only pull it, without a word.
+TEST_F(Editing, whoever_chooses_what_a_click_corrects_is_in_edit_mode) {
+    QAction& edit = window_.actions()[ActionId::edit_mode];
+    ASSERT_FALSE(edit.isChecked());
+    choose_tool("Delete a branch");
+    EXPECT_FALSE(edit.isChecked()) << "set by the program";
+    emit child<QComboBox>("EditTool").activated(1);
+    EXPECT_TRUE(edit.isChecked());
+}
+
 TEST_F(Editing, a_click_in_edit_mode_does_what_the_panel_says) {
     const std::size_t before = saved().tree.segments.size();
     window_.actions()[ActionId::edit_mode].trigger();

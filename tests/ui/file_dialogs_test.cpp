@@ -282,6 +282,17 @@ TEST(FileName, HoldsNothingThatAFileSystemRefuses) {
     EXPECT_EQ(QString::fromUtf8(some.toUtf8()), some) << "no half of a letter is left";
 }
 
+// A second patient of the day is not offered the place of the first.
+TEST(FileName, IsOneThatIsFree) {
+    const QTemporaryDir folder;
+    EXPECT_EQ(free_name(folder.path(), "case of today.hep"), "case of today.hep");
+    QDir(folder.path()).mkdir("case of today.hep");
+    EXPECT_EQ(free_name(folder.path(), "case of today.hep"), "case of today (2).hep");
+    QDir(folder.path()).mkdir("case of today (2).hep");
+    EXPECT_EQ(free_name(folder.path(), "case of today.hep"), "case of today (3).hep");
+    EXPECT_EQ(free_name(folder.filePath("nowhere"), "a.hep"), "a.hep");
+}
+
 TEST_F(NamedFiles, AreCasesCalledAsThePatientAndLieWhereTheyDo) {
     open_built_in();
     window_.actions()[ActionId::save_case_as].trigger();

@@ -255,6 +255,27 @@ TEST_F(ToolInHand, a_click_on_a_vessel_brings_it_there_from_another_depth) {
     EXPECT_EQ(count<AddTool>(), tools) << "closed jaws would let go";
 }
 
+// On a slow computer frames with the tool at its old place come after the click; the mouse leads
+// the new one at the depth of the click all the same.
+TEST_F(ToolInHand, keeps_the_depth_of_a_click_though_older_frames_follow_it) {
+    take(Qt::Key_4);
+    turn_wheel(-20);
+    paint();
+    const ToolView far = *window_.frame().tool;
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_trunk());
+    ASSERT_EQ(count<AddTool>(), 2u);
+    ToolHand& hand = window_.view().mouse().hand();
+    hand.follow(far);
+    hand.follow(far);
+    ToolView come = far;
+    come.tip_mm = come.centre_mm = commands_of_type<AddTool>().back().point_mm;
+    hand.follow(come);
+    const double depth = come.tip_mm.dot(axes().forward);
+    ASSERT_GT(std::abs(depth - far.tip_mm.dot(axes().forward)), 10.0);
+    point_at(on_trunk() + QPoint(2, 0));
+    EXPECT_NEAR(commands_of_type<MoveTool>().back().target_mm.dot(axes().forward), depth, 1e-9);
+}
+
 TEST_F(ToolInHand, a_click_on_a_mark_of_the_lesson_brings_it_to_its_depth) {
     take(Qt::Key_4);
     SceneView& scene = window_.view().scene();
