@@ -80,7 +80,7 @@ TEST(ToolChoice, IsAsStrongAsAHandOnAVesselOfItsRadius) {
         const Tool tool = made(kind);
         EXPECT_NEAR(tool.force_limit_un, hand_pa * M_PI * 1.5 * 1.5, 1e-9);
         EXPECT_EQ(tool.pressure_pa, 2.0 * modulus_pa);
-        EXPECT_NEAR(tool.pad_mm, std::string_view(kind) == "forceps" ? 0.375 : 0.15, 1e-12);
+        EXPECT_NEAR(tool.pad_mm, std::string_view(kind) == "forceps" ? 0.225 : 0.15, 1e-12);
     }
     ToolChoice wide = choice_of("sphere"), thin = wide;
     wide.radius_mm = 80.0;

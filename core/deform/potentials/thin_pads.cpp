@@ -32,8 +32,8 @@ std::vector<ThinPad> unpressed_pads(const Tool& tool, const SurfacePatches& surf
     std::ranges::sort(pads, [](const ThinPad& a, const ThinPad& b) {
         return std::pair(a.corners, a.pad_mm) < std::pair(b.corners, b.pad_mm);
     });
-    const auto farther = std::ranges::unique(pads, {}, &ThinPad::corners);
-    pads.erase(farther.begin(), farther.end());
+    const auto same = [](const ThinPad& a, const ThinPad& b) { return a.corners == b.corners; };
+    pads.erase(std::unique(pads.begin(), pads.end(), same), pads.end());
     return pads;
 }
 

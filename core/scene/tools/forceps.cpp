@@ -10,7 +10,7 @@ namespace {
 constexpr double place_from_tips = 0.25;
 constexpr double friction_of_teeth = 0.6;
 // Thicker than other tools': in a step jaws take what they hold along by a part of it.
-constexpr double pad_in_radii = 0.25;
+constexpr double pad_in_radii = 0.15;
 
 }  // namespace
 
