@@ -40,7 +40,11 @@ TEST(CutLine, ASectionPartsTheVesselNearForksToo) {
     int sections = 0;
     for (std::size_t s = 0; s < tree.segments.size(); ++s) {
         const double length = length_mm(tree.segments[s]);
-        for (const double share : {0.15, 0.3, 0.5, 0.7, 0.85}) {
+        const double radius = tree.segments[s].radii_mm.front();
+        for (const double from_end :
+             {0.3, 0.6, 0.9, 1.2, -0.3, -0.6, -0.9, -1.2, 0.5 * length / radius}) {
+            const double share =
+                (from_end < 0.0 ? length + from_end * radius : from_end * radius) / length;
             const TreePoint at{static_cast<int>(s), share * length, 0.0};
             const std::vector<int> across =
                 joints_along(tree, topology.joints(), places, at, at, 1.0);
@@ -58,7 +62,7 @@ TEST(CutLine, ASectionPartsTheVesselNearForksToo) {
             ++sections;
         }
     }
-    EXPECT_GT(sections, 30);
+    EXPECT_GT(sections, 60);
 }
 
 }  // namespace
