@@ -21,9 +21,8 @@ class SplitCheck {
     // Checks that
     // - mass, momentum, angular momentum and kinetic energy are unchanged to 1e-12, and the stored
     //   energy did not grow
-    // - every new vertex lies where the one does that it was split from, so that the split turned
-    // no
-    //   tetrahedron inside out and moved nothing into anything
+    // - every new vertex lies where the one does that it was split from; a motion that old vertices
+    //   shared with it would not be seen
     // - positions are finite
     // - the tetrahedra around every vertex are connected by faces
     // - the surface is closed, and equals the surface of the topology.

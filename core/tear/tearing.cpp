@@ -141,9 +141,9 @@ void Tearing::find_loads(const TearLoads& loads, double least, std::vector<doubl
     });
 }
 
-// How many of these joints, from the first on, may part within the budget of vertices.
+// How many of these joints, from the first on, may part within the budget of vertices. Only near
+// its end does it cost copies of the topology.
 std::size_t Tearing::within_budget(std::span<const int> joints) const {
-    if (law_.stop != TearStop::vertices) return joints.size();
     const auto fits = [&](std::size_t count) {
         TornTopology parted = topology_;
         parted.part(joints.first(count), volume_mm3_);
