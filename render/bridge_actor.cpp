@@ -65,8 +65,9 @@ vtkSmartPointer<vtkPolyData> dashes(const std::vector<Vec3>& path) {
 std::vector<BridgeView> views_of(const std::vector<Bridge>& bridges) {
     std::vector<BridgeView> views;
     for (const Bridge& bridge : bridges)
-        views.push_back(
-            {bridge.path_mm, std::to_string(std::lround(100.0 * bridge.confidence)) + " %", false});
+        views.push_back({bridge.path_mm,
+                         std::to_string(std::lround(100.0 * bridge.confidence)) + " %", false,
+                         0.0});
     return views;
 }
 
@@ -91,7 +92,7 @@ void BridgeActor::set_bridges(std::vector<BridgeView> bridges) {
         // Tubes, because not every driver draws lines wider than one pixel.
         vtkNew<vtkTubeFilter> rods;
         rods->SetInputData(dashes(bridge.path_mm));
-        rods->SetRadius(bridge.chosen ? chosen_radius_mm : radius_mm);
+        rods->SetRadius((bridge.chosen ? chosen_radius_mm : radius_mm) + bridge.around_mm);
         rods->SetNumberOfSides(8);
         rods->CappingOn();
         vtkNew<vtkPolyDataMapper> mapper;

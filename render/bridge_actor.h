@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gaps that might be bridged: dashed lines from vessel to vessel, each labelled with the confidence
-// that both ends belong to one vessel. They are drawn at the vessels' rest positions.
+// that both ends belong to one vessel; and rings around one that was bridged. They are drawn at the
+// vessels' rest positions.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -25,6 +26,8 @@ struct BridgeView {
     std::vector<Vec3> path_mm;
     std::string label;
     bool chosen = false;  // brighter and wider than the others
+    // Above 0: a vessel of this radius was built there, so that rings are drawn around it.
+    double around_mm = 0.0;
 };
 
 // One view per bridge, labelled with its confidence in percent; none is chosen.

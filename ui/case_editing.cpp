@@ -40,6 +40,8 @@ QString name_of(const TreeEdit& edit) {
         case TreeEditKind::erase_tumour:
             return edit.tumour == 0 ? Words::tr("Tumours erased")
                                     : Words::tr("Tumour %1 erased").arg(edit.tumour);
+        case TreeEditKind::refuse_gap:
+            return Words::tr("Gap refused");
         case TreeEditKind::reassign_system:
             break;
     }
@@ -185,14 +187,14 @@ bool CaseEditing::is_apart(const GivenApart& given, const VesselTree& tree) {
 
 CaseEditing::CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks callbacks)
     : panel_(panel), workspace_(workspace), callbacks_(std::move(callbacks)) {
-    panel_.set_callbacks({[this](int bridge) { choose_bridge(bridge); },
-                          [this](int bridge) { accept(bridge); }, [this] { accept_all(); },
-                          [this](double confidence) {
-                              least_confidence_ = confidence;
-                              if (workspace_.has_patient()) show_bridges();
-                          },
-                          callbacks_.undo, callbacks_.redo, [this] { begin_link({}); },
-                          [this] { click_chosen(); }});
+    panel_.set_callbacks(
+        {[this](int bridge) { choose_bridge(bridge); }, [this](int bridge) { accept(bridge); },
+         [this](int row) { refuse(row); }, [this] { accept_all(); },
+         [this](double confidence) {
+             least_confidence_ = confidence;
+             if (workspace_.has_patient()) show_bridges();
+         },
+         callbacks_.undo, callbacks_.redo, [this] { begin_link({}); }, [this] { click_chosen(); }});
 }
 
 void CaseEditing::show_body() {
@@ -259,25 +261,30 @@ bool CaseEditing::stands(const QString& doubt) const {
                                [&](const std::string& one) { return translated(one) == doubt; });
 }
 
-// Those that are undecided, also by corrections whose body is still being made.
-std::vector<Bridge> CaseEditing::undecided() const {
-    std::vector<Bridge> bridges = open_bridges(*workspace_.patient());
-    std::erase_if(bridges, [this](const Bridge& bridge) {
-        return std::ranges::find(workspace_.edits(), acceptance_of(bridge)) !=
-               workspace_.edits().end();
-    });
+// Also by corrections whose body is still being made, or that need none.
+std::vector<Bridge> CaseEditing::bridges_that_are(BridgeState state) const {
+    PatientCase now;
+    now.tree = workspace_.patient()->tree;
+    now.corrections.bridges = workspace_.patient()->corrections.bridges;
+    now.corrections.edits = workspace_.edits();
+    std::vector<Bridge> bridges;
+    for (std::size_t i = 0; i < now.corrections.bridges.size(); ++i)
+        if (state_of_bridge(now, i) == state) bridges.push_back(now.corrections.bridges[i]);
     return bridges;
 }
 
 void CaseEditing::show_bridges() {
-    bridges_ = undecided();
+    bridges_ = bridges_that_are(BridgeState::open);
+    built_ = bridges_that_are(BridgeState::built);
+    std::ranges::reverse(built_);
     bridges_listed_ = bridges_.size();
     const std::size_t hidden = std::erase_if(
         bridges_, [this](const Bridge& bridge) { return bridge.confidence < least_confidence_; });
     callbacks_.show_bridges(views_of(bridges_));
-    QStringList bridges;
-    for (const Bridge& bridge : bridges_) bridges << text_of(bridge);
-    panel_.show_bridges(bridges, hidden);
+    QStringList offered, built;
+    for (const Bridge& bridge : bridges_) offered << text_of(bridge);
+    for (const Bridge& bridge : built_) built << Words::tr("bridged: %1").arg(text_of(bridge));
+    panel_.show_bridges(offered, built, hidden);
 }
 
 // Of the tree as it will be with all wanted corrections: two gaps may lead to one vessel.
@@ -320,7 +327,9 @@ void CaseEditing::add(const TreeEdit& edit) {
 void CaseEditing::update_panel() {
     if (!workspace_.has_patient()) return;
     // Only then, because the list forgets which row is chosen.
-    if (undecided().size() != bridges_listed_) show_bridges();
+    if (bridges_that_are(BridgeState::open).size() != bridges_listed_ ||
+        bridges_that_are(BridgeState::built).size() != built_.size())
+        show_bridges();
     const VesselTree& tree = workspace_.patient()->tree;
     panel_.show_edits(lines_of_history(workspace_, tree));
     show_history();
@@ -351,10 +360,25 @@ void CaseEditing::show_history() {
     callbacks_.show_history(undo, redo);
 }
 
-void CaseEditing::choose_bridge(int bridge) {
+const Bridge* CaseEditing::bridge_of(int row) const {
+    if (row < 0) return nullptr;
+    auto index = static_cast<std::size_t>(row);
+    if (index < bridges_.size()) return &bridges_[index];
+    index -= bridges_.size();
+    return index < built_.size() ? &built_[index] : nullptr;
+}
+
+// Of the built ones, which the view shows as vessels, only the chosen one is drawn.
+void CaseEditing::choose_bridge(int row) {
     std::vector<BridgeView> views = views_of(bridges_);
-    if (bridge >= 0 && bridge < static_cast<int>(views.size()))
-        views[static_cast<std::size_t>(bridge)].chosen = true;
+    const Bridge* chosen = bridge_of(row);
+    if (chosen != nullptr && chosen->built) {
+        views.push_back(views_of({*chosen}).front());
+        views.back().around_mm = std::max(chosen->from_radius_mm, chosen->to_radius_mm);
+        views.back().chosen = true;
+    } else if (chosen != nullptr) {
+        views[static_cast<std::size_t>(row)].chosen = true;
+    }
     callbacks_.show_bridges(std::move(views));
 }
 
@@ -408,6 +432,11 @@ void CaseEditing::click_chosen() {
 void CaseEditing::accept(int bridge) {
     if (bridge < 0 || bridge >= static_cast<int>(bridges_.size())) return;
     callbacks_.add(acceptance_of(bridges_[static_cast<std::size_t>(bridge)]));
+}
+
+void CaseEditing::refuse(int row) {
+    const Bridge* bridge = bridge_of(row);
+    if (bridge != nullptr) callbacks_.add(refusal_of(*bridge));
 }
 
 void CaseEditing::draw(const Volume& ct, const std::vector<Vec3>& places_mm,

@@ -56,7 +56,7 @@ class CaseEditing {
     const std::optional<Vec3>& link_from_mm() const { return link_from_mm_; }
     // Whether what was warned of in this line is still so.
     bool stands(const QString& doubt) const;
-    void accept(int bridge);
+    void accept(int bridge);  // an offered one; no effect otherwise
     // Follows a vessel through these places of the patient's CT in the background. Without a radius
     // that is measured, too. A drawing that is still running ends without an answer.
     void draw(const Volume& ct, const std::vector<Vec3>& places_mm,
@@ -78,16 +78,21 @@ class CaseEditing {
     void begin_link(const std::optional<Vec3>& from_mm);
     // `apart`: it touches no other vessel.
     void add_drawn(const TreeEdit& edit, bool apart, const VesselPen::Answered& answered);
-    void choose_bridge(int bridge);
+    // Rows of the panel: offered gaps, then built ones.
+    void choose_bridge(int row);
+    void refuse(int row);
+    const Bridge* bridge_of(int row) const;
     void accept_all();
     // The tree with all wanted corrections, whose body may still be made. Throws InputError where
     // one of them is not possible.
     PatientCase wanted() const;
     // Asks for the correction, unless it gives a vessel to the system that it surely has; says so.
     void add(const TreeEdit& edit);
-    // Lists and draws the gaps that are undecided and have enough confidence.
+    // Lists the gaps that are undecided and have enough confidence, which are drawn, too, and those
+    // that the reconstruction built.
     void show_bridges();
-    std::vector<Bridge> undecided() const;
+    // Those that the wanted corrections leave in this state, best first.
+    std::vector<Bridge> bridges_that_are(BridgeState state) const;
     void warn_of_new_doubts();
     // A sentence for each system that was given a vessel which became a tree of its own there.
     QStringList given_apart();
@@ -95,8 +100,9 @@ class CaseEditing {
     EditPanel& panel_;
     const Workspace& workspace_;
     Callbacks callbacks_;
-    std::vector<Bridge> bridges_;     // shown in the panel, best first
+    std::vector<Bridge> bridges_;     // offered in the panel, best first
     std::size_t bridges_listed_ = 0;  // how many were undecided then, with those of less confidence
+    std::vector<Bridge> built_;       // listed behind them, the most doubtful first
     double least_confidence_ = 0.0;
     std::optional<Vec3> link_from_mm_;
     std::vector<std::string> doubts_;           // of the shown body

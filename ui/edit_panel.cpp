@@ -113,35 +113,53 @@ QWidget* EditPanel::make_tools() {
 }
 
 QWidget* EditPanel::make_bridges() {
-    auto* box = new QGroupBox(Words::tr("Gaps that might be bridged"), this);
+    auto* box = new QGroupBox(Words::tr("Gaps between vessels"), this);
     auto* column = new QVBoxLayout(box);
-    bridges_ = make_list(box, Words::tr("Gaps that might be bridged"));
+    bridges_ = make_list(box, Words::tr("Gaps between vessels"));
+    bridges_->setObjectName("gaps");
     bridges_->setToolTip(
-        Words::tr("Dashed in the view, with the confidence that it is one vessel. A click "
-                  "on the dashed line bridges it, too."));
+        Words::tr("What might be bridged is dashed in the view, with the confidence that it is one "
+                  "vessel. A click on the dashed line bridges it, too. Below it stands what the "
+                  "reconstruction has bridged, the doubtful first: the one that is chosen is "
+                  "ringed in the view."));
     column->addWidget(bridges_);
     add_confidence_slider(*column);
-    auto* buttons = new QHBoxLayout;
-    accept_ = new QPushButton(Words::tr("Bridge it"), box);
-    accept_all_ = new QPushButton(Words::tr("Bridge all of them"), box);
-    accept_all_->setObjectName("acceptAll");
-    accept_all_->setToolTip(
-        Words::tr("All gaps that are listed, best first; what another one made needless is "
-                  "left out"));
-    buttons->addWidget(accept_);
-    buttons->addWidget(accept_all_);
-    column->addLayout(buttons);
-    connect(accept_all_, &QPushButton::clicked, this, [this] { callbacks_.accept_all(); });
+    add_decisions(*column);
     connect(bridges_, &QListWidget::currentRowChanged, this, [this](int row) {
-        accept_->setEnabled(row >= 0);
+        accept_->setEnabled(row >= 0 && row < offered_);
+        refuse_->setEnabled(row >= 0);
         if (callbacks_.choose_bridge) callbacks_.choose_bridge(row);
     });
+    return box;
+}
+
+void EditPanel::add_decisions(QVBoxLayout& column) {
+    auto* one = new QHBoxLayout;
+    accept_ = new QPushButton(Words::tr("Bridge it"), this);
+    refuse_ = new QPushButton(Words::tr("Refuse it"), this);
+    refuse_->setObjectName("refuseGap");
+    refuse_->setToolTip(
+        Words::tr("It is offered no more. What the reconstruction has bridged is cut in its "
+                  "middle. Undo takes that back."));
+    one->addWidget(accept_);
+    one->addWidget(refuse_);
+    column.addLayout(one);
+    accept_all_ = new QPushButton(Words::tr("Bridge all that are offered"), this);
+    accept_all_->setObjectName("acceptAll");
+    accept_all_->setToolTip(
+        Words::tr("All offered gaps that are listed, best first; what another one made needless is "
+                  "left out"));
+    column.addWidget(accept_all_);
     const auto accept = [this] {
-        if (bridges_->currentRow() >= 0) callbacks_.accept_bridge(bridges_->currentRow());
+        const int row = bridges_->currentRow();
+        if (row >= 0 && row < offered_) callbacks_.accept_bridge(row);
     };
     connect(accept_, &QPushButton::clicked, this, accept);
     connect(bridges_, &QListWidget::itemDoubleClicked, this, accept);
-    return box;
+    connect(refuse_, &QPushButton::clicked, this, [this] {
+        if (bridges_->currentRow() >= 0) callbacks_.refuse_bridge(bridges_->currentRow());
+    });
+    connect(accept_all_, &QPushButton::clicked, this, [this] { callbacks_.accept_all(); });
 }
 
 void EditPanel::add_confidence_slider(QVBoxLayout& column) {
@@ -191,15 +209,19 @@ VascularSystem EditPanel::system() const {
     return system_numbered(system_->currentData().toInt()).value_or(VascularSystem::unknown);
 }
 
-void EditPanel::show_bridges(const QStringList& lines, std::size_t hidden) {
+void EditPanel::show_bridges(const QStringList& offered, const QStringList& built,
+                             std::size_t hidden) {
     const QSignalBlocker quiet(bridges_);
     bridges_->clear();
-    bridges_->addItems(lines);
+    bridges_->addItems(offered + built);
     bridges_->setCurrentRow(-1);
+    offered_ = static_cast<int>(offered.size());
     accept_->setEnabled(false);
-    bridges_->setEnabled(!lines.isEmpty());
-    accept_all_->setEnabled(!lines.isEmpty());
-    if (lines.isEmpty())
+    refuse_->setEnabled(false);
+    const bool none = bridges_->count() == 0;
+    bridges_->setEnabled(!none);
+    accept_all_->setEnabled(!offered.isEmpty());
+    if (none)
         bridges_->addItem(hidden > 0 ? Words::tr("none; with less confidence: %1").arg(hidden)
                                      : Words::tr("no gaps"));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Panel of corrections: the tool for the next click, gaps that might be bridged, and the
+// Panel of corrections: the tool for the next click, gaps that might be bridged or were, and the
 // corrections made so far.
 #pragma once
 
@@ -21,9 +21,11 @@ namespace hepatica {
 class EditPanel : public QWidget {
   public:
     struct Callbacks {
+        // Of a row in the list of gaps, in which the offered ones come first.
         std::function<void(int)> choose_bridge;  // highlights it in the view; -1: none
-        std::function<void(int)> accept_bridge;
-        std::function<void()> accept_all;              // all listed ones
+        std::function<void(int)> accept_bridge;  // an offered one
+        std::function<void(int)> refuse_bridge;
+        std::function<void()> accept_all;              // all offered ones that are listed
         std::function<void(double)> least_confidence;  // 0 to 1; gaps of less confidence are hidden
         std::function<void()> undo;
         std::function<void()> redo;
@@ -38,9 +40,11 @@ class EditPanel : public QWidget {
     QString tool_name() const;
     VascularSystem system() const;  // for reassign_system and seed_system
 
-    // Lists of gaps, best first, and of corrections, oldest first; and a text below them.
-    // `hidden`: how many gaps have less confidence than is asked for.
-    void show_bridges(const QStringList& lines, std::size_t hidden = 0);
+    // Lists of gaps, offered ones before those that the reconstruction built, and of corrections,
+    // oldest first; and a text below them.
+    // `hidden`: how many gaps are not offered because they have less confidence than is asked for.
+    void show_bridges(const QStringList& offered, const QStringList& built = {},
+                      std::size_t hidden = 0);
     void show_edits(const QStringList& lines);
     void show_history(bool can_undo, bool can_redo);
     void show_state(const QString& text);
@@ -49,13 +53,16 @@ class EditPanel : public QWidget {
     QWidget* make_tools();
     QWidget* make_bridges();
     void add_confidence_slider(QVBoxLayout& column);
+    void add_decisions(QVBoxLayout& column);
     QWidget* make_edits();
 
     Callbacks callbacks_;
     QComboBox* tool_ = nullptr;
     QComboBox* system_ = nullptr;
     QListWidget* bridges_ = nullptr;
+    int offered_ = 0;  // rows of bridges_ that can be accepted
     QPushButton* accept_ = nullptr;
+    QPushButton* refuse_ = nullptr;
     QPushButton* accept_all_ = nullptr;
     QListWidget* edits_ = nullptr;
     QPushButton* undo_ = nullptr;

@@ -85,34 +85,35 @@ void require_state(const PatientCase& patient, std::size_t index, const std::str
 
 // Refuses by confidence, then offers again, accepts and refuses the named bridges, as they are
 // after `edits` and the decisions before.
-void decide_bridges(const EditChoices& options, PatientCase& patient,
+void decide_bridges(const EditChoices& options, const PatientCase& patient,
                     std::vector<TreeEdit>& edits) {
     if (!options.decides_bridges()) return;
     PatientCase now = with_edited_tree(patient, edits);
-    std::vector<Bridge>& bridges = now.corrections.bridges;
+    const std::vector<Bridge>& bridges = now.corrections.bridges;
     const auto make = [&](const TreeEdit& edit) {
         edits.push_back(edit);
+        now.corrections.edits = edits;
+    };
+    const auto offer = [&](const Bridge& bridge) {
+        std::erase_if(edits, [&](const TreeEdit& edit) {
+            return edit.kind == TreeEditKind::refuse_gap && refuses(edit, bridge);
+        });
         now.corrections.edits = edits;
     };
     for (std::size_t i = 0; i < bridges.size(); ++i)
         if (bridges[i].confidence < options.refuse_below &&
             state_of_bridge(now, i) == BridgeState::open)
-            bridges[i].refused = true;
-    for (const std::size_t i : bridges_named("--offer", options.offered, now))
-        bridges[i].refused = false;
+            make(refusal_of(bridges[i]));
+    for (const std::size_t i : bridges_named("--offer", options.offered, now)) offer(bridges[i]);
     for (const std::size_t i : bridges_named("--accept", options.accepted, now)) {
         require_state(now, i, "--accept", {BridgeState::open, BridgeState::refused});
-        bridges[i].refused = false;
+        offer(bridges[i]);
         make(acceptance_of(bridges[i]));
     }
     for (const std::size_t i : bridges_named("--refuse", options.refused, now)) {
         require_state(now, i, "--refuse", {BridgeState::open, BridgeState::built});
-        if (bridges[i].built)
-            make(refusal_of(bridges[i]));
-        else
-            bridges[i].refused = true;
+        make(refusal_of(bridges[i]));
     }
-    patient.corrections.bridges = bridges;
 }
 
 // The edit that draws a vessel along the given places.

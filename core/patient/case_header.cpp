@@ -30,7 +30,7 @@ constexpr const char* how_to_make_case =
     "Reconstruct the patient again: hepatica-cli reconstruct CT --out CASE.hep";
 constexpr int oldest_version = 1;
 constexpr int usual_version = 2;
-constexpr int painted_version = 3;  // holds tumour strokes, which older programs do not know
+constexpr int painted_version = 3;  // holds edits that older programs do not know
 
 Json to_json(const Grid& grid) {
     Json directions = Json::array();
@@ -141,8 +141,9 @@ void write_case_header(const fs::path& folder, const PatientCase& patient) {
     using namespace case_file;
     Json json;
     json["format"] = "hepatica-case";
-    json["version"] =
-        tumour_strokes(patient.corrections.edits).empty() ? usual_version : painted_version;
+    json["version"] = std::ranges::all_of(patient.corrections.edits, changes_tree, &TreeEdit::kind)
+                          ? usual_version
+                          : painted_version;
     json["program"] = HEPATICA_VERSION;
     if (!patient.source.name.empty()) json["name"] = patient.source.name;
     json["source"] = {{"image_sha256", patient.source.image_sha256},

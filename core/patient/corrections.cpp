@@ -111,11 +111,9 @@ BridgeState state_of_bridge(const PatientCase& patient, std::size_t index) {
     const Bridge& bridge = patient.corrections.bridges[index];
     const std::vector<TreeEdit>& edits = patient.corrections.edits;
     if (is_taken_up(bridge, edits)) return BridgeState::accepted;
-    if (bridge.built) {
-        const bool cut = std::ranges::find(edits, refusal_of(bridge)) != edits.end();
-        return cut ? BridgeState::refused : BridgeState::built;
-    }
-    if (bridge.refused) return BridgeState::refused;
+    const auto refuses_it = [&](const TreeEdit& edit) { return refuses(edit, bridge); };
+    if (std::ranges::any_of(edits, refuses_it)) return BridgeState::refused;
+    if (bridge.built) return BridgeState::built;
     const bool joins = !patient.tree.segments.empty() && joins_two_vessels(patient.tree, bridge);
     return joins ? BridgeState::open : BridgeState::needless;
 }
@@ -138,10 +136,27 @@ TreeEdit acceptance_of(const Bridge& bridge) {
 }
 
 TreeEdit refusal_of(const Bridge& bridge) {
-    TreeEdit cut;
-    cut.kind = TreeEditKind::cut_link;
-    cut.at_mm = bridge.path_mm[bridge.path_mm.size() / 2];
-    return cut;
+    TreeEdit refusal;
+    if (bridge.built) {
+        refusal.kind = TreeEditKind::cut_link;
+        refusal.at_mm = bridge.path_mm[bridge.path_mm.size() / 2];
+    } else {
+        refusal.kind = TreeEditKind::refuse_gap;
+        refusal.at_mm = bridge.path_mm.front();
+        refusal.to_mm = bridge.path_mm.back();
+    }
+    return refusal;
+}
+
+bool refuses(const TreeEdit& edit, const Bridge& bridge) {
+    if (bridge.built) return edit == refusal_of(bridge);
+    if (edit.kind != TreeEditKind::refuse_gap) return false;
+    constexpr double reach_mm = 3.0;
+    const auto goes = [&](const Vec3& from, const Vec3& to) {
+        return (edit.at_mm - from).norm() <= reach_mm && (edit.to_mm - to).norm() <= reach_mm;
+    };
+    const Vec3 &from = bridge.path_mm.front(), &to = bridge.path_mm.back();
+    return goes(from, to) || goes(to, from);
 }
 
 std::vector<TreeEdit> acceptances(const PatientCase& patient, double confidence) {

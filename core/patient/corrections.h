@@ -17,7 +17,7 @@ enum class BridgeState {
     open,      // offered, undecided
     built,     // by the reconstruction
     accepted,  // built by an edit
-    refused,   // by the user; a built bridge by a cut
+    refused,   // by an edit; a built bridge by a cut
     needless,  // its ends are joined already, or one of them is gone
 };
 
@@ -32,8 +32,12 @@ std::vector<Bridge> open_bridges(const PatientCase& patient);
 // The edit that builds a bridge.
 TreeEdit acceptance_of(const Bridge& bridge);
 
-// The edit that removes a bridge built by the reconstruction: a cut in its middle.
+// The edit that refuses a bridge. One that the reconstruction built is removed by a cut in its
+// middle; any other is offered no more.
 TreeEdit refusal_of(const Bridge& bridge);
+// Whether the edit refuses this bridge. Other voxels may move the ends of an offered gap by a
+// little (3 mm), and turn it round, without making another of it.
+bool refuses(const TreeEdit& edit, const Bridge& bridge);
 
 // The edits that build all open bridges of this confidence or more, best first, without those that
 // earlier ones make needless.

@@ -54,7 +54,7 @@ Mask grown(const Mask& mask, const Grid& ct) {
 }
 
 bool is_stroke(const TreeEdit& edit) {
-    return !changes_tree(edit.kind);
+    return is_tumour_stroke(edit.kind);
 }
 
 }  // namespace
@@ -131,7 +131,8 @@ std::vector<TreeEdit> tumour_strokes(const std::vector<TreeEdit>& edits) {
 
 std::vector<TreeEdit> tree_edits(const std::vector<TreeEdit>& edits) {
     std::vector<TreeEdit> others;
-    std::ranges::remove_copy_if(edits, std::back_inserter(others), is_stroke);
+    std::ranges::copy_if(edits, std::back_inserter(others),
+                         [](const TreeEdit& edit) { return changes_tree(edit.kind); });
     return others;
 }
 

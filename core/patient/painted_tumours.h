@@ -36,7 +36,7 @@ int number_for_new(const std::vector<Tumour>& tumours);
 // A stroke as an edit, and back.
 TreeEdit tumour_edit(const BrushStroke& stroke, int tumour);
 BrushStroke stroke_of(const TreeEdit& edit);
-// The edits that are tumour strokes, in order, and the others.
+// The edits that are tumour strokes, in order, and those that change the tree.
 std::vector<TreeEdit> tumour_strokes(const std::vector<TreeEdit>& edits);
 std::vector<TreeEdit> tree_edits(const std::vector<TreeEdit>& edits);
 

@@ -22,6 +22,7 @@
 #include "core/mesh/mesh_io.h"
 #include "core/patient/case_archive.h"
 #include "core/patient/case_header.h"
+#include "core/patient/corrections.h"
 #include "core/patient/format_1.h"
 #include "core/patient/painted_tumours.h"
 #include "core/tree/files/tree_io.h"
@@ -74,12 +75,23 @@ Json json_of_corrections(const fs::path& file) {
     return Json::parse(read_text_file(file, "Reconstruct the patient again"), nullptr, true);
 }
 
+// Earlier programs marked a refused gap instead of keeping an edit.
+void read_marked_refusals(const Json& bridges, PatientCase& patient) {
+    Corrections& corrections = patient.corrections;
+    for (std::size_t i = 0; i < bridges.size(); ++i) {
+        if (!bridges[i].value("refused", false) || corrections.bridges[i].built) continue;
+        if (corrections.edits.empty()) corrections.extracted = patient.tree;
+        corrections.edits.push_back(refusal_of(corrections.bridges[i]));
+    }
+}
+
 void read_corrections(const fs::path& folder, const CaseHeader& header, PatientCase& patient) {
     Corrections& corrections = patient.corrections;
     corrections.extracted = extracted_tree(folder, header);
     const bool old = header.version == 1;
     const bool seeded = is_seeded_format_1(
         corrections.extracted.segments.empty() ? patient.tree : corrections.extracted);
+    Json marked = Json::array();
     if (holds(folder, header, case_file::corrections)) {
         const fs::path file = folder / case_file::corrections;
         const Json json = json_of_corrections(file);
@@ -88,10 +100,12 @@ void read_corrections(const fs::path& folder, const CaseHeader& header, PatientC
         corrections.edits =
             edits_from_json(old ? edits_of_format_1(edits, seeded) : edits, file.string());
         corrections.rebuilt = rebuilt_from(json);
+        marked = json.at("bridges");
     }
     if (corrections.edits.empty() != corrections.extracted.segments.empty())
         refuse_case(folder, "holds edits without the tree that they were made on");
     if (old && !seeded) rename_systems_of_format_1(patient.tree);
+    read_marked_refusals(marked, patient);
 }
 
 // A file that a case may lack; none where it does.

@@ -128,22 +128,6 @@ void warn_of_painted_left_out(const std::vector<Vec3>& painted_mm, const VesselT
     }
 }
 
-// A gap that a person refused stays refused where it is offered again. Other voxels may move its
-// ends a little, and turn it round.
-void keep_refusals(const std::vector<Bridge>& before, std::vector<Bridge>& now) {
-    constexpr double reach_mm = 3.0;
-    const auto near = [](const Vec3& a, const Vec3& b) { return (a - b).norm() <= reach_mm; };
-    const auto same = [&](const Bridge& a, const Bridge& b) {
-        const Vec3 &from = a.path_mm.front(), &to = a.path_mm.back();
-        return (near(from, b.path_mm.front()) && near(to, b.path_mm.back())) ||
-               (near(from, b.path_mm.back()) && near(to, b.path_mm.front()));
-    };
-    for (Bridge& bridge : now)
-        bridge.refused = !bridge.built && std::ranges::any_of(before, [&](const Bridge& old) {
-            return old.refused && same(old, bridge);
-        });
-}
-
 // Other vessels change nothing of what was said of the image.
 void keep_warnings_of_image(const PatientCase& before, PatientCase& made) {
     made.warnings_of_image = before.warnings_of_image;
@@ -173,7 +157,6 @@ RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Jo
         throw InputError("no vessel is left that is long enough for a tree", patient.source.name,
                          "Take back what was erased, or paint more of the vessels");
     warn_of_painted_left_out(options.kept_mm, made.tree, result.warnings);
-    keep_refusals(patient.corrections.bridges, made.corrections.bridges);
     const std::vector<TreeEdit> edits =
         possible_edits(made, patient.corrections.edits, result.warnings, job);
     if (!edits.empty()) made = with_edited_tree(made, edits);

@@ -5,13 +5,18 @@
 
 #include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/base/atomic_write.h"
 #include "core/base/error.h"
+#include "core/base/sha256.h"
+#include "core/base/text_file.h"
 #include "core/image/volume_reader.h"
 #include "core/mesh/manifold_attempts.h"
+#include "core/patient/painted_tumours.h"
 #include "tests/patient/parted_patient.h"
 
 namespace hepatica {
@@ -82,21 +87,61 @@ TEST(Corrections, ABridgeIsOpenUntilItIsAcceptedOrNeedless) {
 TEST(Corrections, ABridgeCanBeRefusedAndOfferedAgain) {
     PatientCase patient = patient_with_bridges();
     EXPECT_EQ(state_of_bridge(patient, 0), BridgeState::open);
-    patient.corrections.bridges[0].refused = true;
-    EXPECT_EQ(state_of_bridge(patient, 0), BridgeState::refused);
-    ASSERT_EQ(open_bridges(patient).size(), 1u);
-    EXPECT_EQ(open_bridges(patient)[0].path_mm, test::other_gap);
-    EXPECT_EQ(acceptances(patient, 0.2).size(), 0u);
-    const std::string kept = bridges_to_json(patient.corrections.bridges);
-    const std::vector<Bridge> again = bridges_from_json(kept, "");
-    EXPECT_TRUE(again[0].refused);
-    EXPECT_FALSE(again[1].refused);
-    patient.corrections.bridges[0].refused = false;
     Job job;
+    const std::vector<TreeEdit> refusal{refusal_of(patient.corrections.bridges[0])};
+    EXPECT_EQ(edits_from_json(edits_to_json(refusal), ""), refusal);
+    const PatientCase refused = with_edits(patient, refusal, job);
+    EXPECT_EQ(state_of_bridge(refused, 0), BridgeState::refused);
+    EXPECT_EQ(state_of_bridge(refused, 1), BridgeState::open);
+    ASSERT_EQ(open_bridges(refused).size(), 1u);
+    EXPECT_EQ(open_bridges(refused)[0].path_mm, test::other_gap);
+    EXPECT_EQ(acceptances(refused, 0.2).size(), 0u);
+    EXPECT_EQ(tree_edits(refusal).size(), 0u);
+    EXPECT_EQ(tumour_strokes(refusal).size(), 0u);
+    EXPECT_EQ(hash_of(with_edits(refused, {}, job)), hash_of(patient));
     const PatientCase joined =
         with_edits(patient, {acceptance_of(patient.corrections.bridges[0])}, job);
     EXPECT_EQ(state_of_bridge(joined, 0), BridgeState::accepted);
     EXPECT_EQ(state_of_bridge(joined, 1), BridgeState::needless);
+}
+
+// Its ends may have moved a little once the vessels were rebuilt, and may be told in the other
+// order.
+TEST(Corrections, ARefusalIsOfTheGapBetweenTwoPlacesAndOfNoOther) {
+    const PatientCase patient = patient_with_bridges();
+    Bridge gap = patient.corrections.bridges[0];
+    const TreeEdit refusal = refusal_of(gap);
+    EXPECT_TRUE(refuses(refusal, gap));
+    EXPECT_FALSE(refuses(refusal, patient.corrections.bridges[1]));
+    std::ranges::reverse(gap.path_mm);
+    EXPECT_TRUE(refuses(refusal, gap));
+    gap.path_mm.back() += Vec3(0.0, 2.9, 0.0);
+    EXPECT_TRUE(refuses(refusal, gap));
+    gap.path_mm.back() += Vec3(0.0, 0.2, 0.0);
+    EXPECT_FALSE(refuses(refusal, gap));
+    gap = patient.corrections.bridges[0];
+    gap.built = true;
+    EXPECT_FALSE(refuses(refusal, gap)) << "one that is built is removed by a cut";
+}
+
+// Earlier programs wrote a mark beside the gap.
+TEST(Corrections, AMarkOfAnEarlierProgramIsReadAsARefusal) {
+    const PatientCase patient = patient_with_bridges();
+    const fs::path folder = fs::path(testing::TempDir()) / "marked refusal.hep";
+    write_case(folder, patient);
+    const fs::path file = folder / "corrections.json";
+    auto json = nlohmann::json::parse(read_text_file(file, ""));
+    json["bridges"][0]["refused"] = true;
+    write_text_atomically(file, json.dump());
+    auto header = nlohmann::json::parse(read_text_file(folder / "case.json", ""));
+    header["sha256"]["corrections.json"] = sha256_of_file(file);
+    write_text_atomically(folder / "case.json", header.dump());
+    const PatientCase read = read_case(folder);
+    EXPECT_EQ(state_of_bridge(read, 0), BridgeState::refused);
+    EXPECT_EQ(state_of_bridge(read, 1), BridgeState::open);
+    write_case(folder, read);
+    EXPECT_EQ(read_case(folder).corrections.edits, read.corrections.edits);
+    fs::remove_all(folder);
 }
 
 // The reconstruction built it; refusing parts the vessels again, and undoing that joins them.

@@ -112,7 +112,9 @@ TEST_F(RemadeCaseTest, AGapThatWasRefusedStaysRefused) {
     PatientCase asked = remade_of(parted.mask, parted).patient;
     const auto open = open_bridges(asked);
     ASSERT_FALSE(open.empty());
-    for (Bridge& bridge : asked.corrections.bridges) bridge.refused = !bridge.built;
+    std::vector<TreeEdit> refusals;
+    for (const Bridge& bridge : open) refusals.push_back(refusal_of(bridge));
+    asked = with_edited_tree(asked, refusals);
     const PatientCase again = remade_of(asked.mask, asked).patient;
     ASSERT_EQ(again.corrections.bridges.size(), asked.corrections.bridges.size());
     EXPECT_TRUE(open_bridges(again).empty());

@@ -80,7 +80,7 @@ TEST_F(Editing, gaps_are_shown_and_bridged_by_their_confidence) {
     const auto shown = [this] {
         int lines = 0;
         for (const auto* list : window_.findChildren<QListWidget*>())
-            if (list->accessibleName() == "Gaps that might be bridged" && list->isEnabled())
+            if (list->accessibleName() == "Gaps between vessels" && list->isEnabled())
                 lines = list->count();
         return lines;
     };

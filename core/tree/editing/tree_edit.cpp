@@ -329,6 +329,7 @@ VesselTree edited(const VesselTree& tree, const TreeEdit& edit) {
             break;
         case TreeEditKind::paint_tumour:
         case TreeEditKind::erase_tumour:
+        case TreeEditKind::refuse_gap:
             break;  // does not change the tree
     }
     return work.result();

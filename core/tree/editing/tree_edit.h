@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Corrections by hand: commands that can be undone and are stored with the case. They refer to
 // positions, not to segment numbers, so that they stay valid after other edits. All but the brush
-// strokes on tumours change the vessel tree.
+// strokes on tumours and the refusal of a gap change the vessel tree.
 #pragma once
 
 #include <string>
@@ -26,17 +26,23 @@ enum class TreeEditKind {
                       // that touches no other has its root there
     paint_tumour,     // a ball moved along `path_mm` turns voxels into `tumour`
     erase_tumour,     // removes them from it
+    refuse_gap,       // the gap between `at_mm` and `to_mm` is not to be bridged: it is offered no
+                      // more
 };
 
-// False for strokes on tumours, which leave the tree as it is.
+constexpr bool is_tumour_stroke(TreeEditKind kind) {
+    return kind == TreeEditKind::paint_tumour || kind == TreeEditKind::erase_tumour;
+}
+
+// False for edits that leave the tree as it is.
 constexpr bool changes_tree(TreeEditKind kind) {
-    return kind != TreeEditKind::paint_tumour && kind != TreeEditKind::erase_tumour;
+    return !is_tumour_stroke(kind) && kind != TreeEditKind::refuse_gap;
 }
 
 struct TreeEdit {
     TreeEditKind kind = TreeEditKind::cut_link;
     Vec3 at_mm = Vec3::Zero();
-    Vec3 to_mm = Vec3::Zero();  // add_link
+    Vec3 to_mm = Vec3::Zero();  // add_link, refuse_gap
     // add_link: points between the two vessels; empty: straight. draw_vessel: the centreline, two
     // points or more. Strokes: the path of the ball.
     std::vector<Vec3> path_mm;

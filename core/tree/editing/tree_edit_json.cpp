@@ -28,6 +28,7 @@ constexpr std::pair<TreeEditKind, const char*> names[] = {
     {TreeEditKind::draw_vessel, "draw_vessel"},
     {TreeEditKind::paint_tumour, "paint_tumour"},
     {TreeEditKind::erase_tumour, "erase_tumour"},
+    {TreeEditKind::refuse_gap, "refuse_gap"},
 };
 
 const char* name_of(TreeEditKind kind) {
@@ -40,6 +41,11 @@ TreeEditKind kind_named(const std::string& wanted, const std::string& place) {
     for (const auto& [kind, name] : names)
         if (wanted == name) return kind;
     throw InputError("there is no edit named " + wanted, place, "Take the edit out of the file");
+}
+
+// Edits of these kinds go from one place to another.
+bool joins_places(TreeEditKind kind) {
+    return kind == TreeEditKind::add_link || kind == TreeEditKind::refuse_gap;
 }
 
 // Edits of these kinds have "system" in their JSON, even where it is unknown.
@@ -95,18 +101,18 @@ TreeEdit edit_from(const nlohmann::json& value, const std::string& place) {
     edit.kind = kind_named(value.at("edit").get<std::string>(), place);
     if (edit.kind == TreeEditKind::draw_vessel)
         read_drawing(value, place, edit);
-    else if (!changes_tree(edit.kind))
+    else if (is_tumour_stroke(edit.kind))
         read_stroke(value, place, edit);
     else
         edit.at_mm = vec3_from(value.at("at_mm"));
-    if (edit.kind == TreeEditKind::add_link) {
-        edit.to_mm = vec3_from(value.at("to_mm"));
-        if (value.contains("path_mm")) edit.path_mm = path_from(value.at("path_mm"));
-    }
+    if (joins_places(edit.kind)) edit.to_mm = vec3_from(value.at("to_mm"));
+    if (edit.kind == TreeEditKind::add_link && value.contains("path_mm"))
+        edit.path_mm = path_from(value.at("path_mm"));
     require_in_patient_space(edit.at_mm, "an edit", place);
-    require_in_patient_space(edit.to_mm, "the end of a link", place);
+    require_in_patient_space(edit.to_mm, "the other end of an edit", place);
     for (const Vec3& point : edit.path_mm)
-        require_in_patient_space(point, changes_tree(edit.kind) ? "a vessel" : "a brush", place);
+        require_in_patient_space(point, is_tumour_stroke(edit.kind) ? "a brush" : "a vessel",
+                                 place);
     if (needs_system(edit.kind)) edit.system = system_from(value.at("system"), place);
     return edit;
 }
@@ -135,15 +141,14 @@ std::string edits_to_json(const std::vector<TreeEdit>& edits) {
     nlohmann::json list = nlohmann::json::array();
     for (const TreeEdit& edit : edits) {
         nlohmann::json value{{"edit", name_of(edit.kind)}, {"at_mm", json_of(edit.at_mm)}};
-        if (edit.kind == TreeEditKind::add_link) {
-            value["to_mm"] = json_of(edit.to_mm);
-            if (!edit.path_mm.empty()) value["path_mm"] = json_of(edit.path_mm);
-        }
+        if (joins_places(edit.kind)) value["to_mm"] = json_of(edit.to_mm);
+        if (edit.kind == TreeEditKind::add_link && !edit.path_mm.empty())
+            value["path_mm"] = json_of(edit.path_mm);
         if (edit.kind == TreeEditKind::draw_vessel) {
             value["path_mm"] = json_of(edit.path_mm);
             value["radii_mm"] = edit.radii_mm;
         }
-        if (!changes_tree(edit.kind)) {
+        if (is_tumour_stroke(edit.kind)) {
             if (edit.path_mm.size() > 1) value["path_mm"] = json_of(edit.path_mm);
             value["radius_mm"] = edit.radii_mm.front();
             if (edit.tumour != 0) value["tumour"] = edit.tumour;

@@ -30,8 +30,7 @@ struct Bridge {
     // the path, and whether it leads to a wide end of one of the pieces, as for a lost branch. Two
     // systems that come near each other with their thin ends score low.
     double confidence = 0.0;
-    bool built = false;    // is in the graph
-    bool refused = false;  // refused by the user: not offered again
+    bool built = false;  // is in the graph
 };
 
 // Finds bridges and builds those of at least `options.confidence` into the graph. Returns them and

@@ -17,7 +17,6 @@ std::string bridges_to_json(const std::vector<Bridge>& bridges) {
                         {"to_radius_mm", bridge.to_radius_mm},
                         {"built", bridge.built},
                         {"path_mm", json_of(bridge.path_mm)}});
-        if (bridge.refused) list.back()["refused"] = true;
     }
     return list.dump(1);
 }
@@ -32,7 +31,6 @@ std::vector<Bridge> bridges_from_json(const std::string& text, const std::string
             bridge.from_radius_mm = value.at("from_radius_mm").get<double>();
             bridge.to_radius_mm = value.at("to_radius_mm").get<double>();
             bridge.built = value.at("built").get<bool>();
-            bridge.refused = value.value("refused", false);
             bridge.path_mm = path_from(value.at("path_mm"));
             for (const Vec3& point : bridge.path_mm)
                 require_in_patient_space(point, "a bridge", place);

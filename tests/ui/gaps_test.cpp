@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Gaps between vessels in the panel of corrections: those that are offered and those that the
+// reconstruction bridged, refused one by one.
+#include <gtest/gtest.h>
+
+#include <QListWidget>
+#include <QPushButton>
+
+#include "core/patient/corrections.h"
+#include "tests/ui/editing_window.h"
+#include "ui/paths.h"
+
+namespace hepatica::testing {
+namespace {
+
+class Gaps : public EditingWindow {
+  protected:
+    // The reconstruction built the first gap, of 22 %.
+    void open_with_a_bridge() {
+        PatientCase patient = test::patient_with_bridges();
+        patient.corrections.bridges[0].built = true;
+        Bridge as_offered = patient.corrections.bridges[0];
+        patient.tree = edited(patient.tree, acceptance_of(as_offered));
+        Job job;
+        patient.mesh = tetrahedralize(patient.tree, {.target_tetrahedra = 2000}, job);
+        patient.surface = surface_of(patient.mesh).mesh;
+        write_case(to_path(folder_.filePath("built.hep")), patient);
+        window_.open(folder_.filePath("built.hep"));
+        wait();
+    }
+    QStringList listed() {
+        QStringList lines;
+        auto& list = child<QListWidget>("gaps");
+        for (int row = 0; row < list.count() && list.isEnabled(); ++row)
+            lines << list.item(row)->text();
+        return lines;
+    }
+    void refuse(int row) {
+        child<QListWidget>("gaps").setCurrentRow(row);
+        auto& button = child<QPushButton>("refuseGap");
+        ASSERT_TRUE(button.isEnabled());
+        button.click();
+        wait();
+    }
+    std::size_t trees() { return roots(window_.workspace().patient()->tree).size(); }
+};
+
+TEST_F(Gaps, that_are_refused_are_offered_no_more_until_that_is_undone) {
+    ASSERT_EQ(listed(), (QStringList{"22 %, gap of 8.0 mm", "10 %, gap of 8.0 mm"}));
+    EXPECT_FALSE(child<QPushButton>("refuseGap").isEnabled()) << "no row is chosen";
+    const auto body = window_.workspace().patient();
+    refuse(0);
+    EXPECT_EQ(listed(), QStringList{"10 %, gap of 8.0 mm"});
+    EXPECT_EQ(window_.workspace().patient(), body) << "nothing is meshed for it";
+    QAction& undo = window_.actions()[ActionId::undo_edit];
+    EXPECT_TRUE(undo.text().startsWith("&Undo: Gap refused at")) << undo.text().toStdString();
+    EXPECT_TRUE(window_.isWindowModified());
+    ASSERT_EQ(saved().corrections.edits.size(), 1u);
+    EXPECT_EQ(saved_.corrections.edits[0].kind, TreeEditKind::refuse_gap);
+    EXPECT_EQ(state_of_bridge(saved_, 0), BridgeState::refused);
+    undo.trigger();
+    wait();
+    EXPECT_EQ(listed().size(), 2);
+    EXPECT_TRUE(saved().corrections.edits.empty());
+}
+
+TEST_F(Gaps, that_were_refused_are_not_listed_when_the_case_is_opened_again) {
+    write_case(to_path(folder_.filePath("p.hep")),
+               with_edited_tree(test::patient_with_bridges(),
+                                {refusal_of(test::patient_with_bridges().corrections.bridges[0])}));
+    window_.open(folder_.filePath("p.hep"));
+    wait();
+    EXPECT_EQ(listed(), QStringList{"10 %, gap of 8.0 mm"});
+    window_.actions()[ActionId::undo_edit].trigger();
+    wait();
+    EXPECT_EQ(listed().size(), 2) << "of an earlier run, too";
+}
+
+TEST_F(Gaps, that_the_reconstruction_bridged_are_listed_and_parted_again) {
+    open_with_a_bridge();
+    ASSERT_EQ(trees(), 1u);
+    ASSERT_EQ(listed(), QStringList{"bridged: 22 %, gap of 8.0 mm"});
+    refuse(0);
+    EXPECT_EQ(trees(), 2u);
+    ASSERT_EQ(listed(), QStringList{"10 %, gap of 8.0 mm"}) << "the other is not needless any more";
+    window_.actions()[ActionId::undo_edit].trigger();
+    wait();
+    EXPECT_EQ(trees(), 1u);
+    EXPECT_EQ(listed(), QStringList{"bridged: 22 %, gap of 8.0 mm"});
+}
+
+TEST_F(Gaps, that_are_built_cannot_be_built_again) {
+    open_with_a_bridge();
+    auto& list = child<QListWidget>("gaps");
+    list.setCurrentRow(0);
+    emit list.itemDoubleClicked(list.item(0));
+    wait();
+    EXPECT_TRUE(window_.workspace().edits().empty());
+}
+
+}  // namespace
+}  // namespace hepatica::testing
