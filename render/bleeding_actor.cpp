@@ -75,7 +75,7 @@ void BleedingActor::set_clip(vtkPlane* plane) {
 }
 
 bool BleedingActor::update(const std::optional<TearView>& tear) {
-    const std::size_t count = tear ? tear->leaks.size() : 0;
+    const std::size_t count = tear && visible_ ? tear->leaks.size() : 0;
     if (count == 0 && pools_.empty()) return false;
     bool changed = pools_.size() != count;
     for (; pools_.size() > count; pools_.pop_back(), clouds_.pop_back()) {

@@ -34,6 +34,8 @@ class BleedingActor {
     // Costs nothing where nothing bleeds. Returns true if the picture changed; a sphere that grew
     // or moved by less than 0.1 mm is not redrawn.
     bool update(const std::optional<TearView>& tear);
+    // From the next frame on; shown by default.
+    void set_visible(bool visible) { visible_ = visible; }
     // Draws only what lies on the plane's positive side; null draws all. The plane must outlive its
     // use.
     void set_clip(vtkPlane* plane);
@@ -42,6 +44,7 @@ class BleedingActor {
     vtkRenderer& renderer_;
     std::vector<vtkSmartPointer<vtkActor>> pools_, clouds_;
     vtkPlane* clip_ = nullptr;
+    bool visible_ = true;
 };
 
 }  // namespace hepatica

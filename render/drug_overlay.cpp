@@ -34,6 +34,8 @@ const char* const shade = R"(//VTK::Light::Impl
     float facing = abs(dot(normalVCVSOutput, toEye));
     // A dark outline sets one vessel off from the one behind it; distance fades towards the back.
     gl_FragData[0].rgb *= 0.45 + 0.55 * smoothstep(0.0, 0.55, facing);
+    // The inside of a wall, which is seen where the view is opened.
+    if (!gl_FrontFacing) gl_FragData[0].rgb *= 0.5;
     float depth = clamp((-vertexVC.z - fadeNear) / max(fadeFar - fadeNear, 1e-3), 0.0, 1.0);
     gl_FragData[0].rgb = mix(gl_FragData[0].rgb, fadeInto, 0.62 * depth);
   }

@@ -89,6 +89,7 @@ bool SceneView::show(const Frame& frame) {
     const bool blood_changed = parts_->bleeding.update(frame.tear);
     set_frame_shown(parts_->legend, frame, parts_->warned, parts_->least_drug_end_s);
     parts_->legend.stretched = parts_->tree.shows_stretch();
+    parts_->legend.bleeds &= parts_->blood_shown;
     if (frame.drug.arrival_s || parts_->drug.arrival_s) {
         parts_->drug = frame.drug;
         parts_->find_colours_shown();
@@ -331,6 +332,11 @@ void SceneView::set_warnings_visible(bool visible) {
 void SceneView::set_stretch_visible(bool visible) {
     parts_->tree.set_stretch_shown(visible);
     if (!visible) parts_->legend.stretched = false;
+}
+
+void SceneView::set_blood_visible(bool visible) {
+    parts_->bleeding.set_visible(visible);
+    parts_->blood_shown = visible;
 }
 
 void SceneView::set_rest_positions(const std::vector<Vec3>& rest_mm) {

@@ -110,6 +110,8 @@ class SceneView {
     // See TreeActor; shown from the next frame on.
     void set_stretch_visible(bool visible);
     void set_rest_positions(const std::vector<Vec3>& rest_mm);
+    // Whether the blood that torn vessels lost is shown, from the next frame on; on by default.
+    void set_blood_visible(bool visible);
     void set_smoothing(Smoothing smoothing);  // `best` by default
     // While anything moves the legend keeps its corner, as it does with Smoothing::none; off by
     // default.

@@ -112,6 +112,7 @@ struct SceneView::Parts {
     DepthStem stem{*renderer};
     FigureLabel pull_force{*renderer, palette::grab_line};
     BleedingActor bleeding{*renderer};
+    bool blood_shown = true;
     PictureWords words;
     BridgeActor bridges{*renderer};
     MarkActors marks{*renderer};

@@ -758,10 +758,6 @@
         <translation>Gefäß gezeichnet</translation>
     </message>
     <message>
-        <source>Seed: %1</source>
-        <translation>Startpunkt: %1</translation>
-    </message>
-    <message>
         <source>Given to: %1</source>
         <translation>Zugeordnet: %1</translation>
     </message>
@@ -991,24 +987,8 @@
         <translation>System, dem ein Ast zugeordnet wird</translation>
     </message>
     <message>
-        <source>Gaps that might be bridged</source>
-        <translation>Lücken, die überbrückt werden könnten</translation>
-    </message>
-    <message>
-        <source>Dashed in the view, with the confidence that it is one vessel. A click on the dashed line bridges it, too.</source>
-        <translation>In der Ansicht gestrichelt, mit der Sicherheit, dass es ein Gefäß ist. Ein Klick auf die gestrichelte Linie überbrückt sie auch.</translation>
-    </message>
-    <message>
         <source>Bridge it</source>
         <translation>Überbrücken</translation>
-    </message>
-    <message>
-        <source>Bridge all of them</source>
-        <translation>Alle überbrücken</translation>
-    </message>
-    <message>
-        <source>All gaps that are listed, best first; what another one made needless is left out</source>
-        <translation>Alle aufgeführten Lücken, die besten zuerst; was dadurch überflüssig wurde, entfällt</translation>
     </message>
     <message>
         <source>Least confidence of the gaps that are shown</source>
@@ -2105,14 +2085,6 @@
         <translation>Die Simulation wird vorbereitet</translation>
     </message>
     <message>
-        <source>a seed is three numbers</source>
-        <translation>Ein Startpunkt besteht aus drei Zahlen</translation>
-    </message>
-    <message>
-        <source>write x y z in mm for each seed, or leave it empty</source>
-        <translation>Schreiben Sie für jeden Startpunkt x y z in mm, oder lassen Sie das Feld leer</translation>
-    </message>
-    <message>
         <source>“%1” is no number</source>
         <translation>„%1“ ist keine Zahl</translation>
     </message>
@@ -2167,10 +2139,6 @@
     <message>
         <source>Hepatic vein seeds</source>
         <translation>Startpunkte Lebervenen</translation>
-    </message>
-    <message>
-        <source>optional: x y z in LPS mm; next seed after a semicolon</source>
-        <translation>optional: x y z in LPS-mm; weitere nach Semikolon</translation>
     </message>
     <message>
         <source>Reconstruct</source>
@@ -4404,10 +4372,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>needs a target: say where it begins.</source>
         <translation>braucht ein Zielgebiet: Sagen Sie, wo es beginnt.</translation>
-    </message>
-    <message>
-        <source>Pull the vessel at the mark 5 mm aside and hold it for a second.</source>
-        <translation>Ziehen Sie das Gefäß an der Marke 5 mm beiseite, und halten Sie es eine Sekunde lang.</translation>
     </message>
     <message>
         <source>What the trainee is to do.</source>
@@ -9595,6 +9559,102 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>cut or torn: joints of the mesh broken: %1, pieces off: %2</source>
         <translation>geschnitten oder gerissen: gerissene Verbindungen des Netzes: %1, abgetrennte Stücke: %2</translation>
+    </message>
+    <message>
+        <source>Lost blood</source>
+        <translation>Verlorenes Blut</translation>
+    </message>
+    <message>
+        <source>Show the blood that was lost where a vessel is torn or cut</source>
+        <translation>Zeigt das Blut, das verloren ging, wo ein Gefäß gerissen oder durchtrennt ist</translation>
+    </message>
+    <message>
+        <source>Of all %1 attempts these are shown: %2.</source>
+        <translation>Von allen %1 Versuchen sind diese gezeigt: %2.</translation>
+    </message>
+    <message>
+        <source>Whole vessel given to: %1</source>
+        <translation>Ganzes Gefäß zugeordnet: %1</translation>
+    </message>
+    <message>
+        <source>Gap refused</source>
+        <translation>Lücke abgelehnt</translation>
+    </message>
+    <message>
+        <source>bridged: %1</source>
+        <translation>überbrückt: %1</translation>
+    </message>
+    <message>
+        <source>Gaps between vessels</source>
+        <translation>Lücken zwischen Gefäßen</translation>
+    </message>
+    <message>
+        <source>What might be bridged is dashed in the view, with the confidence that it is one vessel. A click on the dashed line bridges it, too. Below it stands what the reconstruction has bridged, the doubtful first: the one that is chosen is ringed in the view.</source>
+        <translation>Was überbrückt werden kann, ist in der Ansicht gestrichelt, mit der Sicherheit, dass es ein Gefäß ist. Auch ein Klick auf die gestrichelte Linie überbrückt es. Darunter steht, was die Rekonstruktion überbrückt hat, das Zweifelhafte zuerst: Um das gewählte liegen in der Ansicht Ringe.</translation>
+    </message>
+    <message>
+        <source>Refuse it</source>
+        <translation>Ablehnen</translation>
+    </message>
+    <message>
+        <source>It is offered no more. What the reconstruction has bridged is cut in its middle. Undo takes that back.</source>
+        <translation>Sie wird nicht mehr angeboten. Was die Rekonstruktion überbrückt hat, wird in der Mitte durchtrennt. Rückgängig nimmt das zurück.</translation>
+    </message>
+    <message>
+        <source>Bridge all that are offered</source>
+        <translation>Alle angebotenen überbrücken</translation>
+    </message>
+    <message>
+        <source>All offered gaps that are listed, best first; what another one made needless is left out</source>
+        <translation>Alle angebotenen Lücken der Liste, die beste zuerst; was durch eine andere überflüssig wurde, bleibt weg</translation>
+    </message>
+    <message>
+        <source>Not while you look back on a recording: leave the review first (%1)</source>
+        <translation>Nicht während eines Rückblicks: Verlassen Sie ihn zuerst (%1)</translation>
+    </message>
+    <message>
+        <source>What lies before the middle of the view is taken away: D opens it deeper, Shift+D less deep</source>
+        <translation>Was vor der Mitte der Ansicht liegt, ist weggenommen: D öffnet sie tiefer, Umschalt+D weniger tief</translation>
+    </message>
+    <message>
+        <source>The view is whole: O opens it</source>
+        <translation>Die Ansicht ist nicht aufgeschnitten: O schneidet sie auf</translation>
+    </message>
+    <message>
+        <source>Opened %L1 mm behind where it was put</source>
+        <translation>%L1 mm tiefer aufgeschnitten, als die Ebene gesetzt wurde</translation>
+    </message>
+    <message>
+        <source>Opened %L1 mm before where it was put</source>
+        <translation>%L1 mm weniger tief aufgeschnitten, als die Ebene gesetzt wurde</translation>
+    </message>
+    <message>
+        <source>“%1” is no place</source>
+        <translation>„%1“ ist keine Stelle</translation>
+    </message>
+    <message>
+        <source>write it as the slices do, as L 12 P 40 H 155 mm, and a semicolon before the next one; or leave it empty</source>
+        <translation>schreiben Sie sie wie die Schichten, als L 12 P 40 H 155 mm, und ein Semikolon vor die nächste; oder lassen Sie das Feld leer</translation>
+    </message>
+    <message>
+        <source>optional: a place as the slices write it, L 12 P 40 H 155 mm</source>
+        <translation>optional: eine Stelle, wie die Schichten sie schreiben, L 12 P 40 H 155 mm</translation>
+    </message>
+    <message>
+        <source>A place in the vessel: to the left (L) or right (R), the back (P) or front (A), the head (H) or feet (F), in mm, as it stands below the slices under the pointer. A semicolon stands before the next one.</source>
+        <translation>Eine Stelle im Gefäß: nach links (L) oder rechts (R), hinten (P) oder vorn (A), zum Kopf (H) oder zu den Füßen (F), in mm, wie sie für den Mauszeiger unter den Schichten steht. Vor der nächsten steht ein Semikolon.</translation>
+    </message>
+    <message>
+        <source>There is no recording here yet:</source>
+        <translation>Hier gibt es noch keine Aufnahme:</translation>
+    </message>
+    <message>
+        <source>There is no other recording here yet:</source>
+        <translation>Hier gibt es noch keine andere Aufnahme:</translation>
+    </message>
+    <message>
+        <source>Pull the vessel at the mark aside and hold it there.</source>
+        <translation>Ziehen Sie das Gefäß an der Marke beiseite und halten Sie es dort.</translation>
     </message>
 </context>
 </TS>

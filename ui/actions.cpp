@@ -135,6 +135,8 @@ constexpr std::array table{
     ActionSpec{toggle_stretch, Words::id("&View"), Words::id("Colour b&y stretch"), "Shift+S",
                Words::id("Colour the vessels by how far they are stretched instead of by system"),
                true, true},
+    ActionSpec{toggle_blood, Words::id("&View"), Words::id("Lost blood"), "B",
+               Words::id("Show the blood that was lost where a vessel is torn or cut"), true, true},
     ActionSpec{toggle_liver, Words::id("&View"), Words::id("Li&ver"), "V",
                Words::id("Show the surface of the liver around the vessels"), true, true},
     ActionSpec{toggle_volume, Words::id("&View"), Words::id("CT as volu&me"), "Shift+V",
@@ -340,10 +342,11 @@ void Actions::before_menu_of(ActionId id, const std::function<void()>& look) {
     }
 }
 
-void Actions::forbid(std::set<ActionId> forbidden) {
+void Actions::forbid(std::set<ActionId> forbidden, const QString& why) {
     const std::set<ActionId> before = std::exchange(forbidden_, std::move(forbidden));
+    why_forbidden_ = why;
     for (const ActionSpec& spec : table)
-        if (forbidden_.contains(spec.id) != before.contains(spec.id)) enable(spec);
+        if (forbidden_.contains(spec.id) || before.contains(spec.id)) enable(spec);
 }
 
 QString Actions::objection_to(const QKeySequence& keys) const {
@@ -365,8 +368,7 @@ void Actions::enable(const ActionSpec& spec) {
     action.setEnabled(!forbidden && !nothing_to_do && !lacks &&
                       (patient_shown_ || !spec.needs_patient));
     const QString tip = lacks ? lack->second : Words::tr(spec.tip);
-    tell(action,
-         forbidden ? Words::tr("The lesson does not allow this: %1").arg(plain(spec.text)) : tip);
+    tell(action, forbidden ? why_forbidden_.arg(plain(spec.text)) : tip);
 }
 
 QString Actions::cheat_sheet(const MouseScheme& scheme) {

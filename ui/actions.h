@@ -66,6 +66,7 @@ enum class ActionId {
     toggle_annotations,
     toggle_halos,
     toggle_stretch,
+    toggle_blood,
     toggle_liver,
     toggle_volume,
     toggle_clip,
@@ -127,8 +128,8 @@ class Actions {
     void show_lack(ActionId id, const QString& why);
     // Calls `look` whenever the menu of this action is about to open, which then shows tips.
     void before_menu_of(ActionId id, const std::function<void()>& look);
-    // Disables these actions, with a tip that the lesson does not allow them, until the next call.
-    void forbid(std::set<ActionId> forbidden);
+    // Disables these actions until the next call, with this tip, in which %1 is the action's name.
+    void forbid(std::set<ActionId> forbidden, const QString& why);
     // Why an action with these keys is forbidden or has nothing to act on, as its tip says it;
     // empty: there is none such.
     QString objection_to(const QKeySequence& keys) const;
@@ -141,6 +142,7 @@ class Actions {
 
     std::map<ActionId, QAction*> actions_;
     std::set<ActionId> forbidden_;
+    QString why_forbidden_;
     std::map<ActionId, QString> history_;
     std::map<ActionId, QString> lacks_;  // why an action has nothing to act on
     bool patient_shown_ = false;

@@ -192,6 +192,7 @@ void AttemptsDialog::offer_names(const std::string& name) {
 // The attempts at the lesson of the chosen trainee.
 void AttemptsDialog::show_attempts() {
     attempts_ = attempts_at(lesson_, folder_);
+    const std::size_t of_everybody = attempts_.list.size();
     const std::string whose = whose_->currentData().toString().toStdString();
     std::erase_if(attempts_.list,
                   [&](const Attempt& attempt) { return !whose.empty() && attempt.name != whose; });
@@ -204,6 +205,10 @@ void AttemptsDialog::show_attempts() {
                        "in the learning curve.",
                        nullptr, static_cast<int>(count))
                        .arg(translated(lesson_.name).toHtmlEscaped());
+    if (count < of_everybody)
+        text += " " + Words::tr("Of all %1 attempts these are shown: %2.")
+                          .arg(of_everybody)
+                          .arg(whose_->currentText().toHtmlEscaped());
     for (const std::string& words : attempts_.passed_over)
         text += "<br>" + Words::tr("Left out: %1").arg(translated(words).toHtmlEscaped());
     title_->setText(text);

@@ -34,7 +34,7 @@ QString name_of(const TreeEdit& edit) {
         case TreeEditKind::draw_vessel:
             return Words::tr("Vessel drawn");
         case TreeEditKind::seed_system:
-            return Words::tr("Seed: %1").arg(translated(title_of(edit.system)));
+            return Words::tr("Whole vessel given to: %1").arg(translated(title_of(edit.system)));
         case TreeEditKind::paint_tumour:
             return Words::tr("Tumour %1 painted").arg(edit.tumour);
         case TreeEditKind::erase_tumour:
@@ -48,14 +48,22 @@ QString name_of(const TreeEdit& edit) {
     return Words::tr("Given to: %1").arg(translated(title_of(edit.system)));
 }
 
-// Coordinates of the place, with the vascular system if a vessel lies there.
-QString there(const Vec3& place_mm, const VesselTree& tree) {
+// The branch in which the place lies, or beside whose wall; null: there is none.
+const VesselSegment* branch_there(const Vec3& place_mm, const VesselTree& tree) {
     const TreePoint point = nearest_point(tree, place_mm);
-    if (point.segment < 0) return patient_place(place_mm);
+    if (point.segment < 0) return nullptr;
     const VesselSegment& branch = tree.segments[static_cast<std::size_t>(point.segment)];
     const double reach_mm = station_at(branch, point.arclength_mm).radius_mm + beside_wall_mm;
-    if (point.distance_mm > reach_mm) return patient_place(place_mm);
-    return Words::tr("%1 (%2)").arg(patient_place(place_mm), translated(title_of(branch.system)));
+    return point.distance_mm <= reach_mm ? &branch : nullptr;
+}
+
+// Coordinates of the place, with the vascular system if a vessel lies there, or lay there before it
+// was taken away.
+QString there(const Vec3& place_mm, const PatientCase& patient) {
+    const VesselSegment* branch = branch_there(place_mm, patient.tree);
+    if (branch == nullptr) branch = branch_there(place_mm, patient.corrections.extracted);
+    if (branch == nullptr) return patient_place(place_mm);
+    return Words::tr("%1 (%2)").arg(patient_place(place_mm), translated(title_of(branch->system)));
 }
 
 bool gives_system(const TreeEdit& edit) {
@@ -63,10 +71,10 @@ bool gives_system(const TreeEdit& edit) {
 }
 
 // The system that a vessel has now says nothing about one that was given: its new system is named.
-QString text_of(const TreeEdit& edit, const VesselTree& tree) {
+QString text_of(const TreeEdit& edit, const PatientCase& patient) {
     if (gives_system(edit))
         return Words::tr("%1 at %2").arg(name_of(edit), patient_place(edit.at_mm));
-    return Words::tr("%1 at %2").arg(name_of(edit), there(edit.at_mm, tree));
+    return Words::tr("%1 at %2").arg(name_of(edit), there(edit.at_mm, patient));
 }
 
 // The tree before the first correction.
@@ -128,16 +136,16 @@ std::vector<Vec3> other_trees(const TreeEdit& edit, const VesselTree& tree) {
     return others;
 }
 
-QString text_of(const BrushStroke& stroke, const VesselTree& tree) {
+QString text_of(const BrushStroke& stroke, const PatientCase& patient) {
     return Words::tr("%1 at %2")
         .arg(stroke.erases ? Words::tr("Vessels erased (waits for Rebuild)")
                            : Words::tr("Vessels painted (waits for Rebuild)"),
-             there(stroke.path_mm.front(), tree));
+             there(stroke.path_mm.front(), patient));
 }
 
-QString text_of(const Workspace::Step& step, const VesselTree& tree) {
-    if (step.stroke) return text_of(*step.stroke, tree);
-    return step.edit ? text_of(*step.edit, tree) : Words::tr("Vessels rebuilt");
+QString text_of(const Workspace::Step& step, const PatientCase& patient) {
+    if (step.stroke) return text_of(*step.stroke, patient);
+    return step.edit ? text_of(*step.edit, patient) : Words::tr("Vessels rebuilt");
 }
 
 QString text_of(const Rebuilding& rebuilding) {
@@ -147,9 +155,10 @@ QString text_of(const Rebuilding& rebuilding) {
 }
 
 // The corrections in chronological order.
-QStringList lines_of_history(const Workspace& workspace, const VesselTree& tree) {
+QStringList lines_of_history(const Workspace& workspace) {
     QStringList lines;
-    const std::vector<Rebuilding>& rebuildings = workspace.patient()->corrections.rebuilt;
+    const PatientCase& patient = *workspace.patient();
+    const std::vector<Rebuilding>& rebuildings = patient.corrections.rebuilt;
     auto rebuilding = rebuildings.begin();
     auto stroke = workspace.strokes().begin();
     for (std::size_t edit = 0; edit <= workspace.edits().size(); ++edit) {
@@ -159,8 +168,8 @@ QStringList lines_of_history(const Workspace& workspace, const VesselTree& tree)
             lines << text_of(*rebuilding);
         for (; stroke != workspace.strokes().end() && (last || stroke->after_edits <= edit);
              ++stroke)
-            lines << text_of(stroke->stroke, tree);
-        if (!last) lines << text_of(workspace.edits()[edit], tree);
+            lines << text_of(stroke->stroke, patient);
+        if (!last) lines << text_of(workspace.edits()[edit], patient);
     }
     return lines;
 }
@@ -330,8 +339,7 @@ void CaseEditing::update_panel() {
     if (bridges_that_are(BridgeState::open).size() != bridges_listed_ ||
         bridges_that_are(BridgeState::built).size() != built_.size())
         show_bridges();
-    const VesselTree& tree = workspace_.patient()->tree;
-    panel_.show_edits(lines_of_history(workspace_, tree));
+    panel_.show_edits(lines_of_history(workspace_));
     show_history();
     QStringList state;
     if (workspace_.awaits_body())
@@ -349,12 +357,12 @@ void CaseEditing::update_panel() {
 
 void CaseEditing::show_history() {
     if (!workspace_.has_patient()) return;
-    const VesselTree& tree = workspace_.patient()->tree;
+    const PatientCase& patient = *workspace_.patient();
     QString undo = Words::tr("Last point"), redo;
     if (!callbacks_.points_wait()) {
         const auto last = workspace_.next_undo(), next = workspace_.next_redo();
-        undo = last ? text_of(*last, tree) : QString();
-        redo = next ? text_of(*next, tree) : QString();
+        undo = last ? text_of(*last, patient) : QString();
+        redo = next ? text_of(*next, patient) : QString();
     }
     panel_.show_history(!undo.isEmpty(), !redo.isEmpty());
     callbacks_.show_history(undo, redo);

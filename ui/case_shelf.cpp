@@ -7,10 +7,13 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/flow/flow_shares.h"
 #include "core/lesson/attempts.h"
 #include "core/patient/patient_case.h"
 #include "core/tree/system_summary.h"
@@ -18,6 +21,8 @@
 #include "ui/colours.h"
 #include "ui/core_words.h"
 #include "ui/paths.h"
+#include "ui/patient_place.h"
+#include "ui/window_words.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -60,6 +65,14 @@ QString sentence_of(const std::vector<Attempt>& attempts) {
              attempts.back().passed ? Words::tr("passed") : Words::tr("not passed"));
 }
 
+// What is told when the case is opened, in the same order.
+std::vector<std::string> warnings_of(const PatientCase& patient) {
+    std::vector<std::string> warnings = warnings_of_ends(patient.tree, flow_shares(patient.tree));
+    for (const auto& list : {patient.warnings, sentences(patient.doubts, patient.tree)})
+        for (const std::string& warning : list) warnings.push_back(in_window_words(warning));
+    return warnings;
+}
+
 QString facts_of(const PatientCase& patient, const AttemptsOfPatients& attempts) {
     QStringList lines;
     for (const SystemSummary& system : systems_of(patient.tree))
@@ -67,9 +80,8 @@ QString facts_of(const PatientCase& patient, const AttemptsOfPatients& attempts)
                      .arg(translated(title_of(system.system)))
                      .arg(system.length_mm, 0, 'f', 0);
     lines << Words::tr("%n branch(es)", nullptr, static_cast<int>(patient.tree.segments.size()));
-    if (patient.doubts)
-        for (const std::string& doubt : sentences(*patient.doubts))
-            lines << "• " + translated(doubt).toHtmlEscaped();
+    for (const std::string& warning : warnings_of(patient))
+        lines << "• " + places_in_words(translated(warning)).toHtmlEscaped();
     const auto played = attempts.find(to_hex(hash_of(patient)));
     if (played != attempts.end()) lines << sentence_of(played->second);
     return lines.join("<br>");

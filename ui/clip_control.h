@@ -21,12 +21,16 @@ class ClipControl {
     // is not open.
     void shift(double by_mm);
 
+    // How far the plane was moved from where it was put; negative towards the eye.
+    double depth_mm() const { return depth_mm_; }
+
     bool is_open() const { return plane_.has_value(); }
     const std::optional<ClipPlane>& plane() const { return plane_; }
 
   private:
     SceneView& view_;
     std::optional<ClipPlane> plane_;
+    double depth_mm_ = 0.0;
 };
 
 }  // namespace hepatica

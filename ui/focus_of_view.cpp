@@ -35,6 +35,19 @@ void let_only_tabs_in_sight_take_focus(const QMainWindow& window) {
         tabs->setFocusPolicy(tabs->visibleRegion().isEmpty() ? Qt::NoFocus : Qt::TabFocus);
 }
 
+bool is_behind_another(const QWidget& control) {
+    for (const QWidget* up = &control; up != nullptr && !up->isWindow(); up = up->parentWidget())
+        if (qobject_cast<const QDockWidget*>(up) != nullptr) return up->visibleRegion().isEmpty();
+    return false;
+}
+
+// As Qt decides it, for the window's own order of Tab.
+bool takes_tab(const QWidget& control, const QWidget& window) {
+    return (control.focusPolicy() & Qt::TabFocus) == Qt::TabFocus &&
+           control.focusProxy() == nullptr && control.isEnabled() && control.isVisibleTo(&window) &&
+           control.window() == &window && !is_behind_another(control);
+}
+
 }  // namespace
 
 void give_focus_back_to(QWidget& view) {
@@ -60,6 +73,20 @@ void keep_focus_in_sight(QMainWindow& window, QWidget& view) {
             if (focused && dock->isAncestorOf(focused) && dock->visibleRegion().isEmpty())
                 view.setFocus();
         });
+}
+
+bool focus_next_in_sight(QMainWindow& window, bool next) {
+    QWidget* from = window.focusWidget() != nullptr ? window.focusWidget() : &window;
+    const auto after = [next](QWidget* control) {
+        return next ? control->nextInFocusChain() : control->previousInFocusChain();
+    };
+    for (QWidget* control = after(from); control != from; control = after(control)) {
+        if (!takes_tab(*control, window)) continue;
+        window.activateWindow();
+        control->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+        return true;
+    }
+    return false;
 }
 
 }  // namespace hepatica

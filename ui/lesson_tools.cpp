@@ -42,6 +42,14 @@ std::set<ActionId> forbidden_actions(std::span<const LessonTool> tools) {
     return forbidden;
 }
 
+std::set<ActionId> forbidden_in_review() {
+    std::set<ActionId> forbidden = forbidden_actions({});
+    forbidden.erase(ActionId::pull_mode);  // there a drag turns the view
+    forbidden.insert({ActionId::turn_tool, ActionId::turn_tool_back, ActionId::close_or_open,
+                      ActionId::remove_drug, ActionId::restore});
+    return forbidden;
+}
+
 QString in_words(std::span<const LessonTool> tools, const Actions& actions) {
     QStringList names;
     for (const auto& [tool, id] : action_of_tool) {

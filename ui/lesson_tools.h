@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the window forbids while a lesson is played: actions of tools that it does not allow, and
-// settings.
+// settings; and while one looks back on a play.
 #pragma once
 
 #include <set>
@@ -18,6 +18,9 @@ bool allows(std::span<const LessonTool> tools, LessonTool tool);
 
 // The actions that use other tools than these, reset the play or correct the vessels.
 std::set<ActionId> forbidden_actions(std::span<const LessonTool> tools);
+
+// What acts on the play or corrects the vessels: in a review there is nothing to act on.
+std::set<ActionId> forbidden_in_review();
 
 // The tools besides pulling, by the names and keys of their actions: "Probe (4), Forceps (6)".
 QString in_words(std::span<const LessonTool> tools, const Actions& actions);

@@ -17,6 +17,7 @@
 
 #include "core/lesson/lesson.h"
 #include "ui/actions.h"
+#include "ui/focus_of_view.h"
 #include "ui/kept_play.h"
 #include "ui/mouse_tool.h"
 #include "ui/patient_keeper.h"
@@ -120,6 +121,7 @@ class MainWindow : public QMainWindow {
     void closeEvent(QCloseEvent* event) override;
     // Says of Undo, where no correction can be undone, that it takes no cut of the play back.
     void keyPressEvent(QKeyEvent* event) override;
+    bool focusNextPrevChild(bool next) override { return focus_next_in_sight(*this, next); }
 
   private:
     // main_window.cpp: places and connects the panels.
@@ -203,7 +205,7 @@ class MainWindow : public QMainWindow {
     // These lessons no longer fit the corrected vessels.
     void tell_packed_lessons();
     void tell_unfit(const std::vector<ShelvedLesson>& lessons);
-    // Disables what the lesson being played does not allow.
+    // Disables what the lesson being played, or a review, does not allow.
     void allow_tools();
     void wait_for_place();
     void end_waiting_for_place();
@@ -374,6 +376,7 @@ class MainWindow : public QMainWindow {
     // The patient shown before a lesson opened its own.
     std::optional<OpenRequest> before_lesson_;
     std::optional<std::vector<LessonTool>> allowed_tools_;  // by the lesson being played
+    bool forbids_for_review_ = false;                       // what a review forbids
     // Slices appeared by themselves and go when the patient is shown.
     bool slices_for_image_ = false;
     bool may_close_ = false;

@@ -295,12 +295,19 @@ void MainWindow::offer_unsaved_lesson() {
 
 void MainWindow::allow_tools() {
     const Lesson* lesson = lessons_->running();
-    const bool all = lesson == nullptr;
-    if (all ? !allowed_tools_ : allowed_tools_ == lesson->tools) return;
-    allowed_tools_.reset();
-    if (!all) allowed_tools_.emplace(lesson->tools);
-    const std::optional<std::vector<LessonTool>>& tools = allowed_tools_;
-    actions_->forbid(tools ? forbidden_actions(*tools) : std::set<ActionId>());
+    std::optional<std::vector<LessonTool>> tools;
+    if (lesson != nullptr) tools.emplace(lesson->tools);
+    const bool reviews = review_->reviewing();
+    if (allowed_tools_ == tools && forbids_for_review_ == reviews) return;
+    forbids_for_review_ = reviews;
+    allowed_tools_ = tools;
+    if (reviews)
+        actions_->forbid(forbidden_in_review(),
+                         Words::tr("Not while you look back on a recording: leave the review "
+                                   "first (%1)"));
+    else
+        actions_->forbid(tools ? forbidden_actions(*tools) : std::set<ActionId>(),
+                         Words::tr("The lesson does not allow this: %1"));
     view_->mouse().set_may_pull(!tools || allows(*tools, LessonTool::pull));
     const bool settings = !tools || allows(*tools, LessonTool::settings);
     inject_->allow_settings(settings);

@@ -106,10 +106,22 @@ void MainWindow::connect_context() {
         ClipControl& clip = view_->mouse().clip();
         open.isChecked() ? clip.open_at(view_->scene().axes().focus_mm) : clip.close();
         view_->draw_again();
+        statusBar()->showMessage(
+            open.isChecked() ? Words::tr("What lies before the middle of the view is taken away: D "
+                                         "opens it deeper, Shift+D less deep")
+                             : QString(),
+            6000);
     });
     const auto shift = [this](double by_mm) {
-        view_->mouse().clip().shift(by_mm);
+        ClipControl& clip = view_->mouse().clip();
+        clip.shift(by_mm);
         view_->draw_again();
+        const double depth_mm = clip.depth_mm();
+        statusBar()->showMessage(
+            !clip.is_open()   ? Words::tr("The view is whole: O opens it")
+            : depth_mm >= 0.0 ? Words::tr("Opened %L1 mm behind where it was put").arg(depth_mm)
+                              : Words::tr("Opened %L1 mm before where it was put").arg(-depth_mm),
+            6000);
     };
     actions_->on(ActionId::clip_deeper, [shift] { shift(clip_step_mm); });
     actions_->on(ActionId::clip_less_deep, [shift] { shift(-clip_step_mm); });
@@ -153,6 +165,10 @@ void MainWindow::connect_picture_parts() {
         scene.set_stretch_visible(shown);
         if (patient_) view_->show_frame(frame());
     });
+    connect_part(ActionId::toggle_blood, true, [this, &scene](bool shown) {
+        scene.set_blood_visible(shown);
+        if (patient_) view_->show_frame(frame());
+    });
 }
 
 void MainWindow::show_as_first(VtkWidget& view) {
@@ -164,6 +180,7 @@ void MainWindow::show_as_first(VtkWidget& view) {
     scene.set_warnings_visible(tool_panel_->shows_warnings());
     if (patient_) scene.set_rest_positions(patient_->patient->mesh.vertices_mm);
     scene.set_stretch_visible((*actions_)[ActionId::toggle_stretch].isChecked());
+    scene.set_blood_visible((*actions_)[ActionId::toggle_blood].isChecked());
     view.mouse().set_scheme(view_->mouse().scheme());
 }
 

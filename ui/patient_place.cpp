@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <QRegularExpression>
 #include <QStringList>
+#include <array>
 #include <cmath>
 #include <regex>
 
@@ -28,6 +29,28 @@ QString patient_place(const Vec3& position_mm, int decimals) {
     return QString("%1  %2  %3 mm")
         .arg(along(position_mm.x(), decimals, 'L', 'R'), along(position_mm.y(), decimals, 'P', 'A'),
              along(position_mm.z(), decimals, 'H', 'F'));
+}
+
+std::optional<Vec3> read_patient_place(const QString& text) {
+    static const QRegularExpression lettered(
+        R"(^\s*([LR])\s*(\d+(?:[.,]\d+)?)\s+([PA])\s*(\d+(?:[.,]\d+)?)\s+([HF])\s*(\d+(?:[.,]\d+)?)\s*(?:mm)?\s*$)");
+    static const QRegularExpression numbers(
+        R"(^\s*(-?\d+(?:[.,]\d+)?)\s+(-?\d+(?:[.,]\d+)?)\s+(-?\d+(?:[.,]\d+)?)\s*(?:mm)?\s*$)");
+    const auto value = [](QString number) { return number.replace(',', '.').toDouble(); };
+    Vec3 place_mm;
+    if (const auto found = lettered.match(text); found.hasMatch()) {
+        constexpr std::array negative{'R', 'A', 'F'};
+        for (int axis = 0; axis < 3; ++axis) {
+            const bool is_negative =
+                found.captured(2 * axis + 1) == QChar(negative[static_cast<std::size_t>(axis)]);
+            place_mm[axis] = (is_negative ? -1.0 : 1.0) * value(found.captured(2 * axis + 2));
+        }
+        return place_mm;
+    }
+    const auto found = numbers.match(text);
+    if (!found.hasMatch()) return std::nullopt;
+    for (int axis = 0; axis < 3; ++axis) place_mm[axis] = value(found.captured(axis + 1));
+    return place_mm;
 }
 
 QString patient_place_in_words(const Vec3& position_mm, int decimals) {

@@ -21,6 +21,7 @@
 #include "ui/background_job.h"
 #include "ui/core_words.h"
 #include "ui/paths.h"
+#include "ui/patient_place.h"
 #include "ui/series_dialog.h"
 #include "ui/words.h"
 
@@ -30,13 +31,15 @@ namespace {
 
 void add_seeds(const QLineEdit& edit, const std::string& field, VascularSystem system,
                std::vector<VesselSeed>& seeds) {
-    const std::vector<double> numbers = numbers_in(edit.text(), field);
-    if (numbers.size() % 3 != 0) {
-        throw InputError(Words::id("a seed is three numbers"), field,
-                         Words::id("write x y z in mm for each seed, or leave it empty"));
-    }
-    for (std::size_t i = 0; i < numbers.size(); i += 3) {
-        seeds.push_back({Vec3(numbers[i], numbers[i + 1], numbers[i + 2]), system});
+    for (const QString& text : edit.text().split(';', Qt::SkipEmptyParts)) {
+        if (text.trimmed().isEmpty()) continue;
+        const std::optional<Vec3> place_mm = read_patient_place(text);
+        if (!place_mm)
+            throw InputError(
+                Words::tr("“%1” is no place").arg(text.trimmed()).toStdString(), field,
+                Words::id("write it as the slices do, as L 12 P 40 H 155 mm, and a semicolon "
+                          "before the next one; or leave it empty"));
+        seeds.push_back({*place_mm, system});
     }
 }
 
@@ -94,7 +97,11 @@ PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
           std::pair(&hepatic_seeds_, Words::tr("Hepatic vein seeds"))}) {
         *seeds = new QLineEdit(this);
         (*seeds)->setPlaceholderText(
-            Words::tr("optional: x y z in LPS mm; next seed after a semicolon"));
+            Words::tr("optional: a place as the slices write it, L 12 P 40 H 155 mm"));
+        (*seeds)->setToolTip(
+            Words::tr("A place in the vessel: to the left (L) or right (R), the back (P) or front "
+                      "(A), the head (H) or feet (F), in mm, as it stands below the slices under "
+                      "the pointer. A semicolon stands before the next one."));
         form_->addRow(label, *seeds);
     }
     portal_seeds_->setObjectName("portalSeeds");

@@ -37,6 +37,7 @@ QString lesson_in_name(const fs::path& recording) {
     static const QRegularExpression time("-\\d{8}-\\d{6}-\\d{3}$");
     const QString name = to_text(recording.stem()).remove(time);
     if (name == "play") return Words::tr("Free play");
+    if (name == "lesson") return Words::tr("Lesson");  // tried before it had a file
     for (const BuiltInLesson& lesson : built_in_lessons())
         if (name == lesson.id) return translated(find_lesson(lesson.id).name);
     return name;
@@ -97,7 +98,8 @@ RecordingDialog::RecordingDialog(const fs::path& folder, QWidget* parent, fs::pa
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->verticalHeader()->hide();
     auto* column = new QVBoxLayout(this);
-    column->addWidget(new QLabel(Words::tr("Recordings of lessons and plays, the newest first:")));
+    heading_ = new QLabel(Words::tr("Recordings of lessons and plays, the newest first:"));
+    column->addWidget(heading_);
     column->addWidget(table_, 1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     open_ = buttons->addButton(Words::tr("&Open"), QDialogButtonBox::AcceptRole);
@@ -134,6 +136,9 @@ void RecordingDialog::fill() {
     table_->horizontalHeader()->setStretchLastSection(true);
     open_->setEnabled(!listed_.empty());
     if (!listed_.empty()) table_->selectRow(0);
+    if (listed_.empty())
+        heading_->setText(shown_.empty() ? Words::tr("There is no recording here yet:")
+                                         : Words::tr("There is no other recording here yet:"));
 }
 
 void RecordingDialog::choose_row() {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+class QLabel;
 class QPushButton;
 class QTableWidget;
 
@@ -50,6 +51,7 @@ class RecordingDialog : public QDialog {
 
     std::filesystem::path folder_, shown_, chosen_;
     std::vector<RecordingFacts> listed_;
+    QLabel* heading_ = nullptr;
     QTableWidget* table_;
     QPushButton* open_;
 };

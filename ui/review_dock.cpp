@@ -188,7 +188,8 @@ void ReviewDock::show_progress(const JobProgress& progress) {
         name = Words::tr("%1, and beside it %2").arg(side_by_side_[0], side_by_side_[1]);
     title_->setText(all_computed() ? name : gone_through(name, progress.fraction));
     const QSignalBlocker quiet(line_);
-    line_->set_end(end_s());
+    line_->set_end(length_s());
+    line_->set_read(end_s());
     show_events();
     go_to(at_s_);
 }
@@ -221,7 +222,7 @@ void ReviewDock::go_to(double at_s) {
     at_s_ = std::clamp(at_s, 0.0, end_s());
     const QSignalBlocker quiet(line_);
     line_->set_at(at_s_);
-    time_->setText(Words::tr("%1 of %2").arg(clock_text(at_s_), clock_text(end_s())));
+    time_->setText(Words::tr("%1 of %2").arg(clock_text(at_s_), clock_text(length_s())));
     screen_->show_at(at_s_);
     show_other();
 }

@@ -141,7 +141,8 @@ class ReviewDock : public QDockWidget {
     void remove_note();
     bool keep(std::vector<PlayNote> notes);
     void show_other();
-    double end_s() const;  // of the longer recording
+    double end_s() const;     // of the longer recording, as far as it is computed
+    double length_s() const;  // the same once it is, which its commands tell before
     void leave();
     void forget();
     void forget_shown();
@@ -165,6 +166,7 @@ class ReviewDock : public QDockWidget {
     std::shared_ptr<std::unique_ptr<const MarkedLesson>> other_marked_;
     std::shared_ptr<const Frame> other_frame_;  // the one that is shown
     std::vector<PlayNote> notes_;
+    double played_s_ = 0.0;  // as the commands of the recording tell
     double at_s_ = 0.0;
     QTimer clock_;
     QElapsedTimer since_tick_;

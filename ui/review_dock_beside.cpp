@@ -65,6 +65,10 @@ double ReviewDock::end_s() const {
     return std::max(tape_->end_s(), comparing() ? other_tape_->end_s() : 0.0);
 }
 
+double ReviewDock::length_s() const {
+    return all_computed() ? end_s() : std::max(end_s(), played_s_);
+}
+
 void ReviewDock::show_other() {
     if (!comparing()) return;
     const std::shared_ptr<const Frame> frame = other_tape_->at(at_s_);

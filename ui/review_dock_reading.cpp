@@ -199,6 +199,7 @@ void ReviewDock::show_next() {
     file_ = next->file;
     name_ = next->name;
     recording_ = next->recording;
+    played_s_ = played_s(*recording_);
     lesson_ = next->lesson;
     notes_ = std::move(next->notes);
     marked_ = std::move(next->marked);

@@ -111,7 +111,7 @@ constexpr std::array sentences_lesson{
     Words::id("is too short: what is to be held and waited for takes %1 or more."),
     Words::id("needs a target: say where it begins."),
     Words::id("A new lesson"),
-    Words::id("Pull the vessel at the mark 5 mm aside and hold it for a second."),
+    Words::id("Pull the vessel at the mark aside and hold it there."),
     Words::id("What the trainee is to do."),
     Words::id("Slowly."),
     Words::id("mark %1"),

@@ -45,6 +45,10 @@ void TimeLine::set_end(double end_s) {
     if (to_ms(end_s) != maximum()) setMaximum(to_ms(end_s));
 }
 
+void TimeLine::set_read(double read_s) {
+    if (std::exchange(read_s_, read_s) != read_s) update();
+}
+
 void TimeLine::set_at(double at_s) {
     setValue(to_ms(at_s));
 }
@@ -67,6 +71,11 @@ void TimeLine::paintEvent(QPaintEvent* event) {
     QSlider::paintEvent(event);
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    if (to_ms(read_s_) < maximum()) {
+        const double from = place_of(read_s_), to = place_of(end_s());
+        painter.fillRect(QRectF(from, 0.25 * height(), to - from, 0.5 * height()),
+                         QBrush(palette().color(QPalette::PlaceholderText), Qt::BDiagPattern));
+    }
     for (const Tick& tick : ticks_)
         painter.fillRect(QRectF(place_of(tick.at_s) - 1.0, 0.0, 2.5, tick_height), tick.colour);
 }

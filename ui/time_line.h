@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Slider over the time of a play, with a tick at each event. A click goes there; arrow keys step by
-// 0.1 s, page keys by 2 s, Home and End go to the ends. UI thread only.
+// Slider over the time of a play, with a tick at each event, and a bar over what is not read yet. A
+// click goes there; arrow keys step by 0.1 s, page keys by 2 s, Home and End go to the ends. UI
+// thread only.
 #pragma once
 
 #include <QColor>
@@ -21,6 +22,9 @@ class TimeLine : public QSlider {
 
     void set_end(double end_s);
     double end_s() const { return 1e-3 * maximum(); }
+    // What is there to be shown; the rest is barred.
+    void set_read(double read_s);
+    double read_s() const { return read_s_; }
     void set_at(double at_s);
     double at_s() const { return 1e-3 * value(); }
     void set_ticks(std::vector<Tick> ticks);
@@ -41,6 +45,7 @@ class TimeLine : public QSlider {
     void go_to(double x);
 
     std::vector<Tick> ticks_;
+    double read_s_ = 0.0;
 };
 
 // "1:02.5": minutes, seconds and tenths.

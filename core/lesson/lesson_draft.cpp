@@ -42,7 +42,8 @@ Lesson new_lesson() {
     lesson.tools = {LessonTool::pull};
     lesson.marks = {{"mark 1", {std::nullopt, 0.5}}};
     LessonStep step;
-    step.text = "Pull the vessel at the mark 5 mm aside and hold it for a second.";
+    // Without the goal's numbers, which are shown beside it and may be changed.
+    step.text = "Pull the vessel at the mark aside and hold it there.";
     step.hint = "Slowly.";
     step.goal = {{Quantity::moved_mm, 0, true, 5.0}};
     step.hold_s = 1.0;

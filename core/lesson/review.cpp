@@ -2,6 +2,7 @@
 #include "core/lesson/review.h"
 
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "core/base/error.h"
@@ -51,6 +52,21 @@ Review review(const Recording& recording, const std::optional<Lesson>& lesson,
                 tape.note({now_s, PlayEventKind::not_passed, "Not passed: " + reason});
     }
     return found;
+}
+
+double played_s(const Recording& recording) {
+    bool paused = false;
+    std::size_t played = 0;
+    for (const RecordedStep& step : recording.steps) {
+        for (const Command& command : step.commands) {
+            if (const auto* set = std::get_if<SetPaused>(&command)) paused = set->paused;
+            if (std::holds_alternative<ResetWorld>(command) ||
+                std::holds_alternative<RestoreSnapshot>(command))
+                paused = false;
+        }
+        if (!paused) ++played;
+    }
+    return static_cast<double>(played) * recording.scene.dt_s;
 }
 
 }  // namespace hepatica

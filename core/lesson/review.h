@@ -26,4 +26,8 @@ Review review(const Recording& recording, const std::optional<Lesson>& lesson,
               std::shared_ptr<const PatientCase> patient, ReviewTape& tape, Job& job,
               const DeformBackEnd& back_end = cpu_back_end());
 
+// How long the play took, without its pauses, as far as its commands tell: one that the solver
+// stopped is shorter.
+double played_s(const Recording& recording);
+
 }  // namespace hepatica

@@ -27,8 +27,8 @@ const OneGap one_gaps[] = {
     {[](Lesson& lesson) { lesson.scene.deform.reset(); }, "of nothing"},
     {[](Lesson& lesson) { lesson.steps[0].text.clear(); }, "Step 1 says nothing"},
     {[](Lesson& lesson) { lesson.steps[0].goal.clear(); },
-     "Step 1 \"Pull the vessel at the mark 5 mm aside and hold…\" has no goal"},
-    {[](Lesson& lesson) { remove_mark(lesson, 0); }, "hold…\", goal: \"way moved by no mark"},
+     "Step 1 \"Pull the vessel at the mark aside and hold it…\" has no goal"},
+    {[](Lesson& lesson) { remove_mark(lesson, 0); }, "hold it…\", goal: \"way moved by no mark"},
     {[](Lesson& lesson) {
          lesson.limits = {{Quantity::touch_mm, -1, false, 2.0}};
      },
@@ -40,7 +40,7 @@ const OneGap one_gaps[] = {
     {[](Lesson& lesson) {
          lesson.steps[0].limits = {{Quantity::touch_mm, -1, false, 2.0}};
      },
-     "hold…\", limits: \"distance of the touch to no mark"},
+     "hold it…\", limits: \"distance of the touch to no mark"},
     {[](Lesson& lesson) {
          lesson.pass = {{Quantity::touch_mm, 1, false, 2.0}};  // the lesson has one mark
      },

@@ -62,6 +62,7 @@ TEST(Review, ShowsThePlayFrameByFrame) {
     EXPECT_FALSE(found.standing);
     EXPECT_EQ(tape.size(), 40u) << "the clock was held for 20 of 60 steps";
     EXPECT_NEAR(tape.end_s(), 40.0 / 60.0, 1e-9);
+    EXPECT_NEAR(played_s(*play.recording), tape.end_s(), 1e-9);
     double now_s = 0.0;
     for (const Frame& frame : play.frames) {
         if (!frame.statistics.paused) now_s += play.recording->scene.dt_s;

@@ -189,6 +189,22 @@ TEST(PoolOfBlood, HasACloudOnlyWhereDrugLeaked) {
     EXPECT_EQ(renderer->GetActors()->GetNumberOfItems(), 0);
 }
 
+TEST(PoolOfBlood, IsHiddenAndShownAgain) {
+    vtkNew<vtkRenderer> renderer;
+    BleedingActor pools(*renderer);
+    std::optional<TearView> tear(std::in_place);
+    tear->leaks = {{Vec3(1, 2, 3), 1.0}};
+    tear->leaked_g = 100.0;
+    EXPECT_TRUE(pools.update(tear));
+    pools.set_visible(false);
+    EXPECT_TRUE(pools.update(tear));
+    EXPECT_EQ(renderer->GetActors()->GetNumberOfItems(), 0);
+    EXPECT_FALSE(pools.update(tear));
+    pools.set_visible(true);
+    EXPECT_TRUE(pools.update(tear));
+    EXPECT_EQ(renderer->GetActors()->GetNumberOfItems(), 2) << "the pool and its drug";
+}
+
 // A window that is left alone with a vessel that bleeds draws what can be seen, not every step.
 TEST(PoolOfBlood, IsDrawnAnewWhereItsGrowthIsSeen) {
     vtkNew<vtkRenderer> renderer;

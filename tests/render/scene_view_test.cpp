@@ -103,6 +103,23 @@ TEST_F(SceneViewPicture, of_vessels_and_liver_cut_open) {
     EXPECT_EQ(picture().rgb, whole.rgb);
 }
 
+// Else one could not tell a vessel that one looks into from one that one looks at.
+TEST_F(SceneViewPicture, the_inside_of_a_vessel_is_darker_than_its_outside) {
+    view_.set_annotations_visible(false);
+    view_.show(fake_frame());
+    const auto blue_in_the_trunk = [this] {
+        return static_cast<int>(picture().rgb[3 * static_cast<std::size_t>(180 * 320 + 160) + 2]);
+    };
+    ASSERT_GE(view_.pick({160.5, 180.5}).triangle, 0);
+    const int outside = blue_in_the_trunk();
+    view_.set_clip(ClipPlane{Vec3(0, 0, 0), view_.axes().forward});  // through its axis
+    const int inside = blue_in_the_trunk();
+    view_.set_clip(ClipPlane{200.0 * view_.axes().forward, view_.axes().forward});
+    const int nothing = blue_in_the_trunk();
+    EXPECT_GT(inside, nothing + 20);
+    EXPECT_LT(inside, 0.7 * outside);
+}
+
 // Where its surface faces the eye, too, in front of the room and of the trunk.
 TEST_F(SceneViewPicture, the_liver_is_seen_and_hides_nothing) {
     view_.set_annotations_visible(false);

@@ -171,9 +171,12 @@ TEST_F(Wizard, names_the_field_that_makes_no_sense_and_stays_open) {
     auto* problem = wizard_.findChild<QLabel*>("problem");
     ASSERT_NE(problem, nullptr);
     EXPECT_EQ(problem->text().toStdString(),
-              "Hepatic vein seeds: a seed is three numbers. Write x y z in mm for each seed, or "
-              "leave it empty");
-    field("hepaticSeeds").setText("1 2 3");
+              "Hepatic vein seeds: “1 2” is no place. Write it as the slices do, as L 12 P 40 H "
+              "155 mm, and a semicolon before the next one; or leave it empty");
+    field("hepaticSeeds").setText("L 1  A 2,5  H 3 mm; 4 5 6");
+    wizard_.set_ct("/data/ct");
+    ASSERT_EQ(wizard_.options().seeds.size(), 2u);
+    EXPECT_EQ(wizard_.options().seeds[0].position_mm, Vec3(1, -2.5, 3));
     for (QPushButton* button : wizard_.findChildren<QPushButton*>())
         if (button->text() == "Reconstruct") button->click();
     EXPECT_EQ(wizard_.result(), QDialog::Accepted);

@@ -102,9 +102,13 @@ TEST_F(LessonAttemptsTest, nobody_is_named_who_gave_no_name) {
     EXPECT_FALSE(whose.isHidden());
     EXPECT_EQ(whose.currentText(), "of Nr. 8");
     EXPECT_EQ(dialog.attempts().size(), 1u);
+    const auto* title = dialog.findChild<QLabel*>("attemptsTitle");
+    EXPECT_TRUE(title->text().contains("Of all 2 attempts these are shown: of Nr. 8."))
+        << title->text().toStdString();
     EXPECT_EQ(dialog.findChild<QTableWidget*>("attempts")->item(0, 4)->text(), "Nr. 8");
     whose.setCurrentIndex(0);
     EXPECT_EQ(dialog.attempts().size(), 2u);
+    EXPECT_FALSE(title->text().contains("Of all"));
     dialog.hide();
     type_name("");
     EXPECT_EQ(settings_.trainee(), "");

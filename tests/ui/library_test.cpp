@@ -38,7 +38,9 @@ using testing::write_lesson_for;
 
 TEST(CaseShelf, TellsOfEachCaseAndOfHowLessonsWent) {
     const TemporaryFolder folder, recordings;
-    write_case(folder.path() / "b <one>.hep", *test::small_patient());
+    PatientCase doubted = *test::small_patient();
+    doubted.warnings = {"What the mesh was doubted for"};
+    write_case(folder.path() / "b <one>.hep", doubted);
     write_case(folder.path() / "a.hepz", test::patient_with_bridges());
     fs::create_directory(folder.path() / "c.hep");
     std::ofstream(folder.path() / "c.hep" / "case.json") << "{";
@@ -62,6 +64,8 @@ TEST(CaseShelf, TellsOfEachCaseAndOfHowLessonsWent) {
     EXPECT_EQ(cases[0].name, "a");
     EXPECT_TRUE(cases[0].readable);
     EXPECT_FALSE(cases[0].facts.contains("attempts"));
+    EXPECT_TRUE(cases[1].facts.contains("• What the mesh was doubted for"))
+        << cases[1].facts.toStdString();
     EXPECT_EQ(cases[1].name, "b <one>");
     EXPECT_TRUE(cases[1].facts.contains("7 branches")) << cases[1].facts.toStdString();
     EXPECT_TRUE(

@@ -12,6 +12,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
+#include <QTabBar>
 #include <QWheelEvent>
 #include <algorithm>
 #include <set>
@@ -121,12 +122,32 @@ TEST_F(PanelsTest, the_panel_in_front_stays_there_where_the_keyboard_goes_on_by_
     QCoreApplication::processEvents();
     EXPECT_TRUE(injection.visibleRegion().isEmpty());
     EXPECT_TRUE(window_.view().hasFocus()) << "not a field that nobody sees";
-    // Whoever presses Tab goes there himself.
-    window_.findChild<QDoubleSpinBox*>("speed")->setFocus();
+}
+
+// By the tabs, which are on the way of the key: it does not swap what somebody is reading.
+TEST_F(PanelsTest, a_panel_behind_another_is_reached_by_its_tab) {
+    open_built_in();
+    auto& corrections = *window_.findChild<QDockWidget*>("Corrections");
+    auto& injection = *window_.findChild<QDockWidget*>("Injection");
+    injection.raise();
+    ASSERT_TRUE(testing::wait_for([&] { return !injection.visibleRegion().isEmpty(); }));
     corrections.raise();
-    for (int presses = 0; presses < 60 && injection.visibleRegion().isEmpty(); ++presses)
+    ASSERT_TRUE(testing::wait_for([&] { return injection.visibleRegion().isEmpty(); }));
+    window_.view().setFocus();
+    for (int presses = 0; presses < 60; ++presses) {
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
-    EXPECT_FALSE(injection.visibleRegion().isEmpty());
+        EXPECT_FALSE(corrections.visibleRegion().isEmpty());
+        auto* tabs = qobject_cast<QTabBar*>(QApplication::focusWidget());
+        if (tabs == nullptr || tabs->tabText(tabs->currentIndex()) != corrections.windowTitle())
+            continue;
+        for (int tab = 0; tab < tabs->count(); ++tab) QTest::keyClick(tabs, Qt::Key_Left);
+        while (tabs->tabText(tabs->currentIndex()) != injection.windowTitle() &&
+               tabs->currentIndex() + 1 < tabs->count())
+            QTest::keyClick(tabs, Qt::Key_Right);
+        EXPECT_TRUE(testing::wait_for([&] { return !injection.visibleRegion().isEmpty(); }));
+        return;
+    }
+    FAIL() << "no tabs on the way";
 }
 
 // Keys would change there what nobody sees.
@@ -146,8 +167,15 @@ TEST_F(PanelsTest, the_tab_key_goes_to_nothing_that_is_out_of_sight) {
         QCoreApplication::processEvents();
     }
     EXPECT_GT(stops.size(), 15u);
-    EXPECT_TRUE(stops.contains(window_.findChild<QDoubleSpinBox*>("flow")))
-        << "a panel behind another is reached, too, and comes to the front";
+    EXPECT_FALSE(stops.contains(window_.findChild<QDoubleSpinBox*>("flow")))
+        << "in a panel behind another";
+    EXPECT_FALSE(tool.visibleRegion().isEmpty()) << "which stays there";
+    window_.view().setFocus();
+    QTest::keyClick(&window_.view(), Qt::Key_Backtab);
+    QWidget* before = QApplication::focusWidget();
+    ASSERT_NE(before, &window_.view());
+    QTest::keyClick(before, Qt::Key_Tab);
+    EXPECT_TRUE(window_.view().hasFocus()) << "the way back is the same";
 }
 
 TEST_F(PanelsTest, the_keyboard_leaves_a_panel_that_goes_behind_another) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QLocale>
+
 #include "core/base/patient_space.h"
 #include "ui/message_bar.h"
 
@@ -15,6 +17,23 @@ TEST(PatientPlace, IsSaidByLettersAndInWords) {
     EXPECT_EQ(patient_place(there), "R 3  A 7  F 1 mm");
     EXPECT_EQ(patient_place_in_words(here), "12 mm left, 40 mm back, 155 mm headwards");
     EXPECT_EQ(patient_place_in_words(there, 1), "3.0 mm right, 7.0 mm front, 0.6 mm feetwards");
+}
+
+TEST(PatientPlace, IsReadAsItIsWritten) {
+    for (const Vec3& place : {Vec3(12.0, 40.2, 155.4), Vec3(-3.0, -7.1, -0.6), Vec3::Zero().eval()})
+        for (const QLocale::Language language : {QLocale::English, QLocale::German}) {
+            const QLocale before;
+            QLocale::setDefault(QLocale(language));
+            const QString text = patient_place(place, 1);
+            QLocale::setDefault(before);
+            const auto read = read_patient_place(text);
+            ASSERT_TRUE(read) << text.toStdString();
+            EXPECT_LT((*read - place).norm(), 1e-9) << text.toStdString();
+        }
+    EXPECT_EQ(read_patient_place("-1,5 2 3.25"), Vec3(-1.5, 2.0, 3.25));
+    for (const char* other : {"", "1 2", "1 2 3 4", "L 1 L 2 H 3", "P 1 L 2 H 3", "L -1 P 2 H 3",
+                              "L 1 P 2 H 3 cm", "a b c"})
+        EXPECT_FALSE(read_patient_place(other)) << other;
 }
 
 TEST(PatientPlace, IsReadFromTheMessagesOfCore) {

@@ -10,6 +10,7 @@
 #include <QScopeGuard>
 #include <QToolButton>
 #include <algorithm>
+#include <array>
 
 #include "core/lesson/attempts.h"
 #include "core/lesson/lesson_writer.h"
@@ -178,14 +179,53 @@ TEST_F(ReviewWindowTest, notes_lie_beside_the_recording) {
     EXPECT_EQ(read_notes(file_), kept) << "at its moment, to which the click on it led";
 }
 
+// Else the slider and its ticks would move under the mouse.
+TEST_F(ReviewWindowTest, has_its_whole_length_while_it_is_still_read) {
+    open_built_in();
+    window_.open(to_text(file_));
+    ASSERT_TRUE(wait_for([this] { return dock().reviewing(); }));
+    const double length_s = steps / 60.0;
+    while (!dock().complete()) {
+        EXPECT_NEAR(line().end_s(), length_s, 1e-3);
+        EXPECT_LE(line().read_s(), length_s + 1e-9);
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 10);
+    }
+    EXPECT_NEAR(line().end_s(), length_s, 1e-3);
+    EXPECT_NEAR(line().read_s(), length_s, 1e-9);
+}
+
+TEST(TimeLineTest, bars_what_is_not_read_yet) {
+    TimeLine line;
+    line.resize(400, 34);
+    line.set_end(10.0);
+    line.set_read(10.0);
+    const QImage whole = line.grab().toImage();
+    line.set_read(5.0);
+    const QImage half = line.grab().toImage();
+    int left = 0, right = 0;
+    for (int y = 0; y < half.height(); ++y)
+        for (int x = 0; x < half.width(); ++x)
+            if (half.pixel(x, y) != whole.pixel(x, y)) ++(x < half.width() / 2 ? left : right);
+    EXPECT_EQ(left, 0);
+    EXPECT_GT(right, 100);
+}
+
 TEST_F(ReviewWindowTest, nothing_can_be_done_to_it_and_leaving_gives_back_the_free_play) {
     open_built_in();
     look_back();
     line().set_at(0.0);
     EXPECT_TRUE(shows_step(0));
-    window_.actions()[ActionId::reset].trigger();
-    EXPECT_TRUE(shows_step(0));
+    using enum ActionId;
+    const std::array tools{reset,        inject_mode,   edit_mode,  sphere_tool,
+                           capsule_tool, hook_tool,     cut_mode,   weaken_mode,
+                           forceps_tool, close_or_open, remove_drug};
+    for (const ActionId id : tools) {
+        EXPECT_FALSE(window_.actions()[id].isEnabled());
+        EXPECT_TRUE(window_.actions()[id].statusTip().contains("leave the review first"));
+    }
+    EXPECT_TRUE(window_.actions()[pull_mode].isEnabled()) << "a drag turns the view";
     click("reviewLeave");
+    for (const ActionId id : tools) EXPECT_TRUE(window_.actions()[id].isEnabled());
     EXPECT_FALSE(dock().reviewing());
     EXPECT_TRUE(dock().isHidden());
     paint();
