@@ -49,7 +49,7 @@ bool write_case_picture(const std::shared_ptr<const PatientCase>& patient,
     picture.width = 960;
     picture.height = 720;
     colour_vessels(session.world(), *patient, false, picture);
-    picture.bridges = views_of(open_bridges(*patient));
+    picture.bridges = views_of(open_gaps(*patient));
     picture.tumours = tumour_surface(tumour_voxels(patient->organs), job);
     picture.caption = patient->source.name;
     write_png(file, draw_frame(session.frame(), picture).picture);

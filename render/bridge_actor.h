@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gaps that might be bridged: dashed lines from vessel to vessel, each labelled with the confidence
-// that both ends belong to one vessel; and rings around one that was bridged. They are drawn at the
-// vessels' rest positions.
+// that both ends belong to one vessel; branches that may be vessels, likewise; and rings around one
+// that was bridged. They are drawn at the vessels' rest positions.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -24,7 +24,7 @@ namespace hepatica {
 
 struct BridgeView {
     std::vector<Vec3> path_mm;
-    std::string label;
+    std::string label;    // may be empty
     bool chosen = false;  // brighter and wider than the others
     // Above 0: a vessel of this radius was built there, so that rings are drawn around it.
     double around_mm = 0.0;

@@ -30,7 +30,7 @@ struct LegendContent {
     bool torn = false;
     bool lined = false;  // a cut line holds still
     bool bleeds = false;
-    bool gaps = false;    // gaps that might be bridged
+    bool gaps = false;    // gaps that might be bridged, or branches that might be vessels
     bool places = false;  // places of a lesson that are not reached yet
     bool places_reached = false;
     bool tumours = false;

@@ -987,14 +987,6 @@
         <translation>System, dem ein Ast zugeordnet wird</translation>
     </message>
     <message>
-        <source>Bridge it</source>
-        <translation>Überbrücken</translation>
-    </message>
-    <message>
-        <source>Least confidence of the gaps that are shown</source>
-        <translation>Mindestsicherheit der gezeigten Lücken</translation>
-    </message>
-    <message>
         <source>of %1 % or more</source>
         <translation>ab %1 %</translation>
     </message>
@@ -3030,8 +3022,8 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Drücken Sie auf dem Gefäß die linke Maustaste, und halten Sie sie gedrückt.</translation>
     </message>
     <message>
-        <source>Pull it 10 mm aside and hold it there for a second.</source>
-        <translation>Ziehen Sie es 10 mm beiseite, und halten Sie es dort eine Sekunde lang.</translation>
+        <source>Pull it 8 mm aside and hold it there for a second.</source>
+        <translation>Ziehen Sie es 8 mm beiseite, und halten Sie es dort eine Sekunde lang.</translation>
     </message>
     <message>
         <source>Let go and wait until it has swung back.</source>
@@ -6100,10 +6092,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>A place of the lesson</source>
         <translation>Ein Ort der Lektion</translation>
-    </message>
-    <message>
-        <source>A gap, and how sure</source>
-        <translation>Eine Lücke, und wie sicher</translation>
     </message>
     <message>
         <source>%1 mm at the depth of the view&apos;s centre</source>
@@ -9545,10 +9533,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Dehnung (Länge / Länge in Ruhe)</translation>
     </message>
     <message>
-        <source>no gaps</source>
-        <translation>keine Lücken</translation>
-    </message>
-    <message>
         <source>Colour b&amp;y stretch</source>
         <translation>Farben nach De&amp;hnung</translation>
     </message>
@@ -9585,28 +9569,12 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>überbrückt: %1</translation>
     </message>
     <message>
-        <source>Gaps between vessels</source>
-        <translation>Lücken zwischen Gefäßen</translation>
-    </message>
-    <message>
-        <source>What might be bridged is dashed in the view, with the confidence that it is one vessel. A click on the dashed line bridges it, too. Below it stands what the reconstruction has bridged, the doubtful first: the one that is chosen is ringed in the view.</source>
-        <translation>Was überbrückt werden kann, ist in der Ansicht gestrichelt, mit der Sicherheit, dass es ein Gefäß ist. Auch ein Klick auf die gestrichelte Linie überbrückt es. Darunter steht, was die Rekonstruktion überbrückt hat, das Zweifelhafte zuerst: Um das gewählte liegen in der Ansicht Ringe.</translation>
-    </message>
-    <message>
         <source>Refuse it</source>
         <translation>Ablehnen</translation>
     </message>
     <message>
         <source>It is offered no more. What the reconstruction has bridged is cut in its middle. Undo takes that back.</source>
         <translation>Sie wird nicht mehr angeboten. Was die Rekonstruktion überbrückt hat, wird in der Mitte durchtrennt. Rückgängig nimmt das zurück.</translation>
-    </message>
-    <message>
-        <source>Bridge all that are offered</source>
-        <translation>Alle angebotenen überbrücken</translation>
-    </message>
-    <message>
-        <source>All offered gaps that are listed, best first; what another one made needless is left out</source>
-        <translation>Alle angebotenen Lücken der Liste, die beste zuerst; was durch eine andere überflüssig wurde, bleibt weg</translation>
     </message>
     <message>
         <source>Not while you look back on a recording: leave the review first (%1)</source>
@@ -9655,6 +9623,42 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Pull the vessel at the mark aside and hold it there.</source>
         <translation>Ziehen Sie das Gefäß an der Marke beiseite und halten Sie es dort.</translation>
+    </message>
+    <message>
+        <source>%L1 %, branch of %L2 mm</source>
+        <translation>%L1 %, Ast von %L2 mm</translation>
+    </message>
+    <message>
+        <source>Gaps and doubtful branches</source>
+        <translation>Lücken und unsichere Äste</translation>
+    </message>
+    <message>
+        <source>Take it</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>A gap is bridged, a branch is drawn</source>
+        <translation>Eine Lücke wird überbrückt, ein Ast eingezeichnet</translation>
+    </message>
+    <message>
+        <source>Take all that are listed</source>
+        <translation>Alle der Liste übernehmen</translation>
+    </message>
+    <message>
+        <source>All that are offered with this confidence or more, best first; what another one made needless is left out</source>
+        <translation>Alle, die mit dieser Sicherheit oder mehr angeboten sind, das Sicherste zuerst; was durch anderes überflüssig wurde, bleibt weg</translation>
+    </message>
+    <message>
+        <source>Least confidence of what is offered</source>
+        <translation>Geringste Sicherheit dessen, was angeboten wird</translation>
+    </message>
+    <message>
+        <source>What may be a vessel, and how sure</source>
+        <translation>Was ein Gefäß sein kann, und wie sicher</translation>
+    </message>
+    <message>
+        <source>What may be a vessel: gaps between two, and branches that are too faint to be believed, with the confidence that they are vessels. For branches it was learned on synthetic patients: of what was offered on two real ones experts had drawn a quarter to a half. They are dashed in the view, branches in Edit mode; a click on the dashed line takes it, too. Below stands what the reconstruction has bridged, the doubtful first: the one that is chosen is ringed in the view.</source>
+        <translation>Was ein Gefäß sein kann: Lücken zwischen zweien und Äste, die zu schwach sind, um ihnen zu glauben, mit der Sicherheit, dass es Gefäße sind. Bei Ästen ist sie an künstlichen Patienten gelernt: Von dem, was bei zwei wirklichen angeboten wurde, hatten Fachleute ein Viertel bis die Hälfte eingezeichnet. Sie sind in der Ansicht gestrichelt, Äste im Modus Bearbeiten; auch ein Klick auf die gestrichelte Linie übernimmt sie. Darunter steht, was die Rekonstruktion überbrückt hat, das Zweifelhafte zuerst: Um das gewählte liegen in der Ansicht Ringe.</translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,7 @@
 #include "ui/case_editing.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -175,9 +176,10 @@ QStringList lines_of_history(const Workspace& workspace) {
 }
 
 QString text_of(const Bridge& bridge) {
-    return Words::tr("%L1 %, gap of %L2 mm")
-        .arg(100.0 * bridge.confidence, 0, 'f', 0)
-        .arg(bridge.gap_mm, 0, 'f', 1);
+    const QString text = bridge.is_branch() ? Words::tr("%L1 %, branch of %L2 mm")
+                                            : Words::tr("%L1 %, gap of %L2 mm");
+    return text.arg(100.0 * bridge.confidence, 0, 'f', 0)
+        .arg(bridge.gap_mm, 0, 'f', bridge.is_branch() ? 0 : 1);
 }
 
 }  // namespace
@@ -196,14 +198,14 @@ bool CaseEditing::is_apart(const GivenApart& given, const VesselTree& tree) {
 
 CaseEditing::CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks callbacks)
     : panel_(panel), workspace_(workspace), callbacks_(std::move(callbacks)) {
-    panel_.set_callbacks(
-        {[this](int bridge) { choose_bridge(bridge); }, [this](int bridge) { accept(bridge); },
-         [this](int row) { refuse(row); }, [this] { accept_all(); },
-         [this](double confidence) {
-             least_confidence_ = confidence;
-             if (workspace_.has_patient()) show_bridges();
-         },
-         callbacks_.undo, callbacks_.redo, [this] { begin_link({}); }, [this] { click_chosen(); }});
+    panel_.set_callbacks({[this](int row) { draw_bridges(row); }, [this](int row) { accept(row); },
+                          [this](int row) { refuse(row); }, [this] { accept_all(); },
+                          [this](double confidence) {
+                              least_confidence_ = confidence;
+                              if (workspace_.has_patient()) show_bridges();
+                          },
+                          callbacks_.undo, callbacks_.redo, [this] { begin_link({}); },
+                          [this] { click_chosen(); }});
 }
 
 void CaseEditing::show_body() {
@@ -271,41 +273,56 @@ bool CaseEditing::stands(const QString& doubt) const {
 }
 
 // Also by corrections whose body is still being made, or that need none.
-std::vector<Bridge> CaseEditing::bridges_that_are(BridgeState state) const {
+CaseEditing::Bridges CaseEditing::bridges_now() const {
     PatientCase now;
     now.tree = workspace_.patient()->tree;
     now.corrections.bridges = workspace_.patient()->corrections.bridges;
     now.corrections.edits = workspace_.edits();
-    std::vector<Bridge> bridges;
-    for (std::size_t i = 0; i < now.corrections.bridges.size(); ++i)
-        if (state_of_bridge(now, i) == state) bridges.push_back(now.corrections.bridges[i]);
+    Bridges bridges;
+    for (std::size_t i = 0; i < now.corrections.bridges.size(); ++i) {
+        const BridgeState state = state_of_bridge(now, i);
+        if (state == BridgeState::open) bridges.open.push_back(now.corrections.bridges[i]);
+        if (state == BridgeState::built) bridges.built.push_back(now.corrections.bridges[i]);
+    }
+    std::ranges::stable_sort(bridges.open, std::ranges::greater{}, &Bridge::confidence);
     return bridges;
 }
 
 void CaseEditing::show_bridges() {
-    bridges_ = bridges_that_are(BridgeState::open);
-    built_ = bridges_that_are(BridgeState::built);
+    Bridges now = bridges_now();
+    bridges_ = std::move(now.open);
+    built_ = std::move(now.built);
     std::ranges::reverse(built_);
     bridges_listed_ = bridges_.size();
     const std::size_t hidden = std::erase_if(
         bridges_, [this](const Bridge& bridge) { return bridge.confidence < least_confidence_; });
-    callbacks_.show_bridges(views_of(bridges_));
     QStringList offered, built;
     for (const Bridge& bridge : bridges_) offered << text_of(bridge);
     for (const Bridge& bridge : built_) built << Words::tr("bridged: %1").arg(text_of(bridge));
     panel_.show_bridges(offered, built, hidden);
+    draw_bridges(-1);
 }
 
 // Of the tree as it will be with all wanted corrections: two gaps may lead to one vessel.
 void CaseEditing::accept_all() {
     if (!workspace_.has_patient()) return;
-    std::vector<TreeEdit> edits;
-    try {
-        edits = acceptances(wanted(), least_confidence_);
-    } catch (const InputError&) {
-        return callbacks_.say(Words::tr("Wait until the corrections before it are made"));
-    }
-    for (const TreeEdit& edit : edits) callbacks_.add(edit);
+    PatientCase shown;
+    shown.tree = workspace_.patient()->tree;
+    shown.corrections = workspace_.patient()->corrections;
+    BackgroundJob::Callbacks callbacks;
+    callbacks.failed = [this](const Failure&) {
+        callbacks_.say(Words::tr("Wait until the corrections before it are made"));
+    };
+    callbacks.ended = [] {};
+    accepting_ = std::make_unique<BackgroundJob>(
+        [this, shown = std::move(shown), edits = workspace_.edits(), least = least_confidence_,
+         version = workspace_.version()](Job&) -> std::function<void()> {
+            const std::vector<TreeEdit> found = acceptances(with_edited_tree(shown, edits), least);
+            return [this, found, version] {
+                if (version == workspace_.version()) callbacks_.add_all(found);
+            };
+        },
+        std::move(callbacks));
 }
 
 PatientCase CaseEditing::wanted() const {
@@ -336,9 +353,8 @@ void CaseEditing::add(const TreeEdit& edit) {
 void CaseEditing::update_panel() {
     if (!workspace_.has_patient()) return;
     // Only then, because the list forgets which row is chosen.
-    if (bridges_that_are(BridgeState::open).size() != bridges_listed_ ||
-        bridges_that_are(BridgeState::built).size() != built_.size())
-        show_bridges();
+    const Bridges now = bridges_now();
+    if (now.open.size() != bridges_listed_ || now.built.size() != built_.size()) show_bridges();
     panel_.show_edits(lines_of_history(workspace_));
     show_history();
     QStringList state;
@@ -377,17 +393,29 @@ const Bridge* CaseEditing::bridge_of(int row) const {
 }
 
 // Of the built ones, which the view shows as vessels, only the chosen one is drawn.
-void CaseEditing::choose_bridge(int row) {
-    std::vector<BridgeView> views = views_of(bridges_);
-    const Bridge* chosen = bridge_of(row);
-    if (chosen != nullptr && chosen->built) {
+void CaseEditing::draw_bridges(int chosen_row) {
+    std::vector<BridgeView> views;
+    drawn_.clear();
+    for (int row = 0; row < std::ssize(bridges_); ++row) {
+        const Bridge& bridge = bridges_[static_cast<std::size_t>(row)];
+        const bool chosen = row == chosen_row;
+        if (bridge.is_branch() && !edit_mode_ && !chosen) continue;
+        views.push_back(views_of({bridge}).front());
+        views.back().chosen = chosen;
+        if (bridge.is_branch() && !chosen) views.back().label.clear();
+        drawn_.push_back(row);
+    }
+    if (const Bridge* chosen = bridge_of(chosen_row); chosen != nullptr && chosen->built) {
         views.push_back(views_of({*chosen}).front());
         views.back().around_mm = std::max(chosen->from_radius_mm, chosen->to_radius_mm);
         views.back().chosen = true;
-    } else if (chosen != nullptr) {
-        views[static_cast<std::size_t>(row)].chosen = true;
+        drawn_.push_back(chosen_row);
     }
     callbacks_.show_bridges(std::move(views));
+}
+
+void CaseEditing::set_edit_mode(bool on) {
+    if (std::exchange(edit_mode_, on) != on && workspace_.has_patient()) draw_bridges(-1);
 }
 
 void CaseEditing::begin_link(const std::optional<Vec3>& from_mm) {
@@ -437,9 +465,13 @@ void CaseEditing::click_chosen() {
     click({branch, 0.5 * length_mm(branches[static_cast<std::size_t>(branch)])});
 }
 
-void CaseEditing::accept(int bridge) {
-    if (bridge < 0 || bridge >= static_cast<int>(bridges_.size())) return;
-    callbacks_.add(acceptance_of(bridges_[static_cast<std::size_t>(bridge)]));
+void CaseEditing::accept(int row) {
+    const Bridge* bridge = bridge_of(row);
+    if (bridge != nullptr && !bridge->built) callbacks_.add(acceptance_of(*bridge));
+}
+
+void CaseEditing::accept_drawn(int view) {
+    if (view >= 0 && view < std::ssize(drawn_)) accept(drawn_[static_cast<std::size_t>(view)]);
 }
 
 void CaseEditing::refuse(int row) {

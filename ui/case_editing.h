@@ -24,6 +24,7 @@ class CaseEditing {
   public:
     struct Callbacks {
         std::function<void(const TreeEdit&)> add;
+        std::function<void(const std::vector<TreeEdit>&)> add_all;
         std::function<void()> undo;
         std::function<void()> redo;
         // What undo and redo would change, in words; empty: nothing.
@@ -56,7 +57,10 @@ class CaseEditing {
     const std::optional<Vec3>& link_from_mm() const { return link_from_mm_; }
     // Whether what was warned of in this line is still so.
     bool stands(const QString& doubt) const;
-    void accept(int bridge);  // an offered one; no effect otherwise
+    // The offered one that is drawn as this view (BridgeView) of the scene; no effect otherwise.
+    void accept_drawn(int view);
+    // In Edit mode doubtful branches are drawn as well: there are too many of them for a play.
+    void set_edit_mode(bool on);
     // Follows a vessel through these places of the patient's CT in the background. Without a radius
     // that is measured, too. A drawing that is still running ends without an answer.
     void draw(const Volume& ct, const std::vector<Vec3>& places_mm,
@@ -78,8 +82,9 @@ class CaseEditing {
     void begin_link(const std::optional<Vec3>& from_mm);
     // `apart`: it touches no other vessel.
     void add_drawn(const TreeEdit& edit, bool apart, const VesselPen::Answered& answered);
-    // Rows of the panel: offered gaps, then built ones.
-    void choose_bridge(int row);
+    // Rows of the panel: offered bridges, then built ones.
+    void accept(int row);
+    void draw_bridges(int chosen_row);
     void refuse(int row);
     const Bridge* bridge_of(int row) const;
     void accept_all();
@@ -88,11 +93,14 @@ class CaseEditing {
     PatientCase wanted() const;
     // Asks for the correction, unless it gives a vessel to the system that it surely has; says so.
     void add(const TreeEdit& edit);
-    // Lists the gaps that are undecided and have enough confidence, which are drawn, too, and those
-    // that the reconstruction built.
+    // Lists what is undecided and has enough confidence, which is drawn, too, and what the
+    // reconstruction built.
     void show_bridges();
-    // Those that the wanted corrections leave in this state, best first.
-    std::vector<Bridge> bridges_that_are(BridgeState state) const;
+    // What the wanted corrections leave undecided, best first, and built.
+    struct Bridges {
+        std::vector<Bridge> open, built;
+    };
+    Bridges bridges_now() const;
     void warn_of_new_doubts();
     // A sentence for each system that was given a vessel which became a tree of its own there.
     QStringList given_apart();
@@ -103,6 +111,9 @@ class CaseEditing {
     std::vector<Bridge> bridges_;     // offered in the panel, best first
     std::size_t bridges_listed_ = 0;  // how many were undecided then, with those of less confidence
     std::vector<Bridge> built_;       // listed behind them, the most doubtful first
+    std::vector<int> drawn_;          // rows of what is drawn
+    bool edit_mode_ = false;
+    std::unique_ptr<BackgroundJob> accepting_;
     double least_confidence_ = 0.0;
     std::optional<Vec3> link_from_mm_;
     std::vector<std::string> doubts_;           // of the shown body

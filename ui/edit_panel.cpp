@@ -113,15 +113,18 @@ QWidget* EditPanel::make_tools() {
 }
 
 QWidget* EditPanel::make_bridges() {
-    auto* box = new QGroupBox(Words::tr("Gaps between vessels"), this);
+    auto* box = new QGroupBox(Words::tr("Gaps and doubtful branches"), this);
     auto* column = new QVBoxLayout(box);
-    bridges_ = make_list(box, Words::tr("Gaps between vessels"));
+    bridges_ = make_list(box, Words::tr("Gaps and doubtful branches"));
     bridges_->setObjectName("gaps");
-    bridges_->setToolTip(
-        Words::tr("What might be bridged is dashed in the view, with the confidence that it is one "
-                  "vessel. A click on the dashed line bridges it, too. Below it stands what the "
-                  "reconstruction has bridged, the doubtful first: the one that is chosen is "
-                  "ringed in the view."));
+    bridges_->setToolTip(Words::tr(
+        "What may be a vessel: gaps between two, and branches that are too faint to be "
+        "believed, with the confidence that they are vessels. For branches it was learned "
+        "on synthetic patients: of what was offered on two real ones experts had drawn "
+        "a quarter to a half. They are dashed in the view, branches in Edit mode; a click on the "
+        "dashed line takes it, too. Below "
+        "stands what the reconstruction has bridged, the doubtful first: the one that is "
+        "chosen is ringed in the view."));
     column->addWidget(bridges_);
     add_confidence_slider(*column);
     add_decisions(*column);
@@ -135,7 +138,9 @@ QWidget* EditPanel::make_bridges() {
 
 void EditPanel::add_decisions(QVBoxLayout& column) {
     auto* one = new QHBoxLayout;
-    accept_ = new QPushButton(Words::tr("Bridge it"), this);
+    accept_ = new QPushButton(Words::tr("Take it"), this);
+    accept_->setObjectName("acceptGap");
+    accept_->setToolTip(Words::tr("A gap is bridged, a branch is drawn"));
     refuse_ = new QPushButton(Words::tr("Refuse it"), this);
     refuse_->setObjectName("refuseGap");
     refuse_->setToolTip(
@@ -144,11 +149,11 @@ void EditPanel::add_decisions(QVBoxLayout& column) {
     one->addWidget(accept_);
     one->addWidget(refuse_);
     column.addLayout(one);
-    accept_all_ = new QPushButton(Words::tr("Bridge all that are offered"), this);
+    accept_all_ = new QPushButton(Words::tr("Take all that are listed"), this);
     accept_all_->setObjectName("acceptAll");
     accept_all_->setToolTip(
-        Words::tr("All offered gaps that are listed, best first; what another one made needless is "
-                  "left out"));
+        Words::tr("All that are offered with this confidence or more, best first; what another one "
+                  "made needless is left out"));
     column.addWidget(accept_all_);
     const auto accept = [this] {
         const int row = bridges_->currentRow();
@@ -166,7 +171,7 @@ void EditPanel::add_confidence_slider(QVBoxLayout& column) {
     auto* row = new QHBoxLayout;
     auto* slider = new QSlider(Qt::Horizontal, this);
     slider->setObjectName("bridgeConfidence");
-    slider->setAccessibleName(Words::tr("Least confidence of the gaps that are shown"));
+    slider->setAccessibleName(Words::tr("Least confidence of what is offered"));
     slider->setRange(0, 100);
     auto* value = new QLabel(Words::tr("of %1 % or more").arg(0), this);
     value->setMinimumWidth(
@@ -223,7 +228,7 @@ void EditPanel::show_bridges(const QStringList& offered, const QStringList& buil
     accept_all_->setEnabled(!offered.isEmpty());
     if (none)
         bridges_->addItem(hidden > 0 ? Words::tr("none; with less confidence: %1").arg(hidden)
-                                     : Words::tr("no gaps"));
+                                     : Words::tr("none"));
 }
 
 void EditPanel::show_edits(const QStringList& lines) {

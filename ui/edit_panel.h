@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Panel of corrections: the tool for the next click, gaps that might be bridged or were, and the
-// corrections made so far.
+// Panel of corrections: the tool for the next click, gaps that might be bridged or were and
+// branches that may be vessels, and the corrections made so far.
 #pragma once
 
 #include <QStringList>

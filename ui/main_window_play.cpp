@@ -397,6 +397,7 @@ void MainWindow::set_mouse_mode(MouseMode mode) {
     if (auto* button = findChild<QToolButton*>("measureButton"))
         button->setChecked(mode == MouseMode::measure);
     view_->setCursor(mode == MouseMode::pull ? Qt::ArrowCursor : Qt::CrossCursor);
+    if (editing_) editing_->set_edit_mode(mode == MouseMode::edit);
     const bool draws = mode == MouseMode::cut || mode == MouseMode::weaken;
     tool_panel_->show_kind(view_->mouse().hand().kind(), draws ? guidance_of(mode) : QString());
     if (mode == MouseMode::tool || draws) findChild<QDockWidget*>("Tool")->raise();

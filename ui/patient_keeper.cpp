@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QDate>
 #include <QMetaObject>
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -142,10 +143,10 @@ void PatientKeeper::arrived(const OpenRequest& request,
     leave_if_safe(show, screen_.not_opened);
 }
 
-void PatientKeeper::add(const TreeEdit& edit) {
+void PatientKeeper::add_all(const std::vector<TreeEdit>& edits) {
     if (!workspace_.has_patient()) return;
-    workspace_.add(edit);
-    changes_tree(edit.kind) ? correct() : screen_.changed();
+    for (const TreeEdit& edit : edits) workspace_.add(edit);
+    std::ranges::any_of(edits, changes_tree, &TreeEdit::kind) ? correct() : screen_.changed();
 }
 
 // A rebuild replaces the patient, so undo and redo must wait.

@@ -108,7 +108,8 @@ class PatientKeeper {
     // Each returns at once. A newer opening replaces one under way.
     void open(const OpenRequest& request);
     // Adds a correction; one of the tree is then computed.
-    void add(const TreeEdit& edit);
+    void add(const TreeEdit& edit) { add_all({edit}); }
+    void add_all(const std::vector<TreeEdit>& edits);
     // Adds a stroke at the vessel mask, which waits for a rebuild.
     void add_stroke(const BrushStroke& stroke);
     // All that was measured on the patient, to be kept with the case.

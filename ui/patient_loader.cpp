@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/flow/flow_shares.h"
+#include "core/links/link_model.h"
 #include "core/scene/measured_dial.h"
 #include "core/session/session.h"
 #include "ui/packed_lessons.h"
@@ -34,8 +35,9 @@ void drop_damaged_dial(OpenedPatient& opened) {
     }
 }
 
-OpenRequest with_cached_dial(OpenRequest request) {
+OpenRequest as_the_window_opens(OpenRequest request) {
     request.cache.with_dial = true;
+    if (!request.built_in) request.reconstruct.offers = shipped_link_model();
     return request;
 }
 
@@ -61,7 +63,7 @@ LoadedPatient play_with(const DeformBackEnd& back_end, std::shared_ptr<const Pat
 LoadedPatient load_patient(const OpenRequest& request, Job& job, const DeformBackEnd& back_end) {
     constexpr int preparing = 1, building_the_scene = 1;
     job.expect_stages(opening_stage_count(request) + preparing + building_the_scene);
-    OpenedPatient opened = open_patient(with_cached_dial(request), job);
+    OpenedPatient opened = open_patient(as_the_window_opens(request), job);
     for (auto* list : {&opened.warnings, &opened.warnings_of_image})
         for (std::string& warning : *list) warning = in_window_words(std::move(warning));
     if (!opened.cached_case.empty()) drop_damaged_dial(opened);

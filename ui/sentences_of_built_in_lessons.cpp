@@ -39,7 +39,7 @@ constexpr std::array sentences_built_in_lessons{
               "stretch of 1.25, and do not jerk: 2000 mN end it."),
     Words::id("Take hold of the vessel at the mark."),
     Words::id("Press the left mouse button on the vessel and keep it down."),
-    Words::id("Pull it 10 mm aside and hold it there for a second."),
+    Words::id("Pull it 8 mm aside and hold it there for a second."),
     Words::id(
         "Move slowly: what is stretched pulls back, in one direction more than in another. If the "
         "stretch is too large too soon, begin again and pull another way. The number at the "

@@ -254,7 +254,7 @@ constexpr std::array sentences_play{
     Words::id("Target, in the chosen branch"),
     Words::id("Downstream of the pointer"),
     Words::id("The chosen branch"),
-    Words::id("A gap, and how sure"),
+    Words::id("What may be a vessel, and how sure"),
     Words::id("Cut or torn"),
     Words::id("Blood (1/10 of the volume)"),
     Words::id("%1 mm at the depth of the view's centre"),

@@ -33,8 +33,9 @@ Json to_json(const std::vector<Bridge>& bridges) {
     for (const Bridge& bridge : bridges) {
         const Vec3& from = bridge.path_mm.front();
         const Vec3& to = bridge.path_mm.back();
-        list.push_back({{"confidence", bridge.confidence},
-                        {"gap_mm", bridge.gap_mm},
+        list.push_back({{"kind", bridge.is_branch() ? "branch" : "gap"},
+                        {"confidence", bridge.confidence},
+                        {bridge.is_branch() ? "length_mm" : "gap_mm", bridge.gap_mm},
                         {"from_mm", {from.x(), from.y(), from.z()}},
                         {"to_mm", {to.x(), to.y(), to.z()}},
                         {"built", bridge.built}});

@@ -115,6 +115,7 @@ Json run_bench_reconstruct(BenchReconstructChoices options, Job& job) {
         options.liver_mask = options.out / "patient" / "liver.nii.gz";
     }
     ReconstructOptions reconstruction;
+    reconstruction.offers = shipped_link_model();  // as everybody reconstructs
     reconstruction.ct = options.ct;
     if (!options.liver_mask.empty()) reconstruction.liver_mask = options.liver_mask;
     if (!options.vessel_mask.empty()) reconstruction.vessel_mask = options.vessel_mask;

@@ -15,7 +15,6 @@
 #include "app/verbs/reconstruction_json.h"
 #include "app/verbs/verbs.h"
 #include "core/base/error.h"
-#include "core/base/program_files.h"
 #include "core/patient/doubts_json.h"
 #include "core/patient/liver_segments.h"
 #include "core/reconstruction/reconstruct.h"
@@ -36,6 +35,7 @@ struct ReconstructChoices {
     std::vector<std::string> vessel_labels;
     std::string method = "coherent";
     std::string model = "none";
+    std::string offers = "shipped";
     std::string thinning = "queue";
     bool as_published = false;
     BatchOptions batch;
@@ -87,7 +87,12 @@ VesselSeed parse_seed(const std::string& text) {
     return seed;
 }
 
-// The model's file: nothing for "none", the program's own for "shipped".
+// A model's file: nothing for "none", the program's own for "shipped".
+std::optional<fs::path> model_named(const std::string& name) {
+    if (name == "none") return std::nullopt;
+    return name == "shipped" ? shipped_link_model() : fs::path(name);
+}
+
 std::optional<fs::path> parse_model(const ReconstructChoices& options) {
     if (options.model == "none") return std::nullopt;
     if (options.method != "coherent" || options.as_published || !options.window.empty() ||
@@ -95,7 +100,7 @@ std::optional<fs::path> parse_model(const ReconstructChoices& options) {
         throw UsageError("there is nothing to choose for a model", "--model",
                          "Give it with --method coherent, without --window, --vessel-mask and "
                          "--as-published, or leave it out");
-    return options.model == "shipped" ? asset("models/links.json") : fs::path(options.model);
+    return model_named(options.model);
 }
 
 void parse(ReconstructChoices& options) {
@@ -116,6 +121,7 @@ void parse(ReconstructChoices& options) {
     reconstruct.vessel_labels = parse_vessel_labels(options.vessel_labels);
     reconstruct.method = methods.at(options.method);
     reconstruct.model = parse_model(options);
+    reconstruct.offers = model_named(options.offers);
     if (options.thinning == "parallel") reconstruct.thinning = ThinningMethod::parallel;
     require_utf8("--name", reconstruct.name);
     if (options.as_published) use_as_published(reconstruct);
@@ -240,6 +246,10 @@ void add_methods(CLI::App& verb, ReconstructChoices& options) {
     verb.add_option("--model", options.model,
                     "What chooses among lines that are fainter than --method coherent believes: a "
                     "file that `train` made, shipped (the one that comes with the program) or none")
+        ->capture_default_str();
+    verb.add_option("--offers", options.offers,
+                    "What offers branches among those lines where --model chooses none: shipped, a "
+                    "file or none. `edit` takes or refuses them")
         ->capture_default_str();
     verb.add_option("--accept-bridges", reconstruct.bridge_confidence,
                     "Bridge gaps of this confidence or more; the others are offered")

@@ -201,7 +201,7 @@ Json run_render(const RenderChoices& options, Job& job) {
     if (!options.ct.empty()) picture.ct = ct_of_case(options, *patient, job);
     job.begin_stage("Drawing");
     colour_vessels(session->world(), *patient, options.segments, picture);
-    picture.bridges = views_of(open_bridges(*patient));
+    picture.bridges = views_of(open_gaps(*patient));
     picture.caption = patient->source.name;
     if (options.liver) picture.liver = liver_of_case(options, *patient, job);
     if (may_hold_tumours(*patient))

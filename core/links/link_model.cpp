@@ -12,6 +12,7 @@
 #include "core/base/json_number.h"
 #include "core/base/json_problem.h"
 #include "core/base/number_text.h"
+#include "core/base/program_files.h"
 #include "core/base/text_file.h"
 
 namespace hepatica {
@@ -102,6 +103,10 @@ void write_link_model(const std::filesystem::path& file, const LinkModel& model)
         text += "]";
     }
     write_text_atomically(file, text + "]}\n");
+}
+
+std::filesystem::path shipped_link_model() {
+    return asset("models/links.json");
 }
 
 }  // namespace hepatica

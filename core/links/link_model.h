@@ -22,6 +22,9 @@ struct LinkModel {
 // Throws InputError, naming the file and what is wrong with it.
 LinkModel read_link_model(const std::filesystem::path& file);
 
+// The file that comes with the program. Throws InputError where it is missing.
+std::filesystem::path shipped_link_model();
+
 // Writes the file atomically. Throws InputError where it cannot be written.
 void write_link_model(const std::filesystem::path& file, const LinkModel& model);
 

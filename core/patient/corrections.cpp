@@ -3,6 +3,7 @@
 #include "core/patient/corrections.h"
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
@@ -11,6 +12,7 @@
 #include "core/mesh/manifold_attempts.h"
 #include "core/mesh/surface.h"
 #include "core/mesh/tetrahedralize.h"
+#include "core/patient/branch_offers.h"
 #include "core/patient/case_header.h"
 #include "core/patient/liver_segments.h"
 #include "core/patient/painted_tumours.h"
@@ -27,7 +29,9 @@ std::vector<int> root_of_segments(const VesselTree& tree) {
     return root;
 }
 
-bool joins_two_vessels(const VesselTree& tree, const Bridge& bridge) {
+bool fits(const VesselTree& tree, const Bridge& bridge) {
+    if (tree.segments.empty()) return false;
+    if (bridge.is_branch()) return leads_out_of(tree, bridge);
     const std::vector<int> root = root_of_segments(tree);
     const int from = nearest_point(tree, bridge.path_mm.front()).segment;
     const int to = nearest_point(tree, bridge.path_mm.back()).segment;
@@ -36,7 +40,8 @@ bool joins_two_vessels(const VesselTree& tree, const Bridge& bridge) {
 
 bool is_taken_up(const Bridge& bridge, const std::vector<TreeEdit>& edits) {
     return std::ranges::any_of(edits, [&](const TreeEdit& edit) {
-        return edit.kind == TreeEditKind::add_link && edit.path_mm == bridge.path_mm;
+        return (edit.kind == TreeEditKind::add_link || edit.kind == TreeEditKind::draw_vessel) &&
+               edit.path_mm == bridge.path_mm;
     });
 }
 
@@ -114,8 +119,7 @@ BridgeState state_of_bridge(const PatientCase& patient, std::size_t index) {
     const auto refuses_it = [&](const TreeEdit& edit) { return refuses(edit, bridge); };
     if (std::ranges::any_of(edits, refuses_it)) return BridgeState::refused;
     if (bridge.built) return BridgeState::built;
-    const bool joins = !patient.tree.segments.empty() && joins_two_vessels(patient.tree, bridge);
-    return joins ? BridgeState::open : BridgeState::needless;
+    return fits(patient.tree, bridge) ? BridgeState::open : BridgeState::needless;
 }
 
 std::vector<Bridge> open_bridges(const PatientCase& patient) {
@@ -123,10 +127,18 @@ std::vector<Bridge> open_bridges(const PatientCase& patient) {
     for (std::size_t i = 0; i < patient.corrections.bridges.size(); ++i)
         if (state_of_bridge(patient, i) == BridgeState::open)
             open.push_back(patient.corrections.bridges[i]);
+    std::ranges::stable_sort(open, std::ranges::greater{}, &Bridge::confidence);
     return open;
 }
 
+std::vector<Bridge> open_gaps(const PatientCase& patient) {
+    std::vector<Bridge> gaps = open_bridges(patient);
+    std::erase_if(gaps, [](const Bridge& bridge) { return bridge.is_branch(); });
+    return gaps;
+}
+
 TreeEdit acceptance_of(const Bridge& bridge) {
+    if (bridge.is_branch()) return drawing_of({bridge.path_mm, bridge.radii_mm});
     TreeEdit link;
     link.kind = TreeEditKind::add_link;
     link.at_mm = bridge.path_mm.front();
@@ -160,12 +172,34 @@ bool refuses(const TreeEdit& edit, const Bridge& bridge) {
 }
 
 std::vector<TreeEdit> acceptances(const PatientCase& patient, double confidence) {
+    std::vector<Bridge> waiting;
+    for (std::size_t i = 0; i < patient.corrections.bridges.size(); ++i) {
+        const Bridge& bridge = patient.corrections.bridges[i];
+        const BridgeState state = state_of_bridge(patient, i);
+        // What hangs on no vessel now may hang on a branch that is taken.
+        const bool may_fit = state == BridgeState::needless && bridge.is_branch();
+        if (bridge.confidence >= confidence && (state == BridgeState::open || may_fit))
+            waiting.push_back(bridge);
+    }
+    std::ranges::stable_sort(waiting, std::ranges::greater{}, &Bridge::confidence);
     std::vector<TreeEdit> accepted;
     VesselTree tree = patient.tree;
-    for (const Bridge& bridge : open_bridges(patient)) {
-        if (bridge.confidence < confidence || !joins_two_vessels(tree, bridge)) continue;
-        accepted.push_back(acceptance_of(bridge));
-        tree = edited(tree, accepted.back());
+    const auto take = [&](const Bridge& bridge) {
+        if (!fits(tree, bridge)) return false;
+        try {
+            tree = edited(tree, acceptance_of(bridge));
+            accepted.push_back(acceptance_of(bridge));
+        } catch (const InputError&) {
+            // It would join two systems, for example: by itself it says why.
+        }
+        return true;
+    };
+    for (bool more = true; more;) {
+        std::vector<Bridge> left;
+        for (const Bridge& bridge : waiting)
+            if (!take(bridge)) left.push_back(bridge);
+        more = left.size() < waiting.size();
+        waiting = std::move(left);
     }
     return accepted;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Corrections of a case: gaps that the reconstruction offers to bridge, and edits by hand. Edits
-// are kept with the case as commands on the extracted tree, so that any of them can be undone; the
-// body always matches the tree.
+// Corrections of a case: gaps that the reconstruction offers to bridge, branches that may be
+// vessels, and edits by hand. Edits are kept with the case as commands on the extracted tree, so
+// that any of them can be undone; the body always matches the tree.
 #pragma once
 
 #include <string>
@@ -14,11 +14,12 @@
 namespace hepatica {
 
 enum class BridgeState {
-    open,      // offered, undecided
+    open,      // offered, undecided; a branch leads out of the tree
     built,     // by the reconstruction
     accepted,  // built by an edit
     refused,   // by an edit; a built bridge by a cut
-    needless,  // its ends are joined already, or one of them is gone
+    needless,  // its ends are joined already, or one of them is gone; a branch hangs on no vessel,
+               // or lies in one
 };
 
 // Name for files and the command line: open, built, accepted, refused or needless.
@@ -26,10 +27,12 @@ std::string name_of(BridgeState state);
 // State of corrections.bridges[index].
 BridgeState state_of_bridge(const PatientCase& patient, std::size_t index);
 
-// The undecided bridges, best first.
+// The undecided bridges, best first; and those of them that are gaps, which are few enough for
+// every picture.
 std::vector<Bridge> open_bridges(const PatientCase& patient);
+std::vector<Bridge> open_gaps(const PatientCase& patient);
 
-// The edit that builds a bridge.
+// The edit that builds a bridge, or draws a branch.
 TreeEdit acceptance_of(const Bridge& bridge);
 
 // The edit that refuses a bridge. One that the reconstruction built is removed by a cut in its
@@ -40,7 +43,7 @@ TreeEdit refusal_of(const Bridge& bridge);
 bool refuses(const TreeEdit& edit, const Bridge& bridge);
 
 // The edits that build all open bridges of this confidence or more, best first, without those that
-// earlier ones make needless.
+// earlier ones make needless; and branches that hang on others of these.
 std::vector<TreeEdit> acceptances(const PatientCase& patient, double confidence);
 
 // Options of the body's mesh, from `source.parameters_json`. Missing ones take their defaults.

@@ -3,6 +3,7 @@
 #include "core/patient/patient_case.h"
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -97,6 +98,9 @@ void read_corrections(const fs::path& folder, const CaseHeader& header, PatientC
         const Json json = json_of_corrections(file);
         const std::string edits = json.at("edits").dump();
         corrections.bridges = bridges_from_json(json.at("bridges").dump(), file.string());
+        if (json.contains("branches"))
+            std::ranges::move(bridges_from_json(json["branches"].dump(), file.string()),
+                              std::back_inserter(corrections.bridges));
         corrections.edits =
             edits_from_json(old ? edits_of_format_1(edits, seeded) : edits, file.string());
         corrections.rebuilt = rebuilt_from(json);
@@ -140,8 +144,13 @@ void read_all_voxels(const fs::path& folder, const CaseHeader& header, PatientCa
 void write_corrections(const fs::path& folder, const Corrections& corrections) {
     if (corrections.bridges.empty() && corrections.edits.empty() && corrections.rebuilt.empty())
         return;
-    Json json{{"bridges", Json::parse(bridges_to_json(corrections.bridges))},
+    // Branches stand apart: earlier programs would take them for gaps.
+    std::vector<Bridge> gaps, branches;
+    for (const Bridge& bridge : corrections.bridges)
+        (bridge.is_branch() ? branches : gaps).push_back(bridge);
+    Json json{{"bridges", Json::parse(bridges_to_json(gaps))},
               {"edits", Json::parse(edits_to_json(corrections.edits))}};
+    if (!branches.empty()) json["branches"] = Json::parse(bridges_to_json(branches));
     if (!corrections.rebuilt.empty()) json["rebuilt"] = json_of(corrections.rebuilt);
     write_text_atomically(folder / case_file::corrections, json.dump(1) + "\n");
     if (!corrections.edits.empty())

@@ -122,13 +122,16 @@ Mask without_others(const MeasuredLiver& measured, const Mask& vessels, const Jo
 }
 
 DetectedVessels detect_in_liver(const Volume& ct, const SegmentationOptions& options,
-                                double line_share, Job& job) {
+                                double line_share, const std::optional<double>& doubtful_share,
+                                Job& job) {
     DetectedVessels result{measure_liver(ct, options, job), {}};
     job.begin_stage("Segmenting the vessels");
     Detection& detection = result.detection;
     detection = detect_vessels(result.tissue, result.frame.liver, ct.grid.spacing_mm,
-                               {options.method, line_share}, job);
+                               {options.method, line_share, doubtful_share}, job);
     detection.vessels = without_others(result, detection.vessels, job);
+    if (!detection.doubtful.voxels.empty())
+        detection.doubtful = without_others(result, detection.doubtful, job);
     for (std::size_t i = 0; i < detection.centreline.voxels.size(); ++i)
         if (!detection.vessels.voxels[i]) detection.centreline.voxels[i] = 0;
     return result;

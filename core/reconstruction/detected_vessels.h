@@ -32,9 +32,10 @@ MeasuredLiver measure_liver(const Volume& ct, const SegmentationOptions& options
 // Throws Cancelled.
 Mask without_others(const MeasuredLiver& measured, const Mask& vessels, const Job& job);
 
-// measure_liver(), then the stage "Segmenting the vessels". line_share: see DetectionOptions.
+// measure_liver(), then the stage "Segmenting the vessels". The shares: see DetectionOptions.
 DetectedVessels detect_in_liver(const Volume& ct, const SegmentationOptions& options,
-                                double line_share, Job& job);
+                                double line_share, const std::optional<double>& doubtful_share,
+                                Job& job);
 
 // The contrast of the detected vessels, measured away from the liver's border.
 ContrastStatistics contrast_of(const DetectedVessels& found, Job& job);

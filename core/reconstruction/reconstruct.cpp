@@ -11,6 +11,7 @@
 #include "core/image/filters.h"
 #include "core/image/morphology.h"
 #include "core/image/volume_reader.h"
+#include "core/patient/branch_offers.h"
 #include "core/patient/image_digest.h"
 #include "core/reconstruction/liver_side.h"
 #include "core/reconstruction/reconstruct_parameters.h"
@@ -46,6 +47,7 @@ struct Anatomy {
     Mask organs;                  // organ_label; empty where no liver was given or found
     ContrastStatistics contrast;  // zero where the vessels were given
     std::optional<Vec3> portal_trunk_mm;
+    std::vector<Bridge> offered;  // branches that may be vessels
 };
 
 // The liver as a case keeps it: cut to its bounding box with a margin.
@@ -94,20 +96,35 @@ Anatomy given_anatomy(const ReconstructOptions& options, const Grid& ct_grid,
     return anatomy;
 }
 
-// Whether lines are chosen by a model.
-bool chooses(const ReconstructOptions& options) {
-    return options.model && !options.vessel_mask && !options.window_hu &&
+// Whether a model can choose lines, or offer some.
+bool takes_models(const ReconstructOptions& options) {
+    return !options.vessel_mask && !options.window_hu &&
            options.method == SegmentationMethod::coherent;
 }
 
-Anatomy segmented_anatomy(const ReconstructOptions& options, std::optional<LinkModel> model,
-                          const Volume& ct, std::vector<std::string>& warnings, Job& job) {
+struct Models {
+    std::optional<LinkModel> chooses, offers;
+};
+
+Models models_of(const ReconstructOptions& options) {
+    Models models;
+    if (!takes_models(options)) return models;
+    if (options.model)
+        models.chooses = read_link_model(*options.model);
+    else if (options.offers)
+        models.offers = read_link_model(*options.offers);
+    return models;
+}
+
+Anatomy segmented_anatomy(const ReconstructOptions& options, Models models, const Volume& ct,
+                          std::vector<std::string>& warnings, Job& job) {
     SegmentationOptions segmentation;
     segmentation.method = options.method;
     segmentation.window_hu = options.window_hu;
     segmentation.refinement_recursions = options.refinement_recursions;
     segmentation.spacing_mm = options.spacing_mm;
-    segmentation.model = std::move(model);
+    segmentation.model = std::move(models.chooses);
+    segmentation.offers = std::move(models.offers);
     segmentation.liver = given_liver(options, ct.grid, job);
     Anatomy anatomy;
     if (segmentation.liver) {
@@ -120,6 +137,7 @@ Anatomy segmented_anatomy(const ReconstructOptions& options, std::optional<LinkM
     anatomy.vessels = std::move(found.mask);
     anatomy.contrast = found.statistics;
     anatomy.portal_trunk_mm = found.trunk_mm;
+    anatomy.offered = std::move(found.offered);
     if (!segmentation.liver) anatomy.organs = organs_of(found.liver);
     return anatomy;
 }
@@ -137,8 +155,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     Reconstruction result;
     PatientCase& patient = result.patient;
     // Read first, so that a wrong file is refused before the long work.
-    std::optional<LinkModel> model;
-    if (chooses(options)) model = read_link_model(*options.model);
+    Models models = models_of(options);
     const auto read =
         std::make_shared<const Volume>(read_volume(options.ct, job, &warnings, options.series));
     const Volume& ct = *read;
@@ -152,7 +169,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
 
     Anatomy anatomy = options.vessel_mask
                           ? given_anatomy(options, ct.grid, warnings, job)
-                          : segmented_anatomy(options, std::move(model), ct, warnings, job);
+                          : segmented_anatomy(options, std::move(models), ct, warnings, job);
     patient.mask = std::move(anatomy.vessels);
     patient.organs = std::move(anatomy.organs);
     if (lies_on_the_left(patient.organs, ct, job))
@@ -178,6 +195,7 @@ Reconstruction reconstruct(const ReconstructOptions& options, std::vector<std::s
     result.warnings_of_image = warnings.size();
     result.checks = make_tree(from_voxels, ct, patient, warnings, job);
     require_tree(patient.tree, options);
+    offer_branches(anatomy.offered, patient);
     make_body(options.mesh, patient, warnings, job);
     patient.warnings_of_image = result.warnings_of_image;
     result.stages = job.stage_times();
@@ -200,7 +218,8 @@ int stage_count(const ReconstructOptions& options) {
     constexpr int given_mask = 2, segmentation = 6;
     const int given_liver = options.liver_mask ? 1 : 0;
     const int tumours = static_cast<int>(options.tumour_masks.size());
-    return reading + tumours + (chooses(options) ? 1 : 0) +
+    const bool has_model = takes_models(options) && (options.model || options.offers);
+    return reading + tumours + (has_model ? 1 : 0) +
            (options.vessel_mask ? given_liver + given_mask : segmentation) + make_tree_stages +
            make_body_stages;
 }

@@ -41,6 +41,9 @@ struct ReconstructOptions {
     // The model that chooses among lines (link_model.h), for `coherent` without a window; none:
     // lines are accepted by their strength alone.
     std::optional<std::filesystem::path> model;
+    // The model that offers branches among fainter lines where none chooses; none: none are
+    // offered.
+    std::optional<std::filesystem::path> offers;
     int refinement_recursions = 0;  // Gaussian smoothing of the mask (paper, II.A.2)
     ThinningMethod thinning = ThinningMethod::queue;
     double spacing_mm = 0.0;  // edge of the cubic working voxels, 0.3 to 1.5; 0: 0.65

@@ -32,6 +32,7 @@ std::string parameters_json(const ReconstructOptions& options) {
     if (!options.tumour_masks.empty()) json["tumour_masks_given"] = options.tumour_masks.size();
     json["method"] = name_of(options.method);
     if (options.model) json["model_sha256"] = sha256_of_file(*options.model);
+    if (options.offers) json["offers_sha256"] = sha256_of_file(*options.offers);
     if (options.window_hu)
         json["window_hu"] = {options.window_hu->first, options.window_hu->second};
     for (const VesselSeed& seed : options.seeds)

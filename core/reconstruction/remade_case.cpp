@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/patient_space.h"
 #include "core/image/morphology.h"
+#include "core/patient/branch_offers.h"
 #include "core/patient/corrections.h"
 #include "core/patient/painted_tumours.h"
 #include "core/reconstruction/from_voxels.h"
@@ -157,6 +158,9 @@ RemadeCase remade(const PatientCase& patient, Mask vessels, const Volume& ct, Jo
         throw InputError("no vessel is left that is long enough for a tree", patient.source.name,
                          "Take back what was erased, or paint more of the vessels");
     warn_of_painted_left_out(options.kept_mm, made.tree, result.warnings);
+    std::vector<Bridge> branches = patient.corrections.bridges;
+    std::erase_if(branches, [](const Bridge& bridge) { return !bridge.is_branch(); });
+    offer_branches(branches, made);
     const std::vector<TreeEdit> edits =
         possible_edits(made, patient.corrections.edits, result.warnings, job);
     if (!edits.empty()) made = with_edited_tree(made, edits);

@@ -73,13 +73,15 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
                                   " mm apart: thin branches may be broken or missing. Up to 1.5 mm "
                                   "is better.");
     const LinkModel* model = options.model ? &*options.model : nullptr;
-    DetectedVessels found = detect_in_liver(ct, options, model ? model->line_share : 1.0, job);
-    if (model && found.detection.evidence) keep_chosen(*model, ct.grid.spacing_mm, found, job);
-    found.detection.evidence.reset();
+    const LinkModel* offers = !model && options.offers ? &*options.offers : nullptr;
+    DetectedVessels found = detect_in_liver(
+        ct, options, model ? model->line_share : 1.0,
+        offers ? std::optional(std::min(offers->line_share, 1.0)) : std::nullopt, job);
+    if (model && found.detection.evidence)
+        result.offered = keep_chosen(*model, ct.grid.spacing_mm, found, job);
+    if (!offers) found.detection.evidence.reset();
     result.statistics = in_part(job, 1.0, 1.0, [&] { return contrast_of(found, job); });
     require_contrast(result.statistics, found, options.window_hu);
-    result.liver = std::move(found.liver);
-
     job.begin_stage("Drawing thin vessels");
     const Mask lines = in_part(
         job, 0.0, 0.1, [&] { return thin(found.detection.vessels, ThinningMethod::queue, job); });
@@ -97,6 +99,10 @@ Segmentation segment_vessels(const Volume& ct, const SegmentationOptions& option
         return add_hilum(found.frame, tree, result.statistics, found.detection.vessels, job);
     });
 
+    if (!found.detection.doubtful.voxels.empty())
+        result.offered =
+            doubtful_branches(*offers, ct.grid.spacing_mm, found, found.detection.vessels, job);
+    result.liver = std::move(found.liver);
     job.begin_stage("Refining the surface");
     result.mask = in_part(job, 0.0, 0.5, [&] {
         return refine(found.detection.vessels, options.refinement_recursions, job);

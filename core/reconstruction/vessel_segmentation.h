@@ -14,6 +14,7 @@
 #include "core/image/volume.h"
 #include "core/links/link_model.h"
 #include "core/segmentation/segmentation_method.h"
+#include "core/tree/extraction/gap_bridging.h"
 
 namespace hepatica {
 
@@ -32,6 +33,8 @@ struct SegmentationOptions {
     // Chooses among more and fainter lines than are accepted without it; for `coherent` without a
     // window only.
     std::optional<LinkModel> model;
+    // Without `model`: offers branches among more and fainter lines, likewise.
+    std::optional<LinkModel> offers;
 };
 
 // Contrast of the image inside the liver.
@@ -52,6 +55,7 @@ struct Segmentation {
     ContrastStatistics statistics;
     // Where the portal trunk enters the segmented region, if it was found outside the liver.
     std::optional<Vec3> trunk_mm;
+    std::vector<Bridge> offered;        // branches that may be vessels
     int components = 0;                 // 26-connected pieces of the mask
     std::vector<std::string> warnings;  // for the user, such as on slice spacings above 1.5 mm
 };

@@ -249,13 +249,16 @@ Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const 
         return detect_by_layers(tissue, liver, job);
     const Sampling sampling = sampling_of(ct_spacing_mm);
     LineEvidence evidence;
-    Mask vessels;
+    Mask vessels, doubtful;
     if (options.method == SegmentationMethod::coherent && !tissue.threshold_hu) {
         MeasuredLines lines = in_part(job, 0.0, 0.6, [&] {
-            return measure_lines(tissue, liver, ct_spacing_mm, options.line_share, job);
+            return measure_lines(tissue, liver, ct_spacing_mm,
+                                 options.doubtful_share.value_or(options.line_share), job);
         });
-        const JobPart part(job, 0.6, 0.75);
-        vessels = believed_lines(lines, options.line_share, job);
+        vessels =
+            in_part(job, 0.6, 0.7, [&] { return believed_lines(lines, options.line_share, job); });
+        const JobPart part(job, 0.7, 0.75);
+        if (options.doubtful_share) doubtful = believed_lines(lines, *options.doubtful_share, job);
         evidence = std::move(lines.evidence);
     } else {
         evidence = in_part(job, 0.0, 0.1, [&] { return smoothed(tissue, job); });
@@ -268,15 +271,24 @@ Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const 
     }
     FloatVolume wall = copied_image(tissue.excess, job);
     in_part(job, 0.75, 0.8, [&] { gaussian_smooth(wall, Vec3::Constant(wall_sigma_mm), job); });
-    Mask fitted = in_part(job, 0.8, 0.9, [&] {
-        return fit_surface(wall, evidence.rise, vessels, liver, evidence.deviation_hu,
-                           surface_for(sampling), job);
-    });
-    const Mask skeleton =
-        in_part(job, 0.9, 1.0, [&] { return thin(vessels, ThinningMethod::queue, job); });
-    job.throw_if_cancelled();
-    rejoin(skeleton, kept_branch_mm, fitted, job);
-    Detection found{std::move(fitted), Mask(), std::nullopt};
+    const auto with_walls = [&](const Mask& lines) {
+        Mask fitted = in_part(job, 0.0, 0.5, [&] {
+            return fit_surface(wall, evidence.rise, lines, liver, evidence.deviation_hu,
+                               surface_for(sampling), job);
+        });
+        const Mask skeleton =
+            in_part(job, 0.5, 1.0, [&] { return thin(lines, ThinningMethod::queue, job); });
+        job.throw_if_cancelled();
+        rejoin(skeleton, kept_branch_mm, fitted, job);
+        return fitted;
+    };
+    Detection found{in_part(job, 0.8, 0.9, [&] { return with_walls(vessels); }), Mask(),
+                    std::nullopt, Mask()};
+    if (!doubtful.voxels.empty()) {
+        found.doubtful = in_part(job, 0.9, 1.0, [&] { return with_walls(doubtful); });
+        for_each_voxel(found.doubtful.voxels.size(), job,
+                       [&](std::size_t i) { found.doubtful.voxels[i] |= found.vessels.voxels[i]; });
+    }
     if (evidence.false_line_hu > 0.0) found.evidence = std::move(evidence);
     return found;
 }

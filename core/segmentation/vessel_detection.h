@@ -39,12 +39,18 @@ struct DetectionOptions {
     // Factor of the strength from which on `coherent` accepts a line. 1 suits where no later step
     // selects among the lines; a lower value finds more vessels and more false ones.
     double line_share = 1.0;
+    // The same for lines that are looked at but not believed; at most line_share. None: there are
+    // none.
+    std::optional<double> doubtful_share = {};
 };
 
 struct Detection {
     Mask vessels;                               // 0 or 1
     Mask centreline;                            // multi_layer only, else empty
     std::optional<LineEvidence> evidence = {};  // of `coherent` without a window
+    // What is detected at doubtful_share, with the vessels; empty where none is asked for, or the
+    // method is another.
+    Mask doubtful = {};
 };
 
 // Thresholds are multiples of the noise that is left after smoothing, measured in this liver; for

@@ -30,9 +30,11 @@ std::vector<float> shares_of_truth(const std::vector<LinePiece>& pieces, const V
 
 std::vector<TaughtPiece> taught_on(const Phantom& patient, const SegmentationOptions& options,
                                    double line_share, Job& job) {
-    const DetectedVessels found = detect_in_liver(patient.ct, options, line_share, job);
+    const DetectedVessels found =
+        detect_in_liver(patient.ct, options, line_share, std::nullopt, job);
     if (!found.detection.evidence) return {};
-    const MeasuredPieces measured = measured_pieces(found, patient.ct.grid.spacing_mm, job);
+    const MeasuredPieces measured =
+        measured_pieces(found.detection.vessels, found, patient.ct.grid.spacing_mm, job);
     const std::vector<float> shares = shares_of_truth(measured.pieces, patient.tree);
     std::vector<TaughtPiece> taught;
     for (std::size_t i = 0; i < shares.size(); ++i)

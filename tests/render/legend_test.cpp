@@ -218,7 +218,7 @@ TEST(LegendRows, SayWhatGreenAndRedMeanWhereTheyAreShown) {
     content.touched = content.gaps = content.places = true;
     EXPECT_EQ(texts_of(content),
               (std::vector<std::string>{
-                  "Touch and force", "A place of the lesson", "A gap, and how sure", "Cut or torn",
+                  "Touch and force", "A place of the lesson", "What may be a vessel, and how sure", "Cut or torn",
                   "Inside of what is torn", "Load (% of what tears)", "Portal vein"}));
     EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::touch});
     EXPECT_EQ(legend_rows(content)[1].colours, std::vector{palette::torn_circle});

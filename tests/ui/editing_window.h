@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QComboBox>
+#include <QPushButton>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -94,6 +95,13 @@ class EditingWindow : public WindowTest {
         window_.save_case(folder_.filePath("p.hep"));
         wait();
         return saved_;
+    }
+    // What is offered, which is worked out on another thread.
+    void take_all() {
+        const std::size_t before = window_.workspace().edits().size();
+        child<QPushButton>("acceptAll").click();
+        ASSERT_TRUE(wait_for([&] { return window_.workspace().edits().size() > before; }));
+        wait();
     }
     void choose_tool(const QString& name) {
         auto* tools = window_.findChild<QComboBox*>("EditTool");

@@ -440,11 +440,11 @@ TEST(EditPanelTest, says_how_many_gaps_the_slider_hides) {
     EditPanel panel;
     const auto listed = [&panel] {
         for (const auto* list : panel.findChildren<QListWidget*>())
-            if (list->accessibleName() == "Gaps between vessels")
+            if (list->accessibleName() == "Gaps and doubtful branches")
                 return list->item(0)->text().toStdString();
         return std::string();
     };
-    EXPECT_EQ(listed(), "no gaps");
+    EXPECT_EQ(listed(), "none");
     panel.show_bridges({}, {}, 3);
     EXPECT_EQ(listed(), "none; with less confidence: 3");
     panel.show_bridges({"63 %, 4.1 mm"}, {}, 3);

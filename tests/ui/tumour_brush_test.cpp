@@ -352,7 +352,9 @@ TEST_F(TumoursOfACase, AreObstaclesOnceAVesselIsCorrected) {
     EXPECT_EQ(window_.frame().obstacles->all.size(), 1u);
     paint_at(Vec3(10, 40, 10));
     EXPECT_TRUE(window_.statusBar()->currentMessage().contains("become obstacles"));
+    const std::size_t edits = window_.workspace().edits().size();
     window_.findChild<QPushButton*>("acceptAll")->click();
+    ASSERT_TRUE(wait_for([&] { return window_.workspace().edits().size() > edits; }));
     wait();
     touch_obstacles();
     ASSERT_EQ(brush().tumours().size(), 1u) << "both strokes are of the new tumour";
@@ -368,7 +370,9 @@ TEST_F(TumoursOfACase, StandAmongCorrectionsOfTheTree) {
     brush().set_mode(BrushMode::paints);
     brush().begin(Vec3(10, 20, 10), 6.0);
     brush().lift();
+    const std::size_t edits = window_.workspace().edits().size();
     window_.findChild<QPushButton*>("acceptAll")->click();
+    ASSERT_TRUE(wait_for([&] { return window_.workspace().edits().size() > edits; }));
     wait();
     ASSERT_EQ(window_.workspace().edits().size(), 2u);
     EXPECT_LT(roots(window_.workspace().patient()->tree).size(), roots_before);

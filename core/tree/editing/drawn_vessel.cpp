@@ -13,8 +13,6 @@ namespace hepatica {
 
 namespace {
 
-constexpr double touch_mm = 1.0;  // an end this near to a lumen's wall touches it
-
 // Position of a point relative to the nearest wall of the graph.
 struct Beside {
     int link = -1;
@@ -87,8 +85,10 @@ FreePart free_part(const VesselGraph& graph, const Centreline& drawn) {
     FreePart part{0, drawn.points_mm.size(), drawn.radii_mm};
     while (inside(beyond_wall_mm[part.first])) ++part.first;
     while (inside(beyond_wall_mm[part.last - 1])) --part.last;
-    if (beyond_wall_mm.front() <= touch_mm) narrow_to_clear_section(part, beyond_wall_mm, true);
-    if (beyond_wall_mm.back() <= touch_mm) narrow_to_clear_section(part, beyond_wall_mm, false);
+    if (beyond_wall_mm.front() <= drawn_touch_mm)
+        narrow_to_clear_section(part, beyond_wall_mm, true);
+    if (beyond_wall_mm.back() <= drawn_touch_mm)
+        narrow_to_clear_section(part, beyond_wall_mm, false);
     return part;
 }
 
@@ -110,7 +110,7 @@ DrawnVessel add_drawn_vessel(VesselGraph& graph, const Centreline& drawn, Vascul
                              VascularSystem& touched) {
         // looked up anew: the other end may have split a link
         const Beside beside = Walls(graph).nearest(end_mm);
-        touches = beside.beyond_wall_mm <= touch_mm;
+        touches = beside.beyond_wall_mm <= drawn_touch_mm;
         if (!touches) {
             graph.nodes.push_back({end_mm, radius_mm});
             return static_cast<int>(graph.nodes.size()) - 1;

@@ -7,15 +7,13 @@
 #include "core/base/patient_space.h"
 #include "core/base/written_json.h"
 #include "core/image/brush.h"
+#include "core/tree/editing/drawn_vessel.h"
 #include "core/tree/editing/tree_edit.h"
 #include "core/tree/files/tree_json.h"
 
 namespace hepatica {
 
 namespace {
-
-// Radii of a drawn vessel. The files of trees hold none that is smaller (tree_files.h).
-constexpr double thinnest_mm = 0.001, widest_mm = 50.0;
 
 constexpr std::pair<TreeEditKind, const char*> names[] = {
     {TreeEditKind::cut_link, "cut_link"},
@@ -69,7 +67,7 @@ void read_drawing(const nlohmann::json& value, const std::string& place, TreeEdi
                              " points with " + std::to_string(edit.radii_mm.size()) + " radii",
                          place, "Give two points or more in path_mm, and one of radii_mm for each");
     for (const double radius : edit.radii_mm)
-        if (!(radius >= thinnest_mm && radius <= widest_mm))
+        if (!(radius >= thinnest_drawn_mm && radius <= widest_drawn_mm))
             throw InputError("a vessel is drawn with a radius of " + number_text(radius) + " mm",
                              place, "Give radii from 0.001 to 50 mm");
     edit.at_mm = edit.path_mm.front();

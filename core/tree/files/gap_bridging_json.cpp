@@ -1,12 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JSON of bridges (gap_bridging.h).
+// JSON of bridges (gap_bridging.h): gaps and branches alike.
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/base/json_problem.h"
 #include "core/base/patient_space.h"
+#include "core/tree/editing/drawn_vessel.h"
 #include "core/tree/extraction/gap_bridging.h"
 #include "core/tree/files/tree_json.h"
 
 namespace hepatica {
+
+namespace {
+
+void read_radii(const nlohmann::json& radii, const std::string& place, Bridge& bridge) {
+    bridge.radii_mm = radii.get<std::vector<double>>();
+    const bool fit = bridge.radii_mm.size() == bridge.path_mm.size() &&
+                     std::ranges::all_of(bridge.radii_mm, [](double radius_mm) {
+                         return radius_mm >= thinnest_drawn_mm && radius_mm <= widest_drawn_mm;
+                     });
+    if (!fit)
+        throw InputError(
+            "an offered branch does not have a radius from 0.001 to 50 mm for each of "
+            "its points",
+            place, "Reconstruct the patient again");
+}
+
+}  // namespace
 
 std::string bridges_to_json(const std::vector<Bridge>& bridges) {
     nlohmann::json list = nlohmann::json::array();
@@ -17,6 +37,7 @@ std::string bridges_to_json(const std::vector<Bridge>& bridges) {
                         {"to_radius_mm", bridge.to_radius_mm},
                         {"built", bridge.built},
                         {"path_mm", json_of(bridge.path_mm)}});
+        if (bridge.is_branch()) list.back()["radii_mm"] = bridge.radii_mm;
     }
     return list.dump(1);
 }
@@ -37,6 +58,7 @@ std::vector<Bridge> bridges_from_json(const std::string& text, const std::string
             if (bridge.path_mm.size() < 2)
                 throw InputError("a bridge has fewer than two points", place,
                                  "Reconstruct the patient again");
+            if (value.contains("radii_mm")) read_radii(value["radii_mm"], place, bridge);
         }
     } catch (const nlohmann::json::exception& error) {
         throw InputError(json_problem(error), place, "Give a JSON array of bridges");
