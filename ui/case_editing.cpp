@@ -412,6 +412,8 @@ void CaseEditing::draw_bridges(int chosen_row) {
         drawn_.push_back(chosen_row);
     }
     callbacks_.show_bridges(std::move(views));
+    if (const Bridge* chosen = bridge_of(chosen_row))
+        callbacks_.look_at(chosen->path_mm[chosen->path_mm.size() / 2]);
 }
 
 void CaseEditing::set_edit_mode(bool on) {

@@ -32,6 +32,8 @@ class CaseEditing {
         // Whether undo takes back a point in the slices, before any correction; redo waits then.
         std::function<bool()> points_wait;
         std::function<void(std::vector<BridgeView>)> show_bridges;
+        // The middle of a bridge that was chosen: whoever decides on it looks there in the slices.
+        std::function<void(const Vec3& place_mm)> look_at;
         std::function<void(const QString&)> say;
         std::function<void(const Failure&)> not_drawn;
         std::function<void(const QString&)> warn;  // what a correction made doubtful, in lines

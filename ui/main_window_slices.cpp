@@ -254,6 +254,10 @@ void MainWindow::build_editing() {
                 view_->scene().set_bridges(std::move(bridges));
                 view_->draw_again();
             },
+            [this](const Vec3& place_mm) {
+                if ((*actions_)[ActionId::toggle_slices].isChecked())
+                    view_layout_->slices().set_crosshair(place_mm);
+            },
             [this](const QString& text) { statusBar()->showMessage(text, 8000); },
             [this](const Failure& failure) {
                 fail(Words::tr("Drawing a vessel"), failure);

@@ -32,6 +32,7 @@ struct Way {
     int from = -1;           // the dropped piece before it; -1: a kept one
     bool from_front = true;  // its first point is where it is entered
     bool settled = false;
+    bool leads_back = false;  // goes on to a kept piece: with that it would close a loop
 };
 
 class Ways {
@@ -55,7 +56,8 @@ class Ways {
             if (way.settled && way.from >= 0) goes_on[at(way.from)] = 1;
         std::vector<std::pair<double, int>> found;
         for (int piece = 0; piece < std::ssize(pieces_); ++piece) {
-            if (!ways_[at(piece)].settled || goes_on[at(piece)] != 0) continue;
+            const Way& way = ways_[at(piece)];
+            if (!way.settled || way.leads_back || goes_on[at(piece)] != 0) continue;
             double vessel_mm = 0.0;
             for (int on = piece; on >= 0; on = ways_[at(on)].from)
                 vessel_mm += pieces_[at(on)].length_mm * shares_[at(on)];
@@ -111,7 +113,7 @@ class Ways {
     void offer(int piece, double cost, int from, bool from_front) {
         cost += pieces_[at(piece)].length_mm * (1.0 - shares_[at(piece)]);
         if (cost >= ways_[at(piece)].cost) return;
-        ways_[at(piece)] = {cost, from, from_front, false};
+        ways_[at(piece)] = {cost, from, from_front};
         waiting_.emplace(cost, piece);
     }
 
@@ -126,7 +128,14 @@ class Ways {
                 if (chosen_[at(next)] != 0) continue;
                 const bool front = is_same(end_of(pieces_[at(next)], true), far_mm);
                 if (!front && !is_same(end_of(pieces_[at(next)], false), far_mm)) continue;
-                if (!meets_kept(next, !front)) offer(next, cost, piece, front);
+                Way& other = ways_[at(next)];
+                // Two ways that meet head on are one, from a kept piece to another.
+                const bool meets_a_way = other.settled && other.from_front != front;
+                if (meets_a_way) other.leads_back = true;
+                if (meets_a_way || meets_kept(next, !front))
+                    way.leads_back = true;
+                else
+                    offer(next, cost, piece, front);
             }
         }
     }

@@ -11,7 +11,7 @@
 
 namespace hepatica {
 
-inline constexpr double least_offered_share = 0.25;  // share of vessel of an offered branch
+inline constexpr double least_offered_share = 0.5;  // share of vessel of an offered branch
 inline constexpr double shortest_offer_mm = 5.0;
 
 // Branches along chains of dropped pieces, each from a kept piece, or from a branch that is offered

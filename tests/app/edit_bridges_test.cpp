@@ -124,6 +124,26 @@ TEST_F(EditBridges, AreDecidedAsTheyAreOnceEditsAreTakenBack) {
     EXPECT_EQ(read_case(case_).corrections.edits.size(), 1u);
 }
 
+// Like gaps, by the same options.
+TEST_F(EditBridges, BranchesAreTakenAndRefusedLikewise) {
+    PatientCase patient = test::patient_with_bridges();
+    Bridge branch;
+    branch.path_mm = {Vec3(0.05, 10, 1.5), Vec3(5, 9.5, 1.3), Vec3(12, 9, 1), Vec3(20, 8, 1)};
+    branch.radii_mm.assign(branch.path_mm.size(), 0.8);
+    branch.confidence = 0.7;
+    branch.gap_mm = 20.0;
+    patient.corrections.bridges.push_back(branch);
+    write_case(case_, patient);
+    EXPECT_EQ(states({"--list"}), (States{"open", "open", "open"}));
+    const Json listed = answer({"edit", case_.string(), "--list"}).at("bridges").at(2);
+    EXPECT_EQ(listed.at("kind"), "branch");
+    EXPECT_EQ(listed.at("length_mm"), 20.0);
+    EXPECT_EQ(states({"--accept-bridges", "0.5"}), (States{"open", "open", "accepted"}));
+    EXPECT_EQ(read_case(case_).corrections.edits.at(0).kind, TreeEditKind::draw_vessel);
+    EXPECT_EQ(states({"--undo", "1", "--refuse", "3"}), (States{"open", "open", "refused"}));
+    EXPECT_EQ(states({"--offer", "3"}), (States{"open", "open", "open"}));
+}
+
 TEST_F(EditBridges, AreNotAcceptedAndRefusedAtOnce) {
     const auto both = run_cli({"edit", case_.string(), "--accept", "1", "--refuse", "1"});
     EXPECT_EQ(both.exit_code, 2);

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/image/morphology.h"
 #include "core/phantom/phantom.h"
 
 namespace hepatica {
@@ -52,6 +53,14 @@ class ChosenVessels : public testing::Test {
         Job job;
         return segment_vessels(phantom_->ct, options, job);
     }
+    static Segmentation segment_and_offer(const LinkModel& offers) {
+        SegmentationOptions options;
+        options.liver = phantom_->liver;
+        options.spacing_mm = 1.0;
+        options.offers = offers;
+        Job job;
+        return segment_vessels(phantom_->ct, options, job);
+    }
     static std::size_t size(const Mask& mask) {
         return static_cast<std::size_t>(
             std::ranges::count_if(mask.voxels, [](auto v) { return v != 0; }));
@@ -87,10 +96,46 @@ TEST_F(ChosenVessels, DropsWhatTheModelSays) {
     EXPECT_GT(bright, all / 4);
 }
 
+TEST_F(ChosenVessels, WhatIsOfferedChangesNothingOfWhatIsFound) {
+    const Segmentation plain = segment(std::nullopt);
+    EXPECT_TRUE(plain.offered.empty());
+    const Segmentation asked = segment_and_offer(model_of(0.9, 0.7));
+    EXPECT_EQ(asked.mask.voxels, plain.mask.voxels);
+    EXPECT_EQ(asked.statistics.vessel_hu, plain.statistics.vessel_hu);
+    EXPECT_FALSE(asked.offered.empty());
+    EXPECT_TRUE(segment_and_offer(model_of(0.1, 0.7)).offered.empty()) << "taken for noise";
+}
+
+TEST_F(ChosenVessels, WhatIsOfferedLiesOutsideOfWhatIsFoundAndLeadsOutOfIt) {
+    const Segmentation asked = segment_and_offer(model_of(0.9, 0.7));
+    const auto is_in = [&](const Vec3& point_mm) {
+        const auto voxel = voxel_at(asked.mask.grid, point_mm);
+        return voxel && asked.mask.at((*voxel)[0], (*voxel)[1], (*voxel)[2]) != 0;
+    };
+    Job job;
+    const Mask around = dilate(asked.mask, 2.0, job);
+    int outside = 0, all = 0;
+    for (const Bridge& branch : asked.offered) {
+        const auto begin = voxel_at(around.grid, branch.path_mm.front());
+        const bool on_another = std::ranges::any_of(asked.offered, [&](const Bridge& other) {
+            return &other != &branch && std::ranges::any_of(other.path_mm, [&](const Vec3& p) {
+                return (p - branch.path_mm.front()).norm() < 2.0;
+            });
+        });
+        EXPECT_TRUE(on_another || around.at((*begin)[0], (*begin)[1], (*begin)[2]) != 0);
+        for (const Vec3& point_mm : branch.path_mm) outside += is_in(point_mm) ? 0 : 1;
+        all += static_cast<int>(branch.path_mm.size());
+    }
+    ASSERT_GT(all, 300);
+    EXPECT_GT(outside, all * 3 / 4);
+}
+
 TEST_F(ChosenVessels, AreTheSameWithOneThread) {
     const Segmentation many = segment(model_of_rise(5.0));
+    const std::string offered = bridges_to_json(segment_and_offer(model_of_rise(5.0)).offered);
     const ThreadLimit one(1);
     EXPECT_EQ(segment(model_of_rise(5.0)).mask.voxels, many.mask.voxels);
+    EXPECT_EQ(bridges_to_json(segment_and_offer(model_of_rise(5.0)).offered), offered);
 }
 
 }  // namespace

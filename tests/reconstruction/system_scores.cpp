@@ -3,16 +3,20 @@
 // reconstructions with the defaults. For the tables of the documentation and for whoever changes
 // how systems are told apart:
 //   system_scores [ircadb01_case01|ircadb01_case07|vascusynth|sksurgery_liver|touching|randomised
-//       ...] [--phantoms N] [--first NUMBER] [--model FILE] [--no-mask] [--seeds]
-//       [--case NAME=CASE] [--stages] [--keep FOLDER]
+//       ...] [--phantoms N] [--first NUMBER] [--model FILE] [--offers FILE [--take CONFIDENCE]]
+//       [--no-mask] [--seeds] [--case NAME=CASE] [--stages] [--keep FOLDER]
 // Without names, the first five; `touching` stands for N phantoms (20) whose systems touch,
 // `randomised` for N patients drawn at random from NUMBER (1) on, which no training draws.
-// --model chooses lines by a model. --no-mask lets the liver be found.
+// --model chooses lines by a model. --offers offers branches by one and says which share of their
+// length lies within 2 mm of the truth, by confidence; --take takes those of this confidence or
+// more before the tree is judged. --no-mask lets the liver be found.
 // --seeds gives one seed in each system's trunk, taken from the truth. --case judges a case that is
 // there already in place of a reconstruction, by the truth of NAME. --stages adds what each stage
 // of the reconstruction cost. --keep leaves the CTs that were made in FOLDER.
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -22,7 +26,9 @@
 
 #include "core/accuracy/system_scores.h"
 #include "core/base/error.h"
+#include "core/patient/corrections.h"
 #include "core/reconstruction/reconstruct.h"
+#include "core/tree/extraction/centreline_locator.h"
 #include "tests/reconstruction/system_patients.h"
 
 namespace {
@@ -39,7 +45,13 @@ struct Request {
     int phantoms = 20;
     std::uint64_t first = 1;
     bool seeds = false, stages = false, liver_given = true;
-    fs::path keep, model;
+    fs::path keep, model, offers;
+    double take = 2.0;  // above 1: none
+};
+
+// Points of offered branches by tenths of confidence, and those of them near the truth.
+struct Offers {
+    std::array<long, 10> points{}, near{};
 };
 
 Request parse(int count, char** words) {
@@ -53,6 +65,10 @@ Request parse(int count, char** words) {
             request.first = std::strtoull(value().c_str(), nullptr, 10);
         } else if (word == "--model") {
             request.model = value();
+        } else if (word == "--offers") {
+            request.offers = value();
+        } else if (word == "--take") {
+            request.take = std::atof(value().c_str());
         } else if (word == "--no-mask") {
             request.liver_given = false;
         } else if (word == "--seeds") {
@@ -148,6 +164,7 @@ PatientCase made_case(const SystemPatient& patient, const KnownSystems& known,
     options.ct = patient.ct;
     if (request.liver_given) options.liver_mask = patient.liver_mask;
     if (!request.model.empty()) options.model = request.model;
+    if (!request.offers.empty()) options.offers = request.offers;
     if (request.seeds)
         for (const KnownSystem& system : known.all())
             if (const auto seed = known.point_in_trunk(system, seed_inwards_mm))
@@ -162,20 +179,57 @@ PatientCase made_case(const SystemPatient& patient, const KnownSystems& known,
     return std::move(made.patient);
 }
 
-Row judged(const SystemPatient& patient, const Request& request) {
+void count_offers(const SystemPatient& patient, const PatientCase& found, Offers& offers) {
+    constexpr double near_mm = 2.0;  // as SystemScoreOptions::length_tolerance_mm
+    Job job;
+    std::vector<CentrelineLocator> truths;
+    for (const SystemTruth& truth : patient.truths)
+        truths.emplace_back(truth.tree.segments.empty() ? centrelines_of(truth.mask, job)
+                                                        : truth.tree);
+    for (const Bridge& branch : found.corrections.bridges) {
+        if (!branch.is_branch()) continue;
+        const auto tenth = static_cast<std::size_t>(std::min(9.0, 10.0 * branch.confidence));
+        for (const Vec3& point_mm : branch.path_mm) {
+            ++offers.points[tenth];
+            offers.near[tenth] += std::ranges::any_of(truths, [&](const CentrelineLocator& truth) {
+                return truth.nearest(point_mm, near_mm).has_value();
+            });
+        }
+    }
+}
+
+void print(const Offers& offers) {
+    long points = 0, near = 0;
+    for (std::size_t tenth = 0; tenth < 10; ++tenth) {
+        points += offers.points[tenth];
+        near += offers.near[tenth];
+        const auto of = static_cast<double>(offers.points[tenth]);
+        if (of > 0.0)
+            std::printf("    offered with %.1f: %.3f of %.0f points near the truth\n",
+                        0.1 * static_cast<double>(tenth),
+                        static_cast<double>(offers.near[tenth]) / of, of);
+    }
+    if (points > 0)
+        std::printf("    offered in all: %.3f of %ld\n",
+                    static_cast<double>(near) / static_cast<double>(points), points);
+}
+
+Row judged(const SystemPatient& patient, const Request& request, Offers& offers) {
     Job job;
     const KnownSystems known(patient.truths, patient.liver ? &*patient.liver : nullptr, nullptr, {},
                              job);
     double seconds = -1.0;
     const auto given = request.cases.find(patient.name);
-    const PatientCase found = given != request.cases.end()
-                                  ? read_case(given->second)
-                                  : made_case(patient, known, request, seconds);
+    PatientCase found = given != request.cases.end() ? read_case(given->second)
+                                                     : made_case(patient, known, request, seconds);
+    count_offers(patient, found, offers);
+    if (request.take <= 1.0) found = with_edited_tree(found, acceptances(found, request.take));
     return row_of(patient.name, judge_systems(found.tree, found.mask, known, {}, job), seconds);
 }
 
 void run(const std::string& name, const Request& request, const fs::path& folder) {
     Job job;
+    Offers offers;
     if (name == "touching" || name == "randomised") {
         std::vector<Row> rows;
         for (int k = 0; k < request.phantoms; ++k) {
@@ -184,7 +238,7 @@ void run(const std::string& name, const Request& request, const fs::path& folder
             try {
                 rows.push_back(judged(name == "touching" ? touching_phantom(number, own, job)
                                                          : randomised_patient(number, own, job),
-                                      request));
+                                      request, offers));
                 print(rows.back());
             } catch (const Error& error) {
                 std::printf("| %s phantom %llu | %s |\n", name.c_str(),
@@ -194,14 +248,15 @@ void run(const std::string& name, const Request& request, const fs::path& folder
         }
         if (!rows.empty()) print(mean_of(rows));
     } else if (name == "vascusynth") {
-        print(judged(patient_of_vascusynth(job), request));
+        print(judged(patient_of_vascusynth(job), request, offers));
     } else if (name == "sksurgery_liver") {
-        print(judged(patient_of_surfaces(folder / name, job), request));
+        print(judged(patient_of_surfaces(folder / name, job), request, offers));
     } else if (name.starts_with("ircadb")) {
-        print(judged(patient_of_ircadb(name, job), request));
+        print(judged(patient_of_ircadb(name, job), request, offers));
     } else {
         throw UsageError("\"" + name + "\" is no patient", "", "See the head of this file");
     }
+    print(offers);
 }
 
 }  // namespace

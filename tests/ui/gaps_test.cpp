@@ -89,6 +89,39 @@ TEST_F(Gaps, that_the_reconstruction_bridged_are_listed_and_parted_again) {
     EXPECT_EQ(listed(), QStringList{"bridged: 22 %, gap of 8.0 mm"});
 }
 
+// In a play they would cover the vessels.
+TEST_F(Gaps, are_listed_with_branches_that_are_drawn_in_edit_mode) {
+    PatientCase patient = test::patient_with_bridges();
+    Bridge branch;
+    branch.path_mm = {Vec3(0.05, 10, 1.5), Vec3(5, 9.5, 1.3), Vec3(12, 9, 1), Vec3(20, 8, 1)};
+    branch.radii_mm.assign(branch.path_mm.size(), 0.8);
+    branch.confidence = 0.7;
+    branch.gap_mm = 20.0;
+    patient.corrections.bridges.push_back(branch);
+    write_case(to_path(folder_.filePath("offered.hep")), patient);
+    window_.open(folder_.filePath("offered.hep"));
+    wait();
+    EXPECT_EQ(listed().front(), "70 %, branch of 20 mm");
+    const Vec3 on_it(16, 8.5, 1);
+    const auto is_drawn = [&] {
+        const SceneView& scene = window_.view().scene();
+        return scene.bridge_at(scene.pixel_of(on_it), 3.0) >= 0;
+    };
+    EXPECT_FALSE(is_drawn());
+    child<QListWidget>("gaps").setCurrentRow(0);
+    EXPECT_TRUE(is_drawn()) << "who chooses it sees it";
+    child<QListWidget>("gaps").setCurrentRow(1);
+    EXPECT_FALSE(is_drawn());
+    window_.actions()[ActionId::edit_mode].trigger();
+    ASSERT_TRUE(is_drawn());
+    const std::size_t before = window_.workspace().patient()->tree.segments.size();
+    click(on_it);  // on the dashed line
+    ASSERT_EQ(window_.workspace().edits().size(), 1u);
+    EXPECT_EQ(window_.workspace().edits()[0].kind, TreeEditKind::draw_vessel);
+    EXPECT_EQ(window_.workspace().patient()->tree.segments.size(), before + 2);
+    EXPECT_FALSE(is_drawn());
+}
+
 TEST_F(Gaps, that_are_built_cannot_be_built_again) {
     open_with_a_bridge();
     auto& list = child<QListWidget>("gaps");
