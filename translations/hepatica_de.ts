@@ -6222,10 +6222,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>eine Korrektur</translation>
     </message>
     <message>
-        <source>the end of a link</source>
-        <translation>das Ende einer Verbindung</translation>
-    </message>
-    <message>
         <source>a vessel</source>
         <translation>ein Gefäß</translation>
     </message>
@@ -9659,6 +9655,18 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>What may be a vessel: gaps between two, and branches that are too faint to be believed, with the confidence that they are vessels. For branches it was learned on synthetic patients: of what was offered on two real ones experts had drawn a quarter to a half. They are dashed in the view, branches in Edit mode; a click on the dashed line takes it, too. Below stands what the reconstruction has bridged, the doubtful first: the one that is chosen is ringed in the view.</source>
         <translation>Was ein Gefäß sein kann: Lücken zwischen zweien und Äste, die zu schwach sind, um ihnen zu glauben, mit der Sicherheit, dass es Gefäße sind. Bei Ästen ist sie an künstlichen Patienten gelernt: Von dem, was bei zwei wirklichen angeboten wurde, hatten Fachleute ein Viertel bis die Hälfte eingezeichnet. Sie sind in der Ansicht gestrichelt, Äste im Modus Bearbeiten; auch ein Klick auf die gestrichelte Linie übernimmt sie. Darunter steht, was die Rekonstruktion überbrückt hat, das Zweifelhafte zuerst: Um das gewählte liegen in der Ansicht Ringe.</translation>
+    </message>
+    <message>
+        <source>Looking for doubtful branches</source>
+        <translation>Unsichere Äste werden gesucht</translation>
+    </message>
+    <message>
+        <source>the other end of an edit</source>
+        <translation>das andere Ende einer Korrektur</translation>
+    </message>
+    <message>
+        <source>an offered branch does not have a radius from 0.001 to 50 mm for each of its points</source>
+        <translation>ein angebotener Ast hat nicht für jeden seiner Punkte einen Radius von 0,001 bis 50 mm</translation>
     </message>
 </context>
 </TS>

@@ -51,6 +51,7 @@ QString name_of(const TreeEdit& edit) {
 
 // The branch in which the place lies, or beside whose wall; null: there is none.
 const VesselSegment* branch_there(const Vec3& place_mm, const VesselTree& tree) {
+    if (tree.segments.empty()) return nullptr;  // as of a case without corrections
     const TreePoint point = nearest_point(tree, place_mm);
     if (point.segment < 0) return nullptr;
     const VesselSegment& branch = tree.segments[static_cast<std::size_t>(point.segment)];

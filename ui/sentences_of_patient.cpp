@@ -26,6 +26,7 @@ constexpr std::array sentences_patient{
     Words::id("Smoothing the vessels"),
     Words::id("Filling the vessels"),
     Words::id("Choosing the vessels"),
+    Words::id("Looking for doubtful branches"),
     Words::id("Drawing thin vessels"),
     Words::id("Finding the liver"),
     Words::id("Measuring the contrast"),

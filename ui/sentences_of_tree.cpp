@@ -45,7 +45,7 @@ constexpr std::array sentences_tree{
     Words::id("Give two points or more in path_mm, and one of radii_mm for each"),
     Words::id("Give radii from 0.001 to 50 mm"),
     Words::id("an edit"),
-    Words::id("the end of a link"),
+    Words::id("the other end of an edit"),
     Words::id("a vessel"),
     Words::id("a brush"),
     Words::id("a brush is led nowhere"),
@@ -70,6 +70,8 @@ constexpr std::array sentences_tree{
     Words::id("Check the unit of the positions: millimetres"),
     Words::id("a bridge"),
     Words::id("a bridge has fewer than two points"),
+    Words::id(
+        "an offered branch does not have a radius from 0.001 to 50 mm for each of its points"),
     Words::id("Give a JSON array of bridges"),
     Words::id("Give a tree in a .vtp, .swc or .json file"),
     Words::id("has a vessel of radius %1"),
