@@ -10,8 +10,6 @@
 
 namespace hepatica {
 
-// Radii of a drawn vessel. The files of trees hold none that is smaller (tree_files.h).
-inline constexpr double thinnest_drawn_mm = 0.001, widest_drawn_mm = 50.0;
 inline constexpr double drawn_touch_mm = 1.0;  // an end this near to a lumen's wall touches it
 
 struct DrawnVessel {

@@ -7,7 +7,6 @@
 #include "core/base/patient_space.h"
 #include "core/base/written_json.h"
 #include "core/image/brush.h"
-#include "core/tree/editing/drawn_vessel.h"
 #include "core/tree/editing/tree_edit.h"
 #include "core/tree/files/tree_json.h"
 

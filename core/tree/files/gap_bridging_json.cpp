@@ -5,7 +5,6 @@
 #include "core/base/error.h"
 #include "core/base/json_problem.h"
 #include "core/base/patient_space.h"
-#include "core/tree/editing/drawn_vessel.h"
 #include "core/tree/extraction/gap_bridging.h"
 #include "core/tree/files/tree_json.h"
 

@@ -11,6 +11,9 @@
 
 namespace hepatica {
 
+// Radii of drawn and of offered vessels. The files of trees hold none that is smaller (tree_io.h).
+inline constexpr double thinnest_drawn_mm = 0.001, widest_drawn_mm = 50.0;
+
 inline nlohmann::json json_of(const Vec3& p) {
     return {p.x(), p.y(), p.z()};
 }
