@@ -51,8 +51,6 @@ std::shared_ptr<const BodyDescription> body_of_case(const std::string& place) {
 }
 
 std::vector<ExtremeCase> cases_of(const ExtremesChoices& choices) {
-    if (!choices.patients.empty() && choices.suite != "touch")
-        throw UsageError("is for the suite of touch alone", "--case", "Give --suite touch, too");
     if (choices.suite == "stability") {
         for (const CLI::Option* option : choices.of_campaigns)
             if (option->count() > 0)
@@ -112,10 +110,10 @@ void add_extremes(CommandLine& line) {
             ->capture_default_str(),
         verb.add_option("--steps", choices->campaign.steps, "Of each trial of the campaign")
             ->check(CLI::Range(1, 1000000))
-            ->capture_default_str()};
-    verb.add_option("--case", choices->patients,
-                    "A case that the campaign of touch is played on in the place of random trees; "
-                    "several take turns");
+            ->capture_default_str(),
+        verb.add_option("--case", choices->patients,
+                        "A case that the campaign is played on in the place of random trees; "
+                        "several take turns")};
     verb.add_option("--filter", choices->filter, "Only rows whose name contains this");
     verb.add_flag("--verify", choices->verify, "Fail (exit code 1) where a row does");
 }

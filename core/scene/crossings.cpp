@@ -12,22 +12,27 @@ namespace {
 
 using Corners = std::array<int, 3>;
 
-// Whether a vertex of one and a vertex of the other were the same vertex and have not separated.
-bool lie_on_each_other(const DeformPart& deform, const Corners& one, const Corners& other) {
-    const TornTopology* torn = deform.torn();
-    if (torn == nullptr) return false;
-    const auto origin = [&](int v) {
-        while (torn->parents()[v] != v) v = torn->parents()[v];
-        return v;
-    };
-    const auto positions = deform.positions_mm();
-    return std::ranges::any_of(one, [&](int v) {
-        return std::ranges::any_of(other, [&](int w) {
-            return v != w && origin(v) == origin(w) &&
-                   (positions[v] - positions[w]).norm() < deform.critical_opening_mm();
+// A torn body and where it is now.
+struct TornNow {
+    const TornTopology& topology;
+    double critical_opening_mm;
+    std::span<const Vec3> positions_mm;
+
+    // Whether a vertex of one and a vertex of the other were the same vertex and have not
+    // separated.
+    bool lie_on_each_other(const Corners& one, const Corners& other) const {
+        const auto origin = [&](int v) {
+            while (topology.parents()[v] != v) v = topology.parents()[v];
+            return v;
+        };
+        return std::ranges::any_of(one, [&](int v) {
+            return std::ranges::any_of(other, [&](int w) {
+                return v != w && origin(v) == origin(w) &&
+                       (positions_mm[v] - positions_mm[w]).norm() < critical_opening_mm;
+            });
         });
-    });
-}
+    }
+};
 
 // Number of pairs of triangles that cross now, without overlaps that are left out and without those
 // for which `counts(one, other)` is false.
@@ -44,12 +49,11 @@ int count_crossings(const std::vector<Corners>& triangles, const SurfaceFeatures
 }
 
 int crossing_pairs_of_vessels(const DeformPart& deform, const OverlapsKept& kept) {
-    const auto triangles = boundary_triangles(deform.shape());
-    const SurfaceFeatures features(SurfacePatches(triangles), deform.rest_positions_mm());
-    return count_crossings(triangles, features, deform.positions_mm(), kept,
-                           [&](int one, int other) {
-                               return !lie_on_each_other(deform, triangles[one], triangles[other]);
-                           });
+    const std::span<const Vec3> rest_mm = deform.rest_positions_mm();
+    const std::span<const Vec3> now_mm = deform.positions_mm();
+    if (deform.torn() != nullptr)
+        return crossing_pairs(*deform.torn(), deform.critical_opening_mm(), rest_mm, now_mm, kept);
+    return crossing_pairs(boundary_triangles(deform.shape()), rest_mm, now_mm, kept);
 }
 
 int crossing_pairs_with_obstacles(const DeformPart& deform, const OverlapsKept& kept) {
@@ -69,6 +73,17 @@ int crossing_pairs(const std::vector<Corners>& triangles, std::span<const Vec3> 
                    std::span<const Vec3> now_mm, const OverlapsKept& kept) {
     const SurfaceFeatures features(SurfacePatches(triangles), rest_mm);
     return count_crossings(triangles, features, now_mm, kept, [](int, int) { return true; });
+}
+
+int crossing_pairs(const TornTopology& torn, double critical_opening_mm,
+                   std::span<const Vec3> rest_mm, std::span<const Vec3> now_mm,
+                   const OverlapsKept& kept) {
+    const std::vector<Corners> triangles = torn.surface();
+    const SurfaceFeatures features(SurfacePatches(triangles), rest_mm);
+    const TornNow now{torn, critical_opening_mm, now_mm};
+    return count_crossings(triangles, features, now_mm, kept, [&](int one, int other) {
+        return !now.lie_on_each_other(triangles[one], triangles[other]);
+    });
 }
 
 int crossing_pairs(const DeformPart& deform) {

@@ -22,4 +22,9 @@ int crossing_pairs(const DeformPart& deform);
 int crossing_pairs(const std::vector<std::array<int, 3>>& triangles, std::span<const Vec3> rest_mm,
                    std::span<const Vec3> now_mm, const OverlapsKept& kept);
 
+// The same for a torn body.
+int crossing_pairs(const TornTopology& torn, double critical_opening_mm,
+                   std::span<const Vec3> rest_mm, std::span<const Vec3> now_mm,
+                   const OverlapsKept& kept);
+
 }  // namespace hepatica

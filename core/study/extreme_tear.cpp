@@ -6,10 +6,13 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include "core/base/frame_time.h"
-#include "core/deform/stepper/cpu_stepper.h"
+#include "core/deform/body/torn_body.h"
 #include "core/mesh/tet_mesh.h"
+#include "core/scene/crossings.h"
 #include "core/study/extreme_cases.h"
 #include "core/study/random_tool.h"
 #include "core/study/split_check.h"
@@ -24,6 +27,9 @@ constexpr double fist_radius_mm = 4.0;
 constexpr double fist_un_per_mm = 3e5,
                  fist_limit_un = 1e7;  // of all springs of a hand together
 constexpr int steps_a_goal = 30;
+constexpr int steps_a_look = 10;  // for triangles that cross
+// Of this many rounds of plays, the surfaces of one touch each other.
+constexpr int rounds_of_touch = 4;
 
 enum class TearPlay { pull, press, twist, cut };
 constexpr std::array<const char*, 4> tear_plays{"pull", "press", "twist", "cut"};
@@ -45,13 +51,14 @@ TearLaw random_law(std::mt19937_64& random) {
 // One play on one body.
 class TearTrial {
   public:
-    TearTrial(TearPlay play, double speed_mm_per_s, std::mt19937_64& random, int tetrahedra)
-        : play_(play), speed_mm_per_s_(speed_mm_per_s), random_(random) {
-        Job job;
-        body_ = body_of(random_study_tree(random), tetrahedra, job);
+    // `touches`: the body's surfaces touch each other.
+    TearTrial(TearPlay play, double speed_mm_per_s, bool touches, std::mt19937_64& random,
+              BodyDescription body)
+        : play_(play), speed_mm_per_s_(speed_mm_per_s), random_(random), body_(std::move(body)) {
         body_.tear = random_law(random);
         body_.tether_pa_per_mm2 = uniform(random, 0.0, 1.0) < 0.5 ? 20.0 : 0.0;
         body_.touchable = play == TearPlay::press;
+        if (touches) body_.self.emplace();
         options_.model = uniform(random, 0.0, 1.0) < 0.6   ? ElementModel::corotated
                          : uniform(random, 0.0, 1.0) < 0.5 ? ElementModel::neohookean
                                                            : ElementModel::spring;
@@ -68,17 +75,17 @@ class TearTrial {
 
     ExtremeRow run(int steps, const ExtremeRun& how) {
         ExtremeRow row;
-        stepper_ = make_cpu_stepper(body_, options_);
-        Trial trial(*stepper_, row, how, 0.0, rounding_nj() / Trial::ledger_tolerance);
         SplitCheck check(body_, options_);
+        stepper_ = check.make_stepper();
+        Trial trial(*stepper_, row, how, 0.0, rounding_nj() / Trial::ledger_tolerance);
         weaken_some();
         if (play_ == TearPlay::press) bring_tool();
         for (int k = 0; k < steps; ++k) {
             if (k % steps_a_goal == 0 && !begin_goal(trial, check)) break;
             lead();
             const StepReport report = stepper_->step(frame_s, how.stop);
-            if (!trial.judge(report) || !holds(trial, check.after_step(*stepper_, report.energy)))
-                break;
+            if (!trial.judge(report) || !holds(trial, check.after_step(*stepper_))) break;
+            if (body_.self && k % steps_a_look == 0 && !look(trial)) break;
         }
         row.splits = check.splits();
         row.inverted_splits = check.with_inverted();
@@ -87,6 +94,17 @@ class TearTrial {
     }
 
   private:
+    // What contact keeps apart has not passed.
+    bool look(Trial& trial) const {
+        const TornTopology& torn = stepper_->tearing()->topology();
+        std::vector<Vec3> rest_mm = body_.mesh.vertices_mm;
+        inherit(torn.parents(), rest_mm);
+        const double critical_mm = stepper_->tearing()->law().softening().opening_mm;
+        return trial.require(crossing_pairs(torn, critical_mm, rest_mm, stepper_->positions_mm(),
+                                            stepper_->checkpoint().self->overlaps) == 0,
+                             "triangles cross");
+    }
+
     static bool holds(Trial& trial, const std::string& wrong) {
         return trial.require(wrong.empty(), wrong);
     }
@@ -121,11 +139,10 @@ class TearTrial {
         gone_mm_ = 0.0;
         axis_ = random_direction(random_);
         if (play_ == TearPlay::cut || uniform(random_, 0.0, 1.0) < 0.1) {
-            const EnergyLedger before = stepper_->energies();
             const Vec3 way = random_way();
             const Vec3 edge = random_way();
             stepper_->cut(at - 0.5 * (way + edge), way, edge);
-            if (!holds(trial, check.after_step(*stepper_, before))) return false;
+            if (!holds(trial, check.after_step(*stepper_))) return false;
         }
         close_hand(at);
         return true;
@@ -181,6 +198,11 @@ class TearTrial {
     std::unique_ptr<Stepper> stepper_;
 };
 
+BodyDescription random_tree_body(std::mt19937_64& random, std::size_t tetrahedra) {
+    Job job;
+    return body_of(random_study_tree(random), static_cast<int>(tetrahedra), job);
+}
+
 }  // namespace
 
 // Each trial has its own random numbers, so that a row can be run alone.
@@ -188,17 +210,30 @@ std::vector<ExtremeCase> tear_cases(const Campaign& campaign) {
     std::vector<ExtremeCase> cases;
     for (int t = 0; t < campaign.trials; ++t) {
         std::mt19937_64 random(campaign.seed * 2'000'003 + static_cast<std::uint64_t>(t));
-        const auto play = static_cast<TearPlay>(static_cast<std::size_t>(t) % tear_plays.size());
+        const std::size_t patients = std::max<std::size_t>(1, campaign.patients.size());
+        const std::size_t turn = static_cast<std::size_t>(t) / patients;
+        const auto play = static_cast<TearPlay>(turn % tear_plays.size());
+        const bool touches = turn / tear_plays.size() % rounds_of_touch == rounds_of_touch - 1;
         const double speed = log_uniform(random, 10.0, 1e3);
-        const int tetrahedra =
-            static_cast<int>(uniform(random, 0.15, 1.0) * campaign.most_tetrahedra);
-        char name[80];
-        std::snprintf(name, sizeof name, "tear %d %s at %.3g mm/s, %d tetrahedra", t,
-                      tear_plays[static_cast<std::size_t>(play)], speed, tetrahedra);
-        cases.push_back({name, [=, steps = campaign.steps](const ExtremeRun& how) {
-                             std::mt19937_64 own = random;  // a row may be run more than once
-                             return TearTrial(play, speed, own, tetrahedra).run(steps, how);
-                         }});
+        std::shared_ptr<const BodyDescription> patient;
+        std::size_t tetrahedra = 0;
+        if (campaign.patients.empty()) {
+            tetrahedra =
+                static_cast<std::size_t>(uniform(random, 0.15, 1.0) * campaign.most_tetrahedra);
+        } else {
+            patient = campaign.patients[static_cast<std::size_t>(t) % patients];
+            tetrahedra = patient->mesh.tetrahedra.size();
+        }
+        char name[96];
+        std::snprintf(name, sizeof name, "tear %d %s%s at %.3g mm/s, %zu tetrahedra", t,
+                      tear_plays[static_cast<std::size_t>(play)], touches ? " touching" : "", speed,
+                      tetrahedra);
+        cases.push_back(
+            {name, [=, steps = campaign.steps](const ExtremeRun& how) {
+                 std::mt19937_64 own = random;  // a row may be run more than once
+                 BodyDescription body = patient ? *patient : random_tree_body(own, tetrahedra);
+                 return TearTrial(play, speed, touches, own, std::move(body)).run(steps, how);
+             }});
     }
     return cases;
 }

@@ -65,7 +65,7 @@ struct Campaign {
     int trials = 500;
     int steps = 600;
     int most_tetrahedra = 2000;
-    // Played on in turn instead of random bodies; touch only.
+    // Played on in turn instead of random bodies.
     std::vector<std::shared_ptr<const BodyDescription>> patients{};
 };
 

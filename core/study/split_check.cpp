@@ -6,11 +6,13 @@
 #include <cmath>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include "core/base/disjoint_sets.h"
 #include "core/base/error.h"
-#include "core/deform/body/torn_body.h"
+#include "core/deform/stepper/cpu_back_end.h"
 #include "core/mesh/surface.h"
+#include "core/study/forwarding_back_end.h"
 #include "core/tear/tearing.h"
 
 namespace hepatica {
@@ -24,7 +26,6 @@ struct WholeMotion {
     Vec3 momentum = Vec3::Zero(), spin = Vec3::Zero();
 };
 
-// Of the first nodes, as many as there are masses.
 WholeMotion motion_of(const std::vector<double>& mass_g, const BodyState& state) {
     WholeMotion motion;
     for (std::size_t i = 0; i < mass_g.size(); ++i) {
@@ -73,6 +74,54 @@ std::vector<std::array<int, 3>> in_order(std::vector<std::array<int, 3>> triangl
     return triangles;
 }
 
+// Notes the state before and after each transaction.
+class WatchedBackEnd final : public ForwardingBackEnd {
+  public:
+    WatchedBackEnd(std::unique_ptr<StepBackEnd> watched, std::vector<SplitMoment>& moments)
+        : ForwardingBackEnd(std::move(watched)), moments_(moments) {}
+
+    void tear(const BodyDescription& whole, const TornBody& tear) override {
+        SplitMoment moment{
+            .before = state(), .mass_before_g = body().mass_g, .energies_before = energies()};
+        ForwardingBackEnd::tear(whole, tear);
+        moment.after = state();
+        moment.mass_after_g = body().mass_g;
+        moments_.push_back(std::move(moment));
+    }
+
+  private:
+    std::vector<SplitMoment>& moments_;
+};
+
+std::vector<double> masses_of_tetrahedra_g(const BodyDescription& body) {
+    std::vector<double> mass_g;
+    for (const auto& [a, b, c, d] : body.mesh.tetrahedra) {
+        const auto edge = [&](int v) -> Vec3 {
+            return body.mesh.vertices_mm[v] - body.mesh.vertices_mm[a];
+        };
+        const std::size_t t = mass_g.size();
+        const double factor = body.density_factor.empty() ? 1.0 : body.density_factor[t];
+        mass_g.push_back(factor * body.material.density_g_mm3 *
+                         edge(b).dot(edge(c).cross(edge(d))) / 6.0);
+    }
+    return mass_g;
+}
+
+// Whether each node has a quarter of the mass of each of its tetrahedra.
+bool has_its_quarters(const std::vector<double>& mass_g,
+                      std::span<const std::array<int, 4>> tetrahedra,
+                      const std::vector<double>& mass_of_tetrahedron_g) {
+    std::vector<double> quarters(mass_g.size(), 0.0);
+    for (std::size_t t = 0; t < tetrahedra.size(); ++t)
+        for (const int v : tetrahedra[t]) {
+            if (v >= static_cast<int>(mass_g.size())) return false;
+            quarters[v] += 0.25 * mass_of_tetrahedron_g[t];
+        }
+    for (std::size_t v = 0; v < mass_g.size(); ++v)
+        if (!(std::abs(mass_g[v] - quarters[v]) <= split_rounding * quarters[v])) return false;
+    return true;
+}
+
 }  // namespace
 
 bool fans_connected(const TetMesh& mesh) {
@@ -106,43 +155,90 @@ bool fans_connected(const TetMesh& mesh) {
     return true;
 }
 
-SplitCheck::SplitCheck(const BodyDescription& whole, const StepperOptions& options)
+std::string fault_of_motion(const SplitMoment& moment) {
+    const WholeMotion before = motion_of(moment.mass_before_g, moment.before),
+                      after = motion_of(moment.mass_after_g, moment.after);
+    if (!(std::abs(after.mass - before.mass) <= split_rounding * before.mass))
+        return "mass changed";
+    if (!((after.momentum - before.momentum).norm() <= split_rounding * before.moved))
+        return "momentum changed";
+    if (!((after.spin - before.spin).norm() <= split_rounding * before.turned))
+        return "angular momentum changed";
+    if (!(std::abs(after.kinetic - before.kinetic) <= split_rounding * before.kinetic))
+        return "kinetic energy changed";
+    return {};
+}
+
+std::string fault_of_shape(const TetMesh& mesh, std::vector<std::array<int, 3>> told_surface) {
+    if (!std::ranges::all_of(mesh.vertices_mm, [](const Vec3& x) { return x.allFinite(); }))
+        return "a position is not finite after a split";
+    if (!fans_connected(mesh)) return "tetrahedra hang by a point or an edge";
+    const TriangleMesh surface{mesh.vertices_mm, boundary_triangles(mesh)};
+    if (in_order(surface.triangles) != in_order(std::move(told_surface)))
+        return "the topology tells another surface";
+    try {
+        validate_closed(surface);
+    } catch (const InputError& open) {
+        return open.what();
+    }
+    return {};
+}
+
+SplitCheck::SplitCheck(const BodyDescription& whole, const StepperOptions& options,
+                       GovernedStepper::MakeBackEnd make)
     : whole_(whole),
       options_(options),
-      mass_g_(build_body(whole, options.model, options.order).mass_g) {}
+      make_(make ? std::move(make) : make_cpu_back_end),
+      mass_of_tetrahedron_g_(masses_of_tetrahedra_g(whole)),
+      tetrahedra_(whole.mesh.tetrahedra) {}
 
-std::string SplitCheck::after_step(const Stepper& stepper, const EnergyLedger& energy) {
-    if (stepper.positions_mm().size() == mass_g_.size()) return {};
-    ++splits_;
-    if (!in_place(stepper)) return "a vertex does not lie where it was split from";
-    const std::string wrong = conserved(stepper, energy);
-    return wrong.empty() ? well_formed(stepper) : wrong;
+std::unique_ptr<Stepper> SplitCheck::make_stepper() {
+    const auto watched = [this](const BodyDescription& body, const StepperOptions& options) {
+        return std::make_unique<WatchedBackEnd>(make_(body, options), moments_);
+    };
+    return std::make_unique<GovernedStepper>(whole_, options_, std::nullopt, watched);
 }
 
-bool SplitCheck::in_place(const Stepper& stepper) const {
-    const auto positions = stepper.positions_mm();
-    const auto parents = stepper.tearing()->topology().parents();
-    for (std::size_t v = mass_g_.size(); v < parents.size(); ++v)
-        if (positions[v] != positions[static_cast<std::size_t>(parents[v])]) return false;
-    return true;
+std::string SplitCheck::after_step(const Stepper& stepper) {
+    const std::vector<SplitMoment> moments = std::exchange(moments_, {});
+    for (const SplitMoment& moment : moments) {
+        const bool split = moment.after.positions_mm.size() > moment.before.positions_mm.size();
+        splits_ += split ? 1 : 0;
+        const std::string wrong = over(moment, stepper);
+        if (!wrong.empty()) return wrong;
+        if (!split) continue;
+        const std::string shape = well_formed(stepper);
+        if (!shape.empty()) return shape;
+    }
+    return {};
 }
 
-std::string SplitCheck::conserved(const Stepper& stepper, const EnergyLedger& energy) {
-    const BodyState state = stepper.state();
-    const std::vector<double> mass_g =
-        build_body(torn(whole_, torn_body_of(*stepper.tearing())), options_.model, options_.order)
-            .mass_g;
-    // Vertices keep their velocity, and new ones have that of their origin.
-    const WholeMotion before = motion_of(mass_g_, state), after = motion_of(mass_g, state);
-    mass_g_ = mass_g;
-    if (std::abs(after.mass - before.mass) > split_rounding * before.mass) return "mass changed";
-    if ((after.momentum - before.momentum).norm() > split_rounding * before.moved)
-        return "momentum changed";
-    if ((after.spin - before.spin).norm() > split_rounding * before.turned)
-        return "angular momentum changed";
-    if (std::abs(after.kinetic - before.kinetic) > split_rounding * before.kinetic)
-        return "kinetic energy changed";
-    return energy_made(energy, stepper.energies());
+// There is one transaction in a step, and one in a cut, so that the stepper is as it left it.
+std::string SplitCheck::over(const SplitMoment& moment, const Stepper& stepper) {
+    const auto& [before, after, mass_before_g, mass_after_g, energies] = moment;
+    const BodyState now = stepper.state();
+    if (now.positions_mm != after.positions_mm ||
+        now.velocities_mm_per_s != after.velocities_mm_per_s)
+        return "what a split left was changed in the same step";
+    const TornTopology& topology = stepper.tearing()->topology();
+    const auto parents = topology.parents();
+    if (after.positions_mm.size() != parents.size()) return "a split left another number of nodes";
+    for (std::size_t v = 0; v < parents.size(); ++v) {
+        const bool old = v < before.positions_mm.size();
+        const std::size_t origin = old ? v : static_cast<std::size_t>(parents[v]);
+        const BodyState& there = old ? before : after;
+        if (after.positions_mm[v] != there.positions_mm[origin])
+            return old ? "a split moved a vertex" : "a vertex does not lie where it was split from";
+        if (after.velocities_mm_per_s[v] != there.velocities_mm_per_s[origin])
+            return old ? "a split changed a velocity"
+                       : "a vertex does not move as the one does that it was split from";
+    }
+    if (!has_its_quarters(mass_before_g, tetrahedra_, mass_of_tetrahedron_g_) ||
+        !has_its_quarters(mass_after_g, topology.tetrahedra(), mass_of_tetrahedron_g_))
+        return "a vertex has not the mass of its tetrahedra";
+    tetrahedra_.assign(topology.tetrahedra().begin(), topology.tetrahedra().end());
+    const std::string changed = fault_of_motion(moment);
+    return changed.empty() ? energy_made(energies, stepper.energies()) : changed;
 }
 
 std::string SplitCheck::well_formed(const Stepper& stepper) {
@@ -150,23 +246,15 @@ std::string SplitCheck::well_formed(const Stepper& stepper) {
     const auto positions = stepper.positions_mm();
     const TornTopology& topology = stepper.tearing()->topology();
     mesh.vertices_mm.assign(positions.begin(), positions.end());
-    mesh.tetrahedra.assign(topology.tetrahedra().begin(), topology.tetrahedra().end());
-    if (!std::ranges::all_of(mesh.vertices_mm, [](const Vec3& x) { return x.allFinite(); }))
-        return "a position is not finite after a split";
+    mesh.tetrahedra = tetrahedra_;
+    const std::string fault = fault_of_shape(mesh, topology.surface());
+    if (!fault.empty()) return fault;
     with_inverted_ += std::ranges::any_of(mesh.tetrahedra, [&](const auto& t) {
         return signed_volume_mm3(positions[t[0]], positions[t[1]], positions[t[2]],
                                  positions[t[3]]) <= 0.0;
     });
-    if (!fans_connected(mesh)) return "tetrahedra hang by a point or an edge";
-    TriangleMesh surface{mesh.vertices_mm, boundary_triangles(mesh)};
-    if (in_order(surface.triangles) != in_order(topology.surface()))
-        return "the topology tells another surface";
-    try {
-        validate_closed(surface);
-    } catch (const InputError& open) {
-        return open.what();
-    }
-    with_touching_edges_ += is_closed_manifold(surface) ? 0 : 1;
+    with_touching_edges_ +=
+        is_closed_manifold({mesh.vertices_mm, boundary_triangles(mesh)}) ? 0 : 1;
     return {};
 }
 

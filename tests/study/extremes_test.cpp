@@ -94,6 +94,24 @@ TEST(Extremes, EverythingHoldsInASampleOfTears) {
     EXPECT_GT(splits, 60);
 }
 
+// As `extremes --suite tear --case CASE` has real ones.
+TEST(Extremes, EverythingHoldsInASampleOfTearsOfAPatient) {
+    Job job;
+    const DeformPart part(*test::small_patient(), DeformSpec{});
+    Campaign campaign{.trials = 4, .steps = 25};
+    campaign.patients = {std::make_shared<const BodyDescription>(part.body())};
+    const std::string tetrahedra = std::to_string(part.body().mesh.tetrahedra.size());
+    const auto rows = run_extremes(tear_cases(campaign), "", job);
+    ASSERT_EQ(rows.size(), 4u);
+    int splits = 0;
+    for (const ExtremeRow& row : rows) {
+        EXPECT_TRUE(row.survived) << row.name << ": " << row.note;
+        EXPECT_TRUE(row.name.ends_with(", " + tetrahedra + " tetrahedra")) << row.name;
+        splits += row.splits;
+    }
+    EXPECT_GT(splits, 10);
+}
+
 // What the row is about is a thousandth of the spin.
 TEST(Extremes, ASpinThatLosesNothingIsNotTakenForOneThatLosesWhatItShould) {
     ExtremeRun short_run;
