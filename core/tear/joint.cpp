@@ -54,13 +54,6 @@ std::vector<Joint> joints_of(const TetMesh& mesh) {
     return joints;
 }
 
-Mat3 stress_of(const std::array<Vec3, 4>& force_un, const std::array<Vec3, 4>& rest_mm,
-               double volume_mm3) {
-    Mat3 sum = Mat3::Zero();
-    for (int a = 1; a < 4; ++a) sum += force_un[a] * (rest_mm[a] - rest_mm[0]).transpose();
-    return sum / -volume_mm3;
-}
-
 Vec3 traction_on(const Joint& joint, const Mat3& first_stress_pa, const Mat3& second_stress_pa) {
     return 0.5 * (first_stress_pa + second_stress_pa) * joint.normal;
 }

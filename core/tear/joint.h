@@ -33,8 +33,19 @@ std::vector<Joint> joints_of(const TetMesh& mesh);
 // The first Piola-Kirchhoff stress [Pa] of a linear tetrahedron, from the elastic forces [uN] on
 // its corners, their rest positions [mm] and its rest volume [mm3]: -sum f_a X_a^T / V. Exact for
 // every law whose forces follow from a constant deformation gradient, otherwise an average.
-Mat3 stress_of(const std::array<Vec3, 4>& force_un, const std::array<Vec3, 4>& rest_mm,
-               double volume_mm3);
+// `force_un` has a force in each column; its fourth row is not used. Inline and four wide, because
+// a body that tears calls this for every tetrahedron in every step.
+using ForceColumns = Eigen::Matrix<double, 4, 4>;
+inline Mat3 stress_of(const ForceColumns& force_un, const std::array<Vec3, 4>& rest_mm,
+                      double volume_mm3) {
+    Mat3 stress;
+    for (int j = 0; j < 3; ++j) {
+        Eigen::Vector4d column = Eigen::Vector4d::Zero();
+        for (int a = 1; a < 4; ++a) column += force_un.col(a) * (rest_mm[a][j] - rest_mm[0][j]);
+        stress.col(j) = (column / -volume_mm3).head<3>();
+    }
+    return stress;
+}
 
 // Traction on the joint per rest area [Pa], from the mean stress of its two tetrahedra.
 Vec3 traction_on(const Joint& joint, const Mat3& first_stress_pa, const Mat3& second_stress_pa);

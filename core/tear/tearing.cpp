@@ -74,10 +74,12 @@ void Tearing::weaken(std::span<const int> joints, double factor) {
                          "The body has joints 0 to " + std::to_string(count - 1));
     for (const int j : joints)
         if (!topology_.parted(j)) weakness_[j] *= factor;
+    any_weakened_ = any_weakened_ || !joints.empty();
 }
 
 std::vector<int> Tearing::weakened() const {
     std::vector<int> joints;
+    if (!any_weakened_) return joints;  // as in most steps of most scenes
     for (int j = 0; j < static_cast<int>(weakness_.size()); ++j)
         if (weakness_[j] != 1.0 && !topology_.parted(j)) joints.push_back(j);
     return joints;
@@ -163,14 +165,18 @@ std::size_t Tearing::within_budget(std::span<const int> joints) const {
 }
 
 bool Tearing::part_overloaded(const TearLoads& loads) {
+    warns_ = false;
     if (stopped_) {
         load_.clear();
         return false;
     }
     find_loads(loads, warning_load, load_);
     std::vector<int> parting;
-    for (std::size_t j = 0; j < load_.size(); ++j)
+    for (std::size_t j = 0; j < load_.size(); ++j) {
+        if (!(load_[j] >= warning_load)) continue;
+        warns_ = true;
         if (load_[j] >= 1.0) parting.push_back(static_cast<int>(j));
+    }
     // The most loaded first, equal ones by position, so that the numbering does not decide what
     // tears.
     const auto rank = [&](int j) {
@@ -425,7 +431,9 @@ void Tearing::restore(const TearState& state) {
     stopped_ = state.stopped && law_.stop != TearStop::none;
     entropy_before_ = state.entropy_before_nats;
     entropy_ = state.entropy_nats;
+    any_weakened_ = !state.weakened.empty();
     load_.clear();
+    warns_ = false;
     make_ties();
     count();
     report_entropy();

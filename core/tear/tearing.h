@@ -69,9 +69,11 @@ class Tearing {
     void find_loads(const TearLoads& loads, double least, std::vector<double>& load);
 
     // Load over limit of each joint after the last step, 0 where it has parted; exact from
-    // `warning_load` on, smaller loads may be given as 0. Empty where none was computed: before the
-    // first step, and once the tear has stopped.
-    std::span<const double> loads() const { return load_; }
+    // `warning_load` on, smaller loads may be given as 0. Empty where no joint reaches that, and
+    // where none was computed: before the first step, and once the tear has stopped.
+    std::span<const double> loads() const {
+        return warns_ ? std::span<const double>(load_) : std::span<const double>();
+    }
     static constexpr double warning_load = 0.5;
 
     // The ties of the parted joints. The caller keeps them while it makes steps, and returns their
@@ -129,6 +131,8 @@ class Tearing {
     double elastic_ = 0.0;  // energy at the last measure [nJ]
     TearReport report_;
     std::vector<double> load_;       // of joints
+    bool warns_ = false;             // one of them reaches `warning_load`
+    bool any_weakened_ = false;      // since the last restore()
     std::vector<double> weights_;    // of vertices; scratch
     std::vector<double> stress_pa_;  // norms of the tetrahedra's stresses; scratch
 };

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "core/mesh/brick_mesh.h"
@@ -46,12 +47,13 @@ TEST(Stress, OfTheForcesOfAUniformStressIsThatStress) {
         const double volume = signed_volume_mm3(x[0], x[1], x[2], x[3]);
         Mat3 stress;
         for (int i = 0; i < 9; ++i) stress(i) = 1e5 * any(random);
-        std::array<Vec3, 4> force;
+        ForceColumns force;
+        force.row(3).setConstant(std::numeric_limits<double>::quiet_NaN());  // not used
         constexpr int faces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
         for (int a = 0; a < 4; ++a) {
             const auto& f = faces[a];
             const Vec3 area = 0.5 * (x[f[1]] - x[f[0]]).cross(x[f[2]] - x[f[0]]);
-            force[a] = stress * area / 3.0;  // -V P (-area / 3 V)
+            force.col(a).head<3>() = stress * area / 3.0;  // -V P (-area / 3 V)
         }
         EXPECT_LT((stress_of(force, x, volume) - stress).norm(), 1e-9 * stress.norm());
     }

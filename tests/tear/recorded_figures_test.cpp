@@ -52,9 +52,10 @@ TEST(TearFigures, OfJoints) {
         numbers.push_back(joint.area_mm2);
         append_to(numbers, joint.normal);
         append_to(numbers, joint.centre_mm);
-        std::array<Vec3, 4> forces, rest;
+        ForceColumns forces = ForceColumns::Zero();
+        std::array<Vec3, 4> rest;
         for (int i = 0; i < 4; ++i) {
-            forces[i] = chance.vector(100.0);
+            forces.col(i).head<3>() = chance.vector(100.0);
             rest[i] = mesh.vertices_mm[mesh.tetrahedra[joint.tetrahedra[0]][i]];
         }
         const Mat3 stress = stress_of(forces, rest, 0.3);

@@ -195,6 +195,37 @@ TEST(TearLimits, WhatBearsNothingIsBroken) {
                     .empty());
 }
 
+TEST(TearLimits, LoadsAreToldWhereAJointIsNearItsLimit) {
+    const TetMesh mesh = kuhn_brick(Vec3(3, 1, 1), {3, 1, 1});
+    Tearing tearing(mesh, {.strength_pa = 1000.0}, {});
+    const std::vector<double> energy(mesh.tetrahedra.size(), 1.0),
+        mass(mesh.vertices_mm.size(), 1.0);
+    const auto told = [&](double pull_pa) {
+        const std::vector<Mat3> stress(energy.size(), Mat3(pull_pa * Mat3::Identity()));
+        EXPECT_FALSE(tearing.part_overloaded({stress, energy, mesh.vertices_mm, mass}));
+        return tearing.loads().size();
+    };
+    const std::size_t joints = tearing.topology().joints().size();
+    EXPECT_EQ(told(490.0), 0u);
+    EXPECT_EQ(told(510.0), joints);
+    EXPECT_EQ(told(490.0), 0u);
+    EXPECT_EQ(told(510.0), joints);
+    tearing.restore({});
+    EXPECT_EQ(tearing.loads().size(), 0u);
+}
+
+TEST(TearLimits, WhatIsWeakenedIsKnownWhoeverWeakenedIt) {
+    const TetMesh mesh = kuhn_brick(Vec3(3, 1, 1), {3, 1, 1});
+    Tearing tearing(mesh, {}, {}), other(mesh, {}, {});
+    EXPECT_TRUE(tearing.weakened().empty());
+    tearing.weaken(std::array{2, 5}, 0.5);
+    EXPECT_EQ(tearing.weakened(), (std::vector<int>{2, 5}));
+    other.restore(tearing.state());
+    EXPECT_EQ(other.weakened(), (std::vector<int>{2, 5}));
+    other.restore({});
+    EXPECT_TRUE(other.weakened().empty());
+}
+
 // What is shown between a cut and the next step.
 TEST(TearLimits, WhatABladePartsHasNoLoad) {
     const TetMesh mesh = kuhn_brick(Vec3(3, 1, 1), {3, 1, 1});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <numeric>
 #include <utility>
 
@@ -261,16 +262,16 @@ void ElementSlots::find_stress(std::vector<Mat3>& stress_pa, std::vector<double>
     const bool first = stress_pa.empty();
     stress_pa.resize(group.size());
     energy_nj = energy_.front();
+    const bool springs = group.kind == Kind::spring;
     sum_over_packs(first ? nullptr : live_, [&](const Pack& pack) {
-        for (int lane = 0; lane < pack.count; ++lane) {
-            const int e = pack.first + lane;
-            std::array<Vec3, 4> force, rest;
-            for (int a = 0; a < 4; ++a) {
-                const Wide& own = force_[force_slot(pack) + 4 * lane + a];
-                force[a] = Vec3(own[0], own[1], own[2]);
-                rest[a] = body_.rest_positions_mm[nodes(pack, lane)[a]];
-            }
-            const bool springs = group.kind == Kind::spring;
+        const Wide* own = force_.data() + force_slot(pack);
+        const int* node = nodes(pack, 0);
+        for (int e = pack.first; e < pack.first + pack.count; ++e, own += 4, node += 4) {
+            ForceColumns force;
+            static_assert(sizeof force == 4 * sizeof *own);
+            std::memcpy(force.data(), own, sizeof force);
+            std::array<Vec3, 4> rest;
+            for (int a = 0; a < 4; ++a) rest[a] = body_.rest_positions_mm[node[a]];
             stress_pa[e] = stress_of(
                 force, rest, springs ? group.springs[e].volume : group.tetrahedra[e].volume);
         }
