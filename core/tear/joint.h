@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/small_matrix.h"
 #include "core/base/vector.h"
 #include "core/mesh/tet_mesh.h"
 
@@ -31,19 +32,19 @@ struct Joint {
 std::vector<Joint> joints_of(const TetMesh& mesh);
 
 // The first Piola-Kirchhoff stress [Pa] of a linear tetrahedron, from the elastic forces [uN] on
-// its corners, their rest positions [mm] and its rest volume [mm3]: -sum f_a X_a^T / V. Exact for
-// every law whose forces follow from a constant deformation gradient, otherwise an average.
-// `force_un` has a force in each column; its fourth row is not used. Inline and four wide, because
-// a body that tears calls this for every tetrahedron in every step.
-using ForceColumns = Eigen::Matrix<double, 4, 4>;
-inline Mat3 stress_of(const ForceColumns& force_un, const std::array<Vec3, 4>& rest_mm,
-                      double volume_mm3) {
-    Mat3 stress;
-    for (int j = 0; j < 3; ++j) {
-        Eigen::Vector4d column = Eigen::Vector4d::Zero();
-        for (int a = 1; a < 4; ++a) column += force_un.col(a) * (rest_mm[a][j] - rest_mm[0][j]);
-        stress.col(j) = (column / -volume_mm3).head<3>();
-    }
+// its corners, their places at rest relative to the first corner [mm] and its rest volume [mm3]:
+// -sum f_a X_a^T / V. Exact for every law whose forces follow from a constant deformation gradient,
+// otherwise an average. T may hold several tetrahedra (elements/lanes.h).
+template <class T>
+small::Matrix3<T> stress_of(const std::array<small::Vector3<T>, 4>& force_un,
+                            const std::array<small::Vector3<T>, 4>& rest_mm, const T& volume_mm3) {
+    small::Matrix3<T> stress;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            T sum(0.0);
+            for (int a = 1; a < 4; ++a) sum = sum + force_un[a][i] * rest_mm[a][j];
+            stress(i, j) = sum / -volume_mm3;
+        }
     return stress;
 }
 

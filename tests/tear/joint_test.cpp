@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 
+#include "core/base/small_matrix_eigen.h"
 #include "core/mesh/brick_mesh.h"
 
 namespace hepatica {
@@ -47,15 +47,16 @@ TEST(Stress, OfTheForcesOfAUniformStressIsThatStress) {
         const double volume = signed_volume_mm3(x[0], x[1], x[2], x[3]);
         Mat3 stress;
         for (int i = 0; i < 9; ++i) stress(i) = 1e5 * any(random);
-        ForceColumns force;
-        force.row(3).setConstant(std::numeric_limits<double>::quiet_NaN());  // not used
+        std::array<small::Vector3<double>, 4> force, from_first;
         constexpr int faces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
         for (int a = 0; a < 4; ++a) {
             const auto& f = faces[a];
             const Vec3 area = 0.5 * (x[f[1]] - x[f[0]]).cross(x[f[2]] - x[f[0]]);
-            force.col(a).head<3>() = stress * area / 3.0;  // -V P (-area / 3 V)
+            force[a] = small::from_eigen(Vec3(stress * area / 3.0));  // -V P (-area / 3 V)
+            from_first[a] = small::from_eigen(Vec3(x[a] - x[0]));
         }
-        EXPECT_LT((stress_of(force, x, volume) - stress).norm(), 1e-9 * stress.norm());
+        EXPECT_LT((small::to_eigen(stress_of(force, from_first, volume)) - stress).norm(),
+                  1e-9 * stress.norm());
     }
 }
 

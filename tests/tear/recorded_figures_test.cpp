@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "core/base/small_matrix_eigen.h"
 #include "core/mesh/brick_mesh.h"
 #include "core/tear/entropy.h"
 #include "core/tear/tearing.h"
@@ -52,13 +53,14 @@ TEST(TearFigures, OfJoints) {
         numbers.push_back(joint.area_mm2);
         append_to(numbers, joint.normal);
         append_to(numbers, joint.centre_mm);
-        ForceColumns forces = ForceColumns::Zero();
-        std::array<Vec3, 4> rest;
+        std::array<small::Vector3<double>, 4> forces, rest;
+        const auto& corners = mesh.tetrahedra[joint.tetrahedra[0]];
         for (int i = 0; i < 4; ++i) {
-            forces.col(i).head<3>() = chance.vector(100.0);
-            rest[i] = mesh.vertices_mm[mesh.tetrahedra[joint.tetrahedra[0]][i]];
+            forces[i] = small::from_eigen(chance.vector(100.0));
+            rest[i] = small::from_eigen(
+                Vec3(mesh.vertices_mm[corners[i]] - mesh.vertices_mm[corners[0]]));
         }
-        const Mat3 stress = stress_of(forces, rest, 0.3);
+        const Mat3 stress = small::to_eigen(stress_of(forces, rest, 0.3));
         const Vec3 traction = traction_on(joint, stress, 0.4 * stress.transpose());
         append_to(stresses, stress.reshaped());
         append_to(stresses, traction);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <numeric>
 #include <utility>
 
@@ -265,16 +264,19 @@ void ElementSlots::find_stress(std::vector<Mat3>& stress_pa, std::vector<double>
     const bool springs = group.kind == Kind::spring;
     sum_over_packs(first ? nullptr : live_, [&](const Pack& pack) {
         const Wide* own = force_.data() + force_slot(pack);
-        const int* node = nodes(pack, 0);
-        for (int e = pack.first; e < pack.first + pack.count; ++e, own += 4, node += 4) {
-            ForceColumns force;
-            static_assert(sizeof force == 4 * sizeof *own);
-            std::memcpy(force.data(), own, sizeof force);
-            std::array<Vec3, 4> rest;
-            for (int a = 0; a < 4; ++a) rest[a] = body_.rest_positions_mm[node[a]];
-            stress_pa[e] = stress_of(
-                force, rest, springs ? group.springs[e].volume : group.tetrahedra[e].volume);
+        std::array<small::Vector3<Wide>, 4> force, rest;
+        load(pack, body_.rest_positions_mm, rest.data());
+        Wide volume;
+        for (int lane = 0; lane < lanes; ++lane) {
+            const int in_pack = std::min(lane, pack.count - 1), e = pack.first + in_pack;
+            volume.set(lane, springs ? group.springs[e].volume : group.tetrahedra[e].volume);
+            for (int a = 1; a < 4; ++a)
+                for (int i = 0; i < 3; ++i) force[a][i].set(lane, own[4 * in_pack + a][i]);
         }
+        const small::Matrix3<Wide> stress = stress_of(force, rest, volume);
+        for (int lane = 0; lane < pack.count; ++lane)
+            for (int j = 0; j < 3; ++j)
+                for (int i = 0; i < 3; ++i) stress_pa[pack.first + lane](i, j) = stress(i, j)[lane];
         return 0.0;
     });
 }

@@ -28,7 +28,14 @@ TearLoads GovernedStepper::tear_loads() {
 void GovernedStepper::tear(StepReport& report) {
     const TearLoads loads = tear_loads();
     tearing_->measure(loads);
-    if (tearing_->part_overloaded(loads)) follow_tear();
+    if (tearing_->part_overloaded(loads)) {
+        const double before = back_end_->contact_energy();
+        follow_tear();
+        // Pads beside the tear have other areas and thicknesses, or are gone.
+        const double lost = before - back_end_->contact_energy();
+        report.energy.contact -= lost;
+        report.energy.tear_loss += lost;
+    }
     report.tear = tearing_->report();
 }
 
@@ -66,12 +73,12 @@ void GovernedStepper::cut(const Vec3& corner_mm, const Vec3& first_edge_mm,
     std::vector<int> tied = joints;
     std::erase_if(tied, [&](int j) { return !tearing_->topology().parted(j); });
     tearing_->measure(tear_loads());
-    const double before = back_end_->cohesion_energy();
+    const double cohesion = back_end_->cohesion_energy(), contact = back_end_->contact_energy();
     tearing_->cut(joints);
     follow_tear();
-    const double after = back_end_->cohesion_energy();
-    tool_work_ += after - before;
-    resting_.cohesion = after;
+    resting_.cohesion = back_end_->cohesion_energy();
+    resting_.contact = back_end_->contact_energy();
+    tool_work_ += resting_.cohesion - cohesion + resting_.contact - contact;
     // Joints that only lose their ties make no new vertices, around which it would wake.
     if (region_ && region_->wake(vertices_at(tearing_->topology(), tied))) change_region();
 }
