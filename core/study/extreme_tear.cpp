@@ -29,7 +29,7 @@ constexpr double fist_un_per_mm = 3e5,
 constexpr int steps_a_goal = 30;
 constexpr int steps_a_look = 10;  // for triangles that cross
 // Of this many rounds of plays, the surfaces of one touch each other.
-constexpr int rounds_of_touch = 4;
+constexpr int rounds_of_touch = 16;
 
 enum class TearPlay { pull, press, twist, cut };
 constexpr std::array<const char*, 4> tear_plays{"pull", "press", "twist", "cut"};

@@ -181,7 +181,17 @@ class OwnCpuBackEnd final : public CpuBackEnd {
             ledger.tear_loss += loss;
             ledger.cohesion -= loss;
         }
+        const double pressed = self_energy();
         potentials_->surfaces().let_go(state_.positions_mm);
+        const double lost = pressed - self_energy();
+        ledger.contact -= lost;
+        ledger.tear_loss += lost;
+    }
+    // What slips into a piece that was torn off is left out from then on, with the energy of its
+    // pads.
+    double self_energy() const {
+        const SelfContact* self = potentials_->self();
+        return self ? self->energy(state_.positions_mm, state_.positions_mm) : 0.0;
     }
     // The terms of the potentials.
     EnergyLedger outside_energies() const {
