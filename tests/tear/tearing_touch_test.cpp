@@ -70,8 +70,8 @@ bool of_both_bars(double a, double b) {
 
 constexpr double everywhere = -100.0;
 
-// Presses the upper bar onto the lower one and cuts it beside the place where they touch.
-void press_and_cut(Stepper& stepper, const BodyDescription& body) {
+// Presses the upper bar onto the lower one.
+void press(Stepper& stepper, const BodyDescription& body) {
     double gap_mm = 0.0;
     for (int k = 1; k <= 90; ++k) {
         stepper.set_grabs(lead(body, Vec3(0, 0, -0.04 * k), everywhere));
@@ -79,6 +79,11 @@ void press_and_cut(Stepper& stepper, const BodyDescription& body) {
     }
     ASSERT_LT(gap_mm, 0.01) << "nearer than what overlaps at rest";
     ASSERT_EQ(crossings(stepper, body, any), 0u);
+}
+
+// Presses, and cuts beside the place where they touch.
+void press_and_cut(Stepper& stepper, const BodyDescription& body) {
+    press(stepper, body);
     stepper.cut(Vec3(-20, 5, -20), Vec3(40, 0, 0), Vec3(0, 0, 40));
     ASSERT_EQ(stepper.tearing()->report().pieces, 3);
 }
@@ -109,6 +114,20 @@ TEST(TearingTouch, ACutAddsNoEnergy) {
     const double before = whole->energies().contact, after = stepper->energies().contact;
     EXPECT_GT(before, 0.0);
     EXPECT_NEAR(after, before, 1e-9 * before);
+}
+
+// A cut through the place where they touch: its pads are others afterwards.
+TEST(TearingTouch, WhatACutTakesFromPadsIsBooked) {
+    const BodyDescription body = bars_to_cut();
+    const auto stepper = make_cpu_stepper(body, {});
+    press(*stepper, body);
+    const EnergyLedger before = stepper->energies();
+    ASSERT_GT(before.contact, 0.0);
+    stepper->cut(Vec3(-20, 0.1, -20), Vec3(40, 0, 0), Vec3(0, 0, 40));
+    const EnergyLedger after = stepper->energies();
+    EXPECT_GT(std::abs(after.contact - before.contact), 1e-3 * before.contact);
+    EXPECT_NEAR(stored_energy(after) - stored_energy(before), after.tool_work - before.tool_work,
+                1e-9 * stored_energy(before));
 }
 
 TEST(TearingTouch, WhatWasCutOffCountsWhenItHasComeAway) {
