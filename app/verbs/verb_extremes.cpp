@@ -113,7 +113,10 @@ void add_extremes(CommandLine& line) {
             ->capture_default_str(),
         verb.add_option("--case", choices->patients,
                         "A case that the campaign is played on in the place of random trees; "
-                        "several take turns")};
+                        "several take turns"),
+        verb.add_flag("--touching", choices->campaign.touching,
+                      "Surfaces touch each other in the campaign of tears, as they always do in "
+                      "that of touch")};
     verb.add_option("--filter", choices->filter, "Only rows whose name contains this");
     verb.add_flag("--verify", choices->verify, "Fail (exit code 1) where a row does");
 }

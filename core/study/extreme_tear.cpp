@@ -28,8 +28,6 @@ constexpr double fist_un_per_mm = 3e5,
                  fist_limit_un = 1e7;  // of all springs of a hand together
 constexpr int steps_a_goal = 30;
 constexpr int steps_a_look = 10;  // for triangles that cross
-// Of this many rounds of plays, the surfaces of one touch each other.
-constexpr int rounds_of_touch = 16;
 
 enum class TearPlay { pull, press, twist, cut };
 constexpr std::array<const char*, 4> tear_plays{"pull", "press", "twist", "cut"};
@@ -215,7 +213,7 @@ std::vector<ExtremeCase> tear_cases(const Campaign& campaign) {
         const std::size_t patients = std::max<std::size_t>(1, campaign.patients.size());
         const std::size_t turn = static_cast<std::size_t>(t) / patients;
         const auto play = static_cast<TearPlay>(turn % tear_plays.size());
-        const bool touches = turn / tear_plays.size() % rounds_of_touch == rounds_of_touch - 1;
+        const bool touches = campaign.touching;
         const double speed = log_uniform(random, 10.0, 1e3);
         std::shared_ptr<const BodyDescription> patient;
         std::size_t tetrahedra = 0;

@@ -67,6 +67,7 @@ struct Campaign {
     int most_tetrahedra = 2000;
     // Played on in turn instead of random bodies.
     std::vector<std::shared_ptr<const BodyDescription>> patients{};
+    bool touching = false;  // of tears: the surfaces of the bodies touch each other
 };
 
 using TouchCampaign = Campaign;
@@ -79,8 +80,9 @@ using TouchCampaign = Campaign;
 std::vector<ExtremeCase> touch_cases(const Campaign& campaign);
 
 // Random vessel trees that tear, with random laws, elements and stops: pulled, pressed by a tool,
-// twisted and cut in turn, at 10 to 1000 mm/s. SplitCheck runs after every transaction that splits
-// something; energies are checked as in every trial.
+// twisted and cut in turn, at 10 to 1000 mm/s; or patients. SplitCheck runs after every transaction
+// that splits something; energies are checked as in every trial. Where surfaces touch each other,
+// none may cross that contact keeps apart.
 std::vector<ExtremeCase> tear_cases(const Campaign& campaign);
 
 // Runs the cases whose name contains `filter` (all where it is empty). Throws Cancelled.

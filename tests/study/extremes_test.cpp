@@ -94,6 +94,20 @@ TEST(Extremes, EverythingHoldsInASampleOfTears) {
     EXPECT_GT(splits, 60);
 }
 
+// As `extremes --suite tear --touching` has larger ones.
+TEST(Extremes, EverythingHoldsInASampleOfTearsOfWhatTouches) {
+    Job job;
+    const auto cases =
+        tear_cases({.seed = 2, .trials = 8, .steps = 21, .most_tetrahedra = 400, .touching = true});
+    int splits = 0;
+    for (const ExtremeRow& row : run_extremes(cases, "", job)) {
+        EXPECT_NE(row.name.find("touching"), std::string::npos) << row.name;
+        EXPECT_TRUE(row.survived) << row.name << ": " << row.note;
+        splits += row.splits;
+    }
+    EXPECT_GT(splits, 5);
+}
+
 // As `extremes --suite tear --case CASE` has real ones.
 TEST(Extremes, EverythingHoldsInASampleOfTearsOfAPatient) {
     Job job;
