@@ -102,8 +102,8 @@ void BridgeActor::set_bridges(std::vector<BridgeView> bridges) {
         line->SetMapper(mapper);
         line->GetProperty()->SetLighting(false);
         line->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
-        // Hidden by vessels it would not be found; rings lie outside of theirs.
-        if (bridge.chosen && bridge.around_mm == 0.0) draw_before_vessels(*line);
+        // Hidden by vessels it would not be found.
+        if (bridge.chosen) draw_before_vessels(*line);
         renderer_.AddActor(line);
         lines_.emplace_back(line);
 

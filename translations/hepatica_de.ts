@@ -9637,10 +9637,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Eine Lücke wird überbrückt, ein Ast eingezeichnet</translation>
     </message>
     <message>
-        <source>Take all that are listed</source>
-        <translation>Alle der Liste übernehmen</translation>
-    </message>
-    <message>
         <source>All that are offered with this confidence or more, best first; what another one made needless is left out</source>
         <translation>Alle, die mit dieser Sicherheit oder mehr angeboten sind, das Sicherste zuerst; was durch anderes überflüssig wurde, bleibt weg</translation>
     </message>
@@ -9667,6 +9663,46 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>an offered branch does not have a radius from 0.001 to 50 mm for each of its points</source>
         <translation>ein angebotener Ast hat nicht für jeden seiner Punkte einen Radius von 0,001 bis 50 mm</translation>
+    </message>
+    <message>
+        <source>Branch taken</source>
+        <translation>Ast übernommen</translation>
+    </message>
+    <message>
+        <source>Branch refused</source>
+        <translation>Ast abgelehnt</translation>
+    </message>
+    <message>
+        <source>A doubtful branch: click it again to take it, or decide in the panel</source>
+        <translation>Ein unsicherer Ast: Klicken Sie ihn noch einmal an, um ihn zu übernehmen, oder entscheiden Sie im Bedienfeld</translation>
+    </message>
+    <message>
+        <source>Take all that are listed (%1)</source>
+        <translation>Alle der Liste übernehmen (%1)</translation>
+    </message>
+    <message>
+        <source>A drag or the arrows turn the view</source>
+        <translation>Ziehen oder die Pfeiltasten drehen die Ansicht</translation>
+    </message>
+    <message>
+        <source>That part is not read yet: what was played is computed again, which takes about as long</source>
+        <translation>Dieser Teil ist noch nicht gelesen: Was gespielt wurde, wird noch einmal berechnet, was etwa ebenso lange dauert</translation>
+    </message>
+    <message>
+        <source>Branches that touch may be parted (Edit in the tool bar), or give another number of tetrahedra</source>
+        <translation>Äste, die sich berühren, lassen sich trennen (Bearbeiten in der Werkzeugleiste), oder geben Sie eine andere Zahl von Tetraedern an</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bodies</source>
+        <translation>%1 von %2 Körpern</translation>
+    </message>
+    <message>
+        <source>%1 of %2 body</source>
+        <translation>%1 von %2 Körper</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>Aufnahme</translation>
     </message>
 </context>
 </TS>

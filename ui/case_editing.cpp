@@ -20,10 +20,18 @@ namespace {
 
 constexpr double beside_wall_mm = 2.0;  // a click this close to the wall still hits the vessel
 
-QString name_of(const TreeEdit& edit) {
+// What is offered, or was built by the reconstruction, and this edit decides on; null: nothing.
+const Bridge* decided_by(const TreeEdit& edit, const PatientCase& patient) {
+    for (const Bridge& bridge : patient.corrections.bridges)
+        if (refuses(edit, bridge) || edit == acceptance_of(bridge)) return &bridge;
+    return nullptr;
+}
+
+QString name_of(const TreeEdit& edit, const PatientCase& patient) {
     switch (edit.kind) {
         case TreeEditKind::cut_link:
-            return Words::tr("Vessel cut");
+            return decided_by(edit, patient) != nullptr ? Words::tr("Gap refused")
+                                                        : Words::tr("Vessel cut");
         case TreeEditKind::add_link:
             return edit.path_mm.empty() ? Words::tr("Vessels linked") : Words::tr("Gap bridged");
         case TreeEditKind::delete_branch:
@@ -33,7 +41,8 @@ QString name_of(const TreeEdit& edit) {
         case TreeEditKind::set_root:
             return Words::tr("Root set");
         case TreeEditKind::draw_vessel:
-            return Words::tr("Vessel drawn");
+            return decided_by(edit, patient) != nullptr ? Words::tr("Branch taken")
+                                                        : Words::tr("Vessel drawn");
         case TreeEditKind::seed_system:
             return Words::tr("Whole vessel given to: %1").arg(translated(title_of(edit.system)));
         case TreeEditKind::paint_tumour:
@@ -42,6 +51,8 @@ QString name_of(const TreeEdit& edit) {
             return edit.tumour == 0 ? Words::tr("Tumours erased")
                                     : Words::tr("Tumour %1 erased").arg(edit.tumour);
         case TreeEditKind::refuse_gap:
+            if (const Bridge* bridge = decided_by(edit, patient); bridge && bridge->is_branch())
+                return Words::tr("Branch refused");
             return Words::tr("Gap refused");
         case TreeEditKind::reassign_system:
             break;
@@ -75,8 +86,8 @@ bool gives_system(const TreeEdit& edit) {
 // The system that a vessel has now says nothing about one that was given: its new system is named.
 QString text_of(const TreeEdit& edit, const PatientCase& patient) {
     if (gives_system(edit))
-        return Words::tr("%1 at %2").arg(name_of(edit), patient_place(edit.at_mm));
-    return Words::tr("%1 at %2").arg(name_of(edit), there(edit.at_mm, patient));
+        return Words::tr("%1 at %2").arg(name_of(edit, patient), patient_place(edit.at_mm));
+    return Words::tr("%1 at %2").arg(name_of(edit, patient), there(edit.at_mm, patient));
 }
 
 // The tree before the first correction.
@@ -199,7 +210,7 @@ bool CaseEditing::is_apart(const GivenApart& given, const VesselTree& tree) {
 
 CaseEditing::CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks callbacks)
     : panel_(panel), workspace_(workspace), callbacks_(std::move(callbacks)) {
-    panel_.set_callbacks({[this](int row) { draw_bridges(row); }, [this](int row) { accept(row); },
+    panel_.set_callbacks({[this](int /*row*/) { draw_bridges(); }, [this](int row) { accept(row); },
                           [this](int row) { refuse(row); }, [this] { accept_all(); },
                           [this](double confidence) {
                               least_confidence_ = confidence;
@@ -301,7 +312,7 @@ void CaseEditing::show_bridges() {
     for (const Bridge& bridge : bridges_) offered << text_of(bridge);
     for (const Bridge& bridge : built_) built << Words::tr("bridged: %1").arg(text_of(bridge));
     panel_.show_bridges(offered, built, hidden);
-    draw_bridges(-1);
+    draw_bridges();
 }
 
 // Of the tree as it will be with all wanted corrections: two gaps may lead to one vessel.
@@ -388,37 +399,33 @@ void CaseEditing::show_history() {
 const Bridge* CaseEditing::bridge_of(int row) const {
     if (row < 0) return nullptr;
     auto index = static_cast<std::size_t>(row);
-    if (index < bridges_.size()) return &bridges_[index];
-    index -= bridges_.size();
-    return index < built_.size() ? &built_[index] : nullptr;
+    if (index < built_.size()) return &built_[index];
+    index -= built_.size();
+    return index < bridges_.size() ? &bridges_[index] : nullptr;
 }
 
 // Of the built ones, which the view shows as vessels, only the chosen one is drawn.
-void CaseEditing::draw_bridges(int chosen_row) {
+void CaseEditing::draw_bridges() {
+    const int chosen_row = panel_.chosen_bridge();
     std::vector<BridgeView> views;
     drawn_.clear();
-    for (int row = 0; row < std::ssize(bridges_); ++row) {
-        const Bridge& bridge = bridges_[static_cast<std::size_t>(row)];
+    for (int row = 0; const Bridge* bridge = bridge_of(row); ++row) {
         const bool chosen = row == chosen_row;
-        if (bridge.is_branch() && !edit_mode_ && !chosen) continue;
-        views.push_back(views_of({bridge}).front());
+        if (!chosen && (bridge->built || (bridge->is_branch() && !edit_mode_))) continue;
+        views.push_back(views_of({*bridge}).front());
         views.back().chosen = chosen;
-        if (bridge.is_branch() && !chosen) views.back().label.clear();
+        if (bridge->is_branch() && !chosen) views.back().label.clear();
+        if (bridge->built)
+            views.back().around_mm = std::max(bridge->from_radius_mm, bridge->to_radius_mm);
         drawn_.push_back(row);
     }
-    if (const Bridge* chosen = bridge_of(chosen_row); chosen != nullptr && chosen->built) {
-        views.push_back(views_of({*chosen}).front());
-        views.back().around_mm = std::max(chosen->from_radius_mm, chosen->to_radius_mm);
-        views.back().chosen = true;
-        drawn_.push_back(chosen_row);
-    }
     callbacks_.show_bridges(std::move(views));
-    if (const Bridge* chosen = bridge_of(chosen_row))
-        callbacks_.look_at(chosen->path_mm[chosen->path_mm.size() / 2]);
+    const Bridge* chosen = bridge_of(chosen_row);
+    callbacks_.look_at(chosen != nullptr ? chosen->path_mm : std::vector<Vec3>());
 }
 
 void CaseEditing::set_edit_mode(bool on) {
-    if (std::exchange(edit_mode_, on) != on && workspace_.has_patient()) draw_bridges(-1);
+    if (std::exchange(edit_mode_, on) != on && workspace_.has_patient()) draw_bridges();
 }
 
 void CaseEditing::begin_link(const std::optional<Vec3>& from_mm) {
@@ -473,8 +480,13 @@ void CaseEditing::accept(int row) {
     if (bridge != nullptr && !bridge->built) callbacks_.add(acceptance_of(*bridge));
 }
 
-void CaseEditing::accept_drawn(int view) {
-    if (view >= 0 && view < std::ssize(drawn_)) accept(drawn_[static_cast<std::size_t>(view)]);
+void CaseEditing::click_drawn(int view) {
+    if (view < 0 || view >= std::ssize(drawn_)) return;
+    const int row = drawn_[static_cast<std::size_t>(view)];
+    if (!bridge_of(row)->is_branch() || row == panel_.chosen_bridge()) return accept(row);
+    panel_.choose_bridge(row);
+    callbacks_.say(
+        Words::tr("A doubtful branch: click it again to take it, or decide in the panel"));
 }
 
 void CaseEditing::refuse(int row) {

@@ -32,8 +32,9 @@ class CaseEditing {
         // Whether undo takes back a point in the slices, before any correction; redo waits then.
         std::function<bool()> points_wait;
         std::function<void(std::vector<BridgeView>)> show_bridges;
-        // The middle of a bridge that was chosen: whoever decides on it looks there in the slices.
-        std::function<void(const Vec3& place_mm)> look_at;
+        // The path of the bridge that is chosen, for the slices, where it is decided on; empty:
+        // none is.
+        std::function<void(const std::vector<Vec3>& path_mm)> look_at;
         std::function<void(const QString&)> say;
         std::function<void(const Failure&)> not_drawn;
         std::function<void(const QString&)> warn;  // what a correction made doubtful, in lines
@@ -59,8 +60,9 @@ class CaseEditing {
     const std::optional<Vec3>& link_from_mm() const { return link_from_mm_; }
     // Whether what was warned of in this line is still so.
     bool stands(const QString& doubt) const;
-    // The offered one that is drawn as this view (BridgeView) of the scene; no effect otherwise.
-    void accept_drawn(int view);
+    // A click on what is drawn as this view (BridgeView) of the scene: a gap is taken, a branch
+    // chosen, and taken once it is. A click that was meant for a vessel beside it takes none.
+    void click_drawn(int view);
     // In Edit mode doubtful branches are drawn as well: there are too many of them for a play.
     void set_edit_mode(bool on);
     // Follows a vessel through these places of the patient's CT in the background. Without a radius
@@ -84,9 +86,9 @@ class CaseEditing {
     void begin_link(const std::optional<Vec3>& from_mm);
     // `apart`: it touches no other vessel.
     void add_drawn(const TreeEdit& edit, bool apart, const VesselPen::Answered& answered);
-    // Rows of the panel: offered bridges, then built ones.
+    // Rows of the panel: built bridges, then offered ones.
     void accept(int row);
-    void draw_bridges(int chosen_row);
+    void draw_bridges();
     void refuse(int row);
     const Bridge* bridge_of(int row) const;
     void accept_all();

@@ -10,7 +10,9 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "ui/core_words.h"
 #include "ui/words.h"
@@ -128,12 +130,40 @@ QWidget* EditPanel::make_bridges() {
     column->addWidget(bridges_);
     add_confidence_slider(*column);
     add_decisions(*column);
-    connect(bridges_, &QListWidget::currentRowChanged, this, [this](int row) {
-        accept_->setEnabled(row >= 0 && row < offered_);
-        refuse_->setEnabled(row >= 0);
-        if (callbacks_.choose_bridge) callbacks_.choose_bridge(row);
-    });
+    // The current row may be none that anybody chose: a list that gets the focus takes its first.
+    connect(bridges_, &QListWidget::itemSelectionChanged, this,
+            [this] { chosen_bridge_changed(); });
     return box;
+}
+
+int EditPanel::chosen_bridge() const {
+    const QList<QListWidgetItem*> chosen = bridges_->selectedItems();
+    return chosen.isEmpty() ? -1 : bridges_->row(chosen.front());
+}
+
+void EditPanel::choose_bridge(int row) {
+    row < 0 || row >= bridges_->count() ? bridges_->clearSelection() : bridges_->setCurrentRow(row);
+}
+
+void EditPanel::chosen_bridge_changed() {
+    const int row = chosen_bridge();
+    accept_->setEnabled(row >= built_);
+    refuse_->setEnabled(row >= 0);
+    if (callbacks_.choose_bridge) callbacks_.choose_bridge(row);
+}
+
+void EditPanel::accept_chosen() {
+    const int row = chosen_bridge();
+    if (row < built_) return;
+    decided_ = true;
+    callbacks_.accept_bridge(row);
+}
+
+void EditPanel::refuse_chosen() {
+    const int row = chosen_bridge();
+    if (row < 0) return;
+    decided_ = true;
+    callbacks_.refuse_bridge(row);
 }
 
 void EditPanel::add_decisions(QVBoxLayout& column) {
@@ -149,21 +179,15 @@ void EditPanel::add_decisions(QVBoxLayout& column) {
     one->addWidget(accept_);
     one->addWidget(refuse_);
     column.addLayout(one);
-    accept_all_ = new QPushButton(Words::tr("Take all that are listed"), this);
+    accept_all_ = new QPushButton(Words::tr("Take all that are listed (%1)").arg(0), this);
     accept_all_->setObjectName("acceptAll");
     accept_all_->setToolTip(
         Words::tr("All that are offered with this confidence or more, best first; what another one "
                   "made needless is left out"));
     column.addWidget(accept_all_);
-    const auto accept = [this] {
-        const int row = bridges_->currentRow();
-        if (row >= 0 && row < offered_) callbacks_.accept_bridge(row);
-    };
-    connect(accept_, &QPushButton::clicked, this, accept);
-    connect(bridges_, &QListWidget::itemDoubleClicked, this, accept);
-    connect(refuse_, &QPushButton::clicked, this, [this] {
-        if (bridges_->currentRow() >= 0) callbacks_.refuse_bridge(bridges_->currentRow());
-    });
+    connect(accept_, &QPushButton::clicked, this, [this] { accept_chosen(); });
+    connect(bridges_, &QListWidget::itemDoubleClicked, this, [this] { accept_chosen(); });
+    connect(refuse_, &QPushButton::clicked, this, [this] { refuse_chosen(); });
     connect(accept_all_, &QPushButton::clicked, this, [this] { callbacks_.accept_all(); });
 }
 
@@ -216,16 +240,25 @@ VascularSystem EditPanel::system() const {
 
 void EditPanel::show_bridges(const QStringList& offered, const QStringList& built,
                              std::size_t hidden) {
+    const int row = chosen_bridge();
+    const QString before = row < 0 ? QString() : bridges_->item(row)->text();
     const QSignalBlocker quiet(bridges_);
     bridges_->clear();
-    bridges_->addItems(offered + built);
-    bridges_->setCurrentRow(-1);
-    offered_ = static_cast<int>(offered.size());
-    accept_->setEnabled(false);
-    refuse_->setEnabled(false);
-    const bool none = bridges_->count() == 0;
+    bridges_->addItems(built + offered);
+    built_ = static_cast<int>(built.size());
+    const int count = bridges_->count();
+    const bool goes_on = std::exchange(decided_, false);
+    const bool same = row >= 0 && row < count && bridges_->item(row)->text() == before;
+    if (row >= 0 && count > 0 && (goes_on || same))
+        bridges_->setCurrentRow(std::min(row, count - 1));
+    else
+        bridges_->setCurrentRow(-1);
+    accept_->setEnabled(chosen_bridge() >= built_);
+    refuse_->setEnabled(chosen_bridge() >= 0);
+    const bool none = count == 0;
     bridges_->setEnabled(!none);
     accept_all_->setEnabled(!offered.isEmpty());
+    accept_all_->setText(Words::tr("Take all that are listed (%1)").arg(offered.size()));
     if (none)
         bridges_->addItem(hidden > 0 ? Words::tr("none; with less confidence: %1").arg(hidden)
                                      : Words::tr("none"));

@@ -176,7 +176,7 @@ void MainWindow::build_view() {
                  return ruler_->click(pick, view_->scene().axes());
              editing_->click(patient_->anatomy.tree_point(frame().origin_of(pick.nearest_vertex)));
          },
-         [this](int view) { editing_->accept_drawn(view); },
+         [this](int view) { editing_->click_drawn(view); },
          [this](const SurfacePick& pick) {
              if (!patient_) return Vec3(Vec3::Zero());
              return vessel_direction(

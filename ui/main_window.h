@@ -211,6 +211,7 @@ class MainWindow : public QMainWindow {
     void end_waiting_for_place();
     void set_lesson_place(const SurfacePick& pick);
     void build_review();
+    void dismiss_review_message();
 
     // main_window_files.cpp: opening and saving.
     std::optional<std::filesystem::path> which_case();
@@ -366,8 +367,9 @@ class MainWindow : public QMainWindow {
     QString not_drawn_message_;              // the last one, of a vessel drawn in the slices
     // Corrections and strokes when a point was set or taken back in the slices.
     std::pair<std::size_t, std::size_t> steps_at_points_;
-    QString unfit_message_;  // names lessons that no longer fit
-    QString place_message_;  // asks for a place of a lesson
+    QString review_message_;  // why a recording could not be shown
+    QString unfit_message_;   // names lessons that no longer fit
+    QString place_message_;   // asks for a place of a lesson
     // Of the last reconstruction asked for, until a patient is shown: it may fail.
     QStringList reconstruction_entries_;
     std::function<void()> first_picture_;

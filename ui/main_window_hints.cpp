@@ -133,7 +133,8 @@ void MainWindow::say_empty_grip(GripWatch::Seen seen) {
 QString MainWindow::guidance_of(MouseMode mode) const {
     switch (mode) {
         case MouseMode::pull:
-            return view_->mouse().may_pull()
+            return review_->reviewing() ? Words::tr("A drag or the arrows turn the view")
+                   : view_->mouse().may_pull()
                        ? Words::tr(
                              "Drag a vessel to pull it (by keys: Enter at the cross, then arrows)")
                        : words_without_pulling();

@@ -132,6 +132,7 @@ bool MainWindow::may_begin_lesson() {
 
 void MainWindow::use_for_lesson(std::unique_ptr<Simulation> simulation) {
     review_->end();
+    dismiss_review_message();
     const bool begins = simulation != nullptr;
     if (begins) stop_drawing_a_vessel();
     if (begins) remember_recorded_patient();
@@ -147,6 +148,12 @@ void MainWindow::use_for_lesson(std::unique_ptr<Simulation> simulation) {
     show_whole_from_the_front();
     light_up(TreePoint{});  // the target, where the lesson has one
     view_->setFocus();      // so that the keys of the tools reach the play
+}
+
+// Why a recording was not shown is told until another one is, or the lesson that forbade it ends.
+void MainWindow::dismiss_review_message() {
+    const QString message = std::exchange(review_message_, {});
+    if (!message.isEmpty() && messages_->text() == message) messages_->dismiss();
 }
 
 // It would change the patient during a lesson or a review.
@@ -423,6 +430,7 @@ void MainWindow::build_review() {
     };
     ways.use = [this](std::unique_ptr<Simulation> simulation) {
         const bool leaves = simulation == nullptr;
+        dismiss_review_message();
         if (!leaves) stop_drawing_a_vessel();
         lessons_->play_hidden(review_->file());
         use(std::move(simulation));
@@ -455,6 +463,7 @@ void MainWindow::build_review() {
     };
     ways.failed = [this](const Failure& failure) {
         fail(Words::tr("Look back on a recording"), failure);
+        review_message_ = messages_->text();
     };
     ways.known_case = [this](std::uint64_t hash) {
         return to_path(settings_.place_of_patient(hash));

@@ -316,7 +316,7 @@ void MainWindow::show_figures() {
     const Frame& frame = patient_->simulation->frame();
     FrameStatistics statistics = frame.statistics;
     statistics.paused |= review_->reviewing() && !review_->playing();
-    status_->show_statistics(statistics);
+    status_->show_statistics(statistics, review_->reviewing());
     status_->show_bleeding(frame.tear, flow_units_named(settings_.flow_units()));
     quality_->show_statistics(frame.statistics);
     tool_panel_->show_force(frame.tool, frame.grab);
@@ -363,6 +363,7 @@ void MainWindow::tear(MouseMode mode, const std::optional<std::array<Vec3, 2>>& 
     if (!stroke) {
         return hint(Words::tr("The line meets no vessel: draw it across one"));
     }
+    statusBar()->clearMessage();  // such as that of a line before
     if (!frame().tear) post(tool_panel_->tear());
     const auto& [from, to] = *stroke;
     if (mode == MouseMode::cut) return post(Blade{from, to});

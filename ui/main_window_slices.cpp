@@ -254,9 +254,11 @@ void MainWindow::build_editing() {
                 view_->scene().set_bridges(std::move(bridges));
                 view_->draw_again();
             },
-            [this](const Vec3& place_mm) {
-                if ((*actions_)[ActionId::toggle_slices].isChecked())
-                    view_layout_->slices().set_crosshair(place_mm);
+            [this](const std::vector<Vec3>& path_mm) {
+                SliceScene& slices = view_layout_->slices();
+                slices.point_out(path_mm);
+                if (!path_mm.empty() && (*actions_)[ActionId::toggle_slices].isChecked())
+                    slices.set_crosshair(path_mm[path_mm.size() / 2]);
             },
             [this](const QString& text) { statusBar()->showMessage(text, 8000); },
             [this](const Failure& failure) {

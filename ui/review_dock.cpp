@@ -134,7 +134,14 @@ QWidget* ReviewDock::build_controls() {
     row->addWidget(speed_);
     line_ = new TimeLine;
     line_->setObjectName("reviewLine");
-    connect(line_, &QSlider::valueChanged, this, [this] { go_to(line_->at_s()); });
+    connect(line_, &QSlider::valueChanged, this, [this] {
+        const bool beyond = reviewing() && !all_computed() && line_->at_s() > end_s();
+        go_to(line_->at_s());
+        if (beyond)
+            ways_.say(
+                Words::tr("That part is not read yet: what was played is computed again, "
+                          "which takes about as long"));
+    });
     row->addWidget(line_, 1);
     time_ = new QLabel;
     time_->setObjectName("reviewTime");
@@ -189,7 +196,7 @@ void ReviewDock::show_progress(const JobProgress& progress) {
     title_->setText(all_computed() ? name : gone_through(name, progress.fraction));
     const QSignalBlocker quiet(line_);
     line_->set_end(length_s());
-    line_->set_read(end_s());
+    line_->set_read(read_s());
     show_events();
     go_to(at_s_);
 }

@@ -142,6 +142,7 @@ class ReviewDock : public QDockWidget {
     bool keep(std::vector<PlayNote> notes);
     void show_other();
     double end_s() const;     // of the longer recording, as far as it is computed
+    double read_s() const;    // the same of the one of which less is computed
     double length_s() const;  // the same once it is, which its commands tell before
     void leave();
     void forget();

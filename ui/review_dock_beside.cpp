@@ -65,6 +65,13 @@ double ReviewDock::end_s() const {
     return std::max(tape_->end_s(), comparing() ? other_tape_->end_s() : 0.0);
 }
 
+double ReviewDock::read_s() const {
+    double read_s = end_s();
+    if (job_ != nullptr) read_s = std::min(read_s, tape_->end_s());
+    if (other_job_ != nullptr) read_s = std::min(read_s, other_tape_->end_s());
+    return read_s;
+}
+
 double ReviewDock::length_s() const {
     return all_computed() ? end_s() : std::max(end_s(), played_s_);
 }

@@ -176,6 +176,10 @@ constexpr std::array sentences_tree{
     Words::id("The mesh is not sound: %1. Forces pass through such places as through a hinge. %2"),
     Words::id("Branches that touch may be parted (hepatica-cli edit), or give another number of "
               "tetrahedra"),
+    Words::id("Branches that touch may be parted (Edit in the tool bar), or give another number of "
+              "tetrahedra"),
+    Words::id("%1 of %2 bodies"),
+    Words::id("%1 of %2 body"),
     Words::id("the mesh"),
     Words::id("Check that the folder may be written and has free space"),
     Words::id("a vertex"),

@@ -62,13 +62,14 @@ StatusLine::StatusLine(ElidedStatusBar& bar)
     bar.set_giving_way({picture_, renderer_});
 }
 
-void StatusLine::show_statistics(const FrameStatistics& statistics) {
+void StatusLine::show_statistics(const FrameStatistics& statistics, bool recorded) {
     step_->setText(Words::tr("step %L1 ms").arg(statistics.step_ms, 0, 'f', 1));
     real_time_->setText(
-        statistics.paused ? Words::tr("held")
-        : statistics.resting
-            ? Words::tr("at rest")
-            : Words::tr("real time × %L1").arg(statistics.real_time_factor, 0, 'f', 2));
+        statistics.paused    ? Words::tr("held")
+        : statistics.resting ? Words::tr("at rest")
+        // How fast it was computed says nothing of how fast it is shown.
+        : recorded ? Words::tr("recorded")
+                   : Words::tr("real time × %L1").arg(statistics.real_time_factor, 0, 'f', 2));
     QString error;
     if (statistics.expected_error > 0.0 && is_of_own_body(statistics.error_reference)) {
         error = Words::tr("expected error %1").arg(percent_text(statistics.expected_error));

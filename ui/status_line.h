@@ -23,7 +23,8 @@ class StatusLine {
     // What tells of the machine alone gives way to a message of the bar.
     explicit StatusLine(ElidedStatusBar& bar);
 
-    void show_statistics(const FrameStatistics& statistics);
+    // `recorded`: of a play that is looked back on.
+    void show_statistics(const FrameStatistics& statistics, bool recorded = false);
     void show_picture_time(double ms);
     void show_renderer(const std::string& name);
     void clear_statistics();

@@ -64,6 +64,23 @@ TEST_F(Gaps, that_are_refused_are_offered_no_more_until_that_is_undone) {
     EXPECT_TRUE(saved().corrections.edits.empty());
 }
 
+// So that one goes down the list by one key.
+TEST_F(Gaps, are_decided_one_after_the_other) {
+    auto& list = child<QListWidget>("gaps");
+    refuse(0);
+    ASSERT_EQ(list.selectedItems().size(), 1) << "the next one is chosen";
+    EXPECT_EQ(list.selectedItems()[0]->text(), "10 %, gap of 8.0 mm");
+    window_.actions()[ActionId::undo_edit].trigger();
+    wait();
+    list.setCurrentRow(-1);
+    window_.actions()[ActionId::redo_edit].trigger();
+    wait();
+    list.setFocus();
+    EXPECT_TRUE(list.selectedItems().empty()) << "nobody chose one";
+    EXPECT_FALSE(child<QPushButton>("refuseGap").isEnabled());
+    EXPECT_FALSE(child<QPushButton>("acceptGap").isEnabled());
+}
+
 TEST_F(Gaps, that_were_refused_are_not_listed_when_the_case_is_opened_again) {
     write_case(to_path(folder_.filePath("p.hep")),
                with_edited_tree(test::patient_with_bridges(),
@@ -115,8 +132,12 @@ TEST_F(Gaps, are_listed_with_branches_that_are_drawn_in_edit_mode) {
     window_.actions()[ActionId::edit_mode].trigger();
     ASSERT_TRUE(is_drawn());
     const std::size_t before = window_.workspace().patient()->tree.segments.size();
-    click(on_it);  // on the dashed line
+    click(on_it);  // on the dashed line, perhaps meant for a vessel beside it
+    EXPECT_TRUE(window_.workspace().edits().empty());
+    EXPECT_EQ(child<QListWidget>("gaps").selectedItems().size(), 1);
+    click(on_it);
     ASSERT_EQ(window_.workspace().edits().size(), 1u);
+    EXPECT_TRUE(window_.actions()[ActionId::undo_edit].text().startsWith("&Undo: Branch taken at"));
     EXPECT_EQ(window_.workspace().edits()[0].kind, TreeEditKind::draw_vessel);
     EXPECT_EQ(window_.workspace().patient()->tree.segments.size(), before + 2);
     EXPECT_FALSE(is_drawn());

@@ -159,7 +159,7 @@ class CorrectedCase : public ::testing::Test {
         callbacks.show_bridges = [this](const std::vector<BridgeView>& bridges) {
             bridges_shown_ = bridges.size();
         };
-        callbacks.look_at = [this](const Vec3& place_mm) { looked_at_mm_ = place_mm; };
+        callbacks.look_at = [this](const std::vector<Vec3>& path_mm) { looked_at_mm_ = path_mm; };
         callbacks.points_wait = [] { return false; };
         callbacks.say = [](const QString&) {};
         callbacks.warn = [this](const QString& text) {
@@ -201,7 +201,7 @@ class CorrectedCase : public ::testing::Test {
     std::unique_ptr<CaseEditing> editing_;
     std::size_t bridges_shown_ = 0;
     int answers_ = 0;  // to "Take all"
-    std::optional<Vec3> looked_at_mm_;
+    std::vector<Vec3> looked_at_mm_;
     QStringList warned_;  // of vessels that were given
     const Vec3 vessel_apart_{37, 54.5, 4}, left_branch_{-8.6, 28, 4.4};
     const Vec3 trunk_{0.05, 10, 1.5}, last_branch_{15.5, 39, 1.5};
@@ -267,16 +267,15 @@ TEST_F(CorrectedCase, AVesselIsNotApartBecauseAnotherWasCutOff) {
 // Who decides on it wants to see the CT there.
 TEST_F(CorrectedCase, ABridgeThatIsChosenIsLookedAt) {
     panel_.findChild<QListWidget*>("gaps")->setCurrentRow(1);
-    EXPECT_EQ(looked_at_mm_, workspace_.patient()->corrections.bridges[1].path_mm[1]);
-    looked_at_mm_.reset();
+    EXPECT_EQ(looked_at_mm_, workspace_.patient()->corrections.bridges[1].path_mm);
     panel_.findChild<QListWidget*>("gaps")->setCurrentRow(-1);
-    EXPECT_FALSE(looked_at_mm_);
+    EXPECT_TRUE(looked_at_mm_.empty());
 }
 
 // Both gaps lead to the same vessel, and the body takes a while.
 TEST_F(CorrectedCase, AGapThatIsBeingBridgedIsBridgedOnce) {
     ASSERT_EQ(bridges_shown_, 2u);
-    editing_->accept_drawn(0);
+    editing_->click_drawn(0);
     ASSERT_TRUE(workspace_.awaits_body());
     EXPECT_EQ(bridges_shown_, 1u);
     panel_.findChild<QPushButton*>("acceptAll")->click();

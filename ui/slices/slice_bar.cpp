@@ -64,6 +64,7 @@ SliceBar::SliceBar(SliceScene& scene, std::function<QString()> correction, QWidg
     rows->addLayout(lower);
     fill_presets();
     place_->setObjectName("slicePlace");
+    place_->setTextInteractionFlags(Qt::TextSelectableByMouse);  // seeds are written so
     // Always two lines, so that no text widens the window or moves the slices.
     place_->setWordWrap(true);
     place_->setMinimumWidth(place_->fontMetrics().averageCharWidth() * 16);

@@ -210,6 +210,7 @@ void SliceScene::clear() {
     why_no_segments_.clear();
     tree_ = {};
     centrelines_.clear();
+    pointed_out_.clear();
     measurements_.clear();
     corrects_ = false;
     pen_.set_taken(false);
@@ -223,6 +224,12 @@ void SliceScene::set_crosshair(const Vec3& position_mm) {
         index[i] = std::clamp(index[i], 0.0,
                               static_cast<double>(ct_->grid.dims[static_cast<std::size_t>(i)] - 1));
     crosshair_mm_ = ct_->grid.to_mm(index);
+    watchers_.tell();
+}
+
+void SliceScene::point_out(std::vector<Vec3> path_mm) {
+    if (pointed_out_ == path_mm) return;
+    pointed_out_ = std::move(path_mm);
     watchers_.tell();
 }
 

@@ -100,6 +100,9 @@ class SliceScene {
     const Vec3& crosshair_mm() const { return crosshair_mm_; }
     // Clamped to the CT. No effect without a CT.
     void set_crosshair(const Vec3& position_mm);
+    // A path that somebody decides on, drawn as a line; empty: none.
+    void point_out(std::vector<Vec3> path_mm);
+    const std::vector<Vec3>& pointed_out() const { return pointed_out_; }
     const GreyWindow& window() const { return window_; }
     void set_window(const GreyWindow& window);   // a width below 1 HU counts as 1
     double opacity() const { return opacity_; }  // of the vessel voxels, clamped to 0 to 1
@@ -146,6 +149,7 @@ class SliceScene {
     Mask segments_;
     std::string why_no_segments_;
     std::vector<CentrelinePoint> centrelines_;
+    std::vector<Vec3> pointed_out_;
     VesselTree tree_;
     Measurements measurements_;
     VesselPen pen_;

@@ -119,6 +119,7 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
     painter.setRenderHint(QPainter::Antialiasing);
     paint_segment_numbers(painter);
     if (scene_.shows_centrelines()) paint_centrelines(painter);
+    paint_pointed_out(painter);
     paint_crosshair(painter);
     paint_measurements(painter);
     paint_pen(painter);
@@ -167,6 +168,24 @@ void SliceView::paint_centrelines(QPainter& painter) const {
         painter.setPen(QPen(qcolor_of(palette::vessel_system(system)).lighter(150), 3.6,
                             Qt::SolidLine, Qt::RoundCap));
         painter.drawPoints(places);
+    }
+}
+
+// All of it faintly, because it runs through many slices, and clearly what lies in this one.
+void SliceView::paint_pointed_out(QPainter& painter) const {
+    const std::vector<Vec3>& path = scene_.pointed_out();
+    const SliceStack slices = stack();
+    const double half = std::max(0.5, 1.0 / slices.slice_mm());  // two millimetres in all
+    const double here = slices.place_of(scene_.crosshair_mm()).z();
+    const auto is_here = [&](const Vec3& point_mm) {
+        return std::abs(slices.place_of(point_mm).z() - here) <= half;
+    };
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        QColor colour = qcolor_of(palette::bridge);
+        const bool lies_here = is_here(path[i - 1]) && is_here(path[i]);
+        colour.setAlphaF(lies_here ? 1.0f : 0.35f);
+        painter.setPen(QPen(colour, lies_here ? 2.5 : 1.2, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(place_of(path[i - 1]), place_of(path[i]));
     }
 }
 

@@ -106,6 +106,7 @@ class SliceView : public QWidget {
                                const QString& text, const QColor& colour);
     void paint_segment_numbers(QPainter& painter);
     void paint_centrelines(QPainter& painter) const;
+    void paint_pointed_out(QPainter& painter) const;
     void paint_crosshair(QPainter& painter) const;
     void paint_words(QPainter& painter) const;
     void paint_focus(QPainter& painter) const;
