@@ -9649,10 +9649,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Was ein Gefäß sein kann, und wie sicher</translation>
     </message>
     <message>
-        <source>What may be a vessel: gaps between two, and branches that are too faint to be believed, with the confidence that they are vessels. For branches it was learned on synthetic patients: of what was offered on two real ones experts had drawn a quarter to a half. They are dashed in the view, branches in Edit mode; a click on the dashed line takes it, too. Below stands what the reconstruction has bridged, the doubtful first: the one that is chosen is ringed in the view.</source>
-        <translation>Was ein Gefäß sein kann: Lücken zwischen zweien und Äste, die zu schwach sind, um ihnen zu glauben, mit der Sicherheit, dass es Gefäße sind. Bei Ästen ist sie an künstlichen Patienten gelernt: Von dem, was bei zwei wirklichen angeboten wurde, hatten Fachleute ein Viertel bis die Hälfte eingezeichnet. Sie sind in der Ansicht gestrichelt, Äste im Modus Bearbeiten; auch ein Klick auf die gestrichelte Linie übernimmt sie. Darunter steht, was die Rekonstruktion überbrückt hat, das Zweifelhafte zuerst: Um das gewählte liegen in der Ansicht Ringe.</translation>
-    </message>
-    <message>
         <source>Looking for doubtful branches</source>
         <translation>Unsichere Äste werden gesucht</translation>
     </message>
@@ -9686,7 +9682,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>That part is not read yet: what was played is computed again, which takes about as long</source>
-        <translation>Dieser Teil ist noch nicht gelesen: Was gespielt wurde, wird noch einmal berechnet, was etwa ebenso lange dauert</translation>
+        <translation>Dieser Teil ist noch nicht gelesen: Die Übung wird noch einmal berechnet, was etwa ebenso lange dauert</translation>
     </message>
     <message>
         <source>Branches that touch may be parted (Edit in the tool bar), or give another number of tetrahedra</source>
@@ -9703,6 +9699,10 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>recorded</source>
         <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Above stands what the reconstruction has bridged, the doubtful first; below it what may be a vessel: gaps between two, and branches that are too faint to be believed, with the confidence that they are vessels. For branches it was learned on synthetic patients: of what was offered on two real ones experts had drawn a quarter to a half. They are dashed in the view, branches in Edit mode: a click takes a gap, and chooses a branch, which a second click takes. What is chosen stands out in the view and as a line in the slices.</source>
+        <translation>Oben steht, was die Rekonstruktion überbrückt hat, das Zweifelhafte zuerst; darunter, was ein Gefäß sein kann: Lücken zwischen zweien und Äste, die zu schwach sind, um ihnen zu glauben, mit der Sicherheit, dass es Gefäße sind. Bei Ästen ist sie an künstlichen Patienten gelernt: Von dem, was bei zwei wirklichen angeboten wurde, hatten Fachleute ein Viertel bis die Hälfte eingezeichnet. Sie sind in der Ansicht gestrichelt, Äste im Modus Bearbeiten: Ein Klick übernimmt eine Lücke und wählt einen Ast, den ein zweiter Klick übernimmt. Was gewählt ist, tritt in der Ansicht hervor und steht als Linie in den Schichten.</translation>
     </message>
 </context>
 </TS>

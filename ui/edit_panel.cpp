@@ -120,13 +120,13 @@ QWidget* EditPanel::make_bridges() {
     bridges_ = make_list(box, Words::tr("Gaps and doubtful branches"));
     bridges_->setObjectName("gaps");
     bridges_->setToolTip(Words::tr(
-        "What may be a vessel: gaps between two, and branches that are too faint to be "
-        "believed, with the confidence that they are vessels. For branches it was learned "
-        "on synthetic patients: of what was offered on two real ones experts had drawn "
-        "a quarter to a half. They are dashed in the view, branches in Edit mode; a click on the "
-        "dashed line takes it, too. Below "
-        "stands what the reconstruction has bridged, the doubtful first: the one that is "
-        "chosen is ringed in the view."));
+        "Above stands what the reconstruction has bridged, the doubtful first; below it what "
+        "may be a vessel: gaps between two, and branches that are too faint to be "
+        "believed, with the confidence that they are vessels. For branches it was "
+        "learned on synthetic patients: of what was offered on two real ones experts had "
+        "drawn a quarter to a half. They are dashed in the view, branches in Edit mode: a "
+        "click takes a gap, and chooses a branch, which a second click takes. What is "
+        "chosen stands out in the view and as a line in the slices."));
     column->addWidget(bridges_);
     add_confidence_slider(*column);
     add_decisions(*column);
