@@ -216,10 +216,11 @@ TEST(LegendRows, SayWhatGreenAndRedMeanWhereTheyAreShown) {
                                         "Load (% of what tears)", "Portal vein"}));
     EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::torn});
     content.touched = content.gaps = content.places = true;
-    EXPECT_EQ(texts_of(content),
-              (std::vector<std::string>{
-                  "Touch and force", "A place of the lesson", "What may be a vessel, and how sure", "Cut or torn",
-                  "Inside of what is torn", "Load (% of what tears)", "Portal vein"}));
+    EXPECT_EQ(
+        texts_of(content),
+        (std::vector<std::string>{
+            "Touch and force", "A place of the lesson", "What may be a vessel, and how sure",
+            "Cut or torn", "Inside of what is torn", "Load (% of what tears)", "Portal vein"}));
     EXPECT_EQ(legend_rows(content)[0].colours, std::vector{palette::touch});
     EXPECT_EQ(legend_rows(content)[1].colours, std::vector{palette::torn_circle});
     EXPECT_EQ(legend_rows(content)[2].colours, std::vector{palette::bridge});
