@@ -64,8 +64,8 @@ class Ways {
             found.emplace_back(-vessel_mm, piece);
         }
         std::ranges::sort(found);
-        std::vector<int> tips;
-        for (const auto& [vessel_mm, tip] : found) tips.push_back(tip);
+        std::vector<int> tips(found.size());
+        std::ranges::transform(found, tips.begin(), &std::pair<double, int>::second);
         return tips;
     }
 
