@@ -282,7 +282,8 @@ Detection detect_vessels(const TissueContrast& tissue, const Mask& liver, const 
         rejoin(skeleton, kept_branch_mm, fitted, job);
         return fitted;
     };
-    Detection found{in_part(job, 0.8, 0.9, [&] { return with_walls(vessels); }), Mask(),
+    const double believed = doubtful.voxels.empty() ? 1.0 : 0.9;
+    Detection found{in_part(job, 0.8, believed, [&] { return with_walls(vessels); }), Mask(),
                     std::nullopt, Mask()};
     if (!doubtful.voxels.empty()) {
         found.doubtful = in_part(job, 0.9, 1.0, [&] { return with_walls(doubtful); });

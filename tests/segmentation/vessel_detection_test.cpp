@@ -82,6 +82,13 @@ TEST(DetectVessels, ItsProgressNeverFallsBack) {
             detect_vessels(*contrast, frame.liver, Vec3::Constant(0.8), {.method = method}, job);
             EXPECT_TRUE(falls.stages().empty()) << static_cast<int>(method);
             EXPECT_NEAR(job.progress().fraction, 1.0, 1e-9) << static_cast<int>(method);
+            Job doubting;
+            doubting.begin_stage("detect");
+            const test::FallsOfProgress back(doubting);
+            detect_vessels(*contrast, frame.liver, Vec3::Constant(0.8),
+                           {.method = method, .doubtful_share = 0.75}, doubting);
+            EXPECT_TRUE(back.stages().empty()) << static_cast<int>(method);
+            EXPECT_NEAR(doubting.progress().fraction, 1.0, 1e-9) << static_cast<int>(method);
         }
 }
 
