@@ -96,12 +96,6 @@ Anatomy given_anatomy(const ReconstructOptions& options, const Grid& ct_grid,
     return anatomy;
 }
 
-// Whether a model can choose lines, or offer some.
-bool takes_models(const ReconstructOptions& options) {
-    return !options.vessel_mask && !options.window_hu &&
-           options.method == SegmentationMethod::coherent;
-}
-
 struct Models {
     std::optional<LinkModel> chooses, offers;
 };

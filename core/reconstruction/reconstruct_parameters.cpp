@@ -25,6 +25,11 @@ std::optional<Vec3> place_in(const nlohmann::json& json) {
 
 }  // namespace
 
+bool takes_models(const ReconstructOptions& options) {
+    return !options.vessel_mask && !options.window_hu &&
+           options.method == SegmentationMethod::coherent;
+}
+
 std::string parameters_json(const ReconstructOptions& options) {
     nlohmann::ordered_json json;
     json["liver_mask_given"] = options.liver_mask.has_value();
@@ -32,7 +37,8 @@ std::string parameters_json(const ReconstructOptions& options) {
     if (!options.tumour_masks.empty()) json["tumour_masks_given"] = options.tumour_masks.size();
     json["method"] = name_of(options.method);
     if (options.model) json["model_sha256"] = sha256_of_file(*options.model);
-    if (options.offers) json["offers_sha256"] = sha256_of_file(*options.offers);
+    if (options.offers && !options.model && takes_models(options))
+        json["offers_sha256"] = sha256_of_file(*options.offers);
     if (options.window_hu)
         json["window_hu"] = {options.window_hu->first, options.window_hu->second};
     for (const VesselSeed& seed : options.seeds)

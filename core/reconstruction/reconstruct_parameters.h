@@ -9,6 +9,9 @@
 
 namespace hepatica {
 
+// Whether a model can choose lines, or offer some, with these options.
+bool takes_models(const ReconstructOptions& options);
+
 // The options as one JSON object. Of the masks it says only whether they were given, because their
 // paths may hold a patient's name.
 std::string parameters_json(const ReconstructOptions& options);
