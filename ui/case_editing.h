@@ -105,6 +105,7 @@ class CaseEditing {
         std::vector<Bridge> open, built;
     };
     Bridges bridges_now() const;
+    void list_bridges(Bridges now);
     void warn_of_new_doubts();
     // A sentence for each system that was given a vessel which became a tree of its own there.
     QStringList given_apart();
