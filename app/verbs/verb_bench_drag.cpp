@@ -85,9 +85,10 @@ std::string csv_of(const std::string& motion, const HandPlay& played,
         std::ranges::replace(message, '"', '\'');
         std::ranges::replace(message, '\n', ' ');
         text << motion << ',' << ++step << ',' << frame.time.cost_ms() << ',' << frame.time.wall_ms
-             << ',' << frame.time.processor_ms << ',' << frame.newton_iterations << ','
-             << frame.linear_solves << ',' << frame.linear_iterations << ',' << frame.live_elements
-             << ',' << (frame.asleep ? 1 : 0) << ',' << (frame.degraded ? 1 : 0) << ',';
+             << ',' << frame.longest_wait_ms << ',' << frame.time.processor_ms << ','
+             << frame.newton_iterations << ',' << frame.linear_solves << ','
+             << frame.linear_iterations << ',' << frame.live_elements << ','
+             << (frame.asleep ? 1 : 0) << ',' << (frame.degraded ? 1 : 0) << ',';
         if (!missed.empty()) text << missed[step - 1];
         text << ",\"" << message << "\"\n";
     }
@@ -106,6 +107,7 @@ Json row_of(const std::string& motion, const DragSummary& summary) {
             {"wall_median_ms", summary.wall_ms.median},
             {"wall_p95_ms", summary.wall_ms.p95},
             {"wall_longest_ms", summary.wall_ms.longest},
+            {"longest_wait_ms", summary.longest_wait_ms},
             {"solves_median", summary.solves_median},
             {"solves_most", summary.solves_most},
             {"iterations_median", summary.iterations_median},
@@ -126,7 +128,8 @@ struct Study {
     std::string element;
     std::size_t tetrahedra = 0;
     std::string csv =
-        "motion,step,ms,wall_ms,processor_ms,newton_iterations,solves,iterations,live_elements,"
+        "motion,step,ms,wall_ms,longest_wait_ms,processor_ms,newton_iterations,solves,iterations,"
+        "live_elements,"
         "asleep,degraded,error_rms_mm,message\n";
 };
 

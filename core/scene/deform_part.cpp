@@ -120,8 +120,9 @@ void DeformPart::rebuild(BodyDescription body, const StepperOptions& setting) {
     follow_tear();
 }
 
-StepReport DeformPart::step(double dt_s, const std::stop_token& stop) {
-    const StepReport report = stepper_->step(dt_s, stop);
+StepReport DeformPart::step(double dt_s, const std::stop_token& stop,
+                            const Stepper::PartDone& part_done) {
+    const StepReport report = stepper_->step(dt_s, stop, part_done);
     follow_tear();
     return report;
 }

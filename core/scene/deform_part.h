@@ -150,7 +150,8 @@ class DeformPart {
     void use(const DeformSettings& settings, std::shared_ptr<const Obstacles> obstacles = {});
 
     // As Stepper::step: after Cancelled, restore() must be called before another step.
-    StepReport step(double dt_s, const std::stop_token& stop = {});
+    StepReport step(double dt_s, const std::stop_token& stop = {},
+                    const Stepper::PartDone& part_done = {});
     std::span<const Vec3> positions_mm() const { return stepper_->positions_mm(); }
     std::span<const Vec3> velocities_mm_per_s() const { return stepper_->velocities_mm_per_s(); }
     // Rest positions; vertices that were split off have those of their parents.

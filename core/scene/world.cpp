@@ -130,7 +130,7 @@ void World::part_out(const std::string& name, const PartCost& before, const Self
     part("deform")->frame_ms -= cost.step_ms;
 }
 
-StepReport World::step(const std::stop_token& stop) {
+StepReport World::step(const std::stop_token& stop, const Stepper::PartDone& part_done) {
     StepReport report;
     report.dt_s = spec_.dt_s;
     for (PartCost& part : parts_) {
@@ -140,7 +140,7 @@ StepReport World::step(const std::stop_token& stop) {
                 // versions anew and could come to the number of the last one.
                 const TornTopology* torn = deform_->torn();
                 if (torn != nullptr && torn->version() != torn_version_) follow_tear();
-                report = deform_->step(spec_.dt_s, stop);
+                report = deform_->step(spec_.dt_s, stop, part_done);
                 follow_tear();
             });
         else if (part.name == "flow")

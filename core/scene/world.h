@@ -68,7 +68,9 @@ class World {
 
     // Advances all parts by the scene's time step; the report is that of the deforming body. Throws
     // Cancelled soon after a stop is requested; restore() must then be called before another step.
-    StepReport step(const std::stop_token& stop = {});
+    // Between substeps of the body `part_done` may fill() a frame, see Stepper::step; nothing else
+    // has moved on by then.
+    StepReport step(const std::stop_token& stop = {}, const Stepper::PartDone& part_done = {});
     double time_s() const { return time_s_; }
 
     // Rest shape, no grab, no tool, no drug, no tear; time goes on.

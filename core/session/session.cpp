@@ -283,7 +283,17 @@ void Session::govern() {
 
 SessionStep Session::step(const std::stop_token& stop) {
     const Clock::time_point start = Clock::now();
+    Clock::time_point shown = start;
     SessionStep done;
+    const auto wait_ends = [&] {
+        done.longest_wait_ms = std::max(done.longest_wait_ms, milliseconds_since(shown));
+        shown = Clock::now();
+    };
+    const auto part_done = [&](double share) {
+        if (milliseconds_since(shown) < show_parts_after_ms_) return;
+        publish_part(share);
+        wait_ends();
+    };
     done.step = ++step_;
     if (!std::exchange(stopped_, false)) recorded_ = {};
     shielded([&] {
@@ -293,7 +303,7 @@ SessionStep Session::step(const std::stop_token& stop) {
         apply_waiting_commands(stop);
         done.paused = paused_;
         if (paused_) return;
-        done.deform = world_->step(stop);
+        done.deform = world_->step(stop, part_done);
         guard_state();
     });
     done.refused = std::exchange(refused_, {});
@@ -308,6 +318,7 @@ SessionStep Session::step(const std::stop_token& stop) {
     shielded([&] {
         resting_ = rests_after(done);
         publish(done, start, stop);
+        wait_ends();
         if (!done.paused && !done.deform.asleep) measured_ms_ = done.step_ms;
     });
     return done;
@@ -395,6 +406,21 @@ void Session::publish(SessionStep& step, Clock::time_point start, const std::sto
     show_to_watch(frame, stop);
     // Measured last, so that filling the frame counts; publishing is one exchange of an index.
     statistics.step_ms = step.step_ms = milliseconds_since(start);
+    shown_ = statistics;
+    hand_over_frame();
+}
+
+void Session::publish_part(double share) {
+    Frame& frame = frames_.back();
+    world_->fill(frame);
+    frame.step = step_;
+    frame.time_s += share * world_->spec().dt_s;
+    frame.statistics = shown_;
+    felt_force_.show_in(frame);
+    hand_over_frame();
+}
+
+void Session::hand_over_frame() {
     frames_.publish();
     const std::scoped_lock lock(listener_mutex_);
     if (tell_of_frame_) tell_of_frame_();

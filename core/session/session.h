@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Owns the world, applies commands, advances simulated time in steps of 1/60 s and publishes a
-// Frame after each step. While nothing moves and no clock runs, it makes no steps and uses no
-// processor time until the next command. The window's simulation thread only calls run(); a script
-// calls step() in a loop. An error in a command or a step never ends the program: the session
-// pauses, reports it in the frame, and returns to its last good state.
+// Frame after each step, and within a step of several substeps that takes longer than it may. While
+// nothing moves and no clock runs, it makes no steps and uses no processor time until the next
+// command. The window's simulation thread only calls run(); a script calls step() in a loop. An
+// error in a command or a step never ends the program: the session pauses, reports it in the frame,
+// and returns to its last good state.
 //
 //     UI thread                               simulation thread
 //     session.post(GrabPoint{p});             session.run(stop);      // or step() in a loop
@@ -23,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/frame_time.h"
 #include "core/base/job.h"
 #include "core/deform/stepper/quality_dial.h"
 #include "core/deform/stepper/stepper.h"
@@ -46,6 +48,7 @@ class World;
 struct SessionStep {
     std::uint64_t step = 0;        // number of this step, from 1
     double step_ms = 0.0;          // wall time of commands, physics, recording and frame
+    double longest_wait_ms = 0.0;  // of it, for a frame: less where the step showed its parts
     std::uint64_t state_hash = 0;  // of the world after the step; 0 unless recording
     bool paused = false;           // whether simulated time stood still
     bool stopped = false;          // it was stopped midway and does not count, see Session::step
@@ -80,6 +83,12 @@ class Session {
     // Time that drawing a picture takes [ms]; automatic quality subtracts it from the frame's
     // budget. May be called at any time from any thread.
     void set_drawing_ms(double ms) { drawing_ms_ = ms; }
+
+    // A step whose substeps take longer than this publishes a frame of what it has computed so far:
+    // a vessel that is let go is seen to swing back and does not jump. By the clock, which decides
+    // only what is shown: the steps have the same bits. Such frames are not watched or recorded.
+    // Call before the first step.
+    void show_parts_after(double ms) { show_parts_after_ms_ = ms; }
 
     // Whether run() waits for a command: nothing happens until one is posted or a dial or a
     // recording is given. May be called at any time from any thread.
@@ -187,6 +196,10 @@ class Session {
     void forget_divergence();
     // Whether no step would change anything before the next command.
     bool rests_after(const SessionStep& done) const;
+    // Passes the frame that was filled to the reader.
+    void hand_over_frame();
+    // Publishes a frame within a step, of which this share is done.
+    void publish_part(double share);
     // Fills a frame, passes it to the reader, and sets step.step_ms to the time since `start`.
     void publish(SessionStep& step, std::chrono::steady_clock::time_point start,
                  const std::stop_token& stop = {});
@@ -211,7 +224,9 @@ class Session {
     std::shared_ptr<const Keyframe> last_good_;
     double real_time_factor_ = 1.0;
     bool resting_ = false;
-    FeltForce felt_force_;  // for the frames alone
+    FeltForce felt_force_;   // for the frames alone
+    FrameStatistics shown_;  // of the last whole step
+    double show_parts_after_ms_ = 1e3 * frame_s;
 
     TripleBuffer<Frame> frames_;
     std::mutex listener_mutex_;

@@ -44,6 +44,8 @@ DragSummary summary_of(const HandPlay& played) {
     summary.frame_ms = quantiles_of(cost);
     summary.wall_ms =
         quantiles_of(values_of(frames, [](const HandFrame& f) { return f.time.wall_ms; }));
+    for (const HandFrame* frame : frames)
+        summary.longest_wait_ms = std::max(summary.longest_wait_ms, frame->longest_wait_ms);
     const auto in_time =
         std::ranges::count_if(cost, [](double ms) { return ms <= frame_length_ms; });
     summary.frames_in_time = static_cast<double>(in_time) / static_cast<double>(cost.size());

@@ -18,7 +18,8 @@ struct DragSummary {
     int asleep = 0;
     DragQuantiles frame_ms;  // wall time, or processor time where that is less
     DragQuantiles wall_ms;
-    double frames_in_time = 0.0;  // share of frames with at most 1/60 s
+    double longest_wait_ms = 0.0;  // wall time between two pictures that a frame shows
+    double frames_in_time = 0.0;   // share of frames with at most 1/60 s
     int solves_median = 0, solves_most = 0;
     int iterations_median = 0, iterations_most = 0;
     double live_median = 0.0, live_most = 0.0;  // share of the elements

@@ -39,6 +39,7 @@ DeformBackEnd whole_body_back_end() {
 
 HandFrame frame_of(const SessionStep& step, const FrameStatistics& statistics) {
     HandFrame frame;
+    frame.longest_wait_ms = step.longest_wait_ms;
     frame.newton_iterations = step.deform.newton_iterations;
     frame.linear_solves = step.deform.linear_solves;
     frame.linear_iterations = step.deform.linear_iterations;

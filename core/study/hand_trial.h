@@ -25,7 +25,8 @@ class DeformPart;
 class Session;
 
 struct HandFrame {
-    FrameTime time;  // of commands, the world's step and the frame shown
+    FrameTime time;                // of commands, the world's step and the frame shown
+    double longest_wait_ms = 0.0;  // see SessionStep
     int newton_iterations = 0;
     int linear_solves = 0;
     int linear_iterations = 0;

@@ -268,7 +268,8 @@ void GovernedStepper::wake_displaced() {
 }
 
 // All substeps of a step.
-StepReport GovernedStepper::advance(double dt_s, const std::stop_token& stop) {
+StepReport GovernedStepper::advance(double dt_s, const std::stop_token& stop,
+                                    const PartDone& part_done) {
     if (!free()) swing_.hold();
     const int swinging =
         options_.published ? 1 : swing_.count(back_end_->body(), dt_s, options_.swing_substeps);
@@ -282,12 +283,14 @@ StepReport GovernedStepper::advance(double dt_s, const std::stop_token& stop) {
         if (tool()) lead_tool_for(part_s, 1.0 / (substeps - s));
         const StepReport part = back_end_->advance(part_s, stop);
         report = s == 0 ? part : in_sequence(report, part);
+        if (part_done && s + 1 < substeps) part_done((s + 1.0) / substeps);
     }
     if (swing_.swings()) swing_.watch(back_end_->body(), before, back_end_->state(), swinging);
     return report;
 }
 
-StepReport GovernedStepper::step(double dt_s, const std::stop_token& stop) {
+StepReport GovernedStepper::step(double dt_s, const std::stop_token& stop,
+                                 const PartDone& part_done) {
     validate_time_step(dt_s);
     StepReport report;
     if (tool_led_) wake_near_tool();
@@ -311,7 +314,7 @@ StepReport GovernedStepper::step(double dt_s, const std::stop_token& stop) {
         report.self = self_load_;
         report.obstacles = obstacle_load_;
     } else {
-        report = advance(dt_s, stop);
+        report = advance(dt_s, stop, part_done);
     }
     report.energy.tool_work += std::exchange(tool_work_, 0.0);
     const double lost_before = std::exchange(lost_, 0.0);

@@ -36,7 +36,8 @@ class GovernedStepper final : public LiveStepper {
     const std::optional<Tool>& tool() const override { return back_end_->tool(); }
     const ToolLoad& tool_load() const override { return tool_load_; }
     bool set_options(const StepperOptions& options) override;
-    StepReport step(double dt_s, const std::stop_token& stop = {}) override;
+    StepReport step(double dt_s, const std::stop_token& stop = {},
+                    const PartDone& part_done = {}) override;
     bool on_device() const override { return back_end_->on_device(); }
     std::span<const Vec3> positions_mm() const override;
     std::span<const Vec3> velocities_mm_per_s() const override;
@@ -66,7 +67,7 @@ class GovernedStepper final : public LiveStepper {
     void wake_displaced();
     void wake_touched();
     void lead_tool_for(double dt_s, double share);
-    StepReport advance(double dt_s, const std::stop_token& stop);
+    StepReport advance(double dt_s, const std::stop_token& stop, const PartDone& part_done);
     bool free() const { return grabs_.empty() && !tool_led_; }
     void watch(double dt_s, StepReport& report);
     void look_for_inversion(double dt_s, StepReport& report);

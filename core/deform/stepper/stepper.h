@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -55,7 +56,11 @@ class Stepper {
     // after a stop is requested: it checks before each substep, iterate and linear iteration, and
     // between columns of a factorisation. The state is then one within the step, and restore() must
     // be called before another step.
-    virtual StepReport step(double dt_s, const std::stop_token& stop = {}) = 0;
+    // `part_done` is called between substeps with the share of the step that is done, in (0, 1):
+    // positions are those of that moment and may be shown. It must change nothing here.
+    using PartDone = std::function<void(double share)>;
+    virtual StepReport step(double dt_s, const std::stop_token& stop = {},
+                            const PartDone& part_done = {}) = 0;
 
     // Whether a device makes the steps, apart from single ones that it leaves to the processor. May
     // become false with any step, because devices fail.
