@@ -16,6 +16,7 @@ namespace hepatica {
 namespace {
 
 constexpr int cells = 24;  // cells across the slab: 10,368 tetrahedra
+constexpr int bars = 192;  // cells of both bars together: 10,368 tetrahedra, too
 constexpr int rows_of_a_self_contact = 1, rows_of_a_tool_contact = 3;
 constexpr int most_settling = 60;
 
@@ -27,6 +28,10 @@ struct Setup {
 
 Setup self_setup(int across) {
     return {.kind = "self", .body = block_on_slab(cells, across).body};
+}
+
+Setup vessels_setup(int along) {
+    return {.kind = "vessels", .body = bar_along_bar(bars - along, along).body};
 }
 
 // A slab lies on a ball; the wider the ball, the more contacts.
@@ -97,13 +102,16 @@ void measure(const std::vector<Setup>& setups, const ContactStudyOptions& option
 }  // namespace
 
 std::vector<ContactRow> study_contacts(const ContactStudyOptions& options, Job& job) {
-    std::vector<Setup> self, tool;
+    std::vector<Setup> self, vessels, tool;
     for (const int across : {2, 3, 4, 6, 8, 12, 16, 22}) self.push_back(self_setup(across));
-    for (const double radius_mm : {2.0, 5.0, 20.0, 100.0, 500.0})
+    for (const int along : {6, 12, 24, 48, 72, 96}) vessels.push_back(vessels_setup(along));
+    for (const double radius_mm : {2.0, 5.0, 20.0, 100.0, 500.0, 2e3, 3e3, 4e3})
         tool.push_back(tool_setup(radius_mm));
     std::vector<ContactRow> rows;
     job.begin_stage("Contacts of surfaces");
     measure(self, options, job, rows);
+    job.begin_stage("Contacts of vessels");
+    measure(vessels, options, job, rows);
     job.begin_stage("Contacts of a tool");
     measure(tool, options, job, rows);
     return rows;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's table of contacts: time of a step over the number of contacts. A block rests on a
-// slab (self), or a slab on a ball (tool), under gravity. The touching area grows from row to row;
-// the tetrahedra stay the same against the tool, and grow with the block in the other rows.
+// slab (self), a bar along another (vessels), or a slab on a ball (tool), under gravity. The
+// touching area grows from row to row; the tetrahedra grow with the block on the slab, and stay the
+// same in the other rows.
 #pragma once
 
 #include <string>
@@ -19,7 +20,7 @@ struct ContactStudyOptions {
 };
 
 struct ContactRow {
-    std::string kind;      // "self" or "tool"
+    std::string kind;      // "self", "vessels" or "tool"
     int contacts = 0;      // contact points in a tool's pad, or pairs of surface features
     int rows = 0;          // constraint rows: the normal one, and against a tool two of friction
     double step_ms = 0.0;  // median; see FrameTime::cost_ms
@@ -32,7 +33,7 @@ struct ContactRow {
     int rows_as_published() const { return 6 * contacts; }
 };
 
-// Begins two stages of the job. Throws Cancelled.
+// Begins three stages of the job. Throws Cancelled.
 std::vector<ContactRow> study_contacts(const ContactStudyOptions& options, Job& job);
 
 // The row of this kind with the most contacts among those in time; all 0 where there is none.

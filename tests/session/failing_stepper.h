@@ -38,7 +38,8 @@ class FailingStepper final : public Stepper {
     bool set_options(const StepperOptions& options) override {
         return stepper_->set_options(options);
     }
-    StepReport step(double dt_s, const std::stop_token& stop, const PartDone& part_done) override {
+    StepReport step(double dt_s, const std::stop_token& stop = {},
+                    const PartDone& part_done = {}) override {
         meet("begin step");
         StepReport report = stepper_->step(dt_s, stop, part_done);
         meet("step");  // with the state changed already
