@@ -3,6 +3,7 @@
 #include "core/patient/patient_case.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "core/base/atomic_write.h"
 #include "core/base/error.h"
 #include "core/base/flush_to_disk.h"
+#include "core/base/job.h"
 #include "core/base/json_number.h"
 #include "core/base/json_problem.h"
 #include "core/base/temporary_folder.h"
@@ -236,23 +238,33 @@ Mask organs_with_strokes(const fs::path& folder, const CaseHeader& header,
     return std::move(voxels.organs);
 }
 
-void write_files(const fs::path& folder, const PatientCase& patient) {
-    write_voxels(folder / case_file::mask, patient.mask);
-    write_voxels(folder / case_file::skeleton, patient.skeleton);
-    write_voxels(folder / case_file::organs, patient.organs);
-    write_voxels(folder / case_file::unpainted, patient.corrections.unpainted);
-    write_voxels(folder / case_file::couinaud, patient.couinaud);
-    write_tree_vtp(folder / case_file::tree, patient.tree);
-    write_tree_swc(folder / case_file::swc, patient.tree);
-    write_vtp(folder / case_file::surface, patient.surface);
-    write_vtu(folder / case_file::mesh, patient.mesh);
-    write_corrections(folder, patient.corrections);
+void write_dial_and_measurements(const fs::path& folder, const PatientCase& patient) {
     if (!patient.dial_json.empty())
         write_text_atomically(folder / case_file::dial, patient.dial_json);
     if (!patient.measured.empty())
         write_text_atomically(folder / case_file::measurements,
                               measurements_to_json(patient.measured));
-    write_case_header(folder, patient);
+}
+
+// Asks the job between two files whether it is cancelled.
+void write_files(const fs::path& folder, const PatientCase& patient, Job& job) {
+    const std::vector<std::function<void()>> files{
+        [&] { write_voxels(folder / case_file::mask, patient.mask); },
+        [&] { write_voxels(folder / case_file::skeleton, patient.skeleton); },
+        [&] { write_voxels(folder / case_file::organs, patient.organs); },
+        [&] { write_voxels(folder / case_file::unpainted, patient.corrections.unpainted); },
+        [&] { write_voxels(folder / case_file::couinaud, patient.couinaud); },
+        [&] { write_tree_vtp(folder / case_file::tree, patient.tree); },
+        [&] { write_tree_swc(folder / case_file::swc, patient.tree); },
+        [&] { write_vtp(folder / case_file::surface, patient.surface); },
+        [&] { write_vtu(folder / case_file::mesh, patient.mesh); },
+        [&] { write_corrections(folder, patient.corrections); },
+        [&] { write_dial_and_measurements(folder, patient); },
+        [&] { write_case_header(folder, patient); }};
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        files[i]();
+        job.advance(static_cast<double>(i + 1) / static_cast<double>(files.size()));
+    }
 }
 
 // The older case is removed as soon as this one stands in its place, and after a power cut there
@@ -316,17 +328,22 @@ void require_place_of_case(const fs::path& place) {
 }
 
 void write_case(const fs::path& place, const PatientCase& patient) {
+    Job unwatched;
+    write_case(place, patient, unwatched);
+}
+
+void write_case(const fs::path& place, const PatientCase& patient, Job& job) {
     require_place_of_case(place);
     if (!is_archive_name(place) || fs::is_directory(place))
         return renew_folder_atomically(
             place,
             [&](const fs::path& temporary) {
-                write_files(temporary, patient);
+                write_files(temporary, patient, job);
                 flush_files(temporary, place);
             },
             is_of_a_case);
     const TemporaryFolder folder;
-    write_files(folder.path(), patient);
+    write_files(folder.path(), patient, job);
     keep_foreign_files(place, patient, folder.path());
     pack_case(folder.path(), place);
 }

@@ -29,6 +29,8 @@
 
 namespace hepatica {
 
+class Job;  // core/base/job.h
+
 // Where a case came from and how it was made.
 struct CaseSource {
     std::string name;                    // name chosen by the user; may be empty
@@ -110,6 +112,9 @@ void require_place_of_case(const std::filesystem::path& place);
 // is of the same CT. Throws InputError where the place holds something else, cannot be written, or
 // the disk is full.
 void write_case(const std::filesystem::path& place, const PatientCase& patient);
+// The same, with progress within the job's present stage. Throws Cancelled between two files; the
+// place is then as it was.
+void write_case(const std::filesystem::path& place, const PatientCase& patient, Job& job);
 
 // Reads and checks a case of this format or an older one. Throws InputError with the reason where
 // the version is unknown, a file is missing, or a digest differs from that in case.json.

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/job.h"
 #include "core/base/quoted_name.h"
 #include "core/base/sha256.h"
 #include "core/patient/case_header.h"
@@ -201,6 +202,36 @@ TEST_F(PatientCaseTest, LeavesNothingWhereItCannotWrite) {
     std::ofstream(folder_ / "file") << "x";
     EXPECT_THROW(write_case(folder_ / "file" / "p.hep", some_patient()), InputError);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+// Between any two files, as a folder and as one file.
+TEST_F(PatientCaseTest, IsAsItWasWhereWritingIsCancelled) {
+    for (const fs::path& place : {case_, folder_ / "p.hepz"}) {
+        PatientCase patient = some_patient();
+        write_case(place, patient);
+        const std::uint64_t before = hash_of(read_case(place));
+        patient.mesh.vertices_mm[0].x() += 1e-3;
+        int cancelled = 0;
+        for (bool ended = false; !ended;) {
+            Job job;
+            job.begin_stage("Writing the case");
+            job.observe([&, at = 0](JobEvent) mutable {
+                if (at++ == cancelled) job.cancel();
+            });
+            try {
+                write_case(place, patient, job);
+                ended = true;
+            } catch (const Cancelled&) {
+                ++cancelled;
+                ASSERT_EQ(hash_of(read_case(place)), before) << place << " " << cancelled;
+            }
+        }
+        EXPECT_GE(cancelled, 10);
+        EXPECT_EQ(hash_of(read_case(place)), hash_of(patient));
+        EXPECT_NE(hash_of(patient), before);
+        for (const auto& entry : fs::directory_iterator(folder_))
+            EXPECT_TRUE(entry.path().stem() == "p") << entry.path();
+    }
 }
 
 // The dial and the measurements may be missing; they are not taken for missing where they cannot be
