@@ -1734,10 +1734,6 @@
         <translation>Dieser Strich ist nicht mehr der letzte: „Rückgängig“ nimmt den letzten Schritt zurück</translation>
     </message>
     <message>
-        <source>Wait until the corrections before it are made</source>
-        <translation>Warten Sie, bis die Korrekturen davor gemacht sind</translation>
-    </message>
-    <message>
         <source>the program could not be started again</source>
         <translation>das Programm ließ sich nicht noch einmal starten</translation>
     </message>
@@ -8717,14 +8713,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Das Gefäß loslassen; sonst das Werkzeug aus dem Bild nehmen oder das Messen beenden und wieder mit der Maus ziehen</translation>
     </message>
     <message>
-        <source>%1 mm to the mark, move deeper</source>
-        <translation>%1 mm bis zur Marke, tiefer führen</translation>
-    </message>
-    <message>
-        <source>%1 mm to the mark, move nearer</source>
-        <translation>%1 mm bis zur Marke, näher führen</translation>
-    </message>
-    <message>
         <source>Open the unsaved work first (File &gt; Open unsaved work)</source>
         <translation>Zuerst die ungespeicherte Arbeit öffnen (Datei &gt; Ungespeicherte Arbeit öffnen)</translation>
     </message>
@@ -9067,14 +9055,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>%1 mm to mark %2</source>
         <translation>%1 mm bis zur Marke %2</translation>
-    </message>
-    <message>
-        <source>%1 mm to mark %2, move deeper</source>
-        <translation>%1 mm bis zur Marke %2, tiefer führen</translation>
-    </message>
-    <message>
-        <source>%1 mm to mark %2, move nearer</source>
-        <translation>%1 mm bis zur Marke %2, näher führen</translation>
     </message>
     <message>
         <source>begun to tear, nothing is apart yet</source>
@@ -9703,6 +9683,69 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Above stands what the reconstruction has bridged, the doubtful first; below it what may be a vessel: gaps between two, and branches that are too faint to be believed, with the confidence that they are vessels. For branches it was learned on synthetic patients: of what was offered on two real ones experts had drawn a quarter to a half. They are dashed in the view, branches in Edit mode: a click takes a gap, and chooses a branch, which a second click takes. What is chosen stands out in the view and as a line in the slices.</source>
         <translation>Oben steht, was die Rekonstruktion überbrückt hat, das Zweifelhafte zuerst; darunter, was ein Gefäß sein kann: Lücken zwischen zweien und Äste, die zu schwach sind, um ihnen zu glauben, mit der Sicherheit, dass es Gefäße sind. Bei Ästen ist sie an künstlichen Patienten gelernt: Von dem, was bei zwei wirklichen angeboten wurde, hatten Fachleute ein Viertel bis die Hälfte eingezeichnet. Sie sind in der Ansicht gestrichelt, Äste im Modus Bearbeiten: Ein Klick übernimmt eine Lücke und wählt einen Ast, den ein zweiter Klick übernimmt. Was gewählt ist, tritt in der Ansicht hervor und steht als Linie in den Schichten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n gap(s) and doubtful branch(es) taken</source>
+        <translation>
+            <numerusform>%n Lücke oder unsicherer Ast übernommen</numerusform>
+            <numerusform>%n Lücken und unsichere Äste übernommen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>By keys: %1</source>
+        <translation>Mit Tasten: %1</translation>
+    </message>
+    <message>
+        <source>Taking what is offered</source>
+        <translation>Angebotenes wird übernommen</translation>
+    </message>
+    <message>
+        <source>Nothing was taken</source>
+        <translation>Nichts wurde übernommen</translation>
+    </message>
+    <message>
+        <source>Looking for what fits</source>
+        <translation>Passendes wird gesucht</translation>
+    </message>
+    <message>
+        <source>Nothing was taken, because something was corrected meanwhile</source>
+        <translation>Nichts wurde übernommen, weil inzwischen etwas korrigiert wurde</translation>
+    </message>
+    <message>
+        <source>None of them fits: taken one by one, each says why</source>
+        <translation>Nichts davon passt: Einzeln übernommen sagt jedes, warum</translation>
+    </message>
+    <message>
+        <source>the vessels are being corrected, which would end the review</source>
+        <translation>die Gefäße werden gerade korrigiert, was den Rückblick beenden würde</translation>
+    </message>
+    <message>
+        <source>Wait until the correction is made</source>
+        <translation>Warten Sie, bis die Korrektur gemacht ist</translation>
+    </message>
+    <message>
+        <source>%1 mm to the mark, move away from you</source>
+        <translation>%1 mm bis zur Marke, von sich weg führen</translation>
+    </message>
+    <message>
+        <source>%1 mm to the mark, move towards you</source>
+        <translation>%1 mm bis zur Marke, zu sich her führen</translation>
+    </message>
+    <message>
+        <source>%1 mm to mark %2, move away from you</source>
+        <translation>%1 mm bis zur Marke %2, von sich weg führen</translation>
+    </message>
+    <message>
+        <source>%1 mm to mark %2, move towards you</source>
+        <translation>%1 mm bis zur Marke %2, zu sich her führen</translation>
+    </message>
+    <message>
+        <source>an edit belongs to step %1</source>
+        <translation>eine Korrektur gehört zu Schritt %1</translation>
+    </message>
+    <message>
+        <source>Number steps from 1 on, or leave them out</source>
+        <translation>Nummerieren Sie Schritte von 1 an, oder lassen Sie sie weg</translation>
     </message>
 </context>
 </TS>

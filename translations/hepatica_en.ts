@@ -150,5 +150,12 @@
             <numerusform>%n lessons for this patient are in his file: %1. To play them, take them out: they then lie beside it in the library.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n gap(s) and doubtful branch(es) taken</source>
+        <translation>
+            <numerusform>%n gap or doubtful branch taken</numerusform>
+            <numerusform>%n gaps and doubtful branches taken</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

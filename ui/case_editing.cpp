@@ -18,11 +18,6 @@
 namespace hepatica {
 namespace {
 
-// The tree before the first correction.
-const VesselTree& as_reconstructed(const PatientCase& patient) {
-    return patient.corrections.edits.empty() ? patient.tree : patient.corrections.extracted;
-}
-
 int root_of(int segment, const VesselTree& tree) {
     int parent = segment;
     while (parent >= 0) {
@@ -93,14 +88,14 @@ bool CaseEditing::is_apart(const GivenApart& given, const VesselTree& tree) {
 
 CaseEditing::CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks callbacks)
     : panel_(panel), workspace_(workspace), callbacks_(std::move(callbacks)) {
-    panel_.set_callbacks({[this](int /*row*/) { draw_bridges(); }, [this](int row) { accept(row); },
-                          [this](int row) { refuse(row); }, [this] { accept_all(); },
-                          [this](double confidence) {
-                              least_confidence_ = confidence;
-                              if (workspace_.has_patient()) show_bridges();
-                          },
-                          callbacks_.undo, callbacks_.redo, [this] { begin_link({}); },
-                          [this] { click_chosen(); }});
+    panel_.set_callbacks(
+        {[this](int /*row*/) { draw_bridges(); }, [this](int row) { accept(row); },
+         [this](int row) { refuse(row); }, [this] { callbacks_.accept_all(least_confidence_); },
+         [this](double confidence) {
+             least_confidence_ = confidence;
+             if (workspace_.has_patient()) show_bridges();
+         },
+         callbacks_.undo, callbacks_.redo, [this] { begin_link({}); }, [this] { click_chosen(); }});
 }
 
 void CaseEditing::show_body() {
@@ -201,28 +196,6 @@ void CaseEditing::list_bridges(Bridges now) {
     draw_bridges();
 }
 
-// Of the tree as it will be with all wanted corrections: two gaps may lead to one vessel.
-void CaseEditing::accept_all() {
-    if (!workspace_.has_patient()) return;
-    PatientCase shown;
-    shown.tree = workspace_.patient()->tree;
-    shown.corrections = workspace_.patient()->corrections;
-    BackgroundJob::Callbacks callbacks;
-    callbacks.failed = [this](const Failure&) {
-        callbacks_.say(Words::tr("Wait until the corrections before it are made"));
-    };
-    callbacks.ended = [] {};
-    accepting_ = std::make_unique<BackgroundJob>(
-        [this, shown = std::move(shown), edits = workspace_.edits(), least = least_confidence_,
-         version = workspace_.version()](Job&) -> std::function<void()> {
-            const std::vector<TreeEdit> found = acceptances(with_edited_tree(shown, edits), least);
-            return [this, found, version] {
-                if (version == workspace_.version()) callbacks_.add_all(found);
-            };
-        },
-        std::move(callbacks));
-}
-
 PatientCase CaseEditing::wanted() const {
     PatientCase wanted;
     wanted.tree = workspace_.patient()->tree;
@@ -260,12 +233,12 @@ void CaseEditing::update_panel() {
     if (workspace_.awaits_body())
         state << Words::tr(
             "The body of the corrected tree is being made; the view shows the one before.");
-    const PatientCase& patient = *workspace_.patient();
-    const auto built = std::ranges::count(patient.corrections.bridges, true, &Bridge::built);
-    if (built > 0)
+    double bridged_mm = 0.0;
+    for (const Bridge& bridge : built_) bridged_mm += bridge.gap_mm;
+    if (!built_.empty())
         state << Words::tr("%n gap(s) were bridged by the reconstruction, %L1 mm in all.", nullptr,
-                           static_cast<int>(built))
-                     .arg(bridged_length_mm(as_reconstructed(patient)), 0, 'f', 1);
+                           static_cast<int>(built_.size()))
+                     .arg(bridged_mm, 0, 'f', 1);
     for (const std::string& doubt : doubts_) state << "⚠ " + translated(doubt);
     panel_.show_state(state.join("\n"));
 }

@@ -24,7 +24,8 @@ class CaseEditing {
   public:
     struct Callbacks {
         std::function<void(const TreeEdit&)> add;
-        std::function<void(const std::vector<TreeEdit>&)> add_all;
+        // Takes all that is offered with this confidence or more.
+        std::function<void(double confidence)> accept_all;
         std::function<void()> undo;
         std::function<void()> redo;
         // What undo and redo would change, in words; empty: nothing.
@@ -91,7 +92,6 @@ class CaseEditing {
     void draw_bridges();
     void refuse(int row);
     const Bridge* bridge_of(int row) const;
-    void accept_all();
     // The tree with all wanted corrections, whose body may still be made. Throws InputError where
     // one of them is not possible.
     PatientCase wanted() const;
@@ -118,7 +118,6 @@ class CaseEditing {
     std::vector<Bridge> built_;       // listed behind them, the most doubtful first
     std::vector<int> drawn_;          // rows of what is drawn
     bool edit_mode_ = false;
-    std::unique_ptr<BackgroundJob> accepting_;
     double least_confidence_ = 0.0;
     std::optional<Vec3> link_from_mm_;
     std::vector<std::string> doubts_;           // of the shown body

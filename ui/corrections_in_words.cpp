@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/corrections_in_words.h"
 
+#include <limits>
+
 #include "core/patient/corrections.h"
 #include "core/tree/station.h"
 #include "ui/core_words.h"
@@ -18,7 +20,7 @@ namespace {
 // What is offered, or was built by the reconstruction, and this edit decides on; null: nothing.
 const Bridge* decided_by(const TreeEdit& edit, const PatientCase& patient) {
     for (const Bridge& bridge : patient.corrections.bridges)
-        if (refuses(edit, bridge) || edit == acceptance_of(bridge)) return &bridge;
+        if (refuses(edit, bridge) || accepts(edit, bridge)) return &bridge;
     return nullptr;
 }
 
@@ -98,25 +100,32 @@ QString text_of(const Rebuilding& rebuilding) {
 
 QString text_of(const Workspace::Step& step, const PatientCase& patient) {
     if (step.stroke) return text_of(*step.stroke, patient);
-    return step.edit ? text_of(*step.edit, patient) : Words::tr("Vessels rebuilt");
+    if (step.edits.empty()) return Words::tr("Vessels rebuilt");
+    if (step.edits.size() == 1) return text_of(step.edits.front(), patient);
+    return Words::tr("%n gap(s) and doubtful branch(es) taken", nullptr,
+                     static_cast<int>(step.edits.size()));
 }
 
 QStringList lines_of_history(const Workspace& workspace) {
     QStringList lines;
     const PatientCase& patient = *workspace.patient();
-    const std::vector<Rebuilding>& rebuildings = patient.corrections.rebuilt;
-    auto rebuilding = rebuildings.begin();
+    const Workspace::Edits& edits = workspace.edits();
+    const std::vector<Rebuilding> rebuilt = rebuildings_among(edits, patient.corrections);
+    auto rebuilding = rebuilt.begin();
     auto stroke = workspace.strokes().begin();
-    for (std::size_t edit = 0; edit <= workspace.edits().size(); ++edit) {
-        const bool last = edit == workspace.edits().size();
-        for (; rebuilding != rebuildings.end() && (last || rebuilding->after_edits <= edit);
-             ++rebuilding)
+    const auto add_others = [&](std::size_t edits_before) {
+        for (; rebuilding != rebuilt.end() && rebuilding->after_edits <= edits_before; ++rebuilding)
             lines << text_of(*rebuilding);
-        for (; stroke != workspace.strokes().end() && (last || stroke->after_edits <= edit);
-             ++stroke)
+        for (; stroke != workspace.strokes().end() && stroke->after_edits <= edits_before; ++stroke)
             lines << text_of(stroke->stroke, patient);
-        if (!last) lines << text_of(workspace.edits()[edit], patient);
+    };
+    for (auto edit = edits.begin(); edit != edits.end();) {
+        add_others(static_cast<std::size_t>(edit - edits.begin()));
+        const auto begin = edit++;
+        while (edit != edits.end() && of_one_step(*begin, *edit)) ++edit;
+        lines << text_of(Workspace::Step{std::nullopt, {begin, edit}}, patient);
     }
+    add_others(std::numeric_limits<std::size_t>::max());
     return lines;
 }
 

@@ -15,7 +15,7 @@
 
 namespace hepatica {
 
-enum class JobKind { open, correct, remake, save, archive, report };
+enum class JobKind { open, offers, correct, remake, save, archive, report };
 
 struct QueuedJob {
     JobKind kind = JobKind::open;

@@ -235,10 +235,10 @@ void MainWindow::build_editing() {
                 dismiss_for_a_deed();
                 keeper_->add(edit);
             },
-            [this](const std::vector<TreeEdit>& edits) {
-                if (edits.empty() || !may_correct(not_in_review)) return;
+            [this](double confidence) {
+                if (!may_correct(not_in_review)) return;
                 dismiss_for_a_deed();
-                keeper_->add_all(edits);
+                keeper_->accept_offers(confidence);
             },
             [this] {
                 if (points_wait() || may_correct(not_in_review)) undo();

@@ -131,6 +131,7 @@ void PatientKeeper::arrived(const OpenRequest& request,
         // The case was saved again after it was read, so what was read is outdated.
         if (written_.contains(loaded->folder)) return start_opening(request);
         if (!play_let_go()) return screen_.not_opened();
+        jobs_.drop(JobKind::offers);
         jobs_.drop(JobKind::correct);
         jobs_.drop(JobKind::remake);
         workspace_.open(*loaded, request.reconstruct.series);
@@ -141,12 +142,6 @@ void PatientKeeper::arrived(const OpenRequest& request,
     };
     ends_ = false;
     leave_if_safe(show, screen_.not_opened);
-}
-
-void PatientKeeper::add_all(const std::vector<TreeEdit>& edits) {
-    if (!workspace_.has_patient()) return;
-    for (const TreeEdit& edit : edits) workspace_.add(edit);
-    std::ranges::any_of(edits, changes_tree, &TreeEdit::kind) ? correct() : screen_.changed();
 }
 
 // A rebuild replaces the patient, so undo and redo must wait.
@@ -161,7 +156,7 @@ void PatientKeeper::undo() {
     const std::optional<Workspace::Step> step = workspace_.next_undo();
     if (!step || waits_for_remaking()) return;
     if (step->stroke) return take_strokes_back(1);
-    if (!step->edit) return take_back_remaking();
+    if (step->edits.empty()) return take_back_remaking();
     if (workspace_.undo_passes_rebuilding() &&
         std::exchange(told_of_rebuilding_, workspace_.origin()) != workspace_.origin())
         return screen_.say(
@@ -201,26 +196,8 @@ void PatientKeeper::redo() {
         workspace_.redo_stroke();
         return screen_.changed();
     }
-    if (!step->edit) return redo_remaking();
+    if (step->edits.empty()) return redo_remaking();
     workspace_.redo() ? correct() : screen_.changed();
-}
-
-void PatientKeeper::correct() {
-    screen_.changed();
-    if (!workspace_.awaits_body()) return jobs_.drop(JobKind::correct);
-    QueuedJob job;
-    job.kind = JobKind::correct;
-    job.title = Words::tr("Correcting the tree").toStdString();
-    job.begin = [this] { return correction(); };
-    job.failed = [this, title = job.title](const Failure& failure) {
-        stay_with_shown_body();
-        screen_.failed(title, failure);
-    };
-    job.cancelled = [this] {
-        stay_with_shown_body();
-        screen_.say(Words::tr("The correction was taken back").toStdString());
-    };
-    jobs_.replace(std::move(job));
 }
 
 void PatientKeeper::remake(std::shared_ptr<const Volume> ct, Mask vessels) {
@@ -303,59 +280,6 @@ void PatientKeeper::exchange_vessels(const QString& title,
     };
     queued.cancelled = [this] { screen_.say(Words::tr("Cancelled").toStdString()); };
     jobs_.replace(std::move(queued));
-}
-
-// An impossible correction is refused without affecting those after it.
-PatientKeeper::Possible PatientKeeper::possible_edits(const PatientCase& patient,
-                                                      const Workspace::Edits& wanted) const {
-    Possible possible;
-    try {
-        ways_.check(patient, wanted);
-        return {wanted, {}};
-    } catch (const InputError&) {
-        // The loop below finds out which ones.
-    }
-    for (const TreeEdit& edit : wanted) {
-        possible.edits.push_back(edit);
-        try {
-            ways_.check(patient, possible.edits);
-        } catch (const InputError&) {
-            possible.edits.pop_back();
-            possible.refused.push_back(failure_of(std::current_exception()));
-        }
-    }
-    return possible;
-}
-
-BackgroundJob::Work PatientKeeper::correction() {
-    return [this, wanted = workspace_.edits(),
-            patient = workspace_.patient()](Job& job) -> std::function<void()> {
-        const Possible possible = possible_edits(*patient, wanted);
-        std::shared_ptr<LoadedPatient> loaded;
-        if (possible.edits != patient->corrections.edits) {
-            auto corrected =
-                std::make_shared<const PatientCase>(ways_.correct(*patient, possible.edits, job));
-            loaded = std::make_shared<LoadedPatient>(ways_.play_on(std::move(corrected), job));
-        }
-        const auto said_before = said_of_vessels(*patient);
-        const auto said_now = loaded ? said_of_vessels(*loaded->patient) : said_before;
-        return [this, loaded, patient, said_before, said_now, refused = possible.refused] {
-            workspace_.show_body(loaded ? loaded->patient : patient);
-            workspace_.set_warnings(still_standing(workspace_.warnings(), said_before, said_now));
-            if (loaded) loaded->warnings = workspace_.warnings();
-            if (loaded) screen_.show(std::move(*loaded), true);
-            if (!refused.empty()) go_ = nullptr;
-            for (const Failure& failure : refused)
-                screen_.failed(Words::tr("Correcting the tree").toStdString(), failure);
-            screen_.changed();
-        };
-    };
-}
-
-void PatientKeeper::stay_with_shown_body() {
-    go_ = nullptr;
-    workspace_.give_up_edits();
-    screen_.changed();
 }
 
 bool PatientKeeper::save() {

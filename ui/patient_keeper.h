@@ -33,6 +33,10 @@ class PatientKeeper {
         std::function<LoadedPatient(std::shared_ptr<const PatientCase>, Job&)> play_on = play;
         std::function<PatientCase(const PatientCase&, const std::vector<TreeEdit>&, Job&)> correct =
             with_edits;
+        // The corrections after these that build what is offered.
+        std::function<std::vector<TreeEdit>(const PatientCase&, const std::vector<TreeEdit>&,
+                                            double confidence, Job&)>
+            offers = acceptances_after;
         // Rebuilds the vessels from another mask.
         std::function<RemadeCase(const PatientCase&, Mask, const Volume&, Job&)> remake = remade;
         // Throws InputError if the last of these corrections cannot be made after the others.
@@ -99,7 +103,8 @@ class PatientKeeper {
     const JobQueue& jobs() const { return jobs_; }
     // Whether other vessels of the patient are being computed.
     bool makes_vessels() const {
-        return jobs_.holds(JobKind::correct) || jobs_.holds(JobKind::remake);
+        return jobs_.holds(JobKind::offers) || jobs_.holds(JobKind::correct) ||
+               jobs_.holds(JobKind::remake);
     }
 
     // Whether the built-in patient, without edits, is on his way.
@@ -109,7 +114,11 @@ class PatientKeeper {
     void open(const OpenRequest& request);
     // Adds a correction; one of the tree is then computed.
     void add(const TreeEdit& edit) { add_all({edit}); }
+    // Likewise, as one step of undo.
     void add_all(const std::vector<TreeEdit>& edits);
+    // Adds, as one step, what builds all gaps and branches that are offered with this confidence
+    // or more.
+    void accept_offers(double confidence);
     // Adds a stroke at the vessel mask, which waits for a rebuild.
     void add_stroke(const BrushStroke& stroke);
     // All that was measured on the patient, to be kept with the case.
@@ -167,12 +176,14 @@ class PatientKeeper {
     OpenRequest request_that_tells(OpenRequest request);
     void choose_series(OpenRequest request, const std::vector<SeriesDescription>& series);
     void arrived(const OpenRequest& request, const std::shared_ptr<LoadedPatient>& loaded);
+    BackgroundJob::Work accepting(double confidence);
     void correct();
     struct Possible {
         Workspace::Edits edits;
         std::vector<Failure> refused;
     };
-    Possible possible_edits(const PatientCase& patient, const Workspace::Edits& wanted) const;
+    Possible possible_edits(const PatientCase& patient, const Workspace::Edits& wanted,
+                            const Job& job) const;
     BackgroundJob::Work correction();
     BackgroundJob::Work remaking(std::shared_ptr<const Volume> ct,
                                  std::shared_ptr<const Mask> vessels, std::size_t strokes);

@@ -2,11 +2,30 @@
 #include "ui/workspace.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "core/patient/corrections.h"
 #include "core/patient/painted_tumours.h"
 
 namespace hepatica {
+
+namespace {
+
+// The last of these, with those before it that were made with it, taken out of `from`.
+Workspace::Edits take_last_step(Workspace::Edits& from) {
+    auto begin = from.end() - 1;
+    while (begin != from.begin() && of_one_step(*(begin - 1), *begin)) --begin;
+    Workspace::Edits taken(begin, from.end());
+    from.erase(begin, from.end());
+    return taken;
+}
+
+bool change_tree(const Workspace::Edits& edits) {
+    return std::ranges::any_of(edits, changes_tree, &TreeEdit::kind);
+}
+
+}  // namespace
 
 void Workspace::open(const OpenedPatient& opened, int series) {
     title_ = opened.title;
@@ -48,9 +67,14 @@ void Workspace::forget_undone() {
     taken_back_.clear();
 }
 
-void Workspace::add(const TreeEdit& edit) {
+void Workspace::add_all(Edits added) {
+    if (added.size() > 1) {
+        const auto last = std::ranges::max_element(edits_, {}, &TreeEdit::step);
+        const int step = last == edits_.end() ? 1 : last->step + 1;
+        for (TreeEdit& edit : added) edit.step = step;
+    }
     Edits edits = edits_;
-    edits.push_back(edit);
+    std::ranges::move(added, std::back_inserter(edits));
     forget_undone();
     strokes_.forget_undone();
     want(std::move(edits));
@@ -73,22 +97,23 @@ void Workspace::redo_stroke() {
 }
 
 std::optional<Workspace::Step> Workspace::next_undo() const {
-    if (undo_is_of_stroke()) return Step{strokes_.made().back().stroke, std::nullopt};
+    if (undo_is_of_stroke()) return Step{strokes_.made().back().stroke, {}};
     if (before_remaking() != nullptr) return Step{};
     if (edits_.empty()) return std::nullopt;
-    return Step{std::nullopt, edits_.back()};
+    Edits edits = edits_;
+    return Step{std::nullopt, take_last_step(edits)};
 }
 
 bool Workspace::undo_passes_rebuilding() const {
     if (edits_.empty() || undo_is_of_stroke() || before_remaking() != nullptr) return false;
-    const std::vector<Rebuilding>& rebuilt = patient_->corrections.rebuilt;
+    const std::vector<Rebuilding> rebuilt = rebuildings_among(edits_, patient_->corrections);
     const std::size_t to_stay = rebuilt.size() - std::min(rebuilt.size(), remade_.size());
     return std::any_of(rebuilt.begin(), rebuilt.begin() + static_cast<std::ptrdiff_t>(to_stay),
                        [this](const Rebuilding& one) { return one.after_edits >= edits_.size(); });
 }
 
 std::optional<Workspace::Step> Workspace::next_redo() const {
-    if (redo_is_of_stroke()) return Step{strokes_.next_again(), std::nullopt};
+    if (redo_is_of_stroke()) return Step{strokes_.next_again(), {}};
     if (remaking_again() != nullptr) return Step{};
     if (undone_.empty()) return std::nullopt;
     return Step{std::nullopt, undone_.back()};
@@ -97,19 +122,19 @@ std::optional<Workspace::Step> Workspace::next_redo() const {
 bool Workspace::undo() {
     if (edits_.empty() || before_remaking() != nullptr) return false;
     Edits edits = edits_;
-    undone_.push_back(edits.back());
-    edits.pop_back();
+    undone_.push_back(take_last_step(edits));
     want(std::move(edits));
-    return changes_tree(undone_.back().kind);
+    return change_tree(undone_.back());
 }
 
 bool Workspace::redo() {
     if (undone_.empty()) return false;
-    Edits edits = edits_;
-    edits.push_back(undone_.back());
+    const Edits again = std::move(undone_.back());
     undone_.pop_back();
+    Edits edits = edits_;
+    edits.insert(edits.end(), again.begin(), again.end());
     want(std::move(edits));
-    return changes_tree(edits_.back().kind);
+    return change_tree(again);
 }
 
 bool Workspace::awaits_body() const {

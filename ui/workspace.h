@@ -21,10 +21,11 @@ namespace hepatica {
 class Workspace {
   public:
     using Edits = std::vector<TreeEdit>;
-    // The next step of undo or redo: a stroke, a correction, or, if both are empty, a rebuild.
+    // One step of undo or redo: a stroke, the corrections of one deed, or, if both are empty, a
+    // rebuild.
     struct Step {
         std::optional<BrushStroke> stroke;
-        std::optional<TreeEdit> edit;
+        Edits edits;
     };
 
     // Replaces the former patient. `series`: see series().
@@ -65,12 +66,14 @@ class Workspace {
     // The next undo takes back a correction from before a rebuilding that stays: of one that was
     // done before he was opened the voxels from before are not kept.
     bool undo_passes_rebuilding() const;
-    void add(const TreeEdit& edit);
+    void add(const TreeEdit& edit) { add_all({edit}); }
+    // These are one step of undo and redo.
+    void add_all(Edits added);
     // Replaces corrections, pending strokes and, where it knows them, measurements by those that an
     // earlier run left.
     void take_up(const LeftEdits& left);
-    // Undoes the last correction; returns whether that changes the tree. No effect if there is none
-    // or the last step was a rebuild.
+    // Undoes the corrections of the last step; returns whether that changes the tree. No effect if
+    // there is none or the last step was a rebuild.
     bool undo();
     bool redo();  // likewise
     // The body is now this one; wanted corrections that it lacks were refused.
@@ -135,7 +138,7 @@ class Workspace {
         std::vector<PendingStroke> strokes;  // that it was made of
         // From before; of one that was taken back, from after it.
         std::vector<std::string> warnings;
-        Edits undone;  // of one that was taken back: corrections after it
+        std::vector<Edits> undone;  // of one that was taken back: steps after it
     };
     // That can be undone; each holds a whole patient.
     static constexpr std::size_t most_remakings = 5;
@@ -153,7 +156,7 @@ class Workspace {
     std::filesystem::path kept_copy_;
     std::filesystem::path base_;
     Edits edits_;
-    Edits undone_;  // the last one is redone first
+    std::vector<Edits> undone_;  // steps; the last one is redone first
     Edits saved_edits_;
     std::vector<KeptMeasurement> measured_, saved_measured_;
     bool never_saved_ = false;  // although it should be saved

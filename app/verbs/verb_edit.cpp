@@ -199,8 +199,7 @@ PatientCase corrected(const EditChoices& options, PatientCase patient, Job& job)
     add_tumour_strokes(options, patient, edits);
     decide_bridges(options, patient, edits);
     if (options.accept <= 1.0) {
-        const std::vector<TreeEdit> links =
-            acceptances(with_edited_tree(patient, edits), options.accept);
+        const std::vector<TreeEdit> links = acceptances_after(patient, edits, options.accept, job);
         edits.insert(edits.end(), links.begin(), links.end());
     }
     return with_edits(patient, edits, job);

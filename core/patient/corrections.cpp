@@ -38,13 +38,6 @@ bool fits(const VesselTree& tree, const Bridge& bridge) {
     return root[from] != root[to];
 }
 
-bool is_taken_up(const Bridge& bridge, const std::vector<TreeEdit>& edits) {
-    return std::ranges::any_of(edits, [&](const TreeEdit& edit) {
-        return (edit.kind == TreeEditKind::add_link || edit.kind == TreeEditKind::draw_vessel) &&
-               edit.path_mm == bridge.path_mm;
-    });
-}
-
 VesselTree edited_by_all(VesselTree tree, const std::vector<TreeEdit>& edits) {
     for (std::size_t i = 0; i < edits.size(); ++i) {
         try {
@@ -115,7 +108,8 @@ std::string name_of(BridgeState state) {
 BridgeState state_of_bridge(const PatientCase& patient, std::size_t index) {
     const Bridge& bridge = patient.corrections.bridges[index];
     const std::vector<TreeEdit>& edits = patient.corrections.edits;
-    if (is_taken_up(bridge, edits)) return BridgeState::accepted;
+    const auto accepts_it = [&](const TreeEdit& edit) { return accepts(edit, bridge); };
+    if (std::ranges::any_of(edits, accepts_it)) return BridgeState::accepted;
     const auto refuses_it = [&](const TreeEdit& edit) { return refuses(edit, bridge); };
     if (std::ranges::any_of(edits, refuses_it)) return BridgeState::refused;
     if (bridge.built) return BridgeState::built;
@@ -147,6 +141,11 @@ TreeEdit acceptance_of(const Bridge& bridge) {
     return link;
 }
 
+bool accepts(const TreeEdit& edit, const Bridge& bridge) {
+    return (edit.kind == TreeEditKind::add_link || edit.kind == TreeEditKind::draw_vessel) &&
+           edit.path_mm == bridge.path_mm;
+}
+
 TreeEdit refusal_of(const Bridge& bridge) {
     TreeEdit refusal;
     if (bridge.built) {
@@ -171,17 +170,31 @@ bool refuses(const TreeEdit& edit, const Bridge& bridge) {
     return goes(from, to) || goes(to, from);
 }
 
-std::vector<TreeEdit> acceptances(const PatientCase& patient, double confidence) {
-    std::vector<Bridge> waiting;
-    for (std::size_t i = 0; i < patient.corrections.bridges.size(); ++i) {
-        const Bridge& bridge = patient.corrections.bridges[i];
+namespace {
+
+// Those of this confidence that are open, and branches that hang on no vessel now but may hang on
+// one that is taken; the surest first.
+std::vector<Bridge> acceptable(const PatientCase& patient, double confidence, Job& job) {
+    std::vector<Bridge> found;
+    const std::vector<Bridge>& bridges = patient.corrections.bridges;
+    for (std::size_t i = 0; i < bridges.size(); ++i) {
+        job.advance(static_cast<double>(i) / static_cast<double>(bridges.size()));
+        if (bridges[i].confidence < confidence) continue;
         const BridgeState state = state_of_bridge(patient, i);
-        // What hangs on no vessel now may hang on a branch that is taken.
-        const bool may_fit = state == BridgeState::needless && bridge.is_branch();
-        if (bridge.confidence >= confidence && (state == BridgeState::open || may_fit))
-            waiting.push_back(bridge);
+        const bool may_fit = state == BridgeState::needless && bridges[i].is_branch();
+        if (state == BridgeState::open || may_fit) found.push_back(bridges[i]);
     }
-    std::ranges::stable_sort(waiting, std::ranges::greater{}, &Bridge::confidence);
+    std::ranges::stable_sort(found, std::ranges::greater{}, &Bridge::confidence);
+    return found;
+}
+
+}  // namespace
+
+std::vector<TreeEdit> acceptances(const PatientCase& patient, double confidence, Job& job) {
+    std::vector<Bridge> waiting =
+        in_part(job, 0.0, 0.1, [&] { return acceptable(patient, confidence, job); });
+    const JobPart rest(job, 0.1, 1.0);
+    const auto all = static_cast<double>(waiting.size());
     std::vector<TreeEdit> accepted;
     VesselTree tree = patient.tree;
     const auto take = [&](const Bridge& bridge) {
@@ -196,8 +209,11 @@ std::vector<TreeEdit> acceptances(const PatientCase& patient, double confidence)
     };
     for (bool more = true; more;) {
         std::vector<Bridge> left;
-        for (const Bridge& bridge : waiting)
+        double looked_at = all - static_cast<double>(waiting.size());
+        for (const Bridge& bridge : waiting) {
+            job.advance(looked_at++ / all);
             if (!take(bridge)) left.push_back(bridge);
+        }
         more = left.size() < waiting.size();
         waiting = std::move(left);
     }
@@ -209,9 +225,19 @@ PatientCase with_edited_tree(const PatientCase& patient, const std::vector<TreeE
     Corrections& corrections = result.corrections;
     if (corrections.edits.empty()) corrections.extracted = result.tree;
     result.tree = edited_by_all(corrections.extracted, edits);
+    corrections.rebuilt = rebuildings_among(edits, corrections);
     corrections.edits = edits;
     if (edits.empty()) corrections.extracted = {};
     return result;
+}
+
+std::vector<TreeEdit> acceptances_after(const PatientCase& patient,
+                                        const std::vector<TreeEdit>& edits, double confidence,
+                                        Job& job) {
+    PatientCase wanted;  // without its voxels and its body, which count for nothing
+    wanted.tree = patient.tree;
+    wanted.corrections = patient.corrections;
+    return acceptances(with_edited_tree(wanted, edits), confidence, job);
 }
 
 namespace {
@@ -254,9 +280,28 @@ void replace_warnings_of_mesh(const std::vector<std::string>& of_mesh, PatientCa
     patient.warnings.insert(patient.warnings.end(), of_mesh.begin(), of_mesh.end());
 }
 
+namespace {
+
+std::vector<Rebuilding> after_at_most(std::size_t edits, std::vector<Rebuilding> rebuilt) {
+    for (Rebuilding& one : rebuilt) one.after_edits = std::min(one.after_edits, edits);
+    return rebuilt;
+}
+
+}  // namespace
+
+std::vector<Rebuilding> rebuildings_among(const std::vector<TreeEdit>& edits,
+                                          const Corrections& corrections) {
+    const std::vector<TreeEdit>& before = corrections.edits;
+    const auto changed =
+        std::mismatch(edits.begin(), edits.end(), before.begin(), before.end()).first;
+    if (changed == edits.end()) return corrections.rebuilt;  // what is taken back can be redone
+    return after_at_most(static_cast<std::size_t>(changed - edits.begin()), corrections.rebuilt);
+}
+
 void note_rebuilding(const PatientCase& before, std::size_t strokes, PatientCase& after) {
-    after.corrections.rebuilt = before.corrections.rebuilt;
-    after.corrections.rebuilt.push_back({after.corrections.edits.size(), strokes});
+    const std::size_t edits = after.corrections.edits.size();
+    after.corrections.rebuilt = after_at_most(edits, before.corrections.rebuilt);
+    after.corrections.rebuilt.push_back({edits, strokes});
 }
 
 }  // namespace hepatica

@@ -35,6 +35,9 @@ std::vector<Bridge> open_gaps(const PatientCase& patient);
 // The edit that builds a bridge, or draws a branch.
 TreeEdit acceptance_of(const Bridge& bridge);
 
+// Whether the edit builds or draws this one.
+bool accepts(const TreeEdit& edit, const Bridge& bridge);
+
 // The edit that refuses a bridge. One that the reconstruction built is removed by a cut in its
 // middle; any other is offered no more.
 TreeEdit refusal_of(const Bridge& bridge);
@@ -43,8 +46,14 @@ TreeEdit refusal_of(const Bridge& bridge);
 bool refuses(const TreeEdit& edit, const Bridge& bridge);
 
 // The edits that build all open bridges of this confidence or more, best first, without those that
-// earlier ones make needless; and branches that hang on others of these.
-std::vector<TreeEdit> acceptances(const PatientCase& patient, double confidence);
+// earlier ones make needless; and branches that hang on others of these. Reports the share that is
+// looked at. Throws Cancelled.
+std::vector<TreeEdit> acceptances(const PatientCase& patient, double confidence, Job& job);
+
+// Likewise of the case with these edits. Throws as with_edits() does.
+std::vector<TreeEdit> acceptances_after(const PatientCase& patient,
+                                        const std::vector<TreeEdit>& edits, double confidence,
+                                        Job& job);
 
 // Options of the body's mesh, from `source.parameters_json`. Missing ones take their defaults.
 // Throws InputError where one is of another type.
@@ -64,6 +73,11 @@ PatientCase with_edits(const PatientCase& patient, const std::vector<TreeEdit>& 
 
 // Puts what tetrahedralize() warned of a new mesh in the place of what was said of the old one.
 void replace_warnings_of_mesh(const std::vector<std::string>& of_mesh, PatientCase& patient);
+
+// The rebuildings of a case among another list of its edits: what is added once some were taken
+// back comes after those that stay.
+std::vector<Rebuilding> rebuildings_among(const std::vector<TreeEdit>& edits,
+                                          const Corrections& corrections);
 
 // Records in `after` that the vessels were rebuilt from other voxels, with this number of strokes,
 // after the rebuildings of `before`.

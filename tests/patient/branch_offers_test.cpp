@@ -75,10 +75,10 @@ TEST(BranchOffers, ATakenOneIsDrawnAndItsTwigIsOfferedThen) {
     EXPECT_EQ(state_of_bridge(taken, 1), BridgeState::accepted);
     EXPECT_EQ(state_of_bridge(taken, 0), BridgeState::open);
     // All at once, the twig after what carries it, although it is surer.
-    const std::vector<TreeEdit> all = acceptances(patient, 0.5);
+    const std::vector<TreeEdit> all = acceptances(patient, 0.5, job);
     EXPECT_THAT(all, ElementsAre(acceptance_of(branch()), acceptance_of(twig())));
-    EXPECT_TRUE(acceptances(patient, 0.7).empty()) << "what carries the twig is less sure";
-    EXPECT_EQ(acceptances(patient, 0.9).size(), 0u);
+    EXPECT_TRUE(acceptances(patient, 0.7, job).empty()) << "what carries the twig is less sure";
+    EXPECT_EQ(acceptances(patient, 0.9, job).size(), 0u);
 }
 
 TEST(BranchOffers, AreRefusedAndKeptWithTheCase) {

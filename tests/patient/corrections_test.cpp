@@ -95,7 +95,7 @@ TEST(Corrections, ABridgeCanBeRefusedAndOfferedAgain) {
     EXPECT_EQ(state_of_bridge(refused, 1), BridgeState::open);
     ASSERT_EQ(open_bridges(refused).size(), 1u);
     EXPECT_EQ(open_bridges(refused)[0].path_mm, test::other_gap);
-    EXPECT_EQ(acceptances(refused, 0.2).size(), 0u);
+    EXPECT_EQ(acceptances(refused, 0.2, job).size(), 0u);
     EXPECT_EQ(tree_edits(refusal).size(), 0u);
     EXPECT_EQ(tumour_strokes(refusal).size(), 0u);
     EXPECT_EQ(hash_of(with_edits(refused, {}, job)), hash_of(patient));
@@ -161,12 +161,62 @@ TEST(Corrections, ABridgeThatWasBuiltIsRefusedByACut) {
 
 TEST(Corrections, AcceptsByConfidenceTheBestFirst) {
     const PatientCase patient = patient_with_bridges();
-    EXPECT_EQ(acceptances(patient, 0.3).size(), 0u);
-    EXPECT_EQ(acceptances(patient, 0.2).size(), 1u);
+    Job job;
+    EXPECT_EQ(acceptances(patient, 0.3, job).size(), 0u);
+    EXPECT_EQ(acceptances(patient, 0.2, job).size(), 1u);
     // Both are confident enough, but the first joins what the second would have.
-    const auto all = acceptances(patient, 0.0);
+    const auto all = acceptances(patient, 0.0, job);
     ASSERT_EQ(all.size(), 1u);
     EXPECT_EQ(all[0].path_mm, last_gap);
+}
+
+TEST(Corrections, WhatIsOfferedIsLookedForAfterWhatIsWantedAlready) {
+    const PatientCase patient = patient_with_bridges();
+    Job job;
+    const auto wanted = acceptance_of(patient.corrections.bridges[1]);
+    EXPECT_EQ(acceptances_after(patient, {}, 0.0, job).size(), 1u);
+    EXPECT_TRUE(acceptances_after(patient, {wanted}, 0.0, job).empty())
+        << "it makes the other one needless";
+    job.cancel();
+    EXPECT_THROW(acceptances_after(patient, {}, 0.0, job), Cancelled);
+}
+
+// Of which older programs know nothing.
+TEST(Corrections, AStepOfEditsIsKeptWithThem) {
+    std::vector<TreeEdit> edits(2, acceptance_of(patient_with_bridges().corrections.bridges[0]));
+    EXPECT_EQ(edits_to_json(edits).find("step"), std::string::npos);
+    edits[1].step = 7;
+    EXPECT_EQ(edits_from_json(edits_to_json(edits), ""), edits);
+    std::string without = edits_to_json(edits);
+    without.replace(without.find("\"step\": 7"), 9, "\"step\": 0");
+    EXPECT_THROW(edits_from_json(without, "list"), InputError);
+}
+
+// A case does not keep the vessels from before its rebuildings, so these stay where corrections
+// from before them are taken back.
+TEST(Corrections, WhatIsAddedAfterSomeWereTakenBackComesAfterTheRebuilding) {
+    const TreeEdit one = deletion_at(Vec3(1, 0, 0)), two = deletion_at(Vec3(2, 0, 0)),
+                   three = deletion_at(Vec3(3, 0, 0));
+    PatientCase before;
+    before.corrections.edits = {one, two};
+    note_rebuilding({}, 4, before);
+    const auto after_edits = [](const std::vector<Rebuilding>& rebuilt) {
+        std::vector<std::size_t> all;
+        for (const Rebuilding& rebuilding : rebuilt) all.push_back(rebuilding.after_edits);
+        return all;
+    };
+    using Sizes = std::vector<std::size_t>;
+    const auto among = [&](const std::vector<TreeEdit>& edits) {
+        return after_edits(rebuildings_among(edits, before.corrections));
+    };
+    EXPECT_EQ(among({one, two, three}), Sizes{2});
+    EXPECT_EQ(among({one}), Sizes{2}) << "the other may be made again";
+    EXPECT_EQ(among({one, three}), Sizes{1});
+    EXPECT_EQ(among({three, two}), Sizes{0});
+    PatientCase again;
+    again.corrections.edits = {one};
+    note_rebuilding(before, 1, again);
+    EXPECT_EQ(after_edits(again.corrections.rebuilt), (Sizes{1, 1}));
 }
 
 TEST(Corrections, TakingAllEditsBackGivesTheCaseBeforeToTheByte) {

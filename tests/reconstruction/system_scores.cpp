@@ -223,7 +223,7 @@ Row judged(const SystemPatient& patient, const Request& request, Offers& offers)
     PatientCase found = given != request.cases.end() ? read_case(given->second)
                                                      : made_case(patient, known, request, seconds);
     count_offers(patient, found, offers);
-    if (request.take <= 1.0) found = with_edited_tree(found, acceptances(found, request.take));
+    if (request.take <= 1.0) found = with_edited_tree(found, acceptances(found, request.take, job));
     return row_of(patient.name, judge_systems(found.tree, found.mask, known, {}, job), seconds);
 }
 

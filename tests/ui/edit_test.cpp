@@ -70,7 +70,7 @@ TEST_F(Editing, gaps_of_the_reconstruction_are_told_without_links_by_hand) {
     QString told;
     for (const auto* label : window_.findChildren<QLabel*>())
         if (label->text().contains("by the reconstruction")) told = label->text();
-    EXPECT_TRUE(told.contains("1 gap was bridged by the reconstruction, 0.0 mm in all."))
+    EXPECT_TRUE(told.contains("1 gap was bridged by the reconstruction, 8.0 mm in all."))
         << told.toStdString();
 }
 
@@ -94,8 +94,9 @@ TEST_F(Editing, gaps_are_shown_and_bridged_by_their_confidence) {
     EXPECT_EQ(shown(), static_cast<int>(offered.size()));
     take_all();
     EXPECT_TRUE(open_bridges(*window_.workspace().patient()).empty());
+    Job job;
     EXPECT_EQ(saved().corrections.edits.size(),
-              acceptances(test::patient_with_bridges(), 0.0).size());
+              acceptances(test::patient_with_bridges(), 0.0, job).size());
 }
 
 // Else a click on a vessel would only pull it, without a word.

@@ -3,6 +3,7 @@
 // reconstruction bridged, refused one by one.
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 
@@ -26,6 +27,18 @@ class Gaps : public EditingWindow {
         patient.surface = surface_of(patient.mesh).mesh;
         write_case(to_path(folder_.filePath("built.hep")), patient);
         window_.open(folder_.filePath("built.hep"));
+        wait();
+    }
+    void open_with_a_branch() {
+        PatientCase patient = test::patient_with_bridges();
+        Bridge branch;
+        branch.path_mm = {Vec3(0.05, 10, 1.5), Vec3(5, 9.5, 1.3), Vec3(12, 9, 1), Vec3(20, 8, 1)};
+        branch.radii_mm.assign(branch.path_mm.size(), 0.8);
+        branch.confidence = 0.7;
+        branch.gap_mm = 20.0;
+        patient.corrections.bridges.push_back(branch);
+        write_case(to_path(folder_.filePath("offered.hep")), patient);
+        window_.open(folder_.filePath("offered.hep"));
         wait();
     }
     QStringList listed() {
@@ -97,7 +110,15 @@ TEST_F(Gaps, that_the_reconstruction_bridged_are_listed_and_parted_again) {
     open_with_a_bridge();
     ASSERT_EQ(trees(), 1u);
     ASSERT_EQ(listed(), QStringList{"bridged: 22 %, gap of 8.0 mm"});
+    const auto tells_of_it = [this] {
+        for (const auto* label : window_.findChildren<QLabel*>())
+            if (label->text().contains("1 gap was bridged by the reconstruction, 8.0 mm"))
+                return true;
+        return false;
+    };
+    EXPECT_TRUE(tells_of_it());
     refuse(0);
+    EXPECT_FALSE(tells_of_it()) << "it is no bridge any more";
     EXPECT_EQ(trees(), 2u);
     ASSERT_EQ(listed(), QStringList{"10 %, gap of 8.0 mm"}) << "the other is not needless any more";
     window_.actions()[ActionId::undo_edit].trigger();
@@ -108,16 +129,7 @@ TEST_F(Gaps, that_the_reconstruction_bridged_are_listed_and_parted_again) {
 
 // In a play they would cover the vessels.
 TEST_F(Gaps, are_listed_with_branches_that_are_drawn_in_edit_mode) {
-    PatientCase patient = test::patient_with_bridges();
-    Bridge branch;
-    branch.path_mm = {Vec3(0.05, 10, 1.5), Vec3(5, 9.5, 1.3), Vec3(12, 9, 1), Vec3(20, 8, 1)};
-    branch.radii_mm.assign(branch.path_mm.size(), 0.8);
-    branch.confidence = 0.7;
-    branch.gap_mm = 20.0;
-    patient.corrections.bridges.push_back(branch);
-    write_case(to_path(folder_.filePath("offered.hep")), patient);
-    window_.open(folder_.filePath("offered.hep"));
-    wait();
+    open_with_a_branch();
     EXPECT_EQ(listed().front(), "70 %, branch of 20 mm");
     const Vec3 on_it(16, 8.5, 1);
     const auto is_drawn = [&] {
@@ -141,6 +153,30 @@ TEST_F(Gaps, are_listed_with_branches_that_are_drawn_in_edit_mode) {
     EXPECT_EQ(window_.workspace().edits()[0].kind, TreeEditKind::draw_vessel);
     EXPECT_EQ(window_.workspace().patient()->tree.segments.size(), before + 2);
     EXPECT_FALSE(is_drawn());
+}
+
+// The body is made once, as well, but for a step back: of a real patient it takes half a minute.
+TEST_F(Gaps, that_are_taken_with_branches_all_at_once_are_one_step_of_undo) {
+    open_with_a_branch();
+    take_all();
+    ASSERT_EQ(window_.workspace().edits().size(), 2u);
+    EXPECT_FALSE(window_.workspace().awaits_body());
+    const QString all = "2 gaps and doubtful branches taken";
+    for (const auto* list : window_.findChildren<QListWidget*>()) {
+        if (list->accessibleName() != "Edits") continue;
+        ASSERT_EQ(list->count(), 1);
+        EXPECT_EQ(list->item(0)->text(), all);
+    }
+    QAction& undo = window_.actions()[ActionId::undo_edit];
+    EXPECT_EQ(undo.text(), "&Undo: " + all);
+    undo.trigger();
+    wait();
+    EXPECT_TRUE(window_.workspace().edits().empty());
+    EXPECT_EQ(trees(), 2u);
+    window_.actions()[ActionId::redo_edit].trigger();
+    wait();
+    EXPECT_EQ(window_.workspace().patient()->corrections.edits.size(), 2u);
+    EXPECT_FALSE(undo.text().isEmpty());
 }
 
 TEST_F(Gaps, that_are_built_cannot_be_built_again) {

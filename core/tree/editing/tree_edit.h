@@ -53,11 +53,18 @@ struct TreeEdit {
     std::vector<double> radii_mm;
     // paint_tumour: number, 1 to most_tumours. erase_tumour: number, or 0 for all tumours.
     int tumour = 0;
+    // Neighbours in a list with the same number above 0 were made by one deed, and are taken back
+    // and made again together.
+    int step = 0;
 
     bool operator==(const TreeEdit&) const = default;
 };
 
 inline constexpr int most_tumours = 246;  // largest number of tumours: labels fit into a byte
+
+inline bool of_one_step(const TreeEdit& edit, const TreeEdit& next) {
+    return edit.step != 0 && edit.step == next.step;
+}
 
 // The tree after the edit. Throws InputError where the edit is not possible: an empty tree, a place
 // more than 10 mm from any vessel, a link with both ends at one point, a cut where forks are too

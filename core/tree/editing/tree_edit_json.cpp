@@ -93,6 +93,13 @@ void read_stroke(const nlohmann::json& value, const std::string& place, TreeEdit
                          "Number tumours from 1 to " + std::to_string(most_tumours));
 }
 
+int step_from(const nlohmann::json& value, const std::string& place) {
+    const int step = whole_number<int>(value);
+    if (step >= 1) return step;
+    throw InputError("an edit belongs to step " + std::to_string(step), place,
+                     "Number steps from 1 on, or leave them out");
+}
+
 TreeEdit edit_from(const nlohmann::json& value, const std::string& place) {
     TreeEdit edit;
     edit.kind = kind_named(value.at("edit").get<std::string>(), place);
@@ -111,6 +118,7 @@ TreeEdit edit_from(const nlohmann::json& value, const std::string& place) {
         require_in_patient_space(point, is_tumour_stroke(edit.kind) ? "a brush" : "a vessel",
                                  place);
     if (needs_system(edit.kind)) edit.system = system_from(value.at("system"), place);
+    if (value.contains("step")) edit.step = step_from(value.at("step"), place);
     return edit;
 }
 
@@ -152,6 +160,7 @@ std::string edits_to_json(const std::vector<TreeEdit>& edits) {
         }
         if (needs_system(edit.kind) || edit.system != VascularSystem::unknown)
             value["system"] = name_of(edit.system);
+        if (edit.step != 0) value["step"] = edit.step;
         list.push_back(std::move(value));
     }
     return list.dump(1);

@@ -167,6 +167,11 @@ PatientKeeper::Ways FakeWard::ways() {
         corrected.corrections.edits = edits;
         return corrected;
     };
+    ways.offers = [this](const PatientCase&, const std::vector<TreeEdit>& edits, double, Job& job) {
+        offers_asked = edits;
+        hold(hold_offers, job);
+        return offered;
+    };
     ways.remake = [this](const PatientCase& patient, Mask vessels, const Volume&, Job& job) {
         hold(hold_remakings, job);
         if (vessels.voxels.empty()) throw InputError("no vessel is left", "", "");

@@ -47,13 +47,16 @@ class FakeWard {
 
     // Jobs of this kind wait while it is set, but hear a cancel.
     std::atomic<bool> hold_corrections{false};
+    std::atomic<bool> hold_offers{false};
     std::atomic<bool> hold_remakings{false};
     std::atomic<bool> hold_saves{false};
     std::atomic<bool> hold_openings{false};
     std::atomic<bool> hold_archiving{false};
     std::atomic<bool> disk_full{false};
     std::atomic<int> corrections_begun{0};
-    std::atomic<int> slowness_us{0};  // of every job
+    std::atomic<int> slowness_us{0};     // of every job
+    std::vector<TreeEdit> offered;       // what takes all that is offered
+    std::vector<TreeEdit> offers_asked;  // the corrections that they were asked for after
 
     // What a person answers, and was asked and shown.
     UnsavedAnswer answer = UnsavedAnswer::cancel;

@@ -119,6 +119,50 @@ TEST_F(Keeper, an_impossible_correction_is_refused_with_a_word_and_takes_no_othe
     EXPECT_EQ(ward.failures, std::vector<std::string>{"Correcting the tree: cannot be made"});
 }
 
+TEST_F(Keeper, takes_all_that_is_offered_by_one_body_and_one_step) {
+    ward.offered = {edit(2), edit(3), edit(4)};
+    ward.hold_corrections = true;
+    add(1);
+    ward.keeper().accept_offers(0.5);
+    EXPECT_TRUE(ward.keeper().makes_vessels());
+    ward.hold_corrections = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(numbers_of(ward.offers_asked), Numbers{1}) << "after the corrections before it";
+    EXPECT_EQ(numbers_of(ward.workspace().patient()->corrections.edits), (Numbers{1, 2, 3, 4}));
+    EXPECT_EQ(ward.corrections_begun, 2);
+    ASSERT_GE(ward.titles.size(), 2u);
+    EXPECT_EQ(*(ward.titles.end() - 2), "Taking what is offered");
+    ward.keeper().save();
+    ASSERT_TRUE(ward.finish());
+    ward.open("a.hep");
+    ASSERT_TRUE(ward.finish());
+    ward.keeper().undo();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(numbers_of(ward.workspace().edits()), Numbers{1}) << "also of an earlier run";
+}
+
+TEST_F(Keeper, takes_nothing_that_was_looked_for_before_another_correction_or_a_cancel) {
+    ward.offered = {edit(2), edit(3)};
+    ward.hold_offers = true;
+    ward.keeper().accept_offers(0.5);
+    add(1);
+    ward.hold_offers = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(numbers_of(ward.workspace().edits()), Numbers{1});
+    EXPECT_EQ(ward.said.back(), "Nothing was taken, because something was corrected meanwhile");
+    ward.hold_offers = true;
+    ward.keeper().accept_offers(0.5);
+    ward.keeper().cancel();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(numbers_of(ward.workspace().edits()), Numbers{1});
+    EXPECT_EQ(ward.said.back(), "Nothing was taken");
+    ward.hold_offers = false;
+    ward.offered.clear();
+    ward.keeper().accept_offers(0.5);
+    ASSERT_TRUE(ward.finish());
+    EXPECT_TRUE(ward.said.back().starts_with("None of them fits")) << ward.said.back();
+}
+
 TEST_F(Keeper, cancel_takes_the_correction_back_and_lets_the_save_go_on) {
     ward.hold_corrections = true;
     add(1);

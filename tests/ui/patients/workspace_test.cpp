@@ -155,6 +155,39 @@ TEST(Workspace, undo_and_redo_walk_over_what_is_wanted) {
     EXPECT_TRUE(workspace.patient()->corrections.edits.empty()) << "none has a body yet";
 }
 
+TEST(Workspace, what_was_added_together_is_one_step_of_undo_and_redo) {
+    Workspace workspace;
+    workspace.open(case_on_disk());
+    workspace.add(edit(1));
+    workspace.add_all({edit(2), edit(3)});
+    workspace.add_all({edit(4), edit(5)});
+    ASSERT_TRUE(workspace.next_undo());
+    EXPECT_EQ(numbers_of(workspace.next_undo()->edits), (Numbers{4, 5}));
+    EXPECT_TRUE(workspace.undo());
+    EXPECT_EQ(numbers_of(workspace.edits()), (Numbers{1, 2, 3}));
+    ASSERT_TRUE(workspace.next_redo());
+    EXPECT_EQ(numbers_of(workspace.next_redo()->edits), (Numbers{4, 5}));
+    workspace.undo();
+    EXPECT_EQ(numbers_of(workspace.edits()), Numbers{1});
+    EXPECT_TRUE(workspace.redo());
+    EXPECT_EQ(numbers_of(workspace.edits()), (Numbers{1, 2, 3}));
+    workspace.redo();
+    EXPECT_EQ(numbers_of(workspace.edits()), (Numbers{1, 2, 3, 4, 5}));
+}
+
+// Also after one of them was refused, which makes none of the others part of another step.
+TEST(Workspace, a_step_stays_one_when_its_first_correction_was_refused) {
+    Workspace workspace;
+    workspace.open(case_on_disk());
+    workspace.add_all({edit(1), edit(2)});
+    workspace.add_all({edit(-3), edit(4), edit(5)});
+    Workspace::Edits made = workspace.edits();
+    made.erase(made.begin() + 2);
+    workspace.show_body(body_of(made));
+    workspace.undo();
+    EXPECT_EQ(numbers_of(workspace.edits()), (Numbers{1, 2}));
+}
+
 TEST(Workspace, an_edit_undone_before_it_had_a_body_needs_none) {
     Workspace workspace;
     workspace.open(case_on_disk());
