@@ -440,6 +440,7 @@ void MainWindow::build_review() {
     ways.lesson_runs = [this] {
         return lessons_->playing() && lessons_->standing().outcome == LessonOutcome::running;
     };
+    ways.vessels_change = [this] { return keeper_->makes_vessels(); };
     ways.ask_for_other = [this] { return ask_for_recording(review_->file()); };
     ways.stopped_or_went_on = [this] { show_figures_soon(); };
     ways.beside = [this](const std::shared_ptr<const Frame>& frame, std::vector<MarkView> marks,

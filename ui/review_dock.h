@@ -71,6 +71,8 @@ class ReviewDock : public QDockWidget {
                 [](const Failure&, const std::function<void(const std::filesystem::path&)>&) {};
         std::function<void()> stopped_or_went_on = [] {};  // its clock did
         std::function<bool()> lesson_runs;  // a lesson runs, which a review would end
+        // Other vessels of the shown patient are being made, which would end a review.
+        std::function<bool()> vessels_change = [] { return false; };
         std::function<void(const Failure&)> failed;
         std::function<void(const QString&)> say;     // a passing message
         std::function<void(const QString&)> unsay =  // takes it back if it still stands
@@ -124,6 +126,8 @@ class ReviewDock : public QDockWidget {
     QWidget* build_heading();
     QWidget* build_controls();
     QWidget* build_notes();
+    // Says why no review begins now, if none may.
+    bool may_begin(const std::filesystem::path& recording) const;
     void take(Found found);
     void open_case(const std::filesystem::path& place);
     void ask_for_case();

@@ -52,10 +52,21 @@ struct ReviewDock::Next {
     std::unique_ptr<BackgroundJob> job;
 };
 
+bool ReviewDock::may_begin(const fs::path& recording) const {
+    const char* why = ways_.lesson_runs()
+                          ? Words::id("a lesson is being played, which this would end")
+                      : ways_.vessels_change()
+                          ? Words::id("the vessels are being corrected, which would end the review")
+                          : nullptr;
+    if (why == nullptr) return true;
+    ways_.failed({why, recording.string(),
+                  ways_.lesson_runs() ? Words::id("Leave the lesson first")
+                                      : Words::id("Wait until the correction is made")});
+    return false;
+}
+
 void ReviewDock::open(const fs::path& recording, const std::string& lesson) {
-    if (ways_.lesson_runs())
-        return ways_.failed({Words::id("a lesson is being played, which this would end"),
-                             recording.string(), Words::id("Leave the lesson first")});
+    if (!may_begin(recording)) return;
     next_ = std::make_shared<Next>();
     next_->file = recording;
     next_->name = title_of(facts_of(recording));
@@ -93,6 +104,7 @@ void ReviewDock::open(const fs::path& recording, const std::string& lesson) {
 }
 
 void ReviewDock::take(Found found) {
+    if (!may_begin(next_->file)) return next_.reset();
     next_->recording = std::move(found.recording);
     next_->lesson = std::move(found.lesson);
     next_->notes = std::move(found.notes);
@@ -161,6 +173,7 @@ void ReviewDock::begin() {
     const auto patient = ways_.patient();
     if (next_ == nullptr || next_->recording == nullptr || patient == nullptr) return;
     const std::shared_ptr<const Recording> recording = next_->recording;
+    if (!may_begin(next_->file)) return next_.reset();  // something has begun meanwhile
     if (hash_of(*patient) != recording->patient_hash) return ask_for_case();
     const std::optional<Lesson>& lesson = next_->lesson;
     next_->asks = false;
@@ -195,6 +208,8 @@ bool ReviewDock::shows(const std::shared_ptr<ReviewTape>& tape) {
 // In the place of what was shown until now, without the free play in between.
 void ReviewDock::show_next() {
     const std::shared_ptr<Next> next = std::exchange(next_, nullptr);
+    // Its job called this, and ends later.
+    if (!may_begin(next->file)) return QTimer::singleShot(0, this, [next] {});
     forget_shown();
     file_ = next->file;
     name_ = next->name;

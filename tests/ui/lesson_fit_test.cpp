@@ -113,6 +113,8 @@ TEST_F(LessonFit, none_begins_while_the_vessels_are_corrected) {
     window_.lessons().start(file.string());
     EXPECT_FALSE(window_.lessons().playing());
     EXPECT_TRUE(told("No lesson begins while the vessels are corrected"));
+    window_.review().open(case_.parent_path() / "play.hrec");
+    EXPECT_TRUE(told("he vessels are being corrected, which would end the review"));
     wait();
     window_.lessons().start(file.string());
     EXPECT_TRUE(wait_for([&] { return window_.lessons().playing(); }));

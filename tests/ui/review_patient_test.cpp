@@ -65,6 +65,35 @@ TEST_F(ReviewWindowTest, of_another_patient_names_the_unsaved_work_where_there_i
     }
 }
 
+// The correction ends a review that begins before it is there; and whoever was played on may be the
+// very one that is being made.
+TEST_F(ReviewWindowTest, waits_for_no_correction_but_says_that_there_is_one) {
+    for (const bool while_reading : {false, true}) {
+        bool changes = !while_reading;
+        Recording recorded = played().recording;
+        recorded.patient_hash ^= while_reading ? 1 : 0;
+        write_recording(file_, recorded);
+        std::string problem;
+        ReviewDock::Ways ways;
+        ways.patient = [] { return test::small_patient(); };
+        ways.use = [](std::unique_ptr<Simulation>) { ADD_FAILURE() << "it is shown"; };
+        ways.beside = [](const auto&...) {};
+        ways.lesson_runs = [] { return false; };
+        ways.vessels_change = [&] { return changes; };
+        ways.failed = [&](const Failure& failure) { problem = failure.problem; };
+        ways.say = [](const QString&) {};
+        ways.choose_case = [](const Failure& failure, const auto&) {
+            ADD_FAILURE() << failure.problem;
+        };
+        ReviewDock review(std::move(ways), nullptr);
+        review.open(file_);
+        changes = true;
+        ASSERT_TRUE(wait_for([&] { return !problem.empty(); }));
+        EXPECT_TRUE(problem.starts_with("the vessels are being corrected")) << problem;
+        EXPECT_TRUE(wait_for([&] { return !review.busy(); }));
+    }
+}
+
 // A free play on a case that lies elsewhere now.
 TEST_F(ReviewWindowTest, names_the_case_that_it_was_played_on_and_lets_one_choose_it) {
     opens_other_ = true;
