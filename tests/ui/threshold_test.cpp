@@ -169,6 +169,23 @@ TEST_F(Threshold, EndsWithTheLastChoice) {
     EXPECT_NE(scene_.shown_systems().voxels, expected.voxels);
 }
 
+// A rebuilding takes a while, and so does reading a CT.
+TEST_F(Threshold, KeepsWhatAHandChoseWhileItWaits) {
+    dialog_.show();
+    ASSERT_EQ(state(), "Waiting for the CT");
+    dialog_.findChild<QSlider*>("lineShare")->setValue(80);
+    open();
+    EXPECT_EQ(dialog_.choice().line_share, 0.8);
+    EXPECT_GT(count(scene_.shown_systems(), painted_label), 0);
+    rebuild().click();
+    choose(120);
+    scene_.set_systems(remade_);
+    ASSERT_TRUE(testing::wait_for([this] { return !dialog_.working(); }));
+    EXPECT_EQ(dialog_.choice().line_share, 1.2);
+    EXPECT_TRUE(state().contains("by 80 % of the usual")) << state().toStdString();
+    EXPECT_TRUE(rebuild().isEnabled());
+}
+
 TEST_F(Threshold, LeavesTheSlicesToABrush) {
     open();
     choose(80);

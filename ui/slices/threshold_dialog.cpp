@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "ui/core_words.h"
@@ -88,10 +89,15 @@ void ThresholdDialog::build() {
         buttons->addWidget(button);
     }
     column->addLayout(buttons);
-    connect(share_, &QSlider::valueChanged, this, [this] { preview(); });
-    connect(refinement_, &QSpinBox::valueChanged, this, [this] { preview(); });
+    const auto chosen = [this] {
+        moved_ = true;
+        preview();
+    };
+    connect(share_, &QSlider::valueChanged, this, chosen);
+    connect(refinement_, &QSpinBox::valueChanged, this, chosen);
     connect(usual_, &QPushButton::clicked, this, [this] { stand_at({}); });
     connect(remake_, &QPushButton::clicked, this, [this] {
+        moved_ = false;
         history_.rebuild(choice(), scene_.vessels());
         ways_.remake(ct_, scene_.vessels());
     });
@@ -129,8 +135,7 @@ void ThresholdDialog::forget() {
 void ThresholdDialog::follow_scene() {
     if (!isVisible()) return;
     if (scene_.empty()) {
-        ct_.reset();
-        forget();
+        if (std::exchange(ct_, nullptr)) forget();
         return state_->setText(Words::tr("Waiting for the CT"));
     }
     if (ct_ != scene_.shared_ct()) return measure();
@@ -140,7 +145,9 @@ void ThresholdDialog::follow_scene() {
     const bool others = scene_.systems_version() != vessels_seen_ && !scene_.brush().leads();
     if (!dropped && !others) return;
     const bool by_hand = follow_vessels();
-    dropped || !by_hand ? stand_at(history_.choice()) : preview();
+    // Who moves the slider while vessels are rebuilt goes on from there.
+    const bool keeps = by_hand ? !dropped : others && moved_;
+    keeps ? preview() : stand_at(history_.choice());
 }
 
 bool ThresholdDialog::follow_vessels() {
@@ -150,11 +157,15 @@ bool ThresholdDialog::follow_vessels() {
 }
 
 void ThresholdDialog::measure() {
+    // Chosen while the CT was read.
+    const auto chosen = ct_ == nullptr && moved_ ? std::optional(choice()) : std::nullopt;
     ct_ = scene_.shared_ct();
     if (history_ct_.lock() != ct_) history_.forget();
     history_ct_ = ct_;
     follow_vessels();
     forget();
+    if (chosen) put(*chosen);
+    moved_ = chosen.has_value();
     if (scene_.systems().voxels.empty()) {
         state_->setText(Words::tr("This case knows no voxels of its vessels"));
         return;
@@ -220,6 +231,11 @@ void ThresholdDialog::tell_volumes(const Mask& shown) {
 }
 
 void ThresholdDialog::stand_at(const ThresholdChoice& choice) {
+    moved_ = false;
+    put(choice);
+}
+
+void ThresholdDialog::put(const ThresholdChoice& choice) {
     const QSignalBlocker no_share(share_), no_refinement(refinement_);
     share_->setValue(static_cast<int>(std::lround(100.0 * choice.line_share)));
     refinement_->setValue(choice.refinement_recursions);

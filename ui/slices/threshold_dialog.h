@@ -53,7 +53,9 @@ class ThresholdDialog : public QDialog {
     void measure();
     void preview();
     void show_found(Mask vessels);
+    // The slider stands for what there is.
     void stand_at(const ThresholdChoice& choice);
+    void put(const ThresholdChoice& choice);
     void tell_volumes(const Mask& shown);
     bool changes_vessels() const { return !history_.empty() && choice() != history_.choice(); }
     void forget();
@@ -74,6 +76,7 @@ class ThresholdDialog : public QDialog {
     ThresholdHistory history_;  // of the vessels of history_ct_; kept while the dialog is closed
     std::uint64_t vessels_seen_ = 0;  // last SliceScene::systems_version()
     bool stale_ = false;              // a choice was made since the job began
+    bool moved_ = false;              // a hand made the choice, of which nothing was rebuilt yet
     bool previewing_ = false;         // the scene shows a preview of this dialog
     std::unique_ptr<BackgroundJob> job_;
 };
