@@ -12,18 +12,22 @@
 #include <QRegularExpression>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/text_file.h"
 #include "core/lesson/attempts.h"
 #include "core/lesson/lesson_file.h"
+#include "core/lesson/review.h"
+#include "core/session/recording_file.h"
 #include "ui/core_words.h"
 #include "ui/date_words.h"
 #include "ui/on_screen.h"
 #include "ui/paths.h"
 #include "ui/plain_text.h"
 #include "ui/recording_guard.h"
+#include "ui/time_line.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -32,12 +36,31 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr int length_column = 2, file_column = 5;
+
+// The name of a lesson that is tried, which lies beside the recording until another one is.
+QString tried_lesson(const fs::path& recording) {
+    try {
+        return translated(read_lesson(recording.parent_path() / "lesson.json").name);
+    } catch (const InputError&) {
+        return Words::tr("Lesson");
+    }
+}
+
+std::optional<std::uint64_t> patient_of(const fs::path& recording) {
+    try {
+        return read_recording(recording, RecordingPart::header).patient_hash;
+    } catch (const InputError&) {
+        return std::nullopt;  // it is told when the recording is opened
+    }
+}
+
 // The lesson in the file's name: a built-in lesson's id, or the name of its file.
 QString lesson_in_name(const fs::path& recording) {
     static const QRegularExpression time("-\\d{8}-\\d{6}-\\d{3}$");
     const QString name = to_text(recording.stem()).remove(time);
     if (name == "play") return Words::tr("Free play");
-    if (name == "lesson") return Words::tr("Lesson");  // tried before it had a file
+    if (name == "lesson") return tried_lesson(recording);
     for (const BuiltInLesson& lesson : built_in_lessons())
         if (name == lesson.id) return translated(find_lesson(lesson.id).name);
     return name;
@@ -48,6 +71,7 @@ QString lesson_in_name(const fs::path& recording) {
 RecordingFacts facts_of(const fs::path& recording) {
     const QDateTime played = QFileInfo(to_text(recording)).lastModified();
     RecordingFacts facts{recording, lesson_in_name(recording), date_words(played), {}};
+    facts.patient = patient_of(recording);
     const fs::path result = result_file_of(recording);
     std::error_code ignored;
     if (!fs::exists(result, ignored)) {
@@ -104,6 +128,7 @@ RecordingDialog::RecordingDialog(const fs::path& folder, QWidget* parent, fs::pa
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     open_ = buttons->addButton(Words::tr("&Open"), QDialogButtonBox::AcceptRole);
     open_->setDefault(true);
+    open_->setObjectName("openRecording");
     auto* file = buttons->addButton(Words::tr("Another &file…"), QDialogButtonBox::ActionRole);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, [this] { choose_row(); });
@@ -118,32 +143,63 @@ void RecordingDialog::fill() {
     for (const fs::path& recording : recordings_in(folder_))
         if (shown_.empty() || !fs::equivalent(recording, shown_, ignored))
             listed_.push_back(facts_of(recording));
-    const QStringList headers{Words::tr("Lesson"), Words::tr("Played"), Words::tr("Result"),
-                              Words::tr("Name or number"), Words::tr("File")};
+    const QStringList headers{Words::tr("Lesson"), Words::tr("Played"),         Words::tr("Length"),
+                              Words::tr("Result"), Words::tr("Name or number"), Words::tr("File")};
     table_->setColumnCount(static_cast<int>(headers.size()));
     table_->setHorizontalHeaderLabels(headers);
     table_->setRowCount(static_cast<int>(listed_.size()));
     for (int row = 0; row < table_->rowCount(); ++row) {
         const RecordingFacts& facts = listed_[static_cast<std::size_t>(row)];
         const QString name = to_text(facts.file.filename());
-        const QStringList texts{facts.lesson, facts.played, facts.result, facts.trainee, name};
+        const QStringList texts{facts.lesson, facts.played,  clock_text(5999.9),
+                                facts.result, facts.trainee, name};
         for (int column = 0; column < texts.size(); ++column)
             table_->setItem(row, column, new QTableWidgetItem(texts[column]));
-        table_->item(row, 4)->setToolTip(as_plain(to_text(facts.file)));
+        table_->item(row, file_column)->setToolTip(as_plain(to_text(facts.file)));
     }
     table_->resizeColumnsToContents();
     widen_to_columns(*this, *table_);
     table_->horizontalHeader()->setStretchLastSection(true);
-    open_->setEnabled(!listed_.empty());
-    if (!listed_.empty()) table_->selectRow(0);
+    // Room for a length was all that they were for.
+    for (int row = 0; row < table_->rowCount(); ++row)
+        table_->item(row, length_column)->setText({});
+    read_lengths(0);
+    connect(table_, &QTableWidget::itemSelectionChanged, this,
+            [this] { open_->setEnabled(!table_->selectedItems().isEmpty()); });
+    open_->setEnabled(false);
+    row_to_choose() < 0 ? table_->setCurrentItem(nullptr) : table_->selectRow(row_to_choose());
     if (listed_.empty())
         heading_->setText(shown_.empty() ? Words::tr("There is no recording here yet:")
                                          : Words::tr("There is no other recording here yet:"));
 }
 
+int RecordingDialog::row_to_choose() const {
+    if (shown_.empty()) return listed_.empty() ? -1 : 0;
+    const RecordingFacts shown = facts_of(shown_);
+    const auto alike = std::ranges::find_if(listed_, [&shown](const RecordingFacts& facts) {
+        return facts.patient && facts.patient == shown.patient && facts.lesson == shown.lesson;
+    });
+    return alike == listed_.end() ? -1 : static_cast<int>(alike - listed_.begin());
+}
+
+void RecordingDialog::read_lengths(std::size_t row) {
+    if (row >= listed_.size()) return;
+    BackgroundJob::Callbacks callbacks;
+    callbacks.failed = [](const Failure&) {};  // it is told when the recording is opened
+    callbacks.ended = [this, row] { read_lengths(row + 1); };
+    reading_ = std::make_unique<BackgroundJob>(
+        [this, row, file = listed_[row].file](Job&) -> std::function<void()> {
+            const double length_s = played_s(read_recording(file, RecordingPart::commands));
+            return [this, row, length_s] {
+                table_->item(static_cast<int>(row), length_column)->setText(clock_text(length_s));
+            };
+        },
+        std::move(callbacks));
+}
+
 void RecordingDialog::choose_row() {
     const int row = table_->currentRow();
-    if (row < 0) return;
+    if (row < 0 || !open_->isEnabled()) return;
     chosen_ = listed_[static_cast<std::size_t>(row)].file;
     accept();
 }

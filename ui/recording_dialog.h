@@ -6,9 +6,13 @@
 #include <QDialog>
 #include <QString>
 #include <array>
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <vector>
+
+#include "ui/background_job.h"
 
 class QLabel;
 class QPushButton;
@@ -23,6 +27,8 @@ struct RecordingFacts {
     QString played;     // date and time
     QString result;     // may be empty
     QString trainee{};  // may be empty
+    // Hash of the patient; nullopt: unknown.
+    std::optional<std::uint64_t> patient{};
 };
 RecordingFacts facts_of(const std::filesystem::path& recording);
 // "Gentle pull, 26 Nov 2026, 03:40"
@@ -37,7 +43,8 @@ std::array<QString, 2> headings_of(const RecordingFacts& one, const RecordingFac
 class RecordingDialog : public QDialog {
   public:
     // Lists the recordings of the folder, the newest first. If one is `shown` already, another is
-    // asked for to compare with, and it is not listed.
+    // asked for to compare with, and it is not listed; the newest one of the same patient and
+    // lesson is chosen.
     RecordingDialog(const std::filesystem::path& folder, QWidget* parent,
                     std::filesystem::path shown = {});
 
@@ -46,6 +53,9 @@ class RecordingDialog : public QDialog {
 
   private:
     void fill();
+    int row_to_choose() const;  // -1: none
+    // From this row on, one after the other.
+    void read_lengths(std::size_t row);
     void choose_row();
     void ask_for_file();
 
@@ -54,6 +64,7 @@ class RecordingDialog : public QDialog {
     QLabel* heading_ = nullptr;
     QTableWidget* table_;
     QPushButton* open_;
+    std::unique_ptr<BackgroundJob> reading_;
 };
 
 }  // namespace hepatica

@@ -190,7 +190,7 @@ void write_recording(const std::filesystem::path& file, const Recording& recordi
     RecordingWriter(file, recording).close();
 }
 
-Recording read_recording(const std::filesystem::path& file) {
+Recording read_recording(const std::filesystem::path& file, RecordingPart part) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
         throw InputError("does not exist", file.string(), "Give a recording");
@@ -200,7 +200,10 @@ Recording read_recording(const std::filesystem::path& file) {
     Recording recording;
     int number = 0;
     for (std::string line; std::getline(in, line);) {
-        const std::string place = file.string() + ", line " + std::to_string(++number);
+        ++number;
+        if (part == RecordingPart::header && number > 1) break;
+        if (part == RecordingPart::commands && line.starts_with(R"({"keyframe")")) continue;
+        const std::string place = file.string() + ", line " + std::to_string(number);
         const Json json = nests_too_deep(line) ? Json() : Json::parse(line, nullptr, false);
         const bool damaged = json.is_discarded() || !json.is_object();
         const bool last = in.peek() == std::ifstream::traits_type::eof();

@@ -58,6 +58,12 @@ void write_recording(const std::filesystem::path& file, const Recording& recordi
 // any other line is damaged, and where the format or the version of the program is another one,
 // because replayed steps would then differ in their last bits. For the back end see
 // require_back_end.
-Recording read_recording(const std::filesystem::path& file);
+enum class RecordingPart {
+    header,    // without steps
+    commands,  // without keyframes, which are most of the file
+    all,
+};
+Recording read_recording(const std::filesystem::path& file,
+                         RecordingPart part = RecordingPart::all);
 
 }  // namespace hepatica

@@ -253,6 +253,25 @@ TEST(RecordingFile, ATornLastLineIsLeftOutWithAWarning) {
     }
 }
 
+// A list of recordings needs no keyframes, which are most of the file.
+TEST(RecordingFile, IsReadInPart) {
+    const fs::path file = fs::path(testing::TempDir()) / "in_part.hrec";
+    const Recording whole = *eventful_recording();
+    write_recording(file, whole);
+    const Recording header = read_recording(file, RecordingPart::header);
+    EXPECT_EQ(header.patient_hash, whole.patient_hash);
+    EXPECT_TRUE(header.steps.empty());
+    const Recording commands = read_recording(file, RecordingPart::commands);
+    ASSERT_EQ(commands.steps.size(), whole.steps.size());
+    std::size_t given = 0;
+    for (std::size_t i = 0; i < whole.steps.size(); ++i) {
+        EXPECT_EQ(commands.steps[i].keyframe, nullptr);
+        EXPECT_EQ(commands.steps[i].commands.size(), whole.steps[i].commands.size());
+        given += commands.steps[i].commands.size();
+    }
+    EXPECT_GT(given, 0u);
+}
+
 TEST(RecordingFile, ATornKeyframeIsLeftOutWithAWarning) {
     const fs::path file = fs::path(testing::TempDir()) / "torn_keyframe.hrec";
     const std::string eventful = written(*eventful_recording());

@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QHeaderView>
+#include <QItemSelectionModel>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -14,9 +15,12 @@
 
 #include "core/base/temporary_folder.h"
 #include "core/lesson/attempts.h"
+#include "core/lesson/lesson_file.h"
+#include "core/lesson/lesson_writer.h"
 #include "core/session/recording_file.h"
 #include "core/session/replay.h"
-#include "tests/session/small_patient.h"
+#include "tests/session/new_session.h"
+#include "tests/session/recorded.h"
 #include "tests/ui/window_test.h"
 #include "ui/attempts_dialog.h"
 #include "ui/lesson_dock.h"
@@ -270,8 +274,65 @@ TEST_F(RecordedWindow, the_list_says_what_each_recording_is) {
     const auto& table = *dialog.findChild<QTableWidget*>("recordings");
     ASSERT_EQ(table.rowCount(), 1);
     EXPECT_EQ(table.item(0, 0)->text(), "Gentle pull");
-    EXPECT_EQ(table.item(0, 2)->text(), "✓ passed");
-    EXPECT_EQ(table.item(0, 3)->text(), "Nr. 7") << "who played it";
+    EXPECT_EQ(table.item(0, 3)->text(), "✓ passed");
+    EXPECT_EQ(table.item(0, 4)->text(), "Nr. 7") << "who played it";
+}
+
+TEST_F(RecordedWindow, the_list_says_how_long_each_recording_is) {
+    const fs::path folder = to_path(folder_.filePath("list"));
+    const auto session = test::new_session();
+    const auto recording = test::keep_recording(*session);
+    test::play(*session, 90);
+    fs::create_directories(folder);
+    std::ofstream(folder / "play-20261126-033000-123.hrec") << "damaged";
+    write_recording(folder / "play-20261126-034000-123.hrec", *recording);
+    RecordingDialog dialog(folder, nullptr);
+    const auto& table = *dialog.findChild<QTableWidget*>("recordings");
+    ASSERT_EQ(table.rowCount(), 2);
+    EXPECT_EQ(table.horizontalHeaderItem(2)->text(), "Length");
+    EXPECT_TRUE(wait_for([&] { return table.item(0, 2)->text() == "0:01.5"; }))
+        << table.item(0, 2)->text().toStdString();
+    EXPECT_EQ(table.item(1, 2)->text(), "");
+}
+
+// Which is tried again until it is good, under one name of a file.
+TEST_F(RecordedWindow, a_lesson_that_is_tried_has_its_name) {
+    const fs::path folder = to_path(folder_.filePath("tried"));
+    fs::create_directories(folder);
+    const fs::path recording = folder / "lesson-20261126-034000-123.hrec";
+    std::ofstream(recording) << "{}";
+    EXPECT_EQ(facts_of(recording).lesson, "Lesson");
+    Lesson lesson = find_lesson("gentle_pull");
+    lesson.name = "Mine";
+    write_lesson(folder / "lesson.json", lesson);
+    EXPECT_EQ(facts_of(recording).lesson, "Mine");
+}
+
+// What is of another patient cannot be compared, and another lesson tells little.
+TEST_F(RecordedWindow, the_newest_of_the_same_patient_and_lesson_is_chosen_to_compare_with) {
+    const fs::path folder = to_path(folder_.filePath("list"));
+    const auto write = [&](const char* lesson, const char* time, std::uint64_t patient) {
+        Recording recording = test::new_session()->recording_start();
+        recording.patient_hash = patient;
+        const fs::path file = folder / (std::string(lesson) + "-20261126-" + time + "-123.hrec");
+        write_recording(file, recording);
+        return file;
+    };
+    const fs::path shown = write("gentle_pull", "010000", 1);
+    write("gentle_pull", "060000", 2);
+    write("play", "050000", 1);
+    const auto chosen = [&] {
+        RecordingDialog dialog(folder, nullptr, shown);
+        const auto& table = *dialog.findChild<QTableWidget*>("recordings");
+        const auto* open = dialog.findChild<QPushButton*>("openRecording");
+        const auto rows = table.selectionModel()->selectedRows();
+        EXPECT_EQ(open->isEnabled(), !rows.isEmpty());
+        return rows.isEmpty() ? QString("none") : table.item(rows.front().row(), 5)->text();
+    };
+    EXPECT_EQ(chosen(), "none");
+    write("gentle_pull", "020000", 1);
+    write("gentle_pull", "030000", 1);
+    EXPECT_EQ(chosen(), "gentle_pull-20261126-030000-123.hrec");
 }
 
 TEST_F(RecordedWindow, the_list_cuts_no_name_of_a_file) {
@@ -282,8 +343,8 @@ TEST_F(RecordedWindow, the_list_cuts_no_name_of_a_file) {
     RecordingDialog dialog(folder, nullptr);
     const auto& table = *dialog.findChild<QTableWidget*>("recordings");
     ASSERT_EQ(table.rowCount(), 1);
-    EXPECT_GE(table.columnWidth(4),
-              table.fontMetrics().horizontalAdvance(table.item(0, 4)->text()));
+    EXPECT_GE(table.columnWidth(5),
+              table.fontMetrics().horizontalAdvance(table.item(0, 5)->text()));
     EXPECT_GE(dialog.width(), table.horizontalHeader()->length());
 }
 
@@ -298,8 +359,7 @@ TEST_F(RecordedWindow, what_to_compare_with_is_another_recording) {
     EXPECT_EQ(dialog.windowTitle(), "Compare with");
     const auto& table = *dialog.findChild<QTableWidget*>("recordings");
     ASSERT_EQ(table.rowCount(), 1);
-    EXPECT_EQ(table.currentRow(), 0);
-    EXPECT_EQ(table.item(0, 4)->text(), "gentle_pull-20261126-033000-123.hrec");
+    EXPECT_EQ(table.item(0, 5)->text(), "gentle_pull-20261126-033000-123.hrec");
 }
 
 }  // namespace
