@@ -39,7 +39,7 @@ std::string way_to_mark(const std::string& number, double deeper_mm, double away
     constexpr double hardly = 0.5;  // share of the whole distance
     const std::string to = number.empty() ? " to the mark" : " to mark " + number;
     if (std::abs(deeper_mm) < hardly * away_mm) return to;
-    return to + (deeper_mm > 0.0 ? ", move deeper" : ", move nearer");
+    return to + (deeper_mm > 0.0 ? ", move away from you" : ", move towards you");
 }
 
 // The nearest mark that the present step asks for, or of all that are not reached where it asks for

@@ -39,24 +39,26 @@ LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
     : QDockWidget(Words::tr("Lesson"), parent),
       ways_(std::move(ways)),
       recordings_(std::move(recordings)),
-      panel_(new LessonPanel({[this] { begin_again(); }, [this] { leave(); },
-                              [this] {
-                                  if (watch_) ways_.report(watch_->recording(), watched_name_);
-                              },
-                              [this] {
-                                  if (watch_) ways_.look_back(watch_->recording(), watched_name_);
-                              },
-                              [this] { show_attempts(); },
-                              [this] {
-                                  if (next_) start(next_->lesson, next_->pass);
-                              },
-                              [this](const QString& name) {
-                                  trainee_ = name.toStdString();
-                                  ways_.named(name);
-                                  name_last_attempt();
-                                  note_interruption();
-                              },
-                              [this](const QString& words) { ways_.step(words); }})),
+      panel_(new LessonPanel(
+          {[this] { begin_again(); }, [this] { leave(); },
+           [this] {
+               if (watch_) ways_.report(watch_->recording(), watched_name_);
+           },
+           [this] {
+               if (watch_) ways_.look_back(watch_->recording(), watched_name_);
+           },
+           [this] { show_attempts(); },
+           [this] {
+               if (next_) start(next_->lesson, next_->pass);
+           },
+           [this](const QString& name) {
+               trainee_ = name.toStdString();
+               ways_.named(name);
+               name_last_attempt();
+               note_interruption();
+           },
+           [this](const QString& words) { ways_.step(words); },
+           [this](std::span<const LessonTool> tools) { return ways_.by_keys(tools); }})),
       attempts_(new AttemptsDialog(
           {[this](const fs::path& recording) { ways_.look_back(recording, shown_name_); },
            [this](const std::string& csv) { ways_.save_table(*attempts_, "attempts", csv); },

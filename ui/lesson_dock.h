@@ -37,6 +37,9 @@ class LessonDock : public QDockWidget {
         std::function<std::shared_ptr<const PatientCase>()> patient;
         // Whether a lesson may begin; if not, tells why, such as a correction that would end it.
         std::function<bool()> may_begin = [] { return true; };
+        // How these tools are used without a mouse, in lines.
+        std::function<QString(std::span<const LessonTool>)> by_keys =
+            [](std::span<const LessonTool>) { return QString(); };
         // Computes the steps of an attempt.
         std::function<DeformBackEnd()> back_end = [] { return cpu_back_end(); };
         std::function<void()> open_built_in;  // asynchronous; patient_shown() follows

@@ -75,7 +75,8 @@ std::vector<BoundStanding> limits_in_force(const LessonStanding& standing, const
 
 }  // namespace
 
-LessonPanel::LessonPanel(Ways ways, QWidget* parent) : QWidget(parent), tell_step_(ways.step) {
+LessonPanel::LessonPanel(Ways ways, QWidget* parent)
+    : QWidget(parent), tell_step_(ways.step), by_keys_(ways.by_keys) {
     auto* column = new QVBoxLayout(this);
     column->setSpacing(8);
     title_ = add_label(*column, "lessonTitle");
@@ -248,7 +249,9 @@ void LessonPanel::show_step(const LessonStanding& standing) {
     const double held_s = standing.steps[standing.step].held_s;
     if (step.hold_s > 0.0)
         hold_->setValue(static_cast<int>(100.0 * std::min(1.0, held_s / step.hold_s)));
-    hint_->setText(with_units_beside(translated(step.hint)));
+    const QString keys = by_keys_ ? by_keys_(lesson_.tools) : QString();
+    hint_->setText(with_units_beside(translated(step.hint)) +
+                   (keys.isEmpty() ? keys : "\n" + keys));
     const bool open = hinted_step_ == standing.step;
     hint_->setVisible(open && !step.hint.empty());
     hint_button_->setEnabled(!open && !step.hint.empty());

@@ -5,6 +5,7 @@
 
 #include <QWidget>
 #include <functional>
+#include <span>
 
 #include "core/lesson/lesson_run.h"
 #include "ui/flow_units.h"
@@ -28,6 +29,8 @@ class LessonPanel : public QWidget {
         std::function<void()> next = {};                // begin the next lesson of the course
         std::function<void(const QString&)> name = {};  // the trainee's new name
         std::function<void(const QString&)> step = {};  // a later step begins, in words
+        // How these tools are used by keys, which follows every hint.
+        std::function<QString(std::span<const LessonTool>)> by_keys = {};
     };
 
     // What the view shows: the lesson's play, the review of its recording, or something else, such
@@ -62,6 +65,7 @@ class LessonPanel : public QWidget {
     std::size_t hinted_step_ = static_cast<std::size_t>(-1);  // step whose hint is open
     std::size_t shown_step_ = 0;
     std::function<void(const QString&)> tell_step_;
+    std::function<QString(std::span<const LessonTool>)> by_keys_;
     QLabel* title_;
     QLabel* about_;
     QLabel* doubts_;

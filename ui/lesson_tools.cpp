@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <vector>
 
 #include "ui/words.h"
 
@@ -50,15 +51,31 @@ std::set<ActionId> forbidden_in_review() {
     return forbidden;
 }
 
-QString in_words(std::span<const LessonTool> tools, const Actions& actions) {
+namespace {
+
+QStringList names_and_keys(std::span<const LessonTool> tools, const Actions& actions) {
     QStringList names;
     for (const auto& [tool, id] : action_of_tool) {
-        if (tool == LessonTool::pull || !allows(tools, tool)) continue;
+        if (!allows(tools, tool)) continue;
         const QAction& action = actions[id];
         names << QString("%1 (%2)").arg(action.text().remove('&'),
                                         action.shortcut().toString(QKeySequence::NativeText));
     }
-    return names.join(", ");
+    return names;
+}
+
+}  // namespace
+
+QString in_words(std::span<const LessonTool> tools, const Actions& actions) {
+    std::vector<LessonTool> others(tools.begin(), tools.end());
+    std::erase(others, LessonTool::pull);
+    return names_and_keys(others, actions).join(", ");
+}
+
+QString by_keys(std::span<const LessonTool> tools, const Actions& actions) {
+    const QStringList names = names_and_keys(tools, actions);
+    if (names.isEmpty()) return {};
+    return Words::tr("By keys: %1").arg(names.join(", ")) + "\n" + Actions::keys_at_the_cross();
 }
 
 void set_allowed(QWidget& control, bool allowed) {

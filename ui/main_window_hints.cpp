@@ -13,6 +13,7 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/message_log.h"
+#include "ui/plain_text.h"
 #include "ui/review_dock.h"
 #include "ui/view_ruler.h"
 #include "ui/vtk_widget.h"
@@ -77,7 +78,8 @@ void MainWindow::hint(const QString& text) {
     constexpr int readable_ms = 6000;
     statusBar()->showMessage(text, readable_ms);
     if (view_->underMouse())
-        QToolTip::showText(QCursor::pos() + QPoint(12, 8), text, view_, {}, readable_ms);
+        QToolTip::showText(QCursor::pos() + QPoint(12, 8), in_short_lines(text), view_, {},
+                           readable_ms);
 }
 
 // The action that has this key is disabled, by a lesson or because there is nothing to undo; else

@@ -14,4 +14,10 @@ inline QString as_plain(const QString& text) {
     return "<span>" + text.toHtmlEscaped().replace("\n", "<br>") + "</span>";
 }
 
+// Likewise in lines of a readable width: a tool tip of plain text is one long line, which the edge
+// of the screen pushes over whatever lies beside the view.
+inline QString in_short_lines(const QString& text) {
+    return "<p>" + text.toHtmlEscaped().replace("\n", "<br>") + "</p>";
+}
+
 }  // namespace hepatica

@@ -170,8 +170,10 @@ TEST_F(MarksAndMeasures, a_line_says_how_far_the_tool_is_from_the_mark_and_wheth
     };
     const ViewAxes axes = view_.axes();
     EXPECT_EQ(said({{tip + 12.0 * axes.right, "", false}}), "12.0 mm to the mark");
-    EXPECT_EQ(said({{tip + 12.0 * axes.forward, "", false}}), "12.0 mm to the mark, move deeper");
-    EXPECT_EQ(said({{tip - 12.0 * axes.forward, "", false}}), "12.0 mm to the mark, move nearer");
+    EXPECT_EQ(said({{tip + 12.0 * axes.forward, "", false}}),
+              "12.0 mm to the mark, move away from you");
+    EXPECT_EQ(said({{tip - 12.0 * axes.forward, "", false}}),
+              "12.0 mm to the mark, move towards you");
     EXPECT_EQ(said({{tip + 90.0 * axes.right, "", false}, {tip + 7.0 * axes.up, "", false}}),
               "7.0 mm to the mark");
     EXPECT_EQ(said({{tip + 12.4 * axes.right, "", false}}), "12.4 mm to the mark")
@@ -200,11 +202,11 @@ TEST_F(MarksAndMeasures, the_way_to_a_mark_is_said_anew_for_other_marks_and_wher
     frame.tool->tip_mm = frame.tool->at_mm = frame.tool->centre_mm = tip;
     view_.show(frame);
     view_.set_marks({{tip + 12.0 * view_.axes().forward, "", false}});
-    EXPECT_EQ(last, "12.0 mm to the mark, move deeper");
+    EXPECT_EQ(last, "12.0 mm to the mark, move away from you");
     picture();
     view_.look_from(ViewDirection::posterior);
     picture();
-    EXPECT_EQ(last, "12.0 mm to the mark, move nearer");
+    EXPECT_EQ(last, "12.0 mm to the mark, move towards you");
 }
 
 TEST_F(MarksAndMeasures, what_was_measured_and_its_value_are_seen) {

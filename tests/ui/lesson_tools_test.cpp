@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QStatusBar>
+#include <QToolTip>
 #include <algorithm>
 
 #include "core/lesson/lesson_draft.h"
@@ -18,6 +19,7 @@
 #include "ui/lesson_marks.h"
 #include "ui/message_bar.h"
 #include "ui/mouse_tool.h"
+#include "ui/plain_text.h"
 #include "ui/review_dock.h"
 #include "ui/slices/view_layout.h"
 
@@ -418,6 +420,47 @@ TEST_F(LessonToolsTest, its_marks_are_numbered_and_one_that_is_done_with_is_tick
     EXPECT_EQ(marks[1].number, "2");
     EXPECT_TRUE(wait_for([&] { return window_.view().scene().marks()[0].reached; }));
     EXPECT_FALSE(window_.view().scene().marks()[1].reached);
+}
+
+// The goals stand beside the view; one long line would be pushed over them by the screen's edge.
+TEST_F(LessonToolsTest, a_balloon_in_the_view_has_short_lines) {
+    Lesson lesson = new_lesson();
+    lesson.tools = {LessonTool::pull};
+    begin(lesson);
+    QCursor::setPos(window_.view().mapToGlobal(window_.view().rect().center()));
+    ASSERT_TRUE(wait_for([this] { return window_.view().underMouse(); }));
+    QTest::keyClick(&window_, Qt::Key_4);
+    EXPECT_EQ(QToolTip::text(), in_short_lines("The lesson does not allow this: Probe"));
+    const auto width_of = [](const QString& text) {
+        QToolTip::hideText();
+        QToolTip::showText({}, text);
+        for (const QWidget* widget : QApplication::topLevelWidgets())
+            if (widget->objectName() == "qtooltip_label" && widget->isVisible())
+                return widget->width();
+        return 0;
+    };
+    const QString words = QString("a hint ").repeated(40);
+    const int in_one_line = width_of(words), wrapped = width_of(in_short_lines(words));
+    EXPECT_GT(wrapped, 0);
+    EXPECT_LT(wrapped, in_one_line / 2);
+    QToolTip::hideText();
+}
+
+// What a hint says of the mouse, a hand without one has to look up.
+TEST_F(LessonToolsTest, a_hint_names_the_keys_of_the_tools_of_the_lesson) {
+    Lesson lesson = new_lesson();
+    lesson.tools = {LessonTool::pull, LessonTool::sphere};
+    lesson.steps[0].hint = "Gently";
+    begin(lesson);
+    window_.actions()[ActionId::sphere_tool].setShortcut(QKeySequence("Ctrl+8"));
+    window_.lessons().findChild<QPushButton*>("lessonHintButton")->click();
+    const auto* hint = window_.lessons().findChild<QLabel*>("lessonHint");
+    ASSERT_TRUE(wait_for([&] { return hint->text().contains("Ctrl+8"); }))
+        << hint->text().toStdString();
+    EXPECT_TRUE(hint->text().startsWith("Gently\nBy keys: Pull (1), Probe (Ctrl+8)\nEnter: act"))
+        << hint->text().toStdString();
+    EXPECT_TRUE(hint->text().contains("Page Up and Page Down")) << "in depth";
+    EXPECT_FALSE(hint->text().contains("Forceps"));
 }
 
 // Space starts the drug there; on "Begin again" it would end the attempt.
