@@ -135,10 +135,12 @@ void MainWindow::ask_for_case() {
 
 void MainWindow::ask_for_reconstruction() {
     PatientWizard wizard(settings_.last_folder(), this);
-    if (reconstruction_entries_.empty())
-        wizard.set_ct(to_text(keeper_->workspace().image()), keeper_->workspace().series());
-    else
+    if (!reconstruction_entries_.empty())
         wizard.set_entries(reconstruction_entries_);
+    else if (!workspace().image().empty())
+        wizard.set_ct(to_text(workspace().image()), workspace().series());
+    else if (patient_)
+        wizard.set_ct(settings_.place_of_image(workspace().patient()->source.image_sha256));
     if (wizard.exec() != QDialog::Accepted) return;
     reconstruction_entries_ = wizard.entries();
     open(OpenRequest{false, wizard.options()});

@@ -10,6 +10,8 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QStyle>
+#include <QStyleOptionFrame>
 #include <QVBoxLayout>
 #include <cmath>
 #include <system_error>
@@ -41,6 +43,17 @@ void add_seeds(const QLineEdit& edit, const std::string& field, VascularSystem s
                           "before the next one; or leave it empty"));
         seeds.push_back({*place_mm, system});
     }
+}
+
+// A placeholder says what belongs there, and cut off it does not.
+void widen_to_placeholder(QLineEdit& edit) {
+    const int text = edit.fontMetrics().horizontalAdvance(edit.placeholderText());
+    QStyleOptionFrame frame;
+    frame.initFrom(&edit);
+    constexpr int beside_text = 2 * 4;
+    const QSize whole = edit.style()->sizeFromContents(QStyle::CT_LineEdit, &frame,
+                                                       QSize(text + beside_text, 0), &edit);
+    edit.setMinimumWidth(whole.width());
 }
 
 }  // namespace
@@ -106,6 +119,7 @@ PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
     }
     portal_seeds_->setObjectName("portalSeeds");
     hepatic_seeds_->setObjectName("hepaticSeeds");
+    for (QLineEdit* edit : edits()) widen_to_placeholder(*edit);
     column->addLayout(form_);
     problem_->setObjectName("problem");
     problem_->setWordWrap(true);

@@ -4,6 +4,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QStyle>
+#include <QStyleOptionFrame>
 #include <QTableWidget>
 #include <QTimer>
 #include <QTreeWidget>
@@ -385,6 +387,20 @@ TEST(Results, SayWhereTheyComeFromWhileThereAreNone) {
     EXPECT_TRUE(table->isVisible());
 }
 
+// In German, too, where they are longer.
+TEST_F(Wizard, HasRoomForWhatItsEmptyFieldsSay) {
+    wizard_.show();
+    for (const auto* edit : wizard_.findChildren<QLineEdit*>()) {
+        QStyleOptionFrame frame;
+        frame.initFrom(edit);
+        frame.lineWidth = 1;
+        const QRect inside =
+            edit->style()->subElementRect(QStyle::SE_LineEditContents, &frame, edit);
+        EXPECT_GE(inside.width(), edit->fontMetrics().horizontalAdvance(edit->placeholderText()))
+            << edit->objectName().toStdString();
+    }
+}
+
 // Whatever is opened is the fake patient, made of the CT that was asked for.
 class ReadSeries : public testing::WindowTest {
   protected:
@@ -412,6 +428,35 @@ class ReadSeries : public testing::WindowTest {
         return offered;
     }
 };
+
+// A case that is opened from the disk holds none, but the user's settings know where it lies.
+class KnownCt : public testing::WindowTest {
+  protected:
+    KnownCt()
+        : WindowTest({[](const OpenRequest&, Job&) {
+                          LoadedPatient loaded = testing::fake_patient();
+                          PatientCase patient = *loaded.patient;
+                          patient.source.image_sha256 = std::string(64, 'a');
+                          loaded.patient = std::make_shared<const PatientCase>(patient);
+                          return loaded;
+                      },
+                      [](const fs::path&, const PatientCase&) {}}) {}
+};
+
+TEST_F(KnownCt, is_offered_for_a_reconstruction) {
+    const QString ct = folder_.path();
+    settings_.remember_image(std::string(64, 'a'), ct);
+    window_.open(ct);
+    wait();
+    QString offered;
+    QTimer::singleShot(0, &window_, [&offered] {
+        auto* wizard = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        offered = wizard->findChild<QLineEdit*>("ct")->text();
+        wizard->reject();
+    });
+    window_.actions()[ActionId::reconstruct].trigger();
+    EXPECT_EQ(offered, ct);
+}
 
 TEST_F(ReadSeries, is_the_one_that_a_reconstruction_offers_first) {
     OpenRequest request;
