@@ -446,6 +446,7 @@ void MainWindow::build_review() {
     ways.stopped_or_went_on = [this] { show_figures_soon(); };
     ways.beside = [this](const std::shared_ptr<const Frame>& frame, std::vector<MarkView> marks,
                          const QString& first, const QString& other) {
+        make_room_beside(frame != nullptr);
         // Uses nothing of the patient, who may be about to be destroyed.
         if (frame == nullptr) {
             view_->scene().set_drug_scale(0.0);

@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QStatusBar>
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -77,6 +78,23 @@ void MainWindow::connect_panels() {
             dock->setVisible(panels.isChecked() && has_use);
         }
     });
+}
+
+// Two views side by side have no room for panels at the right, of which a review needs none.
+void MainWindow::make_room_beside(bool room) {
+    if (room == !put_aside_.empty()) return;
+    if (!room) {
+        for (QDockWidget* dock : put_aside_) dock->show();
+        for (QDockWidget* dock : std::exchange(put_aside_, {})) dock->raise();
+        return;
+    }
+    for (QDockWidget* dock : findChildren<QDockWidget*>())
+        if (dockWidgetArea(dock) == Qt::RightDockWidgetArea && !dock->isHidden() &&
+            !dock->isFloating())
+            put_aside_.push_back(dock);
+    std::ranges::stable_sort(
+        put_aside_, {}, [](const QDockWidget* dock) { return !dock->visibleRegion().isEmpty(); });
+    for (QDockWidget* dock : put_aside_) dock->hide();
 }
 
 // Liver surface, and the plane that opens the view.

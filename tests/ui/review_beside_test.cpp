@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Another recording beside the one that is looked back on: its view, its marks and its name.
+#include <QDockWidget>
 #include <QLabel>
 #include <algorithm>
 #include <cmath>
@@ -125,6 +126,36 @@ TEST_F(ReviewWindowTest, another_recording_is_shown_beside_it_and_looks_the_same
     EXPECT_TRUE(wait_for([this] { return !dock().comparing(); }));
     EXPECT_TRUE(window_.messages().text().contains("another patient"));
     EXPECT_TRUE(dock().reviewing());
+}
+
+// Which is little beside the panels on a small screen; a review needs none of them.
+TEST_F(ReviewWindowTest, two_recordings_have_the_room_of_the_panels) {
+    open_built_in();
+    look_back();
+    const auto at_the_right = [this] {
+        std::vector<QString> shown;
+        for (const auto* panel : window_.findChildren<QDockWidget*>())
+            if (window_.dockWidgetArea(const_cast<QDockWidget*>(panel)) ==
+                    Qt::RightDockWidgetArea &&
+                !panel->isHidden())
+                shown.push_back(panel->objectName());
+        return shown;
+    };
+    auto& tool = *window_.findChild<QDockWidget*>("Tool");
+    window_.findChild<QDockWidget*>("Corrections")->close();
+    tool.raise();
+    ASSERT_TRUE(wait_for([&] { return !tool.visibleRegion().isEmpty(); }));
+    const std::vector<QString> before = at_the_right();
+    ASSERT_GT(before.size(), 1u);
+    for (int time = 0; time < 2; ++time) {
+        dock().compare(file_);
+        ASSERT_TRUE(
+            wait_for([this] { return dock().complete() && window_.second_view().shown(); }));
+        EXPECT_TRUE(at_the_right().empty());
+        time == 0 ? click("reviewCompare") : click("reviewLeave");
+        EXPECT_EQ(at_the_right(), before);
+        EXPECT_TRUE(wait_for([&] { return !tool.visibleRegion().isEmpty(); }));
+    }
 }
 
 // The first view draws what it took over after the second was turned on: its picture takes nothing
