@@ -8,8 +8,8 @@
 #include "core/deform/potentials/obstacle_contact.h"
 #include "core/deform/potentials/self_contact.h"
 #include "core/deform/solvers/node_loops.h"
+#include "core/deform/step/declined_pieces.h"
 #include "core/deform/step/momentum_check.h"
-#include "core/deform/step/rigid_motion.h"
 
 namespace hepatica {
 namespace {
@@ -17,6 +17,21 @@ namespace {
 constexpr int most_halvings = 4;
 constexpr int most_impacts = 3;
 constexpr double least_part = 0.05;  // of the rest of a step
+
+// Fills the loads of tools, surfaces and obstacles at the end of a step.
+void report_touch(const std::vector<Vec3>& end_mm, double dt_s, const PotentialList& potentials,
+                  StepReport& report) {
+    report.tool = potentials.tool_load(end_mm, dt_s);
+    if (potentials.self()) {
+        report.self = load_of(potentials.self()->contacts(end_mm));
+        report.self_cost = potentials.self()->pairs().take_cost();
+    }
+    if (potentials.obstacles()) {
+        report.obstacles = potentials.obstacle_load(end_mm);
+        report.obstacles.impulse_un_s = dt_s * report.obstacles.force_un;
+        report.obstacle_cost = potentials.obstacles()->pairs().take_cost();
+    }
+}
 
 }  // namespace
 
@@ -115,30 +130,32 @@ MomentumLost BackwardEuler::limit_energy(const StepUnderway& step, std::vector<V
 
 // The line search treats all pieces together, which has two faults: energy lost by some pieces may
 // pay for energy that another one gained, more than that one can give back; and where the step is
-// shortened for one piece, another one in free flight would lose momentum. The step of such pieces
-// is discarded: in free flight they continue their rigid motion, otherwise they stand still; unless
-// they would then meet something.
-void BackwardEuler::decline(StepUnderway& step, StepReport& report) {
-    const auto overdrawn =
-        limiter_->overdrawn(step, potential_.assembly(), potential_.live().held());
-    if (overdrawn.empty()) return;
-    std::vector<Vec3> velocity = step.velocity;
-    for (const auto& [nodes, flies] : overdrawn) {
-        std::vector<Vec3> ways(nodes.size(), Vec3::Zero());
-        if (flies) {
-            RigidMotion motion = rigid_motion(nodes, body_.mass_g, step.start.positions_mm,
-                                              step.start.velocities_mm_per_s);
-            motion.velocity_mm_per_s = limiter_->flight(step, motion.velocity_mm_per_s);
-            ways = straight_ways(motion, nodes, step.start.positions_mm, step.dt_s);
-        }
-        for (std::size_t k = 0; k < nodes.size(); ++k) velocity[nodes[k]] = ways[k];
+// shortened for one piece, another one in free flight would lose momentum. Such pieces do not take
+// the step, unless they would then meet something. At the end without them others may be pressed
+// together, so that it is judged again until nothing is overdrawn there.
+bool BackwardEuler::decline(StepUnderway& step, StepReport& report) {
+    std::optional<DeclinedPieces> declined;
+    for (;;) {
+        const auto overdrawn =
+            limiter_->overdrawn(step, potential_.assembly(), potential_.live().held());
+        if (overdrawn.empty()) return true;
+        if (!declined) declined.emplace(body_, *limiter_, step);
+        if (!declined->add(overdrawn) || !newton_->replace_velocity(step, declined->velocities()))
+            return std::ranges::none_of(overdrawn, &EnergyLimiter::Overdrawn::unpaid);
+        limiter_->forget_end();
+        report.degraded = true;
+        report.message =
+            "a piece went on without the step's forces: they would have made energy or "
+            "taken its momentum";
     }
-    if (!newton_->replace_velocity(step, velocity)) return;
+}
+
+// Ends the step where it began, which makes no energy.
+void BackwardEuler::stand_still(StepUnderway& step, StepReport& report) {
+    newton_->replace_velocity(step, std::vector<Vec3>(step.velocity.size(), Vec3::Zero()));
     limiter_->forget_end();
     report.degraded = true;
-    report.message =
-        "a piece went on without the step's forces: they would have made energy or "
-        "taken its momentum";
+    report.message = "the body was stopped: no step lowers its energy";
 }
 
 // Repeats the step as two halves. `tried` is the report of the attempt at the whole step.
@@ -186,16 +203,20 @@ StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
         report.degraded = true;
         report.message = "the body was stopped: no step lowers its energy";
     }
-    if (settings_.line_search) decline(step, report);
+    const auto in_halves = [&] {
+        forget();
+        return advance_in_halves(state, dt_s, potentials, halvings_left, solves_left, report);
+    };
+    if (settings_.line_search && !decline(step, report)) {
+        if (may_halve) return in_halves();
+        stand_still(step, report);
+    }
     books_->book(step, *newton_, settings_.audit, report);
     std::vector<Vec3> velocities = std::move(step.velocity);
     if (settings_.line_search) {
         const MomentumLost lost = limit_energy(step, velocities, report);
         // The limiter would destroy the momentum that surfaces exchanged; a shorter step keeps it.
-        if (lost == MomentumLost::linear && potentials.self() && may_halve) {
-            forget();
-            return advance_in_halves(state, dt_s, potentials, halvings_left, solves_left, report);
-        }
+        if (lost == MomentumLost::linear && potentials.self() && may_halve) return in_halves();
     }
     if (potentials.self() || potentials.ties()) {
         const MomentumBalance balance = momentum_balance(body_, step, potential_.live().held(),
@@ -205,16 +226,7 @@ StepReport BackwardEuler::advance_in_parts(BodyState& state, double dt_s,
     }
     state.velocities_mm_per_s = std::move(velocities);
     state.positions_mm = std::move(step.positions);
-    report.tool = potentials.tool_load(state.positions_mm, dt_s);
-    if (potentials.self()) {
-        report.self = load_of(potentials.self()->contacts(state.positions_mm));
-        report.self_cost = potentials.self()->pairs().take_cost();
-    }
-    if (potentials.obstacles()) {
-        report.obstacles = potentials.obstacle_load(state.positions_mm);
-        report.obstacles.impulse_un_s = dt_s * report.obstacles.force_un;
-        report.obstacle_cost = potentials.obstacles()->pairs().take_cost();
-    }
+    report_touch(state.positions_mm, dt_s, potentials, report);
     return report;
 }
 

@@ -32,14 +32,15 @@ class BackwardEuler {
 
     // Advances `state` by dt_s > 0 under `potentials` and fills the report except tool_work, which
     // only the caller knows. A step that cannot be made without an increase of the incremental
-    // potential (or, where surfaces may touch, of a free piece's energy) is repeated in halves, and
-    // these again, within iterations + extra_solves linear solves. When they are used up, the
-    // shortened step is taken or the body is stopped. Energy is never created (except by the
-    // published step without line search), and positions stay finite; the report says what was
-    // done. Where a contact is about to begin, the step is cut at that moment, into at most four
-    // parts that share the solves. What potentials keep of a step stays until their end_step().
-    // Throws Cancelled within a few iterations after a stop is requested. The state is then one
-    // within the step: set the state and restore the solver before the next step.
+    // potential or of some pieces' energy (or, where surfaces may touch, without taking a free
+    // piece's momentum) is repeated in halves, and these again, within iterations + extra_solves
+    // linear solves. When they are used up, the shortened step is taken or the body is stopped.
+    // Energy is never created (except by the published step without line search), and positions
+    // stay finite; the report says what was done. Where a contact is about to begin, the step is
+    // cut at that moment, into at most four parts that share the solves. What potentials keep of a
+    // step stays until their end_step(). Throws Cancelled within a few iterations after a stop is
+    // requested. The state is then one within the step: set the state and restore the solver before
+    // the next step.
     StepReport advance(BodyState& state, double dt_s, const PotentialList& potentials,
                        const std::stop_token& stop = {});
 
@@ -85,7 +86,9 @@ class BackwardEuler {
                                 int halvings_left, int most_solves);
     StepReport advance_in_halves(BodyState& state, double dt_s, const PotentialList& potentials,
                                  int halvings_left, int solves_left, const StepReport& tried);
-    void decline(StepUnderway& step, StepReport& report);
+    // False where a piece is left with more energy than its motion can give back.
+    bool decline(StepUnderway& step, StepReport& report);
+    void stand_still(StepUnderway& step, StepReport& report);
     MomentumLost limit_energy(const StepUnderway& step, std::vector<Vec3>& velocities,
                               StepReport& report);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/deform/step/rigid_motion.h"
 
@@ -12,8 +13,12 @@ namespace {
 // A slower mean speed counts as rest, because the energies are then rounding errors of either sign.
 constexpr double resting_mm_per_s = 1e-6;
 
-// For a piece in free flight; the solver's tolerance loses less.
+// In free flight; the solver's tolerance loses less.
 constexpr double most_momentum_lost = 0.02;
+// Of the nodes' mean speed: less is the solver's error where they move against each other.
+constexpr double momentum_error = 1e-3;
+
+constexpr double noise = 1e-9;  // relative energies below this are rounding errors
 
 // Stored energy plus friction loss, because a moving tool may do the work of friction in this step.
 double kept_energy(const EnergyLedger& ledger) {
@@ -122,21 +127,27 @@ Vec3 EnergyLimiter::flight(const StepUnderway& step, const Vec3& before_mm_per_s
     return (before_mm_per_s + fall) / (1.0 + step.dt_s * body_.damping.alpha_per_s);
 }
 
-// Whether a piece in free flight has lost momentum, or would have to give up momentum to pay for
-// energy that its step created.
-bool EnergyLimiter::brakes(const StepUnderway& step, std::span<const int> nodes,
-                           double excess_nj) const {
-    const auto motion = [&](const std::vector<Vec3>& x, const std::vector<Vec3>& v) {
-        return rigid_motion(nodes, body_.mass_g, x, v);
+bool EnergyLimiter::slowed(const StepUnderway& step, std::span<const int> nodes) const {
+    const auto speed = [&](const std::vector<Vec3>& x, const std::vector<Vec3>& v) {
+        return rigid_motion(nodes, body_.mass_g, x, v).velocity_mm_per_s;
     };
-    const RigidMotion after = motion(step.positions, step.velocity);
+    const Vec3 expected =
+        flight(step, speed(step.start.positions_mm, step.start.velocities_mm_per_s));
+    double square = 0.0, mass_g = 0.0;
+    for (const int i : nodes) {
+        square += body_.mass_g[i] * step.velocity[i].squaredNorm();
+        mass_g += body_.mass_g[i];
+    }
+    return (speed(step.positions, step.velocity) - expected).norm() >
+           std::max(most_momentum_lost * expected.norm(),
+                    momentum_error * std::sqrt(square / mass_g));
+}
+
+double EnergyLimiter::deforming_energy(const StepUnderway& step, std::span<const int> nodes) const {
+    const RigidMotion rigid = rigid_motion(nodes, body_.mass_g, step.positions, step.velocity);
     double kinetic = 0.0;
     for (const int i : nodes) kinetic += 0.5 * body_.mass_g[i] * step.velocity[i].squaredNorm();
-    const double deforming = kinetic - after.spin_energy_nj - after.flight_energy_nj;
-    if (excess_nj > deforming + 1e-9 * kinetic) return true;
-    const Vec3 expected = flight(
-        step, motion(step.start.positions_mm, step.start.velocities_mm_per_s).velocity_mm_per_s);
-    return (after.velocity_mm_per_s - expected).norm() > most_momentum_lost * expected.norm();
+    return kinetic - rigid.spin_energy_nj - rigid.flight_energy_nj;
 }
 
 std::vector<EnergyLimiter::Overdrawn> EnergyLimiter::overdrawn(
@@ -154,22 +165,24 @@ std::vector<EnergyLimiter::Overdrawn> EnergyLimiter::overdrawn(
     for (const auto& potential : step.potentials.all())
         potential->mark_held(step.positions, marked);
     for (const std::vector<int>& group : coupled_pieces(step.potentials, step.together)) {
-        double excess = 0.0, before = 0.0, kinetic = 0.0, mass_g = 0.0;
+        double excess = 0.0, size = 0.0, before = 0.0, kinetic = 0.0, mass_g = 0.0;
         for (const int p : group) {
             excess += energies_after[p].energy - energies_before[p].energy;
+            size += std::abs(energies_before[p].energy) + std::abs(energies_after[p].energy);
             before += energies_before[p].kinetic;
             kinetic += energies_after[p].kinetic;
             mass_g += mass_g_[p];
         }
         if (rests(before + kinetic, mass_g)) continue;
-        const std::vector<int>& first = nodes_[group.front()];
-        const bool flies =
-            group.size() == 1 && std::ranges::none_of(first, [&](int i) { return marked[i] != 0; });
-        if (!(flies ? brakes(step, first, excess) : excess > kinetic)) continue;
-        Overdrawn& piece = found.emplace_back();
-        piece.flies = flies;
+        Overdrawn pieces{.unpaid = excess > kinetic + noise * size};
         for (const int p : group)
-            piece.nodes.insert(piece.nodes.end(), nodes_[p].begin(), nodes_[p].end());
+            pieces.nodes.insert(pieces.nodes.end(), nodes_[p].begin(), nodes_[p].end());
+        pieces.flies = std::ranges::none_of(pieces.nodes, [&](int i) { return marked[i] != 0; });
+        const bool alone = pieces.flies && group.size() == 1;
+        const double payable =
+            alone ? deforming_energy(step, pieces.nodes) + noise * kinetic : kinetic;
+        if (excess > payable || (pieces.flies && slowed(step, pieces.nodes)))
+            found.push_back(std::move(pieces));
     }
     return found;
 }

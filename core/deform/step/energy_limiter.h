@@ -40,11 +40,12 @@ class EnergyLimiter {
     void begin(const StepUnderway& step, const Assembly& assembly);
 
     // The nodes of coupled pieces whose step created more energy than their motion may give back:
-    // the deforming motion of a free piece, otherwise all motion. Also of a free piece that lost
-    // momentum.
+    // the deforming motion of a single free piece, otherwise all motion. Also of those that
+    // nothing holds and that lost momentum.
     struct Overdrawn {
-        std::vector<int> nodes;
-        bool flies = false;  // a single piece that nothing holds
+        std::vector<int> nodes{};
+        bool flies = false;   // nothing holds them
+        bool unpaid = false;  // all of their motion cannot give back the energy
     };
     // The assembly's slots must be those of the end of the step. Empty where the body is one piece.
     // The energies per piece are kept for limit(), unless forget_end() says that the step's end
@@ -91,7 +92,10 @@ class EnergyLimiter {
     std::span<const int> piece_of_node() const { return piece_of_node_; }
 
   private:
-    bool brakes(const StepUnderway& step, std::span<const int> nodes, double excess_nj) const;
+    // Whether nodes in free flight have lost momentum.
+    bool slowed(const StepUnderway& step, std::span<const int> nodes) const;
+    // Kinetic energy at the end beside that of the rigid motion [nJ].
+    double deforming_energy(const StepUnderway& step, std::span<const int> nodes) const;
     // Groups of pieces that share their energy, ascending; each piece belongs to one group.
     std::vector<std::vector<int>> coupled_pieces(const PotentialList& potentials,
                                                  bool together) const;
