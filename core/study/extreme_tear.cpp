@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "core/base/frame_time.h"
-#include "core/deform/body/torn_body.h"
+#include "core/deform/stepper/stepper_checkpoint.h"
 #include "core/mesh/tet_mesh.h"
-#include "core/scene/crossings.h"
 #include "core/study/extreme_cases.h"
 #include "core/study/random_tool.h"
 #include "core/study/split_check.h"
+#include "core/study/torn_crossings.h"
 #include "core/study/touch_bodies.h"
 #include "core/study/trial.h"
 #include "core/study/vessel_body.h"
@@ -92,17 +92,12 @@ class TearTrial {
     }
 
   private:
-    // What contact keeps apart has not passed. It does not know the two sides of a tear in what
-    // still is one piece, so that triangles with a vertex in common before the tear are left out.
+    // What contact keeps apart has not passed.
     bool look(Trial& trial) const {
-        constexpr double wherever_they_are = std::numeric_limits<double>::infinity();
-        const TornTopology& torn = stepper_->tearing()->topology();
-        std::vector<Vec3> rest_mm = body_.mesh.vertices_mm;
-        inherit(torn.parents(), rest_mm);
-        return trial.require(
-            crossing_pairs(torn, wherever_they_are, rest_mm, stepper_->positions_mm(),
-                           stepper_->checkpoint().self->overlaps) == 0,
-            "triangles cross");
+        const int crossing =
+            torn_crossings(stepper_->tearing()->topology(), body_, stepper_->positions_mm(),
+                           stepper_->checkpoint().self->overlaps);
+        return trial.require(crossing == 0, "triangles cross");
     }
 
     static bool holds(Trial& trial, const std::string& wrong) {
