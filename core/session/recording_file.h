@@ -54,15 +54,17 @@ class RecordingWriter {
 // Writes a whole recording. Throws InputError where it cannot be written.
 void write_recording(const std::filesystem::path& file, const Recording& recording);
 
-// Drops an incomplete last line with a warning. Throws InputError that names file and line where
-// any other line is damaged, and where the format or the version of the program is another one,
-// because replayed steps would then differ in their last bits. For the back end see
-// require_back_end.
+// What is read of a recording.
 enum class RecordingPart {
     header,    // without steps
     commands,  // without keyframes, which are most of the file
     all,
 };
+
+// Drops an incomplete last line with a warning. Throws InputError that names file and line where
+// any other line is damaged, and where the format or the version of the program is another one,
+// because replayed steps would then differ in their last bits. For the back end see
+// require_back_end.
 Recording read_recording(const std::filesystem::path& file,
                          RecordingPart part = RecordingPart::all);
 
