@@ -124,7 +124,7 @@ Json run_bench_reconstruct(BenchReconstructChoices options, Job& job) {
     const Reconstruction made = reconstruct(reconstruction, job);
     job.begin_stage("Writing the case");
     fs::create_directories(options.out);
-    write_case(options.out / "patient.hep", made.patient, job);
+    write_case_in_job(options.out / "patient.hep", made.patient, job);
 
     Json answer;
     answer["dims"] = made.patient.source.image_grid.dims;

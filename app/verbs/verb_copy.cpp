@@ -22,7 +22,7 @@ Json run_copy(const CopyChoices& options, Job& job) {
     job.begin_stage("Reading the case");
     const PatientCase patient = read_case(options.patient);
     job.begin_stage("Writing the case");
-    write_case(options.out, patient, job);
+    write_case_in_job(options.out, patient, job);
     return {{"case", options.out.string()}};
 }
 

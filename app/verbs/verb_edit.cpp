@@ -279,7 +279,7 @@ Json run_edit(const EditChoices& options, Job& job) {
     if (!options.list) {
         patient = corrected(options, std::move(patient), job);
         job.begin_stage("Writing the case");
-        write_case(options.out.empty() ? options.patient : options.out, patient, job);
+        write_case_in_job(options.out.empty() ? options.patient : options.out, patient, job);
     }
     Json answer;
     answer["case"] = (options.out.empty() ? options.patient : options.out).string();

@@ -157,7 +157,7 @@ Json run_reconstruct(ReconstructChoices options, Job& job) {
     job.expect_stages(stage_count(options.reconstruct) + 1);
     const Reconstruction made = reconstruct(options.reconstruct, job);
     job.begin_stage("Writing the case");
-    write_case(options.out, made.patient, job);
+    write_case_in_job(options.out, made.patient, job);
     for (const std::string& warning : made.warnings) spdlog::warn("{}", warning);
 
     Json answer;

@@ -131,7 +131,7 @@ Json run_remake(const RemakeChoices& options, Job& job) {
     warnings.insert(warnings.end(), made.warnings.begin(), made.warnings.end());
     for (const std::string& warning : warnings) spdlog::warn("{}", warning);
     job.begin_stage("Writing the case");
-    write_case(out, made.patient, job);
+    write_case_in_job(out, made.patient, job);
     Json answer;
     answer["case"] = out.string();
     answer["vessel_voxels_before"] = vessel_voxels(patient.mask);

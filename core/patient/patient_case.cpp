@@ -329,10 +329,10 @@ void require_place_of_case(const fs::path& place) {
 
 void write_case(const fs::path& place, const PatientCase& patient) {
     Job unwatched;
-    write_case(place, patient, unwatched);
+    write_case_in_job(place, patient, unwatched);
 }
 
-void write_case(const fs::path& place, const PatientCase& patient, Job& job) {
+void write_case_in_job(const fs::path& place, const PatientCase& patient, Job& job) {
     require_place_of_case(place);
     if (!is_archive_name(place) || fs::is_directory(place))
         return renew_folder_atomically(

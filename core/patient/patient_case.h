@@ -114,7 +114,7 @@ void require_place_of_case(const std::filesystem::path& place);
 void write_case(const std::filesystem::path& place, const PatientCase& patient);
 // The same, with progress within the job's present stage. Throws Cancelled between two files; the
 // place is then as it was.
-void write_case(const std::filesystem::path& place, const PatientCase& patient, Job& job);
+void write_case_in_job(const std::filesystem::path& place, const PatientCase& patient, Job& job);
 
 // Reads and checks a case of this format or an older one. Throws InputError with the reason where
 // the version is unknown, a file is missing, or a digest differs from that in case.json.

@@ -219,7 +219,7 @@ TEST_F(PatientCaseTest, IsAsItWasWhereWritingIsCancelled) {
                 if (at++ == cancelled) job.cancel();
             });
             try {
-                write_case(place, patient, job);
+                write_case_in_job(place, patient, job);
                 ended = true;
             } catch (const Cancelled&) {
                 ++cancelled;
