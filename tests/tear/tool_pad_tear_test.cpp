@@ -3,7 +3,13 @@
 // back like all others once they have been away.
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 #include "core/base/frame_time.h"
+#include "core/contact/surface_patches.h"
+#include "core/deform/potentials/thin_pads.h"
+#include "core/deform/potentials/tool_pad.h"
 #include "core/deform/stepper/cpu_stepper.h"
 #include "core/deform/stepper/stepper_checkpoint.h"
 #include "core/tear/tearing.h"
@@ -94,6 +100,33 @@ TEST(ToolPadTear, ACheckpointHoldsThinPads) {
         stepper->step(frame_s);
         other->step(frame_s);
         ASSERT_EQ(other->state_hash(), stepper->state_hash()) << k;
+    }
+}
+
+// Two balls of a tool over a bare triangle, in either order: the nearer one says how thin its pad
+// is, and how far it grows. Another triangle lies below the second ball alone.
+TEST(ToolPadTear, OfTwoPartsTheNearerOneSaysHowThinAPadIs) {
+    const SurfacePatches surface({{0, 1, 2}, {3, 4, 5}});
+    std::vector<Vec3> x{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 3, 0.1}, {2, 3, 0.1}, {0, 5, 0.1}};
+    const std::vector<int> same_nodes{0, 1, 2, 3, 4, 5};
+    const auto ball = [](const Vec3& at_mm) {
+        return single_tool({at_mm, Vec3::Zero(), 1.0}).parts.front();
+    };
+    for (const bool nearer_first : {true, false}) {
+        Tool jaws = ball_above(0.0);
+        jaws.parts = {ball({0.5, 0.5, 1.2}), ball({0.5, 1.2, 1.3})};
+        jaws.parts.push_back(ball({0.5, 3.5, 1.4}));
+        if (!nearer_first) std::swap(jaws.parts[0], jaws.parts[1]);
+        jaws.thin_pads = thin_pads_after_split({}, jaws, surface, same_nodes, x);
+        ASSERT_EQ(jaws.thin_pads.size(), 2u);
+        const double whole = 1.0 + ToolPad::dip_of_pad;
+        EXPECT_NEAR(pad_of_triangle_mm(jaws, {2, 0, 1}), 0.2 / whole, 1e-12);
+        EXPECT_NEAR(pad_of_triangle_mm(jaws, {3, 4, 5}), 0.3 / whole, 1e-12);
+        for (std::size_t v = 0; v < 3; ++v) x[v].z() -= 0.1;
+        grow_thin_pads(jaws, surface, x);
+        EXPECT_NEAR(pad_of_triangle_mm(jaws, {0, 1, 2}), 0.3 / whole, 1e-12);
+        EXPECT_NEAR(pad_of_triangle_mm(jaws, {3, 4, 5}), 0.3 / whole, 1e-12);
+        for (std::size_t v = 0; v < 3; ++v) x[v].z() += 0.1;
     }
 }
 

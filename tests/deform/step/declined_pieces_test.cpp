@@ -79,9 +79,9 @@ Vec3 momentum_of(const Body& body, const BodyState& state) {
 // `extra_solves` as in NewtonSettings: without any, no step can be cut in halves.
 void play(const Body& body, const PotentialList& potentials, BodyState state, int extra_solves,
           Play& all) {
-    BackwardEuler integrator(
-        body, {.extra_solves = extra_solves, .linear = {.energy_tolerance = 1e-13}},
-        make_block_jacobi_solver());
+    BackwardEuler integrator(body,
+                             {.extra_solves = extra_solves, .linear = {.energy_tolerance = 1e-13}},
+                             make_block_jacobi_solver());
     double moving = 0.0;
     for (std::size_t i = 0; i < body.mass_g.size(); ++i)
         moving += body.mass_g[i] * state.velocities_mm_per_s[i].norm();
