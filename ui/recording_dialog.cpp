@@ -58,7 +58,7 @@ std::optional<std::uint64_t> patient_of(const fs::path& recording) {
 // The lesson in the file's name: a built-in lesson's id, or the name of its file.
 QString lesson_in_name(const fs::path& recording) {
     static const QRegularExpression time("-\\d{8}-\\d{6}-\\d{3}$");
-    const QString name = to_text(recording.stem()).remove(time);
+    QString name = to_text(recording.stem()).remove(time);
     if (name == "play") return Words::tr("Free play");
     if (name == "lesson") return tried_lesson(recording);
     for (const BuiltInLesson& lesson : built_in_lessons())
