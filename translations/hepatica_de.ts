@@ -9713,7 +9713,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>None of them fits: taken one by one, each says why</source>
-        <translation>Nichts davon passt: Einzeln übernommen sagt jedes, warum</translation>
+        <translation>Nichts davon passt. Wird es einzeln übernommen, steht da, warum nicht</translation>
     </message>
     <message>
         <source>the vessels are being corrected, which would end the review</source>
@@ -9729,7 +9729,7 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>%1 mm to the mark, move towards you</source>
-        <translation>%1 mm bis zur Marke, zu sich her führen</translation>
+        <translation>%1 mm bis zur Marke, zu sich hin führen</translation>
     </message>
     <message>
         <source>%1 mm to mark %2, move away from you</source>
@@ -9737,15 +9737,19 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     </message>
     <message>
         <source>%1 mm to mark %2, move towards you</source>
-        <translation>%1 mm bis zur Marke %2, zu sich her führen</translation>
+        <translation>%1 mm bis zur Marke %2, zu sich hin führen</translation>
     </message>
     <message>
         <source>an edit belongs to step %1</source>
         <translation>eine Korrektur gehört zu Schritt %1</translation>
     </message>
     <message>
-        <source>Number steps from 1 on, or leave them out</source>
-        <translation>Nummerieren Sie Schritte von 1 an, oder lassen Sie sie weg</translation>
+        <source>Enter acts at the cross in the middle of the view. Arrow keys lead what is held, Page Up and Page Down a tool in depth; Enter or Esc lets go.</source>
+        <translation>Die Eingabetaste handelt am Kreuz in der Mitte der Ansicht. Pfeiltasten führen, was gehalten wird, Bild auf und Bild ab ein Werkzeug in der Tiefe; Eingabetaste oder Esc lässt los.</translation>
+    </message>
+    <message>
+        <source>Number steps from 1 to 1000000, or leave them out</source>
+        <translation>Schritte von 1 bis 1000000 nummerieren oder weglassen</translation>
     </message>
 </context>
 </TS>

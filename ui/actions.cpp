@@ -192,23 +192,18 @@ constexpr std::array table{
 using Rows = std::span<const std::pair<const char*, const char*>>;
 
 // Valid while the 3D view has the keyboard focus; see KeyTool.
-constexpr std::pair<const char*, const char*> key_at_the_cross{
-    Words::id("Enter"),
-    Words::id("act at the cross in the middle: take hold of the vessel (Pull), inject, edit, "
-              "measure, bring the tool, set the blade down; Ctrl + Enter injects in Pull mode")};
-constexpr std::pair<const char*, const char*> keys_that_lead{
-    Words::id("Arrow keys, then Enter or Esc"),
-    Words::id("lead what is held, a tool also in depth by Page Up and Page Down (with Shift five "
-              "times as far), then let go")};
-
 constexpr std::array<std::pair<const char*, const char*>, 6> keys_in_the_view{{
     {Words::id("Tab"),
      Words::id("to the view, and on to the panels; a frame shows who has the keys")},
     {Words::id("Arrow keys"), Words::id("turn by 5°; with Shift pan")},
     {Words::id("+ and -"), Words::id("zoom")},
     {Words::id("Home"), Words::id("the whole patient, from where one looks")},
-    key_at_the_cross,
-    keys_that_lead,
+    {Words::id("Enter"),
+     Words::id("act at the cross in the middle: take hold of the vessel (Pull), inject, edit, "
+               "measure, bring the tool, set the blade down; Ctrl + Enter injects in Pull mode")},
+    {Words::id("Arrow keys, then Enter or Esc"),
+     Words::id("lead what is held, a tool also in depth by Page Up and Page Down (with Shift five "
+               "times as far), then let go")},
 }};
 
 constexpr std::array<std::pair<const char*, const char*>, 4> keys_in_slices{{
@@ -374,13 +369,6 @@ void Actions::enable(const ActionSpec& spec) {
                       (patient_shown_ || !spec.needs_patient));
     const QString tip = lacks ? lack->second : Words::tr(spec.tip);
     tell(action, forbidden ? why_forbidden_.arg(plain(spec.text)) : tip);
-}
-
-QString Actions::keys_at_the_cross() {
-    QStringList lines;
-    for (const auto& [keys, what] : {key_at_the_cross, keys_that_lead})
-        lines << Words::tr(keys) + ": " + Words::tr(what);
-    return lines.join("\n");
 }
 
 QString Actions::cheat_sheet(const MouseScheme& scheme) {

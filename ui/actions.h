@@ -134,8 +134,6 @@ class Actions {
     // empty: there is none such.
     QString objection_to(const QKeySequence& keys) const;
 
-    // How to act by keys at the cross in the view and with what is held, a line each.
-    static QString keys_at_the_cross();
     // All keys and mouse gestures as HTML; those of the camera are the scheme's.
     static QString cheat_sheet(const MouseScheme& scheme);
 

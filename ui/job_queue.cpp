@@ -12,7 +12,7 @@ void JobQueue::add(QueuedJob job) {
     run_next(lane);
 }
 
-void JobQueue::replace(QueuedJob job) {
+void JobQueue::replace(QueuedJob job, Turn turn) {
     const JobKind kind = job.kind;
     Lane& lane = lane_of(kind);
     const auto old = std::ranges::find(lane.waiting, kind, &QueuedJob::kind);
@@ -20,6 +20,8 @@ void JobQueue::replace(QueuedJob job) {
         *old = std::move(job);
     } else if (drop_running(kind)) {
         if (shows(lane)) watcher_.started(job.title);
+        lane.waiting.push_front(std::move(job));
+    } else if (turn == Turn::next) {
         lane.waiting.push_front(std::move(job));
     } else {
         lane.waiting.push_back(std::move(job));

@@ -42,8 +42,10 @@ class JobQueue {
 
     // Appends a job.
     void add(QueuedJob job);
-    // Replaces the running or waiting job of the same kind, which is dropped; without one as add().
-    void replace(QueuedJob job);
+    enum class Turn { last, next };  // after or before all that wait
+    // Replaces the running or waiting job of the same kind, which is dropped. Without one it takes
+    // this turn.
+    void replace(QueuedJob job, Turn turn = Turn::last);
     // The running and waiting jobs of this kind end without effect.
     void drop(JobKind kind);
     // Cancels the shown job, or the one that is to take its place; the others stay.

@@ -75,7 +75,10 @@ QString in_words(std::span<const LessonTool> tools, const Actions& actions) {
 QString by_keys(std::span<const LessonTool> tools, const Actions& actions) {
     const QStringList names = names_and_keys(tools, actions);
     if (names.isEmpty()) return {};
-    return Words::tr("By keys: %1").arg(names.join(", ")) + "\n" + Actions::keys_at_the_cross();
+    return Words::tr("By keys: %1").arg(names.join(", ")) + "\n" +
+           Words::tr(
+               "Enter acts at the cross in the middle of the view. Arrow keys lead what is "
+               "held, Page Up and Page Down a tool in depth; Enter or Esc lets go.");
 }
 
 void set_allowed(QWidget& control, bool allowed) {

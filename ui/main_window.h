@@ -325,8 +325,9 @@ class MainWindow : public QMainWindow {
     std::shared_ptr<BackEnds> back_ends_;
     std::unique_ptr<Actions> actions_;
     VtkWidget* view_ = nullptr;
-    ViewLayout* view_layout_ = nullptr;    // holds view_ and the slices of the CT
-    SecondView* second_view_ = nullptr;    // of a recording beside another
+    ViewLayout* view_layout_ = nullptr;  // holds view_ and the slices of the CT
+    SecondView* second_view_ = nullptr;  // of a recording beside another
+    bool room_beside_ = false;
     std::vector<QDockWidget*> put_aside_;  // panels that make room for that, the raised ones last
     VolumeBar* volume_bar_ = nullptr;
     Welcome* welcome_ = nullptr;

@@ -80,17 +80,18 @@ void MainWindow::connect_panels() {
     });
 }
 
-// Two views side by side have no room for panels at the right, of which a review needs none.
+// Two views side by side have no room for panels at the right, of which a review needs none but its
+// own.
 void MainWindow::make_room_beside(bool room) {
-    if (room == !put_aside_.empty()) return;
+    if (room == std::exchange(room_beside_, room)) return;
     if (!room) {
         for (QDockWidget* dock : put_aside_) dock->show();
         for (QDockWidget* dock : std::exchange(put_aside_, {})) dock->raise();
         return;
     }
     for (QDockWidget* dock : findChildren<QDockWidget*>())
-        if (dockWidgetArea(dock) == Qt::RightDockWidgetArea && !dock->isHidden() &&
-            !dock->isFloating())
+        if (dock != review_ && dockWidgetArea(dock) == Qt::RightDockWidgetArea &&
+            !dock->isHidden() && !dock->isFloating())
             put_aside_.push_back(dock);
     std::ranges::stable_sort(
         put_aside_, {}, [](const QDockWidget* dock) { return !dock->visibleRegion().isEmpty(); });

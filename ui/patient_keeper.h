@@ -177,7 +177,7 @@ class PatientKeeper {
     void choose_series(OpenRequest request, const std::vector<SeriesDescription>& series);
     void arrived(const OpenRequest& request, const std::shared_ptr<LoadedPatient>& loaded);
     BackgroundJob::Work accepting(double confidence);
-    void correct();
+    void correct(JobQueue::Turn turn = JobQueue::Turn::last);
     struct Possible {
         Workspace::Edits edits;
         std::vector<Failure> refused;

@@ -33,25 +33,26 @@ void PatientKeeper::accept_offers(double confidence) {
 }
 
 BackgroundJob::Work PatientKeeper::accepting(double confidence) {
-    return [this, confidence, patient = workspace_.patient(), edits = workspace_.edits(),
-            version = workspace_.version()](Job& job) -> std::function<void()> {
+    return [this, confidence, patient = workspace_.patient(),
+            edits = workspace_.edits()](Job& job) -> std::function<void()> {
         job.expect_stages(1);
         job.begin_stage(Words::id("Looking for what fits"));
         const Workspace::Edits found = ways_.offers(*patient, edits, confidence, job);
-        return [this, version, found] {
-            if (version != workspace_.version())
+        return [this, edits, patient, found] {
+            if (edits != workspace_.edits() || patient != workspace_.patient())
                 return screen_.say(
                     Words::tr("Nothing was taken, because something was corrected meanwhile")
                         .toStdString());
             if (found.empty())
                 return screen_.say(
                     Words::tr("None of them fits: taken one by one, each says why").toStdString());
-            add_all(found);
+            workspace_.add_all(found);
+            correct(JobQueue::Turn::next);  // a case that waits to be saved holds it
         };
     };
 }
 
-void PatientKeeper::correct() {
+void PatientKeeper::correct(JobQueue::Turn turn) {
     screen_.changed();
     if (!workspace_.awaits_body()) return jobs_.drop(JobKind::correct);
     QueuedJob job;
@@ -66,7 +67,7 @@ void PatientKeeper::correct() {
         stay_with_shown_body();
         screen_.say(Words::tr("The correction was taken back").toStdString());
     };
-    jobs_.replace(std::move(job));
+    jobs_.replace(std::move(job), turn);
 }
 
 // An impossible correction is refused without affecting those after it.

@@ -22,6 +22,8 @@ void PatientKeeper::leave_patient(std::function<void()> go, std::function<void()
 
 void PatientKeeper::leave_if_safe(std::function<void()> go, std::function<void()> stay) {
     go_ = nullptr;
+    // What is being taken is asked about once it is there.
+    if (jobs_.holds(JobKind::offers)) return wait_to_go(std::move(go), std::move(stay));
     if (!jobs_.holds(JobKind::save)) {
         bool stays = false;
         if (!strokes_let_go([&stays] { stays = true; }))
@@ -94,10 +96,11 @@ void PatientKeeper::add_report(QueuedJob job) {
     jobs_.add(std::move(job));
 }
 
-// After a save, a rebuild or a report: asks again about later corrections.
+// After a save, a rebuild, a report or a search among what is offered: asks again about later
+// corrections.
 void PatientKeeper::go_on() {
     if (go_ && !jobs_.holds(JobKind::save) && !jobs_.holds(JobKind::archive) &&
-        !jobs_.holds(JobKind::remake))
+        !jobs_.holds(JobKind::remake) && !jobs_.holds(JobKind::offers))
         leave_if_safe(std::exchange(go_, nullptr), stay_);
 }
 

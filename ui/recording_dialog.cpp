@@ -71,7 +71,6 @@ QString lesson_in_name(const fs::path& recording) {
 RecordingFacts facts_of(const fs::path& recording) {
     const QDateTime played = QFileInfo(to_text(recording)).lastModified();
     RecordingFacts facts{recording, lesson_in_name(recording), date_words(played), {}};
-    facts.patient = patient_of(recording);
     const fs::path result = result_file_of(recording);
     std::error_code ignored;
     if (!fs::exists(result, ignored)) {
@@ -175,9 +174,10 @@ void RecordingDialog::fill() {
 
 int RecordingDialog::row_to_choose() const {
     if (shown_.empty()) return listed_.empty() ? -1 : 0;
-    const RecordingFacts shown = facts_of(shown_);
-    const auto alike = std::ranges::find_if(listed_, [&shown](const RecordingFacts& facts) {
-        return facts.patient && facts.patient == shown.patient && facts.lesson == shown.lesson;
+    const QString lesson = facts_of(shown_).lesson;
+    const std::optional<std::uint64_t> patient = patient_of(shown_);
+    const auto alike = std::ranges::find_if(listed_, [&](const RecordingFacts& facts) {
+        return patient && facts.lesson == lesson && patient_of(facts.file) == patient;
     });
     return alike == listed_.end() ? -1 : static_cast<int>(alike - listed_.begin());
 }
@@ -188,8 +188,9 @@ void RecordingDialog::read_lengths(std::size_t row) {
     callbacks.failed = [](const Failure&) {};  // it is told when the recording is opened
     callbacks.ended = [this, row] { read_lengths(row + 1); };
     reading_ = std::make_unique<BackgroundJob>(
-        [this, row, file = listed_[row].file](Job&) -> std::function<void()> {
-            const double length_s = played_s(read_recording(file, RecordingPart::commands));
+        [this, row, file = listed_[row].file](Job& job) -> std::function<void()> {
+            const double length_s =
+                played_s(read_recording(file, RecordingPart::commands, job.stop_token()));
             return [this, row, length_s] {
                 table_->item(static_cast<int>(row), length_column)->setText(clock_text(length_s));
             };

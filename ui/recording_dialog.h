@@ -27,8 +27,6 @@ struct RecordingFacts {
     QString played;     // date and time
     QString result;     // may be empty
     QString trainee{};  // may be empty
-    // Hash of the patient; nullopt: unknown.
-    std::optional<std::uint64_t> patient{};
 };
 RecordingFacts facts_of(const std::filesystem::path& recording);
 // "Gentle pull, 26 Nov 2026, 03:40"

@@ -31,7 +31,7 @@ constexpr std::array sentences_tree{
     Words::id("End it before the other vessel's wall, or say first of which system that vessel is"),
     Words::id("there is no edit named %1"),
     Words::id("an edit belongs to step %1"),
-    Words::id("Number steps from 1 on, or leave them out"),
+    Words::id("Number steps from 1 to 1000000, or leave them out"),
     Words::id("Take the edit out of the file"),
     Words::id("Give each stroke path_mm, radius_mm, erases and after_edits"),
     Words::id("Give the edit all of its values, each of its kind"),

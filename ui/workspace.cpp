@@ -69,8 +69,7 @@ void Workspace::forget_undone() {
 
 void Workspace::add_all(Edits added) {
     if (added.size() > 1) {
-        const auto last = std::ranges::max_element(edits_, {}, &TreeEdit::step);
-        const int step = last == edits_.end() ? 1 : last->step + 1;
+        const int step = last_step(edits_) + 1;
         for (TreeEdit& edit : added) edit.step = step;
     }
     Edits edits = edits_;

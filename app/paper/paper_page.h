@@ -21,7 +21,7 @@ struct PaperOptions {
     ContactStudyOptions contact;
 };
 
-inline constexpr int paper_stage_count = 8;
+inline constexpr int paper_stage_count = 9;
 
 // Writes index.html and its pictures into `folder`, which must exist, and returns the page's
 // numbers. Begins paper_stage_count stages. `patient` must have its voxels. Throws InputError for a

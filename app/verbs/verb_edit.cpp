@@ -188,7 +188,11 @@ PatientCase corrected(const EditChoices& options, PatientCase patient, Job& job)
                          "The case holds " + std::to_string(edits.size()));
     edits.resize(edits.size() - static_cast<std::size_t>(options.undo));
     if (!options.edits.empty()) {
-        const std::vector<TreeEdit> more = edits_in(options.edits);
+        std::vector<TreeEdit> more = edits_in(options.edits);
+        // They are no part of a step of the case.
+        const int last = last_step(edits);
+        for (TreeEdit& edit : more)
+            if (edit.step > 0) edit.step += last;
         edits.insert(edits.end(), more.begin(), more.end());
     }
     if (!options.places.empty()) {

@@ -73,7 +73,7 @@ void HapticPlay::say(std::string message, bool of_step) {
 }
 
 void HapticPlay::after_step() noexcept {
-    if (!attached_) return;
+    if (!attached_ || session_.within_step()) return;
     LocalModel& model = models_.back();
     bool filled = true;
     try {

@@ -44,8 +44,8 @@ class HapticPlay {
     std::string message() const;
 
     // --- the thread that steps -----------------------------------------------------------------
-    // To be called after each frame. Costs nothing without a device. Neither waits nor throws: on
-    // an error no force is felt, and the message says why.
+    // To be called after each frame; only whole steps count. Costs nothing without a device.
+    // Neither waits nor throws: on an error no force is felt, and the message says why.
     void after_step() noexcept;
 
     // Called after each tick on the loop's thread, for measurements; set it before attach().

@@ -294,7 +294,7 @@ std::vector<Rebuilding> rebuildings_among(const std::vector<TreeEdit>& edits,
     const std::vector<TreeEdit>& before = corrections.edits;
     const auto changed =
         std::mismatch(edits.begin(), edits.end(), before.begin(), before.end()).first;
-    if (changed == edits.end()) return corrections.rebuilt;  // what is taken back can be redone
+    if (changed == edits.end()) return corrections.rebuilt;  // as long as no other body is made
     return after_at_most(static_cast<std::size_t>(changed - edits.begin()), corrections.rebuilt);
 }
 

@@ -74,8 +74,8 @@ PatientCase with_edits(const PatientCase& patient, const std::vector<TreeEdit>& 
 // Puts what tetrahedralize() warned of a new mesh in the place of what was said of the old one.
 void replace_warnings_of_mesh(const std::vector<std::string>& of_mesh, PatientCase& patient);
 
-// The rebuildings of a case among another list of its edits: what is added once some were taken
-// back comes after those that stay.
+// The rebuildings of a case among another list of its edits: what is added, or made again, once a
+// body without those that were taken back is there comes after the rebuildings.
 std::vector<Rebuilding> rebuildings_among(const std::vector<TreeEdit>& edits,
                                           const Corrections& corrections);
 

@@ -11,6 +11,7 @@
 #include "core/base/json_number.h"
 #include "core/base/json_problem.h"
 #include "core/base/regular_file.h"
+#include "core/base/stop.h"
 
 namespace hepatica {
 
@@ -190,7 +191,8 @@ void write_recording(const std::filesystem::path& file, const Recording& recordi
     RecordingWriter(file, recording).close();
 }
 
-Recording read_recording(const std::filesystem::path& file, RecordingPart part) {
+Recording read_recording(const std::filesystem::path& file, RecordingPart part,
+                         const std::stop_token& stop) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
         throw InputError("does not exist", file.string(), "Give a recording");
@@ -199,9 +201,12 @@ Recording read_recording(const std::filesystem::path& file, RecordingPart part) 
     if (!in) throw InputError("cannot be read", file.string(), "Give a recording");
     Recording recording;
     int number = 0;
-    for (std::string line; std::getline(in, line);) {
+    const auto more = [&](std::string& line) {
+        throw_if_stopped(stop);
+        return !(part == RecordingPart::header && number == 1) && std::getline(in, line);
+    };
+    for (std::string line; more(line);) {
         ++number;
-        if (part == RecordingPart::header && number > 1) break;
         if (part == RecordingPart::commands && line.starts_with(R"({"keyframe")")) continue;
         const std::string place = file.string() + ", line " + std::to_string(number);
         const Json json = nests_too_deep(line) ? Json() : Json::parse(line, nullptr, false);

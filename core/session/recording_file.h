@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <stop_token>
 #include <thread>
 #include <vector>
 
@@ -64,8 +65,8 @@ enum class RecordingPart {
 // Drops an incomplete last line with a warning. Throws InputError that names file and line where
 // any other line is damaged, and where the format or the version of the program is another one,
 // because replayed steps would then differ in their last bits. For the back end see
-// require_back_end.
-Recording read_recording(const std::filesystem::path& file,
-                         RecordingPart part = RecordingPart::all);
+// require_back_end. Throws Cancelled soon after a stop is requested.
+Recording read_recording(const std::filesystem::path& file, RecordingPart part = RecordingPart::all,
+                         const std::stop_token& stop = {});
 
 }  // namespace hepatica

@@ -411,13 +411,19 @@ void Session::publish(SessionStep& step, Clock::time_point start, const std::sto
 }
 
 void Session::publish_part(double share) {
+    if (!world_->deform()->plausible()) return;  // the step will be taken back
     Frame& frame = frames_.back();
     world_->fill(frame);
     frame.step = step_;
     frame.time_s += share * world_->spec().dt_s;
     frame.statistics = shown_;
+    frame.statistics.paused = frame.statistics.resting = frame.statistics.diverged = false;
+    frame.statistics.message = message_;
+    frame.statistics.message_of_solver = false;
     felt_force_.show_in(frame);
+    within_step_ = true;
     hand_over_frame();
+    within_step_ = false;
 }
 
 void Session::hand_over_frame() {

@@ -117,10 +117,10 @@ class Session {
     // commands change nothing and are named in the frame's message. Any other error (no memory, a
     // defect) pauses the session, drops the rest of the step and of its commands, and returns the
     // world to its last good state; the frame then has `diverged` and the reason. A requested stop
-    // ends the step within a few iterations. The step then does not count: nothing is published,
-    // recorded or shown to a watch. The world is half changed until the next step(), which first
-    // returns to the last good state as after an error; its recording begins with the commands of
-    // the stopped step, and a replay makes the same bits.
+    // ends the step within a few iterations. The step then does not count: it is not recorded or
+    // shown to a watch, and published are at most parts of it. The world is half changed until the
+    // next step(), which first returns to the last good state as after an error; its recording
+    // begins with the commands of the stopped step, and a replay makes the same bits.
     SessionStep step(const std::stop_token& stop = {});
     // The same, stopped by a cancel of the job: then throws Cancelled.
     SessionStep step(const Job& job);
@@ -154,6 +154,10 @@ class Session {
     // Number, as post() returned it, of the newest command that has had its effect, if it has one;
     // 0: none.
     std::uint64_t commands_taken() const { return inbox_.commands_taken(); }
+
+    // For what on_frame() tells: whether this frame shows a part of a step that is not done. Its
+    // body has moved; everything else is as after the step before.
+    bool within_step() const { return within_step_; }
 
     // Hash of everything that determines later steps.
     std::uint64_t state_hash() const;
@@ -227,6 +231,7 @@ class Session {
     FeltForce felt_force_;   // for the frames alone
     FrameStatistics shown_;  // of the last whole step
     double show_parts_after_ms_ = 1e3 * frame_s;
+    bool within_step_ = false;
 
     TripleBuffer<Frame> frames_;
     std::mutex listener_mutex_;

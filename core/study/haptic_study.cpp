@@ -152,7 +152,8 @@ HapticStudy study_haptics(std::shared_ptr<const PatientCase> patient,
     haptics.on_tick([&](const Tick& tick) { meter.see(tick); });
     session.on_frame([&] {
         haptics.after_step();
-        if (session.update_frame()) step_ms.push_back(session.frame().statistics.step_ms);
+        if (session.update_frame() && !session.within_step())
+            step_ms.push_back(session.frame().statistics.step_ms);
     });
     haptics.attach(device);
     {

@@ -99,6 +99,27 @@ TEST(PartsOfAStep, EndTheWaitForAFrame) {
     EXPECT_GE(whole.longest_wait_ms, whole.step_ms);
 }
 
+// The session rested before; then it is let go, and the parts must not say that it rests still.
+TEST(PartsOfAStep, SayWhatThisStepIs) {
+    const auto session = session_of(frame_s, 1, 0.0);
+    pull(*session);
+    int steps = 0;
+    while (!session->step().deform.asleep && ++steps < 3000) continue;
+    session->update_frame();
+    ASSERT_TRUE(session->frame().statistics.resting);
+    session->post(ReleaseGrab{});
+    int parts = 0;
+    session->on_frame([&] {
+        session->update_frame();
+        parts += session->within_step() ? 1 : 0;
+        EXPECT_FALSE(session->frame().statistics.resting);
+        EXPECT_FALSE(session->frame().statistics.paused);
+    });
+    session->step();
+    EXPECT_GT(parts, 0);
+    EXPECT_FALSE(session->within_step());
+}
+
 TEST(PartsOfAStep, AreNeitherWatchedNorRecorded) {
     const auto session = session_of(frame_s, 4, 0.0);
     int watched = 0, kept = 0;

@@ -4,6 +4,8 @@
 // strokes on tumours and the refusal of a gap change the vessel tree.
 #pragma once
 
+#include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -61,6 +63,15 @@ struct TreeEdit {
 };
 
 inline constexpr int most_tumours = 246;  // largest number of tumours: labels fit into a byte
+
+// The greatest number of a step; 0: none.
+inline int last_step(std::span<const TreeEdit> edits) {
+    int last = 0;
+    for (const TreeEdit& edit : edits) last = std::max(last, edit.step);
+    return last;
+}
+
+inline constexpr int most_steps = 1'000'000;  // greatest number in a file
 
 inline bool of_one_step(const TreeEdit& edit, const TreeEdit& next) {
     return edit.step != 0 && edit.step == next.step;

@@ -95,9 +95,9 @@ void read_stroke(const nlohmann::json& value, const std::string& place, TreeEdit
 
 int step_from(const nlohmann::json& value, const std::string& place) {
     const int step = whole_number<int>(value);
-    if (step >= 1) return step;
+    if (step >= 1 && step <= most_steps) return step;
     throw InputError("an edit belongs to step " + std::to_string(step), place,
-                     "Number steps from 1 on, or leave them out");
+                     "Number steps from 1 to 1000000, or leave them out");
 }
 
 TreeEdit edit_from(const nlohmann::json& value, const std::string& place) {

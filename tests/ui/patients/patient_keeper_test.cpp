@@ -141,6 +141,39 @@ TEST_F(Keeper, takes_all_that_is_offered_by_one_body_and_one_step) {
     EXPECT_EQ(numbers_of(ward.workspace().edits()), Numbers{1}) << "also of an earlier run";
 }
 
+TEST_F(Keeper, saves_what_is_being_taken_and_asks_about_it_before_it_leaves) {
+    ward.offered = {edit(2), edit(3)};
+    ward.hold_offers = true;
+    ward.keeper().accept_offers(0.5);
+    ward.keeper().save();
+    ward.hold_offers = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_FALSE(ward.workspace().dirty());
+    EXPECT_EQ(numbers_of(ward.workspace().patient()->corrections.edits), (Numbers{2, 3}));
+    ward.offered = {edit(4), edit(5)};
+    ward.hold_offers = true;
+    ward.keeper().accept_offers(0.5);
+    const int asked = ward.questions;
+    ward.leave();
+    EXPECT_FALSE(ward.left);
+    EXPECT_EQ(ward.questions, asked) << "it is not known yet what will be taken";
+    ward.hold_offers = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(ward.questions, asked + 1);
+    EXPECT_FALSE(ward.left);
+}
+
+// What is measured meanwhile is no correction.
+TEST_F(Keeper, takes_what_is_offered_while_somebody_measures) {
+    ward.offered = {edit(2), edit(3)};
+    ward.hold_offers = true;
+    ward.keeper().accept_offers(0.5);
+    ward.keeper().measure({{.points_mm = {Vec3(0, 0, 0), Vec3(1, 0, 0)}}});
+    ward.hold_offers = false;
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(numbers_of(ward.workspace().edits()), (Numbers{2, 3}));
+}
+
 TEST_F(Keeper, takes_nothing_that_was_looked_for_before_another_correction_or_a_cancel) {
     ward.offered = {edit(2), edit(3)};
     ward.hold_offers = true;
