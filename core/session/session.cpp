@@ -325,7 +325,7 @@ SessionStep Session::step(const std::stop_token& stop) {
 }
 
 SessionStep Session::step(const Job& job) {
-    const SessionStep done = step(job.stop_token());
+    SessionStep done = step(job.stop_token());
     if (done.stopped) job.throw_if_cancelled();
     return done;
 }

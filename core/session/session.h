@@ -221,6 +221,7 @@ class Session {
     bool diverged_ = false;     // set by a divergence, cleared by resuming, restoring or resetting
     bool failed_ = false;       // the world may be half changed; cleared by recover()
     bool stopped_ = false;      // the last step was stopped midway; see recorded_
+    bool within_step_ = false;  // see within_step()
     std::string message_;
     std::vector<std::string> refused_;  // in the present step
     RecordedStep recorded_;             // the present step
@@ -231,7 +232,6 @@ class Session {
     FeltForce felt_force_;   // for the frames alone
     FrameStatistics shown_;  // of the last whole step
     double show_parts_after_ms_ = 1e3 * frame_s;
-    bool within_step_ = false;
 
     TripleBuffer<Frame> frames_;
     std::mutex listener_mutex_;
