@@ -69,7 +69,7 @@ void Workspace::forget_undone() {
 
 void Workspace::add_all(Edits added) {
     if (added.size() > 1) {
-        const int step = last_step(edits_) + 1;
+        const int step = next_step(edits_);
         for (TreeEdit& edit : added) edit.step = step;
     }
     Edits edits = edits_;

@@ -179,6 +179,17 @@ void add_tumour_strokes(const EditChoices& options, const PatientCase& patient,
                          "Reconstruct the case from its CT");
 }
 
+// Appends the edits of a file, whose steps are no part of those of the case.
+void append(const std::vector<TreeEdit>& more, std::vector<TreeEdit>& edits) {
+    int step = 0;
+    for (std::size_t i = 0; i < more.size(); ++i) {
+        if (more[i].step > 0 && (i == 0 || !of_one_step(more[i - 1], more[i])))
+            step = next_step(edits);
+        edits.push_back(more[i]);
+        if (more[i].step > 0) edits.back().step = step;
+    }
+}
+
 // The case with its new edits: the last ones undone if requested, then those of the file, drawn
 // vessels, seeds, tumours and bridges.
 PatientCase corrected(const EditChoices& options, PatientCase patient, Job& job) {
@@ -187,14 +198,7 @@ PatientCase corrected(const EditChoices& options, PatientCase patient, Job& job)
         throw UsageError(std::to_string(options.undo) + " edits cannot be taken back", "--undo",
                          "The case holds " + std::to_string(edits.size()));
     edits.resize(edits.size() - static_cast<std::size_t>(options.undo));
-    if (!options.edits.empty()) {
-        std::vector<TreeEdit> more = edits_in(options.edits);
-        // They are no part of a step of the case.
-        const int last = last_step(edits);
-        for (TreeEdit& edit : more)
-            if (edit.step > 0) edit.step += last;
-        edits.insert(edits.end(), more.begin(), more.end());
-    }
+    if (!options.edits.empty()) append(edits_in(options.edits), edits);
     if (!options.places.empty()) {
         const PatientCase now = with_edited_tree(patient, edits);
         edits.push_back(drawn_vessel(options, now, job));

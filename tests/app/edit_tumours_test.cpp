@@ -130,6 +130,24 @@ TEST_F(EditTumours, ComeFromAFileOfEdits) {
     EXPECT_EQ(edit({"--list"}).at("tumours"), said.at("tumours"));
 }
 
+// Whatever numbers the file has, they are steps of their own, and the case can be read again.
+TEST_F(EditTumours, OfAFileBelongToNoStepOfTheCase) {
+    const auto strokes_at = [this](const std::string& y) {
+        const std::string begin =
+            R"({"edit": "paint_tumour", "tumour": 1, "radius_mm": 2, "at_mm": [)";
+        const std::string of_step = R"(], "step": 1000000}, )";
+        return file("[" + begin + "0, " + y + ", 10" + of_step + begin + "5, " + y + ", 10" +
+                    of_step + begin + "10, " + y + ", 10]}]")
+            .string();
+    };
+    edit({"--edits", strokes_at("20")});
+    edit({"--edits", strokes_at("30")});
+    const Json listed = edit({"--list"});
+    std::vector<int> steps;
+    for (const Json& one : listed.at("edits")) steps.push_back(one.value("step", 0));
+    EXPECT_EQ(steps, (std::vector<int>{1, 1, 0, 2, 2, 0}));
+}
+
 TEST_F(EditTumours, WhatCannotBePaintedIsRefusedInWords) {
     refused({"--paint-tumour", "1,2,3"}, "--paint-tumour");
     refused({"--paint-tumour", "1,2,3,0"}, "is no ball");

@@ -64,14 +64,15 @@ struct TreeEdit {
 
 inline constexpr int most_tumours = 246;  // largest number of tumours: labels fit into a byte
 
-// The greatest number of a step; 0: none.
-inline int last_step(std::span<const TreeEdit> edits) {
+inline constexpr int most_steps = 1'000'000;  // greatest number of a step
+
+// The number of another step after these edits: one more than their greatest, or 1 after the
+// greatest that there is.
+inline int next_step(std::span<const TreeEdit> edits) {
     int last = 0;
     for (const TreeEdit& edit : edits) last = std::max(last, edit.step);
-    return last;
+    return last % most_steps + 1;
 }
-
-inline constexpr int most_steps = 1'000'000;  // greatest number in a file
 
 inline bool of_one_step(const TreeEdit& edit, const TreeEdit& next) {
     return edit.step != 0 && edit.step == next.step;

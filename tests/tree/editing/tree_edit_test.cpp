@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/tree/extraction/centreline.h"
@@ -434,6 +436,16 @@ TEST(TreeEditJson, AKeyThatIsGivenTwiceIsRefused) {
     }
 }
 
+TEST(TreeEditJson, TheNumberOfAnotherStepCanAlwaysBeRead) {
+    TreeEdit edit;
+    EXPECT_EQ(next_step({}), 1);
+    for (const auto& [last, next] : {std::pair(0, 1), {7, 8}, {most_steps, 1}}) {
+        edit.step = last;
+        EXPECT_EQ(next_step(std::vector{edit}), next);
+        EXPECT_EQ(edits_from_json(edits_to_json({edit}), "case.json"), std::vector{edit});
+    }
+}
+
 TEST(TreeEditJson, BadTextIsRefused) {
     for (const char* text :
          {"[{\"edit\":\"paint_tumour\",\"at_mm\":[0,0,0],\"radius_mm\":2}]",
@@ -445,6 +457,8 @@ TEST(TreeEditJson, BadTextIsRefused) {
           "[{\"edit\":\"erase_tumour\",\"path_mm\":[],\"radius_mm\":2}]",
           "[{\"edit\":\"erase_tumour\",\"path_mm\":[[0,0,1e21]],\"radius_mm\":2}]", "", "{}", "[1]",
           "[{\"edit\":\"fly\",\"at_mm\":[0,0,0]}]", "[{\"edit\":\"cut_link\"}]",
+          "[{\"edit\":\"cut_link\",\"at_mm\":[0,0,0],\"step\":0}]",
+          "[{\"edit\":\"cut_link\",\"at_mm\":[0,0,0],\"step\":1000001}]",
           "[{\"edit\":\"cut_link\",\"at_mm\":[0,0]}]",
           "[{\"edit\":\"cut_link\",\"at_mm\":[0,0,1e21]}]",
           "[{\"edit\":\"reassign_system\",\"at_mm\":[0,0,0],\"system\":7}]",
