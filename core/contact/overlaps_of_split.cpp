@@ -21,15 +21,10 @@ void each_once(std::vector<int>& numbers) {
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
-bool in_common(const std::vector<int>& a, const std::vector<int>& b) {
-    return std::ranges::any_of(a, [&](int v) { return std::ranges::binary_search(b, v); });
-}
-
 // Where a patch of a torn surface comes from.
 struct Origin {
-    std::vector<int> patches;   // former patches with triangles in common, ascending
-    std::vector<int> split_at;  // former numbers of its vertices that were split, ascending
-    std::vector<int> bare;      // its triangles that were inside before
+    std::vector<int> patches;  // former patches with triangles in common, ascending
+    std::vector<int> bare;     // its triangles that were inside before
 };
 
 std::vector<Origin> origins_of(const SurfaceFeatures& now, const SurfaceFeatures& before,
@@ -38,8 +33,6 @@ std::vector<Origin> origins_of(const SurfaceFeatures& now, const SurfaceFeatures
     const auto& old = before.surface().triangles();
     for (std::size_t t = 0; t < old.size(); ++t)
         patch_before[ascending(old[t])] = before.patch_of(static_cast<int>(t));
-    std::vector<int> children(node_before.size(), 0);
-    for (const int v : node_before) ++children[v];
     std::vector<Origin> origins(now.surface().size());
     for (std::size_t p = 0; p < origins.size(); ++p) {
         for (const int t : now.surface().triangles_of(p)) {
@@ -51,10 +44,7 @@ std::vector<Origin> origins_of(const SurfaceFeatures& now, const SurfaceFeatures
             else
                 origins[p].patches.push_back(found->second);
         }
-        for (const int v : now.surface().vertices_of(p))
-            if (children[node_before[v]] > 1) origins[p].split_at.push_back(node_before[v]);
         each_once(origins[p].patches);
-        each_once(origins[p].split_at);
     }
     return origins;
 }
@@ -94,16 +84,14 @@ bool touched(const Overlaps::Pairs& touching, const Origin& a, const Origin& b) 
     return false;
 }
 
-bool any_near(std::span<const int> some, std::span<const int> others, double gap_mm,
-              const SurfacePatches& surface, std::span<const Vec3> positions_mm) {
+bool any_cross(std::span<const int> some, std::span<const int> others,
+               const SurfacePatches& surface, std::span<const Vec3> positions_mm) {
     for (const int a : some) {
         const Triangle first = corners_of(surface.triangles()[a], positions_mm);
-        Box wide = box_around(first);
-        wide.grow(gap_mm);
+        const Box box = box_around(first);
         for (const int b : others) {
             const Triangle second = corners_of(surface.triangles()[b], positions_mm);
-            if (wide.meets(box_around(second)) &&
-                squared_distance_mm2(first, second) <= gap_mm * gap_mm)
+            if (box.meets(box_around(second)) && squared_distance_mm2(first, second) == 0.0)
                 return true;
         }
     }
@@ -113,8 +101,7 @@ bool any_near(std::span<const int> some, std::span<const int> others, double gap
 }  // namespace
 
 void Overlaps::follow_split(const OverlapsBefore& before, std::span<const int> node_before,
-                            std::span<const Vec3> positions_mm, double reach_mm,
-                            const Overlaps* at_rest) {
+                            std::span<const Vec3> positions_mm, double reach_mm) {
     touching_.clear();
     buried_.clear();
     if (features_.pieces() < 2) return;
@@ -124,21 +111,14 @@ void Overlaps::follow_split(const OverlapsBefore& before, std::span<const int> n
         pieces_before(features_, before.features, origins, node_before);
     const std::vector<Box> boxes = boxes_of_patches(features_.surface(), positions_mm);
     const auto piece_of = [&](int patch) { return features_.piece_of_patch(patch); };
-    const auto of_one_piece = [&](int p, int q) {
-        return old_piece[piece_of(p)] == old_piece[piece_of(q)];
-    };
-    const auto bare_near = [&](int p, int q) {
-        return any_near(origins[p].bare, surface.triangles_of(q), reach_mm, surface,
-                        positions_mm) ||
-               any_near(origins[q].bare, surface.triangles_of(p), reach_mm, surface, positions_mm);
+    const auto bare_cross = [&](int p, int q) {
+        return any_cross(origins[p].bare, surface.triangles_of(q), surface, positions_mm) ||
+               any_cross(origins[q].bare, surface.triangles_of(p), surface, positions_mm);
     };
     const auto overlap = [&](int p, int q) {
-        if (!of_one_piece(p, q))
-            return bare_near(p, q) || (touched(before.touching, origins[p], origins[q]) &&
-                                       nearer_than(reach_mm, p, q, positions_mm));
-        return (at_rest ? holds(at_rest->touching(), p, q)
-                        : in_common(origins[p].split_at, origins[q].split_at)) &&
-               nearer_than(reach_mm, p, q, positions_mm);
+        return old_piece[piece_of(p)] != old_piece[piece_of(q)] &&
+               (bare_cross(p, q) || (touched(before.touching, origins[p], origins[q]) &&
+                                     nearer_than(reach_mm, p, q, positions_mm)));
     };
     const int patches = static_cast<int>(boxes.size());
     for (int p = 0; p < patches; ++p) {

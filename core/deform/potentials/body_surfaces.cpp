@@ -42,9 +42,9 @@ void BodySurfaces::find_overlaps(std::span<const Vec3> positions_mm) const {
 
 SurfacesBeforeTear BodySurfaces::before_tear(std::span<const Vec3> positions_mm) const {
     SurfacesBeforeTear before;
-    if (self_) before.self = std::make_shared<BeforeTear>(self_->pairs().before_tear());
+    if (self_) before.self = std::make_shared<BeforeTear>(self_->pairs().before_tear(positions_mm));
     if (obstacles_)
-        before.obstacles = std::make_shared<BeforeTear>(obstacles_->pairs().before_tear());
+        before.obstacles = std::make_shared<BeforeTear>(obstacles_->before_tear(positions_mm));
     if (tool_) before.tool = tool_->before_tear(positions_mm);
     before.nodes = static_cast<int>(positions_mm.size());
     return before;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the surfaces of a body keep from step to step: which of their pairs overlap and therefore do
-// not touch (see Overlaps), for contact of the body with itself and with obstacles alike, and the
-// thin pads of a tool (see thin_pads.h). It is kept in checkpoints and handed on where the body
-// tears.
+// not touch (see Overlaps) and which have the pad of a split (see pair_pads.h), for contact of the
+// body with itself and with obstacles alike, and the thin pads of a tool (see thin_pads.h). It is
+// kept in checkpoints and handed on where the body tears.
 #pragma once
 
 #include <memory>

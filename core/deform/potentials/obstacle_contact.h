@@ -47,6 +47,9 @@ class ObstacleContact final : public Potential {
     void find_overlaps(std::span<const Vec3> positions_mm) {
         pairs_->find_overlaps(all_from(positions_mm));
     }
+    BeforeTear before_tear(std::span<const Vec3> positions_mm) const {
+        return pairs_->before_tear(all_from(positions_mm));
+    }
     void follow_split(const BeforeTear& before, std::span<const int> parents,
                       std::span<const Vec3> positions_mm) {
         pairs_->follow_split(before, parents, all_from(positions_mm));

@@ -17,6 +17,7 @@ namespace {
 constexpr double least_part = 0.1;         // share of a gap that a motion must leave
 constexpr double touched = 0.5;            // of the pad, for share_until_touch()
 constexpr double touching_at_rest = 0.05;  // of the pad: nearer is overlap
+constexpr double least_opening = 0.05;     // of the pad: sides of a tear that have come apart
 constexpr double slack_edges = 0.25;       // slack of the search in mean edges; see PairCover
 constexpr double band = 1e-3;              // relative tolerance of times of contact
 constexpr double coincident = 1e-9;        // of the pad: a distance at rest that is rounding
@@ -130,6 +131,7 @@ SurfacePairs::SurfacePairs(SurfaceFeatures features, std::span<const Vec3> rest_
       features_(std::move(features)),
       overlaps_(features_),
       at_rest_(features_),
+      sides_(features_),
       cover_(features_, pad_.thickness_mm, slack_edges * mean_edge_mm) {
     const Stopwatch watch(build_ms_);
     at_rest_.find(rest_mm, touching_at_rest * pad_.thickness_mm);
@@ -146,20 +148,53 @@ void SurfacePairs::forget() {
 
 void SurfacePairs::let_go(std::span<const Vec3> positions_mm) {
     const Stopwatch watch(spent_ms_);
-    if (!overlaps_.let_go(positions_mm, pad_.thickness_mm)) return;
-    forget();
+    if (overlaps_.let_go(positions_mm, pad_.thickness_mm)) forget();
+    const bool grown = grow_pads(positions_mm);
+    const auto counting = sides_.let_go(positions_mm, least_opening * pad_.thickness_mm);
+    add_new(counting, positions_mm, pad_.thickness_mm, pads_);
+    if (grown || !counting.empty()) free_in_answer_ = -1;
+}
+
+// What stores nothing stores nothing afterwards: contacts that were found stay as they are.
+bool SurfacePairs::grow_pads(std::span<const Vec3> positions_mm) {
+    const auto as_pair = [](const PairPad& pad) {
+        return FeaturePair{.of_edges = pad.in_first == 2, .nodes = pad.nodes};
+    };
+    bool any = false;
+    std::erase_if(pads_, [&](PairPad& pad) {
+        const double gap = distance_mm(as_pair(pad), positions_mm);
+        any = any || gap >= pad.pad_mm;
+        return !grow(pad, gap);
+    });
+    return any;
 }
 
 void SurfacePairs::find_overlaps(std::span<const Vec3> positions_mm) {
     overlaps_.find(positions_mm, touching_at_rest * pad_.thickness_mm, &at_rest_);
+    sides_.find(positions_mm, least_opening * pad_.thickness_mm);
+    pads_.clear();
     forget();
 }
 
-BeforeTear SurfacePairs::before_tear() const {
-    const OverlapsBefore now{features_, overlaps_.touching(), overlaps_.buried()};
-    if (whole_) return {now, moving_nodes_, whole_, whole_nodes_};
+BeforeTear SurfacePairs::before_tear(std::span<const Vec3> positions_mm) const {
+    BeforeTear before{.overlaps = {features_, overlaps_.touching(), overlaps_.buried()},
+                      .nodes = moving_nodes_,
+                      .whole = whole_,
+                      .whole_nodes = whole_nodes_,
+                      .lying = sides_.lying(),
+                      .pressed = pressed(positions_mm)};
+    if (whole_) return before;
     const OverlapsBefore rest{features_, at_rest_.touching(), at_rest_.buried()};
-    return {now, moving_nodes_, std::make_shared<OverlapsBefore>(rest), moving_nodes_};
+    before.whole = std::make_shared<OverlapsBefore>(rest);
+    before.whole_nodes = moving_nodes_;
+    return before;
+}
+
+std::vector<PressedPair> SurfacePairs::pressed(std::span<const Vec3> positions_mm) const {
+    std::vector<PressedPair> pairs;
+    for (const SurfaceContact& contact : contacts(positions_mm))
+        pairs.push_back({contact.of, pad_of(contact.of), area_of(contact.of), contact.gap_mm});
+    return pairs;
 }
 
 // Nodes of obstacles are numbered after all others.
@@ -177,12 +212,17 @@ void SurfacePairs::follow_split(const BeforeTear& before, std::span<const int> p
     const Stopwatch watch(spent_ms_);
     whole_ = before.whole;
     whole_nodes_ = before.whole_nodes;
-    at_rest_.follow_split(*whole_, came_from(parents, whole_nodes_), rest_mm_,
-                          touching_at_rest * pad_.thickness_mm);
-    overlaps_.follow_split(before.overlaps, came_from(parents, before.nodes), positions_mm,
-                           pad_.thickness_mm, &at_rest_);
+    const std::vector<int> node_of_whole = came_from(parents, whole_nodes_);
+    const std::vector<int> node_before = came_from(parents, before.nodes);
+    at_rest_.follow_split(*whole_, node_of_whole, rest_mm_, touching_at_rest * pad_.thickness_mm);
+    overlaps_.follow_split(before.overlaps, node_before, positions_mm, pad_.thickness_mm);
+    if (!features_.beside_obstacles())
+        sides_.follow_split(before.lying, node_before, node_of_whole);
     find_clearances();
     forget();
+    pads_.clear();
+    pads_ = pads_after_split(before.pressed, pressed(positions_mm), node_before);
+    looked_at_mm_.clear();
 }
 
 bool set_pairs(const OverlapsKept& kept, Overlaps& overlaps) {
@@ -191,13 +231,22 @@ bool set_pairs(const OverlapsKept& kept, Overlaps& overlaps) {
 }
 
 bool SurfacePairs::set_overlaps(const OverlapsKept& kept) {
-    if (!set_pairs(kept, overlaps_)) return false;
+    if (!are_pads(kept.pads, static_cast<int>(rest_mm_.size()))) return false;
+    if (kept.lying.size() % 2 != 0) return false;
+    const TornSides::Twins lying = sides_.lying();
+    if (!sides_.set(in_pairs(kept.lying))) return false;
+    if (!set_pairs(kept, overlaps_)) {
+        sides_.set(lying);
+        return false;
+    }
+    pads_ = kept.pads;
     forget();
     return true;
 }
 
 OverlapsKept SurfacePairs::kept_overlaps() const {
-    return {one_by_one(overlaps_.touching()), one_by_one(overlaps_.buried())};
+    return {one_by_one(overlaps_.touching()), one_by_one(overlaps_.buried()),
+            one_by_one(sides_.lying()), pads_};
 }
 
 void SurfacePairs::find_clearances() {
@@ -232,11 +281,12 @@ double SurfacePairs::clearance_of(const FeaturePair& pair) const {
 // Half the distance at rest, but the full thickness for pairs that overlapped at rest. Against
 // obstacles, half the distance of the body's feature to any of them, so that the pad stays the same
 // wherever it slides.
-double SurfacePairs::pad_of(const FeaturePair& pair) const {
+double SurfacePairs::whole_pad_of(const FeaturePair& pair) const {
     if (features_.beside_obstacles()) return std::min(pad_.thickness_mm, 0.5 * clearance_of(pair));
     if (!features_.counts(pair, [&](int p, int q) { return at_rest_.left_out(p, q); }))
         return pad_.thickness_mm;
-    // The two sides of a tear in one piece lie on each other at rest, up to rounding: no pad.
+    if (sides_.shared_a_vertex(pair)) return pad_.thickness_mm;
+    // Pieces that lie on each other at rest, up to rounding, have no pad.
     const double pad = std::min(pad_.thickness_mm, 0.5 * distance_mm(pair, rest_mm_));
     return pad > coincident * pad_.thickness_mm ? pad : 0.0;
 }
@@ -250,7 +300,7 @@ const std::vector<FeaturePair>& SurfacePairs::candidates(std::span<const Vec3> f
 // Against an obstacle the body's vertices carry their full area, but edges and vertices of the
 // obstacle only in proportion to their sharpness: in a flat face they never come nearer than a
 // vertex of the body, and would act as ridges on what slides across.
-double SurfacePairs::area_of(const FeaturePair& pair) const {
+double SurfacePairs::whole_area_of(const FeaturePair& pair) const {
     if (!features_.beside_obstacles())
         return pair.of_edges ? 0.25 * (features_.area_of_edge_mm2(pair.first) +
                                        features_.area_of_edge_mm2(pair.second))
@@ -264,6 +314,17 @@ double SurfacePairs::area_of(const FeaturePair& pair) const {
     double share = 0.0;
     for (int a = 1; a < 4; ++a) share += features_.area_of_node_mm2(pair.nodes[a]) / 3.0;
     return 0.5 * features_.sharpness_of_node(pair.first) * share;
+}
+
+double SurfacePairs::pad_of(const FeaturePair& pair) const {
+    if (sides_.lie_on_each_other(pair)) return 0.0;
+    const PairPad* const of_split = find_pad(pads_, pair);
+    return of_split ? of_split->pad_mm : whole_pad_of(pair);
+}
+
+double SurfacePairs::area_of(const FeaturePair& pair) const {
+    const PairPad* const of_split = find_pad(pads_, pair);
+    return (of_split ? of_split->share : 1.0) * whole_area_of(pair);
 }
 
 PadPair SurfacePairs::pad_pair(const FeaturePair& pair, double pad_mm, double area_mm2) const {
@@ -390,6 +451,7 @@ double SurfacePairs::share_until_touch(std::span<const Vec3> from_mm,
 
 SelfCost SurfacePairs::take_cost() {
     return {.bytes = features_.bytes() + cover_.bytes() + looked_at_mm_.capacity() * sizeof(Vec3) +
+                     pads_.capacity() * sizeof(PairPad) +
                      contacts_.capacity() * sizeof(SurfaceContact),
             .build_ms = build_ms_,
             .step_ms = std::exchange(spent_ms_, 0.0)};

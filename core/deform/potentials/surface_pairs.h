@@ -9,7 +9,7 @@
 // sin^2/0.01 of the angle between them (Li et al. 2020, eq. 24), and the pairs of vertices and
 // triangles keep them apart. Forces are the exact gradient: the sum and the torque of a pair's
 // forces are zero. The stiffness is the part along the normal; the rotation of the normal is left
-// out. Overlaps at rest: see Overlaps.
+// out. Overlaps at rest: see Overlaps. Pads that a split has changed: see pair_pads.h.
 #pragma once
 
 #include <memory>
@@ -17,8 +17,10 @@
 
 #include "core/contact/overlaps.h"
 #include "core/contact/pair_cover.h"
+#include "core/contact/torn_sides.h"
 #include "core/deform/body/body.h"
 #include "core/deform/potentials/pad_pair.h"
+#include "core/deform/potentials/pair_pads.h"
 #include "core/deform/potentials/pair_stiffness.h"
 #include "core/deform/potentials/self_load.h"
 
@@ -49,6 +51,8 @@ struct BeforeTear {
     int nodes = 0;                                // without those of obstacles
     std::shared_ptr<const OverlapsBefore> whole;  // at rest, before the first tear
     int whole_nodes = 0;
+    TornSides::Twins lying;
+    std::vector<PressedPair> pressed;
 };
 
 // Returns false and changes nothing where the pairs do not fit the surface of the overlaps.
@@ -74,13 +78,14 @@ class SurfacePairs {
 
     const SurfaceFeatures& features() const { return features_; }
     const Overlaps& overlaps() const { return overlaps_; }
-    // let_go(): separated pairs may touch again. find_overlaps(): searches from scratch.
-    // set_overlaps(): takes a checkpoint's; false where they are not of these surfaces.
+    // let_go(): what has come apart may touch, and the pads of a split grow. find_overlaps():
+    // searches from scratch. set_overlaps(): takes a checkpoint's; false where they are not of
+    // these surfaces.
     void let_go(std::span<const Vec3> positions_mm);
     void find_overlaps(std::span<const Vec3> positions_mm);
     // follow_split() continues from the surface of the body that this one was torn from; see
     // Overlaps. `parents` holds each vertex' parent, or the vertex itself.
-    BeforeTear before_tear() const;
+    BeforeTear before_tear(std::span<const Vec3> positions_mm) const;
     void follow_split(const BeforeTear& before, std::span<const int> parents,
                       std::span<const Vec3> positions_mm);
     bool set_overlaps(const OverlapsKept& kept);
@@ -97,8 +102,14 @@ class SurfacePairs {
     SelfCost take_cost();
 
   private:
+    // 0: the pair does not touch.
     double pad_of(const FeaturePair& pair) const;
     double area_of(const FeaturePair& pair) const;
+    // The same without what a split has changed.
+    double whole_pad_of(const FeaturePair& pair) const;
+    double whole_area_of(const FeaturePair& pair) const;
+    std::vector<PressedPair> pressed(std::span<const Vec3> positions_mm) const;
+    bool grow_pads(std::span<const Vec3> positions_mm);
     bool of_obstacle(int node) const { return node >= moving_nodes_; }
     std::optional<SurfaceContact> contact_of(const FeaturePair& pair,
                                              std::span<const Vec3> positions_mm) const;
@@ -129,6 +140,8 @@ class SurfacePairs {
     Body::Pad pad_;
     SurfaceFeatures features_;
     Overlaps overlaps_, at_rest_;
+    TornSides sides_;                              // of surfaces among each other
+    std::vector<PairPad> pads_;                    // of a split, ascending
     std::shared_ptr<const OverlapsBefore> whole_;  // see BeforeTear; null: not torn yet
     int whole_nodes_ = 0;
     std::vector<double> node_clearance_mm_, edge_clearance_mm_, triangle_clearance_mm_;

@@ -91,6 +91,7 @@ void GovernedStepper::restore_solver(const StepperCheckpoint& checkpoint,
     const SurfacesKept overlaps = back_end_->overlaps();
     const BodyState present = back_end_->state();
     const std::optional<Tool> tool = back_end_->tool();
+    const SolverCheckpoint solver = back_end_->checkpoint();
     tearing_.swap(tearing);
     try {
         if (tearing_) follow_tear(*back_end_);
@@ -106,6 +107,7 @@ void GovernedStepper::restore_solver(const StepperCheckpoint& checkpoint,
             if (region_) back_end_->freeze(frozen_nodes());
         }
         back_end_->set_overlaps(overlaps);
+        if (tearing_) back_end_->restore(solver);
         throw;
     }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/deform/stepper/stepper_checkpoint.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -66,6 +68,18 @@ void fields(Visit& visit, auto& value) requires requires {
 {
     for (auto& corner : value.corners) visit(corner);
     visit(value.pad_mm);
+}
+
+template <class Visit>
+void fields(Visit& visit, auto& value) requires requires {
+    value.in_first;
+}
+{
+    for (auto& node : value.nodes) visit(node);
+    visit(value.in_first);
+    visit(value.pad_mm);
+    visit(value.most_mm);
+    visit(value.share);
 }
 
 template <class Visit>
@@ -197,6 +211,16 @@ void fields(Visit& visit, auto& value) requires requires {
                      value.swing_mm_per_s);
 }
 
+// The overlaps in what a checkpoint holds of surfaces, which may be they themselves.
+auto& overlaps_in(auto& of_surfaces) {
+    if constexpr (requires { of_surfaces.touch; })
+        return of_surfaces.touch.overlaps;
+    else if constexpr (requires { of_surfaces.overlaps; })
+        return of_surfaces.overlaps;
+    else
+        return of_surfaces;
+}
+
 // Passes the bytes of every field to a sink.
 template <class Sink>
 class Writer {
@@ -226,7 +250,13 @@ class Writer {
     void behind_all(const auto& tool, const auto& made_with, const auto& self, const auto& overlaps,
                     const auto& tear, const auto& obstacles, const auto& began_mm,
                     const auto& coupled, double swing) {
-        const bool of_thin_pads = any_thin(tool) || any_thin(made_with);
+        const OverlapsKept none;
+        const auto kept = [&](const auto& some) { return some ? &overlaps_in(*some) : &none; };
+        const std::array surfaces{kept(self), kept(overlaps.self), kept(obstacles),
+                                  kept(overlaps.obstacles)};
+        const bool of_tears = std::ranges::any_of(
+            surfaces, [](auto* some) { return !some->lying.empty() || !some->pads.empty(); });
+        const bool of_thin_pads = any_thin(tool) || any_thin(made_with) || of_tears;
         const bool of_swing = swing > 0.0 || of_thin_pads;
         const bool of_couplings = !coupled.numbers.empty() || of_swing;
         const bool of_friction =
@@ -252,6 +282,11 @@ class Writer {
         if (!of_thin_pads) return;
         (*this)(tool ? tool->tool.thin_pads : std::vector<ThinPad>{});
         (*this)(made_with ? made_with->tool.thin_pads : std::vector<ThinPad>{});
+        if (!of_tears) return;
+        for (const OverlapsKept* some : surfaces) {
+            (*this)(some->lying);
+            (*this)(some->pads);
+        }
     }
 
   private:
@@ -354,6 +389,9 @@ class Reader {
             used = swing > 0.0;
         }
         if (!rest_.empty()) used = take_thin_pads(tool) | take_thin_pads(made_with);
+        if (!rest_.empty())
+            used = take_tears(self) | take_tears(overlaps.self) | take_tears(obstacles) |
+                   take_tears(overlaps.obstacles);
         if (!used) refuse("goes on after its end");
     }
 
@@ -370,6 +408,16 @@ class Reader {
         if (thin.empty()) return false;
         if (!with_tool) refuse("holds the pads of a tool that it has not");
         with_tool->tool.thin_pads = std::move(thin);
+        return true;
+    }
+    bool take_tears(auto& with_surfaces) {
+        OverlapsKept kept;
+        (*this)(kept.lying);
+        (*this)(kept.pads);
+        if (kept.lying.empty() && kept.pads.empty()) return false;
+        if (!with_surfaces) refuse("holds the tears of surfaces that it has not");
+        overlaps_in(*with_surfaces).lying = std::move(kept.lying);
+        overlaps_in(*with_surfaces).pads = std::move(kept.pads);
         return true;
     }
     void take(void* data, std::size_t size) {

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/contact/torn_sides.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <utility>
+
+namespace hepatica {
+namespace {
+
+constexpr double rounding = 1e-9;  // relative, of squared distances
+
+std::array<int, 2> ascending(int a, int b) {
+    return {std::min(a, b), std::max(a, b)};
+}
+
+int nodes_of_first(const FeaturePair& pair) {
+    return pair.of_edges ? 2 : 1;
+}
+
+// Whether `holds(a, b)` for a node of each feature.
+template <class Holds>
+bool any_of_both(const FeaturePair& pair, const Holds& holds) {
+    for (int a = 0; a < nodes_of_first(pair); ++a)
+        for (int b = nodes_of_first(pair); b < 4; ++b)
+            if (holds(pair.nodes[a], pair.nodes[b])) return true;
+    return false;
+}
+
+// At the corner of the triangle that is this node.
+double angle_at(int node, const std::array<int, 3>& corners, std::span<const Vec3> x) {
+    const auto at = std::ranges::find(corners, node) - corners.begin();
+    const Vec3 e = x[corners[(at + 1) % 3]] - x[node], f = x[corners[(at + 2) % 3]] - x[node];
+    return std::atan2(e.cross(f).norm(), e.dot(f));
+}
+
+// The other corners of these triangles, each once.
+std::vector<int> neighbours(int node, std::span<const int> triangles,
+                            const std::vector<std::array<int, 3>>& corners) {
+    std::vector<int> others;
+    for (const int t : triangles)
+        for (const int v : corners[t])
+            if (v != node) others.push_back(v);
+    std::ranges::sort(others);
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    return others;
+}
+
+}  // namespace
+
+void TornSides::follow_split(const Twins& before, std::span<const int> node_before,
+                             std::vector<int> node_of_whole) {
+    node_of_whole_ = std::move(node_of_whole);
+    std::map<int, std::vector<int>> children;
+    for (const int v : features_.nodes()) children[node_before[v]].push_back(v);
+    lying_.clear();
+    for (const auto& [node, parts] : children)
+        for (std::size_t a = 0; a < parts.size(); ++a)
+            for (std::size_t b = a + 1; b < parts.size(); ++b)
+                lying_.push_back({parts[a], parts[b]});
+    for (const auto& [one, other] : before)
+        for (const int a : children[one])
+            for (const int b : children[other]) lying_.push_back(ascending(a, b));
+    std::ranges::sort(lying_);
+    find_triangles();
+}
+
+void TornSides::find(std::span<const Vec3> positions_mm, double least_gap_mm) {
+    if (node_of_whole_.empty()) return;
+    const std::vector<int> whole = node_of_whole_;
+    follow_split({}, whole, whole);
+    let_go(positions_mm, least_gap_mm);
+}
+
+void TornSides::find_triangles() {
+    triangles_of_node_.assign(node_of_whole_.size(), {});
+    std::vector<char> twin(node_of_whole_.size(), 0);
+    for (const auto& [a, b] : lying_) twin[a] = twin[b] = 1;
+    const auto& triangles = features_.surface().triangles();
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        for (const int v : triangles[t])
+            if (v < static_cast<int>(twin.size()) && twin[v])
+                triangles_of_node_[v].push_back(static_cast<int>(t));
+}
+
+bool TornSides::is_lying(int node, int other) const {
+    return node_of_whole_[node] == node_of_whole_[other] &&
+           std::ranges::binary_search(lying_, ascending(node, other));
+}
+
+bool TornSides::lie_on_each_other(const FeaturePair& pair) const {
+    return !lying_.empty() && any_of_both(pair, [this](int a, int b) { return is_lying(a, b); });
+}
+
+bool TornSides::shared_a_vertex(const FeaturePair& pair) const {
+    return !node_of_whole_.empty() && any_of_both(pair, [this](int a, int b) {
+        return node_of_whole_[a] == node_of_whole_[b];
+    });
+}
+
+bool TornSides::outside(int node, int twin, std::span<const Vec3> positions_mm) const {
+    const auto& corners = features_.surface().triangles();
+    const Vec3& point = positions_mm[node];
+    double least = INFINITY;
+    for (const int t : triangles_of_node_[twin])
+        least = std::min(least, closest(point, corners_of(corners[t], positions_mm)).squared_mm2);
+    const bool at_twin = least >= (1.0 - rounding) * (point - positions_mm[twin]).squaredNorm();
+    Vec3 normal = Vec3::Zero(), nearest = positions_mm[twin];
+    for (const int t : triangles_of_node_[twin]) {
+        const Triangle triangle = corners_of(corners[t], positions_mm);
+        const PointTriangle at = closest(point, triangle);
+        if (at.squared_mm2 > (1.0 + rounding) * least) continue;
+        const Vec3 n = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
+        normal += (at_twin ? angle_at(twin, corners[t], positions_mm) : 1.0) * n;
+        nearest = point_at(triangle, at.weights);
+    }
+    return (point - nearest).dot(normal) > 0.0;
+}
+
+std::vector<FeaturePair> TornSides::pairs_of(const std::array<int, 2>& twins) const {
+    const auto& corners = features_.surface().triangles();
+    std::vector<FeaturePair> pairs;
+    for (const auto& [v, w] : {twins, std::array{twins[1], twins[0]}})
+        for (const int t : triangles_of_node_[w])
+            pairs.push_back(
+                {.of_edges = false, .nodes = {v, corners[t][0], corners[t][1], corners[t][2]}});
+    const auto [v, w] = twins;
+    for (const int x : neighbours(v, triangles_of_node_[v], corners))
+        for (const int y : neighbours(w, triangles_of_node_[w], corners))
+            if (x != y && !is_lying(x, y))
+                pairs.push_back({.of_edges = true, .nodes = {v, x, w, y}});
+    return pairs;
+}
+
+bool TornSides::have_come_apart(const std::array<int, 2>& twins, std::span<const Vec3> positions_mm,
+                                double least_gap_mm) const {
+    const auto [v, w] = twins;
+    if ((positions_mm[v] - positions_mm[w]).squaredNorm() < least_gap_mm * least_gap_mm)
+        return false;
+    return outside(v, w, positions_mm) && outside(w, v, positions_mm) &&
+           std::ranges::all_of(pairs_of(twins), [&](const FeaturePair& pair) {
+               return distance_mm(pair, positions_mm) >= least_gap_mm;
+           });
+}
+
+std::vector<FeaturePair> TornSides::let_go(std::span<const Vec3> positions_mm,
+                                           double least_gap_mm) {
+    Twins apart;
+    for (const auto& twins : lying_)
+        if (have_come_apart(twins, positions_mm, least_gap_mm)) apart.push_back(twins);
+    std::vector<FeaturePair> counting;
+    if (apart.empty()) return counting;
+    Twins left;
+    std::ranges::set_difference(lying_, apart, std::back_inserter(left));
+    lying_ = std::move(left);
+    for (const auto& twins : apart) {
+        const std::vector<FeaturePair> pairs = pairs_of(twins);
+        counting.insert(counting.end(), pairs.begin(), pairs.end());
+    }
+    return counting;
+}
+
+bool TornSides::set(const Twins& lying) {
+    const int nodes = static_cast<int>(node_of_whole_.size());
+    const auto are_twins = [&](const std::array<int, 2>& twins) {
+        return twins[0] >= 0 && twins[0] < twins[1] && twins[1] < nodes &&
+               node_of_whole_[twins[0]] == node_of_whole_[twins[1]];
+    };
+    const auto unordered = [](const auto& a, const auto& b) { return a >= b; };
+    if (!std::ranges::all_of(lying, are_twins) ||
+        std::ranges::adjacent_find(lying, unordered) != lying.end())
+        return false;
+    lying_ = lying;
+    find_triangles();
+    return true;
+}
+
+}  // namespace hepatica
