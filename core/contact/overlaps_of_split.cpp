@@ -21,10 +21,15 @@ void each_once(std::vector<int>& numbers) {
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
+bool in_common(const std::vector<int>& a, const std::vector<int>& b) {
+    return std::ranges::any_of(a, [&](int v) { return std::ranges::binary_search(b, v); });
+}
+
 // Where a patch of a torn surface comes from.
 struct Origin {
-    std::vector<int> patches;  // former patches with triangles in common, ascending
-    std::vector<int> bare;     // its triangles that were inside before
+    std::vector<int> patches;   // former patches with triangles in common, ascending
+    std::vector<int> split_at;  // former numbers of its vertices that were split, ascending
+    std::vector<int> bare;      // its triangles that were inside before
 };
 
 std::vector<Origin> origins_of(const SurfaceFeatures& now, const SurfaceFeatures& before,
@@ -33,6 +38,8 @@ std::vector<Origin> origins_of(const SurfaceFeatures& now, const SurfaceFeatures
     const auto& old = before.surface().triangles();
     for (std::size_t t = 0; t < old.size(); ++t)
         patch_before[ascending(old[t])] = before.patch_of(static_cast<int>(t));
+    std::vector<int> children(node_before.size(), 0);
+    for (const int v : node_before) ++children[v];
     std::vector<Origin> origins(now.surface().size());
     for (std::size_t p = 0; p < origins.size(); ++p) {
         for (const int t : now.surface().triangles_of(p)) {
@@ -44,7 +51,10 @@ std::vector<Origin> origins_of(const SurfaceFeatures& now, const SurfaceFeatures
             else
                 origins[p].patches.push_back(found->second);
         }
+        for (const int v : now.surface().vertices_of(p))
+            if (children[node_before[v]] > 1) origins[p].split_at.push_back(node_before[v]);
         each_once(origins[p].patches);
+        each_once(origins[p].split_at);
     }
     return origins;
 }
@@ -101,7 +111,8 @@ bool any_cross(std::span<const int> some, std::span<const int> others,
 }  // namespace
 
 void Overlaps::follow_split(const OverlapsBefore& before, std::span<const int> node_before,
-                            std::span<const Vec3> positions_mm, double reach_mm) {
+                            std::span<const Vec3> positions_mm, double reach_mm,
+                            const Overlaps* at_rest) {
     touching_.clear();
     buried_.clear();
     if (features_.pieces() < 2) return;
@@ -111,14 +122,20 @@ void Overlaps::follow_split(const OverlapsBefore& before, std::span<const int> n
         pieces_before(features_, before.features, origins, node_before);
     const std::vector<Box> boxes = boxes_of_patches(features_.surface(), positions_mm);
     const auto piece_of = [&](int patch) { return features_.piece_of_patch(patch); };
+    const auto of_one_piece = [&](int p, int q) {
+        return old_piece[piece_of(p)] == old_piece[piece_of(q)];
+    };
     const auto bare_cross = [&](int p, int q) {
         return any_cross(origins[p].bare, surface.triangles_of(q), surface, positions_mm) ||
                any_cross(origins[q].bare, surface.triangles_of(p), surface, positions_mm);
     };
     const auto overlap = [&](int p, int q) {
-        return old_piece[piece_of(p)] != old_piece[piece_of(q)] &&
-               (bare_cross(p, q) || (touched(before.touching, origins[p], origins[q]) &&
-                                     nearer_than(reach_mm, p, q, positions_mm)));
+        if (!of_one_piece(p, q))
+            return bare_cross(p, q) || (touched(before.touching, origins[p], origins[q]) &&
+                                        nearer_than(reach_mm, p, q, positions_mm));
+        return (at_rest ? holds(at_rest->touching(), p, q)
+                        : in_common(origins[p].split_at, origins[q].split_at)) &&
+               nearer_than(reach_mm, p, q, positions_mm);
     };
     const int patches = static_cast<int>(boxes.size());
     for (int p = 0; p < patches; ++p) {

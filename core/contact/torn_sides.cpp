@@ -67,11 +67,12 @@ void TornSides::follow_split(const Twins& before, std::span<const int> node_befo
     find_triangles();
 }
 
-void TornSides::find(std::span<const Vec3> positions_mm, double least_gap_mm) {
+void TornSides::find(std::span<const Vec3> positions_mm, double least_gap_mm,
+                     const LeftOut& left_out) {
     if (node_of_whole_.empty()) return;
     const std::vector<int> whole = node_of_whole_;
     follow_split({}, whole, whole);
-    let_go(positions_mm, least_gap_mm);
+    let_go(positions_mm, least_gap_mm, left_out);
 }
 
 void TornSides::find_triangles() {
@@ -134,22 +135,57 @@ std::vector<FeaturePair> TornSides::pairs_of(const std::array<int, 2>& twins) co
     return pairs;
 }
 
+bool TornSides::of_one_piece(const std::array<int, 2>& twins) const {
+    const auto piece_of = [&](int node) {
+        return features_.piece_of_patch(features_.patches_of_node(node).front());
+    };
+    return piece_of(twins[0]) == piece_of(twins[1]);
+}
+
+bool TornSides::any_cross(const std::array<int, 2>& twins,
+                          std::span<const Vec3> positions_mm) const {
+    const auto& corners = features_.surface().triangles();
+    const auto may_cross = [&](const std::array<int, 3>& one, const std::array<int, 3>& other) {
+        for (const int a : one)
+            for (const int b : other)
+                if (a == b || (ascending(a, b) != twins && is_lying(a, b))) return false;
+        return true;
+    };
+    for (const int s : triangles_of_node_[twins[0]])
+        for (const int t : triangles_of_node_[twins[1]])
+            if (may_cross(corners[s], corners[t]) &&
+                squared_distance_mm2(corners_of(corners[s], positions_mm),
+                                     corners_of(corners[t], positions_mm)) == 0.0)
+                return true;
+    return false;
+}
+
 bool TornSides::have_come_apart(const std::array<int, 2>& twins, std::span<const Vec3> positions_mm,
                                 double least_gap_mm) const {
     const auto [v, w] = twins;
     if ((positions_mm[v] - positions_mm[w]).squaredNorm() < least_gap_mm * least_gap_mm)
         return false;
     return outside(v, w, positions_mm) && outside(w, v, positions_mm) &&
-           std::ranges::all_of(pairs_of(twins), [&](const FeaturePair& pair) {
-               return distance_mm(pair, positions_mm) >= least_gap_mm;
-           });
+           std::ranges::all_of(pairs_of(twins),
+                               [&](const FeaturePair& pair) {
+                                   return distance_mm(pair, positions_mm) >= least_gap_mm;
+                               }) &&
+           !any_cross(twins, positions_mm);
 }
 
-std::vector<FeaturePair> TornSides::let_go(std::span<const Vec3> positions_mm,
-                                           double least_gap_mm) {
+std::vector<FeaturePair> TornSides::let_go(std::span<const Vec3> positions_mm, double least_gap_mm,
+                                           const LeftOut& left_out) {
+    const auto patches_count = [&](const std::array<int, 2>& twins) {
+        for (const int p : features_.patches_of_node(twins[0]))
+            for (const int q : features_.patches_of_node(twins[1]))
+                if (left_out(p, q)) return false;
+        return true;
+    };
     Twins apart;
     for (const auto& twins : lying_)
-        if (have_come_apart(twins, positions_mm, least_gap_mm)) apart.push_back(twins);
+        if (of_one_piece(twins) ? have_come_apart(twins, positions_mm, least_gap_mm)
+                                : patches_count(twins))
+            apart.push_back(twins);
     std::vector<FeaturePair> counting;
     if (apart.empty()) return counting;
     Twins left;

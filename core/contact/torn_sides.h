@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The two sides of a tear. A split leaves the parts of a vertex, twins, at one place, with faces
 // that lie on each other: no distance says on which side they are. Pairs of features around twins
-// do not count until the twins have come apart:
+// do not count until the twins have come apart. Twins of one piece have where
 //   each is outside of the surface around the other, by the normal of the nearest feature, weighted
 //   by angle (Baerentzen and Aanaes 2005), and
-//   no feature around the one is nearer than a least gap to a feature around the other, but for
-//   pairs that other twins hold back.
-// From then on they count for good, so that a flap does not pass through the bed that it was torn
-// from, whether it still hangs on it or not.
+//   no feature around the one is nearer than a least gap to a feature around the other, and no
+//   triangle crosses one of the other's, but for pairs that other twins hold back.
+// Twins of two pieces have where no patches around them are left out (see Overlaps). From then on
+// they count, so that a flap does not pass through the bed that it was torn from.
 #pragma once
 
 #include <array>
@@ -33,9 +33,10 @@ class TornSides {
     void follow_split(const Twins& before, std::span<const int> node_before,
                       std::vector<int> node_of_whole);
     // All twins lie on each other, but for those that have come apart at these positions.
-    void find(std::span<const Vec3> positions_mm, double least_gap_mm);
+    void find(std::span<const Vec3> positions_mm, double least_gap_mm, const LeftOut& left_out);
     // Lets twins go that have come apart. Returns the pairs of features that count from now on.
-    std::vector<FeaturePair> let_go(std::span<const Vec3> positions_mm, double least_gap_mm);
+    std::vector<FeaturePair> let_go(std::span<const Vec3> positions_mm, double least_gap_mm,
+                                    const LeftOut& left_out);
 
     // Whether the pair does not count.
     bool lie_on_each_other(const FeaturePair& pair) const;
@@ -48,8 +49,10 @@ class TornSides {
 
   private:
     bool is_lying(int node, int other) const;
+    bool of_one_piece(const std::array<int, 2>& twins) const;
     bool have_come_apart(const std::array<int, 2>& twins, std::span<const Vec3> positions_mm,
                          double least_gap_mm) const;
+    bool any_cross(const std::array<int, 2>& twins, std::span<const Vec3> positions_mm) const;
     bool outside(int node, int twin, std::span<const Vec3> positions_mm) const;
     // The pairs of features around twins that no others hold back.
     std::vector<FeaturePair> pairs_of(const std::array<int, 2>& twins) const;

@@ -289,12 +289,18 @@ TEST(ContactFigures, OfOverlapsAfterATear) {
         const std::vector<int> node_before = part_second_box(boxes.mesh);
         const SurfaceFeatures torn = boxes.features(4);
         EXPECT_EQ(torn.pieces(), 4);
-        for (const double reach : {0.02, 0.3}) {
-            Overlaps after(torn);
-            after.follow_split(before, node_before, boxes.mesh.vertices_mm, reach);
-            add_overlaps(figures, "lift" + std::to_string(lift) + "_reach" + std::to_string(reach),
-                         after);
-        }
+        Overlaps at_rest(torn);
+        at_rest.find(boxes.mesh.vertices_mm, 0.01);
+        for (const double reach : {0.02, 0.3})
+            for (const Overlaps* rest :
+                 {static_cast<const Overlaps*>(nullptr), static_cast<const Overlaps*>(&at_rest)}) {
+                Overlaps after(torn);
+                after.follow_split(before, node_before, boxes.mesh.vertices_mm, reach, rest);
+                add_overlaps(figures,
+                             "lift" + std::to_string(lift) + "_reach" + std::to_string(reach) +
+                                 (rest ? "_rest" : ""),
+                             after);
+            }
     }
     expect_recorded("contact", "torn", figures);
 }

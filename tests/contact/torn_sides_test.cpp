@@ -18,6 +18,10 @@ namespace {
 
 constexpr double opening_mm = 0.01;
 
+bool none(int, int) {
+    return false;
+}
+
 // The upper half has vertices of its own for x > `tip_mm`.
 struct SlitBar {
     TetMesh mesh = kuhn_brick(Vec3(6, 2, 2), {6, 2, 2});
@@ -81,26 +85,26 @@ TEST(TornSides, LieOnEachOtherUntilTheyHaveOpened) {
     TornSides sides = bar.torn();
     EXPECT_EQ(sides.lying(), bar.twins);
     for (const double angle : {0.0, 1e-4})
-        EXPECT_TRUE(sides.let_go(bar.opened(angle, 2.0), opening_mm).empty());
+        EXPECT_TRUE(sides.let_go(bar.opened(angle, 2.0), opening_mm, none).empty());
     // At the first row beyond the tip the sides are nearer than the opening; those behind are not.
     const auto x = bar.opened(0.008, 2.0);
-    EXPECT_FALSE(sides.let_go(x, opening_mm).empty());
+    EXPECT_FALSE(sides.let_go(x, opening_mm, none).empty());
     for (const auto& [v, w] : bar.twins)
         EXPECT_EQ(std::ranges::count(sides.lying(), std::array{v, w}), x[v].x() < 3.5 ? 1 : 0)
             << x[v].transpose();
     // It is for good: what closes again still counts.
     const TornSides::Twins lying = sides.lying();
-    EXPECT_TRUE(sides.let_go(bar.opened(0.0, 2.0), opening_mm).empty());
+    EXPECT_TRUE(sides.let_go(bar.opened(0.0, 2.0), opening_mm, none).empty());
     EXPECT_EQ(sides.lying(), lying);
 }
 
 TEST(TornSides, DoNotCountWhereTheyHavePassedThroughEachOther) {
     const SlitBar bar(2.0);
     TornSides sides = bar.torn();
-    EXPECT_TRUE(sides.let_go(bar.opened(-0.1, 2.0), opening_mm).empty());
+    EXPECT_TRUE(sides.let_go(bar.opened(-0.1, 2.0), opening_mm, none).empty());
     EXPECT_EQ(sides.lying(), bar.twins);
     // The right way round they do, however far.
-    EXPECT_FALSE(sides.let_go(bar.opened(0.1, 2.0), opening_mm).empty());
+    EXPECT_FALSE(sides.let_go(bar.opened(0.1, 2.0), opening_mm, none).empty());
     EXPECT_TRUE(sides.lying().empty());
 }
 
@@ -130,7 +134,7 @@ TEST(TornSides, NameThePairsThatCountFromNowOn) {
     ASSERT_GT(before, 100);
     for (const double angle : {0.004, 0.006, 0.02}) {
         std::set<std::array<int, 5>> named;
-        for (const FeaturePair& pair : sides.let_go(bar.opened(angle, 2.0), opening_mm)) {
+        for (const FeaturePair& pair : sides.let_go(bar.opened(angle, 2.0), opening_mm, none)) {
             EXPECT_FALSE(sides.lie_on_each_other(pair));
             EXPECT_TRUE(sides.shared_a_vertex(pair));
             EXPECT_FALSE(share(pair));
@@ -150,7 +154,7 @@ TEST(TornSides, NameThePairsThatCountFromNowOn) {
 TEST(TornSides, ChildrenAreAsTheirParentsWere) {
     const SlitBar bar(2.0);
     TornSides sides = bar.torn();
-    sides.let_go(bar.opened(0.008, 2.0), opening_mm);
+    sides.let_go(bar.opened(0.008, 2.0), opening_mm, none);
     const TornSides::Twins left = sides.lying();
     // Nothing else splits: only what lay on each other still does.
     std::vector<int> same(bar.mesh.vertices_mm.size());
@@ -160,8 +164,21 @@ TEST(TornSides, ChildrenAreAsTheirParentsWere) {
     EXPECT_EQ(after.lying(), left);
     // What is looked at without a past is judged by where it is.
     TornSides found = bar.torn();
-    found.find(bar.opened(0.008, 2.0), opening_mm);
+    found.find(bar.opened(0.008, 2.0), opening_mm, none);
     EXPECT_EQ(found.lying(), left);
+}
+
+// In two pieces: whether patches are left out decides.
+TEST(TornSides, OfTwoPiecesComeApartAsTheirPatchesDo) {
+    const SlitBar bar(-1.0);
+    ASSERT_EQ(bar.features.pieces(), 2);
+    TornSides sides = bar.torn();
+    const auto all = [](int, int) { return true; };
+    const auto x = bar.opened(0.1, -1.0);
+    EXPECT_TRUE(sides.let_go(x, opening_mm, all).empty());
+    EXPECT_EQ(sides.lying(), bar.twins);
+    EXPECT_FALSE(sides.let_go(x, opening_mm, none).empty());
+    EXPECT_TRUE(sides.lying().empty());
 }
 
 TEST(TornSides, TakeOnlyTwins) {

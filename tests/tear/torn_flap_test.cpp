@@ -104,8 +104,8 @@ TEST(TornFlap, ACheckpointKnowsItsSides) {
     flap.lead(0.12, 0.05, 10);
     const StepperCheckpoint now = flap.stepper->checkpoint();
     ASSERT_TRUE(now.self);
-    EXPECT_FALSE(now.self->overlaps.lying.empty()) << "the tip has opened as well";
-    EXPECT_FALSE(now.self->overlaps.pads.empty()) << "no pad is thin";
+    ASSERT_FALSE(now.self->overlaps.lying.empty()) << "the tip has opened as well";
+    ASSERT_FALSE(now.self->overlaps.pads.empty()) << "no pad is thin";
     const auto other = make_cpu_stepper(flap.body, {});
     other->restore(checkpoint_from_bytes(to_bytes(now)));
     EXPECT_EQ(other->state_hash(), flap.stepper->state_hash());

@@ -150,7 +150,8 @@ void SurfacePairs::let_go(std::span<const Vec3> positions_mm) {
     const Stopwatch watch(spent_ms_);
     if (overlaps_.let_go(positions_mm, pad_.thickness_mm)) forget();
     const bool grown = grow_pads(positions_mm);
-    const auto counting = sides_.let_go(positions_mm, least_opening * pad_.thickness_mm);
+    const auto counting =
+        sides_.let_go(positions_mm, least_opening * pad_.thickness_mm, left_out());
     add_new(counting, positions_mm, pad_.thickness_mm, pads_);
     if (grown || !counting.empty()) free_in_answer_ = -1;
 }
@@ -171,7 +172,7 @@ bool SurfacePairs::grow_pads(std::span<const Vec3> positions_mm) {
 
 void SurfacePairs::find_overlaps(std::span<const Vec3> positions_mm) {
     overlaps_.find(positions_mm, touching_at_rest * pad_.thickness_mm, &at_rest_);
-    sides_.find(positions_mm, least_opening * pad_.thickness_mm);
+    sides_.find(positions_mm, least_opening * pad_.thickness_mm, left_out());
     pads_.clear();
     forget();
 }
@@ -215,7 +216,8 @@ void SurfacePairs::follow_split(const BeforeTear& before, std::span<const int> p
     const std::vector<int> node_of_whole = came_from(parents, whole_nodes_);
     const std::vector<int> node_before = came_from(parents, before.nodes);
     at_rest_.follow_split(*whole_, node_of_whole, rest_mm_, touching_at_rest * pad_.thickness_mm);
-    overlaps_.follow_split(before.overlaps, node_before, positions_mm, pad_.thickness_mm);
+    overlaps_.follow_split(before.overlaps, node_before, positions_mm, pad_.thickness_mm,
+                           &at_rest_);
     if (!features_.beside_obstacles())
         sides_.follow_split(before.lying, node_before, node_of_whole);
     find_clearances();
@@ -293,8 +295,7 @@ double SurfacePairs::whole_pad_of(const FeaturePair& pair) const {
 
 const std::vector<FeaturePair>& SurfacePairs::candidates(std::span<const Vec3> from_mm,
                                                          std::span<const Vec3> to_mm) const {
-    return cover_.along(from_mm, to_mm,
-                        [&](int patch, int other) { return overlaps_.left_out(patch, other); });
+    return cover_.along(from_mm, to_mm, left_out());
 }
 
 // Against an obstacle the body's vertices carry their full area, but edges and vertices of the

@@ -108,6 +108,9 @@ class SurfacePairs {
     // The same without what a split has changed.
     double whole_pad_of(const FeaturePair& pair) const;
     double whole_area_of(const FeaturePair& pair) const;
+    LeftOut left_out() const {
+        return [this](int patch, int other) { return overlaps_.left_out(patch, other); };
+    }
     std::vector<PressedPair> pressed(std::span<const Vec3> positions_mm) const;
     bool grow_pads(std::span<const Vec3> positions_mm);
     bool of_obstacle(int node) const { return node >= moving_nodes_; }

@@ -81,8 +81,8 @@ std::uint64_t hash_of(const StepperCheckpoint& checkpoint);
 // (doubles as IEEE 754, integers signed), elements of `live` and `held` as one byte each; arrays
 // after their length; an optional field after a length of 0 or 1. Optional groups follow at the end
 // in this order: tools, surfaces, tear, obstacles with the start of the last matrix' step,
-// couplings, swing, thin pads of tools, tears of surfaces. The last group in use and those before it are written, later ones
-// are not.
+// couplings, swing, thin pads of tools, tears of surfaces. The last group in use and those before
+// it are written, later ones are not.
 std::string to_bytes(const StepperCheckpoint& checkpoint);
 
 // Throws InputError where the bytes are not a checkpoint, are cut off or too long, or hold a number
