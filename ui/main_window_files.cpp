@@ -141,6 +141,8 @@ void MainWindow::ask_for_reconstruction() {
         wizard.set_ct(to_text(workspace().image()), workspace().series());
     else if (patient_)
         wizard.set_ct(settings_.place_of_image(workspace().patient()->source.image_sha256));
+    if (const auto& seeds = view_layout_->slices().seeds().seeds(); !seeds.empty())
+        wizard.set_seeds(seeds);
     if (wizard.exec() != QDialog::Accepted) return;
     reconstruction_entries_ = wizard.entries();
     open(OpenRequest{false, wizard.options()});

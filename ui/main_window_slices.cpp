@@ -90,6 +90,7 @@ void MainWindow::build_slices(QWidget* parent) {
         if (lesson_editor_) lesson_editor_->tumours_changed();
     };
     callbacks.correction = [this] { return editing_->tool_name(); };
+    callbacks.reconstruct = [this] { (*actions_)[ActionId::reconstruct].trigger(); };
     callbacks.view_covered = [this](int top, int bottom) {
         if (view_->scene().set_covered(top, bottom)) view_->draw_again();
     };

@@ -107,7 +107,8 @@ PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
     form_->addRow(Words::tr("Window (HU)"), window_);
     for (const auto& [seeds, label] :
          {std::pair(&portal_seeds_, Words::tr("Portal vein seeds")),
-          std::pair(&hepatic_seeds_, Words::tr("Hepatic vein seeds"))}) {
+          std::pair(&hepatic_seeds_, Words::tr("Hepatic vein seeds")),
+          std::pair(&artery_seeds_, Words::tr("Hepatic artery seeds"))}) {
         *seeds = new QLineEdit(this);
         (*seeds)->setPlaceholderText(
             Words::tr("optional: a place as the slices write it, L 12 P 40 H 155 mm"));
@@ -119,6 +120,7 @@ PatientWizard::PatientWizard(const QString& folder, QWidget* parent)
     }
     portal_seeds_->setObjectName("portalSeeds");
     hepatic_seeds_->setObjectName("hepaticSeeds");
+    artery_seeds_->setObjectName("arterySeeds");
     for (QLineEdit* edit : edits()) widen_to_placeholder(*edit);
     column->addLayout(form_);
     problem_->setObjectName("problem");
@@ -176,8 +178,21 @@ void PatientWizard::set_ct(const QString& path, int series) {
     look_for_series();
 }
 
-std::array<QLineEdit*, 7> PatientWizard::edits() const {
-    return {ct_, liver_mask_, vessel_mask_, tumour_masks_, window_, portal_seeds_, hepatic_seeds_};
+std::array<QLineEdit*, 8> PatientWizard::edits() const {
+    return {ct_,     liver_mask_,   vessel_mask_,   tumour_masks_,
+            window_, portal_seeds_, hepatic_seeds_, artery_seeds_};
+}
+
+void PatientWizard::set_seeds(const std::vector<VesselSeed>& seeds) {
+    constexpr int decimals = 1;  // a voxel is hardly smaller
+    for (const auto& [edit, system] : {std::pair(portal_seeds_, VascularSystem::portal),
+                                       std::pair(hepatic_seeds_, VascularSystem::hepatic),
+                                       std::pair(artery_seeds_, VascularSystem::artery)}) {
+        QStringList places;
+        for (const VesselSeed& seed : seeds)
+            if (seed.system == system) places << patient_place(seed.position_mm, decimals);
+        edit->setText(places.join("; "));
+    }
 }
 
 QStringList PatientWizard::entries() const {
@@ -268,6 +283,8 @@ ReconstructOptions PatientWizard::options() const {
     add_seeds(*portal_seeds_, Words::id("Portal vein seeds"), VascularSystem::portal,
               options.seeds);
     add_seeds(*hepatic_seeds_, Words::id("Hepatic vein seeds"), VascularSystem::hepatic,
+              options.seeds);
+    add_seeds(*artery_seeds_, Words::id("Hepatic artery seeds"), VascularSystem::artery,
               options.seeds);
     return options;
 }

@@ -34,12 +34,14 @@ class PatientWizard : public QDialog {
     // The options in the fields. Throws InputError that names the first invalid field.
     ReconstructOptions options() const;
 
+    // In place of those in the fields.
+    void set_seeds(const std::vector<VesselSeed>& seeds);
     // What all fields hold, as it was typed, to be set in a later dialog.
     QStringList entries() const;
     void set_entries(const QStringList& entries);
 
   private:
-    std::array<QLineEdit*, 7> edits() const;  // the CT first
+    std::array<QLineEdit*, 8> edits() const;  // the CT first
     int chosen_series() const;                // numbered from 1; 0: none was chosen
     QLineEdit* add_path(QFormLayout& form, const QString& label, bool folders_too);
     // Lists the series of the CT's folder in the background and offers them if there are several.
@@ -56,6 +58,7 @@ class PatientWizard : public QDialog {
     QLineEdit* window_;
     QLineEdit* portal_seeds_;
     QLineEdit* hepatic_seeds_;
+    QLineEdit* artery_seeds_;
     QLabel* problem_;
     std::filesystem::path looked_in_;  // whose series were listed last
     std::filesystem::path chosen_in_;  // whose series set_ct() named

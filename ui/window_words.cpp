@@ -13,13 +13,10 @@ namespace hepatica {
 namespace {
 
 // Longer texts first, because they contain shorter ones.
-constexpr std::array<std::pair<const char*, const char*>, 39> words{{
-    {"--seed-mm X,Y,Z,1 and --seed-mm X,Y,Z,2",
-     "written into Portal vein seeds and Hepatic vein seeds of File > Reconstruct with options"},
-    {"--seed-mm X,Y,Z,portal and --seed-mm X,Y,Z,hepatic",
-     "written into Portal vein seeds and Hepatic vein seeds of File > Reconstruct with options"},
+constexpr std::array<std::pair<const char*, const char*>, 38> words{{
     {"--seed-mm X,Y,Z,portal", "Portal vein seeds"},
     {"--seed-mm X,Y,Z,hepatic", "Hepatic vein seeds"},
+    {"--seed-mm X,Y,Z,artery", "Hepatic artery seeds"},
     {"(--window LO,HI)", "(Window of File > Reconstruct with options)"},
     {"(--seed-mm)", "(Portal vein seeds or Hepatic vein seeds, beside it)"},
     {"--seed-mm", "Portal vein seeds, Hepatic vein seeds"},

@@ -26,6 +26,7 @@ std::string text_of(const Vec3& position_mm) {
 const char* option_of(const VesselSeed& seed) {
     if (seed.system == VascularSystem::portal) return "--seed-mm X,Y,Z,portal";
     if (seed.system == VascularSystem::hepatic) return "--seed-mm X,Y,Z,hepatic";
+    if (seed.system == VascularSystem::artery) return "--seed-mm X,Y,Z,artery";
     return "--seed-mm";
 }
 

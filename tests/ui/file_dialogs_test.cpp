@@ -324,8 +324,8 @@ class TypedReconstruction : public testing::FakeWindowTest {
 
 // A mask of another CT is noticed only once both were read.
 TEST_F(TypedReconstruction, that_fails_is_offered_as_it_was_typed) {
-    const QStringList typed{"0",           "/no/ct",  "/no/liver", "/no/vessels",
-                            "/no/tumours", "140 260", "20 20 20",  "1"};
+    const QStringList typed{"0",       "/no/ct",   "/no/liver", "/no/vessels", "/no/tumours",
+                            "140 260", "20 20 20", "1",         "4 5 6"};
     in_wizard([&](PatientWizard& wizard) {
         wizard.set_entries(typed);
         wizard.findChild<QLineEdit*>("hepaticSeeds")->setText("1 2 3");
@@ -334,7 +334,7 @@ TEST_F(TypedReconstruction, that_fails_is_offered_as_it_was_typed) {
     ASSERT_TRUE(testing::wait_for([this] { return !window_.busy(); }));
     ASSERT_TRUE(window_.messages().text().contains("his is no image"));
     QStringList expected = typed;
-    expected.back() = "1 2 3";
+    expected[7] = "1 2 3";
     EXPECT_EQ(offered(), expected);
     EXPECT_EQ(offered(), expected) << "a cancelled dialog changes nothing";
     open_built_in();

@@ -34,7 +34,11 @@ constexpr std::array presets{
 
 // Entries of the list of click actions; 1 to 3 are the measurements.
 constexpr int moves_crosshair = 0, draws_vessel = 4, corrects = 5, paints = 6, erases = 7,
-              paints_tumour = 8, erases_tumour = 9;
+              paints_tumour = 8, erases_tumour = 9, sets_seed = 10;
+
+// The systems of seeds, in the order of the entries from sets_seed on.
+constexpr std::array seeded{VascularSystem::portal, VascularSystem::hepatic,
+                            VascularSystem::artery};
 
 BrushMode mode_of(int click, int painting, int erasing) {
     return click == painting  ? BrushMode::paints
@@ -79,6 +83,7 @@ SliceBar::SliceBar(SliceScene& scene, std::function<QString()> correction, QWidg
     lower->addWidget(click_choice());
     lower->addWidget(vessel_radius());
     lower->addWidget(draw_button());
+    lower->addWidget(seed_button());
     add_brush(*lower);
     lower->addSpacing(8);
     lower->addWidget(place_, 1);
@@ -163,6 +168,8 @@ QWidget* SliceBar::click_choice() {
                       Words::tr("Diameter"), Words::tr("Draw a vessel"), Words::tr("Correct"),
                       Words::tr("Paint vessels"), Words::tr("Erase vessels"),
                       Words::tr("Paint tumour"), Words::tr("Erase tumour")});
+    for (const VascularSystem system : seeded)
+        click_->addItem(Words::tr("Seed: %1").arg(translated(title_of(system))));
     click_->setToolTip(Words::tr(
         "Distance: two clicks. Angle: three, its vertex second. Diameter: a click on a vessel, "
         "at whose centreline it is taken, with the stenosis against the vessel beside. "
@@ -170,10 +177,12 @@ QWidget* SliceBar::click_choice() {
         "comes in; Enter draws it. Delete or Undo takes the last away, Escape all. "
         "Correct: a click on a vessel does what the panel of corrections says. "
         "Paint, erase: a drag leads a ball through the vessels' voxels; Rebuild makes the vessels "
-        "anew of them. A tumour changes no vessel: it needs no Rebuild"));
+        "anew of them. A tumour changes no vessel: it needs no Rebuild. "
+        "Seed: a click says which vessel is which, and Reconstruct begins anew with all of them"));
     connect(click_, &QComboBox::activated, this, [this](int index) { choose_click(index); });
     scene_.measurements().on_change([this] { follow_click(); });
     scene_.pen().on_change([this] { follow_click(); });
+    scene_.seeds().on_change([this] { follow_click(); });
     click_->installEventFilter(this);
     return click_;
 }
@@ -192,6 +201,8 @@ void SliceBar::choose_click(int index) {
     const bool measures = index > moves_crosshair && index < draws_vessel;
     scene_.set_corrects(index == corrects);
     scene_.pen().set_taken(index == draws_vessel);
+    scene_.seeds().take(index < sets_seed ? std::nullopt
+                                          : std::optional(seeded.at(index - sets_seed)));
     scene_.brush().set_mode(mode_of(index, paints, erases));
     scene_.tumours().set_mode(mode_of(index, paints_tumour, erases_tumour));
     scene_.measurements().choose(measures ? std::optional(static_cast<MeasurementKind>(index - 1))
@@ -201,6 +212,8 @@ void SliceBar::choose_click(int index) {
 
 int SliceBar::chosen_click() const {
     const auto kind = scene_.measurements().chosen();
+    if (const auto& seed = scene_.seeds().taken())
+        return sets_seed + static_cast<int>(std::ranges::find(seeded, *seed) - seeded.begin());
     return scene_.pen().taken()                           ? draws_vessel
            : scene_.corrects()                            ? corrects
            : scene_.brush().mode() == BrushMode::paints   ? paints
@@ -233,8 +246,11 @@ QString SliceBar::guidance() const {
             return Words::tr("Drag over what is tumour (+ and - size the brush)");
         case erases_tumour:
             return Words::tr("Drag over what is no tumour (+ and - size the brush)");
-        default:
+        case moves_crosshair:
             return {};
+        default:
+            return Words::tr("Click into the vessel (%1), then Reconstruct. Delete: one back")
+                .arg(translated(title_of(*scene_.seeds().taken())));
     }
     const std::size_t places = scene_.pen().places_mm().size();
     return places == 0   ? Words::tr("Click where the missing vessel begins, then along it")
@@ -272,6 +288,18 @@ QWidget* SliceBar::draw_button() {
     connect(draw_, &QPushButton::clicked, this, [this] { scene_.pen().finish(); });
     scene_.pen().on_say([this](const std::string& text) { say(QString::fromStdString(text)); });
     return draw_;
+}
+
+QWidget* SliceBar::seed_button() {
+    reconstruct_ = new QPushButton(Words::tr("Reconstruct…"));
+    reconstruct_->setObjectName("reconstructWithSeeds");
+    reconstruct_->setToolTip(
+        Words::tr("Makes the vessels anew of the CT and tells them apart by the seeds (crosses). "
+                  "Corrections are not taken over"));
+    reconstruct_->setVisible(false);
+    reconstruct_->setFocusPolicy(Qt::TabFocus);
+    connect(reconstruct_, &QPushButton::clicked, this, [this] { scene_.seeds().reconstruct(); });
+    return reconstruct_;
 }
 
 void SliceBar::add_brush(QHBoxLayout& row) {
@@ -343,6 +371,9 @@ void SliceBar::follow_click() {
     vessel_radius_->setVisible(pen.taken());
     draw_->setVisible(pen.taken());
     draw_->setEnabled(pen.places_mm().size() >= 2 && !pen.draws());
+    const SeedMarks& seeds = scene_.seeds();
+    reconstruct_->setVisible(seeds.taken() || !seeds.seeds().empty());
+    reconstruct_->setEnabled(!seeds.seeds().empty());
 }
 
 void SliceBar::say(const QString& text) {

@@ -40,6 +40,7 @@ class SliceBar : public QWidget {
     QWidget* click_choice();
     QWidget* draw_button();
     QWidget* vessel_radius();
+    QWidget* seed_button();
     void add_brush(QHBoxLayout& row);
     QWidget* tumour_choice();
     void follow_tumours();
@@ -57,6 +58,7 @@ class SliceBar : public QWidget {
     QLabel* place_;
     QComboBox* click_ = nullptr;  // what a click does
     QPushButton* draw_ = nullptr;
+    QPushButton* reconstruct_ = nullptr;       // with the seeds
     QDoubleSpinBox* vessel_radius_ = nullptr;  // of the vessel that is drawn
     QDoubleSpinBox* radius_ = nullptr;         // of the brush
     QPushButton* remake_ = nullptr;

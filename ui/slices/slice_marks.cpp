@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "render/palette.h"
+#include "ui/colours.h"
 #include "ui/slices/slice_picture.h"
 #include "ui/slices/slice_view.h"
 
@@ -50,6 +52,22 @@ void SliceView::paint_pen(QPainter& painter) const {
     for (const Vec3& place : places)
         if (is_here(place, std::max(1.0, stack().slice_mm())))
             painter.drawEllipse(place_of(place), 5.0, 5.0);
+}
+
+// A cross in the colour of its system, in the slices near it.
+void SliceView::paint_seeds(QPainter& painter) const {
+    constexpr double half = 5.0;
+    for (const VesselSeed& seed : scene_.seeds().seeds()) {
+        if (!is_here(seed.position_mm, std::max(2.0, stack().slice_mm()))) continue;
+        const QPointF at = place_of(seed.position_mm);
+        const QColor of_system = qcolor_of(palette::vessel_system(seed.system)).lighter(150);
+        for (const auto& [colour, width] :
+             {std::pair{QColor(Qt::black), 4.5}, std::pair{of_system, 2.2}}) {
+            painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
+            painter.drawLine(at + QPointF(-half, -half), at + QPointF(half, half));
+            painter.drawLine(at + QPointF(-half, half), at + QPointF(half, -half));
+        }
+    }
 }
 
 // A circle with the radius of the brush.

@@ -214,6 +214,7 @@ void SliceScene::clear() {
     measurements_.clear();
     corrects_ = false;
     pen_.set_taken(false);
+    seeds_.clear();
     tell_of_voxels();
 }
 

@@ -13,6 +13,7 @@
 #include "core/tree/vessel_tree.h"
 #include "ui/slices/mask_brush.h"
 #include "ui/slices/measurements.h"
+#include "ui/slices/seed_marks.h"
 #include "ui/slices/tumour_brush.h"
 #include "ui/slices/vessel_pen.h"
 #include "ui/slices/watchers.h"
@@ -69,6 +70,8 @@ class SliceScene {
     // The tools below are reset with the patient and have watchers of their own.
     Measurements& measurements() { return measurements_; }
     const Measurements& measurements() const { return measurements_; }
+    SeedMarks& seeds() { return seeds_; }
+    const SeedMarks& seeds() const { return seeds_; }
     VesselPen& pen() { return pen_; }
     const VesselPen& pen() const { return pen_; }
     MaskBrush& brush() { return brush_; }
@@ -152,6 +155,7 @@ class SliceScene {
     std::vector<Vec3> pointed_out_;
     VesselTree tree_;
     Measurements measurements_;
+    SeedMarks seeds_;
     VesselPen pen_;
     MaskBrush brush_;
     TumourBrush tumours_;

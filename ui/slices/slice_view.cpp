@@ -47,6 +47,7 @@ SliceView::SliceView(SliceScene& scene, SliceDirection direction, QWidget* paren
     });
     scene_.measurements().on_change([this] { update(); });
     scene_.pen().on_change([this] { update(); });
+    scene_.seeds().on_change([this] { update(); });
 }
 
 // Where one looked into a CT means nothing in another.
@@ -122,6 +123,7 @@ void SliceView::paintEvent(QPaintEvent* /*event*/) {
     paint_pointed_out(painter);
     paint_crosshair(painter);
     paint_measurements(painter);
+    paint_seeds(painter);
     paint_pen(painter);
     paint_brush(painter);
     paint_words(painter);
@@ -244,6 +246,8 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
         set_place(to_mm(last_));
     else if (brushing())
         say(scene_.put_brush_down(to_mm(last_)));
+    else if (seeding())
+        scene_.seeds().add(to_mm(last_));
     else
         scene_.set_crosshair(to_mm(last_));
     if (scene_.corrects() && correct_) correct_(to_mm(last_));
@@ -364,6 +368,7 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
         return scene_.corrects() ? correct_by_key(event->key())
                : brushing()      ? brush_by_key(event->key())
                : drawing()       ? draw_by_key(event->key())
+               : seeding()       ? seed_by_key(event->key())
                                  : measure_by_key(event->key());
     switch (event->key()) {
         case Qt::Key_PageUp:
@@ -412,6 +417,15 @@ void SliceView::brush_by_key(int key) {
         say(scene_.put_brush_down(scene_.crosshair_mm()));
         say(scene_.lift_brush());
     }
+}
+
+void SliceView::seed_by_key(int key) {
+    if (key == Qt::Key_Escape)
+        scene_.seeds().take(std::nullopt);
+    else if (key == Qt::Key_Delete || key == Qt::Key_Backspace)
+        scene_.seeds().remove_last();
+    else
+        scene_.seeds().add(scene_.crosshair_mm());
 }
 
 void SliceView::draw_by_key(int key) {

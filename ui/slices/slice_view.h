@@ -85,17 +85,22 @@ class SliceView : public QWidget {
     void draw_by_key(int key);
     void correct_by_key(int key);
     void brush_by_key(int key);
+    void seed_by_key(int key);
     void set_place(const Vec3& position_mm);
     bool measuring() const { return scene_.measurements().chosen().has_value(); }
     bool drawing() const { return scene_.pen().taken(); }
     // Whether a click does more than move the crosshair.
-    bool works() const { return measuring() || drawing() || scene_.corrects() || brushing(); }
+    bool works() const {
+        return measuring() || drawing() || scene_.corrects() || brushing() || seeding();
+    }
+    bool seeding() const { return scene_.seeds().taken().has_value(); }
     bool brushing() const { return scene_.brushing(); }
     void measure(const Vec3& position_mm);
     void say(const std::string& text) const;
     bool is_here(const Vec3& point_mm, double reach_mm) const;
     void paint_line(QPainter& painter, const QPolygonF& line) const;
     void paint_pen(QPainter& painter) const;
+    void paint_seeds(QPainter& painter) const;
     void paint_brush(QPainter& painter) const;
     void paint_measurement(QPainter& painter, const Measurement& measurement, LabelPlaces& labels);
     void paint_label(QPainter& painter, const QPointF& at, const QString& text,

@@ -100,6 +100,7 @@ void ViewLayout::connect_scene() {
     scene_.on_change([this] { mark_crosshair(); });
     scene_.brush().on_remake(
         [this] { callbacks_.remake(scene_.shared_ct(), scene_.painted_vessels()); });
+    scene_.seeds().on_reconstruct([this] { callbacks_.reconstruct(); });
     scene_.pen().on_draw({[this](const std::vector<Vec3>& places, VesselPen::Answered answered) {
                               callbacks_.draw(scene_.ct(), places, std::move(answered));
                           },

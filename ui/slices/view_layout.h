@@ -53,6 +53,8 @@ class ViewLayout : public QWidget {
         // A click at this place is for a correction; and that correction in words.
         std::function<void(const Vec3&)> correct;
         std::function<QString()> correction;
+        // Reconstructs the CT anew with the seeds that were set.
+        std::function<void()> reconstruct = [] {};
         // Bars cover this many points of the 3D view.
         std::function<void(int top, int bottom)> view_covered = [](int, int) {};
     };

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Seeds set by clicks in the slices, and the reconstruction that begins with them.
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTimer>
+
+#include "tests/ui/slices_test.h"
+#include "ui/patient_wizard.h"
+
+namespace hepatica {
+namespace {
+
+constexpr int crosshair = 0, seeds_portal = 10, seeds_hepatic = 11, seeds_artery = 12;
+
+class Seeds : public testing::SlicesTest {
+  protected:
+    void take(int purpose) { emit list().activated(purpose); }
+    QComboBox& list() { return *window_.findChild<QComboBox*>("measure"); }
+    QPushButton& button() { return *window_.findChild<QPushButton*>("reconstructWithSeeds"); }
+    SliceView& axial() { return view(SliceDirection::axial); }
+    void click(int x, int y) {
+        QTest::mouseClick(&axial(), Qt::LeftButton, {}, axial().rect().center() + QPoint(x, y));
+    }
+    const std::vector<VesselSeed>& seeds() { return scene().seeds().seeds(); }
+};
+
+TEST_F(Seeds, are_set_by_clicks_and_by_keys_and_taken_back) {
+    show_slices();
+    EXPECT_FALSE(button().isVisible());
+    take(seeds_portal);
+    EXPECT_TRUE(button().isVisible());
+    EXPECT_FALSE(button().isEnabled()) << "there is none yet";
+    const Vec3 crosshair_mm = scene().crosshair_mm();
+    const QImage before = axial().grab().toImage();
+    click(10, 5);
+    ASSERT_EQ(seeds().size(), 1u);
+    EXPECT_EQ(seeds()[0].system, VascularSystem::portal);
+    EXPECT_LT((axial().place_of(seeds()[0].position_mm) -
+               QPointF(axial().rect().center() + QPoint(10, 5)))
+                  .manhattanLength(),
+              1.0);
+    EXPECT_EQ(scene().crosshair_mm(), crosshair_mm) << "a seed leaves the slices where they are";
+    const QImage after = axial().grab().toImage();
+    EXPECT_NE(after.pixel(axial().rect().center() + QPoint(10, 5)),
+              before.pixel(axial().rect().center() + QPoint(10, 5)));
+    take(seeds_artery);
+    QTest::keyClick(&axial(), Qt::Key_Return);
+    ASSERT_EQ(seeds().size(), 2u);
+    EXPECT_EQ(seeds()[1].system, VascularSystem::artery);
+    EXPECT_EQ(seeds()[1].position_mm, crosshair_mm);
+    QTest::keyClick(&axial(), Qt::Key_Delete);
+    EXPECT_EQ(seeds().size(), 1u);
+    QTest::keyClick(&axial(), Qt::Key_Escape);
+    EXPECT_EQ(list().currentIndex(), crosshair);
+    EXPECT_EQ(seeds().size(), 1u) << "put away, not taken back";
+    EXPECT_TRUE(button().isVisible());
+    click(-10, 5);
+    EXPECT_EQ(seeds().size(), 1u);
+    // Another purpose of a click ends it as well.
+    take(seeds_hepatic);
+    take(crosshair);
+    EXPECT_FALSE(scene().seeds().taken());
+}
+
+TEST_F(Seeds, begin_the_next_reconstruction) {
+    show_slices();
+    for (const auto& [purpose, x] : {std::pair(seeds_portal, -20), std::pair(seeds_hepatic, 20),
+                                     std::pair(seeds_portal, -30)}) {
+        take(purpose);
+        click(x, 10);
+    }
+    ASSERT_EQ(seeds().size(), 3u);
+    std::vector<VesselSeed> read;
+    QTimer::singleShot(0, &window_, [&] {
+        auto& wizard = dynamic_cast<PatientWizard&>(*QApplication::activeModalWidget());
+        wizard.findChild<QLineEdit*>("ct")->setText("/some/ct");
+        read = wizard.options().seeds;
+        wizard.reject();
+    });
+    button().click();
+    ASSERT_EQ(read.size(), 3u);
+    for (const auto& [field, set] : {std::pair(0, 0), std::pair(1, 2), std::pair(2, 1)}) {
+        EXPECT_EQ(read[field].system, seeds()[set].system);
+        EXPECT_LT((read[field].position_mm - seeds()[set].position_mm).cwiseAbs().maxCoeff(),
+                  0.051);
+    }
+    EXPECT_EQ(seeds().size(), 3u) << "a cancelled dialog changes nothing";
+}
+
+TEST_F(Seeds, belong_to_one_patient) {
+    show_slices();
+    take(seeds_portal);
+    click(10, 5);
+    views().clear();
+    EXPECT_TRUE(seeds().empty());
+    EXPECT_FALSE(scene().seeds().taken());
+}
+
+}  // namespace
+}  // namespace hepatica
