@@ -15,6 +15,16 @@ constexpr double least_notch_mm = 0.5;
 constexpr double spheres_beside_mark = 1.6;
 // A surface that is no further from a mark is that of the vessel in which the mark lies.
 constexpr double farthest_wall_mm = 10.0;
+// Each try comes nearer to the user, where less is in the way.
+constexpr int tries_at_mouse = 6;
+
+bool has_shape_of(const ToolView& a, const ToolView& b) {
+    constexpr double rounding_mm = 1e-3;
+    return std::ranges::equal(a.parts, b.parts, [](const auto& one, const auto& other) {
+        const double longer_mm = one.along_mm().norm() - other.along_mm().norm();
+        return one.radius_mm == other.radius_mm && std::abs(longer_mm) <= rounding_mm;
+    });
+}
 
 // Direction of an instrument: from the lower right into the picture.
 Vec3 way_of_instrument(const ViewAxes& axes) {
@@ -51,9 +61,12 @@ void ToolHand::take(const std::string& kind) {
     if (kind_.empty()) post_(UseTools{true});
     kind_ = kind;
     asked_ = false;
-    // A tool that was there keeps its place.
-    if (const std::optional<ToolView> before = std::exchange(seen_, std::nullopt))
-        return bring(before->tip_mm, way_at(view_.pixel_of(before->tip_mm)));
+    if (seen_) {
+        // A tool that was there keeps its place.
+        const Vec3 place = seen_->working_mm();
+        more_tries_ = tries_at_mouse;
+        return bring(place, way_at(view_.pixel_of(place)));
+    }
     if (mouse_at_) bring_to(*mouse_at_);
 }
 
@@ -74,7 +87,8 @@ void ToolHand::put_away() {
 
 void ToolHand::set_size(const ToolSize& size) {
     size_ = size;
-    if (seen_) bring(Vec3(seen_->tip_mm), present_way());
+    more_tries_ = 0;  // the mouse is at the panel
+    if (seen_) bring(seen_->working_mm(), present_way());
 }
 
 Vec3 ToolHand::present_way() const {
@@ -84,25 +98,41 @@ Vec3 ToolHand::present_way() const {
     return along.isZero(0.0) ? way_of_instrument(view_.axes()) : Vec3(along.normalized());
 }
 
-// A frame from before the new tool came shows the old one; the new one is nearer to its place.
+// A frame from before the new tool came shows the old one; the new one has another shape or is
+// nearer to its place.
 bool ToolHand::is_still_the_old(const ToolView& tool) {
-    if (!replaced_) return false;
-    const double before_mm = (replaced_->tip_mm - replaced_->place_mm).norm();
-    const double now_mm = (tool.tip_mm - replaced_->place_mm).norm();
-    if (now_mm > 0.7 * before_mm && --replaced_->frames > 0) return true;
-    replaced_.reset();
-    return false;
+    if (!replaced_ || !has_shape_of(tool, replaced_->tool)) return false;
+    const Vec3 old_mm = replaced_->tool.working_mm();
+    const double before_mm = (old_mm - replaced_->place_mm).norm();
+    const double now_mm = (tool.working_mm() - replaced_->place_mm).norm();
+    const bool elsewhere =
+        replaced_->rested && (tool.working_mm() - old_mm).norm() > least_notch_mm;
+    if (elsewhere || before_mm <= least_notch_mm || now_mm <= 0.7 * before_mm) return false;
+    return --replaced_->frames > 0;
+}
+
+bool ToolHand::bring_again() {
+    if (!mouse_at_ || more_tries_ == 0) return false;
+    const Vec3 place = view_.point_at_depth(*mouse_at_, seen_->working_mm());
+    if ((place - seen_->working_mm()).norm() <= 2.0 * size_.radius_mm) return false;
+    --more_tries_;
+    bring(place, present_way());
+    replaced_->rested = true;
+    return true;
 }
 
 void ToolHand::follow(const std::optional<ToolView>& tool) {
     if (kind_.empty()) return;
     if (tool && !seen_ && is_still_the_old(*tool)) return;
-    if (tool && !seen_) {
-        depth_mm_ = tool->tip_mm;
-        depth_asked_mm_ = 0.0;
-    }
+    const bool comes = tool && !seen_;
     if (tool || seen_) asked_ = false;
     seen_ = tool;
+    if (comes) {
+        replaced_.reset();
+        if (bring_again()) return;
+        depth_mm_ = tool->working_mm();
+        depth_asked_mm_ = 0.0;
+    }
     if (!tool || kind_ != "forceps") return;
     if (const auto seen = grip_.see(*tool, closed_); seen != GripWatch::Seen::nothing_new)
         on_empty_grip(seen);
@@ -110,6 +140,7 @@ void ToolHand::follow(const std::optional<ToolView>& tool) {
 
 void ToolHand::begin_again() {
     seen_.reset();
+    replaced_.reset();
     asked_ = false;
     if (!kind_.empty()) post_(UseTools{true});
 }
@@ -126,16 +157,17 @@ void ToolHand::move(const Pixel& at) {
 
 // Before the depth is reached a report of the mouse takes no less time than is left for that.
 void ToolHand::lead_to(const Pixel& at, std::optional<double> over_s) {
-    const Vec3 tip = view_.point_at_depth(at, depth_mm_);
-    const double left_mm = depth_left_mm();
-    const double left_s =
-        depth_asked_mm_ > 0.0 ? wheel_over_s * std::min(1.0, left_mm / depth_asked_mm_) : 0.0;
-    post_(MoveTool{.target_mm = seen_->centre_mm + tip - seen_->tip_mm,
-                   .over_s = at_least(left_s, over_s)});
+    const Vec3 by = view_.point_at_depth(at, depth_mm_) - seen_->working_mm();
+    double left_s = depth_asked_mm_ > 0.0
+                        ? wheel_over_s * std::min(1.0, depth_left_mm() / depth_asked_mm_)
+                        : 0.0;
+    if (by.norm() > usual_lag_mm)
+        left_s = std::clamp(by.norm() / fastest_lead_mm_per_s, left_s, longest_move_s);
+    post_(MoveTool{.target_mm = seen_->centre_mm + by, .over_s = at_least(left_s, over_s)});
 }
 
 double ToolHand::depth_left_mm() const {
-    return std::abs((depth_mm_ - seen_->tip_mm).dot(view_.axes().forward));
+    return std::abs((depth_mm_ - seen_->working_mm()).dot(view_.axes().forward));
 }
 
 void ToolHand::press(const Pixel& at) {
@@ -146,8 +178,9 @@ bool ToolHand::click(const Pixel& at) {
     if (!seen_ || closed_ || !seen_->touched.empty()) return false;
     const std::optional<Vec3> place = place_at(at);
     if (!place) return false;
-    const double away_mm = (*place - seen_->tip_mm).dot(view_.axes().forward);
+    const double away_mm = (*place - seen_->working_mm()).dot(view_.axes().forward);
     if (std::abs(away_mm) <= 2.0 * size_.radius_mm) return false;
+    more_tries_ = tries_at_mouse;
     bring(*place, present_way());
     return true;
 }
@@ -193,17 +226,19 @@ std::optional<Vec3> ToolHand::place_at(const Pixel& at) const {
 // Where nothing is pointed at, at the depth of the camera's focus.
 void ToolHand::bring_to(const Pixel& at) {
     const std::optional<Vec3> place = place_at(at);
+    more_tries_ = tries_at_mouse;
     bring(place ? *place : view_.point_at_depth(at, view_.axes().focus_mm), way_at(at));
 }
 
-void ToolHand::bring(const Vec3& tip_mm, const Vec3& direction) {
+void ToolHand::bring(const Vec3& place_mm, const Vec3& direction) {
     const double length_mm = kind_ == "sphere" ? 0.0 : size_.length_mm;
-    AddTool tool{kind_, size_.radius_mm, length_mm, direction, tip_mm};
+    AddTool tool{kind_, size_.radius_mm, length_mm, direction, place_mm};
     if (kind_ == "forceps" || kind_ == "hook") tool.side = side_in_picture(view_.axes(), direction);
     post_(tool);
-    replaced_.reset();
-    if (seen_ && (seen_->tip_mm - tip_mm).norm() > least_notch_mm)
-        replaced_ = Replaced{seen_->tip_mm, tip_mm};
+    if (seen_)
+        replaced_ = Replaced{*seen_, place_mm};
+    else if (replaced_)  // no frame has shown the tool before this one
+        replaced_ = Replaced{replaced_->tool, place_mm};
     seen_.reset();
     closed_ = false;
     asked_ = true;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Leads a tool by the mouse, without any toolkit. The tool appears at the mouse; then its tip
-// follows the mouse in a plane parallel to the picture, which the wheel moves in depth; a new depth
-// is reached smoothly, by the play's time and without a timer. A click on a vessel, or on a mark of
-// the lesson, brings it there. Obstacles stop it until there is room. The scene prepares for tools
-// when the first is taken and releases that when the last is put away.
+// Leads a tool by the mouse, without any toolkit. The tool appears at the mouse, as deep as it gets
+// without touching anything; then its working point (ToolView::working_mm) follows the mouse in a
+// plane parallel to the picture, which the wheel moves in depth. A new depth and a place far away
+// are reached smoothly, by the play's time and without a timer. A click on a vessel, or on a mark
+// of the lesson, brings it there. Obstacles stop it until there is room. The scene prepares for
+// tools when the first is taken and releases that when the last is put away.
 #pragma once
 
 #include <functional>
@@ -23,9 +24,13 @@ struct ToolSize {
     double length_mm = 30.0;  // ignored by a sphere
 };
 
-// Over what time of the play the hand reaches the place that the wheel asks for, however many
-// notches: at once it would press or pull like a blow.
+// Over what time of the play, at least, the hand reaches the place that the wheel asks for: at once
+// it would press or pull like a blow.
 inline constexpr double wheel_over_s = 0.12;
+// How fast a tool is led at most where the mouse is further from it than a hand's usual motion
+// leaves it behind. Nearer than that, a HandPace alone says how fast.
+inline constexpr double fastest_lead_mm_per_s = 150.0;
+inline constexpr double usual_lag_mm = fastest_lead_mm_per_s * HandPace::longest_s;
 // The time of a move where left_s of that is left and the mouse alone would take over_s (none: at
 // once).
 std::optional<double> at_least(double left_s, std::optional<double> over_s);
@@ -71,17 +76,23 @@ class ToolHand {
   private:
     // A tool that a new one takes the place of.
     struct Replaced {
-        Vec3 tip_mm = Vec3::Zero();    // its own
+        ToolView tool;
         Vec3 place_mm = Vec3::Zero();  // where the new one is to come
+        bool rested = false;           // was not led: whatever is elsewhere is the new one
         int frames = 60;               // after which whatever is shown counts as new
     };
     bool is_still_the_old(const ToolView& tool);
-    void bring(const Vec3& tip_mm, const Vec3& direction);
+    void bring(const Vec3& place_mm, const Vec3& direction);
     void bring_to(const Pixel& at);
+    // A new tool stops on its way before it touches something, and then lies beside the mouse.
+    // Brings it again, to the mouse at the depth where it stopped; false where it need not.
+    // Requires seen_.
+    bool bring_again();
     // What one points at there: a vessel's surface, or a place at the depth of a mark.
     std::optional<Vec3> place_at(const Pixel& at) const;
     void lead_to(const Pixel& at, std::optional<double> over_s);
-    // From the tip as it was seen last to the plane in which the mouse leads it. Requires seen_.
+    // From the working point as it was seen last to the plane in which the mouse leads it. Requires
+    // seen_.
     double depth_left_mm() const;
     Vec3 way_at(const Pixel& at) const;
     // In which the present tool points. Requires seen_.
@@ -97,8 +108,9 @@ class ToolHand {
     bool closed_ = false;               // jaws are commanded to be closed
     GripWatch grip_;
     bool asked_ = false;  // a tool was requested and no frame has shown it yet
+    int more_tries_ = 0;  // how often bring_again() may still do so
     HandPace pace_;
-    Vec3 depth_mm_ = Vec3::Zero();  // a point of the plane in which the tip moves
+    Vec3 depth_mm_ = Vec3::Zero();  // a point of the plane in which it is led
     double depth_asked_mm_ = 0.0;   // what was left when the wheel was turned last
     std::optional<Pixel> mouse_at_;
 };

@@ -34,6 +34,7 @@ struct ToolView {
         Vec3 from_mm = Vec3::Zero();
         Vec3 to_mm = Vec3::Zero();
         double radius_mm = 0.0;
+        Vec3 along_mm() const { return to_mm - from_mm; }
         bool operator==(const Part&) const = default;
     };
     std::vector<Part> parts;
@@ -47,6 +48,18 @@ struct ToolView {
     bool at_limit = false;          // near its force limit, where it neither moves on nor closes
     std::vector<int> touched;       // vertices of the touched triangles, ascending
     double shown_un() const { return felt_un.value_or(force_un.norm()); }
+    // Two parts that point the same way; a hook's do not.
+    bool has_jaws() const {
+        constexpr double rounding_mm = 1e-6;
+        return parts.size() == 2 &&
+               (parts[0].along_mm() - parts[1].along_mm()).norm() <= rounding_mm;
+    }
+    // The point of a tool that is to come to a place: between the jaws a quarter of their length
+    // from their tips, as AddTool brings them; at the bend of a hook; else the tip.
+    Vec3 working_mm() const {
+        if (parts.size() != 2) return tip_mm;
+        return tip_mm - (has_jaws() ? 0.25 : 0.5) * parts[1].along_mm();
+    }
     bool operator==(const ToolView&) const = default;
 };
 

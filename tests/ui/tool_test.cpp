@@ -346,6 +346,60 @@ TEST_F(ToolInHand, another_comes_to_where_the_one_before_was) {
     EXPECT_LT((commands_of_type<AddTool>().back().point_mm - tip).norm(), 1e-9);
 }
 
+// On its way to the depth of the one before it may be stopped far from the mouse, which must then
+// not lead it through what is there.
+TEST_F(ToolInHand, another_that_is_stopped_on_its_way_comes_to_the_mouse_in_front_of_the_vessels) {
+    take(Qt::Key_4);
+    const ToolView probe = *window_.frame().tool;
+    QTest::keyClick(&window_, Qt::Key_6);
+    ASSERT_EQ(count<AddTool>(), 2u);
+    const AddTool asked = commands_of_type<AddTool>().back();
+    ToolHand& hand = window_.view().mouse().hand();
+    const auto forceps_at = [&](const Vec3& place) {
+        ToolView forceps;
+        const Vec3 along = asked.length_mm * asked.direction.normalized();
+        forceps.centre_mm = place - 0.25 * along;
+        forceps.tip_mm = place + 0.25 * along;
+        for (const double side : {-8.0, 8.0}) {
+            const Vec3 end = forceps.tip_mm + side * asked.side->normalized();
+            forceps.parts.push_back({end - along, end, asked.radius_mm});
+        }
+        return forceps;
+    };
+    hand.follow(probe);  // a frame from before the forceps came
+    EXPECT_EQ(count<AddTool>(), 2u);
+    const Vec3 stopped_mm = asked.point_mm - 25.0 * asked.direction.normalized();
+    hand.follow(forceps_at(stopped_mm));
+    ASSERT_EQ(count<AddTool>(), 3u);
+    const AddTool again = commands_of_type<AddTool>().back();
+    EXPECT_LE((on_widget(again.point_mm) - on_trunk()).manhattanLength(), 2);
+    EXPECT_NEAR(again.point_mm.dot(axes().forward), stopped_mm.dot(axes().forward), 1e-6);
+    EXPECT_LT((again.direction - asked.direction.normalized()).norm(), 1e-9);
+    hand.follow(forceps_at(stopped_mm));  // likewise
+    const ToolView come = forceps_at(again.point_mm);
+    hand.follow(come);
+    EXPECT_EQ(count<AddTool>(), 3u);
+    point_at(on_trunk() + QPoint(1, 0));
+    const Vec3 led_by = commands_of_type<MoveTool>().back().target_mm - come.centre_mm;
+    EXPECT_LT(led_by.norm(), 3.0);
+    EXPECT_NEAR(led_by.dot(axes().forward), 0.0, 1e-6) << "not to the depth of the probe";
+}
+
+TEST_F(ToolInHand, a_leap_of_the_mouse_leads_it_no_faster_than_a_hand_goes) {
+    take(Qt::Key_4);
+    const auto led_mm = [this] {
+        return (commands_of_type<MoveTool>().back().target_mm - window_.frame().tool->centre_mm)
+            .norm();
+    };
+    const auto over_s = [this] { return commands_of_type<MoveTool>().back().over_s.value_or(0.0); };
+    point_at(on_trunk() + QPoint(3, 0));
+    ASSERT_LT(led_mm(), usual_lag_mm);
+    EXPECT_LE(over_s(), HandPace::longest_s);
+    point_at(QPoint(4, 4));
+    ASSERT_GT(led_mm(), 2.0 * usual_lag_mm);
+    EXPECT_NEAR(over_s(), std::min(longest_move_s, led_mm() / fastest_lead_mm_per_s), 1e-9);
+}
+
 TEST_F(ToolInHand, the_panel_says_what_it_feels) {
     auto* force = window_.findChild<QLabel*>("toolForce");
     wait_for_figures();
