@@ -83,8 +83,10 @@ void DepthStem::set_colour(const Colour& colour) {
 
 // With the decimals of the lesson's panel, so that no bound looks reached before it is.
 std::string DepthStem::words_of(const Vec3& forward) const {
+    if (between_jaws_)
+        return (mark_->empty() ? "the mark" : "mark " + *mark_) + " is between the jaws";
     const std::string away = fixed_text(away_mm_, mark_ ? 1 : 0) + " mm";
-    return mark_ ? away + way_to_mark(*mark_, (end_mm_ - tip_mm_).dot(forward), away_mm_) : away;
+    return mark_ ? away + way_to_mark(*mark_, (end_mm_ - from_mm_).dot(forward), away_mm_) : away;
 }
 
 void DepthStem::place(double pixel_ratio, const Vec3& forward,
@@ -92,7 +94,7 @@ void DepthStem::place(double pixel_ratio, const Vec3& forward,
     constexpr double beside_mark_points = 18.0;
     if (const std::string now = words_of(forward); line_->GetVisibility() != 0 && now != text_) {
         text_ = now;
-        label_.show(said(words_, text_), 0.5 * (tip_mm_ + end_mm_));
+        label_.show(said(words_, text_), 0.5 * (from_mm_ + end_mm_));
     }
     line_->GetProperty()->SetLineWidth(static_cast<float>(1.5 * pixel_ratio));
     label_.place(pixel_ratio, beside_mark_points, of_tool);
@@ -104,28 +106,34 @@ bool DepthStem::update(const std::optional<ToolView>& tool, const std::vector<fl
     double away_mm = 0.0;
     Vec3 end = Vec3::Zero();
     const MarkView* mark = nullptr;
-    if (tool && tool->touched.empty() && !tool->parts.empty()) {
-        mark = nearest_waiting(tool->tip_mm, marks);
-        end = mark != nullptr ? mark->place_mm : nearest_to(tool->tip_mm, positions_mm);
-        away_mm = (end - tool->tip_mm).norm();
+    const bool jaws = tool && tool->has_jaws();
+    const Vec3 from = jaws ? tool->working_mm() : tool ? tool->tip_mm : Vec3(Vec3::Zero());
+    const bool free = tool && !tool->parts.empty() && tool->touched.empty();
+    if (free || (jaws && tool->grip_un <= 0.0)) mark = nearest_waiting(from, marks);
+    if (free || mark != nullptr) {
+        end = mark != nullptr ? mark->place_mm : nearest_to(from, positions_mm);
+        away_mm = (end - from).norm();
         // A lesson's goals measure from the tip; vessels are met by the surface of the sphere
         // around it.
         if (mark == nullptr) away_mm -= tool->parts.front().radius_mm;
     }
-    const bool shows = away_mm >= touching_mm && (mark != nullptr || away_mm <= farthest_mm);
+    const bool between = jaws && mark != nullptr && away_mm <= 0.5 * tool->opening_mm;
+    const bool shows =
+        between || (away_mm >= touching_mm && (mark != nullptr || away_mm <= farthest_mm));
     line_->SetVisibility(shows);
     if (!shows) return label_.show({}, {}) || shown;
-    const bool moved = !shown || tool->tip_mm != tip_mm_ || end != end_mm_;
-    tip_mm_ = tool->tip_mm;
+    const bool moved = !shown || from != from_mm_ || end != end_mm_;
+    from_mm_ = from;
     end_mm_ = end;
+    between_jaws_ = between;
     away_mm_ = away_mm;
     mark_ = mark != nullptr ? std::optional(mark->number) : std::nullopt;
     const std::string text = words_of(forward);
     if (!moved && text == text_) return false;
     text_ = text;
-    ends_->SetPoint1(tip_mm_.data());
+    ends_->SetPoint1(from_mm_.data());
     ends_->SetPoint2(end_mm_.data());
-    label_.show(said(words_, text_), 0.5 * (tip_mm_ + end_mm_));
+    label_.show(said(words_, text_), 0.5 * (from_mm_ + end_mm_));
     return true;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shows how far a tool has to go: a line from its tip to the nearest mark that the lesson's
-// present step asks for, else to the nearest that is not reached yet, else to the nearest vertex of
-// the vessels' surface, labelled with the distance in millimetres. It conveys the depth that a
-// perspective picture does not show.
+// Shows how far a tool has to go: a line from its tip, or from the middle between its jaws, to the
+// nearest mark that the lesson's present step asks for, else to the nearest that is not reached
+// yet, else to the nearest vertex of the vessels' surface, labelled with the distance in
+// millimetres. It conveys the depth that a perspective picture does not show.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -37,8 +37,9 @@ class DepthStem {
     void set_colour(const Colour& colour);  // of the line; palette::tool by default
     // `positions_mm`: x, y, z of each vertex of the vessels' surface. Costs one pass over them
     // while a tool is present and no mark is waiting, and nothing without a tool. Only tools that
-    // touch nothing have a line. `forward`: unit vector into the picture, by which the label says
-    // whether a mark lies deeper or nearer. Returns true if the picture changed.
+    // touch nothing have a line, and jaws that hold nothing yet where a mark is waiting: what they
+    // touch on their way may be another vessel. `forward`: unit vector into the picture, by which
+    // the label says whether a mark lies deeper or nearer. Returns true if the picture changed.
     bool update(const std::optional<ToolView>& tool, const std::vector<float>& positions_mm,
                 const std::vector<MarkView>& marks, const Vec3& forward);
     // Places the number, and says anew whether the mark lies deeper, since the view may have been
@@ -56,9 +57,10 @@ class DepthStem {
     vtkSmartPointer<vtkLineSource> ends_;
     vtkSmartPointer<vtkActor> line_;
     // As shown:
-    Vec3 tip_mm_ = Vec3::Zero(), end_mm_ = Vec3::Zero();
+    Vec3 from_mm_ = Vec3::Zero(), end_mm_ = Vec3::Zero();
     std::optional<std::string> mark_;  // number of the mark at the end; none: no mark is there
     double away_mm_ = 0.0;
+    bool between_jaws_ = false;  // the mark is
     std::string text_;
     FigureLabel label_;
 };

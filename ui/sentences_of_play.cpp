@@ -269,6 +269,8 @@ constexpr std::array sentences_play{
     Words::id("%1 mm to mark %2"),
     Words::id("%1 mm to mark %2, move away from you"),
     Words::id("%1 mm to mark %2, move towards you"),
+    Words::id("the mark is between the jaws"),
+    Words::id("mark %1 is between the jaws"),
     Words::id("%1, grip %2"),
     Words::id("grip %1"),
     Words::id("hepatic vein"),

@@ -188,6 +188,49 @@ TEST_F(MarksAndMeasures, a_line_says_how_far_the_tool_is_from_the_mark_and_wheth
     EXPECT_FALSE(look_alike(picture(), near_vessel));
 }
 
+// Jaws touch other vessels on their way to the one that they are to hold; of them the middle
+// counts.
+TEST_F(MarksAndMeasures, jaws_are_led_by_their_middle_until_the_mark_is_between_them_and_held) {
+    std::string last;
+    view_.set_words([&](const std::string& english) {
+        if (english.find("mark") != std::string::npos) last = english;
+        return english;
+    });
+    Frame frame = fake_frame();
+    const ViewAxes axes = view_.axes();
+    const Vec3 middle(40, 0, 20);
+    ToolView& forceps = frame.tool.emplace();
+    forceps.opening_mm = 12.0;
+    forceps.centre_mm = middle - 7.5 * axes.forward;
+    forceps.tip_mm = forceps.at_mm = middle + 7.5 * axes.forward;
+    for (const double side : {-8.0, 8.0}) {
+        const Vec3 end = forceps.tip_mm + side * axes.up;
+        forceps.parts.push_back({end - 30.0 * axes.forward, end, 2.0});
+    }
+    ASSERT_LT((forceps.working_mm() - middle).norm(), 1e-9);
+    const auto said = [&](const std::vector<MarkView>& marks) {
+        last.clear();
+        view_.set_marks(marks);
+        view_.show(frame);
+        return last;
+    };
+    const std::vector<MarkView> deeper{{middle + 13.0 * axes.forward, "", false}};
+    EXPECT_EQ(said(deeper), "13.0 mm to the mark, move away from you");
+    forceps.touched = {1, 2, 3};
+    said({});
+    EXPECT_EQ(said(deeper), "13.0 mm to the mark, move away from you");
+    EXPECT_EQ(said({{middle + 6.5 * axes.right, "", false}}), "6.5 mm to the mark");
+    EXPECT_EQ(said({{middle + 5.5 * axes.right, "", false}}), "the mark is between the jaws");
+    EXPECT_EQ(said({{middle, "2", false}}), "mark 2 is between the jaws");
+    forceps.grip_un = 5e3;
+    view_.show(frame);
+    EXPECT_EQ(said({{middle + 5.5 * axes.right, "", false}}), "") << "it is held";
+    // A probe that touches something has arrived.
+    forceps.grip_un = 0.0;
+    forceps.parts.pop_back();
+    EXPECT_EQ(said(deeper), "");
+}
+
 // While nothing moves but the marks and the view.
 TEST_F(MarksAndMeasures, the_way_to_a_mark_is_said_anew_for_other_marks_and_where_one_looks_from) {
     std::string last;
