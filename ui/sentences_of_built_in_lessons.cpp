@@ -70,15 +70,16 @@ constexpr std::array sentences_built_in_lessons{
         "Key 4 takes the probe. Come from the side of the root, and press some millimetres in."),
     Words::id("Take the stump with the forceps until it bleeds less than the goal says, for half a "
               "second."),
-    Words::id(
-        "Key 6 takes the forceps. Bring the stump to the middle between the jaws, then C closes "
-        "them."),
+    Words::id("Key 6 takes the forceps; they come in front of the vessels. Push them away from you "
+              "with the wheel until the picture says that the mark is between the jaws, then C "
+              "closes them. Limited is the force with which a tool pushes or pulls the vessels, "
+              "not the grip between the jaws."),
     Words::id("Draw a cut line across a branch and pull it off along the line. Without the line "
               "the pull would stretch the branch long before it tears."),
     Words::id("Draw a cut line across the branch at the first mark, take the branch at the second "
               "and pull until it comes off."),
-    Words::id("Key 9 draws cut lines; key 1 pulls again. Set \"Along a line\" in the panel Tool "
-              "near 0: it is what the line leaves of the strength."),
+    Words::id("Key 9 draws cut lines; key 1 pulls again. \"Along a line\" in the panel Tool is "
+              "what the line leaves of the strength: 0.05, unless you changed it."),
     Words::id("Fill the target's vessels with an emulsion of lipiodol and stop before it runs back "
               "into the others. A pump drives the emulsion; where the pump stops, the emulsion "
               "stays. You see by the filled target when it is enough."),
