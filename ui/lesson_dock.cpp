@@ -369,6 +369,7 @@ void LessonDock::keep(const LessonStanding& standing) {
     if (is_trial()) return;
     try {
         write_attempt(result_of(standing));
+        tell_course_standing();
         ways_.kept();
     } catch (...) {
         ways_.failed(Words::tr("Keep the result"), std::current_exception());

@@ -148,7 +148,12 @@ class LessonDock : public QDockWidget {
     std::vector<MarkView> marks_in(const Frame& frame) const;
 
   private:
-    void find_next();                    // in the chosen course, else the built-in one
+    // In the chosen course where it holds the lesson, else in the built-in one.
+    void find_next();
+    // Says in the panel how the course stands, after its last lesson or once all are passed.
+    void tell_course_standing();
+    // The trainee's standing in the course of this file.
+    std::vector<CourseLine> lines_of(const Course& course, const std::filesystem::path& file) const;
     bool read(const std::string& name);  // into lesson_; on failure reports it and returns false
     void ask_for_lesson();
     void ask_for_course();
@@ -188,7 +193,10 @@ class LessonDock : public QDockWidget {
     std::filesystem::path waits_for_;
     bool built_in_shown_ = false;
     std::filesystem::path course_file_;  // chosen last; empty: the built-in one
-    std::optional<CourseLine> next_;     // the lesson after this one in its course
+    // The course that the lesson of watch_ belongs to (empty: the built-in one), and the lesson
+    // after it there.
+    std::optional<std::filesystem::path> played_course_;
+    std::optional<CourseLine> next_;
     std::string trainee_;
     std::shared_ptr<LessonWatch> watch_;
     std::unique_ptr<RecordingGuard> guard_;  // of the recording of watch_ while it is written

@@ -32,16 +32,16 @@ Course course_in(const fs::path& file) {
     return file.empty() ? course_of(built_in_course(), "course") : read_course(file);
 }
 
-// The lesson after this one in the course; nullopt also if the course can no longer be read.
-std::optional<CourseLine> lesson_after(const std::string& lesson, const fs::path& course) {
+// The lesson of a course and those after it; empty if the course does not hold it or can no longer
+// be read.
+std::vector<CourseLine> lessons_from(const std::string& lesson, const fs::path& course) {
     try {
-        const auto lines = standing_of(course_in(course), course.parent_path(), {});
-        auto line = std::ranges::find(lines, lesson, &CourseLine::lesson);
-        if (line != lines.end() && ++line != lines.end()) return *line;
+        auto lines = standing_of(course_in(course), course.parent_path(), {});
+        lines.erase(lines.begin(), std::ranges::find(lines, lesson, &CourseLine::lesson));
+        return lines;
     } catch (const InputError&) {
-        return std::nullopt;
+        return {};
     }
-    return std::nullopt;
 }
 
 }  // namespace
@@ -60,17 +60,20 @@ void LessonDock::show_course(const fs::path& file) {
         const Course course = course_in(file);
         was_read = true;
         choose_course(file);  // also where a lesson of it is gone: Edit course mends that
-        std::vector<Attempt> attempts = all_attempts(recordings_).list;
-        if (!trainee_.empty())
-            std::erase_if(attempts,
-                          [this](const Attempt& attempt) { return attempt.name != trainee_; });
-        course_->show_course(course.name, standing_of(course, file.parent_path(), attempts),
-                             trainee_, file.empty());
+        course_->show_course(course.name, lines_of(course, file), trainee_, file.empty());
     } catch (...) {
         // If the chosen course is gone, the built-in one takes its place.
         if (!was_read && file == course_file_) choose_course({});
         ways_.failed(Words::tr("Open course"), std::current_exception());
     }
+}
+
+std::vector<CourseLine> LessonDock::lines_of(const Course& course, const fs::path& file) const {
+    std::vector<Attempt> attempts = all_attempts(recordings_).list;
+    if (!trainee_.empty())
+        std::erase_if(attempts,
+                      [this](const Attempt& attempt) { return attempt.name != trainee_; });
+    return standing_of(course, file.parent_path(), attempts);
 }
 
 void LessonDock::choose_course(const fs::path& file) {
@@ -134,9 +137,34 @@ CourseEditor& LessonDock::course_editor() {
 }
 
 void LessonDock::find_next() {
-    next_ = lesson_after(name_, course_file_);
-    if (!next_) next_ = lesson_after(name_, {});
+    played_course_ = course_file_;
+    std::vector<CourseLine> lines = lessons_from(name_, course_file_);
+    if (lines.empty()) {
+        played_course_ = fs::path();
+        lines = lessons_from(name_, {});
+    }
+    if (lines.empty()) played_course_.reset();
+    next_ = lines.size() > 1 ? std::optional(lines[1]) : std::nullopt;
     panel_->set_next(next_ ? next_->title : "");
+    panel_->set_course_standing({});
+}
+
+void LessonDock::tell_course_standing() {
+    if (!played_course_) return;
+    try {
+        const Course course = course_in(*played_course_);
+        const std::vector<CourseLine> lines = lines_of(course, *played_course_);
+        const std::ptrdiff_t passed = std::ranges::count_if(lines, &CourseLine::passed);
+        const bool all = passed == std::ssize(lines);
+        if (next_ && !all) return;
+        const QString title = course_title(course.name);
+        panel_->set_course_standing(
+            all ? Words::tr("✓ The course \"%1\" is passed: all of its lessons are.").arg(title)
+                : Words::tr("This was the last lesson of the course \"%1\": %2 of %3 are passed.")
+                      .arg(title, QString::number(passed), QString::number(lines.size())));
+    } catch (const InputError&) {
+        return;  // the course can no longer be read: Lesson > Course says why
+    }
 }
 
 }  // namespace hepatica

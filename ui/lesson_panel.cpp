@@ -110,6 +110,9 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent)
     limits_ = add_label(*column, "lessonLimits");
     pass_ = add_label(*column, "lessonPass");
     end_ = add_label(*column, "lessonEnd");
+    course_ = add_label(*column, "lessonCourse");
+    course_->setTextFormat(Qt::PlainText);
+    course_->hide();
     auto* next_row = new QHBoxLayout;
     next_ = add_button(*next_row, {}, "lessonNext", [run = ways.next] { run(); });
     column->addLayout(next_row);
@@ -156,6 +159,10 @@ void LessonPanel::set_next(const std::string& lesson) {
     // The lesson's name would widen the panel.
     next_->setText(Words::tr("&Next lesson"));
     next_->setToolTip(as_plain(translated(lesson)));
+}
+
+void LessonPanel::set_course_standing(const QString& words) {
+    course_->setText(words);
 }
 
 void LessonPanel::set_name(const QString& name) {
@@ -215,6 +222,7 @@ void LessonPanel::show_standing(const LessonStanding& standing, bool clock_stand
     look_back_->setVisible(!running);
     attempts_->setVisible(!running && !trial_);
     next_->setVisible(!running && !next_lesson_.empty());
+    course_->setVisible(!running && !course_->text().isEmpty());
     pass_->setVisible(running && !standing.pass.empty());
     limits_->setText(table_of(Words::tr("Limits"), limits_in_force(standing, lesson_),
                               lesson_.mark_names(), units_, "✓", "✗"));

@@ -45,6 +45,8 @@ class LessonPanel : public QWidget {
     void set_trial(bool trial) { trial_ = trial; }
     // The next lesson of the course; empty: there is none.
     void set_next(const std::string& lesson);
+    // How the course stands, shown once the attempt has ended; empty: nothing is said of it.
+    void set_course_standing(const QString& words);
     void set_name(const QString& name);
     // Takes effect with the next standing.
     void set_units(FlowUnits units) { units_ = units; }
@@ -78,6 +80,7 @@ class LessonPanel : public QWidget {
     QLabel* limits_;
     QLabel* pass_;
     QLabel* end_;
+    QLabel* course_;
     QPushButton* next_;
     QPushButton* report_;
     QPushButton* look_back_;
