@@ -221,6 +221,15 @@ TEST(BuiltInLessons, EachIsPassedByOnePlayAndFailedByAnother) {
             EXPECT_EQ(followed.standing.outcome, LessonOutcome::passed)
                 << to_json(followed.standing, lesson).dump(1);
         }
+        // The limit of the force leaves room for a grip that is well off the middle.
+        if (const fs::path off = plays / (id + "_off_centre.json"); fs::exists(off)) {
+            const Played gripped = play(lesson, read_script(off), patient, steps);
+            EXPECT_EQ(gripped.standing.outcome, LessonOutcome::passed) << id;
+            for (const BoundStanding& limit : gripped.standing.limits) {
+                if (limit.predicate.quantity == Quantity::force_mn)
+                    EXPECT_LT(limit.value, 0.75 * limit.predicate.bound) << id;
+            }
+        }
         // With one tool alone where the steps ask for another, or the emulsion taken out again.
         if (const fs::path wrong = plays / (id + "_wrong_tool.json"); fs::exists(wrong)) {
             const Played pressed = play(lesson, read_script(wrong), patient, steps);
