@@ -22,6 +22,7 @@
 #include "core/base/error.h"
 #include "core/lesson/attempts.h"
 #include "core/lesson/lesson_file.h"
+#include "core/lesson/play_notes.h"
 #include "core/lesson/score.h"
 #include "core/scene/surface_anatomy.h"
 #include "core/session/recording_file.h"
@@ -253,6 +254,7 @@ struct Parts {
     bool free;
     const Score& scored;
     const PatientCase& patient;
+    std::vector<PlayNote> notes;
     std::vector<std::pair<fs::path, std::string>> pictures;
     std::vector<std::pair<fs::path, std::string>> plots;
 };
@@ -304,6 +306,17 @@ void add_verdict(HtmlReport& page, const Parts& parts) {
         page.add_table(table_of_bounds(standing.pass, marks, units, reached));
 }
 
+// What an instructor noted at moments of the play.
+void add_notes(HtmlReport& page, const std::vector<PlayNote>& notes) {
+    if (notes.empty()) return;
+    Json rows = Json::array();
+    for (const PlayNote& note : notes)
+        rows.push_back({{key(Words::tr("After")), key(in_words(Quantity::time_s, note.at_s))},
+                        {key(Words::tr("Note")), note.text}});
+    page.add_heading(key(Words::tr("Notes of the instructor")));
+    page.add_table(rows);
+}
+
 QString legend_of_pictures(const Parts& parts) {
     QStringList sentences{Words::tr("From the front, without perspective.")};
     if (!parts.lesson.marks.empty()) sentences << Words::tr("Circles: the lesson's marks.");
@@ -318,6 +331,7 @@ HtmlReport page_of(const Parts& parts) {
     HtmlReport page("Hepatica: " + key(translated(parts.lesson.name)), parts.request.language);
     add_who_and_when(page, parts);
     if (!parts.free) add_verdict(page, parts);
+    add_notes(page, parts.notes);
     page.add_heading(key(Words::tr("Metrics")));
     page.add_table(
         table_of_metrics(parts.scored.standing.metrics, parts.lesson, parts.request.units));
@@ -422,6 +436,7 @@ WrittenReport write_report(const ReportRequest& request, Job& job) {
     require_writable_folder(request.out);
     require_no_other_recording(request);
     const Recording recording = read_recording(request.recording);
+    const std::vector<PlayNote> notes = read_notes(request.recording);
     const std::optional<Lesson> played = lesson_of_play(request, recording);
     const Lesson lesson = played.value_or(free_play(recording));
     constexpr int replaying_and_writing = 3;
@@ -435,15 +450,16 @@ WrittenReport write_report(const ReportRequest& request, Job& job) {
     const Score scored = score(
         recording, lesson, patient, job, back_end_named(recording.back_end),
         [&](const Frame& frame, const LessonStanding& standing) { moments.see(frame, standing); });
-    job.begin_stage(Words::id("Drawing pictures and curves"));
+    job.begin_stage(Words::id("Drawing pictures"));
     fs::create_directories(request.out);
     WrittenReport written{scored.standing.outcome == LessonOutcome::passed, {}};
     write_files_atomically(request.out, [&](const fs::path& folder) {
-        Parts parts{request, lesson, !played, scored, *patient, {}, {}};
+        Parts parts{request, lesson, !played, scored, *patient, notes, {}, {}};
         write_pictures(parts, moments, *places, folder, job);
         write_plots(parts, folder);
         write_text_atomically(folder / "metrics.csv", to_csv(scored.standing.metrics));
         fs::copy_file(request.recording, folder / "recording.hrec");
+        if (!notes.empty()) write_notes(folder / "recording.hrec", notes);
         const HtmlReport page = page_of(parts);
         page.write(folder / "report.html");
         print_pdf(page.text(), folder, folder / "report.pdf");

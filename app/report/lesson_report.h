@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report of a play: what was asked and reached, metrics, limits, pictures, plots over time, and
-// the recording itself, as HTML, PDF and tables in one folder.
+// The report of a play: what was asked and reached, metrics, limits, the instructor's notes,
+// pictures, plots over time, and the recording itself, as HTML, PDF and tables in one folder.
 #pragma once
 
 #include <filesystem>
@@ -30,9 +30,9 @@ struct WrittenReport {
     std::vector<std::filesystem::path> files;  // all files in the folder
 };
 
-// Writes report.html, report.pdf, metrics.csv, plots.csv, pictures and recording.hrec, all of them
-// or none. Needs a QApplication, but no display. Throws InputError, also where a recording.hrec is
-// there that is of no report; Cancelled.
+// Writes report.html, report.pdf, metrics.csv, plots.csv, pictures and recording.hrec, with the
+// notes beside it where there are some, all of them or none. Needs a QApplication, but no display.
+// Throws InputError, also where a recording.hrec is there that is of no report; Cancelled.
 WrittenReport write_report(const ReportRequest& request, Job& job);
 
 }  // namespace hepatica

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/lesson/attempts.h"
+#include "core/lesson/play_notes.h"
 #include "tests/app/tour.h"
 
 namespace hepatica {
@@ -142,6 +143,26 @@ TEST_F(LessonVerb, MakesAReportWithoutADisplay) {
     EXPECT_EQ(page.find(path("")), std::string::npos) << "a path may name the patient";
     for (const char* file : {"metrics.csv", "plots.csv", "picture_1.png", "plot_2.png"})
         EXPECT_TRUE(fs::exists(path(std::string("report/") + file))) << file;
+}
+
+TEST_F(LessonVerb, AReportHoldsTheNotesOfTheInstructor) {
+    play(3.0);
+    const std::vector<PlayNote> notes{{0.25, "Good, but <slow> here"}, {0.5, "Langsamer"}};
+    write_notes(path("play.hrec"), notes);
+    const auto page_of = [&](const char* name) {
+        const Outcome run = report(
+            {"--report", path("play.hrec"), "--out", path(name), "--lesson", path("lesson.json")});
+        EXPECT_EQ(run.exit_code, 0) << run.errors;
+        return contents_of(path(std::string(name) + "/report.html"));
+    };
+    const std::string page = page_of("noted");
+    for (const char* text : {"Notes of the instructor", "0.25\u00a0s</td><td>Good, but &lt;slow",
+                             "0.5\u00a0s</td><td>Langsamer"})
+        EXPECT_NE(page.find(text), std::string::npos) << text;
+    EXPECT_EQ(read_notes(path("noted/recording.hrec")), notes);
+    write_notes(path("play.hrec"), {});
+    EXPECT_EQ(page_of("plain").find("Notes of"), std::string::npos);
+    EXPECT_FALSE(fs::exists(notes_file_of(path("plain/recording.hrec"))));
 }
 
 // The window has one bar of the whole report, which needs to know which stage of how many it is.
