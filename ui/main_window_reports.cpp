@@ -4,7 +4,6 @@
 
 #include <QCoreApplication>
 #include <QDesktopServices>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
 #include <QStatusBar>
@@ -17,17 +16,29 @@
 #include "ui/message_bar.h"
 #include "ui/paths.h"
 #include "ui/report_writing.h"
+#include "ui/save_file_dialog.h"
 #include "ui/words.h"
 
 namespace hepatica {
+namespace {
+
+QDateTime time_of_play(const std::filesystem::path& recording) {
+    return QFileInfo(to_text(recording)).lastModified();
+}
+
+}  // namespace
 
 void MainWindow::write_report(const std::filesystem::path& recording, const std::string& lesson) {
-    const QString folder = QFileDialog::getExistingDirectory(
-        this, Words::tr("Folder for the report"), settings_.last_folder());
-    if (folder.isEmpty()) return;
-    settings_.set_last_folder(folder);
-    attempt(Words::tr("Write the report"),
-            [&] { write_report_into(to_path(folder), recording, lesson); });
+    attempt(Words::tr("Write the report"), [&] {
+        const QString called = translated(find_lesson(lesson).name);
+        const QString folder = ask_where_to_save_folder(
+            *this, Words::tr("Folder for the report"),
+            settings_.last_folder() + "/" + report_name(called, time_of_play(recording)));
+        if (folder.isEmpty()) return;
+        settings_.set_last_folder(QFileInfo(folder).isDir() ? folder
+                                                            : QFileInfo(folder).absolutePath());
+        write_report_into(to_path(folder), recording, lesson);
+    });
 }
 
 void MainWindow::write_report_into(const std::filesystem::path& chosen,
@@ -45,15 +56,17 @@ void MainWindow::write_report_into(const std::filesystem::path& chosen,
     QueuedJob queued;
     queued.kind = JobKind::report;
     // Told apart from another report that waits: of another lesson, or of another play of it.
-    const QDateTime played = QFileInfo(to_text(recording)).lastModified();
+    const QDateTime played = time_of_play(recording);
+    const bool is_there = std::filesystem::exists(chosen);
     const QString title = Words::tr("Writing the report on %1 (%2)")
                               .arg(called, QLocale().toString(played, "HH:mm:ss"));
     queued.title = title.toStdString();
-    queued.begin = [this, order, chosen, called, played]() -> BackgroundJob::Work {
+    queued.begin = [this, order, chosen, is_there, called, played]() -> BackgroundJob::Work {
         const QString program =
             report_program_.isEmpty() ? QCoreApplication::applicationFilePath() : report_program_;
         // Now that the reports before it are there, and have their folders.
-        const auto place = report_folder(chosen, called, played);
+        const auto place =
+            is_there ? report_folder(chosen, called, played) : numbered_folder(chosen);
         return [this, program, order, place](Job& job) -> std::function<void()> {
             order_report(program, order, place, job);
             return [this, place] { offer_report(place); };

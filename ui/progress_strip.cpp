@@ -28,7 +28,7 @@ ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* pictures)
     : OverlayBar(Qt::BottomEdge, pictures),
       // The beginning tells what is done, and the end of a name distinguishes it.
       title_(new ElidedLabel(Qt::ElideMiddle, this)),
-      stage_(new ElidedLabel(Qt::ElideMiddle, this)),
+      stage_(new ElidedLabel(Qt::ElideRight, this)),
       waiting_(new ElidedLabel(Qt::ElideRight, this)),
       bar_(new QProgressBar(this)),
       cancel_(new QPushButton(Words::tr("Cancel"), this)) {
@@ -56,6 +56,7 @@ ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* pictures)
 void ProgressStrip::start(const QString& title) {
     title_->setText(title);
     stage_->clear();
+    stage_->setMinimumWidth(0);
     bar_->setRange(0, 0);
     cancel_->setToolTip(as_plain(Words::tr("Cancels this alone: %1").arg(title)));
     cancel_->setEnabled(true);
@@ -80,6 +81,8 @@ void ProgressStrip::update_progress(const JobProgress& progress) {
             "  " + Words::tr("(%1 of %2)").arg(progress.stage_number).arg(progress.stage_count);
     }
     stage_->setText(stage);
+    // A long title yields before the stage is cut to a word.
+    stage_->setMinimumWidth(std::min(stage_->sizeHint().width(), 2 * width() / 5));
     bar_->setRange(0, 1000);
     bar_->setValue(static_cast<int>(1000.0 * share_of_job(progress)));
 }

@@ -124,13 +124,19 @@ class Running {
 }  // namespace
 
 fs::path report_folder(const fs::path& chosen, const QString& lesson, const QDateTime& played) {
-    const QString name =
-        (as_file_name(lesson, {}) + " " + played.toString("yyyy-MM-dd hh-mm")).trimmed();
-    fs::path folder = chosen / to_path(name);
+    return numbered_folder(chosen / to_path(report_name(lesson, played)));
+}
+
+QString report_name(const QString& lesson, const QDateTime& played) {
+    return (as_file_name(lesson, {}) + " " + played.toString("yyyy-MM-dd hh-mm")).trimmed();
+}
+
+fs::path numbered_folder(const fs::path& folder) {
+    fs::path free = folder;
     std::error_code ignored;
-    for (int number = 2; fs::exists(folder, ignored); ++number)
-        folder = chosen / to_path(QString("%1 (%2)").arg(name, QString::number(number)));
-    return folder;
+    for (int number = 2; fs::exists(free, ignored); ++number)
+        free = folder.string() + " (" + std::to_string(number) + ")";
+    return free;
 }
 
 void order_report(const QString& program, const ReportOrder& order, const fs::path& folder,

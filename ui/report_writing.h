@@ -24,7 +24,11 @@ struct ReportOrder {
     FlowUnits units = FlowUnits::computed;
 };
 
-// A folder in `chosen` that does not exist yet, named after the lesson and the time of the play.
+// Named after the lesson and the time of the play: a folder's name.
+QString report_name(const QString& lesson, const QDateTime& played);
+// The folder itself if it does not exist yet, else "FOLDER (2)", "FOLDER (3)", ...
+std::filesystem::path numbered_folder(const std::filesystem::path& folder);
+// A folder in `chosen` of that name, numbered likewise.
 std::filesystem::path report_folder(const std::filesystem::path& chosen, const QString& lesson,
                                     const QDateTime& played);
 

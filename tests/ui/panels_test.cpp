@@ -435,6 +435,23 @@ TEST(ProgressStripTest, cuts_no_words_before_its_bar_is_short) {
         EXPECT_EQ(label->shown(), label->text()) << pictures.width();
 }
 
+TEST(ProgressStripTest, a_stage_beside_a_long_title_keeps_room_and_is_cut_at_its_end) {
+    QWidget pictures;
+    pictures.resize(480, 400);
+    auto* strip = new ProgressStrip([] {}, &pictures);
+    pictures.show();
+    strip->start("Writing the report on the bleeding vessel that one holds (16:10:22)");
+    strip->update_progress({"Telling the systems apart once more", 0.5, 4, 4});
+    QCoreApplication::processEvents();
+    const ElidedLabel* stage = nullptr;
+    for (const auto* label : strip->findChildren<ElidedLabel*>())
+        if (label->text().startsWith("Telling")) stage = label;
+    ASSERT_NE(stage, nullptr);
+    EXPECT_GE(stage->width(), 2 * strip->width() / 5);
+    EXPECT_TRUE(stage->shown().startsWith("Telling the")) << stage->shown().toStdString();
+    EXPECT_TRUE(stage->shown().endsWith("…")) << "it would not need to be cut";
+}
+
 // "No gaps" would say that there is none at all.
 TEST(EditPanelTest, says_how_many_gaps_the_slider_hides) {
     EditPanel panel;
