@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/base/three_digits.h"
@@ -144,7 +145,8 @@ AttemptsDialog::AttemptsDialog(Ways ways, QWidget* parent)
         hide();
         const auto line = static_cast<std::size_t>(chosen);
         const std::size_t ended = attempts_.list.size();
-        ways_.look_back(line < ended ? attempts_.list[line].recording : interrupted_[line - ended]);
+        ways_.look_back(line < ended ? attempts_.list[line].recording
+                                     : interrupted_[line - ended].recording);
     });
     connect(table_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
         if (item->column() == Column::reference)
@@ -161,7 +163,7 @@ void AttemptsDialog::show_lesson(const LessonKey& lesson, const std::filesystem:
                                  std::vector<std::filesystem::path> interrupted) {
     lesson_ = lesson;
     folder_ = folder;
-    interrupted_ = std::move(interrupted);
+    without_result_ = std::move(interrupted);
     offer_names(name);
     show_attempts();
     widen_to_columns(*this, *table_);  // the quantity that failed may stand in the last one
@@ -192,10 +194,18 @@ void AttemptsDialog::offer_names(const std::string& name) {
 // The attempts at the lesson of the chosen trainee.
 void AttemptsDialog::show_attempts() {
     attempts_ = attempts_at(lesson_, folder_);
-    const std::size_t of_everybody = attempts_.list.size();
     const std::string whose = whose_->currentData().toString().toStdString();
-    std::erase_if(attempts_.list,
-                  [&](const Attempt& attempt) { return !whose.empty() && attempt.name != whose; });
+    const auto of_another = [&](const Attempt& attempt) {
+        return !whose.empty() && attempt.name != whose;
+    };
+    interrupted_.clear();
+    std::ranges::copy_if(attempts_.list, std::back_inserter(interrupted_), was_interrupted);
+    std::erase_if(attempts_.list, was_interrupted);
+    std::erase_if(interrupted_, of_another);
+    for (const std::filesystem::path& recording : without_result_)
+        interrupted_.emplace_back().recording = recording;
+    const std::size_t of_everybody = attempts_.list.size();
+    std::erase_if(attempts_.list, of_another);
     choose_quantities();
     fill_table();
     draw_curve();
@@ -285,14 +295,16 @@ void AttemptsDialog::fill_row(int row, const Attempt& attempt) {
 }
 
 // An interrupted attempt has no number, because it is no point of the curve.
-void AttemptsDialog::fill_interrupted(int row, const std::filesystem::path& recording) {
-    const QDateTime ended = QFileInfo(to_text(recording)).lastModified();
+void AttemptsDialog::fill_interrupted(int row, const Attempt& attempt) {
+    const QDateTime ended = QFileInfo(to_text(attempt.recording)).lastModified();
     for (int column = 0; column < table_->columnCount(); ++column)
         table_->setItem(row, column, text_item({}));
     table_->setItem(row, Column::ended, text_item(date_words(ended)));
+    table_->setItem(row, Column::name, text_item(QString::fromStdString(attempt.name)));
     auto* outcome = text_item(Words::tr("interrupted"));
-    outcome->setToolTip(
-        Words::tr("The play ended before the lesson did: it can be looked back on."));
+    outcome->setToolTip(Words::tr(
+        "The play ended before the lesson did: it can be looked back on, and counts as no "
+        "attempt."));
     table_->setItem(row, Column::result, outcome);
 }
 

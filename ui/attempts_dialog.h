@@ -37,13 +37,14 @@ class AttemptsDialog : public QDialog {
     AttemptsDialog(Ways ways, QWidget* parent);
 
     // Reads the attempts again and shows those of `name` if there are any, else all; the newest is
-    // selected. `interrupted` are recordings without a result: they follow the others in the table
-    // and are left out of the curve.
+    // selected. `interrupted` are recordings without a result: they and interrupted attempts follow
+    // the others in the table and are left out of the curve.
     void show_lesson(const LessonKey& lesson, const std::filesystem::path& folder,
                      const std::string& name = {},
                      std::vector<std::filesystem::path> interrupted = {});
     // Of table and curve; a saved table has those of the computation.
     void set_units(FlowUnits units);
+    // Those that are listed, but for interrupted ones.
     const std::vector<Attempt>& attempts() const { return attempts_.list; }
     const Chart& chart() const;
 
@@ -52,14 +53,15 @@ class AttemptsDialog : public QDialog {
     void show_attempts();
     void fill_table();
     void fill_row(int row, const Attempt& attempt);
-    void fill_interrupted(int row, const std::filesystem::path& recording);
+    void fill_interrupted(int row, const Attempt& attempt);
     void choose_quantities();
     void draw_curve();
     void mark(int row, bool reference);
 
     Ways ways_;
     Attempts attempts_;
-    std::vector<std::filesystem::path> interrupted_;
+    std::vector<std::filesystem::path> without_result_;
+    std::vector<Attempt> interrupted_;  // with and without a result
     LessonKey lesson_;
     std::filesystem::path folder_;
     FlowUnits units_ = FlowUnits::computed;

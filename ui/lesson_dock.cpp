@@ -334,7 +334,7 @@ void LessonDock::note_interruption() {
     if (!guard_ || !watch_ || !begun()) return;
     LessonStanding standing = watch_->standing();
     standing.outcome = LessonOutcome::failed;
-    standing.reasons.push_back(Words::id("interrupted before the end"));
+    standing.reasons = {interrupted_reason};
     Attempt attempt = result_of(standing);
     attempt.metrics.fill(std::numeric_limits<double>::quiet_NaN());
     try {

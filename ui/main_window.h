@@ -220,7 +220,6 @@ class MainWindow : public QMainWindow {
     // Offers what earlier runs left: cases and edits, lessons, interrupted plays.
     void offer_unsaved_work();
     void offer_unsaved_lesson();
-    void forget(const std::vector<std::filesystem::path>& interrupted);
     void open_unsaved_work();
     void connect_unsaved_work();
     void ask_for_ct(bool folder);

@@ -232,26 +232,22 @@ void MainWindow::offer_unsaved_work() {
     if (!interrupted.empty())
         texts << Words::tr(
                      "The last lesson or recorded play was interrupted (%1). Its recording "
-                     "goes up to that moment.")
+                     "goes up to that moment. A lesson that was interrupted counts as no attempt.")
                      .arg(when(interrupted.front()));
     if (texts.isEmpty()) return;
     if (!left.empty())
         messages_->show_notice(texts.join("\n"), Words::tr("Open it"),
                                [this] { open_unsaved_work(); });
     const auto look_back = [this, interrupted] {
-        forget(interrupted);
+        std::ranges::for_each(interrupted, forget_interruption);
         review_->open(interrupted.front());
     };
     const QString looks_back = Words::tr("Look back on the play");
     if (interrupted.empty()) return;
     if (!left.empty()) return messages_->offer_also(looks_back, look_back);
     messages_->show_notice(texts.join("\n"), looks_back, look_back);
-    messages_->offer_also(Words::tr("Forget it"), [this, interrupted] { forget(interrupted); });
-}
-
-// The recordings stay and are listed with the attempts at their lesson.
-void MainWindow::forget(const std::vector<std::filesystem::path>& interrupted) {
-    for (const std::filesystem::path& recording : interrupted) forget_interruption(recording);
+    messages_->offer_also(Words::tr("Forget it"),
+                          [interrupted] { std::ranges::for_each(interrupted, forget_attempt); });
 }
 
 void MainWindow::open_unsaved_work() {

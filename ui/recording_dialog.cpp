@@ -85,7 +85,9 @@ RecordingFacts facts_of(const fs::path& recording) {
             attempt_from(read_text_file(result, ""), recording, result.string());
         facts.lesson = translated(attempt.lesson);
         facts.trainee = QString::fromStdString(attempt.name);
-        facts.result = attempt.passed ? Words::tr("✓ passed") : Words::tr("✗ not passed");
+        facts.result = was_interrupted(attempt) ? Words::tr("interrupted")
+                       : attempt.passed         ? Words::tr("✓ passed")
+                                                : Words::tr("✗ not passed");
     } catch (const InputError&) {
         // The recording can be opened without its result.
     }

@@ -106,6 +106,13 @@ void forget_interruption(const fs::path& recording) {
     fs::remove(mark_of(recording), ignored);
 }
 
+void forget_attempt(const fs::path& recording) {
+    forget_interruption(recording);
+    if (!interrupted_beside(recording)) return;
+    std::error_code ignored;
+    for (const fs::path& file : {result_file_of(recording), recording}) fs::remove(file, ignored);
+}
+
 std::vector<fs::path> recordings_without_result(const fs::path& folder, const std::string& lesson) {
     std::vector<fs::path> recordings = recordings_in(folder);
     std::erase_if(recordings, [&](const fs::path& recording) {

@@ -43,6 +43,9 @@ std::vector<std::filesystem::path> interrupted_recordings(const std::filesystem:
 void keep_interrupted(const std::filesystem::path& recording);
 // Removes the mark; the recording stays.
 void forget_interruption(const std::filesystem::path& recording);
+// As that; of an attempt in which something was done the result and the recording go, too. The
+// recording of a free play stays.
+void forget_attempt(const std::filesystem::path& recording);
 
 // The recordings called after this lesson and the time, as the window calls those of attempts,
 // without result and not being written, the oldest first.

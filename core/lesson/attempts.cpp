@@ -68,6 +68,10 @@ Attempt attempt_of(const fs::path& recording, const std::string& lesson,
     return attempt;
 }
 
+bool was_interrupted(const Attempt& attempt) {
+    return std::ranges::find(attempt.reasons, interrupted_reason) != attempt.reasons.end();
+}
+
 fs::path result_file_of(const fs::path& recording) {
     fs::path file = recording;
     return file.replace_extension(suffix);
@@ -193,6 +197,10 @@ Attempt attempt_beside(const fs::path& recording) {
 
 std::string name_beside(const fs::path& recording) {
     return attempt_beside(recording).name;
+}
+
+bool interrupted_beside(const fs::path& recording) {
+    return was_interrupted(attempt_beside(recording));
 }
 
 std::vector<Predicate> course_pass_beside(const fs::path& recording) {

@@ -44,6 +44,11 @@ Attempt attempt_of(const std::filesystem::path& recording, const std::string& le
                    const LessonStanding& standing, const std::string& ended_at,
                    std::vector<Predicate> course_pass = {});
 
+// The one reason of an attempt that a crash or a power cut ended. It is kept, but counts neither as
+// passed nor as failed.
+inline constexpr const char* interrupted_reason = "interrupted before the end";
+bool was_interrupted(const Attempt& attempt);
+
 std::filesystem::path result_file_of(const std::filesystem::path& recording);
 // What a result file holds; see attempt_from().
 std::string text_of(const Attempt& attempt);
@@ -78,6 +83,8 @@ Attempts attempts_at(const LessonKey& lesson, const std::filesystem::path& folde
 std::vector<std::string> names_in(const std::vector<Attempt>& attempts);
 // The trainee's name in the result beside this recording; empty if it has none or cannot be read.
 std::string name_beside(const std::filesystem::path& recording);
+// Whether that result is of an interrupted attempt; false if there is none or it cannot be read.
+bool interrupted_beside(const std::filesystem::path& recording);
 // The course's pass marks in that result; empty if it has none or cannot be read.
 std::vector<Predicate> course_pass_beside(const std::filesystem::path& recording);
 // The lesson as that attempt at it was judged: with the course's pass marks.

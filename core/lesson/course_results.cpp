@@ -15,7 +15,9 @@ LessonResult result_at(const CourseLine& lesson, const std::string& name,
                        const std::vector<Attempt>& attempts) {
     LessonResult result;
     for (const Attempt& attempt : attempts) {
-        if (attempt.name != name || !is_at(attempt, {lesson.id, lesson.title})) continue;
+        if (attempt.name != name || was_interrupted(attempt) ||
+            !is_at(attempt, {lesson.id, lesson.title}))
+            continue;
         ++result.attempts;
         if (!passes(attempt, lesson.pass)) continue;
         const double time_s = attempt.value(Quantity::time_s);

@@ -13,7 +13,7 @@
 namespace hepatica {
 
 struct LessonResult {
-    int attempts = 0;
+    int attempts = 0;  // without interrupted ones
     bool passed = false;
     std::optional<double> best_s;  // shortest time of a passed attempt
     bool operator==(const LessonResult&) const = default;

@@ -40,7 +40,7 @@ std::vector<CourseLine> standing_of(const Course& course, const std::filesystem:
             return std::ranges::find(lesson.pass, mark) != lesson.pass.end();
         });
         for (const Attempt& attempt : attempts) {
-            if (!is_at(attempt, {line.id, line.title})) continue;
+            if (was_interrupted(attempt) || !is_at(attempt, {line.id, line.title})) continue;
             ++line.attempts;
             line.passed = line.passed || passes(attempt, line.pass);
         }

@@ -16,7 +16,7 @@ struct CourseLine {
     std::string lesson;  // as find_lesson() takes it
     std::string title;
     std::vector<Predicate> pass;  // the course's, in addition to the lesson's
-    int attempts = 0;
+    int attempts = 0;             // without interrupted ones
     bool passed = false;
     std::string id{};  // of the lesson, see LessonKey; may be empty
 };

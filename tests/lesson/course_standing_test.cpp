@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/lesson/course_results.h"
 
 namespace hepatica {
 namespace {
@@ -72,6 +73,20 @@ TEST(CourseStanding, CountsEachLessonsAttemptsAndOneThatPassedIsEnough) {
     EXPECT_FALSE(lines[1].passed);
     course.lessons[1].lesson = "none.json";
     EXPECT_THROW(standing_of(course, "/nowhere", {}), InputError);
+}
+
+TEST(CourseStanding, CountsNoAttemptThatWasInterrupted) {
+    const Course course{"c", {{"gentle_pull", {}}}};
+    const std::string pull = find_lesson("gentle_pull").name;
+    Attempt cut = attempt_of_time(pull, false, 1.0);
+    cut.reasons = {interrupted_reason};
+    EXPECT_TRUE(was_interrupted(cut));
+    EXPECT_EQ(standing_of(course, "", {cut}).at(0).attempts, 0);
+    EXPECT_EQ(results_of(course, "", {cut}).trainees.at(0).lessons.at(0), LessonResult{});
+    cut.reasons = {"given up before the end"};
+    EXPECT_FALSE(was_interrupted(cut));
+    EXPECT_EQ(standing_of(course, "", {cut}).at(0).attempts, 1);
+    EXPECT_EQ(results_of(course, "", {cut}).trainees.at(0).lessons.at(0).attempts, 1);
 }
 
 TEST(CourseStanding, OfTheProgramsOwnCourseHasALineForEachLesson) {

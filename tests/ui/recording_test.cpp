@@ -142,8 +142,8 @@ TEST_F(RecordedWindow, a_lesson_that_a_crash_cut_off_is_offered_once_and_listed)
     EXPECT_EQ(facts_of(recordings_in(left)[0]).result, "interrupted");
 }
 
-// Else killing the program would be the way to a free attempt.
-TEST_F(RecordedWindow, a_lesson_that_a_crash_cut_off_counts_as_not_passed_under_its_name) {
+// Nobody is blamed for a crash.
+TEST_F(RecordedWindow, a_lesson_that_a_crash_cut_off_is_kept_under_its_name_until_it_is_forgotten) {
     auto& name = *window_.lessons().findChild<QLineEdit*>("lessonName");
     const auto type_name = [&](const char* text) {
         name.setText(text);
@@ -170,7 +170,23 @@ TEST_F(RecordedWindow, a_lesson_that_a_crash_cut_off_counts_as_not_passed_under_
     }
     const RecordingFacts facts = facts_of(recordings_in(left).at(0));
     EXPECT_EQ(facts.trainee, "Nr. 8");
-    EXPECT_EQ(facts.result, "✗ not passed");
+    EXPECT_EQ(facts.result, "interrupted");
+    AttemptsDialog dialog(
+        {[](const fs::path&) {}, [](const std::string&) {}, [](const std::exception_ptr&) {}},
+        nullptr);
+    dialog.show_lesson({"", "Endless"}, left, "Nr. 8", {});
+    EXPECT_TRUE(dialog.attempts().empty()) << "it is no attempt";
+    const auto& table = *dialog.findChild<QTableWidget*>("attempts");
+    ASSERT_EQ(table.rowCount(), 1);
+    EXPECT_EQ(table.item(0, 2)->text(), "interrupted");
+    EXPECT_EQ(table.item(0, 4)->text(), "Nr. 8");
+    {
+        MainWindow next(settings, small_patients());
+        next.messages().findChild<QPushButton*>("secondOffer")->click();
+    }
+    EXPECT_TRUE(all_attempts(left).list.empty());
+    EXPECT_TRUE(recordings_in(left).empty());
+    EXPECT_TRUE(interrupted_recordings(left).empty());
 }
 
 TEST(RecordingGuard, LeavesTheResultOfWhatIsInterruptedAndNoneOfAFreePlay) {
@@ -199,6 +215,32 @@ TEST(RecordingGuard, LeavesTheResultOfWhatIsInterruptedAndNoneOfAFreePlay) {
     name_attempt(killed, "Nr. 7");
     keep_interrupted(killed);
     EXPECT_EQ(name_beside(killed), "Nr. 7");
+}
+
+// What ended by itself is never taken for what is forgotten, nor is a free play.
+TEST(RecordingGuard, ForgetsAnInterruptedAttemptAlone) {
+    const TemporaryFolder folder;
+    const fs::path failed = folder.path() / "a.hrec", killed = folder.path() / "b.hrec";
+    const fs::path free = folder.path() / "c.hrec";
+    for (const fs::path& recording : {failed, killed, free}) {
+        std::ofstream(recording) << "{}";
+        std::ofstream(recording.string() + ".unfinished").flush();
+    }
+    for (const auto& [recording, why] :
+         {std::pair{failed, "given up before the end"}, {killed, interrupted_reason}}) {
+        Attempt attempt;
+        attempt.recording = recording;
+        attempt.lesson = "Gentle pull";
+        attempt.reasons = {why};
+        write_attempt(attempt);
+    }
+    for (const fs::path& recording : {failed, killed, free}) forget_attempt(recording);
+    EXPECT_TRUE(interrupted_recordings(folder.path()).empty());
+    EXPECT_FALSE(fs::exists(killed));
+    EXPECT_FALSE(fs::exists(result_file_of(killed)));
+    EXPECT_TRUE(fs::exists(failed));
+    EXPECT_TRUE(fs::exists(result_file_of(failed)));
+    EXPECT_TRUE(fs::exists(free));
 }
 
 TEST(RecordingGuard, TellsAttemptsFromThoseAtALessonWhoseNameBeginsAlike) {
