@@ -9,6 +9,10 @@
 
 namespace hepatica {
 
+QString choice_words(FlowUnits units) {
+    return units == FlowUnits::clinic ? Words::tr("mL/min, mmHg") : Words::tr("g/s, Pa");
+}
+
 QString name_of(FlowUnits units) {
     return units == FlowUnits::clinic ? "clinic" : "computed";
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QString>
+#include <array>
 
 #include "render/chart.h"
 
@@ -13,6 +14,10 @@ enum class FlowUnits {
     computed,  // g/s, Pa
     clinic,    // mL/min, mmHg
 };
+
+inline constexpr std::array all_flow_units{FlowUnits::computed, FlowUnits::clinic};
+// As one chooses them: "mL/min, mmHg".
+QString choice_words(FlowUnits units);
 
 // Names in the settings; an unknown name means `computed`.
 QString name_of(FlowUnits units);

@@ -153,13 +153,10 @@ QWidget* InjectPanel::make_settings() {
 QLayout* InjectPanel::make_units() {
     units_choice_ = new QComboBox(this);
     units_choice_->setObjectName("flowUnits");
-    units_choice_->addItems(
-        {Words::tr("g/s, Pa"), Words::tr("mL/min, mmHg")});  // in the order of FlowUnits
+    for (const FlowUnits units : all_flow_units) units_choice_->addItem(choice_words(units));
     units_choice_->setToolTip(Words::tr("Of flows and pressures in the panels and curves"));
-    connect(units_choice_, &QComboBox::activated, this, [this](int index) {
-        set_units(static_cast<FlowUnits>(index));
-        if (on_units) on_units(units_);
-    });
+    connect(units_choice_, &QComboBox::activated, this,
+            [this](int index) { choose_units(static_cast<FlowUnits>(index)); });
     auto* form = new QFormLayout;
     form->addRow(Words::tr("Units"), units_choice_);
     return form;
@@ -238,6 +235,11 @@ void InjectPanel::show_mass_flow() {
     mass_flow_->setVisible(units_ == FlowUnits::clinic);
     mass_flow_->setText(Words::tr("That is %L1 g/s of the drug; doses are counted in g.")
                             .arg(mass_flow_g_s(), 0, 'g', 3));
+}
+
+void InjectPanel::choose_units(FlowUnits units) {
+    set_units(units);
+    if (on_units) on_units(units);
 }
 
 void InjectPanel::set_units(FlowUnits units) {

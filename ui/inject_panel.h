@@ -36,6 +36,9 @@ class InjectPanel : public QWidget {
     void toggle_playing();
     // Units that are shown and typed; an injection is always given in g/s.
     void set_units(FlowUnits units);
+    FlowUnits units() const { return units_; }
+    // As set_units(), by the user: here or in the menu.
+    void choose_units(FlowUnits units);
     std::function<void(FlowUnits)> on_units;  // called after the user chose other units
     // A simulation begins. In free play the user's chosen speed is sent to it; lessons and reviews
     // have a speed of their own.

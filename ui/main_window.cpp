@@ -137,6 +137,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     connect_measuring();
     connect_themes();
     connect_mouse_schemes();
+    connect_units();
     connect_languages();
     actions_->set_patient_shown(false);
     restoreGeometry(settings_.window_geometry());

@@ -151,6 +151,7 @@ class MainWindow : public QMainWindow {
     void connect_picture_parts();
     void connect_themes();
     void connect_mouse_schemes();
+    void connect_units();
     void show_as_first(VtkWidget& view);  // the look and the mouse that were chosen
     void connect_languages();
     void speak(const QString& code);

@@ -227,6 +227,24 @@ void MainWindow::connect_mouse_schemes() {
     views->addMenu(menu);
 }
 
+void MainWindow::connect_units() {
+    auto* menu = new QMenu(Words::tr("Units"), this);
+    menu->setToolTipsVisible(true);
+    auto* group = new QActionGroup(menu);
+    for (const FlowUnits units : all_flow_units) {
+        QAction* action = group->addAction(choice_words(units));
+        action->setObjectName("units_" + name_of(units));
+        action->setToolTip(Words::tr("Of flows and pressures in the panels and curves"));
+        action->setCheckable(true);
+        menu->addAction(action);
+        connect(action, &QAction::triggered, this, [this, units] { inject_->choose_units(units); });
+        // They may have been chosen in the panel.
+        connect(menu, &QMenu::aboutToShow, action,
+                [this, action, units] { action->setChecked(inject_->units() == units); });
+    }
+    menuBar()->actions().at(2)->menu()->addMenu(menu);
+}
+
 // Widgets keep their language, so the window is made again.
 void MainWindow::connect_languages() {
     auto* menu = new QMenu(Words::tr("Lang&uage"), this);

@@ -6,6 +6,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QMenu>
 
 #include "core/flow/fluid.h"
 #include "tests/ui/fake_window_test.h"
@@ -143,6 +144,23 @@ TEST_F(FlowUnitsInWindow, KeepTheVolumeWhateverIsInjected) {
                 1000.0 * mixture(blood(), gas(), gas_now.void_fraction).density_g_mm3, 1e-9);
     EXPECT_LT(gas_now.mass_flow_g_s, 0.7 * of_carrier);
     EXPECT_TRUE(says(window_, QString("That is %1 g/s").arg(gas_now.mass_flow_g_s, 0, 'g', 3)));
+}
+
+TEST_F(FlowUnitsInWindow, AreChosenInTheMenuToo) {
+    auto& clinic = *window_.findChild<QAction*>("units_" + name_of(FlowUnits::clinic));
+    auto& computed = *window_.findChild<QAction*>("units_" + name_of(FlowUnits::computed));
+    auto* menu = static_cast<QMenu*>(clinic.associatedObjects().at(0));
+    EXPECT_EQ(menu->title(), "Units");
+    emit menu->aboutToShow();
+    EXPECT_TRUE(computed.isChecked());
+    clinic.trigger();
+    EXPECT_EQ(flow(window_).suffix(), " mL/min");
+    EXPECT_EQ(window_.findChild<QComboBox*>("flowUnits")->currentIndex(), 1);
+    EXPECT_EQ(settings_.flow_units(), name_of(FlowUnits::clinic));
+    choose(window_, 0);
+    emit menu->aboutToShow();
+    EXPECT_TRUE(computed.isChecked());
+    EXPECT_FALSE(clinic.isChecked());
 }
 
 TEST_F(FlowUnitsInWindow, AreKeptForTheNextStart) {
