@@ -442,6 +442,7 @@ void MainWindow::connect_tools() {
     actions_->on(ActionId::weaken_mode, [this] { set_mouse_mode(MouseMode::weaken); });
     ToolHand& hand = view_->mouse().hand();
     hand.set_size(tool_panel_->size());
+    hand.may_bring = [this] { return step_lets_clicks_bring(); };
     hand.on_empty_grip = [this](GripWatch::Seen seen) { say_empty_grip(seen); };
     actions_->on(ActionId::turn_tool, [&hand] { hand.turn(turn_rad); });
     actions_->on(ActionId::turn_tool_back, [&hand] { hand.turn(-turn_rad); });

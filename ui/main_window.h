@@ -302,6 +302,8 @@ class MainWindow : public QMainWindow {
     // Those that the lesson allows, where the vessels may not be pulled.
     void say_tools_to_choose();
     void say_empty_grip(GripWatch::Seen seen);
+    // False, and says so, in a step of a lesson that asks for the distance of a tool from a mark.
+    bool step_lets_clicks_bring();
     QString guidance_of(MouseMode mode) const;  // what the mouse does, in the status bar
     QString words_without_pulling() const;      // what else it does
     // Whether there is a body to act on; actions that need one say so where there is none.

@@ -5,10 +5,12 @@
 #include <QKeyEvent>
 #include <QStatusBar>
 #include <QToolTip>
+#include <algorithm>
 #include <array>
 #include <utility>
 
 #include "ui/core_words.h"
+#include "ui/lesson_dock.h"
 #include "ui/lesson_tools.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
@@ -122,6 +124,22 @@ void MainWindow::say_tools_to_choose() {
     hint(tools.isEmpty()
              ? Words::tr("This lesson is played without tools; a drag or the arrows turn the view")
              : Words::tr("Choose a tool: %1").arg(tools));
+}
+
+// Where a click brings the tool to a mark, nobody would learn to find its depth.
+bool MainWindow::step_lets_clicks_bring() {
+    const Lesson* lesson = lessons_->running();
+    if (lesson == nullptr) return true;
+    const std::size_t step = lessons_->standing().step;
+    if (step >= lesson->steps.size()) return true;  // it has just been passed
+    const bool asks = std::ranges::any_of(lesson->steps[step].goal, [](const Predicate& goal) {
+        return goal.quantity == Quantity::distance_mm && !goal.at_least;
+    });
+    if (asks)
+        hint(
+            Words::tr("This step asks you to lead the tool: the wheel (by keys: Page Up/Down) "
+                      "moves it in depth"));
+    return !asks;
 }
 
 void MainWindow::say_empty_grip(GripWatch::Seen seen) {

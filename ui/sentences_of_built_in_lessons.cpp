@@ -21,8 +21,9 @@ constexpr std::array sentences_built_in_lessons{
               "Turning the view is part of doing it well, but is not scored: a recording holds "
               "what is done to the patient, not where somebody looks."),
     Words::id("Take the probe and bring its tip near the first mark."),
-    Words::id("Key 4 takes the probe. The mouse leads it, the wheel moves it in depth. Look from "
-              "the side (L) to judge the depth."),
+    Words::id("Key 4 takes the probe. The mouse leads it, the wheel moves it in depth; a click "
+              "brings it nowhere here. The picture says how far it is to the mark and which way. "
+              "Look from the side (L) to judge the depth."),
     Words::id("Now near the second mark, around the vessels between."),
     Words::id("Move the probe towards you with the wheel first."),
     Words::id("And near the third."),

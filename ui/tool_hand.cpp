@@ -179,7 +179,7 @@ bool ToolHand::click(const Pixel& at) {
     const std::optional<Vec3> place = place_at(at);
     if (!place) return false;
     const double away_mm = (*place - seen_->working_mm()).dot(view_.axes().forward);
-    if (std::abs(away_mm) <= 2.0 * size_.radius_mm) return false;
+    if (std::abs(away_mm) <= 2.0 * size_.radius_mm || !may_bring()) return false;
     more_tries_ = tries_at_mouse;
     bring(*place, present_way());
     return true;
@@ -225,7 +225,8 @@ std::optional<Vec3> ToolHand::place_at(const Pixel& at) const {
 
 // Where nothing is pointed at, at the depth of the camera's focus.
 void ToolHand::bring_to(const Pixel& at) {
-    const std::optional<Vec3> place = place_at(at);
+    std::optional<Vec3> place = place_at(at);
+    if (place && !may_bring()) place.reset();
     more_tries_ = tries_at_mouse;
     bring(place ? *place : view_.point_at_depth(at, view_.axes().focus_mm), way_at(at));
 }

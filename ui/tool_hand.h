@@ -70,6 +70,9 @@ class ToolHand {
     void turn(double angle_rad);
     // Forceps only: closes jaws that are commanded to be open, and opens others.
     void close_or_open();
+    // Asked before what one points at brings the tool to its depth, by a click or where it is
+    // taken; false: it is to be led there, and what asks has said why.
+    std::function<bool()> may_bring = [] { return true; };
     // Called when closed jaws hold nothing.
     std::function<void(GripWatch::Seen)> on_empty_grip = [](GripWatch::Seen) {};
 

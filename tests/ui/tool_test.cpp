@@ -255,6 +255,20 @@ TEST_F(ToolInHand, a_click_on_a_vessel_brings_it_there_from_another_depth) {
     EXPECT_EQ(count<AddTool>(), tools) << "closed jaws would let go";
 }
 
+// As where a lesson asks for the distance of its tip.
+TEST_F(ToolInHand, nothing_pointed_at_brings_it_where_it_is_to_be_led) {
+    window_.view().mouse().hand().may_bring = [] { return false; };
+    take(Qt::Key_4);
+    const Vec3 forward = axes().forward;
+    EXPECT_NEAR(commands_of_type<AddTool>().back().point_mm.dot(forward),
+                axes().focus_mm.dot(forward), 1e-6)
+        << "not on the vessel";
+    turn_wheel(-20);
+    paint();
+    QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_trunk());
+    EXPECT_EQ(count<AddTool>(), 1u);
+}
+
 // On a slow computer frames with the tool at its old place come after the click; the mouse leads
 // the new one at the depth of the click all the same.
 TEST_F(ToolInHand, keeps_the_depth_of_a_click_though_older_frames_follow_it) {
