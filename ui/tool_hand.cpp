@@ -98,16 +98,17 @@ Vec3 ToolHand::present_way() const {
     return along.isZero(0.0) ? way_of_instrument(view_.axes()) : Vec3(along.normalized());
 }
 
-// A frame from before the new tool came shows the old one; the new one has another shape or is
+// A frame from before the new tool came shows the old one. The new one has another shape, or is
 // nearer to its place.
 bool ToolHand::is_still_the_old(const ToolView& tool) {
     if (!replaced_ || !has_shape_of(tool, replaced_->tool)) return false;
-    const Vec3 old_mm = replaced_->tool.working_mm();
-    const double before_mm = (old_mm - replaced_->place_mm).norm();
-    const double now_mm = (tool.working_mm() - replaced_->place_mm).norm();
-    const bool elsewhere =
-        replaced_->rested && (tool.working_mm() - old_mm).norm() > least_notch_mm;
-    if (elsewhere || before_mm <= least_notch_mm || now_mm <= 0.7 * before_mm) return false;
+    if (!replaced_->reshaped) {
+        const Vec3 old_mm = replaced_->tool.working_mm(), now_mm = tool.working_mm();
+        const double before_mm = (old_mm - replaced_->place_mm).norm();
+        const double left_mm = (now_mm - replaced_->place_mm).norm();
+        const bool elsewhere = replaced_->rested && (now_mm - old_mm).norm() > least_notch_mm;
+        if (elsewhere || before_mm <= least_notch_mm || left_mm <= 0.7 * before_mm) return false;
+    }
     return --replaced_->frames > 0;
 }
 
@@ -236,10 +237,14 @@ void ToolHand::bring(const Vec3& place_mm, const Vec3& direction) {
     AddTool tool{kind_, size_.radius_mm, length_mm, direction, place_mm};
     if (kind_ == "forceps" || kind_ == "hook") tool.side = side_in_picture(view_.axes(), direction);
     post_(tool);
-    if (seen_)
-        replaced_ = Replaced{*seen_, place_mm};
-    else if (replaced_)  // no frame has shown the tool before this one
-        replaced_ = Replaced{replaced_->tool, place_mm};
+    if (seen_) replaced_ = Replaced{*seen_, added_};
+    if (replaced_) {  // also where no frame has shown the tool before this one
+        const AddTool& old = replaced_->added;
+        const bool reshaped = old.kind != tool.kind || old.radius_mm != tool.radius_mm ||
+                              old.length_mm != tool.length_mm;
+        replaced_ = Replaced{replaced_->tool, old, place_mm, reshaped};
+    }
+    added_ = tool;
     seen_.reset();
     closed_ = false;
     asked_ = true;

@@ -80,8 +80,10 @@ class ToolHand {
     // A tool that a new one takes the place of.
     struct Replaced {
         ToolView tool;
+        AddTool added;                 // by which it came
         Vec3 place_mm = Vec3::Zero();  // where the new one is to come
-        bool rested = false;           // was not led: whatever is elsewhere is the new one
+        bool reshaped = false;         // the new one is of another kind or size
+        bool rested = false;           // it was not led: whatever is elsewhere is the new one
         int frames = 60;               // after which whatever is shown counts as new
     };
     bool is_still_the_old(const ToolView& tool);
@@ -111,6 +113,7 @@ class ToolHand {
     bool closed_ = false;               // jaws are commanded to be closed
     GripWatch grip_;
     bool asked_ = false;  // a tool was requested and no frame has shown it yet
+    AddTool added_;       // the last that was sent
     int more_tries_ = 0;  // how often bring_again() may still do so
     HandPace pace_;
     Vec3 depth_mm_ = Vec3::Zero();  // a point of the plane in which it is led

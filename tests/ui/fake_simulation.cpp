@@ -115,6 +115,20 @@ void FakeSimulation::add_tool(const AddTool& tool) {
     view.parts = {{tip - along, tip, tool.radius_mm}};
     view.centre_mm = tip - 0.5 * along;
     view.tip_mm = tip;
+    const Vec3 side = tool.side.value_or(tool.direction.unitOrthogonal()).normalized();
+    if (tool.kind == "forceps") {
+        view.tip_mm = tool.point_mm + 0.25 * along;
+        view.centre_mm = view.tip_mm - 0.5 * along;
+        view.parts.clear();
+        for (const double radii : {-4.0, 4.0}) {
+            const Vec3 end = view.tip_mm + radii * tool.radius_mm * side;
+            view.parts.push_back({end - along, end, tool.radius_mm});
+        }
+    } else if (tool.kind == "hook") {
+        const Vec3 foot = 0.4 * tool.length_mm * side;
+        view.parts.push_back({tip, tip + foot, tool.radius_mm});
+        view.tip_mm = tip + 0.5 * foot;
+    }
     frame_.tool = view;
 }
 
