@@ -55,7 +55,8 @@ void ReviewDock::compare(const fs::path& other) {
             // Lessons that were made of others may have their scene, but other places.
             const bool is_own = own && named == (same ? first : translated(own->name));
             if (is_own) *marked = std::make_unique<const MarkedLesson>(*own, patient);
-            review(recording, own, patient, *tape, job, back_end(recording.back_end));
+            review(recording, own, patient, *tape, job, back_end(recording.back_end),
+                   interrupted_beside(file));
             return [] {};
         },
         std::move(callbacks));

@@ -193,8 +193,10 @@ void ReviewDock::begin() {
     };
     next_->job = std::make_unique<BackgroundJob>(
         [recording, lesson = with_course_pass(lesson, next_->file), patient, tape,
+         interrupted = interrupted_beside(next_->file),
          back_end = ways_.back_end](Job& job) -> std::function<void()> {
-            review(*recording, lesson, patient, *tape, job, back_end(recording->back_end));
+            review(*recording, lesson, patient, *tape, job, back_end(recording->back_end),
+                   interrupted);
             return [] {};
         },
         std::move(callbacks));

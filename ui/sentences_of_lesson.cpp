@@ -18,6 +18,7 @@ constexpr std::array sentences_lesson{
     Words::id("largest stretch"),
     Words::id("joints broken"),
     Words::id("interrupted before the end"),
+    Words::id("Interrupted before the end"),
     Words::id("pieces off"),
     Words::id("area cut or torn"),
     Words::id("blood lost"),

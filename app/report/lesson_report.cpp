@@ -312,7 +312,7 @@ void add_notes(HtmlReport& page, const std::vector<PlayNote>& notes) {
     Json rows = Json::array();
     for (const PlayNote& note : notes)
         rows.push_back({{key(Words::tr("After")), key(in_words(Quantity::time_s, note.at_s))},
-                        {key(Words::tr("Note")), note.text}});
+                        {key(Words::tr("Noted")), note.text}});
     page.add_heading(key(Words::tr("Notes of the instructor")));
     page.add_table(rows);
 }

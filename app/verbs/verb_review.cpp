@@ -45,7 +45,8 @@ Json run_review(const ReviewChoices& options, Job& job) {
         &no_cache, building_and_replaying, job));
     ReviewTape tape(0);  // events only
     const Review found =
-        review(recording, lesson, patient, tape, job, choose_back_end(recording.back_end).back_end);
+        review(recording, lesson, patient, tape, job, choose_back_end(recording.back_end).back_end,
+               interrupted_beside(options.recording));
     if (found.diverged_at) spdlog::warn("diverged at step {}", *found.diverged_at);
     Json events = Json::array(), notes = Json::array();
     for (const PlayEvent& event : tape.events()) events.push_back(to_json(event));

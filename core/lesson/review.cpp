@@ -14,7 +14,7 @@ namespace hepatica {
 
 Review review(const Recording& recording, const std::optional<Lesson>& lesson,
               std::shared_ptr<const PatientCase> patient, ReviewTape& tape, Job& job,
-              const DeformBackEnd& back_end) {
+              const DeformBackEnd& back_end, bool interrupted) {
     if (recording.steps.empty())
         throw InputError("holds no step", "recording", "Choose one of a play that was begun");
     std::optional<LessonRun> run;
@@ -47,7 +47,9 @@ Review review(const Recording& recording, const std::optional<Lesson>& lesson,
         const bool ended = run->standing().outcome != LessonOutcome::running;
         run->end();
         found.standing = run->standing();
-        if (!ended)
+        if (!ended && interrupted)
+            tape.note({now_s, PlayEventKind::trouble, "Interrupted before the end"});
+        else if (!ended)
             for (const std::string& reason : found.standing->reasons)
                 tape.note({now_s, PlayEventKind::not_passed, "Not passed: " + reason});
     }

@@ -21,10 +21,11 @@ struct Review {
 // With a lesson its steps and its end are events, too. A recording that does not replay to the same
 // bits is still reviewed; the first difference is an event. Throws InputError where the recording
 // belongs to another patient or back end, has another scene than the lesson, or no steps;
-// Cancelled. Begins two stages of the job.
+// Cancelled. Begins two stages of the job. `interrupted`: a crash cut the play off, so that its end
+// is no verdict (see interrupted_beside()).
 Review review(const Recording& recording, const std::optional<Lesson>& lesson,
               std::shared_ptr<const PatientCase> patient, ReviewTape& tape, Job& job,
-              const DeformBackEnd& back_end = cpu_back_end());
+              const DeformBackEnd& back_end = cpu_back_end(), bool interrupted = false);
 
 // How long the play took, without its pauses, as far as its commands tell: one that the solver
 // stopped is shorter.

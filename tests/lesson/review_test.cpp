@@ -97,6 +97,11 @@ TEST(Review, OfALessonHasItsEnd) {
     EXPECT_THAT(events, Contains(Field(&PlayEvent::text, "Step 1 reached")));
     EXPECT_THAT(events.back().text, HasSubstr("Not passed: step 2 of 2 was not reached"));
     EXPECT_NEAR(events.back().at_s, tape.end_s(), 1e-12);
+    // The same, cut off by a crash: nobody judges it.
+    ReviewTape cut;
+    review(*play.recording, lesson, small_patient(), cut, job, cpu_back_end(), true);
+    EXPECT_EQ(cut.events().back().text, "Interrupted before the end");
+    EXPECT_EQ(cut.events().size(), events.size());
 }
 
 TEST(Review, SaysWhereItIsNotWhatWasPlayed) {
