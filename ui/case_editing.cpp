@@ -343,10 +343,10 @@ void CaseEditing::accept(int row) {
 void CaseEditing::click_drawn(int view) {
     if (view < 0 || view >= std::ssize(drawn_)) return;
     const int row = drawn_[static_cast<std::size_t>(view)];
-    if (!bridge_of(row)->is_branch() || row == panel_.chosen_bridge()) return accept(row);
+    if (!edit_mode_) return accept(row);
     panel_.choose_bridge(row);
     callbacks_.say(
-        Words::tr("A doubtful branch: click it again to take it, or decide in the panel"));
+        Words::tr("Chosen in the panel Corrections: decide there whether to take or refuse it"));
 }
 
 void CaseEditing::refuse(int row) {

@@ -61,8 +61,8 @@ class CaseEditing {
     const std::optional<Vec3>& link_from_mm() const { return link_from_mm_; }
     // Whether what was warned of in this line is still so.
     bool stands(const QString& doubt) const;
-    // A click on what is drawn as this view (BridgeView) of the scene: a gap is taken, a branch
-    // chosen, and taken once it is. A click that was meant for a vessel beside it takes none.
+    // A click on what is drawn as this view (BridgeView) of the scene. It takes it, but in Edit
+    // mode, where a click does what the panel says and to vessels alone, it only chooses it there.
     void click_drawn(int view);
     // In Edit mode doubtful branches are drawn as well: there are too many of them for a play.
     void set_edit_mode(bool on);

@@ -124,9 +124,10 @@ QWidget* EditPanel::make_bridges() {
         "may be a vessel: gaps between two, and branches that are too faint to be "
         "believed, with the confidence that they are vessels. For branches it was "
         "learned on synthetic patients: of what was offered on two real ones experts had "
-        "drawn a quarter to a half. They are dashed in the view, branches in Edit mode: a "
-        "click takes a gap, and chooses a branch, which a second click takes. What is "
-        "chosen stands out in the view and as a line in the slices."));
+        "drawn a quarter to a half. They are dashed in the view, branches in Edit mode. "
+        "A click on a dashed line takes it; in Edit mode, where a click corrects vessels, it "
+        "only chooses it in this list. What is chosen stands out in the view and as a line in "
+        "the slices."));
     column->addWidget(bridges_);
     add_confidence_slider(*column);
     add_decisions(*column);

@@ -36,7 +36,7 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
         action_ = Action::draw;
         return;
     }
-    pressed_bridge_ = left ? view_.bridge_at(at, 1.5 * click_radius_px_) : -1;
+    pressed_bridge_ = left && takes_lines() ? view_.bridge_at(at, 1.5 * click_radius_px_) : -1;
     const bool leads = mode_ == MouseMode::tool && !modifiers.control;
     if (left && leads) hand_.press(at);
     const SurfacePick pick = left && !leads ? view_.pick(at) : SurfacePick{};
@@ -170,8 +170,10 @@ std::optional<std::array<Vec3, 2>> MouseTool::stroke_to(const Pixel& at) const {
 }
 
 void MouseTool::click_at(const Pixel& at) {
-    if (pressed_bridge_ >= 0) return callbacks_.accept_bridge(pressed_bridge_);
     const SurfacePick pick = view_.pick(at);
+    // What edits vessels goes to the vessel, also where a line is drawn over it.
+    const bool for_vessel = mode_ == MouseMode::edit && pick.triangle >= 0;
+    if (pressed_bridge_ >= 0 && !for_vessel) return callbacks_.click_line(pressed_bridge_);
     if (pick.triangle < 0) return callbacks_.missed();
     if (chooses())
         callbacks_.edit(pick);

@@ -39,7 +39,8 @@ class MouseTool {
         std::function<void(const SurfacePick& pick)> hover;   // triangle -1: no vessel
         // The user clicked on this point in edit, place or measure mode.
         std::function<void(const SurfacePick& pick)> edit;
-        std::function<void(int bridge)> accept_bridge;  // index among the bridges shown by the view
+        // A click on the line of a gap or doubtful branch; in edit mode only where no vessel is.
+        std::function<void(int line)> click_line;  // index among the bridges shown by the view
         // Direction of the vessel there; zero if unknown.
         std::function<Vec3(const SurfacePick& pick)> vessel_direction;
         // A line was drawn in cut or weaken mode; nullopt if it meets no vessel.
@@ -106,6 +107,8 @@ class MouseTool {
     bool chooses() const {
         return mode_ == MouseMode::edit || mode_ == MouseMode::place || mode_ == MouseMode::measure;
     }
+    // Whether a click may be for a dashed line: not where it names a place on a vessel.
+    bool takes_lines() const { return mode_ != MouseMode::place && mode_ != MouseMode::measure; }
     bool draws() const { return mode_ == MouseMode::cut || mode_ == MouseMode::weaken; }
     // The drawn line from press to release, at the depth of the vessel that it meets nearest to its
     // middle; nullopt if it meets none.

@@ -144,15 +144,41 @@ TEST_F(Gaps, are_listed_with_branches_that_are_drawn_in_edit_mode) {
     window_.actions()[ActionId::edit_mode].trigger();
     ASSERT_TRUE(is_drawn());
     const std::size_t before = window_.workspace().patient()->tree.segments.size();
-    click(on_it);  // on the dashed line, perhaps meant for a vessel beside it
-    EXPECT_TRUE(window_.workspace().edits().empty());
-    EXPECT_EQ(child<QListWidget>("gaps").selectedItems().size(), 1);
-    click(on_it);
+    child<QListWidget>("gaps").setCurrentRow(-1);
+    choose_tool("Delete a branch");
+    for (int i = 0; i < 2; ++i) {
+        click(on_it);
+        EXPECT_TRUE(window_.workspace().edits().empty()) << "a click that deletes takes none";
+        EXPECT_EQ(child<QListWidget>("gaps").selectedItems().size(), 1) << "it is chosen";
+    }
+    child<QPushButton>("acceptGap").click();
+    wait();
     ASSERT_EQ(window_.workspace().edits().size(), 1u);
     EXPECT_TRUE(window_.actions()[ActionId::undo_edit].text().startsWith("&Undo: Branch taken at"));
     EXPECT_EQ(window_.workspace().edits()[0].kind, TreeEditKind::draw_vessel);
     EXPECT_EQ(window_.workspace().patient()->tree.segments.size(), before + 2);
     EXPECT_FALSE(is_drawn());
+}
+
+// The one that is chosen is drawn there, too.
+TEST_F(Gaps, are_taken_by_a_click_where_a_click_corrects_nothing) {
+    open_with_a_branch();
+    child<QListWidget>("gaps").setCurrentRow(0);
+    click(Vec3(16, 8.5, 1));
+    ASSERT_EQ(window_.workspace().edits().size(), 1u);
+    EXPECT_EQ(window_.workspace().edits()[0].kind, TreeEditKind::draw_vessel);
+}
+
+TEST_F(Gaps, whose_lines_lie_over_a_vessel_leave_a_click_in_edit_mode_to_it) {
+    open_with_a_branch();
+    window_.actions()[ActionId::edit_mode].trigger();
+    choose_tool("Cut the vessel");
+    const Vec3 on_trunk_and_line(0.05, 10, 1.5);
+    const SceneView& scene = window_.view().scene();
+    ASSERT_GE(scene.bridge_at(scene.pixel_of(on_trunk_and_line), 3.0), 0);
+    click(on_trunk_and_line);
+    ASSERT_EQ(window_.workspace().edits().size(), 1u);
+    EXPECT_EQ(window_.workspace().edits()[0].kind, TreeEditKind::cut_link);
 }
 
 // The body is made once, as well, but for a step back: of a real patient it takes half a minute.
