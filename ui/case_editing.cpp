@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/tree/editing/doubtful_link.h"
 #include "core/tree/editing/edit_reach.h"
 #include "core/tree/editing/given_already.h"
 #include "core/tree/editing/vessel_tracing.h"
@@ -206,19 +207,29 @@ PatientCase CaseEditing::wanted() const {
 
 void CaseEditing::add(const TreeEdit& edit) {
     bool is_given = false, settles = false;
-    if (gives_system(edit)) try {
+    std::vector<std::string> link_doubts;
+    if (gives_system(edit) || edit.kind == TreeEditKind::add_link) try {
             const VesselTree tree = wanted().tree;
             is_given = is_given_already(tree, edit);
             settles = settles_a_doubt(tree, edit);
+            link_doubts = doubts_of_link(tree, edit);
         } catch (const InputError&) {
             // A correction before it is impossible, of which the worker tells.
         }
     if (!is_given || settles) callbacks_.add(edit);
+    if (!link_doubts.empty()) warn_of_link(edit, link_doubts);
     if (!is_given) return;
     const QString words = settles
                               ? Words::tr("Confirmed: its system counts as sure from now on (%1)")
                               : Words::tr("Nothing to do: it is of this system already (%1)");
     callbacks_.say(words.arg(translated(title_of(edit.system))));
+}
+
+void CaseEditing::warn_of_link(const TreeEdit& link, const std::vector<std::string>& doubts) {
+    if (workspace_.edits().empty() || workspace_.edits().back() != link) return;  // it was refused
+    QStringList lines;
+    for (const std::string& doubt : doubts) lines << translated(doubt);
+    callbacks_.warn_of_link(lines.join("\n"), link);
 }
 
 void CaseEditing::update_panel() {

@@ -39,8 +39,10 @@ class CaseEditing {
         std::function<void(const QString&)> say;
         std::function<void(const Failure&)> not_drawn;
         std::function<void(const QString&)> warn;  // what a correction made doubtful, in lines
-        std::function<void()> link_changed;        // link_from_mm() has changed
-        std::function<int()> chosen_branch;        // in the table of branches; -1: none
+        // A link just made may be a mistake, for what these lines say.
+        std::function<void(const QString&, const TreeEdit& link)> warn_of_link;
+        std::function<void()> link_changed;  // link_from_mm() has changed
+        std::function<int()> chosen_branch;  // in the table of branches; -1: none
     };
     CaseEditing(EditPanel& panel, const Workspace& workspace, Callbacks callbacks);
 
@@ -95,8 +97,10 @@ class CaseEditing {
     // The tree with all wanted corrections, whose body may still be made. Throws InputError where
     // one of them is not possible.
     PatientCase wanted() const;
-    // Asks for the correction, unless it gives a vessel to the system that it surely has; says so.
+    // Asks for the correction, unless it gives a vessel to the system that it surely has; says so,
+    // and why a link may be a mistake.
     void add(const TreeEdit& edit);
+    void warn_of_link(const TreeEdit& link, const std::vector<std::string>& doubts);
     // Lists what is undecided and has enough confidence, which is drawn, too, and what the
     // reconstruction built.
     void show_bridges();

@@ -182,6 +182,10 @@ class MainWindow : public QMainWindow {
     bool points_wait() const;
     std::pair<std::size_t, std::size_t> steps_of_corrections() const;
     void build_editing();
+    void warn_of_corrections(const QString& text);  // of what they made doubtful, in lines
+    // Of a link that may be a mistake, which can be undone there.
+    void warn_of_link(const QString& text, const TreeEdit& link);
+    void settle_link_warning();  // takes that away once the link is undone
 
     // main_window_lessons.cpp: lessons and reviews.
     void build_fits();
@@ -370,6 +374,8 @@ class MainWindow : public QMainWindow {
     bool report_waited_ = false;             // the next one that is offered did
     QString cuts_message_;                   // tells that cuts stay
     QString not_drawn_message_;              // the last one, of a vessel drawn in the slices
+    QString link_message_;                   // the last warning of a link
+    TreeEdit doubtful_link_;                 // of which it is
     // Corrections and strokes when a point was set or taken back in the slices.
     std::pair<std::size_t, std::size_t> steps_at_points_;
     QString review_message_;  // why a recording could not be shown

@@ -219,6 +219,7 @@ void MainWindow::show_workspace() {
     editing_->update_panel();
     view_layout_->show_tumours(workspace.edits());
     view_layout_->show_strokes(workspace.strokes());
+    settle_link_warning();
     log_->settle();
     keep_dial();
 }

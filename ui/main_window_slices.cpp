@@ -179,10 +179,10 @@ void MainWindow::warn_of_tumour_outside(const TreeEdit& edit) {
     });
 }
 
-// The notice of a stroke may outlast it, and the last one is another.
+// The notice of a stroke or link may outlast it, and the last step is another.
 void MainWindow::say_not_the_last() {
     statusBar()->showMessage(
-        Words::tr("That stroke is not the last one any more: Undo takes the last step back"), 8000);
+        Words::tr("That step is not the last one any more: Undo takes the last step back"), 8000);
 }
 
 // Shows the panel of corrections when clicks in the slices begin to correct.
@@ -266,24 +266,49 @@ void MainWindow::build_editing() {
                 fail(Words::tr("Drawing a vessel"), failure);
                 not_drawn_message_ = messages_->text();
             },
-            [this](const QString& text) {
-                for (const QString& line : text.split('\n'))
-                    log_->add_warning(Words::tr("Corrections"), line,
-                                      [this, line, opening = workspace().opening()] {
-                                          return workspace().opening() == opening &&
-                                                 editing_->stands(line);
-                                      });
-                const bool warnings_stand =
-                    !warnings_text_.isEmpty() && messages_->text() == warnings_text_;
-                if (!warnings_stand) return messages_->show_notice(text);
-                messages_->put_before(text);
-                warnings_text_ = messages_->text();
-            },
+            [this](const QString& text) { warn_of_corrections(text); },
+            [this](const QString& text, const TreeEdit& link) { warn_of_link(text, link); },
             [this] {
                 if (patient_ && show_marks()) view_->draw_again();
             },
             [this] { return branches_->isVisible() ? chosen_branch_ : -1; }});
     follow_points();
+}
+
+void MainWindow::warn_of_corrections(const QString& text) {
+    for (const QString& line : text.split('\n'))
+        log_->add_warning(Words::tr("Corrections"), line,
+                          [this, line, opening = workspace().opening()] {
+                              return workspace().opening() == opening && editing_->stands(line);
+                          });
+    for (QString* standing : {&warnings_text_, &link_message_}) {
+        if (standing->isEmpty() || messages_->text() != *standing) continue;
+        messages_->put_before(text);
+        *standing = messages_->text();
+        return;
+    }
+    messages_->show_notice(text);
+}
+
+// At once, because the body of the correction may take half a minute.
+void MainWindow::warn_of_link(const QString& text, const TreeEdit& link) {
+    for (const QString& line : text.split('\n'))
+        log_->add_warning(Words::tr("Corrections"), line, [this, link] {
+            return std::ranges::count(workspace().edits(), link) > 0;
+        });
+    messages_->show_notice(text, Words::tr("Undo"), [this, link] {
+        const auto next = workspace().next_undo();
+        if (!next || next->edits != Workspace::Edits{link}) return say_not_the_last();
+        if (may_correct(not_in_review)) keeper_->undo();
+    });
+    link_message_ = messages_->text();
+    doubtful_link_ = link;
+}
+
+void MainWindow::settle_link_warning() {
+    if (link_message_.isEmpty() || std::ranges::count(workspace().edits(), doubtful_link_) > 0)
+        return;
+    if (std::exchange(link_message_, {}) == messages_->text()) messages_->dismiss();
 }
 
 // To the centreline, since the vertex itself lies on the wall.

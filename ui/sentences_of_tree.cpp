@@ -27,6 +27,10 @@ constexpr std::array sentences_tree{
     Words::id("Cut a longer one beside it, or delete it"),
     Words::id("both ends of the link lie at one point"),
     Words::id("Name two places that are not joined yet"),
+    Words::id("The link joins two systems, which do not meet in a liver: what hangs together with "
+              "its second end (%1) belongs to the system of its first (%2) from now on."),
+    Words::id("The link leads over %1 from wall to wall, farther than a gap in one vessel is "
+              "likely to be."),
     Words::id("the vessel would join two systems: %1 and %2"),
     Words::id("End it before the other vessel's wall, or say first of which system that vessel is"),
     Words::id("there is no edit named %1"),

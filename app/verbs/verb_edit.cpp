@@ -21,6 +21,7 @@
 #include "core/opening/patient_image.h"
 #include "core/patient/corrections.h"
 #include "core/patient/painted_tumours.h"
+#include "core/tree/editing/doubtful_link.h"
 #include "core/tree/editing/given_already.h"
 #include "core/tree/editing/vessel_tracing.h"
 
@@ -235,8 +236,9 @@ Json tumours_of(const PatientCase& patient) {
     return list;
 }
 
-// Of the new edits those that give a vessel to the system that it had before them.
-std::vector<std::string> given_already(const PatientCase& patient, std::size_t edits_before) {
+// Of the new edits those that give a vessel to the system that it had before them, and links that
+// may have been made by mistake.
+std::vector<std::string> doubts_of_edits(const PatientCase& patient, std::size_t edits_before) {
     std::vector<std::string> warnings;
     const std::vector<TreeEdit>& edits = patient.corrections.edits;
     if (edits_before >= edits.size()) return warnings;
@@ -249,12 +251,17 @@ std::vector<std::string> given_already(const PatientCase& patient, std::size_t e
                 " was of the system that it is given to already: " + title_of(edit->system) +
                 ". Nothing changes but that its system counts as sure; if another "
                 "was meant, take the edit back (--undo).");
+        for (const std::string& doubt : doubts_of_link(tree, *edit))
+            warnings.push_back("Link from " + place_text(edit->at_mm) + " to " +
+                               place_text(edit->to_mm) + ": " + doubt +
+                               " If that was not meant, take the edit back (--undo).");
         tree = edited(tree, *edit);
     }
     return warnings;
 }
 
-// What is odd about the tree, and of the new edits which change nothing, which tumours are cut off.
+// What is odd about the tree, and of the new edits which change nothing, which links are doubtful
+// and which tumours are cut off.
 std::vector<std::string> warnings_of(const PatientCase& patient, std::size_t edits_before) {
     std::vector<std::string> warnings = sentences(std::nullopt, patient.tree);
     std::ranges::copy_if(patient.warnings, std::back_inserter(warnings), is_of_unclosed);
@@ -268,7 +275,7 @@ std::vector<std::string> warnings_of(const PatientCase& patient, std::size_t edi
                                " reaches beyond the part of the CT about the liver that a case "
                                "keeps: what lies outside of it is left out. Paint it elsewhere, or "
                                "take the edit back (--undo).");
-    std::ranges::move(given_already(patient, edits_before), std::back_inserter(warnings));
+    std::ranges::move(doubts_of_edits(patient, edits_before), std::back_inserter(warnings));
     return warnings;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,22 @@ TEST_F(EditBridges, AreAcceptedOneByOne) {
     EXPECT_EQ(states({"--accept", "2"}), (States{"needless", "accepted"}));
     EXPECT_EQ(read_case(case_).corrections.edits.size(), 1u);
     EXPECT_EQ(states({"--undo", "1"}), (States{"open", "open"}));
+}
+
+// The vessel apart, from the far end of the trunk.
+TEST_F(EditBridges, ALinkOverALongWayIsMadeAndWarnedOf) {
+    const fs::path edits = fs::path(testing::TempDir()) / "long link.json";
+    std::ofstream(edits) << R"([{"edit": "add_link", "at_mm": [0, 4, 0.6],
+                                 "to_mm": [37, 54.5, 4]}])";
+    std::string said;
+    const Json edited = answer({"edit", case_.string(), "--edits", edits.string()});
+    for (const Json& warning : edited.at("warnings")) said += warning.get<std::string>() + "\n";
+    fs::remove(edits);
+    EXPECT_NE(said.find("Link from 0.0, 4.0, 0.6 mm to 37.0, 54.5, 4.0 mm: The link leads over"),
+              std::string::npos)
+        << said;
+    EXPECT_NE(said.find("take the edit back (--undo)"), std::string::npos);
+    EXPECT_EQ(roots(read_case(case_).tree).size(), 1u);
 }
 
 // A list beside a correction would leave the correction out, and name a case that was not written.

@@ -16,6 +16,7 @@
 #include "tests/support/tube_ct.h"
 #include "tests/ui/editing_window.h"
 #include "ui/message_bar.h"
+#include "ui/message_log.h"
 #include "ui/paths.h"
 #include "ui/slices/slice_view.h"
 #include "ui/slices/view_layout.h"
@@ -161,6 +162,39 @@ TEST_F(Editing, a_link_that_closes_a_loop_is_warned_of_and_one_loop_less_is_not)
     window_.actions()[ActionId::undo_edit].trigger();
     wait();
     EXPECT_EQ(window_.messages().text(), "");
+}
+
+// Across the whole liver; the body that shows it takes half a minute on a real patient.
+TEST_F(Editing, a_link_that_may_be_a_mistake_is_warned_of_at_once_and_can_be_undone_there) {
+    window_.actions()[ActionId::edit_mode].trigger();
+    choose_tool("Link two vessels");
+    const auto link = [this] {
+        click(Vec3(0.02, 4, 0.6));
+        QTest::mouseClick(&window_.view(), Qt::LeftButton, {}, on_widget(Vec3(37, 54.5, 4)));
+    };
+    const auto warned = [this] {
+        return window_.messages().text().contains("from wall to wall, farther than");
+    };
+    link();
+    ASSERT_TRUE(window_.workspace().awaits_body());
+    EXPECT_TRUE(warned()) << window_.messages().text().toStdString();
+    QPushButton* undo = nullptr;
+    for (auto* button : window_.messages().findChildren<QPushButton*>())
+        if (button->text() == "Undo" && button->isVisible()) undo = button;
+    ASSERT_NE(undo, nullptr);
+    undo->click();
+    wait();
+    EXPECT_TRUE(window_.workspace().edits().empty());
+    EXPECT_EQ(window_.messages().text(), "");
+    link();
+    wait();
+    EXPECT_TRUE(warned()) << "it stays until the link is undone";
+    EXPECT_EQ(window_.workspace().patient()->corrections.edits.size(), 1u);
+    window_.actions()[ActionId::undo_edit].trigger();
+    wait();
+    EXPECT_FALSE(warned());
+    EXPECT_TRUE(window_.log().as_text().contains("no longer so\tCorrections\tThe link leads"))
+        << window_.log().as_text().toStdString();
 }
 
 TEST_F(Editing, the_first_vessel_of_a_link_is_marked_until_the_second_is_chosen) {
