@@ -146,7 +146,7 @@ class PatientKeeper {
     // Appends the writing of a report. If it fails while the program waits for it to end, the
     // program does not end.
     void add_report(QueuedJob job);
-    // Cancels the running job; a correction is then taken back.
+    // Cancels the running job; corrections that wait for it are then taken back and can be redone.
     void cancel() {
         opens_built_in_ = false;
         jobs_.cancel_running();
@@ -202,7 +202,8 @@ class PatientKeeper {
     bool waits_for_remaking() const;
     void add_writing(QueuedJob job);
     BackgroundJob::Work writing(const std::filesystem::path& folder);
-    void stay_with_shown_body();
+    // Returns how many steps of corrections were taken back and can be redone.
+    std::size_t stay_with_shown_body();
     void go_on();
 
     Ways ways_;

@@ -64,8 +64,12 @@ void PatientKeeper::correct(JobQueue::Turn turn) {
         screen_.failed(title, failure);
     };
     job.cancelled = [this] {
-        stay_with_shown_body();
-        screen_.say(Words::tr("The correction was taken back").toStdString());
+        const std::size_t steps = stay_with_shown_body();
+        const QString said = steps == 0
+                                 ? Words::tr("Cancelled: what was undone is there again")
+                                 : Words::tr("%n correction(s) taken back; Redo makes them again",
+                                             nullptr, static_cast<int>(steps));
+        screen_.say(said.toStdString());
     };
     jobs_.replace(std::move(job), turn);
 }
@@ -119,10 +123,11 @@ BackgroundJob::Work PatientKeeper::correction() {
     };
 }
 
-void PatientKeeper::stay_with_shown_body() {
+std::size_t PatientKeeper::stay_with_shown_body() {
     go_ = nullptr;
-    workspace_.give_up_edits();
+    const std::size_t steps = workspace_.give_up_edits();
     screen_.changed();
+    return steps;
 }
 
 }  // namespace hepatica

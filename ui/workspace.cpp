@@ -21,6 +21,14 @@ Workspace::Edits take_last_step(Workspace::Edits& from) {
     return taken;
 }
 
+// `from` without these, each of which is taken out once.
+Workspace::Edits without(Workspace::Edits from, const Workspace::Edits& these) {
+    for (const TreeEdit& edit : these)
+        if (const auto found = std::ranges::find(from, edit); found != from.end())
+            from.erase(found);
+    return from;
+}
+
 bool change_tree(const Workspace::Edits& edits) {
     return std::ranges::any_of(edits, changes_tree, &TreeEdit::kind);
 }
@@ -243,10 +251,16 @@ void Workspace::redo_remaking() {
     remade_.push_back(std::move(remaking));
 }
 
-void Workspace::give_up_edits() {
-    if (!awaits_body()) return;
-    undone_.clear();
-    want(made_edits());
+std::size_t Workspace::give_up_edits() {
+    if (!awaits_body()) return 0;
+    const Edits made = made_edits();
+    const Edits back = without(made, edits_);
+    std::erase_if(undone_, [&back](const Edits& step) { return without(step, back).empty(); });
+    std::size_t steps = 0;
+    for (Edits waiting = without(edits_, made); !waiting.empty(); ++steps)
+        undone_.push_back(take_last_step(waiting));
+    want(made);
+    return steps;
 }
 
 bool Workspace::measure(std::vector<KeptMeasurement> measured) {

@@ -94,8 +94,10 @@ class Workspace {
     // Returns to remaking_again(), if that is not null. Its strokes are in the vessels again, and
     // what was undone after it can be redone.
     void redo_remaking();
-    // No other body will come: returns to the corrections of the shown one.
-    void give_up_edits();
+    // No other body will come: returns to the corrections of the shown one. Those that it lacks can
+    // be redone, in their order; what was undone of its own is there again. Returns how many steps
+    // can be redone by that.
+    std::size_t give_up_edits();
 
     // --- strokes at the vessel mask, which wait for a rebuild ---
     const std::vector<PendingStroke>& strokes() const { return strokes_.made(); }

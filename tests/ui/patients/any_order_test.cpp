@@ -7,6 +7,7 @@
 
 #include <QTest>
 #include <algorithm>
+#include <iterator>
 #include <random>
 
 #include "tests/ui/patients/fake_ward.h"
@@ -159,15 +160,27 @@ class Person {
             if (said.starts_with("Saved ")) {
                 name_ = said.substr(said.rfind('/') + 1);
                 never_saved_ = false;
-            } else if (said == "The correction was taken back") {
-                // All that has no body yet, and nothing else.
-                wanted_ = numbers_of(ward_.workspace().patient()->corrections.edits);
-                undone_.clear();
+            } else if (said.ends_with("taken back; Redo makes them again") ||
+                       said == "Cancelled: what was undone is there again") {
+                give_up_what_waits();
             }
         }
         for (; failures_heard_ < ward_.failures.size(); ++failures_heard_)
             if (ward_.failures[failures_heard_].starts_with("Correcting"))
                 std::erase_if(wanted_, [](int number) { return number < 0; });
+    }
+
+    // All that has no body yet can be redone, in its order, and nothing else is given up; what was
+    // undone of the body is there again.
+    void give_up_what_waits() {
+        const Numbers made = numbers_of(ward_.workspace().patient()->corrections.edits);
+        const auto is_made = [&made](int number) {
+            return std::ranges::find(made, number) != made.end();
+        };
+        std::erase_if(undone_, is_made);
+        std::ranges::reverse(wanted_);
+        std::ranges::remove_copy_if(wanted_, std::back_inserter(undone_), is_made);
+        wanted_ = made;
     }
 
     void meet_next_patient() {

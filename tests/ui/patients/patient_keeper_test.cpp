@@ -205,8 +205,35 @@ TEST_F(Keeper, cancel_takes_the_correction_back_and_lets_the_save_go_on) {
     EXPECT_TRUE(ward.workspace().edits().empty());
     EXPECT_EQ(ward.on_disk("b.hep"), Numbers{});
     EXPECT_EQ(ward.said,
-              (std::vector<std::string>{"Saved /disk/a.hep", "The correction was taken back",
+              (std::vector<std::string>{"Saved /disk/a.hep",
+                                        "1 correction(s) taken back; Redo makes them again",
                                         "Saved /disk/b.hep"}));
+}
+
+// Each click makes the body anew, so that many may wait when the person has enough of waiting.
+TEST_F(Keeper, cancel_leaves_what_waited_to_be_redone) {
+    add(1);
+    ASSERT_TRUE(ward.finish());
+    ward.hold_corrections = true;
+    ward.keeper().add_all({edit(2), edit(3)});
+    add(4);
+    ward.keeper().cancel();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(numbers_of(ward.workspace().edits()), Numbers{1});
+    EXPECT_EQ(ward.said.back(), "2 correction(s) taken back; Redo makes them again");
+    ward.hold_corrections = false;
+    ward.keeper().redo();
+    ward.keeper().redo();
+    ward.keeper().redo();  // nothing is left
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(numbers_of(ward.workspace().edits()), (Numbers{1, 2, 3, 4}));
+    EXPECT_FALSE(ward.workspace().awaits_body());
+    ward.hold_corrections = true;
+    ward.keeper().undo();
+    ward.keeper().cancel();
+    ASSERT_TRUE(ward.finish());
+    EXPECT_EQ(numbers_of(ward.workspace().edits()), (Numbers{1, 2, 3, 4}));
+    EXPECT_EQ(ward.said.back(), "Cancelled: what was undone is there again");
 }
 
 TEST_F(Keeper, leaves_without_a_question_what_is_saved) {

@@ -246,6 +246,28 @@ TEST(Workspace, giving_up_goes_back_to_what_is_shown) {
     workspace.give_up_edits();
     EXPECT_EQ(numbers_of(workspace.edits()), Numbers{1});
     EXPECT_FALSE(workspace.next_redo());
+    EXPECT_EQ(workspace.give_up_edits(), 0u) << "nothing waits";
+}
+
+TEST(Workspace, what_is_given_up_before_its_body_can_be_redone_step_by_step) {
+    const TreeEdit stroke = tumour_edit({{Vec3::Zero()}, 2.0, false}, 1);
+    Workspace workspace;
+    workspace.open(case_on_disk());
+    workspace.add(edit(1));
+    workspace.show_body(body_of({edit(1)}));
+    workspace.add(edit(2));
+    workspace.add(stroke);
+    workspace.add_all({edit(3), edit(4)});
+    workspace.add(edit(5));
+    workspace.undo();
+    EXPECT_EQ(workspace.give_up_edits(), 2u);
+    EXPECT_EQ(workspace.edits(), (Workspace::Edits{edit(1), stroke}));
+    std::vector<Numbers> redone;
+    while (workspace.next_redo()) {
+        redone.push_back(numbers_of(workspace.next_redo()->edits));
+        workspace.redo();
+    }
+    EXPECT_EQ(redone, (std::vector<Numbers>{{2}, {3, 4}, {5}}));
 }
 
 }  // namespace
