@@ -196,8 +196,13 @@ void LibraryDialog::open_library() {
 }
 
 void LibraryDialog::open_and_take_in(const fs::path& from) {
-    to_take_ = from;
     open_library();
+    do_when_idle([this, from] { take_in(from); });
+}
+
+void LibraryDialog::do_when_idle(std::function<void()> what) {
+    if (!busy_) return what();
+    when_idle_ = std::move(what);
 }
 
 void LibraryDialog::refresh() {
@@ -235,8 +240,10 @@ void LibraryDialog::run(Doing doing, BackgroundJob::Work work) {
         show_chosen();
         if (!said_.isEmpty()) messages_->show_notice(std::exchange(said_, {}));
         if (failed_) messages_->show_failure(*std::exchange(failed_, std::nullopt));
-        if (!to_take_.empty())
-            QTimer::singleShot(0, this, [this] { take_in(std::exchange(to_take_, {})); });
+        if (when_idle_)
+            QTimer::singleShot(0, this, [this] {
+                if (when_idle_) do_when_idle(std::exchange(when_idle_, nullptr));
+            });
     };
     busy_ = true;
     show_chosen();
@@ -354,19 +361,27 @@ void LibraryDialog::give_away(const fs::path& to) {
         messages_->show_failure(failure);
         return ways_.failed(Words::tr("Copy the case"), failure);
     }
+    ways_.copy_case(one->place, [this, from = one->place, to](bool lacks_work) {
+        do_when_idle([this, from, to, lacks_work] { write_one_file(from, to, lacks_work); });
+    });
+}
+
+void LibraryDialog::write_one_file(const fs::path& from, const fs::path& to, bool lacks_work) {
+    const auto shelved = std::ranges::find(cases_, from, &ShelvedCase::place);
+    if (shelved == cases_.end()) return;  // it is gone, or another folder is shown
     std::vector<fs::path> files;
-    for (const ShelvedLesson& lesson : one->lessons)
+    for (const ShelvedLesson& lesson : shelved->lessons)
         if (lesson.patient == ShelvedLesson::Patient::this_case) files.push_back(lesson.file);
     run({Words::tr("Copy the case"), Words::tr("Writing the case into one file…"), true},
-        [this, from = one->place, to, files](Job& job) -> std::function<void()> {
+        [this, from, to, files, lacks_work](Job& job) -> std::function<void()> {
             job.begin_stage(Words::id("Copying the case"));
             std::vector<Lesson> lessons = lessons_not_beside(from, job);
             for (const fs::path& file : files) lessons.push_back(read_lesson(file));
             write_with_lessons(to, read_case(from), lessons);
-            return [this, from, said = what_was_given(to, lessons.size())] {
+            return [this, lacks_work, said = what_was_given(to, lessons.size())] {
                 reread_ = true;
                 said_ = said;
-                if (ways_.shows_more_than(from))
+                if (lacks_work)
                     said_ += " " + Words::tr(
                                        "It lacks what is not saved yet: save the case, then "
                                        "copy it once more.");

@@ -26,13 +26,16 @@ class MessageBar;
 // UI thread only.
 class LibraryDialog : public QDialog {
   public:
+    // `lacks_work`: not all that the window shows of the case is in what is copied.
+    using Copy = std::function<void(bool lacks_work)>;
     struct Ways {
         std::function<void(const QString& place)> open;
         std::function<void(const QString& doing, const Failure&)> failed;
         // Begins the lesson on the patient of that case.
         std::function<void(const ShelvedLesson&, const QString& place)> begin_lesson;
-        // Whether the window shows that case with work that is not saved in it.
-        std::function<bool(const std::filesystem::path& place)> shows_more_than;
+        // Calls `copy` once the case there may be copied: where the window shows it with work that
+        // is not saved, the person is asked first whether to save that. May never call it.
+        std::function<void(const std::filesystem::path& place, const Copy& copy)> copy_case;
     };
     // `settings` must outlive the dialog.
     LibraryDialog(Settings& settings, Ways ways, QWidget* parent);
@@ -47,7 +50,8 @@ class LibraryDialog : public QDialog {
     const std::vector<ShelvedCase>& cases() const { return cases_; }
     bool busy() const { return busy_; }
 
-    // Copies the chosen case with the lessons for it to NAME.hepz. Not while busy().
+    // Copies the chosen case with the lessons for it to NAME.hepz, once work on it is saved or is
+    // to be left out. Not while busy().
     void give_away(const std::filesystem::path& to);
     // Copies a case into the folder under its own name, and the lessons in its file beside it; if
     // there is a case of that name, says so and offers to keep both. One that lies in the folder is
@@ -76,6 +80,10 @@ class LibraryDialog : public QDialog {
     // Says beside the buttons, and on those that are grey, what they wait for.
     void show_what_is_under_way();
     void copy(const std::filesystem::path& from, const std::filesystem::path& to);
+    void write_one_file(const std::filesystem::path& from, const std::filesystem::path& to,
+                        bool lacks_work);
+    // At once, or when the job that runs has ended.
+    void do_when_idle(std::function<void()> what);
     // Chooses a case of the folder and puts the lessons in its file beside it.
     void choose_here(const std::filesystem::path& place);
     // A job as a failure names it, and as it is called while it runs.
@@ -90,12 +98,12 @@ class LibraryDialog : public QDialog {
     std::vector<ShelvedCase> cases_;
     std::unique_ptr<BackgroundJob> job_;
     bool busy_ = false;
-    QString under_way_;              // while busy
-    bool reread_ = false;            // read the folder when the job has ended
-    QString said_;                   // to be told when the folder was read again
-    std::optional<Failure> failed_;  // likewise
-    std::filesystem::path to_take_;  // to be taken in when the folder was read again
-    std::filesystem::path chosen_;   // chosen again after the folder was read
+    QString under_way_;                // while busy
+    bool reread_ = false;              // read the folder when the job has ended
+    QString said_;                     // to be told when the folder was read again
+    std::optional<Failure> failed_;    // likewise
+    std::function<void()> when_idle_;  // see do_when_idle()
+    std::filesystem::path chosen_;     // chosen again after the folder was read
     QLabel* folder_ = nullptr;
     QListWidget* list_ = nullptr;
     MessageBar* messages_ = nullptr;

@@ -118,6 +118,7 @@ MainWindow::MainWindow(Settings& settings, Patients patients,
     if (!questions) questions = questions_in_dialogs(*this, settings_);
     end_lesson_ = questions->end_lesson;
     end_play_ = questions->end_play;
+    copy_of_unsaved_ = questions->copy_of_unsaved;
     make_keeper(std::move(patients), std::move(*questions));
     dial_ = std::make_unique<DialKeeper>([this](const QualityDial& dial) {
         if (patient_) patient_->simulation->use_dial(dial);
@@ -387,7 +388,9 @@ void MainWindow::connect_files() {
          [this](const ShelvedLesson& lesson, const QString& place) {
              lessons_->start_on(lesson.file.string(), place);
          },
-         [this](const std::filesystem::path& place) { return shows_more_than(place); }},
+         [this](const std::filesystem::path& place, const LibraryDialog::Copy& copy) {
+             copy_case(place, copy);
+         }},
         this);
     actions_->on(ActionId::open_library, [this] { library_->open_library(); });
     actions_->on(ActionId::open_case, [this] { ask_for_case(); });

@@ -238,6 +238,10 @@ class MainWindow : public QMainWindow {
     void save_table(QWidget& asks, const QString& proposed, const std::string& csv);
     void save_plots(bool picture);
     bool shows_more_than(const std::filesystem::path& folder) const;
+    // Copies the case of this place, at once or once what is shown of it is saved; or not, as the
+    // person answers.
+    void copy_case(const std::filesystem::path& place,
+                   const std::function<void(bool lacks_work)>& copy);
     void ask_and_save_film(double end_s, const std::function<void(double at_s)>& go_to);
     void say_no_film();  // it was cancelled
     void remember(const std::filesystem::path& path);
@@ -395,6 +399,7 @@ class MainWindow : public QMainWindow {
     bool may_close_ = false;
     std::function<bool(const std::string& lesson)> end_lesson_;  // asks; see Questions
     std::function<bool()> end_play_;                             // likewise
+    std::function<CopyAnswer(const std::string& title)> copy_of_unsaved_;
     bool in_close_event_ = false;
     std::unique_ptr<PatientKeeper> keeper_;
     std::unique_ptr<Recovery> recovery_;

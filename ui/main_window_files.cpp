@@ -315,6 +315,16 @@ bool MainWindow::shows_more_than(const std::filesystem::path& folder) const {
     return workspace().has_patient() && workspace().folder() == folder && workspace().unsaved();
 }
 
+void MainWindow::copy_case(const std::filesystem::path& place,
+                           const std::function<void(bool lacks_work)>& copy) {
+    if (!shows_more_than(place)) return copy(false);
+    const CopyAnswer answer = copy_of_unsaved_(workspace().title());
+    if (answer == CopyAnswer::as_saved) return copy(true);
+    // Strokes at vessels are in no case, saved or not.
+    if (answer == CopyAnswer::save)
+        keeper_->save([this, place, copy] { copy(shows_more_than(place)); });
+}
+
 void MainWindow::ask_and_save_film(double end_s, const std::function<void(double)>& go_to) {
     const QString start = settings_.last_folder();
     const bool as_pictures = ffmpeg_program().isEmpty();

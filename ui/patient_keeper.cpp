@@ -282,19 +282,19 @@ void PatientKeeper::exchange_vessels(const QString& title,
     jobs_.replace(std::move(queued));
 }
 
-bool PatientKeeper::save() {
+bool PatientKeeper::save(std::function<void()> written) {
     if (!workspace_.has_patient()) return false;
     if (!workspace_.folder().empty()) {
-        save_as(workspace_.folder());
+        save_as(workspace_.folder(), std::move(written));
         return true;
     }
-    return ask_and_save();
+    return ask_and_save(std::move(written));
 }
 
-bool PatientKeeper::ask_and_save() {
+bool PatientKeeper::ask_and_save(std::function<void()> written) {
     if (!workspace_.has_patient()) return false;
     const std::optional<std::filesystem::path> folder = questions_.where_to_save(proposed_folder());
-    if (folder) save_as(*folder);
+    if (folder) save_as(*folder, std::move(written));
     return folder.has_value();
 }
 
@@ -316,14 +316,13 @@ std::filesystem::path PatientKeeper::proposed_folder() const {
     return to_path(case_name() + ".hep");
 }
 
-void PatientKeeper::save_as(const std::filesystem::path& folder) {
+void PatientKeeper::save_as(const std::filesystem::path& folder, std::function<void()> written) {
     if (!workspace_.has_patient()) return;
     QueuedJob job;
     job.kind = JobKind::save;
     job.title = Words::tr("Saving %1").arg(to_text(folder.filename())).toStdString();
-    job.begin = [this, folder = std::filesystem::absolute(folder).lexically_normal()] {
-        return writing(folder);
-    };
+    job.begin = [this, folder = std::filesystem::absolute(folder).lexically_normal(),
+                 written = std::move(written)] { return writing(folder, written); };
     add_writing(std::move(job));
 }
 
@@ -340,15 +339,16 @@ void PatientKeeper::add_writing(QueuedJob job) {
     jobs_.add(std::move(job));
 }
 
-BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder) {
-    return [this, folder, patient = workspace_.patient(), edits = workspace_.made_edits(),
+BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder,
+                                           const std::function<void()>& written) {
+    return [this, folder, written, patient = workspace_.patient(), edits = workspace_.made_edits(),
             measured = workspace_.measured(),
             voxels = workspace_.folder()](Job& job) -> std::function<void()> {
         job.begin_stage(Words::id("Writing the case"));
         PatientCase whole = whole_case(*patient, voxels, edits, job);
         whole.measured = measured;
         ways_.save(folder, whole);
-        return [this, folder, edits = whole.corrections.edits, measured] {
+        return [this, folder, written, edits = whole.corrections.edits, measured] {
             workspace_.saved(folder, edits, measured);
             written_.insert(folder);
             screen_.remember(folder);
@@ -358,6 +358,7 @@ BackgroundJob::Work PatientKeeper::writing(const std::filesystem::path& folder) 
                                      ? Words::tr("Saved %1")
                                      : Words::tr("Saved %1, without strokes that wait for Rebuild");
             screen_.say(text.arg(to_text(folder)).toStdString());
+            if (written) written();
         };
     };
 }

@@ -21,6 +21,8 @@ namespace hepatica {
 
 enum class UnsavedAnswer { save, discard, cancel };
 enum class StrokesAnswer { rebuild, drop, cancel };
+// Of a case that is to be copied and holds unsaved work.
+enum class CopyAnswer { save, as_saved, cancel };
 
 // UI thread only; needs Qt's event loop and no other part of Qt.
 class PatientKeeper {
@@ -61,6 +63,9 @@ class PatientKeeper {
         std::function<UnsavedAnswer(const std::string& title)> unsaved;
         // This many strokes at the vessels wait for a rebuild; a case cannot hold them.
         std::function<StrokesAnswer(const std::string& title, std::size_t strokes)> strokes;
+        // Before a copy of the case on disk, which lacks what is not saved.
+        std::function<CopyAnswer(const std::string& title)> copy_of_unsaved =
+            [](const std::string&) { return CopyAnswer::cancel; };
         // Number of the chosen series, from 1, which is the best; nullopt: cancelled.
         std::function<std::optional<int>(const std::vector<SeriesDescription>&)> which_series;
         // Folder of the case; nullopt: cancelled. `proposed`: its present folder, or just a name.
@@ -134,12 +139,12 @@ class PatientKeeper {
     // undone. Replaces an earlier request.
     void remake(std::shared_ptr<const Volume> ct, Mask vessels);
     // save() writes to the present folder, or asks for one if there is none; ask_and_save() always
-    // asks. False: cancelled.
-    bool save();
-    bool ask_and_save();
+    // asks. False: cancelled. `written` is called once the case is written, and not if that fails.
+    bool save(std::function<void()> written = {});
+    bool ask_and_save(std::function<void()> written = {});
     // What files about the patient are called after: his title without an ending or a path.
     QString case_name() const;
-    void save_as(const std::filesystem::path& folder);
+    void save_as(const std::filesystem::path& folder, std::function<void()> written = {});
     // Writes a DICOM segmentation of the CT in this folder; calls `written` when done.
     void archive(const std::filesystem::path& ct, const std::filesystem::path& file,
                  std::function<void()> written);
@@ -201,7 +206,8 @@ class PatientKeeper {
                           void (Workspace::*take)());
     bool waits_for_remaking() const;
     void add_writing(QueuedJob job);
-    BackgroundJob::Work writing(const std::filesystem::path& folder);
+    BackgroundJob::Work writing(const std::filesystem::path& folder,
+                                const std::function<void()>& written);
     // Returns how many steps of corrections were taken back and can be redone.
     std::size_t stay_with_shown_body();
     void go_on();

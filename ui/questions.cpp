@@ -55,6 +55,22 @@ StrokesAnswer ask_strokes(QWidget& parent, const std::string& title, std::size_t
                                           : StrokesAnswer::cancel;
 }
 
+CopyAnswer ask_copy_of_unsaved(QWidget& parent, const std::string& title) {
+    QMessageBox box(
+        QMessageBox::Question, "Hepatica",
+        as_plain(Words::tr("%1 holds changes that are not saved.").arg(translated(title))),
+        QMessageBox::Save | QMessageBox::Cancel, &parent);
+    box.setInformativeText(
+        Words::tr("Save the case before it is copied into one file? As last saved, the copy lacks "
+                  "the changes."));
+    QPushButton* as_saved = box.addButton(Words::tr("&As last saved"), QMessageBox::AcceptRole);
+    box.setDefaultButton(QMessageBox::Save);
+    box.setEscapeButton(QMessageBox::Cancel);
+    const int answer = box.exec();
+    if (box.clickedButton() == as_saved) return CopyAnswer::as_saved;
+    return answer == QMessageBox::Save ? CopyAnswer::save : CopyAnswer::cancel;
+}
+
 bool ask_end_lesson(QWidget& parent, const std::string& lesson) {
     QMessageBox box(QMessageBox::Question, "Hepatica",
                     as_plain(Words::tr("The lesson %1 is being played.").arg(translated(lesson))),
@@ -100,6 +116,9 @@ PatientKeeper::Questions questions_in_dialogs(QWidget& parent, const Settings& s
     questions.unsaved = [&parent](const std::string& title) { return ask_unsaved(parent, title); };
     questions.strokes = [&parent](const std::string& title, std::size_t strokes) {
         return ask_strokes(parent, title, strokes);
+    };
+    questions.copy_of_unsaved = [&parent](const std::string& title) {
+        return ask_copy_of_unsaved(parent, title);
     };
     questions.which_series =
         [&parent](const std::vector<SeriesDescription>& series) -> std::optional<int> {

@@ -2,6 +2,7 @@
 // What was measured stays: it is kept with the case, counts as unsaved work, and outlasts
 // corrections.
 #include <QComboBox>
+#include <QFile>
 #include <QPushButton>
 #include <QStatusBar>
 #include <fstream>
@@ -104,7 +105,22 @@ TEST_F(KeptMeasurements, ACopyOfTheCaseLacksThemUntilTheyAreSavedAndThatIsSaid) 
     EXPECT_FALSE(said_of_copy("whole.hepz").contains("not saved yet"));
     measure_distance();
     ASSERT_TRUE(window_.isWindowModified());
+    copy_answer_ = CopyAnswer::as_saved;
     EXPECT_TRUE(said_of_copy("without.hepz").contains("not saved yet"));
+    EXPECT_TRUE(read_case(to_path(folder_.filePath("without.hepz"))).measured.empty());
+    EXPECT_TRUE(window_.isWindowModified());
+
+    copy_answer_ = CopyAnswer::cancel;
+    said_of_copy("none.hepz");
+    EXPECT_FALSE(QFile::exists(folder_.filePath("none.hepz")));
+
+    copy_answer_ = CopyAnswer::save;
+    library.give_away(to_path(folder_.filePath("with.hepz")));
+    ASSERT_TRUE(
+        wait_for([&] { return QFile::exists(folder_.filePath("with.hepz")) && !library.busy(); }));
+    EXPECT_FALSE(library.messages().text().contains("not saved yet"));
+    EXPECT_EQ(read_case(to_path(folder_.filePath("with.hepz"))).measured.size(), 1u);
+    EXPECT_FALSE(window_.isWindowModified()) << "the case itself is saved, too";
 }
 
 TEST_F(KeptMeasurements, OfAPatientWhoWasNeverSavedAreAskedAboutBeforeTheyAreLost) {

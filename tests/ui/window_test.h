@@ -93,6 +93,7 @@ class WindowTest : public ::testing::Test {
             strokes_asked_ = strokes;
             return strokes_answer_;
         };
+        answers.copy_of_unsaved = [this](const std::string&) { return copy_answer_; };
         answers.which_series = [](const std::vector<SeriesDescription>&) { return 1; };
         answers.where_to_save = [this](const std::filesystem::path& proposed) {
             proposed_place_ = proposed;
@@ -114,6 +115,7 @@ class WindowTest : public ::testing::Test {
     UnsavedAnswer unsaved_answer_ = UnsavedAnswer::discard;
     std::size_t strokes_asked_ = 0;  // how many waited when it was asked last
     StrokesAnswer strokes_answer_ = StrokesAnswer::drop;
+    CopyAnswer copy_answer_ = CopyAnswer::cancel;
     int lesson_ends_asked_ = 0;
     std::function<void()> while_asked_ = [] {};  // whether a lesson may end
     bool lesson_may_end_ = true;
