@@ -44,7 +44,7 @@ void MainWindow::build_slices(QWidget* parent) {
         fail(doing, failure);
         *said = messages_->text();
     };
-    callbacks.ct_read = [this, said] {
+    callbacks.other_ct = [this, said] {
         if (!said->isEmpty() && messages_->text() == *said) messages_->dismiss();
     };
     callbacks.draw = [this](const Volume& ct, const std::vector<Vec3>& places,

@@ -13,16 +13,12 @@
 #include "ui/words.h"
 
 namespace hepatica {
-namespace {
 
-// Of the whole job where its stages are announced, each as long as another; else of the stage.
 double share_of_job(const JobProgress& progress) {
     if (progress.stage_count <= 0 || progress.stage_number <= 0) return progress.fraction;
     const int stages = std::max(progress.stage_number, progress.stage_count);
     return (progress.stage_number - 1 + progress.fraction) / stages;
 }
-
-}  // namespace
 
 ProgressStrip::ProgressStrip(std::function<void()> cancel, QWidget* pictures)
     : OverlayBar(Qt::BottomEdge, pictures),

@@ -16,6 +16,10 @@ namespace hepatica {
 
 class ElidedLabel;
 
+// Of the whole job where its stages are announced, each as long as another; else of the stage. In
+// [0, 1].
+double share_of_job(const JobProgress& progress);
+
 // UI thread only.
 class ProgressStrip : public OverlayBar {
   public:

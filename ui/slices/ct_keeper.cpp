@@ -78,6 +78,11 @@ void CtKeeper::begin_reading() {
         std::move(callbacks));
 }
 
+void CtKeeper::cancel() {
+    leave();
+    tried_ = false;
+}
+
 void CtKeeper::leave() {
     if (reading_) std::erase(reading_->waiting, this);
     reading_.reset();

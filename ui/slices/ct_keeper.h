@@ -57,6 +57,8 @@ class CtKeeper {
     // remembered once its CT has proved to be the patient's.
     void read_from(const std::filesystem::path& place);
 
+    // Ends the reading; want() begins it again. Another keeper that waits for it still gets it.
+    void cancel();
     bool reading() const { return reading_ != nullptr; }
 
   private:

@@ -2,9 +2,7 @@
 #include "ui/slices/view_layout.h"
 
 #include <QGridLayout>
-#include <QLabel>
 #include <QPainter>
-#include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -12,6 +10,7 @@
 #include "core/opening/patient_image.h"
 #include "ui/core_words.h"
 #include "ui/slices/slice_bar.h"
+#include "ui/slices/slice_notice.h"
 #include "ui/slices/slice_view.h"
 #include "ui/slices/threshold_dialog.h"
 #include "ui/window_words.h"
@@ -26,15 +25,15 @@ ViewLayout::ViewLayout(QWidget* view, Settings& settings, Callbacks callbacks, Q
               {[this](std::shared_ptr<const Volume> ct, Mask systems) {
                    scene_.show(std::move(ct), std::move(systems), patient_->tree);
                    scene_.brush().show(strokes_);
-                   callbacks_.ct_read();
+                   callbacks_.other_ct();
                    want_segments();
                    tumours_.want();
                    tumours_.show_again();
                    arrange();
                },
-               [this](const JobProgress& now) { say(translated(now.stage) + "…", false); },
+               [this](const JobProgress& now) { notice_->show_progress(now); },
                [this](const Failure& failure) {
-                   say(in_one_sentence(failure), true);
+                   notice_->say(in_one_sentence(failure), true);
                    if (!failure.place.empty())
                        callbacks_.failed(Words::tr("Reading the CT"), failure);
                }}),
@@ -129,21 +128,7 @@ void ViewLayout::build(QWidget* view) {
         slice->on_double_click([this, slice] { enlarge(enlarged_ ? nullptr : slice); });
         views_[static_cast<std::size_t>(direction)] = slice;
     }
-    notice_ = new QWidget(pictures_);
-    notice_->setObjectName("sliceNotice");
-    auto* words = new QVBoxLayout(notice_);
-    notice_text_ = new QLabel(notice_);
-    notice_text_->setWordWrap(true);
-    notice_text_->setTextFormat(Qt::PlainText);
-    notice_text_->setAlignment(Qt::AlignCenter);
-    notice_text_->setObjectName("quiet");
-    choose_ = new QPushButton(Words::tr("Choose the CT…"), notice_);
-    choose_->setObjectName("chooseCt");
-    connect(choose_, &QPushButton::clicked, this, [this] { ask(); });
-    words->addStretch();
-    words->addWidget(notice_text_);
-    words->addWidget(choose_, 0, Qt::AlignHCenter);
-    words->addStretch();
+    notice_ = new SliceNotice({[this] { ask(); }, [this] { cancel_reading(); }}, pictures_);
     // The usual order of viewers: axial slice and 3D view above, coronal and sagittal below. The
     // notice stands beside the 3D view.
     grid_->addWidget(views_[0], 0, 0);
@@ -215,10 +200,11 @@ void ViewLayout::clear() {
 void ViewLayout::set_slices_visible(bool visible) {
     slices_visible_ = visible;
     if (visible && patient_) {
-        if (scene_.empty() && !keeper_.reading()) say(Words::tr("Reading the CT…"), false);
+        const bool was_reading = keeper_.reading();
         keeper_.want();
+        if (!was_reading && keeper_.reading()) notice_->show_reading();
     } else if (visible) {
-        say(Words::tr("Open a patient to see slices of the CT."), false);
+        notice_->say(Words::tr("Open a patient to see slices of the CT."), false);
     }
     arrange();
     mark_crosshair();
@@ -282,16 +268,19 @@ void ViewLayout::mark_crosshair() {
     callbacks_.crosshair(shown ? std::optional(scene_.crosshair_mm()) : std::nullopt);
 }
 
-void ViewLayout::say(const QString& text, bool can_choose) {
-    notice_text_->setText(text);
-    choose_->setVisible(can_choose);
-}
-
 void ViewLayout::ask() {
     if (const auto place = callbacks_.ask_for_ct()) {
-        say(Words::tr("Reading the CT…"), false);
+        callbacks_.other_ct();
         keeper_.read_from(*place);
+        notice_->show_reading();
     }
+}
+
+void ViewLayout::cancel_reading() {
+    keeper_.cancel();
+    notice_->say(Words::tr("The CT was not read. Hide the slices and show them again (F7) to read "
+                           "it, or choose another one."),
+                 true);
 }
 
 }  // namespace hepatica

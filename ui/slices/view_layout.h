@@ -18,12 +18,11 @@
 #include "ui/slices/tumour_keeper.h"
 
 class QGridLayout;
-class QLabel;
-class QPushButton;
 
 namespace hepatica {
 
 class SliceBar;
+class SliceNotice;
 class ThresholdDialog;
 class SliceView;
 
@@ -35,7 +34,8 @@ class ViewLayout : public QWidget {
         // Marks this point in the 3D view; nullopt: removes the mark.
         std::function<void(const std::optional<Vec3>&)> crosshair;
         std::function<void(const QString& doing, const Failure&)> failed;
-        std::function<void()> ct_read = [] {};  // messages about an earlier CT no longer hold
+        // A CT was read, or another one chosen: messages about an earlier one no longer hold.
+        std::function<void()> other_ct = [] {};
         // Draws a vessel through these places of the CT, which stays valid until the answer.
         std::function<void(const Volume&, const std::vector<Vec3>&, VesselPen::Answered)> draw;
         std::function<void()> stop_drawing;
@@ -110,8 +110,8 @@ class ViewLayout : public QWidget {
     void want_segments();
     void mark_crosshair();
     void enlarge(SliceView* view);
-    void say(const QString& text, bool can_choose);
     void ask();
+    void cancel_reading();
 
     Callbacks callbacks_;
     SliceScene scene_;
@@ -127,9 +127,7 @@ class ViewLayout : public QWidget {
     SliceBar* bar_ = nullptr;
     ThresholdDialog* threshold_ = nullptr;
     QWidget* pictures_ = nullptr;
-    QWidget* notice_ = nullptr;  // shown instead of the slices
-    QLabel* notice_text_ = nullptr;
-    QPushButton* choose_ = nullptr;
+    SliceNotice* notice_ = nullptr;  // shown instead of the slices
     QGridLayout* grid_ = nullptr;
     SliceView* enlarged_ = nullptr;
     bool slices_visible_ = false;
