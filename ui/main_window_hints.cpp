@@ -165,7 +165,7 @@ QString MainWindow::guidance_of(MouseMode mode) const {
         case MouseMode::place:
             return Words::tr("Click on a vessel: the place is there (by keys: Enter at the cross)");
         case MouseMode::measure:
-            return translated(ruler_->guidance());
+            return ruler_->guidance();
         case MouseMode::cut:
             return Words::tr(
                 "Draw a line across a vessel to cut it (by keys: Enter, arrows, Enter)");

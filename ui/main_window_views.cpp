@@ -345,7 +345,7 @@ void MainWindow::follow_measuring() {
     if (chosen) {
         (*actions_)[measuring_actions[static_cast<std::size_t>(*chosen)]].setChecked(true);
         if (!measures) set_mouse_mode(MouseMode::measure);
-        statusBar()->showMessage(translated(ruler_->guidance()), 8000);
+        statusBar()->showMessage(ruler_->guidance(), 8000);
     } else if (measures) {
         back_to_pulling();
     }

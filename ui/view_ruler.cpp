@@ -86,7 +86,7 @@ void ViewRuler::click(const SurfacePick& pick, const ViewAxes& axes) {
     }
     const std::string told =
         measurements_.add_point(place, SlicePlane{axes.forward, axes.right}, patient_->tree);
-    screen_.say(told.empty() ? guidance() : told);
+    screen_.say(told.empty() ? guidance().toStdString() : told);
 }
 
 void ViewRuler::follow() {
@@ -118,24 +118,24 @@ void ViewRuler::follow() {
     screen_.show(std::move(views));
 }
 
-std::string ViewRuler::guidance() const {
+QString ViewRuler::guidance() const {
     if (!measurements_.chosen()) return {};
     const Measurement* half = measurements_.half_made();
     const std::size_t points = half ? half->points_mm.size() : 0;
     switch (*measurements_.chosen()) {
         case MeasurementKind::distance:
             return points == 0
-                       ? Words::id(
+                       ? Words::tr(
                              "Click where the distance begins: on a vessel, or anywhere in a slice")
-                       : Words::id("Click where it ends");
+                       : Words::tr("Click where it ends");
         case MeasurementKind::angle:
             return points == 0
-                       ? Words::id(
+                       ? Words::tr(
                              "Click on one arm of the angle: on a vessel, or anywhere in a slice")
-                   : points == 1 ? Words::id("Click on its vertex")
-                                 : Words::id("Click on the other arm");
+                   : points == 1 ? Words::tr("Click on its vertex")
+                                 : Words::tr("Click on the other arm");
         case MeasurementKind::diameter:
-            return Words::id(
+            return Words::tr(
                 "Click on a vessel: its diameter there, and the stenosis against the vessel "
                 "beside");
     }

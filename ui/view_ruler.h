@@ -5,6 +5,7 @@
 // rest.
 #pragma once
 
+#include <QString>
 #include <functional>
 #include <memory>
 #include <string>
@@ -36,8 +37,8 @@ class ViewRuler {
     // Moves the lines with the vessels of the newest frame.
     void follow();
 
-    // What the next click does; empty if nothing is being measured.
-    std::string guidance() const;
+    // What the next click does, in the window's language; empty if nothing is being measured.
+    QString guidance() const;
 
   private:
     // The rest positions of the frame's vertices.

@@ -12,6 +12,7 @@
 #include "core/tree/lumen_calibre.h"
 #include "render/label_places.h"
 #include "tests/ui/fake_window_test.h"
+#include "tests/ui/speaks.h"
 #include "ui/slices/view_layout.h"
 
 namespace hepatica::testing {
@@ -82,6 +83,22 @@ TEST_F(Measuring, AnAngleIsThatOfThreeClicks) {
     EXPECT_NEAR(degrees, 0.0, 5.0) << "along one straight vessel";
     EXPECT_EQ(measurements().made()[0].text,
               QString("%1\u00b0").arg(degrees, 0, 'f', 0).toStdString());
+}
+
+// The window is made in the language that is spoken then.
+class GermanSpoken {
+  private:
+    Speaks speaks_{"de"};
+};
+class MeasuringInGerman : private GermanSpoken, public Measuring {};
+
+TEST_F(MeasuringInGerman, EachClickIsAskedForInGerman) {
+    QTest::keyClick(&window_, Qt::Key_M, Qt::ShiftModifier);
+    EXPECT_TRUE(said().startsWith("Klicken Sie auf einen Schenkel")) << said().toStdString();
+    click_trunk_at(-50.0);
+    EXPECT_EQ(said(), "Klicken Sie auf seinen Scheitel");
+    click_trunk_at(-25.0);
+    EXPECT_EQ(said(), "Klicken Sie auf den anderen Schenkel");
 }
 
 TEST_F(Measuring, ADiameterIsThatAtTheCentreline) {
