@@ -240,6 +240,7 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
     if (scene_.empty()) return;
     last_ = event->position();
     if (event->button() != Qt::LeftButton) return;
+    crosshair_before_mm_ = scene_.crosshair_mm();
     if (measuring())
         measure(to_mm(last_));
     else if (drawing())
@@ -306,7 +307,10 @@ void SliceView::leaveEvent(QEvent* event) {
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
     if (brushing()) return mousePressEvent(event);  // the next stroke begins
     if (works()) return;  // the second click must not set a point on top of the first
-    if (event->button() == Qt::LeftButton && double_click_) double_click_();
+    if (event->button() != Qt::LeftButton || !double_click_) return;
+    // The first click led the crosshair away, which was not meant.
+    if (!scene_.empty()) scene_.set_crosshair(crosshair_before_mm_);
+    double_click_();
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {

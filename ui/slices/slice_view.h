@@ -134,8 +134,9 @@ class SliceView : public QWidget {
     QPointF shift_;                        // of the slice's centre from the widget's
     std::vector<QRectF> measure_labels_;
     std::vector<NumberLabel> number_labels_;
-    QPointF last_;           // last mouse position while a button is down
-    double wheel_rest_ = 0;  // unused part of a wheel notch
+    QPointF last_;                             // last mouse position while a button is down
+    Vec3 crosshair_before_mm_ = Vec3::Zero();  // the last press of the left button
+    double wheel_rest_ = 0;                    // unused part of a wheel notch
 };
 
 }  // namespace hepatica
