@@ -25,11 +25,12 @@ namespace {
 constexpr const char* journal_format = "hepatica-edits";
 
 std::string line_of(const JournalBase& base) {
-    const Json json{{"format", journal_format},
-                    {"version", 1},
-                    {"title", base.title},
-                    {"case", base.place.string()},
-                    {"extracted", to_hex(base.extracted)}};
+    Json json{{"format", journal_format},
+              {"version", 1},
+              {"title", base.title},
+              {"case", base.place.string()},
+              {"extracted", to_hex(base.extracted)}};
+    if (!base.copy_of.empty()) json["copy_of"] = base.copy_of.string();
     return json.dump() + "\n";
 }
 
@@ -39,6 +40,7 @@ JournalBase base_from(const Json& json) {
     JournalBase base{json.at("title").get<std::string>(), json.at("case").get<std::string>(), 0};
     const auto digits = json.at("extracted").get<std::string>();
     std::from_chars(digits.data(), digits.data() + digits.size(), base.extracted, 16);
+    base.copy_of = json.value("copy_of", std::string());
     return base;
 }
 

@@ -5,6 +5,7 @@
 // stay ("keep", fewer after an undo) and which follow them:
 //   {"format": "hepatica-edits", "version": 1, "title": "anton.hep", "case": "/data/anton.hep",
 //    "extracted": "0123456789abcdef"}
+// Where "case" is a copy, "copy_of" may name the case on disk that the copy was made of.
 //   {"change": 7, "keep": 2, "add": [{"edit": "cut_link", ...}]}
 // A third kind of line does the same for the strokes that wait for a rebuild:
 //   {"keep_strokes": 1, "add_strokes": [{"path_mm": ...}]}
@@ -37,6 +38,8 @@ struct JournalBase {
     // A case; empty: the built-in patient; ".": the newest complete copy beside the journal.
     std::filesystem::path place;
     std::uint64_t extracted = 0;  // hash_of_extracted() of the patient
+    // Of a copy: the case on disk whose unsaved work it holds; empty: none.
+    std::filesystem::path copy_of{};
     bool operator==(const JournalBase&) const = default;
 };
 

@@ -312,7 +312,7 @@ void MainWindow::save_picture(const QString& file) {
 
 // Work that is not saved in the case of this folder.
 bool MainWindow::shows_more_than(const std::filesystem::path& folder) const {
-    return workspace().has_patient() && workspace().folder() == folder && workspace().unsaved();
+    return workspace().has_patient() && workspace().home() == folder && workspace().unsaved();
 }
 
 void MainWindow::copy_case(const std::filesystem::path& place,
@@ -320,9 +320,10 @@ void MainWindow::copy_case(const std::filesystem::path& place,
     if (!shows_more_than(place)) return copy(false);
     const CopyAnswer answer = copy_of_unsaved_(workspace().title());
     if (answer == CopyAnswer::as_saved) return copy(true);
-    // Strokes at vessels are in no case, saved or not.
+    // Strokes at vessels are in no case, and recovered work may be saved elsewhere.
     if (answer == CopyAnswer::save)
-        keeper_->save([this, place, copy] { copy(shows_more_than(place)); });
+        keeper_->save(
+            [this, place, copy] { copy(workspace().unsaved() || workspace().folder() != place); });
 }
 
 void MainWindow::ask_and_save_film(double end_s, const std::function<void(double)>& go_to) {

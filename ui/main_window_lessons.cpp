@@ -348,8 +348,8 @@ void MainWindow::build_lesson_editor() {
     ways.shown_patient = [this] {
         if (!patient_) return QString();
         if (patient_->title == built_in_title) return QString("built-in");
-        const std::filesystem::path& folder = keeper_->workspace().folder();
-        return folder.empty() ? QString(unsaved_patient) : to_text(folder);
+        const std::filesystem::path& place = keeper_->workspace().home();
+        return place.empty() ? QString(unsaved_patient) : to_text(place);
     };
     ways.ask_for_place = [this] {
         set_mouse_mode(MouseMode::place);

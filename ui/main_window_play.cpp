@@ -86,7 +86,7 @@ void MainWindow::show_patient(LoadedPatient patient, bool corrected) {
     if (!corrected) tell_packed_lessons();
     if (corrected) {
         lessons_->patient_corrected();
-        fits_->look(patient_->patient, keeper_->workspace().folder(),
+        fits_->look(patient_->patient, keeper_->workspace().home(),
                     to_path(settings_.library_folder()));
     } else {
         unfit_message_.clear();  // was of the former patient

@@ -135,6 +135,7 @@ void PatientKeeper::arrived(const OpenRequest& request,
         jobs_.drop(JobKind::correct);
         jobs_.drop(JobKind::remake);
         workspace_.open(*loaded, request.reconstruct.series);
+        workspace_.set_recovered(Recovery::case_of(loaded->kept_copy));
         // Before the edits there is nothing of him worth keeping, so they come first.
         if (request.left_edits) workspace_.take_up(*request.left_edits);
         screen_.show(std::move(*loaded), false);
@@ -312,7 +313,7 @@ QString PatientKeeper::case_name() const {
 
 // Without a folder: the CT may lie in an archive or on a disc.
 std::filesystem::path PatientKeeper::proposed_folder() const {
-    if (!workspace_.folder().empty()) return workspace_.folder();
+    if (!workspace_.home().empty()) return workspace_.home();
     return to_path(case_name() + ".hep");
 }
 

@@ -85,6 +85,11 @@ fs::path newest_of(const fs::path& program) {
     return copy.place.empty() || says_more ? journal : copy.place;
 }
 
+// The journal that is left, or that of the copy that is.
+fs::path journal_of(const fs::path& left) {
+    return left.filename() == journal_name ? left : left.parent_path().parent_path() / journal_name;
+}
+
 // What this journal holds; nullopt where it is none or is damaged.
 std::optional<Journalled> noted_in(const fs::path& place) {
     return place.filename() == journal_name ? read_edit_journal(place) : std::nullopt;
@@ -204,7 +209,8 @@ void Recovery::follow(const Workspace& workspace) {
 Recovery::Wanted Recovery::wanted_of(const Workspace& workspace) {
     const bool built_in =
         workspace.title() == built_in_title && workspace.folder().empty() && !workspace.remade();
-    return {{{workspace.title(), workspace.base(), hash_of_extracted(*workspace.patient())},
+    return {{{workspace.title(), workspace.base(), hash_of_extracted(*workspace.patient()),
+              workspace.home()},
              workspace.edits(),
              workspace.strokes(),
              workspace.version(),
@@ -220,6 +226,7 @@ void Recovery::note(const Wanted& wanted) {
     if (wanted.needs_copy && !has_copy) return;  // written() notes it
     Journalled noted = wanted.noted;
     if (has_copy) noted.base.place = copy_beside;
+    if (noted.base.place == noted.base.copy_of) noted.base.copy_of.clear();
     try {
         make_own_folder();
     } catch (...) {
@@ -362,11 +369,17 @@ std::vector<fs::path> Recovery::left_behind() const {
     return places;
 }
 
+fs::path Recovery::case_of(const fs::path& left) {
+    if (left.empty()) return {};
+    const std::optional<Journalled> noted = read_edit_journal(journal_of(left));
+    return noted && is_case(noted->base.copy_of) ? noted->base.copy_of : fs::path();
+}
+
 UnsavedWork Recovery::unsaved_work(const fs::path& left) {
     UnsavedWork work;
     const bool is_journal = left.filename() == journal_name;
     // A copy may be offered because the journal beside it is damaged.
-    const fs::path journal = is_journal ? left : left.parent_path().parent_path() / journal_name;
+    const fs::path journal = journal_of(left);
     JournalLoss loss;
     std::optional<Journalled> noted = read_edit_journal(journal, &loss);
     work.request.lost = words_of_loss(loss, journal);

@@ -2,7 +2,8 @@
 // Keeps unsaved work in the user's data folder until it is saved or discarded: each correction,
 // stroke and measurement at once in a journal, and half a second after a reconstruction or
 // correction a copy of the whole case. What a program left after a crash or power cut is offered at
-// the next start.
+// the next start. A copy never replaces the case that it was made of by itself: it is opened as one
+// without a place on disk, and saving it proposes that case.
 #pragma once
 
 #include <QTimer>
@@ -46,6 +47,9 @@ class Recovery {
     std::vector<std::filesystem::path> left_behind() const;
     // Describes one of these.
     static UnsavedWork unsaved_work(const std::filesystem::path& left);
+
+    // The case on disk whose unsaved work such a copy holds; empty: none, or it is gone.
+    static std::filesystem::path case_of(const std::filesystem::path& left);
 
     // Nothing is being written or waiting to be.
     bool resting() const { return !job_ && !wanted_.patient; }

@@ -42,6 +42,7 @@ void Workspace::open(const OpenedPatient& opened, int series) {
     image_ = opened.image;
     series_ = series;
     kept_copy_ = opened.kept_copy;
+    recovered_.clear();
     base_ = opened.read_from.empty() ? opened.folder : opened.read_from;
     opened_origin_ = ++origin_;
     saved_edits_ = patient_->corrections.edits;

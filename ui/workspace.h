@@ -45,6 +45,12 @@ class Workspace {
     // The copy of unsaved work that it was opened from; else empty.
     const std::filesystem::path& kept_copy() const { return kept_copy_; }
 
+    // The case on disk that he belongs to: folder(), or the one whose unsaved work was recovered;
+    // empty: none.
+    const std::filesystem::path& home() const { return folder_.empty() ? recovered_ : folder_; }
+    // His unsaved work is that of this case; empty: of none.
+    void set_recovered(const std::filesystem::path& place) { recovered_ = place; }
+
     // A case on disk on which the corrections can be repeated; empty: none.
     const std::filesystem::path& base() const { return base_; }
     // Changes with every patient and every rebuild: corrections belong to one origin.
@@ -156,6 +162,7 @@ class Workspace {
     std::filesystem::path image_;
     int series_ = 0;
     std::filesystem::path kept_copy_;
+    std::filesystem::path recovered_;  // see home()
     std::filesystem::path base_;
     Edits edits_;
     std::vector<Edits> undone_;  // steps; the last one is redone first

@@ -132,6 +132,9 @@ LoadedPatient FakeWard::load(const OpenRequest& request, Job& job) {
         if (const int chosen = request.reconstruct.series; chosen != 0)
             loaded.title += ", series " + std::to_string(chosen);
         loaded.worth_saving = true;
+    } else if (request.unsaved_copy) {
+        loaded.kept_copy = path;
+        loaded.worth_saving = true;
     } else if (!request.built_in) {
         const std::lock_guard lock(mutex_);
         if (!disk_.contains(path)) throw InputError("there is no such case", path.string(), "");

@@ -9,7 +9,9 @@
 #include <QTest>
 
 #include "core/patient/painted_tumours.h"
+#include "tests/session/small_patient.h"
 #include "tests/ui/patients/keeper_test.h"
+#include "ui/edit_journal.h"
 #include "ui/paths.h"
 
 namespace hepatica {
@@ -416,6 +418,31 @@ TEST_F(Keeper, a_case_saved_over_while_it_was_opened_is_read_again) {
     EXPECT_EQ(ward.workspace().title(), "c.hep");
     EXPECT_EQ(ward.on_disk("c.hep"), ward.on_disk("b.hep"));
     EXPECT_EQ(numbers_of(ward.workspace().edits()), ward.on_disk("c.hep"));
+}
+
+TEST_F(Keeper, recovered_work_is_proposed_to_be_saved_in_the_case_that_it_is_of) {
+    const QTemporaryDir temporary;
+    const std::filesystem::path folder = temporary.path().toStdString();
+    const std::filesystem::path place = folder / "anton.hep";
+    write_case(place, *test::small_patient());
+    const std::filesystem::path program = folder / "program";
+    std::filesystem::create_directories(program);
+    {
+        EditJournal journal(program / "edits.jsonl");
+        Journalled noted;
+        noted.base = {"anton.hep", ".", 0, place};
+        noted.change = 1;
+        journal.append(noted);
+    }
+    OpenRequest request;
+    request.reconstruct.ct = program / "1" / "anton.hep";
+    request.unsaved_copy = true;
+    ward.keeper().open(request);
+    ASSERT_TRUE(ward.finish());
+    ASSERT_EQ(ward.workspace().title(), "anton.hep");
+    EXPECT_TRUE(ward.workspace().dirty());
+    ward.keeper().save();
+    EXPECT_EQ(ward.proposed, place);
 }
 
 TEST_F(Keeper, a_case_is_proposed_where_it_lies_or_by_its_name_alone) {

@@ -369,6 +369,40 @@ TEST_F(Journal, GivesWayToACopyThatHoldsAsMuch) {
               std::vector<int>{1});
 }
 
+// Else the work would be saved as a second case, and the lessons be those of the first.
+TEST_F(Journal, TellsWhoseUnsavedWorkACopyHolds) {
+    auto program = this->program();
+    workspace_.open(from_disk());
+    add(1, *program);
+    show_body();
+    program->follow(workspace_);
+    ASSERT_TRUE(rest(*program));
+    fs::path copy;
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] {
+            const auto works = left_if_killed_now();
+            if (works.empty()) return false;
+            copy = works[0].request.reconstruct.ct;
+            return Recovery::case_of(copy) == case_;
+        },
+        recovery_patience_ms));
+
+    OpenRequest request;
+    request.reconstruct.ct = copy;
+    request.unsaved_copy = true;
+    Job job;
+    Workspace again;
+    again.open(open_patient(request, job));
+    EXPECT_TRUE(again.home().empty());
+    again.set_recovered(case_);
+    EXPECT_EQ(again.home(), case_);
+    EXPECT_TRUE(again.folder().empty()) << "it is not in that case yet";
+    again.saved("/somewhere/b.hep", again.edits(), {});
+    EXPECT_EQ(again.home(), "/somewhere/b.hep");
+    fs::remove_all(case_);
+    EXPECT_TRUE(Recovery::case_of(copy).empty()) << "the case is gone";
+}
+
 TEST_F(Journal, WaitsForTheCopyOfWhatWasNeverSaved) {
     std::atomic<bool> held = true;
     auto program = this->program([&](const fs::path& place, const PatientCase& patient) {
