@@ -25,6 +25,7 @@ namespace hepatica {
 namespace {
 
 constexpr double margin_pt = 18.0;
+constexpr double beside_legend_pt = 10.0;  // between the legend and a text beside it
 using std::numbers::pi;
 
 vtkSmartPointer<vtkActor2D> quads_actor(vtkPoints* points, int quads, vtkRenderer& renderer) {
@@ -161,9 +162,11 @@ bool Annotations::has_room(vtkTextActor& text, const PictureSize& size) {
     const double* place = text.GetPosition();
     const PictureBox box{place[0] + extent[0], place[1] + extent[2], place[0] + extent[1],
                          place[1] + extent[3]};
+    const double gap = beside_legend_pt * size.letter_point;
+    const PictureBox with_gap{box.left - gap, box.bottom, box.right + gap, box.top};
     const bool at_foot = box.bottom < 0.5 * size.height;
     const double left = at_foot ? OrientationMarker::right_edge(size) : 0.0;
-    return box.left >= left && box.right <= size.width && !overlap(box, legend_.box());
+    return box.left >= left && box.right <= size.width && !overlap(with_gap, legend_.box());
 }
 
 void Annotations::update_scale_bar(const PictureSize& size, vtkCamera& camera) {

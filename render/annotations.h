@@ -70,8 +70,8 @@ class Annotations {
     double caption_width();  // in pixels
     void update_scale_bar(const PictureSize& size, vtkCamera& camera);
     void draw_scale_bar(double x, double y, double width, double point);
-    // Whether a text, as placed, fits into the picture and overlaps neither the legend nor the
-    // orientation marker.
+    // Whether a text, as placed, fits into the picture, leaves a gap to the legend beside it and
+    // does not overlap the orientation marker.
     bool has_room(vtkTextActor& text, const PictureSize& size);
 
     vtkRenderer& renderer_;

@@ -23,6 +23,9 @@ class LabelPlaces {
     // Labels stay within this part of the picture.
     explicit LabelPlaces(const LabelBox& room) : room_(room) {}
 
+    // Something else lies there, which no label may cover.
+    void keep_off(const LabelBox& box) { placed_.push_back(box); }
+
     // The free place nearest to the wanted one; nothing where there is none, as for a label that is
     // larger than the room. Costs the cube of the number of labels placed before, where the wanted
     // place is taken.

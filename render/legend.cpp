@@ -95,6 +95,12 @@ bool may_be_lines(const std::vector<LegendRow>& rows) {
                rows, [](const LegendRow& row) { return row.faint || row.colours.size() > 1; });
 }
 
+// Whether rows are left out that would hide vessels: a view beside slices is narrow, and its
+// colours are told by the slices, too; a bar of numbers is needed to read them.
+bool gives_way(const std::vector<LegendRow>& rows, const Legend::Room& room) {
+    return is_small(room) || (is_narrow(room) && may_be_lines(rows));
+}
+
 // What does not come and go with the pointer.
 std::vector<LegendRow> steady_of(std::vector<LegendRow> rows) {
     std::erase_if(rows, [](const LegendRow& row) { return row.passing; });
@@ -335,7 +341,8 @@ Legend::Layout Legend::of_narrow(const std::vector<LegendRow>& rows, const Room&
 
 Legend::Layout Legend::beside_vessels(std::vector<LegendRow> rows, std::size_t wanted,
                                       const Room& room, const Count& count) {
-    if (!is_small(room))
+    const bool yields = gives_way(rows, room);
+    if (!yields)
         most_rows_ = std::numeric_limits<std::size_t>::max();
     else if (count)
         most_rows_ = rows.size();
@@ -343,7 +350,7 @@ Legend::Layout Legend::beside_vessels(std::vector<LegendRow> rows, std::size_t w
     const auto laid = [&] { return of_narrow(rows, room, rows.size() < wanted, count); };
     leaves_out_ = rows.size() < wanted;
     Layout layout = laid();
-    if (!is_small(room) || !count) return layout;
+    if (!yields || !count) return layout;
     const int all = all_in(room, count);
     while (!rows.empty()) {
         const std::vector<int> hidden = count(layout.corners);

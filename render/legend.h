@@ -2,8 +2,9 @@
 // Draws the legend (legend_rows.h) in the corner of the picture that covers the fewest vessels.
 // Letters have 16 points of the screen, which are 12 points of print; they shrink in thumbnails and
 // where a row would not fit. Minor rows are left out where the legend would be higher than half of
-// the picture, and others where it would be higher than the picture. In a small picture as many are
-// left out, or all, as it takes to hide hardly any vessel. An ellipsis behind the last row says
+// the picture, and others where it would be higher than the picture. In a small picture, and of
+// names of colours in a narrow one, as many are left out, or all, as it takes to hide hardly any
+// vessel. An ellipsis behind the last row says
 // that some are left out. In a narrow picture names of colours stand beside each other where they
 // would hide vessels below each other, and hide fewer so.
 #pragma once
@@ -67,8 +68,8 @@ class Legend {
     // The layout with names beside each other where that hides fewer vessels.
     Layout of_narrow(const std::vector<LegendRow>& rows, const Room& room, bool left_out,
                      const Count& count);
-    // The layout with as many rows as leave the vessels of a small picture visible, of `wanted`
-    // many.
+    // The layout with as many rows as leave the vessels visible where the legend gives way to them,
+    // of `wanted` many.
     Layout beside_vessels(std::vector<LegendRow> rows, std::size_t wanted, const Room& room,
                           const Count& count);
     void choose_corner(const Layout& layout, const Room& room, const Count& count);
@@ -93,7 +94,7 @@ class Legend {
 
     vtkRenderer& renderer_;
     std::size_t corner_ = 0;
-    std::size_t most_rows_;  // that a small picture had room for when it was last counted
+    std::size_t most_rows_;  // that there was room for beside vessels when it was last counted
     bool in_lines_ = false;  // names stood beside each other when it was last counted
     PictureBox box_;
     bool leaves_out_ = false;

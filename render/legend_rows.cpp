@@ -160,7 +160,7 @@ std::vector<LegendRow> rows_in_english(const LegendContent& content) {
         swatch(branch ? "The chosen branch" : "Downstream of the pointer",
                palette::highlight(content.bright), true);
     for (std::size_t r = steady; r < rows.size(); ++r) rows[r].passing = !branch;
-    if (content.gaps) swatch("What may be a vessel, and how sure", palette::bridge);
+    if (content.gaps) swatch("What may be a vessel, and how sure", palette::bridge, true);
     if (content.lined) swatch("Cut line, not torn yet", palette::weak_line(), true);
     if (content.torn) {
         swatch("Cut or torn", palette::torn);

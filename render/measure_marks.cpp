@@ -105,8 +105,11 @@ std::array<double, 2> MeasureMarks::fit(vtkTextActor& text, double widest, doubl
 }
 
 void MeasureMarks::place_labels(const std::vector<Place2>& belongs, const LabelBox& room,
-                                double point) {
+                                const PictureBox& legend, double point) {
     LabelPlaces places(room);
+    if (legend.right > legend.left)
+        places.keep_off(
+            {legend.left, legend.bottom, legend.right - legend.left, legend.top - legend.bottom});
     for (std::size_t i = 0; i < belongs.size(); ++i) {
         vtkTextActor& text = *texts_[i];
         const auto& [x, y] = belongs[i];
@@ -125,7 +128,7 @@ void MeasureMarks::place_labels(const std::vector<Place2>& belongs, const LabelB
 }
 
 void MeasureMarks::update(const Place& place, double point, double covered_top,
-                          double covered_bottom) {
+                          double covered_bottom, const PictureBox& legend) {
     labels_.clear();
     const bool shown = !measures_.empty();
     actor_->SetVisibility(shown);
@@ -154,7 +157,7 @@ void MeasureMarks::update(const Place& place, double point, double covered_top,
     place_labels(belongs,
                  {edge, covered_bottom + edge, picture[0] - 2.0 * edge,
                   picture[1] - covered_top - covered_bottom - 2.0 * edge},
-                 point);
+                 legend, point);
     points_->Modified();
     quads_->Modified();
     polydata_->Modified();

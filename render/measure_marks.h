@@ -47,9 +47,10 @@ class MeasureMarks {
     using Place = std::function<std::optional<std::array<double, 2>>(const Vec3& position_mm)>;
     // Places the lines for the next picture; call before each. Measurements with a point behind the
     // eye are left out. `point`: size of one screen point in device pixels. Labels keep clear of
-    // what covers the picture at its top and bottom, in pixels.
+    // what covers the picture at its top and bottom, in pixels, and of the legend; an empty box:
+    // there is none.
     void update(const Place& place, double point, double covered_top = 0.0,
-                double covered_bottom = 0.0);
+                double covered_bottom = 0.0, const PictureBox& legend = {});
     // Of the labels as they were placed last: left, bottom, right and top in pixels. Without those
     // that have no room.
     const std::vector<PictureBox>& labels() const { return labels_; }
@@ -57,11 +58,11 @@ class MeasureMarks {
   private:
     void add_line(const std::vector<std::array<double, 2>>& line, double width, bool ends = true);
     vtkTextActor& next_text(std::size_t used);
-    // Places the labels within `room`, none on another; one that evades another has a thin line to
-    // where it belongs. Letters shrink where the room is narrow, and a label without room is
-    // hidden.
+    // Places the labels within `room`, none on another or on the legend; one that evades another
+    // has a thin line to where it belongs. Letters shrink where the room is narrow, and a label
+    // without room is hidden.
     void place_labels(const std::vector<std::array<double, 2>>& belongs, const LabelBox& room,
-                      double point);
+                      const PictureBox& legend, double point);
     // Returns width and height of the text in pixels.
     std::array<double, 2> fit(vtkTextActor& text, double widest, double point);
 

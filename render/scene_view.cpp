@@ -134,8 +134,6 @@ void SceneView::render(double pixel_ratio) {
         return std::array{pixel.x, height - pixel.y};
     };
     parts_->stroke.update(place, pixel_ratio);
-    parts_->measures.update(place, pixel_ratio, parts_->picture_size().covered_top,
-                            parts_->picture_size().covered_bottom);
     parts_->bridges.set_pixel_ratio(pixel_ratio);
     parts_->crosshair.set_pixel_ratio(pixel_ratio);
     parts_->prepare_volume();
@@ -148,6 +146,10 @@ void SceneView::render(double pixel_ratio) {
         std::exchange(parts_->turned, false) || (parts_->at_rest && !parts_->moving)
             ? [this](const std::vector<PictureBox>& boxes) { return vertices_within(boxes); }
             : Legend::Count());
+    // After the legend, on which no value must lie.
+    parts_->measures.update(place, pixel_ratio, parts_->picture_size().covered_top,
+                            parts_->picture_size().covered_bottom,
+                            parts_->annotations.legend_box());
     parts_->orientation.update(eye, parts_->picture_size());
     parts_->window.Render();
 }

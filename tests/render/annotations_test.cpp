@@ -77,6 +77,38 @@ TEST(Annotations, GiveTheScaleInLettersThatCanBeReadOrNone) {
     EXPECT_EQ(height_of_scale(130, 325), 0) << "the cube takes the room";
 }
 
+// The longer words would end just where the legend begins in one of these pictures.
+TEST(Annotations, LeaveAGapBetweenTheScaleAndTheLegend) {
+    int beside = 0;
+    for (int width = 860; width < 1000; width += 4) {
+        OsmesaContext context(width, 650);
+        SceneView view(context.window());
+        view.show(testing::fake_frame());
+        BridgeView gap;
+        gap.path_mm = {Vec3(0, 0, 0), Vec3(10, 0, 0)};
+        view.set_bridges({gap});  // whose row is a long one
+        view.render();
+        const PictureBox legend = view.legend_box();
+        if (legend.bottom > 30.0 || legend.left < 0.5 * width) continue;  // it is not beside it
+        ++beside;
+        view.set_annotations_visible(false);
+        view.render();
+        const Picture without = read_picture(context.window());
+        view.set_annotations_visible(true);
+        view.render();
+        const Picture with = read_picture(context.window());
+        // Between the scale and the legend, in the rows of the scale's words.
+        for (int y = 650 - 45; y < 650 - 28; ++y)
+            for (int x = static_cast<int>(legend.left) - 8; x < static_cast<int>(legend.left) - 1;
+                 ++x)
+                for (int c = 0; c < 3; ++c) {
+                    const auto at = static_cast<std::size_t>(3 * (y * width + x) + c);
+                    ASSERT_EQ(with.rgb[at], without.rgb[at]) << "width " << width;
+                }
+    }
+    EXPECT_GT(beside, 20) << "as the window shows a tree";
+}
+
 // At the nearest zoom in a tall picture.
 TEST(Annotations, GiveAShortScaleWithTheDecimalsThatItNeeds) {
     OsmesaContext context(1000, 2400);

@@ -340,6 +340,26 @@ TEST_F(MarksAndMeasures, values_of_measures_lie_on_no_other_and_within_a_small_p
     context.window().RemoveRenderer(renderer);
 }
 
+TEST_F(MarksAndMeasures, values_of_measures_lie_beside_the_legend) {
+    vtkNew<vtkRenderer> renderer;
+    OsmesaContext context(300, 200);
+    context.window().AddRenderer(renderer);
+    MeasureMarks marks(*renderer);
+    marks.show({{{Vec3(0, 0, 0), Vec3(1, 0, 0)}, "4.0 mm"}});
+    const PictureBox legend{150.0, 20.0, 290.0, 80.0};
+    const auto label_beside = [&](const PictureBox& box) {
+        marks.update(
+            [&](const Vec3&) {
+                return std::optional(std::array{160.0, 40.0});
+            },
+            1.0, 0.0, 0.0, box);
+        return marks.labels().at(0);
+    };
+    EXPECT_TRUE(overlap(label_beside({}), legend)) << "where it belongs";
+    EXPECT_FALSE(overlap(label_beside(legend), legend));
+    context.window().RemoveRenderer(renderer);
+}
+
 TEST_F(MarksAndMeasures, every_measure_is_seen_but_what_lies_behind_the_eye) {
     const Picture plain = picture_of(fake_frame());
     const MeasureView low{{Vec3(-20, -30, -50), Vec3(20, -30, -50)}, ""};

@@ -122,7 +122,24 @@ TEST(SmallLegend, NamesColoursBesideEachOtherWhereTheyWouldHideVessels) {
         << "also while the picture moves";
     LegendContent more = three_systems();
     more.tumours = more.torn = true;
-    EXPECT_DOUBLE_EQ(height_of(legend.box_of(more, 1.0)), 44.0) << "five are two lines";
+    LegendOverVessels lower(490, 325, {60, 60, 460, 255});
+    EXPECT_DOUBLE_EQ(height_of(lower.box_of(more, 1.0)), 44.0) << "five are two lines";
+}
+
+// The same view in a window of 1280 x 800 with bars: the tree reaches its upper edge.
+TEST(SmallLegend, OfNamesLeavesOutWhatWouldHideVesselsInANarrowPicture) {
+    LegendContent content;
+    content.systems = {VascularSystem::portal, VascularSystem::hepatic};
+    content.gaps = true;
+    LegendOverVessels legend(437, 280, {80, 60, 380, 280});
+    const double drawn = height_of(legend.box_of(content, 0.93));
+    EXPECT_LE(legend.share_hidden(), 0.02);
+    EXPECT_TRUE(legend.leaves_out());
+    EXPECT_EQ(height_of(legend.box_of(content, 0.93, false)), drawn)
+        << "and no more while the picture moves";
+    LegendOverVessels aside(437, 280, {80, 60, 200, 280});
+    aside.box_of(content, 0.93);
+    EXPECT_FALSE(aside.leaves_out()) << "there is room";
 }
 
 TEST(SmallLegend, NamesColoursBelowEachOtherWhereThereIsRoom) {
