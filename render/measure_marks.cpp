@@ -3,13 +3,14 @@
 
 #include <vtkActor2D.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
-#include <vtkProperty2D.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,10 +35,13 @@ MeasureMarks::MeasureMarks(vtkRenderer& renderer)
     : renderer_(renderer),
       points_(vtkSmartPointer<vtkPoints>::New()),
       quads_(vtkSmartPointer<vtkCellArray>::New()),
+      colours_(vtkSmartPointer<vtkUnsignedCharArray>::New()),
       polydata_(vtkSmartPointer<vtkPolyData>::New()),
       actor_(vtkSmartPointer<vtkActor2D>::New()) {
     polydata_->SetPoints(points_);
     polydata_->SetPolys(quads_);
+    colours_->SetNumberOfComponents(3);
+    polydata_->GetCellData()->SetScalars(colours_);
     vtkNew<vtkPolyDataMapper2D> mapper;
     mapper->SetInputData(polydata_);
     actor_->SetMapper(mapper);
@@ -48,7 +52,6 @@ MeasureMarks::MeasureMarks(vtkRenderer& renderer)
 void MeasureMarks::set_colours(const Colour& lines, const Colour& ground) {
     lines_colour_ = lines;
     ground_colour_ = ground;
-    actor_->GetProperty()->SetColor(lines[0], lines[1], lines[2]);
 }
 
 bool MeasureMarks::show(std::vector<MeasureView> measures) {
@@ -57,30 +60,41 @@ bool MeasureMarks::show(std::vector<MeasureView> measures) {
     return true;
 }
 
-// Lines are rectangles, because not every driver draws lines wider than one pixel; points are
-// squares.
-void MeasureMarks::add_line(const std::vector<Place2>& line, double width, bool ends) {
-    const auto add = [&](const std::array<Place2, 4>& corners) {
-        std::array<vtkIdType, 4> ids{};
-        for (std::size_t c = 0; c < 4; ++c)
-            ids[c] = points_->InsertNextPoint(corners[c][0], corners[c][1], 0);
-        quads_->InsertNextCell({ids[0], ids[1], ids[2], ids[3]});
+void MeasureMarks::add_band(const Place2& from, const Place2& to, double low, double high,
+                            const Colour& colour) {
+    const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+    if (length < 1e-9) return;
+    const double left_x = -(to[1] - from[1]) / length, left_y = (to[0] - from[0]) / length;
+    const auto corner = [&](const Place2& at, double aside) {
+        return points_->InsertNextPoint(at[0] + aside * left_x, at[1] + aside * left_y, 0);
     };
+    quads_->InsertNextCell(
+        {corner(from, low), corner(to, low), corner(to, high), corner(from, high)});
+    for (const double channel : colour)
+        colours_->InsertNextValue(static_cast<unsigned char>(std::lround(255.0 * channel)));
+}
+
+// Lines are rectangles, because not every driver draws lines wider than one pixel; points are
+// squares. Rims lie beside the line and end before the squares: which of two things that overlap is
+// in front depends on the driver.
+void MeasureMarks::add_line(const std::vector<Place2>& line, double width, bool whole) {
+    const double inner = 0.5 * width, outer = width, before_square = 2.0 * width;
     for (std::size_t i = 1; i < line.size(); ++i) {
         const auto& [ax, ay] = line[i - 1];
         const auto& [bx, by] = line[i];
+        add_band(line[i - 1], line[i], -inner, inner, lines_colour_);
         const double length = std::hypot(bx - ax, by - ay);
-        if (length < 1e-9) continue;
-        const double nx = -0.5 * width * (by - ay) / length, ny = 0.5 * width * (bx - ax) / length;
-        add({Place2{ax + nx, ay + ny}, {ax - nx, ay - ny}, {bx - nx, by - ny}, {bx + nx, by + ny}});
+        if (!whole || length <= 2.0 * before_square) continue;
+        const double x = before_square * (bx - ax) / length;
+        const double y = before_square * (by - ay) / length;
+        const Place2 from{ax + x, ay + y}, to{bx - x, by - y};
+        add_band(from, to, -outer, -inner, ground_colour_);
+        add_band(from, to, inner, outer, ground_colour_);
     }
-    if (!ends) return;
+    if (!whole) return;
     const double half = 1.3 * width;
     for (const auto& [x, y] : line)
-        add({Place2{x - half, y - half},
-             {x + half, y - half},
-             {x + half, y + half},
-             {x - half, y + half}});
+        add_band({x - half, y}, {x + half, y}, -half, half, lines_colour_);
 }
 
 vtkTextActor& MeasureMarks::next_text(std::size_t used) {
@@ -136,6 +150,7 @@ void MeasureMarks::update(const Place& place, double point, double covered_top,
     if (!shown) return;
     points_->Reset();
     quads_->Reset();
+    colours_->Reset();
     std::vector<Place2> belongs;  // of each text that is used
     for (const MeasureView& measure : measures_) {
         std::vector<Place2> line;
@@ -160,6 +175,7 @@ void MeasureMarks::update(const Place& place, double point, double covered_top,
                  legend, point);
     points_->Modified();
     quads_->Modified();
+    colours_->Modified();
     polydata_->Modified();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measurements drawn over the picture: a line through the measured points, visible through vessels,
-// and the value beside the last point, where there is room for it.
+// Measurements drawn over the picture: a line through the measured points, visible through vessels
+// and between rims that set it off from them, and the value beside the last point, where there is
+// room for it.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -22,6 +23,7 @@ class vtkPoints;
 class vtkPolyData;
 class vtkRenderer;
 class vtkTextActor;
+class vtkUnsignedCharArray;
 
 namespace hepatica {
 
@@ -36,7 +38,7 @@ class MeasureMarks {
   public:
     explicit MeasureMarks(vtkRenderer& renderer);
 
-    // Colours of lines and letters, and of the background behind the letters.
+    // Colours of lines and letters, and of the background behind the letters, which rims have, too.
     void set_colours(const Colour& lines, const Colour& ground);
     // Returns true if the picture changed.
     bool show(std::vector<MeasureView> measures);
@@ -56,7 +58,12 @@ class MeasureMarks {
     const std::vector<PictureBox>& labels() const { return labels_; }
 
   private:
-    void add_line(const std::vector<std::array<double, 2>>& line, double width, bool ends = true);
+    // `whole`: with squares at its points, and rims between them.
+    void add_line(const std::vector<std::array<double, 2>>& line, double width, bool whole = true);
+    // The rectangle along the line from `from` to `to`, on its side from `low` to `high` (negative:
+    // right of it).
+    void add_band(const std::array<double, 2>& from, const std::array<double, 2>& to, double low,
+                  double high, const Colour& colour);
     vtkTextActor& next_text(std::size_t used);
     // Places the labels within `room`, none on another or on the legend; one that evades another
     // has a thin line to where it belongs. Letters shrink where the room is narrow, and a label
@@ -71,6 +78,7 @@ class MeasureMarks {
     std::vector<MeasureView> measures_;
     vtkSmartPointer<vtkPoints> points_;
     vtkSmartPointer<vtkCellArray> quads_;
+    vtkSmartPointer<vtkUnsignedCharArray> colours_;
     Colour lines_colour_ = palette::measure, ground_colour_{};
     vtkSmartPointer<vtkPolyData> polydata_;
     vtkSmartPointer<vtkActor2D> actor_;

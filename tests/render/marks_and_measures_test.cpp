@@ -340,6 +340,37 @@ TEST_F(MarksAndMeasures, values_of_measures_lie_on_no_other_and_within_a_small_p
     context.window().RemoveRenderer(renderer);
 }
 
+// Brown on violet is hardly seen.
+TEST_F(MarksAndMeasures, a_line_of_a_measure_has_rims_in_the_colour_of_the_ground) {
+    vtkNew<vtkRenderer> renderer;
+    OsmesaContext context(200, 100);
+    context.window().AddRenderer(renderer);
+    const Colour vessel = palette::vessel_system(VascularSystem::portal);
+    renderer->SetBackground(vessel[0], vessel[1], vessel[2]);
+    MeasureMarks marks(*renderer);
+    marks.set_colours(light_look.measure, light_look.bottom);
+    marks.show({{{Vec3(0, 0, 0), Vec3(1, 0, 0)}, ""}});
+    marks.update(
+        [](const Vec3& position) {
+            return std::optional(std::array{position.x() > 0.0 ? 180.0 : 20.0, 50.0});
+        },
+        4.0);
+    context.window().Render();
+    const Picture drawn = read_picture(context.window());
+    const auto is_at = [&](int above, const Colour& colour) {
+        const auto at = static_cast<std::size_t>(3 * ((50 - above) * 200 + 100));
+        bool same = true;
+        for (std::size_t c = 0; c < 3; ++c)
+            same &= std::abs(drawn.rgb[at + c] - 255.0 * colour[c]) < 3.0;
+        return same;
+    };
+    EXPECT_TRUE(is_at(0, light_look.measure));
+    for (const int side : {-6, 6}) EXPECT_TRUE(is_at(side, light_look.bottom)) << side;
+    for (const int side : {-11, 11}) EXPECT_TRUE(is_at(side, vessel)) << side;
+    EXPECT_GE(palette::contrast(light_look.measure, light_look.bottom), 4.5);
+    context.window().RemoveRenderer(renderer);
+}
+
 TEST_F(MarksAndMeasures, values_of_measures_lie_beside_the_legend) {
     vtkNew<vtkRenderer> renderer;
     OsmesaContext context(300, 200);
