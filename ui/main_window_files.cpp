@@ -371,7 +371,9 @@ void MainWindow::save_film(const std::filesystem::path& place, double end_s,
         return say_no_film();
     }
     settings_.set_last_folder(to_text(place.parent_path()));
-    statusBar()->showMessage(Words::tr("Saved %1").arg(to_text(place)), 6000);
+    const QString saved = Words::tr("The film was saved: %1").arg(to_text(place));
+    messages_->text() == film_of_pictures() ? messages_->put_before(saved)
+                                            : messages_->show_notice(saved);
 }
 
 void MainWindow::say_no_film() {

@@ -348,6 +348,10 @@ void MainWindow::follow_measuring() {
         statusBar()->showMessage(ruler_->guidance(), 8000);
     } else if (measures) {
         back_to_pulling();
+        // What a click in the slices does now is said above them.
+        const SliceScene& slices = view_layout_->slices();
+        if (slices.pen().taken() || slices.corrects() || slices.brushing())
+            statusBar()->clearMessage();
     }
 }
 

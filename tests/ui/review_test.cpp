@@ -261,6 +261,7 @@ TEST_F(ReviewWindowTest, a_film_of_it_has_every_moment) {
     look_back();
     const std::filesystem::path place = to_path(folder_.filePath("film"));
     window_.save_film(place, 0.4, [&](double at_s) { line().set_at(at_s); });
+    EXPECT_EQ(window_.messages().text(), "The film was saved: " + to_text(place));
     int pictures = 0;
     for (const auto& entry : std::filesystem::directory_iterator(place))
         pictures += entry.path().extension() == ".png";
@@ -310,6 +311,7 @@ TEST_F(ReviewWindowTest, a_film_without_ffmpeg_is_said_to_be_pictures_in_a_folde
     click("reviewFilm");
     EXPECT_NEAR(dock().at_s(), 0.5, 1e-9) << "the review is where it was";
     EXPECT_TRUE(window_.messages().text().contains("ffmpeg, which is not installed"));
+    EXPECT_TRUE(window_.messages().text().startsWith("The film was saved: "));
     EXPECT_TRUE(std::filesystem::exists(to_path(folder_.filePath("new film/00000.png"))));
     choose_file(folder_.path());
     click("reviewFilm");

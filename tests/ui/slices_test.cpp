@@ -10,6 +10,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
+#include <QStatusBar>
 #include <QToolButton>
 
 namespace hepatica {
@@ -536,6 +537,12 @@ TEST_F(Slices, TheBarSaysWhatAClickDoesNow) {
     EXPECT_FALSE(place->text().contains("Click")) << place->text().toStdString();
     EXPECT_TRUE(place->text().contains("HU"));
     EXPECT_EQ(place->toolTip(), "");
+    // Measuring ends with it, and the foot does not say what the mouse does in the view meanwhile.
+    emit choice->activated(1);
+    EXPECT_FALSE(window_.statusBar()->currentMessage().isEmpty());
+    emit choice->activated(4);
+    EXPECT_EQ(choice->currentText(), "Draw a vessel");
+    EXPECT_EQ(window_.statusBar()->currentMessage(), "");
 }
 
 // What is said over the pictures covers none of the words in them.
