@@ -137,7 +137,7 @@ TEST(SmallLegend, OfNamesLeavesOutWhatWouldHideVesselsInANarrowPicture) {
     EXPECT_TRUE(legend.leaves_out());
     EXPECT_EQ(height_of(legend.box_of(content, 0.93, false)), drawn)
         << "and no more while the picture moves";
-    LegendOverVessels aside(437, 280, {80, 60, 200, 280});
+    LegendOverVessels aside(437, 280, {20, 60, 80, 280});
     aside.box_of(content, 0.93);
     EXPECT_FALSE(aside.leaves_out()) << "there is room";
 }

@@ -32,7 +32,8 @@ class Gaps : public EditingWindow {
     void open_with_a_branch() {
         PatientCase patient = test::patient_with_bridges();
         Bridge branch;
-        branch.path_mm = {Vec3(0.05, 10, 1.5), Vec3(5, 9.5, 1.3), Vec3(12, 9, 1), Vec3(20, 8, 1)};
+        // Out of the trunk, seen from the front downwards, away from all vessels.
+        branch.path_mm = {Vec3(0.05, 10, 1.5), Vec3(1.5, 9.8, -4), Vec3(3, 9, -9), Vec3(5, 8, -16)};
         branch.radii_mm.assign(branch.path_mm.size(), 0.8);
         branch.confidence = 0.7;
         branch.gap_mm = 20.0;
@@ -131,7 +132,7 @@ TEST_F(Gaps, that_the_reconstruction_bridged_are_listed_and_parted_again) {
 TEST_F(Gaps, are_listed_with_branches_that_are_drawn_in_edit_mode) {
     open_with_a_branch();
     EXPECT_EQ(listed().front(), "70 %, branch of 20 mm");
-    const Vec3 on_it(16, 8.5, 1);
+    const Vec3 on_it(4, 8.5, -12.5);
     const auto is_drawn = [&] {
         const SceneView& scene = window_.view().scene();
         return scene.bridge_at(scene.pixel_of(on_it), 3.0) >= 0;
@@ -164,7 +165,7 @@ TEST_F(Gaps, are_listed_with_branches_that_are_drawn_in_edit_mode) {
 TEST_F(Gaps, are_taken_by_a_click_where_a_click_corrects_nothing) {
     open_with_a_branch();
     child<QListWidget>("gaps").setCurrentRow(0);
-    click(Vec3(16, 8.5, 1));
+    click(Vec3(4, 8.5, -12.5));
     ASSERT_EQ(window_.workspace().edits().size(), 1u);
     EXPECT_EQ(window_.workspace().edits()[0].kind, TreeEditKind::draw_vessel);
 }
@@ -172,13 +173,13 @@ TEST_F(Gaps, are_taken_by_a_click_where_a_click_corrects_nothing) {
 TEST_F(Gaps, whose_lines_lie_over_a_vessel_leave_a_click_in_edit_mode_to_it) {
     open_with_a_branch();
     window_.actions()[ActionId::edit_mode].trigger();
-    choose_tool("Cut the vessel");
+    choose_tool("Delete a branch");
     const Vec3 on_trunk_and_line(0.05, 10, 1.5);
     const SceneView& scene = window_.view().scene();
     ASSERT_GE(scene.bridge_at(scene.pixel_of(on_trunk_and_line), 3.0), 0);
     click(on_trunk_and_line);
     ASSERT_EQ(window_.workspace().edits().size(), 1u);
-    EXPECT_EQ(window_.workspace().edits()[0].kind, TreeEditKind::cut_link);
+    EXPECT_EQ(window_.workspace().edits()[0].kind, TreeEditKind::delete_branch);
 }
 
 // The body is made once, as well, but for a step back: of a real patient it takes half a minute.
