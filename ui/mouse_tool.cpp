@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "ui/pointed_place.h"
+
 namespace hepatica {
 
 MouseTool::MouseTool(SceneView& view, Callbacks callbacks)
@@ -40,21 +42,23 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
     const bool leads = mode_ == MouseMode::tool && !modifiers.control;
     if (left && leads) hand_.press(at);
     const SurfacePick pick = left && !leads ? view_.pick(at) : SurfacePick{};
+    const bool pulls = left && mode_ == MouseMode::pull && !modifiers.control && may_pull();
+    const auto held_mm = pulls ? pointed_place(view_, at, pick, 1.0) : std::nullopt;
     if (pressed_bridge_ >= 0) {
         action_ = Action::wait_for_click;
+    } else if (held_mm) {
+        action_ = Action::pull;
+        pulled_ = pick;
+        held_mm_ = *held_mm;
+        pace_ = HandPace(HandPace::Clock::now());
+        zoomed_.reset();
+        callbacks_.post(GrabPoint{held_mm_});
     } else if (pick.triangle < 0) {
         action_ = left && clicks_vessels() ? Action::wait_for_click : Action::orbit;
     } else if (mode_ != MouseMode::pull || modifiers.control) {
         action_ = Action::wait_for_click;
-    } else if (!may_pull()) {
-        action_ = Action::orbit;
     } else {
-        action_ = Action::pull;
-        pulled_ = pick;
-        held_mm_ = pick.position_mm;
-        pace_ = HandPace(HandPace::Clock::now());
-        zoomed_.reset();
-        callbacks_.post(GrabPoint{held_mm_});
+        action_ = Action::orbit;
     }
 }
 
@@ -111,7 +115,7 @@ bool MouseTool::is_click(const Pixel& at) const {
 
 void MouseTool::release(const Pixel& at) {
     clicked_ = action_ == Action::wait_for_click;
-    const bool points = pulling() && !dragged_;
+    const bool points = pulling() && !dragged_ && pulled_.triangle >= 0;
     const bool tried_to_pull =
         action_ == Action::orbit && mode_ == MouseMode::pull && !dragged_ && pressed_left_;
     const bool brings_tool =

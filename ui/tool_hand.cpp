@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/frame_time.h"
+#include "ui/pointed_place.h"
 
 namespace hepatica {
 namespace {
@@ -13,8 +14,6 @@ namespace {
 constexpr double least_notch_mm = 0.5;
 // Beside the vessels a mark is meant also a little beside its sphere.
 constexpr double spheres_beside_mark = 1.6;
-// A surface that is no further from a mark is that of the vessel in which the mark lies.
-constexpr double farthest_wall_mm = 10.0;
 // Each try comes nearer to the user, where less is in the way.
 constexpr int tries_at_mouse = 6;
 
@@ -213,15 +212,7 @@ Vec3 ToolHand::way_at(const Pixel& at) const {
 }
 
 std::optional<Vec3> ToolHand::place_at(const Pixel& at) const {
-    const SurfacePick pick = view_.pick(at);
-    const bool on_vessel = pick.triangle >= 0;
-    const std::optional<Vec3> mark = view_.mark_at(at, on_vessel ? 1.0 : spheres_beside_mark);
-    const auto is_of_mark = [&] {
-        const double away_mm = (pick.position_mm - *mark).dot(view_.axes().forward);
-        return std::abs(away_mm) <= farthest_wall_mm;
-    };
-    if (mark && !(on_vessel && is_of_mark())) return view_.point_at_depth(at, *mark);
-    return on_vessel ? std::optional(pick.position_mm) : std::nullopt;
+    return pointed_place(view_, at, view_.pick(at), spheres_beside_mark);
 }
 
 // Where nothing is pointed at, at the depth of the camera's focus.

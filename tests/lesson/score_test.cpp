@@ -226,8 +226,8 @@ TEST(BuiltInLessons, EachIsPassedByOnePlayAndFailedByAnother) {
             const Played gripped = play(lesson, read_script(off), patient, steps);
             EXPECT_EQ(gripped.standing.outcome, LessonOutcome::passed) << id;
             for (const BoundStanding& limit : gripped.standing.limits) {
-                if (limit.predicate.quantity == Quantity::force_mn)
-                    EXPECT_LT(limit.value, 0.75 * limit.predicate.bound) << id;
+                if (limit.predicate.quantity != Quantity::force_mn) continue;
+                EXPECT_LT(limit.value, 0.75 * limit.predicate.bound) << id;
             }
         }
         // With one tool alone where the steps ask for another, or the emulsion taken out again.

@@ -57,6 +57,28 @@ TEST_F(Window, the_grabbed_vertex_follows_the_mouse) {
     EXPECT_FALSE(view.mouse().pulling());
 }
 
+// A mark may lie behind another vessel: it is what the lesson asks to be pulled.
+TEST_F(Window, a_drag_on_a_mark_pulls_at_the_mark) {
+    open_built_in();
+    VtkWidget& view = window_.view();
+    SceneView& scene = view.scene();
+    const QPoint start = on_trunk();
+    const Pixel pixel = pixel_at(start, view.devicePixelRatioF());
+    const SurfacePick wall = scene.pick(pixel);
+    ASSERT_GE(wall.triangle, 0);
+    const auto held_with_mark = [&](double behind_mm) {
+        const Vec3 mark =
+            scene.point_at_depth(pixel, wall.position_mm + behind_mm * scene.axes().forward);
+        scene.set_marks({{mark, ""}});
+        QTest::mousePress(&view, Qt::LeftButton, {}, start);
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, start);
+        return (commands_of_type<GrabPoint>().back().point_mm - wall.position_mm)
+            .dot(scene.axes().forward);
+    };
+    EXPECT_NEAR(held_with_mark(25.0), 25.0, 0.5);
+    EXPECT_NEAR(held_with_mark(3.0), 0.0, 0.5) << "the wall in front of it is its own vessel's";
+}
+
 TEST_F(Window, offers_to_open_unsaved_work_only_where_there_is_some) {
     QAction& entry = window_.actions()[ActionId::open_unsaved];
     const auto open_menu = [&] {
