@@ -528,10 +528,6 @@
         <translation>Klick auf eine gestrichelte Linie</translation>
     </message>
     <message>
-        <source>bridge that gap</source>
-        <translation>diese Lücke überbrücken</translation>
-    </message>
-    <message>
         <source>Hover</source>
         <translation>Zeigen auf ein Gefäß</translation>
     </message>
@@ -1730,10 +1726,6 @@
         <translation>Schließen Sie andere Programme und schreiben Sie ihn noch einmal</translation>
     </message>
     <message>
-        <source>That stroke is not the last one any more: Undo takes the last step back</source>
-        <translation>Dieser Strich ist nicht mehr der letzte: „Rückgängig“ nimmt den letzten Schritt zurück</translation>
-    </message>
-    <message>
         <source>the program could not be started again</source>
         <translation>das Programm ließ sich nicht noch einmal starten</translation>
     </message>
@@ -2031,10 +2023,6 @@
     <message>
         <source>Correcting the tree</source>
         <translation>Der Gefäßbaum wird korrigiert</translation>
-    </message>
-    <message>
-        <source>The correction was taken back</source>
-        <translation>Die Korrektur wurde zurückgenommen</translation>
     </message>
     <message>
         <source>The window closes as soon as the report is written. Cancel closes it without the report.</source>
@@ -2956,10 +2944,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Take the probe and bring its tip near the first mark.</source>
         <translation>Nehmen Sie die Sonde, und führen Sie ihre Spitze an die erste Marke heran.</translation>
-    </message>
-    <message>
-        <source>Key 4 takes the probe. The mouse leads it, the wheel moves it in depth. Look from the side (L) to judge the depth.</source>
-        <translation>Taste 4 nimmt die Sonde. Die Maus führt sie, das Mausrad bewegt sie in die Tiefe. Blicken Sie von der Seite (L), um die Tiefe zu beurteilen.</translation>
     </message>
     <message>
         <source>Now near the second mark, around the vessels between.</source>
@@ -7102,10 +7086,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Für später aufheben</translation>
     </message>
     <message>
-        <source>Key 6 takes the forceps. Bring the stump to the middle between the jaws, then C closes them.</source>
-        <translation>Taste 6 nimmt die Pinzette. Bringen Sie den Stumpf in die Mitte zwischen den Backen, dann schließt C sie.</translation>
-    </message>
-    <message>
         <source>The lesson does not allow this: %1</source>
         <translation>Die Lektion erlaubt das nicht: %1</translation>
     </message>
@@ -7463,14 +7443,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>interrupted</source>
         <translation>unterbrochen</translation>
-    </message>
-    <message>
-        <source>The play ended before the lesson did: it can be looked back on.</source>
-        <translation>Die Übung endete vor der Lektion: Man kann auf sie zurückblicken.</translation>
-    </message>
-    <message>
-        <source>The last lesson or recorded play was interrupted (%1). Its recording goes up to that moment.</source>
-        <translation>Die letzte Lektion oder Aufzeichnung wurde unterbrochen (%1). Was bis dahin geschah, ist aufgezeichnet.</translation>
     </message>
     <message>
         <source>Look back on the play</source>
@@ -8332,10 +8304,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>enthält eine andere Übung und würde ersetzt</translation>
     </message>
     <message>
-        <source>Drawing pictures and curves</source>
-        <translation>Bilder und Kurven zeichnen</translation>
-    </message>
-    <message>
         <source>No lesson begins while the vessels are corrected: wait for that</source>
         <translation>Solange die Gefäße korrigiert werden, beginnt keine Lektion: warten Sie das ab</translation>
     </message>
@@ -8783,10 +8751,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Take the stump with the forceps until it bleeds less than the goal says, for half a second.</source>
         <translation>Fassen Sie den Stumpf mit der Pinzette, bis er eine halbe Sekunde lang weniger blutet, als das Ziel sagt.</translation>
-    </message>
-    <message>
-        <source>Key 9 draws cut lines; key 1 pulls again. Set &quot;Along a line&quot; in the panel Tool near 0: it is what the line leaves of the strength.</source>
-        <translation>Taste 9 zieht Schwächungslinien; Taste 1 zieht wieder. Stellen Sie „Entlang Linie“ im Bedienfeld Werkzeug nahe 0: So viel lässt die Linie von der Festigkeit.</translation>
     </message>
     <message>
         <source>Rod probe: the mouse leads a rod that pushes the vessels</source>
@@ -9333,10 +9297,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Letzter Punkt</translation>
     </message>
     <message>
-        <source>Distance: two clicks. Angle: three, its vertex second. Diameter: a click on a vessel, at whose centreline it is taken, with the stenosis against the vessel beside. Draw a vessel: clicks along one that is missing, in any slices, from where its blood comes in; Enter draws it. Delete or Undo takes the last away, Escape all. Correct: a click on a vessel does what the panel of corrections says. Paint, erase: a drag leads a ball through the vessels&apos; voxels; Rebuild makes the vessels anew of them. A tumour changes no vessel: it needs no Rebuild</source>
-        <translation>Abstand: zwei Klicks. Winkel: drei, der zweite ist der Scheitel. Durchmesser: ein Klick auf ein Gefäß, an dessen Mittellinie er gemessen wird, mit der Stenose gegen das Gefäß daneben. Gefäß zeichnen: Klicks entlang eines fehlenden Gefäßes, in beliebigen Schichten, von dort an, wo sein Blut eintritt; die Eingabetaste zeichnet es. Entf oder Rückgängig nimmt den letzten weg, Esc alle. Korrigieren: Ein Klick auf ein Gefäß tut, was das Bedienfeld der Korrekturen sagt. Malen, radieren: Ziehen führt eine Kugel durch die Voxel der Gefäße; Neu bauen macht die Gefäße daraus neu. Ein Tumor ändert kein Gefäß: Er braucht kein Neubauen</translation>
-    </message>
-    <message>
         <source>Click on along the vessel. Delete or Ctrl+Z: one back</source>
         <translation>Weiter am Gefäß entlang klicken. Entf oder Strg+Z: einer weg</translation>
     </message>
@@ -9649,10 +9609,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
         <translation>Ast abgelehnt</translation>
     </message>
     <message>
-        <source>A doubtful branch: click it again to take it, or decide in the panel</source>
-        <translation>Ein unsicherer Ast: Klicken Sie ihn noch einmal an, um ihn zu übernehmen, oder entscheiden Sie im Bedienfeld</translation>
-    </message>
-    <message>
         <source>Take all that are listed (%1)</source>
         <translation>Alle der Liste übernehmen (%1)</translation>
     </message>
@@ -9679,10 +9635,6 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>recorded</source>
         <translation>Aufnahme</translation>
-    </message>
-    <message>
-        <source>Above stands what the reconstruction has bridged, the doubtful first; below it what may be a vessel: gaps between two, and branches that are too faint to be believed, with the confidence that they are vessels. For branches it was learned on synthetic patients: of what was offered on two real ones experts had drawn a quarter to a half. They are dashed in the view, branches in Edit mode: a click takes a gap, and chooses a branch, which a second click takes. What is chosen stands out in the view and as a line in the slices.</source>
-        <translation>Oben steht, was die Rekonstruktion überbrückt hat, das Zweifelhafte zuerst; darunter, was ein Gefäß sein kann: Lücken zwischen zweien und Äste, die zu schwach sind, um ihnen zu glauben, mit der Sicherheit, dass es Gefäße sind. Bei Ästen ist sie an künstlichen Patienten gelernt: Von dem, was bei zwei wirklichen angeboten wurde, hatten Fachleute ein Viertel bis die Hälfte eingezeichnet. Sie sind in der Ansicht gestrichelt, Äste im Modus Bearbeiten: Ein Klick übernimmt eine Lücke und wählt einen Ast, den ein zweiter Klick übernimmt. Was gewählt ist, tritt in der Ansicht hervor und steht als Linie in den Schichten.</translation>
     </message>
     <message numerus="yes">
         <source>%n gap(s) and doubtful branch(es) taken</source>
@@ -9750,6 +9702,141 @@ Legen Sie einen CT-Ordner, eine Volumendatei oder einen Fall hier ab, oder begin
     <message>
         <source>Number steps from 1 to 1000000, or leave them out</source>
         <translation>Schritte von 1 bis 1000000 nummerieren oder weglassen</translation>
+    </message>
+    <message>
+        <source>bridge that gap; in Edit mode: choose it in the panel</source>
+        <translation>diese Lücke überbrücken; im Modus Bearbeiten: sie im Bedienfeld wählen</translation>
+    </message>
+    <message>
+        <source>The play ended before the lesson did: it can be looked back on, and counts as no attempt.</source>
+        <translation>Die Übung endete vor der Lektion: Man kann darauf zurückblicken, und sie zählt nicht als Versuch.</translation>
+    </message>
+    <message>
+        <source>Chosen in the panel Corrections: decide there whether to take or refuse it</source>
+        <translation>Im Bedienfeld Korrekturen gewählt: Dort entscheiden, ob es übernommen oder abgelehnt wird</translation>
+    </message>
+    <message>
+        <source>Above stands what the reconstruction has bridged, the doubtful first; below it what may be a vessel: gaps between two, and branches that are too faint to be believed, with the confidence that they are vessels. For branches it was learned on synthetic patients: of what was offered on two real ones experts had drawn a quarter to a half. They are dashed in the view, branches in Edit mode. A click on a dashed line takes it; in Edit mode, where a click corrects vessels, it only chooses it in this list. What is chosen stands out in the view and as a line in the slices.</source>
+        <translation>Oben steht, was die Rekonstruktion überbrückt hat, das Zweifelhafte zuerst; darunter, was ein Gefäß sein kann: Lücken zwischen zweien und Äste, die zu schwach sind, um ihnen zu glauben, mit der Sicherheit, dass es Gefäße sind. Bei Ästen ist sie an künstlichen Patienten gelernt: Von dem, was bei zwei wirklichen angeboten wurde, hatten Fachleute ein Viertel bis die Hälfte eingezeichnet. Sie sind in der Ansicht gestrichelt, Äste im Modus Bearbeiten. Ein Klick auf eine gestrichelte Linie übernimmt sie; im Modus Bearbeiten, wo ein Klick Gefäße korrigiert, wählt er sie nur in dieser Liste. Was gewählt ist, tritt in der Ansicht hervor und steht als Linie in den Schichten.</translation>
+    </message>
+    <message>
+        <source>✓ The course &quot;%1&quot; is passed: all of its lessons are.</source>
+        <translation>✓ Der Kurs „%1“ ist bestanden: Alle seine Lektionen sind es.</translation>
+    </message>
+    <message>
+        <source>This was the last lesson of the course &quot;%1&quot;: %2 of %3 are passed.</source>
+        <translation>Das war die letzte Lektion des Kurses „%1“: %2 von %3 sind bestanden.</translation>
+    </message>
+    <message>
+        <source>The last lesson or recorded play was interrupted (%1). Its recording goes up to that moment. A lesson that was interrupted counts as no attempt.</source>
+        <translation>Die letzte Lektion oder aufgezeichnete Übung wurde unterbrochen (%1). Ihre Aufzeichnung reicht bis dahin. Eine unterbrochene Lektion zählt nicht als Versuch.</translation>
+    </message>
+    <message>
+        <source>The film was saved: %1</source>
+        <translation>Der Film wurde gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>This step asks you to lead the tool: the wheel (by keys: Page Up/Down) moves it in depth</source>
+        <translation>In diesem Schritt ist das Werkzeug zu führen: Das Mausrad (mit Tasten: Bild auf/ab) bewegt es in die Tiefe</translation>
+    </message>
+    <message>
+        <source>That step is not the last one any more: Undo takes the last step back</source>
+        <translation>Dieser Schritt ist nicht mehr der letzte: „Rückgängig“ nimmt den letzten Schritt zurück</translation>
+    </message>
+    <message>
+        <source>Cancelled: what was undone is there again</source>
+        <translation>Abgebrochen: Was rückgängig gemacht war, ist wieder da</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n correction(s) taken back; Redo makes them again</source>
+        <translation>
+            <numerusform>%n Korrektur zurückgenommen; Wiederholen macht sie erneut</numerusform>
+            <numerusform>%n Korrekturen zurückgenommen; Wiederholen macht sie erneut</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Hepatic artery seeds</source>
+        <translation>Startpunkte Leberarterie</translation>
+    </message>
+    <message>
+        <source>Save the case before it is copied into one file? As last saved, the copy lacks the changes.</source>
+        <translation>Den Fall speichern, bevor er in eine Datei kopiert wird? Wie zuletzt gespeichert fehlen der Kopie die Änderungen.</translation>
+    </message>
+    <message>
+        <source>&amp;As last saved</source>
+        <translation>&amp;Wie zuletzt gespeichert</translation>
+    </message>
+    <message>
+        <source>Key 4 takes the probe. The mouse leads it, the wheel moves it in depth; a click brings it nowhere here. The picture says how far it is to the mark and which way. Look from the side (L) to judge the depth.</source>
+        <translation>Taste 4 nimmt die Sonde. Die Maus führt sie, das Mausrad bewegt sie in die Tiefe; ein Klick bringt sie hier nirgendwohin. Das Bild sagt, wie weit und in welcher Richtung die Marke liegt. Von der Seite (L) lässt sich die Tiefe beurteilen.</translation>
+    </message>
+    <message>
+        <source>Key 6 takes the forceps; they come in front of the vessels. Push them away from you with the wheel until the picture says that the mark is between the jaws, then C closes them. Limited is the force with which a tool pushes or pulls the vessels, not the grip between the jaws.</source>
+        <translation>Taste 6 nimmt die Pinzette; sie kommt vor die Gefäße. Mit dem Mausrad in die Tiefe führen, bis im Bild steht, dass die Marke zwischen den Backen liegt, dann schließt C sie. Begrenzt ist die Kraft, mit der ein Werkzeug die Gefäße drückt oder zieht, nicht der Griff zwischen den Backen.</translation>
+    </message>
+    <message>
+        <source>Key 9 draws cut lines; key 1 pulls again. &quot;Along a line&quot; in the panel Tool is what the line leaves of the strength: 0.05, unless you changed it.</source>
+        <translation>Taste 9 zeichnet Schwächungslinien; Taste 1 zieht wieder. „Entlang Linie“ im Bedienfeld Werkzeug ist, was die Linie von der Festigkeit übrig lässt: 0,05, wenn nichts geändert wurde.</translation>
+    </message>
+    <message>
+        <source>Interrupted before the end</source>
+        <translation>Vor dem Ende unterbrochen</translation>
+    </message>
+    <message>
+        <source>the mark is between the jaws</source>
+        <translation>die Marke liegt zwischen den Backen</translation>
+    </message>
+    <message>
+        <source>mark %1 is between the jaws</source>
+        <translation>Marke %1 liegt zwischen den Backen</translation>
+    </message>
+    <message>
+        <source>The link joins two systems, which do not meet in a liver: what hangs together with its second end (%1) belongs to the system of its first (%2) from now on.</source>
+        <translation>Die Verbindung verknüpft zwei Systeme, die sich in einer Leber nicht treffen: Was mit ihrem zweiten Ende zusammenhängt (%1), gehört von nun an zum System des ersten (%2).</translation>
+    </message>
+    <message>
+        <source>The link leads over %1 from wall to wall, farther than a gap in one vessel is likely to be.</source>
+        <translation>Die Verbindung führt von Wand zu Wand über %1, weiter, als eine Lücke in einem Gefäß wahrscheinlich ist.</translation>
+    </message>
+    <message>
+        <source>Seed: %1</source>
+        <translation>Startpunkt: %1</translation>
+    </message>
+    <message>
+        <source>Distance: two clicks. Angle: three, its vertex second. Diameter: a click on a vessel, at whose centreline it is taken, with the stenosis against the vessel beside. Draw a vessel: clicks along one that is missing, in any slices, from where its blood comes in; Enter draws it. Delete or Undo takes the last away, Escape all. Correct: a click on a vessel does what the panel of corrections says. Paint, erase: a drag leads a ball through the vessels&apos; voxels; Rebuild makes the vessels anew of them. A tumour changes no vessel: it needs no Rebuild. Seed: a click says which vessel is which, and Reconstruct begins anew with all of them</source>
+        <translation>Abstand: zwei Klicks. Winkel: drei, der zweite ist der Scheitel. Durchmesser: ein Klick auf ein Gefäß, an dessen Mittellinie er gemessen wird, mit der Stenose gegen das Gefäß daneben. Gefäß zeichnen: Klicks entlang eines fehlenden Gefäßes, in beliebigen Schichten, von dort an, wo sein Blut eintritt; die Eingabetaste zeichnet es. Entf oder Rückgängig nimmt den letzten weg, Esc alle. Korrigieren: Ein Klick auf ein Gefäß tut, was das Bedienfeld der Korrekturen sagt. Malen, radieren: Ziehen führt eine Kugel durch die Voxel der Gefäße; Neu bauen macht die Gefäße daraus neu. Ein Tumor ändert kein Gefäß: Er braucht kein Neubauen. Startpunkt: Ein Klick sagt, welches Gefäß welches ist, und Rekonstruieren beginnt mit allen neu</translation>
+    </message>
+    <message>
+        <source>Click into the vessel (%1), then Reconstruct. Delete: one back</source>
+        <translation>In das Gefäß klicken (%1), dann Rekonstruieren. Entf: einen zurück</translation>
+    </message>
+    <message>
+        <source>Reconstruct…</source>
+        <translation>Rekonstruieren …</translation>
+    </message>
+    <message>
+        <source>Makes the vessels anew of the CT and tells them apart by the seeds (crosses). Corrections are not taken over</source>
+        <translation>Macht die Gefäße aus dem CT neu und unterscheidet sie nach den Startpunkten (Kreuze). Korrekturen werden nicht übernommen</translation>
+    </message>
+    <message>
+        <source>The CT was not read. Hide the slices and show them again (F7) to read it, or choose another one.</source>
+        <translation>Das CT wurde nicht gelesen. Blenden Sie die Schichten aus und wieder ein (F7), um es zu lesen, oder wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nach</translation>
+    </message>
+    <message>
+        <source>Noted</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Notes of the instructor</source>
+        <translation>Notizen der Lehrenden</translation>
+    </message>
+    <message>
+        <source>Drawing pictures</source>
+        <translation>Bilder werden gezeichnet</translation>
     </message>
 </context>
 </TS>

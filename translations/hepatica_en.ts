@@ -157,5 +157,12 @@
             <numerusform>%n gaps and doubtful branches taken</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n correction(s) taken back; Redo makes them again</source>
+        <translation>
+            <numerusform>%n correction taken back; Redo makes it again</numerusform>
+            <numerusform>%n corrections taken back; Redo makes them again</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

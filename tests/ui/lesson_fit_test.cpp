@@ -19,6 +19,7 @@
 #include "ui/lesson_editor/lesson_editor.h"
 #include "ui/message_bar.h"
 #include "ui/paths.h"
+#include "ui/review_dock.h"
 
 namespace hepatica {
 namespace {
