@@ -66,6 +66,26 @@ class LessonAttemptsTest : public testing::LessonWindowTest {
         ASSERT_TRUE(wait_for([&] { return window_.lessons().recorded(); }));
         wait_for_figures();
     }
+    // Asks for reports into this folder, so many times, by a program that waits for the file `go`.
+    void ask_for_reports(const std::filesystem::path& go, const std::filesystem::path& into,
+                         int times) {
+        namespace fs = std::filesystem;
+        const fs::path program = to_path(folder_.filePath("sh"));
+        std::ofstream(program) << "#!/bin/sh\nuntil [ -e '" << go.string()
+                               << "' ]; do sleep 0.02; done\necho done > \"$4/report.html\"\n";
+        fs::permissions(program, fs::perms::owner_all);
+        window_.set_report_program(to_text(program));
+        QTimer answering;  // the question where to write it
+        QObject::connect(&answering, &QTimer::timeout, [&into] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            if (dialog == nullptr) return;
+            dialog->findChild<QLineEdit*>()->setText(to_text(into));
+            QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
+        });
+        answering.start(20);
+        for (int time = 0; time < times; ++time)
+            window_.lessons().findChild<QPushButton*>("lessonReport")->click();
+    }
     QLineEdit& name() { return *window_.lessons().findChild<QLineEdit*>("lessonName"); }
     Attempts kept() { return all_attempts(to_path(settings_.recordings_folder())); }
     void type_name(const char* text) {
@@ -252,21 +272,8 @@ TEST_F(LessonAttemptsTest, the_table_is_seen_as_far_as_the_screen_has_room) {
 TEST_F(LessonAttemptsTest, a_patient_is_opened_while_a_report_is_written) {
     namespace fs = std::filesystem;
     play(short_lesson("Short"));
-    const fs::path go = to_path(folder_.filePath("go")), program = to_path(folder_.filePath("sh"));
-    std::ofstream(program) << "#!/bin/sh\nuntil [ -e '" << go.string()
-                           << "' ]; do sleep 0.02; done\necho done > \"$4/report.html\"\n";
-    fs::permissions(program, fs::perms::owner_all);
-    window_.set_report_program(to_text(program));
-    QTimer answering;  // the question where to write it
-    QObject::connect(&answering, &QTimer::timeout, [this] {
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        if (dialog == nullptr) return;
-        dialog->findChild<QLineEdit*>()->setText(folder_.path());
-        QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
-    });
-    answering.start(20);
-    window_.lessons().findChild<QPushButton*>("lessonReport")->click();
-    answering.stop();
+    const fs::path go = to_path(folder_.filePath("go"));
+    ask_for_reports(go, to_path(folder_.path()), 1);
     ASSERT_TRUE(window_.busy());
     const fs::path other = to_path(folder_.filePath("other.hep"));
     window_.open(to_text(other));
@@ -283,24 +290,10 @@ TEST_F(LessonAttemptsTest, a_patient_is_opened_while_a_report_is_written) {
 TEST_F(LessonAttemptsTest, reports_that_wait_for_each_other_have_folders_of_their_own) {
     namespace fs = std::filesystem;
     play(short_lesson("Short"));
-    const fs::path go = to_path(folder_.filePath("go")), program = to_path(folder_.filePath("sh"));
+    const fs::path go = to_path(folder_.filePath("go"));
     const fs::path reports = to_path(folder_.filePath("reports"));
     fs::create_directory(reports);
-    std::ofstream(program) << "#!/bin/sh\nuntil [ -e '" << go.string()
-                           << "' ]; do sleep 0.02; done\necho done > \"$4/report.html\"\n";
-    fs::permissions(program, fs::perms::owner_all);
-    window_.set_report_program(to_text(program));
-    QTimer answering;  // the question where to write it
-    QObject::connect(&answering, &QTimer::timeout, [&reports] {
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        if (dialog == nullptr) return;
-        dialog->findChild<QLineEdit*>()->setText(to_text(reports));
-        QMetaObject::invokeMethod(dialog, "accept", Qt::QueuedConnection);
-    });
-    answering.start(20);
-    for (int time = 0; time < 2; ++time)
-        window_.lessons().findChild<QPushButton*>("lessonReport")->click();
-    answering.stop();
+    ask_for_reports(go, reports, 2);
     const auto* strip = window_.findChild<QWidget*>("progressStrip");
     EXPECT_TRUE(strip->findChild<QPushButton*>()->toolTip().contains("the report on Short ("));
     std::ofstream{go};
