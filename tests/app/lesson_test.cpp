@@ -147,7 +147,7 @@ TEST_F(LessonVerb, MakesAReportWithoutADisplay) {
 
 TEST_F(LessonVerb, AReportHoldsTheNotesOfTheInstructor) {
     play(3.0);
-    const std::vector<PlayNote> notes{{0.25, "Good, but <slow> here"}, {0.5, "Langsamer"}};
+    const std::vector<PlayNote> notes{{0.4, "Good, but <slow> here"}, {0.5, "Langsamer"}};
     write_notes(path("play.hrec"), notes);
     const auto page_of = [&](const char* name) {
         const Outcome run = report(
@@ -156,7 +156,7 @@ TEST_F(LessonVerb, AReportHoldsTheNotesOfTheInstructor) {
         return contents_of(path(std::string(name) + "/report.html"));
     };
     const std::string page = page_of("noted");
-    for (const char* text : {"Notes of the instructor", "0.25\u00a0s</td><td>Good, but &lt;slow",
+    for (const char* text : {"Notes of the instructor", "0.4\u00a0s</td><td>Good, but &lt;slow",
                              "0.5\u00a0s</td><td>Langsamer"})
         EXPECT_NE(page.find(text), std::string::npos) << text;
     EXPECT_EQ(read_notes(path("noted/recording.hrec")), notes);

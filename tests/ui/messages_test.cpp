@@ -450,8 +450,8 @@ TEST_F(StandingWarnings, AreJoinedByWhatACorrectionMakesDoubtful) {
     const QString both = window_.messages().text();
     EXPECT_TRUE(both.contains("1 loop is left")) << both.toStdString();
     EXPECT_EQ(both.count("1 loop is left"), 1) << both.toStdString();
-    // Two stand above the view, the new ones first.
-    EXPECT_TRUE(both.contains("more under All messages")) << both.toStdString();
+    // It joins what was said of the link itself, which took the place of older warnings.
+    EXPECT_TRUE(both.contains("The link leads over")) << both.toStdString();
     EXPECT_EQ(window_.log().as_text().count("1 loop is left"), 1) << "it is told once";
 }
 
