@@ -113,7 +113,7 @@ bool DepthStem::update(const std::optional<ToolView>& tool, const std::vector<fl
     if (free || mark != nullptr) {
         end = mark != nullptr ? mark->place_mm : nearest_to(from, positions_mm);
         away_mm = (end - from).norm();
-        // A lesson's goals measure from the tip; vessels are met by the surface of the sphere
+        // A lesson's goals measure from the same point; vessels are met by the surface of the sphere
         // around it.
         if (mark == nullptr) away_mm -= tool->parts.front().radius_mm;
     }

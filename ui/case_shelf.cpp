@@ -52,7 +52,8 @@ std::string patient_of(const fs::path& recording) {
 AttemptsOfPatients attempts_by_patient(const fs::path& recordings) {
     AttemptsOfPatients found;
     for (Attempt& attempt : all_attempts(recordings).list)
-        found[patient_of(attempt.recording)].push_back(std::move(attempt));
+        if (!was_interrupted(attempt))
+            found[patient_of(attempt.recording)].push_back(std::move(attempt));
     return found;
 }
 

@@ -246,8 +246,11 @@ void MainWindow::offer_unsaved_work() {
     if (interrupted.empty()) return;
     if (!left.empty()) return messages_->offer_also(looks_back, look_back);
     messages_->show_notice(texts.join("\n"), looks_back, look_back);
-    messages_->offer_also(Words::tr("Forget it"),
-                          [interrupted] { std::ranges::for_each(interrupted, forget_attempt); });
+    // Of the one that is named; earlier ones stay in the list of recordings.
+    messages_->offer_also(Words::tr("Forget it"), [interrupted] {
+        forget_attempt(interrupted.front());
+        std::ranges::for_each(interrupted, forget_interruption);
+    });
 }
 
 void MainWindow::open_unsaved_work() {

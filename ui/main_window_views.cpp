@@ -350,7 +350,8 @@ void MainWindow::follow_measuring() {
         back_to_pulling();
         // What a click in the slices does now is said above them.
         const SliceScene& slices = view_layout_->slices();
-        if (slices.pen().taken() || slices.corrects() || slices.brushing())
+        if (slices.pen().taken() || slices.corrects() || slices.brushing() ||
+            slices.seeds().taken())
             statusBar()->clearMessage();
     }
 }

@@ -48,7 +48,7 @@ void MouseTool::press(const Pixel& at, MouseButton button, const MouseModifiers&
         action_ = Action::wait_for_click;
     } else if (held_mm) {
         action_ = Action::pull;
-        pulled_ = pick;
+        pulled_ = *held_mm == pick.position_mm ? pick : SurfacePick{};
         held_mm_ = *held_mm;
         pace_ = HandPace(HandPace::Clock::now());
         zoomed_.reset();

@@ -10,10 +10,11 @@
 // the tool in depth (with Shift five times as far), Ctrl + wheel zooms, and a click on a vessel or
 // a mark of the lesson brings the tool there.
 // In cut and weaken mode a left drag draws a line across a vessel, which is cut or weakened there.
-// In pull mode a drag on a mark of the lesson pulls the vessel of the mark, even where another one
-// hides it, and a click on a vessel calls `pointed`. In inject, edit, place and measure mode a
-// click on a vessel injects, edits, or sets a place or a point of a measurement, and a drag orbits.
-// In every mode a click on the dashed line of a gap bridges it.
+// In pull mode a drag on a mark of the lesson pulls the vessel of the mark, even where another one,
+// a centimetre or more in front, hides it, and a click on a vessel calls `pointed`. In inject,
+// edit, place and measure mode a click on a vessel injects, edits, or sets a place or a point of a
+// measurement, and a drag orbits. In pull, inject and the tools' modes a click on the dashed line
+// of a gap bridges it; in edit mode it chooses the line.
 #pragma once
 
 #include <array>

@@ -191,7 +191,7 @@ void PatientWizard::set_seeds(const std::vector<VesselSeed>& seeds) {
         QStringList places;
         for (const VesselSeed& seed : seeds)
             if (seed.system == system) places << patient_place(seed.position_mm, decimals);
-        edit->setText(places.join("; "));
+        if (!places.isEmpty()) edit->setText(places.join("; "));
     }
 }
 

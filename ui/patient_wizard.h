@@ -34,7 +34,7 @@ class PatientWizard : public QDialog {
     // The options in the fields. Throws InputError that names the first invalid field.
     ReconstructOptions options() const;
 
-    // In place of those in the fields.
+    // In place of those in the fields of their systems.
     void set_seeds(const std::vector<VesselSeed>& seeds);
     // What all fields hold, as it was typed, to be set in a later dialog.
     QStringList entries() const;

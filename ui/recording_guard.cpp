@@ -14,6 +14,7 @@
 #include "core/base/file_extension.h"
 #include "core/base/text_file.h"
 #include "core/lesson/attempts.h"
+#include "core/lesson/play_notes.h"
 #include "ui/lock_file.h"
 #include "ui/paths.h"
 
@@ -110,7 +111,8 @@ void forget_attempt(const fs::path& recording) {
     forget_interruption(recording);
     if (!interrupted_beside(recording)) return;
     std::error_code ignored;
-    for (const fs::path& file : {result_file_of(recording), recording}) fs::remove(file, ignored);
+    for (const fs::path& file : {recording, notes_file_of(recording), result_file_of(recording)})
+        fs::remove(file, ignored);
 }
 
 std::vector<fs::path> recordings_without_result(const fs::path& folder, const std::string& lesson) {

@@ -287,8 +287,10 @@ void add_verdict(HtmlReport& page, const Parts& parts) {
     const LessonStanding& standing = parts.scored.standing;
     const std::vector<std::string> marks = parts.lesson.mark_names();
     const FlowUnits units = parts.request.units;
-    page.add_paragraph(key(standing.outcome == LessonOutcome::passed ? Words::tr("PASSED.")
-                                                                     : Words::tr("NOT PASSED.")));
+    page.add_paragraph(key(interrupted_beside(parts.request.recording)
+                               ? Words::tr("Interrupted before the end")
+                           : standing.outcome == LessonOutcome::passed ? Words::tr("PASSED.")
+                                                                       : Words::tr("NOT PASSED.")));
     for (const std::string& reason : reasons_in(standing, marks, units))
         page.add_paragraph(key(in_words(reason)));
     if (const QString left = drug_on_its_way(standing, parts.lesson, units); !left.isEmpty())
@@ -466,6 +468,8 @@ WrittenReport write_report(const ReportRequest& request, Job& job) {
         for (const fs::directory_entry& entry : fs::directory_iterator(folder))
             written.files.push_back(request.out / entry.path().filename());
     });
+    // Those of an earlier report there would be taken for notes on this play.
+    if (notes.empty()) fs::remove(notes_file_of(request.out / "recording.hrec"));
     return written;
 }
 

@@ -42,8 +42,8 @@ class Overlaps {
     bool let_go(std::span<const Vec3> positions_mm, double reach_mm);
 
     // The overlaps after a tear, from those before it. `node_before` is the former node of each
-    // vertex. Pairs that counted before still count, however near they are. Left out, where they
-    // are nearer than reach_mm or one lies in the other, are
+    // vertex. Pairs of two pieces that counted before still count, however near they are. Left out,
+    // where they are nearer than reach_mm or one lies in the other, are
     //   what was left out before;
     //   faces that the tear has exposed, where they cross pieces that were separate before;
     //   patches of pieces torn from each other that touch at rest according to `at_rest`, or,

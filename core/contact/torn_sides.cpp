@@ -10,7 +10,7 @@
 namespace hepatica {
 namespace {
 
-constexpr double rounding = 1e-9;  // relative, of squared distances
+constexpr double rounding = 1e-9;  // of the weights of a point in a triangle
 
 std::array<int, 2> ascending(int a, int b) {
     return {std::min(a, b), std::max(a, b)};
@@ -104,20 +104,29 @@ bool TornSides::shared_a_vertex(const FeaturePair& pair) const {
 bool TornSides::outside(int node, int twin, std::span<const Vec3> positions_mm) const {
     const auto& corners = features_.surface().triangles();
     const Vec3& point = positions_mm[node];
-    double least = INFINITY;
-    for (const int t : triangles_of_node_[twin])
-        least = std::min(least, closest(point, corners_of(corners[t], positions_mm)).squared_mm2);
-    const bool at_twin = least >= (1.0 - rounding) * (point - positions_mm[twin]).squaredNorm();
-    Vec3 normal = Vec3::Zero(), nearest = positions_mm[twin];
-    for (const int t : triangles_of_node_[twin]) {
-        const Triangle triangle = corners_of(corners[t], positions_mm);
-        const PointTriangle at = closest(point, triangle);
-        if (at.squared_mm2 > (1.0 + rounding) * least) continue;
-        const Vec3 n = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]).normalized();
-        normal += (at_twin ? angle_at(twin, corners[t], positions_mm) : 1.0) * n;
-        nearest = point_at(triangle, at.weights);
-    }
-    return (point - nearest).dot(normal) > 0.0;
+    const auto nearest_on = [&](int t) {
+        return closest(point, corners_of(corners[t], positions_mm));
+    };
+    const int nearest = *std::ranges::min_element(triangles_of_node_[twin], {},
+                                                  [&](int t) { return nearest_on(t).squared_mm2; });
+    const PointTriangle at = nearest_on(nearest);
+    std::vector<int> feature;  // the corners of the triangle between which the nearest point lies
+    for (int a = 0; a < 3; ++a)
+        if (at.weights[a] > rounding) feature.push_back(corners[nearest][a]);
+    Vec3 normal = Vec3::Zero();
+    for (const int patch : features_.patches_of_node(feature.front()))
+        for (const int t : features_.surface().triangles_of(patch)) {
+            if (!std::ranges::all_of(feature, [&](int v) {
+                    return std::ranges::find(corners[t], v) != corners[t].end();
+                }))
+                continue;
+            const Triangle x = corners_of(corners[t], positions_mm);
+            const double weight =
+                feature.size() == 1 ? angle_at(feature.front(), corners[t], positions_mm) : 1.0;
+            normal += weight * (x[1] - x[0]).cross(x[2] - x[0]).normalized();
+        }
+    return (point - point_at(corners_of(corners[nearest], positions_mm), at.weights)).dot(normal) >
+           0.0;
 }
 
 std::vector<FeaturePair> TornSides::pairs_of(const std::array<int, 2>& twins) const {
@@ -186,11 +195,16 @@ std::vector<FeaturePair> TornSides::let_go(std::span<const Vec3> positions_mm, d
         if (of_one_piece(twins) ? have_come_apart(twins, positions_mm, least_gap_mm)
                                 : patches_count(twins))
             apart.push_back(twins);
+    // Pairs that twins have held back from each other count now: what is too near there stays.
+    const Twins before = lying_;
+    for (bool all = false; !all;) {
+        lying_.clear();
+        std::ranges::set_difference(before, apart, std::back_inserter(lying_));
+        all = std::erase_if(apart, [&](const std::array<int, 2>& twins) {
+                  return of_one_piece(twins) && !have_come_apart(twins, positions_mm, least_gap_mm);
+              }) == 0;
+    }
     std::vector<FeaturePair> counting;
-    if (apart.empty()) return counting;
-    Twins left;
-    std::ranges::set_difference(lying_, apart, std::back_inserter(left));
-    lying_ = std::move(left);
     for (const auto& twins : apart) {
         const std::vector<FeaturePair> pairs = pairs_of(twins);
         counting.insert(counting.end(), pairs.begin(), pairs.end());

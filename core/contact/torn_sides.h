@@ -2,8 +2,8 @@
 // The two sides of a tear. A split leaves the parts of a vertex, twins, at one place, with faces
 // that lie on each other: no distance says on which side they are. Pairs of features around twins
 // do not count until the twins have come apart. Twins of one piece have where
-//   each is outside of the surface around the other, by the normal of the nearest feature, weighted
-//   by angle (Baerentzen and Aanaes 2005), and
+//   each is outside of the surface around the other, by the normal of the feature there that is
+//   nearest, weighted by angle (Baerentzen and Aanaes 2005), and
 //   no feature around the one is nearer than a least gap to a feature around the other, and no
 //   triangle crosses one of the other's, but for pairs that other twins hold back.
 // Twins of two pieces have where no patches around them are left out (see Overlaps). From then on

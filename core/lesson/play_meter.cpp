@@ -185,7 +185,7 @@ void PlayMeter::see_marks(const Frame& frame) {
         const Vec3& place = places[i];
         MarkMoment& mark = moment_.marks[i];
         mark.moved_mm = (place - marks_rest_mm_[i]).norm();
-        mark.distance_mm = frame.tool   ? (frame.tool->tip_mm - place).norm()
+        mark.distance_mm = frame.tool   ? (frame.tool->working_mm() - place).norm()
                            : frame.grab ? (frame.grab->point_mm - place).norm()
                                         : far;
         // Touching the vessel at the mark counts as distance 0, whatever its thickness and the

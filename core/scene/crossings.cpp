@@ -12,27 +12,18 @@ namespace {
 
 using Corners = std::array<int, 3>;
 
-// A torn body and where it is now.
-struct TornNow {
-    const TornTopology& topology;
-    double critical_opening_mm;
-    std::span<const Vec3> positions_mm;
-
-    // Whether a vertex of one and a vertex of the other were the same vertex and have not
-    // separated.
-    bool lie_on_each_other(const Corners& one, const Corners& other) const {
-        const auto origin = [&](int v) {
-            while (topology.parents()[v] != v) v = topology.parents()[v];
-            return v;
-        };
-        return std::ranges::any_of(one, [&](int v) {
-            return std::ranges::any_of(other, [&](int w) {
-                return v != w && origin(v) == origin(w) &&
-                       (positions_mm[v] - positions_mm[w]).norm() < critical_opening_mm;
-            });
-        });
-    }
-};
+// Whether a vertex of one and a vertex of the other were the same vertex and are together still.
+bool lie_on_each_other(const TornTopology& torn, const StillTogether& together, const Corners& one,
+                       const Corners& other) {
+    const auto origin = [&](int v) {
+        while (torn.parents()[v] != v) v = torn.parents()[v];
+        return v;
+    };
+    return std::ranges::any_of(one, [&](int v) {
+        return std::ranges::any_of(
+            other, [&](int w) { return v != w && origin(v) == origin(w) && together(v, w); });
+    });
+}
 
 // Number of pairs of triangles that cross now, without overlaps that are left out and without those
 // for which `counts(one, other)` is false.
@@ -51,8 +42,11 @@ int count_crossings(const std::vector<Corners>& triangles, const SurfaceFeatures
 int crossing_pairs_of_vessels(const DeformPart& deform, const OverlapsKept& kept) {
     const std::span<const Vec3> rest_mm = deform.rest_positions_mm();
     const std::span<const Vec3> now_mm = deform.positions_mm();
+    const auto hardly_open = [&](int v, int w) {
+        return (now_mm[v] - now_mm[w]).norm() < deform.critical_opening_mm();
+    };
     if (deform.torn() != nullptr)
-        return crossing_pairs(*deform.torn(), deform.critical_opening_mm(), rest_mm, now_mm, kept);
+        return crossing_pairs(*deform.torn(), hardly_open, rest_mm, now_mm, kept);
     return crossing_pairs(boundary_triangles(deform.shape()), rest_mm, now_mm, kept);
 }
 
@@ -75,14 +69,13 @@ int crossing_pairs(const std::vector<Corners>& triangles, std::span<const Vec3> 
     return count_crossings(triangles, features, now_mm, kept, [](int, int) { return true; });
 }
 
-int crossing_pairs(const TornTopology& torn, double critical_opening_mm,
+int crossing_pairs(const TornTopology& torn, const StillTogether& together,
                    std::span<const Vec3> rest_mm, std::span<const Vec3> now_mm,
                    const OverlapsKept& kept) {
     const std::vector<Corners> triangles = torn.surface();
     const SurfaceFeatures features(SurfacePatches(triangles), rest_mm);
-    const TornNow now{torn, critical_opening_mm, now_mm};
     return count_crossings(triangles, features, now_mm, kept, [&](int one, int other) {
-        return !now.lie_on_each_other(triangles[one], triangles[other]);
+        return !lie_on_each_other(torn, together, triangles[one], triangles[other]);
     });
 }
 

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include <functional>
+
 #include "core/scene/deform_part.h"
 
 namespace hepatica {
@@ -22,8 +24,11 @@ int crossing_pairs(const DeformPart& deform);
 int crossing_pairs(const std::vector<std::array<int, 3>>& triangles, std::span<const Vec3> rest_mm,
                    std::span<const Vec3> now_mm, const OverlapsKept& kept);
 
-// The same for a torn body.
-int crossing_pairs(const TornTopology& torn, double critical_opening_mm,
+// Whether two vertices that a split made of one are still together.
+using StillTogether = std::function<bool(int node, int other)>;
+
+// The same for a torn body. Not counted are triangles with vertices that are still together.
+int crossing_pairs(const TornTopology& torn, const StillTogether& together,
                    std::span<const Vec3> rest_mm, std::span<const Vec3> now_mm,
                    const OverlapsKept& kept);
 

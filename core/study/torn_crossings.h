@@ -12,8 +12,7 @@
 namespace hepatica {
 
 // Number of pairs of surface triangles that cross now. Not counted are what overlapped at rest and
-// has not separated yet, `kept`, and triangles that had a vertex in common before the tear: its
-// sides lie on each other.
+// has not separated yet, `kept`, and the sides of a tear around twins that lie on each other.
 int torn_crossings(const TornTopology& torn, const BodyDescription& whole,
                    std::span<const Vec3> now_mm, const OverlapsKept& kept);
 

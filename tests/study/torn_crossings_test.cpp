@@ -41,9 +41,10 @@ class TornCrossings : public testing::Test {
             if (chosen(v)) then[v] += by_mm;
         return then;
     }
-    int counted(std::span<const Vec3> positions_mm) const {
-        return torn_crossings(stepper_->tearing()->topology(), body_, positions_mm,
-                              stepper_->checkpoint().self->overlaps);
+    int counted(std::span<const Vec3> positions_mm, bool apart = false) const {
+        OverlapsKept kept = stepper_->checkpoint().self->overlaps;
+        if (apart) kept.lying.clear();
+        return torn_crossings(stepper_->tearing()->topology(), body_, positions_mm, kept);
     }
     int all(std::span<const Vec3> positions_mm) const {
         return static_cast<int>(
@@ -67,7 +68,7 @@ TEST_F(TornCrossings, OfOneVesselThroughAnotherAreSeenBeforeAndAfterACut) {
 }
 
 // A corner of a cut that goes half through, pressed into the side which it was one with.
-TEST_F(TornCrossings, OfTheTwoSidesOfATearAreNotCounted) {
+TEST_F(TornCrossings, OfTheTwoSidesOfATearAreCountedOnceTheyHaveComeApart) {
     cut_upper(4.9);
     const Vec3 along = test::about_z(upper_angle_rad) * Vec3(0.05, 0, 0);
     const std::size_t split = body_.mesh.vertices_mm.size();
@@ -77,6 +78,7 @@ TEST_F(TornCrossings, OfTheTwoSidesOfATearAreNotCounted) {
             moved([&](std::size_t v) { return v == split; }, way * along);
         crossed += all(then);
         EXPECT_EQ(counted(then), 0);
+        EXPECT_EQ(counted(then, true), all(then));
     }
     EXPECT_GT(crossed, 0);
 }

@@ -132,11 +132,15 @@ TEST_F(Slices, ADoubleClickEnlargesOneAndComesBack) {
     const int before = sagittal.width();
     const Vec3 crosshair = scene().crosshair_mm();
     const auto off_centre = [&] { return sagittal.rect().center() + QPoint(20, 30); };
+    QTest::mouseClick(&sagittal, Qt::LeftButton, {}, off_centre());
+    EXPECT_GT((scene().crosshair_mm() - crosshair).norm(), 1.0) << "the first click";
     QTest::mouseDClick(&sagittal, Qt::LeftButton, {}, off_centre());
     EXPECT_LT((scene().crosshair_mm() - crosshair).norm(), 1e-9);
     EXPECT_FALSE(view(SliceDirection::axial).isVisible());
     EXPECT_FALSE(window_.view().isVisible());
     ASSERT_TRUE(testing::wait_for([&] { return sagittal.width() > 1.5 * before; }));
+    QTest::mouseClick(&sagittal, Qt::LeftButton, {}, off_centre());
+    EXPECT_GT((scene().crosshair_mm() - crosshair).norm(), 1.0) << "the first click";
     QTest::mouseDClick(&sagittal, Qt::LeftButton, {}, off_centre());
     EXPECT_LT((scene().crosshair_mm() - crosshair).norm(), 1e-9);
     EXPECT_TRUE(view(SliceDirection::axial).isVisible());

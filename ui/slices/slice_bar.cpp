@@ -180,7 +180,10 @@ QWidget* SliceBar::click_choice() {
         "anew of them. A tumour changes no vessel: it needs no Rebuild. "
         "Seed: a click says which vessel is which, and Reconstruct begins anew with all of them"));
     connect(click_, &QComboBox::activated, this, [this](int index) { choose_click(index); });
-    scene_.measurements().on_change([this] { follow_click(); });
+    scene_.measurements().on_change([this] {
+        if (scene_.measurements().chosen()) scene_.seeds().take(std::nullopt);  // M takes it, too
+        follow_click();
+    });
     scene_.pen().on_change([this] { follow_click(); });
     scene_.seeds().on_change([this] { follow_click(); });
     click_->installEventFilter(this);

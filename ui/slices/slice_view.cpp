@@ -309,7 +309,8 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
     if (works()) return;  // the second click must not set a point on top of the first
     if (event->button() != Qt::LeftButton || !double_click_) return;
     // The first click led the crosshair away, which was not meant.
-    if (!scene_.empty()) scene_.set_crosshair(crosshair_before_mm_);
+    if (const auto before = std::exchange(crosshair_before_mm_, std::nullopt))
+        scene_.set_crosshair(*before);
     double_click_();
 }
 

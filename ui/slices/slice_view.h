@@ -135,7 +135,7 @@ class SliceView : public QWidget {
     std::vector<QRectF> measure_labels_;
     std::vector<NumberLabel> number_labels_;
     QPointF last_;                             // last mouse position while a button is down
-    Vec3 crosshair_before_mm_ = Vec3::Zero();  // the last press of the left button
+    std::optional<Vec3> crosshair_before_mm_;  // the last press of the left button
     double wheel_rest_ = 0;                    // unused part of a wheel notch
 };
 

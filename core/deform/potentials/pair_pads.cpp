@@ -100,7 +100,7 @@ void add_new(std::span<const FeaturePair> pairs, std::span<const Vec3> positions
     for (const PairPad& pad : pads) all.emplace(key_of(pad), pad);
     for (const FeaturePair& pair : pairs) {
         const double gap = distance_mm(pair, positions_mm);
-        if (gap >= most_mm) continue;
+        if (gap >= most_mm || gap <= 0.0) continue;
         const Key key = key_of(pair);
         all.emplace(key, PairPad{key.nodes, key.in_first, gap, most_mm, 1.0});
     }

@@ -36,7 +36,7 @@ std::vector<PairPad> pads_after_split(std::span<const PressedPair> before,
                                       std::span<const int> node_before);
 
 // Adds pairs that begin to touch, with a pad as thin as their gap; a pair that is there already
-// stays as it is, and one that lies apart by most_mm needs none.
+// stays as it is; one that lies apart by most_mm needs none, and one without a gap gets none.
 void add_new(std::span<const FeaturePair> pairs, std::span<const Vec3> positions_mm, double most_mm,
              std::vector<PairPad>& pads);
 

@@ -153,10 +153,11 @@ void SurfacePairs::let_go(std::span<const Vec3> positions_mm) {
     const auto counting =
         sides_.let_go(positions_mm, least_opening * pad_.thickness_mm, left_out());
     add_new(counting, positions_mm, pad_.thickness_mm, pads_);
-    if (grown || !counting.empty()) free_in_answer_ = -1;
+    if (!grown && counting.empty()) return;
+    free_in_answer_ = -1;
+    looked_at_mm_.clear();  // a gap that is the pad's up to rounding may be a contact
 }
 
-// What stores nothing stores nothing afterwards: contacts that were found stay as they are.
 bool SurfacePairs::grow_pads(std::span<const Vec3> positions_mm) {
     const auto as_pair = [](const PairPad& pad) {
         return FeaturePair{.of_edges = pad.in_first == 2, .nodes = pad.nodes};

@@ -252,8 +252,8 @@ class Writer {
                     const auto& coupled, double swing) {
         const OverlapsKept none;
         const auto kept = [&](const auto& some) { return some ? &overlaps_in(*some) : &none; };
-        const std::array surfaces{kept(self), kept(overlaps.self), kept(obstacles),
-                                  kept(overlaps.obstacles)};
+        // No matrix of a solver that carries one on is that of a torn body.
+        const std::array surfaces{kept(self), kept(obstacles)};
         const bool of_tears = std::ranges::any_of(
             surfaces, [](auto* some) { return !some->lying.empty() || !some->pads.empty(); });
         const bool of_thin_pads = any_thin(tool) || any_thin(made_with) || of_tears;
@@ -388,10 +388,12 @@ class Reader {
             (*this)(swing);
             used = swing > 0.0;
         }
-        if (!rest_.empty()) used = take_thin_pads(tool) | take_thin_pads(made_with);
-        if (!rest_.empty())
-            used = take_tears(self) | take_tears(overlaps.self) | take_tears(obstacles) |
-                   take_tears(overlaps.obstacles);
+        // Lists in braces are evaluated from left to right.
+        const auto any = [](std::initializer_list<bool> some) {
+            return std::ranges::any_of(some, [](bool one) { return one; });
+        };
+        if (!rest_.empty()) used = any({take_thin_pads(tool), take_thin_pads(made_with)});
+        if (!rest_.empty()) used = any({take_tears(self), take_tears(obstacles)});
         if (!used) refuse("goes on after its end");
     }
 

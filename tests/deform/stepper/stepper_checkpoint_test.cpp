@@ -253,6 +253,22 @@ TEST(StepperCheckpointBytes, EveryFieldCountsInTheHash) {
          [](auto& c) {
              c.solver.tool.emplace().tool.thin_pads.push_back({{1, 2, 3}, 0.1});
          }},
+        {"lying twins",
+         [](auto& c) {
+             c.self.emplace().overlaps.lying = {1, 2};
+         }},
+        {"pad of a split",
+         [](auto& c) {
+             c.self.emplace().overlaps.pads.push_back({{0, 1, 2, 3}, 1, 0.1, 0.2, 0.5});
+         }},
+        {"its share",
+         [](auto& c) {
+             c.self.emplace().overlaps.pads.push_back({{0, 1, 2, 3}, 1, 0.1, 0.2, 0.6});
+         }},
+        {"pad of a split at an obstacle",
+         [](auto& c) {
+             c.obstacles.emplace().touch.overlaps.pads.push_back({{0, 1, 2, 3}, 1, 0.1, 0.2, 0.5});
+         }},
         {"last kinetic", [](auto& c) { c.last_kinetic += 1.0; }},
         {"last elastic", [](auto& c) { c.last_elastic += 1.0; }},
         {"last grab", [](auto& c) { c.last_grab += 1.0; }},
