@@ -36,7 +36,8 @@ struct LessonMetrics {
 
 // Position of one mark relative to hand and tool.
 struct MarkMoment {
-    // From the tool's tip (0 while the tool touches the vessel there), else from the point held.
+    // From ToolView::working_mm() (0 while the tool touches the vessel there), else from the point
+    // held.
     double distance_mm = std::numeric_limits<double>::infinity();
     double moved_mm = 0.0;  // displacement from rest
     // From the centre of the tool's contact, else from the point held.

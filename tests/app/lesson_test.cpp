@@ -161,8 +161,10 @@ TEST_F(LessonVerb, AReportHoldsTheNotesOfTheInstructor) {
         EXPECT_NE(page.find(text), std::string::npos) << text;
     EXPECT_EQ(read_notes(path("noted/recording.hrec")), notes);
     write_notes(path("play.hrec"), {});
-    EXPECT_EQ(page_of("plain").find("Notes of"), std::string::npos);
-    EXPECT_FALSE(fs::exists(notes_file_of(path("plain/recording.hrec"))));
+    for (const char* out : {"plain", "noted"}) {
+        EXPECT_EQ(page_of(out).find("Notes of"), std::string::npos) << out;
+        EXPECT_FALSE(fs::exists(notes_file_of(path(std::string(out) + "/recording.hrec")))) << out;
+    }
 }
 
 // The window has one bar of the whole report, which needs to know which stage of how many it is.

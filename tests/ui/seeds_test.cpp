@@ -64,6 +64,29 @@ TEST_F(Seeds, are_set_by_clicks_and_by_keys_and_taken_back) {
     EXPECT_FALSE(scene().seeds().taken());
 }
 
+TEST_F(Seeds, are_put_away_by_a_measurement_that_a_key_takes) {
+    show_slices();
+    take(seeds_portal);
+    QTest::keyClick(&window_, Qt::Key_M);
+    EXPECT_FALSE(scene().seeds().taken());
+    EXPECT_EQ(list().currentIndex(), 1);
+    click(10, 5);
+    EXPECT_TRUE(seeds().empty());
+    EXPECT_NE(scene().measurements().half_made(), nullptr);
+}
+
+TEST_F(Seeds, leave_what_was_typed_for_other_systems) {
+    show_slices();
+    take(seeds_hepatic);
+    click(10, 5);
+    PatientWizard wizard("");
+    wizard.findChild<QLineEdit*>("portalSeeds")->setText("1 2 3");
+    wizard.findChild<QLineEdit*>("hepaticSeeds")->setText("4 5 6");
+    wizard.set_seeds(seeds());
+    EXPECT_EQ(wizard.findChild<QLineEdit*>("portalSeeds")->text(), "1 2 3");
+    EXPECT_NE(wizard.findChild<QLineEdit*>("hepaticSeeds")->text(), "4 5 6");
+}
+
 TEST_F(Seeds, begin_the_next_reconstruction) {
     show_slices();
     for (const auto& [purpose, x] : {std::pair(seeds_portal, -20), std::pair(seeds_hepatic, 20),
