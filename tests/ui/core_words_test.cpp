@@ -64,7 +64,7 @@ const std::array no_sentences{
     std::regex("NRRD0004|Segmentation_|Synthetic"),
     std::regex("^(space|byte|line|data) (origin|directions|skip|file)$"),
     std::regex("^--seed-mm X,Y,Z,(portal|hepatic|artery)$"),  // window_words.cpp names its field
-    std::regex("^parse error at line $"),              // window_words.cpp says where instead
+    std::regex("^parse error at line $"),                     // window_words.cpp says where instead
     std::regex("^\\\\nspace|^\\\\nkinds"),
     std::regex("^# |^\\\\n#"),
     std::regex("^%|as they lie$"),
