@@ -113,8 +113,8 @@ bool DepthStem::update(const std::optional<ToolView>& tool, const std::vector<fl
     if (free || mark != nullptr) {
         end = mark != nullptr ? mark->place_mm : nearest_to(from, positions_mm);
         away_mm = (end - from).norm();
-        // A lesson's goals measure from the same point; vessels are met by the surface of the sphere
-        // around it.
+        // A lesson's goals measure from the same point; vessels are met by the surface of the
+        // sphere around it.
         if (mark == nullptr) away_mm -= tool->parts.front().radius_mm;
     }
     const bool between = jaws && mark != nullptr && away_mm <= 0.5 * tool->opening_mm;
