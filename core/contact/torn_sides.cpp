@@ -48,6 +48,25 @@ std::vector<int> neighbours(int node, std::span<const int> triangles,
     return others;
 }
 
+// Triangles that share a vertex always meet there, and cross where the side of one that lies
+// opposite meets the other. Those that share a side do not.
+bool cross(const std::array<int, 3>& one, const std::array<int, 3>& other,
+           std::span<const Vec3> x) {
+    const auto is_shared = [](int v, const std::array<int, 3>& by) {
+        return std::ranges::find(by, v) != by.end();
+    };
+    const auto shared = std::ranges::count_if(one, [&](int v) { return is_shared(v, other); });
+    if (shared == 0) return squared_distance_mm2(corners_of(one, x), corners_of(other, x)) == 0.0;
+    if (shared > 1) return false;
+    const auto side_meets = [&](const std::array<int, 3>& its, const std::array<int, 3>& triangle) {
+        std::vector<Vec3> side;
+        for (const int v : its)
+            if (!is_shared(v, triangle)) side.push_back(x[v]);
+        return closest(Segment{side[0], side[1]}, corners_of(triangle, x)).squared_mm2 == 0.0;
+    };
+    return side_meets(one, other) || side_meets(other, one);
+}
+
 }  // namespace
 
 void TornSides::follow_split(const Twins& before, std::span<const int> node_before,
@@ -154,17 +173,15 @@ bool TornSides::of_one_piece(const std::array<int, 2>& twins) const {
 bool TornSides::any_cross(const std::array<int, 2>& twins,
                           std::span<const Vec3> positions_mm) const {
     const auto& corners = features_.surface().triangles();
-    const auto may_cross = [&](const std::array<int, 3>& one, const std::array<int, 3>& other) {
+    const auto held_back = [&](const std::array<int, 3>& one, const std::array<int, 3>& other) {
         for (const int a : one)
             for (const int b : other)
-                if (a == b || (ascending(a, b) != twins && is_lying(a, b))) return false;
-        return true;
+                if (a != b && ascending(a, b) != twins && is_lying(a, b)) return true;
+        return false;
     };
     for (const int s : triangles_of_node_[twins[0]])
         for (const int t : triangles_of_node_[twins[1]])
-            if (may_cross(corners[s], corners[t]) &&
-                squared_distance_mm2(corners_of(corners[s], positions_mm),
-                                     corners_of(corners[t], positions_mm)) == 0.0)
+            if (!held_back(corners[s], corners[t]) && cross(corners[s], corners[t], positions_mm))
                 return true;
     return false;
 }
