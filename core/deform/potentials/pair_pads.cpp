@@ -8,14 +8,10 @@
 namespace hepatica {
 namespace {
 
-// The nodes of each feature ascend, and of two edges the one with the lower nodes comes first, so
-// that the same features have the same nodes on every surface.
-struct Key {
-    int in_first = 1;
-    std::array<int, 4> nodes{};
-
-    auto operator<=>(const Key&) const = default;
-};
+// How many nodes the first feature has, and all nodes. Those of each feature ascend, and of two
+// edges the one with the lower nodes comes first, so that the same features have the same key on
+// every surface.
+using Key = std::pair<int, std::array<int, 4>>;
 
 Key key_of(int in_first, std::array<int, 4> nodes) {
     const auto put_in_order = [&](int a, int b) {
@@ -83,7 +79,7 @@ std::vector<PairPad> pads_after_split(std::span<const PressedPair> before,
     std::vector<PairPad> pads;
     for (const PressedPair& pair : after) {
         const Key now = key_of(pair.of), former = key_before(pair.of, node_before);
-        PairPad pad{now.nodes, now.in_first, pair.gap_mm, pair.pad_mm, 1.0};
+        PairPad pad{now.second, now.first, pair.gap_mm, pair.pad_mm, 1.0};
         if (const auto pressed = was.find(former); pressed != was.end()) {
             pad.pad_mm = std::min(pair.pad_mm, pressed->second->pad_mm);
             pad.share = std::min(1.0, pressed->second->area_mm2 / area_mm2[former]);
@@ -102,7 +98,7 @@ void add_new(std::span<const FeaturePair> pairs, std::span<const Vec3> positions
         const double gap = distance_mm(pair, positions_mm);
         if (gap >= most_mm || gap <= 0.0) continue;
         const Key key = key_of(pair);
-        all.emplace(key, PairPad{key.nodes, key.in_first, gap, most_mm, 1.0});
+        all.emplace(key, PairPad{key.second, key.first, gap, most_mm, 1.0});
     }
     pads.clear();
     for (const auto& [key, pad] : all) pads.push_back(pad);
