@@ -211,14 +211,12 @@ void fields(Visit& visit, auto& value) requires requires {
                      value.swing_mm_per_s);
 }
 
-// The overlaps in what a checkpoint holds of surfaces, which may be they themselves.
+// The overlaps in what a checkpoint holds of surfaces or of obstacles.
 auto& overlaps_in(auto& of_surfaces) {
     if constexpr (requires { of_surfaces.touch; })
         return of_surfaces.touch.overlaps;
-    else if constexpr (requires { of_surfaces.overlaps; })
-        return of_surfaces.overlaps;
     else
-        return of_surfaces;
+        return of_surfaces.overlaps;
 }
 
 // Passes the bytes of every field to a sink.
