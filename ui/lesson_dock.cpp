@@ -307,8 +307,8 @@ void LessonDock::show_figures() {
     const InView in_view = on_screen_                                ? InView::play
                            : ways_.reviewed() == watch_->recording() ? InView::review
                                                                      : InView::other;
+    keep_result();  // before the panel, which says what the course has come to
     panel_->show_standing(watch_->standing(), clock_stands(), in_view);
-    keep_result();
 }
 
 // A name that is given after the end is also noted in the last attempt, unless that has one.

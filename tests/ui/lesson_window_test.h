@@ -22,7 +22,10 @@ class LessonWindowTest : public WindowTest {
     LessonWindowTest()
         : WindowTest({[](const OpenRequest& request, Job& job) {
                           LoadedPatient loaded = play(test::small_patient(), job);
-                          if (!request.built_in) loaded.folder = request.reconstruct.ct;
+                          if (request.built_in)
+                              loaded.title = built_in_title;
+                          else
+                              loaded.folder = request.reconstruct.ct;
                           return loaded;
                       },
                       [](const std::filesystem::path&, const PatientCase&) {}}) {}

@@ -231,6 +231,7 @@ TEST(RecordingGuard, ForgetsAnInterruptedAttemptAlone) {
         Attempt attempt;
         attempt.recording = recording;
         attempt.lesson = "Gentle pull";
+        attempt.ended_at = "2026-11-28T12:00:00Z";
         attempt.reasons = {why};
         write_attempt(attempt);
     }
