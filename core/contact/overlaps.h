@@ -42,15 +42,14 @@ class Overlaps {
     bool let_go(std::span<const Vec3> positions_mm, double reach_mm);
 
     // The overlaps after a tear, from those before it. `node_before` is the former node of each
-    // vertex. Pairs of two pieces that counted before still count, however near they are. Left out,
-    // where they are nearer than reach_mm or one lies in the other, are
-    //   what was left out before;
-    //   faces that the tear has exposed, where they cross pieces that were separate before;
-    //   patches of pieces torn from each other that touch at rest according to `at_rest`, or,
-    //   without it, that have vertices split from one another.
+    // vertex. Pairs that counted before still count, however near they are. Left out are
+    //   what was left out before, where it is nearer than reach_mm or lies in the other piece;
+    //   faces that the tear has exposed, where they cross or lie in pieces that were separate
+    //   before; of pieces torn from each other the patches in `parted`, pairs in ascending order,
+    //   or, without them, those nearer than reach_mm that have vertices split from one another.
     void follow_split(const OverlapsBefore& before, std::span<const int> node_before,
                       std::span<const Vec3> positions_mm, double reach_mm,
-                      const Overlaps* at_rest = nullptr);
+                      const Pairs* parted = nullptr);
 
     // Whether a pair of patches does not count.
     bool left_out(int patch, int other) const;

@@ -16,9 +16,10 @@ std::array<int, 3> ascending(std::array<int, 3> corners) {
     return corners;
 }
 
-void each_once(std::vector<int>& numbers) {
-    std::ranges::sort(numbers);
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+template <class T>
+void each_once(std::vector<T>& some) {
+    std::ranges::sort(some);
+    some.erase(std::unique(some.begin(), some.end()), some.end());
 }
 
 bool in_common(const std::vector<int>& a, const std::vector<int>& b) {
@@ -112,7 +113,7 @@ bool any_cross(std::span<const int> some, std::span<const int> others,
 
 void Overlaps::follow_split(const OverlapsBefore& before, std::span<const int> node_before,
                             std::span<const Vec3> positions_mm, double reach_mm,
-                            const Overlaps* at_rest) {
+                            const Pairs* parted) {
     touching_.clear();
     buried_.clear();
     if (features_.pieces() < 2) return;
@@ -129,12 +130,21 @@ void Overlaps::follow_split(const OverlapsBefore& before, std::span<const int> n
         return any_cross(origins[p].bare, surface.triangles_of(q), surface, positions_mm) ||
                any_cross(origins[q].bare, surface.triangles_of(p), surface, positions_mm);
     };
+    const auto was_buried = [&](int patch, int piece) {
+        return std::ranges::any_of(origins[patch].patches, [&](int former) {
+            return holds(before.buried, former, old_piece[piece]);
+        });
+    };
+    // A part of a patch that lay in a piece may pass through its wall without a vertex inside.
+    const auto were_left_out = [&](int p, int q) {
+        return touched(before.touching, origins[p], origins[q]) || was_buried(p, piece_of(q)) ||
+               was_buried(q, piece_of(p));
+    };
     const auto overlap = [&](int p, int q) {
         if (!of_one_piece(p, q))
-            return bare_cross(p, q) || (touched(before.touching, origins[p], origins[q]) &&
-                                        nearer_than(reach_mm, p, q, positions_mm));
-        return (at_rest ? holds(at_rest->touching(), p, q)
-                        : in_common(origins[p].split_at, origins[q].split_at)) &&
+            return bare_cross(p, q) ||
+                   (were_left_out(p, q) && nearer_than(reach_mm, p, q, positions_mm));
+        return parted == nullptr && in_common(origins[p].split_at, origins[q].split_at) &&
                nearer_than(reach_mm, p, q, positions_mm);
     };
     const int patches = static_cast<int>(boxes.size());
@@ -145,17 +155,16 @@ void Overlaps::follow_split(const OverlapsBefore& before, std::span<const int> n
             if (piece_of(p) != piece_of(q) && features_.may_meet(p, q) && wide.meets(boxes[q]) &&
                 overlap(p, q))
                 touching_.push_back({p, q});
-        const auto was_buried = [&](int piece) {
-            return std::ranges::any_of(origins[p].patches, [&](int patch) {
-                return holds(before.buried, patch, old_piece[piece]);
-            });
-        };
         for (int piece = 0; piece < features_.pieces(); ++piece)
             if (may_lie_in(p, piece) && old_piece[piece] != old_piece[piece_of(p)] &&
-                (!origins[p].bare.empty() || was_buried(piece)) &&
-                ((for_good(piece) && was_buried(piece)) || lies_in(p, piece, boxes, positions_mm)))
+                (!origins[p].bare.empty() || was_buried(p, piece)) &&
+                ((for_good(piece) && was_buried(p, piece)) ||
+                 lies_in(p, piece, boxes, positions_mm)))
                 buried_.push_back({p, piece});
     }
+    if (parted == nullptr) return;
+    touching_.insert(touching_.end(), parted->begin(), parted->end());
+    each_once(touching_);
 }
 
 }  // namespace hepatica

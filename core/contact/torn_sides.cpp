@@ -69,8 +69,8 @@ bool cross(const std::array<int, 3>& one, const std::array<int, 3>& other,
 
 }  // namespace
 
-void TornSides::follow_split(const Twins& before, std::span<const int> node_before,
-                             std::vector<int> node_of_whole) {
+TornSides::PatchPairs TornSides::follow_split(const Twins& before, std::span<const int> node_before,
+                                              std::vector<int> node_of_whole) {
     node_of_whole_ = std::move(node_of_whole);
     std::map<int, std::vector<int>> children;
     for (const int v : features_.nodes()) children[node_before[v]].push_back(v);
@@ -83,15 +83,31 @@ void TornSides::follow_split(const Twins& before, std::span<const int> node_befo
         for (const int a : children[one])
             for (const int b : children[other]) lying_.push_back(ascending(a, b));
     std::ranges::sort(lying_);
+    PatchPairs parted = give_up_parted();
     find_triangles();
+    return parted;
 }
 
-void TornSides::find(std::span<const Vec3> positions_mm, double least_gap_mm,
-                     const LeftOut& left_out) {
+// Removes twins of two pieces; the patches around them.
+TornSides::PatchPairs TornSides::give_up_parted() {
+    PatchPairs parted;
+    std::erase_if(lying_, [&](const std::array<int, 2>& twins) {
+        if (of_one_piece(twins)) return false;
+        for (const int p : features_.patches_of_node(twins[0]))
+            for (const int q : features_.patches_of_node(twins[1]))
+                parted.push_back(ascending(p, q));
+        return true;
+    });
+    std::ranges::sort(parted);
+    parted.erase(std::unique(parted.begin(), parted.end()), parted.end());
+    return parted;
+}
+
+void TornSides::find(std::span<const Vec3> positions_mm, double least_gap_mm) {
     if (node_of_whole_.empty()) return;
     const std::vector<int> whole = node_of_whole_;
     follow_split({}, whole, whole);
-    let_go(positions_mm, least_gap_mm, left_out);
+    let_go(positions_mm, least_gap_mm);
 }
 
 void TornSides::find_triangles() {
@@ -199,27 +215,19 @@ bool TornSides::have_come_apart(const std::array<int, 2>& twins, std::span<const
            !any_cross(twins, positions_mm);
 }
 
-std::vector<FeaturePair> TornSides::let_go(std::span<const Vec3> positions_mm, double least_gap_mm,
-                                           const LeftOut& left_out) {
-    const auto patches_count = [&](const std::array<int, 2>& twins) {
-        for (const int p : features_.patches_of_node(twins[0]))
-            for (const int q : features_.patches_of_node(twins[1]))
-                if (left_out(p, q)) return false;
-        return true;
+std::vector<FeaturePair> TornSides::let_go(std::span<const Vec3> positions_mm,
+                                           double least_gap_mm) {
+    const auto still_lie = [&](const std::array<int, 2>& twins) {
+        return !have_come_apart(twins, positions_mm, least_gap_mm);
     };
-    Twins apart;
-    for (const auto& twins : lying_)
-        if (of_one_piece(twins) ? have_come_apart(twins, positions_mm, least_gap_mm)
-                                : patches_count(twins))
-            apart.push_back(twins);
-    // Pairs that twins have held back from each other count now: what is too near there stays.
     const Twins before = lying_;
+    Twins apart;
+    std::ranges::remove_copy_if(before, std::back_inserter(apart), still_lie);
+    // Pairs that twins have held back from each other count now: what is too near there stays.
     for (bool all = false; !all;) {
         lying_.clear();
         std::ranges::set_difference(before, apart, std::back_inserter(lying_));
-        all = std::erase_if(apart, [&](const std::array<int, 2>& twins) {
-                  return of_one_piece(twins) && !have_come_apart(twins, positions_mm, least_gap_mm);
-              }) == 0;
+        all = std::erase_if(apart, still_lie) == 0;
     }
     std::vector<FeaturePair> counting;
     for (const auto& twins : apart) {
@@ -233,7 +241,7 @@ bool TornSides::set(const Twins& lying) {
     const int nodes = static_cast<int>(node_of_whole_.size());
     const auto are_twins = [&](const std::array<int, 2>& twins) {
         return twins[0] >= 0 && twins[0] < twins[1] && twins[1] < nodes &&
-               node_of_whole_[twins[0]] == node_of_whole_[twins[1]];
+               node_of_whole_[twins[0]] == node_of_whole_[twins[1]] && of_one_piece(twins);
     };
     const auto unordered = [](const auto& a, const auto& b) { return a >= b; };
     if (!std::ranges::all_of(lying, are_twins) ||

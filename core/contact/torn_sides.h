@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The two sides of a tear. A split leaves the parts of a vertex, twins, at one place, with faces
 // that lie on each other: no distance says on which side they are. Pairs of features around twins
-// do not count until the twins have come apart. Twins of one piece have where
+// do not count until the twins have come apart, which they have where
 //   each is outside of the surface around the other, by the normal of the feature there that is
 //   nearest, weighted by angle (Baerentzen and Aanaes 2005), and
 //   no feature around the one is nearer than a least gap to a feature around the other, and no
 //   triangle crosses one of the other's, but for pairs that other twins hold back.
-// Twins of two pieces have where no patches around them are left out (see Overlaps). From then on
-// they count, so that a flap does not pass through the bed that it was torn from.
+// From then on they count, so that a flap does not pass through the bed that it was torn from.
+// Where a split parts two pieces, the patches around their twins are left to Overlaps.
 #pragma once
 
 #include <array>
@@ -21,22 +21,23 @@ namespace hepatica {
 // Not thread-safe.
 class TornSides {
   public:
-    // Each twin in ascending order, and all of them.
+    // Of one piece; each twin in ascending order, and all of them.
     using Twins = std::vector<std::array<int, 2>>;
+    // Of patches, likewise.
+    using PatchPairs = std::vector<std::array<int, 2>>;
 
     // Keeps a reference.
     explicit TornSides(const SurfaceFeatures& features) : features_(features) {}
 
     // After a split: children of twins that lay on each other still do, and so do vertices that
     // were one before. `node_before` is the former node of each node, `node_of_whole` the one
-    // before the first tear.
-    void follow_split(const Twins& before, std::span<const int> node_before,
-                      std::vector<int> node_of_whole);
+    // before the first tear. Returns the patches of two pieces around such twins, which may cross.
+    PatchPairs follow_split(const Twins& before, std::span<const int> node_before,
+                            std::vector<int> node_of_whole);
     // All twins lie on each other, but for those that have come apart at these positions.
-    void find(std::span<const Vec3> positions_mm, double least_gap_mm, const LeftOut& left_out);
+    void find(std::span<const Vec3> positions_mm, double least_gap_mm);
     // Lets twins go that have come apart. Returns the pairs of features that count from now on.
-    std::vector<FeaturePair> let_go(std::span<const Vec3> positions_mm, double least_gap_mm,
-                                    const LeftOut& left_out);
+    std::vector<FeaturePair> let_go(std::span<const Vec3> positions_mm, double least_gap_mm);
 
     // Whether the pair does not count.
     bool lie_on_each_other(const FeaturePair& pair) const;
@@ -50,6 +51,7 @@ class TornSides {
   private:
     bool is_lying(int node, int other) const;
     bool of_one_piece(const std::array<int, 2>& twins) const;
+    PatchPairs give_up_parted();
     bool have_come_apart(const std::array<int, 2>& twins, std::span<const Vec3> positions_mm,
                          double least_gap_mm) const;
     bool any_cross(const std::array<int, 2>& twins, std::span<const Vec3> positions_mm) const;

@@ -13,6 +13,7 @@
 #include "core/contact/patch_tree.h"
 #include "core/contact/rigid_fit.h"
 #include "core/contact/time_of_contact.h"
+#include "core/contact/torn_sides.h"
 #include "tests/contact/bodies.h"
 #include "tests/support/recorded_figures.h"
 
@@ -289,16 +290,17 @@ TEST(ContactFigures, OfOverlapsAfterATear) {
         const std::vector<int> node_before = part_second_box(boxes.mesh);
         const SurfaceFeatures torn = boxes.features(4);
         EXPECT_EQ(torn.pieces(), 4);
-        Overlaps at_rest(torn);
-        at_rest.find(boxes.mesh.vertices_mm, 0.01);
+        TornSides sides(torn);
+        const Overlaps::Pairs parted = sides.follow_split({}, node_before, node_before);
         for (const double reach : {0.02, 0.3})
-            for (const Overlaps* rest :
-                 {static_cast<const Overlaps*>(nullptr), static_cast<const Overlaps*>(&at_rest)}) {
+            for (const Overlaps::Pairs* around_twins :
+                 {static_cast<const Overlaps::Pairs*>(nullptr), &parted}) {
                 Overlaps after(torn);
-                after.follow_split(before, node_before, boxes.mesh.vertices_mm, reach, rest);
+                after.follow_split(before, node_before, boxes.mesh.vertices_mm, reach,
+                                   around_twins);
                 add_overlaps(figures,
                              "lift" + std::to_string(lift) + "_reach" + std::to_string(reach) +
-                                 (rest ? "_rest" : ""),
+                                 (around_twins ? "_parted" : ""),
                              after);
             }
     }

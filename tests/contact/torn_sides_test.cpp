@@ -18,10 +18,6 @@ namespace {
 
 constexpr double opening_mm = 0.01;
 
-bool none(int, int) {
-    return false;
-}
-
 // The upper half has vertices of its own for x > `tip_mm`.
 struct SlitBar {
     TetMesh mesh = kuhn_brick(Vec3(6, 2, 2), {6, 2, 2});
@@ -85,26 +81,26 @@ TEST(TornSides, LieOnEachOtherUntilTheyHaveOpened) {
     TornSides sides = bar.torn();
     EXPECT_EQ(sides.lying(), bar.twins);
     for (const double angle : {0.0, 1e-4})
-        EXPECT_TRUE(sides.let_go(bar.opened(angle, 2.0), opening_mm, none).empty());
+        EXPECT_TRUE(sides.let_go(bar.opened(angle, 2.0), opening_mm).empty());
     // At the first row beyond the tip the sides are nearer than the opening; those behind are not.
     const auto x = bar.opened(0.008, 2.0);
-    EXPECT_FALSE(sides.let_go(x, opening_mm, none).empty());
+    EXPECT_FALSE(sides.let_go(x, opening_mm).empty());
     for (const auto& [v, w] : bar.twins)
         EXPECT_EQ(std::ranges::count(sides.lying(), std::array{v, w}), x[v].x() < 3.5 ? 1 : 0)
             << x[v].transpose();
     // It is for good: what closes again still counts.
     const TornSides::Twins lying = sides.lying();
-    EXPECT_TRUE(sides.let_go(bar.opened(0.0, 2.0), opening_mm, none).empty());
+    EXPECT_TRUE(sides.let_go(bar.opened(0.0, 2.0), opening_mm).empty());
     EXPECT_EQ(sides.lying(), lying);
 }
 
 TEST(TornSides, DoNotCountWhereTheyHavePassedThroughEachOther) {
     const SlitBar bar(2.0);
     TornSides sides = bar.torn();
-    EXPECT_TRUE(sides.let_go(bar.opened(-0.1, 2.0), opening_mm, none).empty());
+    EXPECT_TRUE(sides.let_go(bar.opened(-0.1, 2.0), opening_mm).empty());
     EXPECT_EQ(sides.lying(), bar.twins);
     // The right way round they do, however far.
-    EXPECT_FALSE(sides.let_go(bar.opened(0.1, 2.0), opening_mm, none).empty());
+    EXPECT_FALSE(sides.let_go(bar.opened(0.1, 2.0), opening_mm).empty());
     EXPECT_TRUE(sides.lying().empty());
 }
 
@@ -134,7 +130,7 @@ TEST(TornSides, NameThePairsThatCountFromNowOn) {
     ASSERT_GT(before, 100);
     for (const double angle : {0.004, 0.006, 0.02}) {
         std::set<std::array<int, 5>> named;
-        for (const FeaturePair& pair : sides.let_go(bar.opened(angle, 2.0), opening_mm, none)) {
+        for (const FeaturePair& pair : sides.let_go(bar.opened(angle, 2.0), opening_mm)) {
             EXPECT_FALSE(sides.lie_on_each_other(pair));
             EXPECT_TRUE(sides.shared_a_vertex(pair));
             EXPECT_FALSE(share(pair));
@@ -154,7 +150,7 @@ TEST(TornSides, NameThePairsThatCountFromNowOn) {
 TEST(TornSides, ChildrenAreAsTheirParentsWere) {
     const SlitBar bar(2.0);
     TornSides sides = bar.torn();
-    sides.let_go(bar.opened(0.008, 2.0), opening_mm, none);
+    sides.let_go(bar.opened(0.008, 2.0), opening_mm);
     const TornSides::Twins left = sides.lying();
     // Nothing else splits: only what lay on each other still does.
     std::vector<int> same(bar.mesh.vertices_mm.size());
@@ -164,21 +160,30 @@ TEST(TornSides, ChildrenAreAsTheirParentsWere) {
     EXPECT_EQ(after.lying(), left);
     // What is looked at without a past is judged by where it is.
     TornSides found = bar.torn();
-    found.find(bar.opened(0.008, 2.0), opening_mm, none);
+    found.find(bar.opened(0.008, 2.0), opening_mm);
     EXPECT_EQ(found.lying(), left);
 }
 
-// In two pieces: whether patches are left out decides.
-TEST(TornSides, OfTwoPiecesComeApartAsTheirPatchesDo) {
+// What a cut parts is left to Overlaps, as patches.
+TEST(TornSides, OfTwoPiecesAreThePatchesAroundThem) {
     const SlitBar bar(-1.0);
     ASSERT_EQ(bar.features.pieces(), 2);
-    TornSides sides = bar.torn();
-    const auto all = [](int, int) { return true; };
-    const auto x = bar.opened(0.1, -1.0);
-    EXPECT_TRUE(sides.let_go(x, opening_mm, all).empty());
-    EXPECT_EQ(sides.lying(), bar.twins);
-    EXPECT_FALSE(sides.let_go(x, opening_mm, none).empty());
+    TornSides sides(bar.features);
+    const TornSides::PatchPairs parted = sides.follow_split({}, bar.node_before, bar.node_before);
     EXPECT_TRUE(sides.lying().empty());
+    EXPECT_TRUE(std::ranges::is_sorted(parted));
+    for (const auto& [v, w] : bar.twins)
+        for (const int p : bar.features.patches_of_node(v))
+            for (const int q : bar.features.patches_of_node(w))
+                EXPECT_TRUE(
+                    std::ranges::binary_search(parted, std::array{std::min(p, q), std::max(p, q)}));
+    for (const auto& [p, q] : parted)
+        EXPECT_NE(bar.features.piece_of_patch(p), bar.features.piece_of_patch(q));
+    // Twins that had come apart in one piece are none now: they go on counting.
+    std::vector<int> same(bar.mesh.vertices_mm.size());
+    for (std::size_t v = 0; v < same.size(); ++v) same[v] = static_cast<int>(v);
+    EXPECT_TRUE(sides.follow_split({}, same, bar.node_before).empty());
+    EXPECT_FALSE(sides.set({bar.twins.front()}));
 }
 
 TEST(TornSides, TakeOnlyTwins) {

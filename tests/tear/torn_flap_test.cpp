@@ -3,6 +3,8 @@
 // its bed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/base/frame_time.h"
 #include "core/deform/stepper/cpu_stepper.h"
@@ -57,6 +59,17 @@ struct Flap {
         return crossing_triangles(stepper->tearing()->topology().surface(), stepper->positions_mm())
             .size();
     }
+    // Of triangles that lie wholly beyond this x.
+    int crossings_beyond(double x_mm) const {
+        const auto surface = stepper->tearing()->topology().surface();
+        const auto x = stepper->positions_mm();
+        const auto beyond = [&](int triangle) {
+            return std::ranges::all_of(surface[triangle], [&](int v) { return x[v].x() > x_mm; });
+        };
+        const auto pairs = crossing_triangles(surface, x);
+        return static_cast<int>(std::ranges::count_if(
+            pairs, [&](const auto& pair) { return beyond(pair[0]) && beyond(pair[1]); }));
+    }
     StepReport last;
 };
 
@@ -82,6 +95,22 @@ TEST(TornFlap, IsKeptOutHoweverFastItMoves) {
     for (int k = 0; k < 30; ++k) {
         flap.stepper->step(frame_s);
         ASSERT_EQ(flap.crossings(), 0u) << k;
+    }
+}
+
+// Cut off at its root while it is pressed into the bed: what counted goes on counting, but for the
+// patches beside the cut.
+TEST(TornFlap, IsKeptOutWhereItIsCutOffWhileItIsPressed) {
+    Flap flap;
+    flap.lead(0.0, 6.0, 60);
+    flap.lead(6.0, -3.0, 90);
+    EXPECT_GT(flap.last.self.contacts, 20);
+    flap.stepper->cut(Vec3(-4, -20, -0.5), Vec3(0, 40, 0), Vec3(0, 0, 20));
+    ASSERT_EQ(flap.stepper->tearing()->report().pieces, 2);
+    for (int k = 0; k < 20; ++k) {
+        flap.last = flap.stepper->step(frame_s);
+        ASSERT_EQ(flap.crossings_beyond(0.0), 0) << k;
+        ASSERT_GT(flap.last.self.contacts, 0) << k;
     }
 }
 

@@ -150,8 +150,7 @@ void SurfacePairs::let_go(std::span<const Vec3> positions_mm) {
     const Stopwatch watch(spent_ms_);
     if (overlaps_.let_go(positions_mm, pad_.thickness_mm)) forget();
     const bool grown = grow_pads(positions_mm);
-    const auto counting =
-        sides_.let_go(positions_mm, least_opening * pad_.thickness_mm, left_out());
+    const auto counting = sides_.let_go(positions_mm, least_opening * pad_.thickness_mm);
     add_new(counting, positions_mm, pad_.thickness_mm, pads_);
     if (!grown && counting.empty()) return;
     free_in_answer_ = -1;
@@ -173,7 +172,7 @@ bool SurfacePairs::grow_pads(std::span<const Vec3> positions_mm) {
 
 void SurfacePairs::find_overlaps(std::span<const Vec3> positions_mm) {
     overlaps_.find(positions_mm, touching_at_rest * pad_.thickness_mm, &at_rest_);
-    sides_.find(positions_mm, least_opening * pad_.thickness_mm, left_out());
+    sides_.find(positions_mm, least_opening * pad_.thickness_mm);
     pads_.clear();
     forget();
 }
@@ -217,10 +216,10 @@ void SurfacePairs::follow_split(const BeforeTear& before, std::span<const int> p
     const std::vector<int> node_of_whole = came_from(parents, whole_nodes_);
     const std::vector<int> node_before = came_from(parents, before.nodes);
     at_rest_.follow_split(*whole_, node_of_whole, rest_mm_, touching_at_rest * pad_.thickness_mm);
-    overlaps_.follow_split(before.overlaps, node_before, positions_mm, pad_.thickness_mm,
-                           &at_rest_);
+    TornSides::PatchPairs parted;
     if (!features_.beside_obstacles())
-        sides_.follow_split(before.lying, node_before, node_of_whole);
+        parted = sides_.follow_split(before.lying, node_before, node_of_whole);
+    overlaps_.follow_split(before.overlaps, node_before, positions_mm, pad_.thickness_mm, &parted);
     find_clearances();
     forget();
     pads_.clear();
