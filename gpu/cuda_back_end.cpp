@@ -29,6 +29,12 @@ CoarseSkeleton skeleton_for(const BodyDescription& description, const StepperOpt
                    description.mesh.vertices_mm, least_vertices);
 }
 
+// Whether the processor's steps of such a body contain core/deform/step/tension_stiffness.h.
+bool would_have_tension(const StepperOptions& options) {
+    return options.tension && options.model == ElementModel::corotated &&
+           options.order == ElementOrder::linear;
+}
+
 class CudaBackEnd final : public StepBackEnd {
   public:
     CudaBackEnd(const BodyDescription& description, const StepperOptions& options,
@@ -191,6 +197,10 @@ StepReport CudaBackEnd::advance(double dt_s, const std::stop_token& stop) {
         ++cuda_.share->device;
         cuda_.share->solves += device_->solve_cost();
         cpu_->follow(device_->state(), report);
+        if (would_have_tension(options_))
+            say_once(
+                "The device's steps leave out tension, by which taut vessels resist being turned: "
+                "they err more where a vessel is pulled");
         return report;
     }
     if (device_ && !reason && !device_->left_because().empty())

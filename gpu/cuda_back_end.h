@@ -27,7 +27,8 @@ struct StepShare {
 struct CudaOptions {
     Precision precision = Precision::single_precision;
     std::shared_ptr<StepShare> share = std::make_shared<StepShare>();
-    // Called with the reason why the processor makes steps, once per reason.
+    // Called with the reason why the processor makes steps, or with what the device's steps leave
+    // out, once each.
     std::function<void(const std::string&)> say = [](const std::string&) {};
 };
 

@@ -13,6 +13,8 @@ constexpr std::array sentences_back_ends{
               "%2"),
     Words::id("The processor makes the steps: %1"),
     Words::id("The processor makes single steps: %1"),
+    Words::id("The device's steps leave out tension, by which taut vessels resist being turned: "
+              "they err more where a vessel is pulled"),
     Words::id("Settings of the dial that were measured on %1 (%2) are left out: it does not make "
               "the steps here"),
     Words::id("emulated on the processor"),

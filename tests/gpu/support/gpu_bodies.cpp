@@ -53,6 +53,7 @@ StepperOptions exact_options(const std::string& element) {
     options.linear = {
         .energy_tolerance = 0.0, .residual_tolerance = 1e-13, .max_iterations = 20000};
     options.sleeping = false;
+    options.tension = false;  // the device has none
     return options;
 }
 
