@@ -58,7 +58,8 @@ LessonDock::LessonDock(Ways ways, fs::path recordings, QWidget* parent)
                note_interruption();
            },
            [this](const QString& words) { ways_.step(words); },
-           [this](std::span<const LessonTool> tools) { return ways_.by_keys(tools); }})),
+           [this](std::span<const LessonTool> tools) { return ways_.by_keys(tools); },
+           [this](LessonTool tool) { return ways_.tool_and_key(tool); }})),
       attempts_(new AttemptsDialog(
           {[this](const fs::path& recording) { ways_.look_back(recording, shown_name_); },
            [this](const std::string& csv) { ways_.save_table(*attempts_, "attempts", csv); },

@@ -40,6 +40,8 @@ class LessonDock : public QDockWidget {
         // How these tools are used without a mouse, in lines.
         std::function<QString(std::span<const LessonTool>)> by_keys =
             [](std::span<const LessonTool>) { return QString(); };
+        // The name of a tool with the key that takes it.
+        std::function<QString(LessonTool)> tool_and_key = [](LessonTool) { return QString(); };
         // Computes the steps of an attempt.
         std::function<DeformBackEnd()> back_end = [] { return cpu_back_end(); };
         std::function<void()> open_built_in;  // asynchronous; patient_shown() follows

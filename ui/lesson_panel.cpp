@@ -76,7 +76,10 @@ std::vector<BoundStanding> limits_in_force(const LessonStanding& standing, const
 }  // namespace
 
 LessonPanel::LessonPanel(Ways ways, QWidget* parent)
-    : QWidget(parent), tell_step_(ways.step), by_keys_(ways.by_keys) {
+    : QWidget(parent),
+      tell_step_(ways.step),
+      by_keys_(ways.by_keys),
+      tool_and_key_(ways.tool_and_key) {
     auto* column = new QVBoxLayout(this);
     column->setSpacing(8);
     title_ = add_label(*column, "lessonTitle");
@@ -91,6 +94,8 @@ LessonPanel::LessonPanel(Ways ways, QWidget* parent)
     clock_ = add_label(*column, "lessonClock");
     step_ = add_label(*column, "lessonStep");
     step_->setTextFormat(Qt::PlainText);
+    tool_ = add_label(*column, "lessonStepTool");
+    tool_->setTextFormat(Qt::PlainText);
     goal_ = add_label(*column, "lessonGoal");
     hold_ = new QProgressBar;
     hold_->setObjectName("lessonHold");
@@ -217,6 +222,9 @@ void LessonPanel::show_standing(const LessonStanding& standing, bool clock_stand
     clock_->setText(about_clock(standing, clock_stands, in_view));
     for (QWidget* widget : std::initializer_list<QWidget*>{step_, goal_, hold_, hint_button_})
         widget->setVisible(running);
+    const QString missing = words_of_missing_tool(standing);
+    tool_->setText(missing);
+    tool_->setVisible(!missing.isEmpty());
     end_->setVisible(!running);
     report_->setVisible(!running);
     look_back_->setVisible(!running);
@@ -237,6 +245,13 @@ QString LessonPanel::words_of_step(std::size_t step) const {
         .arg(step + 1)
         .arg(lesson_.steps.size())
         .arg(with_units_beside(translated(lesson_.steps[step].text)));
+}
+
+QString LessonPanel::words_of_missing_tool(const LessonStanding& standing) const {
+    if (standing.outcome != LessonOutcome::running || !standing.tool_missing || !tool_and_key_)
+        return {};
+    const std::optional<LessonTool> tool = lesson_.steps[standing.step].tool;
+    return tool ? Words::tr("This step is done with: %1").arg(tool_and_key_(*tool)) : QString();
 }
 
 void LessonPanel::show_step(const LessonStanding& standing) {

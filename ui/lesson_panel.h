@@ -31,6 +31,8 @@ class LessonPanel : public QWidget {
         std::function<void(const QString&)> step = {};  // a later step begins, in words
         // How these tools are used by keys, which follows every hint.
         std::function<QString(std::span<const LessonTool>)> by_keys = {};
+        // The name of a tool with the key that takes it.
+        std::function<QString(LessonTool)> tool_and_key = {};
     };
 
     // What the view shows: the lesson's play, the review of its recording, or something else, such
@@ -58,6 +60,8 @@ class LessonPanel : public QWidget {
     QString about_clock(const LessonStanding& standing, bool clock_stands, InView in_view) const;
     QLayout* make_name();
     QString words_of_step(std::size_t step) const;
+    // That the step is done with a tool that is not in hand; empty where none is missing.
+    QString words_of_missing_tool(const LessonStanding& standing) const;
     void show_step(const LessonStanding& standing);
     QString table_of_steps(const LessonStanding& standing) const;
     void show_end(const LessonStanding& standing);
@@ -68,11 +72,13 @@ class LessonPanel : public QWidget {
     std::size_t shown_step_ = 0;
     std::function<void(const QString&)> tell_step_;
     std::function<QString(std::span<const LessonTool>)> by_keys_;
+    std::function<QString(LessonTool)> tool_and_key_;
     QLabel* title_;
     QLabel* about_;
     QLabel* doubts_;
     QLabel* clock_;
     QLabel* step_;
+    QLabel* tool_;
     QLabel* goal_;
     QProgressBar* hold_;
     QLabel* hint_;

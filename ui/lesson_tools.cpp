@@ -72,6 +72,10 @@ QString in_words(std::span<const LessonTool> tools, const Actions& actions) {
     return names_and_keys(others, actions).join(", ");
 }
 
+QString tool_and_key(LessonTool tool, const Actions& actions) {
+    return names_and_keys(std::array{tool}, actions).join(", ");
+}
+
 QString by_keys(std::span<const LessonTool> tools, const Actions& actions) {
     const QStringList names = names_and_keys(tools, actions);
     if (names.isEmpty()) return {};

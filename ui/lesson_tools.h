@@ -25,6 +25,9 @@ std::set<ActionId> forbidden_in_review();
 // The tools besides pulling, by the names and keys of their actions: "Probe (4), Forceps (6)".
 QString in_words(std::span<const LessonTool> tools, const Actions& actions);
 
+// The name of one tool with its key, by its action: "Probe (4)"; empty for settings.
+QString tool_and_key(LessonTool tool, const Actions& actions);
+
 // How all of these tools are used without a mouse, in lines; empty where there is none.
 QString by_keys(std::span<const LessonTool> tools, const Actions& actions);
 

@@ -66,6 +66,7 @@ void MainWindow::build_lessons() {
     ways.patient = [this] { return patient_ ? patient_->patient : nullptr; };
     ways.back_end = [this] { return back_ends_->for_play(); };
     ways.by_keys = [this](std::span<const LessonTool> tools) { return by_keys(tools, *actions_); };
+    ways.tool_and_key = [this](LessonTool tool) { return tool_and_key(tool, *actions_); };
     ways.may_begin = [this] { return may_begin_lesson(); };
     ways.open_built_in = [this] { open_for_lesson(OpenRequest{true, {}}); };
     ways.open_case = [this](const QString& folder) {

@@ -17,9 +17,10 @@ constexpr std::array sentences_built_in_lessons{
     Words::id("Hold a bleeding vessel"),
     Words::id("The cut line"),
     Words::id("Embolization"),
-    Words::id("Bring the tip of a probe near three places in turn, without pushing the vessels. "
-              "Turning the view is part of doing it well, but is not scored: a recording holds "
-              "what is done to the patient, not where somebody looks."),
+    Words::id("Find three places with the tip of a probe, one after the other, without pushing the "
+              "vessels, and stay at each for half a second. The mouse leads the tip across the "
+              "picture, the wheel in depth. Turning the view helps to judge the depth, but is not "
+              "scored: a recording holds what is done to the patient, not where somebody looks."),
     Words::id("Take the probe and bring its tip near the first mark."),
     Words::id("Key 4 takes the probe. The mouse leads it, the wheel moves it in depth; a click "
               "brings it nowhere here. The picture says how far it is to the mark and which way. "

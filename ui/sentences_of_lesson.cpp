@@ -157,6 +157,9 @@ constexpr std::array sentences_lesson{
     Words::id("See docs/lessons.md, and assets/lessons for lessons that work"),
     Words::id("is \"%1\", which is no mark of this lesson"),
     Words::id("is \"%1\", which is no tool"),
+    Words::id("is \"%1\", which is not held in the hand"),
+    Words::id("is \"%1\", which the lesson does not allow"),
+    Words::id("Name it under \"tools\", too"),
     Words::id("is \"%1\", which is not measured"),
     Words::id("does not say which mark is meant"),
     Words::id("does something over time"),
@@ -165,6 +168,8 @@ constexpr std::array sentences_lesson{
     Words::id("needs either at_least or at_most"),
     Words::id("needs either share_of_longest_path or point_mm"),
     Words::id("%1 has no goal: add what is to be reached."),
+    Words::id("%1 asks for the tool %2, which the lesson does not allow: allow it, or ask for "
+              "none."),
     Words::id("%1 says nothing: write what the trainee is to do."),
     Words::id("The lesson has no name: give it one."),
     Words::id("The scene is of nothing: let the vessels move, a drug be injected, or both."),

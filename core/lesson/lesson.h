@@ -37,14 +37,6 @@ struct LessonMark {
     std::optional<PlaceTie> tie{};
 };
 
-struct LessonStep {
-    std::string text;
-    std::string hint;             // may be empty
-    std::vector<Predicate> goal;  // must hold simultaneously; not empty
-    double hold_s = 0.0;          // for so long without interruption
-    std::vector<Predicate> limits;
-};
-
 // What a trainee may use, see objection_to() for what is always allowed.
 enum class LessonTool {
     pull,
@@ -58,6 +50,16 @@ enum class LessonTool {
     settings,  // gravity, tether, wall, tearing, contact, the drug's time and speed
 };
 const char* name_of(LessonTool tool);
+
+struct LessonStep {
+    std::string text;
+    std::string hint;             // may be empty
+    std::vector<Predicate> goal;  // must hold simultaneously; not empty
+    double hold_s = 0.0;          // for so long without interruption
+    std::vector<Predicate> limits;
+    // The goal counts only while this tool is in hand, see is_in_hand(); none: whatever is.
+    std::optional<LessonTool> tool{};
+};
 
 struct Lesson {
     std::string name;

@@ -14,6 +14,7 @@
 #include "core/flow/fluid.h"
 #include "core/lesson/lesson_fields.h"
 #include "core/lesson/predicate_json.h"
+#include "core/lesson/tool_in_hand.h"
 
 namespace hepatica {
 
@@ -65,8 +66,21 @@ ScriptPlace place_from(const LessonFields& fields) {
     return place;
 }
 
-LessonStep step_from(const LessonFields& fields, const std::vector<std::string>& marks) {
-    fields.know({"text", "hint", "goal", "hold_s", "limits"});
+// Of a step of a lesson that allows these tools.
+LessonTool step_tool_from(const LessonFields& field, const std::vector<LessonTool>& allowed) {
+    const LessonTool tool = tool_from(field);
+    if (!is_held(tool))
+        field.refuse("is \"" + field.text() + "\", which is not held in the hand",
+                     "Choose from pull, sphere, capsule, forceps, hook");
+    if (std::ranges::find(allowed, tool) == allowed.end() && !field.unfinished())
+        field.refuse("is \"" + field.text() + "\", which the lesson does not allow",
+                     "Name it under \"tools\", too");
+    return tool;
+}
+
+LessonStep step_from(const LessonFields& fields, const std::vector<std::string>& marks,
+                     const std::vector<LessonTool>& allowed) {
+    fields.know({"text", "hint", "tool", "goal", "hold_s", "limits"});
     LessonStep step;
     step.text = fields.need("text").text();
     if (fields.has("hint")) step.hint = fields.need("hint").text();
@@ -80,6 +94,7 @@ LessonStep step_from(const LessonFields& fields, const std::vector<std::string>&
             hold.refuse("is " + hold.dump(), "Give 0 to 3600 seconds");
     }
     step.limits = predicates_from(fields, "limits", marks);
+    if (fields.has("tool")) step.tool = step_tool_from(fields.need("tool"), allowed);
     return step;
 }
 
@@ -165,7 +180,7 @@ Lesson lesson_from(const LessonFields& fields) {
     }
     const std::vector<std::string> marks = lesson.mark_names();
     for (const LessonFields& step : fields.need("steps").list())
-        lesson.steps.push_back(step_from(step, marks));
+        lesson.steps.push_back(step_from(step, marks, lesson.tools));
     if (lesson.steps.empty()) fields.need("steps").refuse("is empty", lesson_remedy);
     lesson.limits = predicates_from(fields, "limits", marks);
     lesson.pass = predicates_from(fields, "pass", marks);

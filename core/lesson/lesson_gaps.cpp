@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lesson/lesson_gaps.h"
 
+#include <algorithm>
+
 namespace hepatica {
 
 namespace {
@@ -42,6 +44,10 @@ class Finder {
         if (step.text.empty())
             gaps_.push_back(where + " says nothing: write what the trainee is to do.");
         if (step.goal.empty()) gaps_.push_back(where + " has no goal: add what is to be reached.");
+        const auto& allowed = lesson_.tools;
+        if (step.tool && std::ranges::find(allowed, *step.tool) == allowed.end())
+            gaps_.push_back(where + " asks for the tool " + std::string(name_of(*step.tool)) +
+                            ", which the lesson does not allow: allow it, or ask for none.");
         look_at(step.goal, where + ", goal");
         look_at(step.limits, where + ", limits");
     }

@@ -14,8 +14,8 @@ namespace hepatica {
 std::string step_in_words(const Lesson& lesson, std::size_t step);
 
 // One sentence per gap, with advice: empty texts, a goal without a bound, a bound that has lost its
-// mark, an empty scene. If there is none, lesson_of() accepts the lesson's text, except for values
-// that the editor cannot change.
+// mark, a tool that is not allowed, an empty scene. If there is none, lesson_of() accepts the
+// lesson's text, except for values that the editor cannot change.
 std::vector<std::string> gaps_in(const Lesson& lesson);
 
 }  // namespace hepatica

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/lesson/allowed_commands.h"
+#include "core/lesson/tool_in_hand.h"
 #include "core/session/session_inbox.h"
 
 namespace hepatica {
@@ -58,6 +59,7 @@ void LessonRun::begin_step() {
     first_limit_of_step_ = standing_.limits.size();
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     for (const Predicate& limit : step.limits) standing_.limits.push_back({limit, unknown, true});
+    standing_.tool_missing = step.tool.has_value();  // until a frame shows it
     standing_.goal.clear();
     for (const Predicate& goal : step.goal) standing_.goal.push_back({goal, unknown, false});
 }
@@ -111,11 +113,13 @@ void LessonRun::check_limits() {
     }
 }
 
-void LessonRun::check_goal() {
+void LessonRun::check_goal(const Frame& frame) {
+    const std::optional<LessonTool> tool = lesson_.steps[standing_.step].tool;
+    standing_.tool_missing = tool && !is_in_hand(*tool, frame);
     bool all = true;
     for (BoundStanding& goal : standing_.goal) {
         goal.value = value_of(goal.predicate);
-        goal.kept = goal.predicate.holds(goal.value);
+        goal.kept = !standing_.tool_missing && goal.predicate.holds(goal.value);
         all = all && goal.kept;
     }
     StepStanding& step = standing_.steps[standing_.step];
@@ -151,6 +155,7 @@ void LessonRun::see_pass_marks() {
 
 void LessonRun::finish() {
     standing_.goal.clear();
+    standing_.tool_missing = false;
     const std::vector<std::string> marks = lesson_.mark_names();
     standing_.outcome = LessonOutcome::passed;
     for (BoundStanding& mark : standing_.pass) {
@@ -187,7 +192,7 @@ void LessonRun::see_step(std::span<const Command> commands, const Frame& frame,
                             standing_.moment.stretch, standing_.moment.leak_g_s,
                             standing_.moment.target_filled, standing_.moment.elsewhere_filled});
         check_limits();
-        if (standing_.outcome == LessonOutcome::running) check_goal();
+        if (standing_.outcome == LessonOutcome::running) check_goal(frame);
     }
 }
 

@@ -45,6 +45,7 @@ struct LessonStanding {
     std::vector<BoundStanding> pass;
     LessonMetrics metrics;
     LessonMoment moment;
+    bool tool_missing = false;  // the present step names a tool that is not in hand
 };
 
 // One sample per step that is not paused, for plots.
@@ -88,7 +89,7 @@ class LessonRun {
     void check_tools(std::span<const Command> commands);
     void see_taken(std::span<const Command> commands);
     void check_limits();
-    void check_goal();
+    void check_goal(const Frame& frame);
     void see_step(std::span<const Command> commands, const Frame& frame,
                   const std::stop_token& stop);
     void see_pass_marks();

@@ -56,6 +56,7 @@ Json ties_json(const std::vector<SetupTie>& ties) {
 Json step_json(const LessonStep& step, const std::vector<std::string>& marks) {
     Json json{{"text", step.text}};
     if (!step.hint.empty()) json["hint"] = step.hint;
+    if (step.tool) json["tool"] = name_of(*step.tool);
     json["goal"] = json_of(step.goal, marks);
     if (step.hold_s != 0.0) json["hold_s"] = step.hold_s;
     if (!step.limits.empty()) json["limits"] = json_of(step.limits, marks);

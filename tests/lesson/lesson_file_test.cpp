@@ -103,6 +103,9 @@ TEST(LessonFile, NamesThePlaceAndTheValueOfWhateverIsWrong) {
     EXPECT_THAT(refusal("/steps/0/goal/0/at_most", 1), HasSubstr("either"));
     EXPECT_THAT(refusal("/steps/0/goal/0/at_least", "five"), HasSubstr("\"five\""));
     EXPECT_THAT(refusal("/steps/0/hold_s", -1), HasSubstr("is -1"));
+    EXPECT_THAT(refusal("/steps/0/tool", "spoon"), HasSubstr("steps[0].tool"));
+    EXPECT_THAT(refusal("/steps/0/tool", "inject"), HasSubstr("not held in the hand"));
+    EXPECT_THAT(refusal("/steps/0/tool", "hook"), HasSubstr("does not allow"));
     EXPECT_THAT(refusal("/limits/0/mark", "here"), HasSubstr("does not need"));
     EXPECT_THAT(refusal("/setup/0/strength", 7), HasSubstr("strength"));
     EXPECT_THAT(refusal("/setup/0/at_s", 1), HasSubstr("over time"));

@@ -28,6 +28,8 @@ const OneGap one_gaps[] = {
     {[](Lesson& lesson) { lesson.steps[0].text.clear(); }, "Step 1 says nothing"},
     {[](Lesson& lesson) { lesson.steps[0].goal.clear(); },
      "Step 1 \"Pull the vessel at the mark aside and hold it…\" has no goal"},
+    {[](Lesson& lesson) { lesson.steps[0].tool = LessonTool::hook; },
+     "hold it…\" asks for the tool hook, which the lesson does not allow"},
     {[](Lesson& lesson) { remove_mark(lesson, 0); }, "hold it…\", goal: \"way moved by no mark"},
     {[](Lesson& lesson) {
          lesson.limits = {{Quantity::touch_mm, -1, false, 2.0}};

@@ -82,6 +82,44 @@ TEST(LessonRun, ABrokenLimitEndsItAndSaysByHowMuch) {
     EXPECT_EQ(run.standing().metrics, before) << "what comes later changes nothing";
 }
 
+// A tool of these parts in hand.
+Frame with_parts(const std::vector<ToolView::Part>& parts) {
+    Frame frame = rest_frame();
+    frame.tool.emplace();
+    frame.tool->parts = parts;
+    return frame;
+}
+
+TEST(LessonRun, AGoalCountsOnlyWithTheToolThatItsStepNames) {
+    const std::vector<ToolView::Part> sphere{{Vec3::Zero(), Vec3::Zero(), 2.0}};
+    const std::vector<ToolView::Part> rod{{Vec3::Zero(), Vec3(0, 0, 9), 2.0}};
+    const std::vector<ToolView::Part> jaws{{Vec3::Zero(), Vec3(0, 0, 9), 1.0},
+                                           {Vec3(4, 0, 0), Vec3(4, 0, 9), 1.0}};
+    const std::vector<ToolView::Part> hook{{Vec3::Zero(), Vec3(0, 0, 9), 1.0},
+                                           {Vec3(0, 0, 9), Vec3(0, 4, 9), 1.0}};
+    const std::vector<std::pair<LessonTool, Frame>> hands{
+        {LessonTool::pull, with_force(0.0)},    {LessonTool::sphere, with_parts(sphere)},
+        {LessonTool::capsule, with_parts(rod)}, {LessonTool::forceps, with_parts(jaws)},
+        {LessonTool::hook, with_parts(hook)},
+    };
+    for (const auto& [asked, ignored] : hands)
+        for (const auto& [taken, frame] : hands) {
+            Lesson lesson = plain_lesson();
+            lesson.steps = {{"wait", "", {at_least(Quantity::time_s, 0.5)}, 0.0, {}, asked}};
+            LessonRun run(lesson, small_patient());
+            run.see({}, rest_frame());
+            EXPECT_TRUE(run.standing().tool_missing);
+            run.see({}, frame);
+            const bool right = asked == taken;
+            const std::string which = std::string(name_of(asked)) + ", " + name_of(taken);
+            EXPECT_EQ(run.standing().outcome == LessonOutcome::passed, right) << which;
+            EXPECT_EQ(run.standing().tool_missing, !right) << which;
+            const BoundStanding& goal =
+                right ? run.standing().steps[0].goal.at(0) : run.standing().goal.at(0);
+            EXPECT_EQ(goal.kept, right) << which;
+        }
+}
+
 TEST(LessonRun, ALimitOfAStepHoldsForThatStepAlone) {
     Lesson lesson = pull_lesson();
     lesson.steps[0].limits = {at_most(Quantity::step_time_s, 1.5)};

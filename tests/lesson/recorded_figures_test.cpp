@@ -224,6 +224,7 @@ TEST(LessonFigures, OfTheLessonsThatComeWithTheProgram) {
         };
         for (const LessonStep& step : lesson.steps) {
             text += step.text + step.hint + std::to_string(step.hold_s) + "\n";
+            if (step.tool) text += std::string(name_of(*step.tool)) + "\n";
             add(step.goal);
             add(step.limits);
         }

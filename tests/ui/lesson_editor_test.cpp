@@ -47,6 +47,7 @@ TEST_F(LessonEditorTest, makes_a_lesson_that_its_file_holds) {
     field<QPlainTextEdit>("stepText").setPlainText("Touch the end.");
     field<QLineEdit>("stepHint").setText("From the side.");
     field<QDoubleSpinBox>("stepHold").setValue(2.5);
+    choose("stepTool", field<QComboBox>("stepTool").findText("Rod"));
     choose("goal0quantity", static_cast<int>(Quantity::touch_mm));
     choose("goal0mark", 1);
     choose("goal0side", 1);
@@ -70,6 +71,8 @@ TEST_F(LessonEditorTest, makes_a_lesson_that_its_file_holds) {
     EXPECT_EQ(made.steps[1].text, "Touch the end.");
     EXPECT_EQ(made.steps[1].hint, "From the side.");
     EXPECT_EQ(made.steps[1].hold_s, 2.5);
+    EXPECT_EQ(made.steps[1].tool, LessonTool::capsule);
+    EXPECT_FALSE(made.steps[0].tool) << "the first step asks for none";
     EXPECT_EQ(made.steps[1].goal, (std::vector<Predicate>{{Quantity::touch_mm, 1, false, 6.0}}));
     EXPECT_EQ(made.steps[1].limits.size(), 1u);
     EXPECT_EQ(made.limits.size(), 2u);

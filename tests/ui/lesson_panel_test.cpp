@@ -61,6 +61,27 @@ TEST_F(LessonPanelTest, says_the_step_its_goal_and_the_limits) {
     EXPECT_TRUE(button("lessonReport")->isHidden());
 }
 
+TEST(LessonPanel, says_which_tool_the_step_is_done_with_while_another_is_in_hand) {
+    LessonPanel::Ways ways;
+    ways.tool_and_key = [](LessonTool tool) {
+        return tool == LessonTool::sphere ? QString("Probe (4)") : QString("another");
+    };
+    LessonPanel panel(ways);
+    Lesson lesson = two_steps();
+    lesson.steps[0].tool = LessonTool::sphere;
+    panel.begin(lesson);
+    LessonStanding standing;
+    standing.steps.resize(2);
+    standing.tool_missing = true;
+    panel.show_standing(standing);
+    const auto* said = panel.findChild<QLabel*>("lessonStepTool");
+    EXPECT_EQ(said->text(), "This step is done with: Probe (4)");
+    EXPECT_FALSE(said->isHidden());
+    standing.tool_missing = false;
+    panel.show_standing(standing);
+    EXPECT_TRUE(said->isHidden());
+}
+
 // Lessons come from anybody.
 TEST_F(LessonPanelTest, shows_texts_that_look_like_html_as_they_are) {
     Lesson lesson = two_steps();

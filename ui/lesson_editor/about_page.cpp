@@ -16,21 +16,11 @@
 #include "core/deform/body/material.h"
 #include "ui/core_words.h"
 #include "ui/decimal_spin_box.h"
+#include "ui/lesson_editor/tool_words.h"
 #include "ui/words.h"
 
 namespace hepatica {
 namespace {
-
-constexpr std::array<std::pair<LessonTool, const char*>, 9> tool_words{
-    {{LessonTool::pull, Words::id("Pull by hand")},
-     {LessonTool::sphere, Words::id("Round probe")},
-     {LessonTool::capsule, Words::id("Rod")},
-     {LessonTool::forceps, Words::id("Forceps")},
-     {LessonTool::hook, Words::id("Hook")},
-     {LessonTool::blade, Words::id("Blade")},
-     {LessonTool::cut_line, Words::id("Cut line")},
-     {LessonTool::inject, Words::id("Injection")},
-     {LessonTool::settings, Words::id("Settings: gravity, tissue, tearing, the drug's clock")}}};
 
 // Keeps the tools in the order of LessonTool, whatever the order of the clicks.
 void allow(Lesson& lesson, LessonTool tool, bool allowed) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson_editor/steps_page.h"
 
+#include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLineEdit>
@@ -13,9 +14,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/lesson/tool_in_hand.h"
 #include "ui/decimal_spin_box.h"
 #include "ui/lesson_editor/bounds_table.h"
 #include "ui/lesson_editor/new_parts.h"
+#include "ui/lesson_editor/tool_words.h"
 #include "ui/words.h"
 
 namespace hepatica {
@@ -32,6 +35,7 @@ StepsPage::StepsPage(Changes changes)
       list_(new QListWidget),
       text_(new QPlainTextEdit),
       hint_(new QLineEdit),
+      tool_(new QComboBox),
       hold_(new DecimalSpinBox(0.0, 3600.0, 0.0, 1, "s")),
       goal_(new BoundsTable(
           Words::tr("Goal: all of these at once"), "goal", {Quantity::force_mn, -1, true, 10.0},
@@ -98,6 +102,8 @@ QWidget* StepsPage::make_step() {
         set("hint", [&](LessonStep& step) { step.hint = text.toStdString(); });
     });
     form->addRow(Words::tr("Hint"), hint_);
+    make_tools();
+    form->addRow(Words::tr("Done with"), tool_);
     hold_->setObjectName("stepHold");
     connect(hold_, &DecimalSpinBox::valueChanged, this, [this](double seconds) {
         set("hold", [&](LessonStep& step) { step.hold_s = seconds; });
@@ -112,6 +118,21 @@ QWidget* StepsPage::make_step() {
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidget(content);
     return scroll;
+}
+
+// The tools that a step may ask for.
+void StepsPage::make_tools() {
+    tool_->setObjectName("stepTool");
+    tool_->setToolTip(Words::tr("The goal counts only while this tool is in hand"));
+    tool_->addItem(Words::tr("whatever is in hand"), -1);
+    for (const auto& [tool, words] : tool_words)
+        if (is_held(tool)) tool_->addItem(Words::tr(words), static_cast<int>(tool));
+    connect(tool_, &QComboBox::activated, this, [this] {
+        const int chosen = tool_->currentData().toInt();
+        set("tool", [&](LessonStep& step) {
+            step.tool = chosen < 0 ? std::nullopt : std::optional(static_cast<LessonTool>(chosen));
+        });
+    });
 }
 
 void StepsPage::fill(const Lesson& lesson) {
@@ -137,6 +158,7 @@ void StepsPage::fill_step() {
     if (text_->toPlainText() != text) text_->setPlainText(text);
     const QString hint = QString::fromStdString(step.hint);
     if (hint_->text() != hint) hint_->setText(hint);
+    tool_->setCurrentIndex(tool_->findData(step.tool ? static_cast<int>(*step.tool) : -1));
     hold_->setValue(step.hold_s);
     goal_->show_bounds(step.goal, shown_.mark_names());
     limits_->show_bounds(step.limits, shown_.mark_names());

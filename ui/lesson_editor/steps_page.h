@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lesson editor page for the steps, in order: text, hint, goal, how long the goal must hold, and
-// limits during the step.
+// Lesson editor page for the steps, in order: text, hint, the tool to be used, goal, how long the
+// goal must hold, and limits during the step.
 #pragma once
 
 #include "ui/lesson_editor/lesson_page.h"
 
+class QComboBox;
 class QLineEdit;
 class QListWidget;
 class QPlainTextEdit;
@@ -25,6 +26,7 @@ class StepsPage : public LessonPage {
   private:
     QWidget* make_list();
     QWidget* make_step();
+    void make_tools();
     void fill_step();
     void set(const std::string& field, const std::function<void(LessonStep&)>& change);
     void add();
@@ -37,6 +39,7 @@ class StepsPage : public LessonPage {
     QPushButton *remove_ = nullptr, *up_ = nullptr, *down_ = nullptr;
     QPlainTextEdit* text_;
     QLineEdit* hint_;
+    QComboBox* tool_;
     DecimalSpinBox* hold_;
     BoundsTable* goal_;
     BoundsTable* limits_;
